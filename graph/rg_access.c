@@ -1,0 +1,165 @@
+/* rg_access.c: the one table that turns an access into Vulkan's words. */
+#include "graph/rg.h"
+
+#define NO_DESCRIPTOR \
+    .image_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM, \
+    .buffer_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM
+
+static const struct rg_access_info access_table[RG_ACCESS_COUNT] = {
+    [RG_ACCESS_NONE] = {
+        .name = "none",
+        NO_DESCRIPTOR,
+    },
+    [RG_COLOR] = {
+        .name = "color",
+        .stages = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+        .reads = VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT,
+        .writes = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+        .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+        .image_usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+        .format_features = VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT,
+        .writes_content = true,
+        NO_DESCRIPTOR,
+    },
+    [RG_DEPTH] = {
+        .name = "depth",
+        .stages = VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
+                  VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+        .reads = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
+        .writes = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+        .layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+        .image_usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+        .format_features = VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT,
+        .writes_content = true,
+        NO_DESCRIPTOR,
+    },
+    [RG_DEPTH_READ] = {
+        .name = "depth read",
+        .stages = VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
+                  VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+        .reads = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
+        .layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL,
+        .image_usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+        .format_features = VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT,
+        .reads_content = true,
+        NO_DESCRIPTOR,
+    },
+    [RG_SAMPLED] = {
+        .name = "sampled",
+        .reads = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+        .layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+        .image_usage = VK_IMAGE_USAGE_SAMPLED_BIT,
+        .format_features = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT,
+        .image_descriptor = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+        .buffer_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM,
+        .reads_content = true,
+    },
+    [RG_STORAGE_READ] = {
+        .name = "storage read",
+        .reads = VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
+        .layout = VK_IMAGE_LAYOUT_GENERAL,
+        .image_usage = VK_IMAGE_USAGE_STORAGE_BIT,
+        .buffer_usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+        .format_features = VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT,
+        .image_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+        .buffer_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+        .reads_content = true,
+    },
+    [RG_STORAGE_WRITE] = {
+        .name = "storage write",
+        .writes = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+        .layout = VK_IMAGE_LAYOUT_GENERAL,
+        .image_usage = VK_IMAGE_USAGE_STORAGE_BIT,
+        .buffer_usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+        .format_features = VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT,
+        .image_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+        .buffer_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+        .writes_content = true,
+    },
+    [RG_STORAGE_READ_WRITE] = {
+        .name = "storage read write",
+        .reads = VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
+        .writes = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+        .layout = VK_IMAGE_LAYOUT_GENERAL,
+        .image_usage = VK_IMAGE_USAGE_STORAGE_BIT,
+        .buffer_usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+        .format_features = VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT,
+        .image_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+        .buffer_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+        .reads_content = true,
+        .writes_content = true,
+    },
+    [RG_UNIFORM] = {
+        .name = "uniform",
+        .reads = VK_ACCESS_2_UNIFORM_READ_BIT,
+        .buffer_usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+        .image_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM,
+        .buffer_descriptor = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+        .reads_content = true,
+    },
+    [RG_VERTEX] = {
+        .name = "vertex",
+        .stages = VK_PIPELINE_STAGE_2_VERTEX_ATTRIBUTE_INPUT_BIT,
+        .reads = VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT,
+        .buffer_usage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+        .reads_content = true,
+        NO_DESCRIPTOR,
+    },
+    [RG_INDEX] = {
+        .name = "index",
+        .stages = VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT,
+        .reads = VK_ACCESS_2_INDEX_READ_BIT,
+        .buffer_usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+        .reads_content = true,
+        NO_DESCRIPTOR,
+    },
+    [RG_INDIRECT] = {
+        .name = "indirect",
+        .stages = VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
+        .reads = VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT,
+        .buffer_usage = VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+        .reads_content = true,
+        NO_DESCRIPTOR,
+    },
+    [RG_COPY_SRC] = {
+        .name = "copy source",
+        .stages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+        .reads = VK_ACCESS_2_TRANSFER_READ_BIT,
+        .layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+        .image_usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+        .buffer_usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+        .format_features = VK_FORMAT_FEATURE_TRANSFER_SRC_BIT,
+        .reads_content = true,
+        NO_DESCRIPTOR,
+    },
+    [RG_COPY_DST] = {
+        .name = "copy destination",
+        .stages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+        .writes = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+        .layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+        .image_usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+        .buffer_usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+        .format_features = VK_FORMAT_FEATURE_TRANSFER_DST_BIT,
+        .writes_content = true,
+        NO_DESCRIPTOR,
+    },
+    [RG_HOST_READ] = {
+        .name = "host read",
+        .stages = VK_PIPELINE_STAGE_2_HOST_BIT,
+        .reads = VK_ACCESS_2_HOST_READ_BIT,
+        .layout = VK_IMAGE_LAYOUT_GENERAL,
+        .reads_content = true,
+        NO_DESCRIPTOR,
+    },
+    [RG_PRESENT] = {
+        .name = "present",
+        .layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR,
+        .reads_content = true,
+        NO_DESCRIPTOR,
+    },
+};
+
+const struct rg_access_info *rg_access_info(enum rg_access access)
+{
+    return &access_table[access];
+}

@@ -1,0 +1,203 @@
+/* rg_exec.c: the executor's life, and a frame's: wait, record, submit. */
+#include <stdlib.h>
+#include <string.h>
+#include "graph/rg_exec_internal.h"
+
+VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call)
+{
+    if (result != VK_SUCCESS && exec->params.log) {
+        char line[512];
+        snprintf(line, sizeof(line), "VkResult %d from %s", (int)result, call);
+        exec->params.log(exec->params.user, line);
+    }
+    return result;
+}
+
+void rg_exec_name(const struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name)
+{
+    const VkDebugUtilsObjectNameInfoEXT info = {
+        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
+        .objectType = type,
+        .objectHandle = handle,
+        .pObjectName = name,
+    };
+    if (vkSetDebugUtilsObjectNameEXT)
+        vkSetDebugUtilsObjectNameEXT(exec->device, &info);
+}
+
+static VkResult make_slots(struct rg_exec *exec)
+{
+    VkResult result;
+    RG_TRY(exec, vkCreateCommandPool(exec->device,
+                                     &(VkCommandPoolCreateInfo){
+                                         .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                         .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                                         .queueFamilyIndex = exec->params.queue_family,
+                                     },
+                                     NULL, &exec->command_pool));
+    for (uint32_t i = 0; i < exec->slot_count; i++) {
+        struct exec_slot *slot = &exec->slots[i];
+        RG_TRY(exec,
+               vkAllocateCommandBuffers(exec->device,
+                                        &(VkCommandBufferAllocateInfo){
+                                            .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                            .commandPool = exec->command_pool,
+                                            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                            .commandBufferCount = 1,
+                                        },
+                                        &slot->commands));
+        RG_TRY(exec, vkCreateFence(exec->device,
+                                   &(VkFenceCreateInfo){
+                                       .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
+                                   },
+                                   NULL, &slot->fence));
+    }
+fail:
+    return result;
+}
+
+/* calloc wants at least one element to be told apart from failure */
+static void *make_array(size_t count, size_t size)
+{
+    return calloc(count ? count : 1, size);
+}
+
+static bool make_arrays(struct rg_exec *exec)
+{
+    const struct rg_plan *plan = exec->plan;
+    exec->blocks = make_array(plan->block_count, sizeof(*exec->blocks));
+    exec->images = make_array(plan->image_count, sizeof(*exec->images));
+    exec->buffers = make_array(plan->buffer_count, sizeof(*exec->buffers));
+    exec->use_views = make_array(plan->use_count, sizeof(VkImageView));
+    exec->samplers = make_array(plan->use_count, sizeof(*exec->samplers));
+    exec->passes = make_array(plan->pass_count, sizeof(*exec->passes));
+    exec->slots = make_array(exec->slot_count, sizeof(*exec->slots));
+    exec->image_batch = make_array(plan->barrier_count, sizeof(*exec->image_batch));
+    exec->buffer_batch = make_array(plan->barrier_count, sizeof(*exec->buffer_batch));
+    return exec->blocks && exec->images && exec->buffers && exec->use_views && exec->samplers &&
+           exec->passes && exec->slots && exec->image_batch && exec->buffer_batch;
+}
+
+static VkResult make_all(struct rg_exec *exec)
+{
+    VkResult (*const steps[])(struct rg_exec *) = {
+        rg_exec_make_memory,    rg_exec_make_targets, rg_exec_make_descriptors,
+        rg_exec_make_pipelines, make_slots,
+    };
+    for (size_t i = 0; i < sizeof(steps) / sizeof(steps[0]); i++) {
+        VkResult result = steps[i](exec);
+        if (result != VK_SUCCESS)
+            return result;
+    }
+    return VK_SUCCESS;
+}
+
+struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result)
+{
+    struct rg_exec start = {
+        .params = *params,
+        .plan = params->plan,
+        .device = params->device,
+        .slot_count = params->frames_in_flight ? params->frames_in_flight : 2,
+    };
+    start.slot = start.slot_count - 1;
+    vkGetPhysicalDeviceMemoryProperties(params->physical, &start.memory_properties);
+    struct rg_exec *exec = calloc(1, sizeof(*exec));
+    if (exec)
+        *exec = start;
+    VkResult outcome = exec && make_arrays(exec)
+                           ? make_all(exec)
+                           : rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc");
+    if (result)
+        *result = outcome;
+    if (outcome == VK_SUCCESS)
+        return exec;
+    rg_exec_destroy(exec);
+    return NULL;
+}
+
+void rg_exec_destroy(struct rg_exec *exec)
+{
+    if (!exec)
+        return;
+    for (uint32_t i = 0; exec->slots && i < exec->slot_count; i++) {
+        rg_exec_wait(exec, i);
+        vkDestroyFence(exec->device, exec->slots[i].fence, NULL);
+    }
+    vkDestroyCommandPool(exec->device, exec->command_pool, NULL);
+    if (exec->passes) {
+        rg_exec_free_pipelines(exec);
+        rg_exec_free_targets(exec);
+    }
+    rg_exec_free_descriptors(exec);
+    rg_exec_free_memory(exec);
+    free(exec->blocks);
+    free(exec->images);
+    free(exec->buffers);
+    free(exec->use_views);
+    free(exec->samplers);
+    free(exec->passes);
+    free(exec->slots);
+    free(exec->image_batch);
+    free(exec->buffer_batch);
+    free(exec);
+}
+
+VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
+{
+    exec->slot = (exec->slot + 1) % exec->slot_count;
+    *slot = exec->slot;
+    return rg_exec_wait(exec, exec->slot);
+}
+
+VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
+{
+    VkResult result;
+    struct exec_slot *slot = &exec->slots[exec->slot];
+    const VkCommandBufferSubmitInfo commands = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+        .commandBuffer = slot->commands,
+    };
+    const VkSubmitInfo2 submit = {
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+        .commandBufferInfoCount = 1,
+        .pCommandBufferInfos = &commands,
+    };
+    RG_PASS(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
+    RG_PASS(rg_exec_record(exec, frame));
+    RG_TRY(exec, vkResetFences(exec->device, 1, &slot->fence));
+    RG_TRY(exec, vkQueueSubmit2(exec->params.queue, 1, &submit, slot->fence));
+    slot->submitted = true;
+fail:
+    return result;
+}
+
+VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
+{
+    VkResult result;
+    if (!exec->slots[slot].submitted)
+        return VK_SUCCESS;
+    RG_TRY(exec, vkWaitForFences(exec->device, 1, &exec->slots[slot].fence, VK_TRUE, UINT64_MAX));
+    exec->slots[slot].submitted = false;
+    RG_PASS(rg_exec_sync_host(exec, slot, RG_MEMORY_READBACK));
+fail:
+    return result;
+}
+
+void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot)
+{
+    for (uint32_t i = 0; i < exec->plan->buffer_count; i++) {
+        if (exec->plan->buffers[i].buffer == buffer && exec->buffers[i].mapped)
+            return exec->buffers[i].mapped[slot];
+    }
+    return NULL;
+}
+
+VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image)
+{
+    for (uint32_t i = 0; i < exec->plan->image_count; i++) {
+        if (exec->plan->images[i].image == image)
+            return exec->images[i];
+    }
+    return VK_NULL_HANDLE;
+}

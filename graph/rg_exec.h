@@ -1,0 +1,84 @@
+/*
+ * rg_exec.h: realises a plan on a VkDevice and runs it, frame after frame.
+ *
+ * Everything a plan needs (memory, images, views, samplers, descriptors, pipelines, command
+ * buffers) is made once by rg_exec_create(); a frame allocates nothing. Needs Vulkan 1.3 with
+ * dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
+ * separateDepthStencilLayouts enabled, and independentBlend where the targets of a row blend
+ * differently. Functions are called through volk, which the program has loaded for the instance.
+ *
+ *     while (...) {
+ *         rg_exec_begin(exec, &slot);                    waits until the slot is free
+ *         memcpy(rg_exec_mapped(exec, &uniforms, slot), ...);
+ *         rg_exec_submit(exec, frame);                   records and submits
+ *         rg_exec_wait(exec, slot);                      only to read results back now
+ *         ... rg_exec_mapped(exec, &readback, slot) ...
+ *     }
+ *
+ * Ownership:     the plan, its tables, the device and imported objects outlive the executor.
+ * Errors:        VkResult; the log callback gets one line with the failing call. After a failure
+ *                only rg_exec_destroy() may be called.
+ * Thread-safety: one thread at a time per executor; the queue is used only inside submit.
+ */
+#ifndef RG_EXEC_H
+#define RG_EXEC_H
+
+#include <volk.h>
+
+#include "graph/rg.h"
+
+/* The object behind each of the compile params' imports, in the same order. */
+struct rg_exec_import {
+    VkImage image;
+    VkBuffer buffer;
+};
+
+struct rg_exec_params {
+    const struct rg_plan *plan; /* without faults */
+    VkPhysicalDevice physical;
+    VkDevice device;
+    VkQueue queue; /* graphics and compute */
+    uint32_t queue_family;
+    VkPipelineCache pipeline_cache;       /* may be VK_NULL_HANDLE */
+    uint32_t frames_in_flight;            /* 0 means 2 */
+    const struct rg_exec_import *imports; /* as many as the plan has; read by create alone */
+    size_t import_count;
+    float max_anisotropy; /* the enabled device limit; 0: samplerAnisotropy is off */
+    /* Record through VkRenderPass objects: some releases of the synchronization validation do not
+     * look into dynamic rendering. */
+    bool render_passes;
+    void (*log)(void *user, const char *line); /* NULL: silent */
+    void *user;
+};
+
+struct rg_exec;
+
+/* NULL on failure; *result says why and may be NULL. */
+struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result);
+
+/* Waits for all frames. May be NULL. */
+void rg_exec_destroy(struct rg_exec *exec);
+
+/* Takes the next slot, 0..frames_in_flight - 1, waiting until its earlier frame is finished. */
+VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
+
+/* Records the plan into the slot taken last and submits it. */
+VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
+
+/* Waits for the frame submitted in a slot; readback buffers are then up to date. */
+VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
+
+/* Memory of an upload or readback buffer in a slot; NULL if the plan does not use the buffer. */
+void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot);
+
+/* The image made for a declaration, to import elsewhere; VK_NULL_HANDLE if not in the plan. */
+VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
+
+/* What rg_compile() may ask of a device. `vulkan` is borrowed and outlives the result. */
+struct rg_vulkan {
+    VkPhysicalDevice physical;
+    VkDevice device;
+};
+struct rg_device rg_exec_device(const struct rg_vulkan *vulkan);
+
+#endif

@@ -1,0 +1,109 @@
+/* rg_exec_internal.h: what the executor's files share. Private to graph/. */
+#ifndef RG_EXEC_INTERNAL_H
+#define RG_EXEC_INTERNAL_H
+
+#include "graph/rg_exec.h"
+
+/* Buffers of host memory have one object a slot, others one in all. */
+struct exec_buffer {
+    VkBuffer *buffers;      /* one a slot */
+    VkDeviceMemory *memory; /* one a slot; only of host memory */
+    void **mapped;          /* one a slot; only of host memory */
+    bool coherent;
+};
+
+struct exec_pass {
+    VkImageView views[RG_COLOR_COUNT + 1]; /* of the targets; depth last of those there are */
+    VkPipelineLayout layout;               /* shared by the repetitions of a row, as are: */
+    VkDescriptorSetLayout set_layout;
+    VkPipeline pipeline;
+    bool owner; /* of the three above */
+    VkRenderPass render_pass;
+    VkFramebuffer framebuffer;
+    VkDescriptorSet *sets; /* one a slot; NULL without descriptors */
+};
+
+struct exec_slot {
+    VkCommandBuffer commands;
+    VkFence fence;
+    bool submitted;
+};
+
+struct exec_sampler {
+    struct rg_sampler key;
+    VkSampler sampler;
+};
+
+struct rg_exec {
+    struct rg_exec_params params;
+    const struct rg_plan *plan;
+    VkDevice device;
+    uint32_t slot_count, slot; /* the slot taken last */
+    VkPhysicalDeviceMemoryProperties memory_properties;
+    VkDeviceMemory *blocks;
+    VkImage *images;
+    struct exec_buffer *buffers;
+    VkImageView *use_views; /* one a plan use; null for buffers */
+    struct exec_sampler *samplers;
+    uint32_t sampler_count;
+    struct exec_pass *passes;
+    VkDescriptorPool descriptor_pool;
+    VkCommandPool command_pool;
+    struct exec_slot *slots;
+    VkImageMemoryBarrier2 *image_batch; /* room to record any batch from */
+    VkBufferMemoryBarrier2 *buffer_batch;
+};
+
+/* What a record function holds. */
+struct rg_cmd {
+    struct rg_exec *exec;
+    const struct rg_plan_pass *plan_pass;
+    const struct exec_pass *pass;
+    VkCommandBuffer commands;
+};
+
+/* Logs the call if it failed, and returns its result. */
+VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call);
+
+/* The one way out of a failed call: needs `result` and a label `fail`. */
+#define RG_TRY(exec, call) \
+    do { \
+        result = rg_exec_check((exec), (call), #call); \
+        if (result != VK_SUCCESS) \
+            goto fail; \
+    } while (0)
+
+/* The same for functions that have logged their failure. */
+#define RG_PASS(call) \
+    do { \
+        result = (call); \
+        if (result != VK_SUCCESS) \
+            goto fail; \
+    } while (0)
+
+/* Names an object for captures and messages, where the instance has debug utils. */
+void rg_exec_name(const struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name);
+
+/* rg_memory.c */
+VkResult rg_exec_make_memory(struct rg_exec *exec);
+void rg_exec_free_memory(struct rg_exec *exec);
+VkBuffer rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);
+VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory memory);
+
+/* rg_descriptor.c */
+VkResult rg_exec_make_descriptors(struct rg_exec *exec);
+void rg_exec_free_descriptors(struct rg_exec *exec);
+
+/* rg_pipeline.c */
+VkResult rg_exec_make_pipelines(struct rg_exec *exec);
+void rg_exec_free_pipelines(struct rg_exec *exec);
+VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
+
+/* rg_render_pass.c: target views always, VkRenderPass objects where asked for */
+VkResult rg_exec_make_targets(struct rg_exec *exec);
+void rg_exec_free_targets(struct rg_exec *exec);
+
+/* rg_record.c */
+VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame);
+
+#endif

@@ -1,0 +1,47 @@
+/* rg_fault.c: a fault as one line of text. */
+#include "graph/rg.h"
+
+static const char *const messages[RG_ERROR_COUNT] = {
+    [RG_ERROR_NONE] = "no fault",
+    [RG_ERROR_NO_OUTPUT] = "no output is asked for",
+    [RG_ERROR_NO_NAME] = "has no name",
+    [RG_ERROR_DUPLICATE_NAME] = "name is used twice",
+    [RG_ERROR_NO_SIZE] = "has no size",
+    [RG_ERROR_TOO_LARGE] = "is too large",
+    [RG_ERROR_FORMAT] = "format cannot be used so",
+    [RG_ERROR_CUBE] = "is no cube",
+    [RG_ERROR_RANGE] = "has no such mip, layer or aspect",
+    [RG_ERROR_NOT_ONE_RESOURCE] = "use without exactly one resource and an access",
+    [RG_ERROR_ACCESS] = "access does not fit",
+    [RG_ERROR_DUPLICATE_BINDING] = "binding is used twice",
+    [RG_ERROR_TARGET_SIZE] = "target differs in size",
+    [RG_ERROR_NO_TARGET] = "raster pass without a target",
+    [RG_ERROR_NO_SHADER] = "shader is missing",
+    [RG_ERROR_NO_RECORD] = "record function is missing",
+    [RG_ERROR_PUSH_SIZE] = "push constants have an impossible size",
+    [RG_ERROR_CONFLICT] = "is used in two ways by one pass",
+    [RG_ERROR_READ_BEFORE_WRITE] = "is read before anything writes it",
+    [RG_ERROR_OUTPUT_NOT_WRITTEN] = "is an output that nothing writes",
+    [RG_ERROR_WRITES_NOTHING] = "writes nothing",
+    [RG_ERROR_REPEAT] = "has nothing to be repeated for",
+    [RG_ERROR_LISTED_TWICE] = "is listed twice",
+};
+
+static const char *or_else(const char *text, const char *instead)
+{
+    return text ? text : instead;
+}
+
+int rg_fault_text(const struct rg_fault *fault, char *text, size_t size)
+{
+    char row[24] = "";
+    bool in_row = fault->row != RG_NONE;
+    const char *end = fault->technique ? ": " : "";
+    if (in_row) {
+        snprintf(row, sizeof(row), " row %u (", fault->row);
+        end = "): ";
+    }
+    return snprintf(text, size, "%s%s%s%s%s%s%s; %s", or_else(fault->technique, in_row ? "?" : ""),
+                    row, in_row ? or_else(fault->pass, "?") : "", end, or_else(fault->resource, ""),
+                    fault->resource ? " " : "", messages[fault->error], fault->hint);
+}

@@ -1,0 +1,285 @@
+/* rg_memory.c: blocks of device memory, the images and buffers in them, and host buffers. */
+#include <stdlib.h>
+#include "graph/rg_exec_internal.h"
+
+/* ---- what the compiler asks ---- */
+
+static struct rg_memory_need need_of(const VkMemoryRequirements2 *r)
+{
+    return (struct rg_memory_need){
+        .size = r->memoryRequirements.size,
+        .alignment = r->memoryRequirements.alignment,
+        .type_bits = r->memoryRequirements.memoryTypeBits,
+    };
+}
+
+static struct rg_memory_need image_memory(const void *user, const VkImageCreateInfo *info)
+{
+    const struct rg_vulkan *vulkan = user;
+    VkMemoryRequirements2 needs = { .sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2 };
+    vkGetDeviceImageMemoryRequirements(
+        vulkan->device,
+        &(VkDeviceImageMemoryRequirements){
+            .sType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS,
+            .pCreateInfo = info,
+        },
+        &needs);
+    return need_of(&needs);
+}
+
+static struct rg_memory_need buffer_memory(const void *user, const VkBufferCreateInfo *info)
+{
+    const struct rg_vulkan *vulkan = user;
+    VkMemoryRequirements2 needs = { .sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2 };
+    vkGetDeviceBufferMemoryRequirements(
+        vulkan->device,
+        &(VkDeviceBufferMemoryRequirements){
+            .sType = VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS,
+            .pCreateInfo = info,
+        },
+        &needs);
+    return need_of(&needs);
+}
+
+static VkFormatFeatureFlags format_features(const void *user, VkFormat format)
+{
+    const struct rg_vulkan *vulkan = user;
+    VkFormatProperties properties;
+    vkGetPhysicalDeviceFormatProperties(vulkan->physical, format, &properties);
+    return properties.optimalTilingFeatures;
+}
+
+struct rg_device rg_exec_device(const struct rg_vulkan *vulkan)
+{
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(vulkan->physical, &properties);
+    return (struct rg_device){
+        .user = vulkan,
+        .image_memory = image_memory,
+        .buffer_memory = buffer_memory,
+        .format_features = format_features,
+        .max_image_size = properties.limits.maxImageDimension2D,
+        .max_layers = properties.limits.maxImageArrayLayers,
+    };
+}
+
+/* ---- making ---- */
+
+/* The first memory type that has all of `wanted`, else of `needed`; RG_NONE if there is none. */
+static uint32_t find_type(const struct rg_exec *exec, uint32_t bits, VkMemoryPropertyFlags wanted,
+                          VkMemoryPropertyFlags needed)
+{
+    const VkPhysicalDeviceMemoryProperties *p = &exec->memory_properties;
+    const VkMemoryPropertyFlags choices[] = { wanted | needed, needed };
+    for (size_t c = 0; c < 2; c++) {
+        for (uint32_t i = 0; i < p->memoryTypeCount; i++) {
+            if ((bits & 1u << i) && !(choices[c] & ~p->memoryTypes[i].propertyFlags))
+                return i;
+        }
+    }
+    return RG_NONE;
+}
+
+static VkResult allocate(const struct rg_exec *exec, VkDeviceSize size, uint32_t type,
+                         VkDeviceMemory *memory)
+{
+    const VkMemoryAllocateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+        .allocationSize = size,
+        .memoryTypeIndex = type,
+    };
+    if (type == RG_NONE)
+        return VK_ERROR_FEATURE_NOT_PRESENT;
+    return vkAllocateMemory(exec->device, &info, NULL, memory);
+}
+
+static VkResult make_blocks(struct rg_exec *exec)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < exec->plan->block_count; i++) {
+        const struct rg_block *block = &exec->plan->blocks[i];
+        uint32_t type = find_type(exec, block->type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0);
+        RG_TRY(exec, allocate(exec, block->size, type, &exec->blocks[i]));
+        rg_exec_name(exec, VK_OBJECT_TYPE_DEVICE_MEMORY, (uint64_t)exec->blocks[i],
+                     block->buffers ? "transient buffers" : "transient images");
+    }
+fail:
+    return result;
+}
+
+/* A plan compiled without this device, or for another, may have too little room. */
+static bool fits(const VkMemoryRequirements *needs, const struct rg_block *block,
+                 VkDeviceSize offset, VkDeviceSize size)
+{
+    return needs->size <= size && offset % needs->alignment == 0 &&
+           !(block->type_bits & ~needs->memoryTypeBits);
+}
+
+static VkResult make_image(struct rg_exec *exec, uint32_t index)
+{
+    const struct rg_plan_image *image = &exec->plan->images[index];
+    const VkImageCreateInfo info = rg_image_create_info(image);
+    VkMemoryRequirements needs;
+    VkResult result = VK_SUCCESS;
+    if (image->imported) {
+        if (image->import >= exec->params.import_count)
+            RG_PASS(
+                rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "an import without object"));
+        exec->images[index] = exec->params.imports[image->import].image;
+        return VK_SUCCESS;
+    }
+    RG_TRY(exec, vkCreateImage(exec->device, &info, NULL, &exec->images[index]));
+    rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE, (uint64_t)exec->images[index], image->image->name);
+    vkGetImageMemoryRequirements(exec->device, exec->images[index], &needs);
+    if (!fits(&needs, &exec->plan->blocks[image->block], image->offset, image->size))
+        RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, "a plan for another device"));
+    RG_TRY(exec, vkBindImageMemory(exec->device, exec->images[index], exec->blocks[image->block],
+                                   image->offset));
+fail:
+    return result;
+}
+
+static VkResult create_buffer(struct rg_exec *exec, const struct rg_plan_buffer *plan,
+                              VkBuffer *buffer)
+{
+    VkResult result;
+    RG_TRY(exec, vkCreateBuffer(exec->device,
+                                &(VkBufferCreateInfo){
+                                    .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                    .size = plan->size,
+                                    .usage = plan->usage,
+                                },
+                                NULL, buffer));
+    rg_exec_name(exec, VK_OBJECT_TYPE_BUFFER, (uint64_t)*buffer, plan->buffer->name);
+fail:
+    return result;
+}
+
+static VkResult make_device_buffer(struct rg_exec *exec, const struct rg_plan_buffer *plan,
+                                   struct exec_buffer *buffer)
+{
+    VkMemoryRequirements needs;
+    VkResult result;
+    RG_PASS(create_buffer(exec, plan, &buffer->buffers[0]));
+    vkGetBufferMemoryRequirements(exec->device, buffer->buffers[0], &needs);
+    if (!fits(&needs, &exec->plan->blocks[plan->block], plan->offset, plan->memory_size))
+        RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, "a plan for another device"));
+    RG_TRY(exec, vkBindBufferMemory(exec->device, buffer->buffers[0], exec->blocks[plan->block],
+                                    plan->offset));
+fail:
+    return result;
+}
+
+static VkResult make_host_buffer(struct rg_exec *exec, const struct rg_plan_buffer *plan,
+                                 struct exec_buffer *buffer, uint32_t slot)
+{
+    VkMemoryRequirements needs;
+    VkResult result;
+    VkMemoryPropertyFlags wanted = plan->buffer->memory == RG_MEMORY_READBACK
+                                       ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
+                                       : VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    RG_PASS(create_buffer(exec, plan, &buffer->buffers[slot]));
+    vkGetBufferMemoryRequirements(exec->device, buffer->buffers[slot], &needs);
+    uint32_t type =
+        find_type(exec, needs.memoryTypeBits, wanted, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
+    RG_TRY(exec, allocate(exec, needs.size, type, &buffer->memory[slot]));
+    buffer->coherent = exec->memory_properties.memoryTypes[type].propertyFlags &
+                       VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    RG_TRY(exec, vkBindBufferMemory(exec->device, buffer->buffers[slot], buffer->memory[slot], 0));
+    RG_TRY(exec, vkMapMemory(exec->device, buffer->memory[slot], 0, VK_WHOLE_SIZE, 0,
+                             &buffer->mapped[slot]));
+fail:
+    return result;
+}
+
+static VkResult make_buffer(struct rg_exec *exec, uint32_t index)
+{
+    const struct rg_plan_buffer *plan = &exec->plan->buffers[index];
+    struct exec_buffer *buffer = &exec->buffers[index];
+    bool host = !plan->imported && plan->buffer->memory != RG_MEMORY_DEVICE;
+    VkResult result = VK_ERROR_OUT_OF_HOST_MEMORY;
+    buffer->buffers = calloc(exec->slot_count, sizeof(VkBuffer));
+    if (host) {
+        buffer->memory = calloc(exec->slot_count, sizeof(VkDeviceMemory));
+        buffer->mapped = calloc(exec->slot_count, sizeof(*buffer->mapped));
+    }
+    if (!buffer->buffers || (host && (!buffer->memory || !buffer->mapped)))
+        return rg_exec_check(exec, result, "calloc");
+    if (plan->imported) {
+        if (plan->import >= exec->params.import_count)
+            RG_PASS(
+                rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "an import without object"));
+        buffer->buffers[0] = exec->params.imports[plan->import].buffer;
+        return VK_SUCCESS;
+    }
+    if (!host)
+        return make_device_buffer(exec, plan, buffer);
+    for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
+        result = make_host_buffer(exec, plan, buffer, slot);
+        if (result != VK_SUCCESS)
+            break;
+    }
+fail:
+    return result;
+}
+
+VkResult rg_exec_make_memory(struct rg_exec *exec)
+{
+    VkResult result = make_blocks(exec);
+    for (uint32_t i = 0; i < exec->plan->image_count && result == VK_SUCCESS; i++)
+        result = make_image(exec, i);
+    for (uint32_t i = 0; i < exec->plan->buffer_count && result == VK_SUCCESS; i++)
+        result = make_buffer(exec, i);
+    return result;
+}
+
+void rg_exec_free_memory(struct rg_exec *exec)
+{
+    const struct rg_plan *plan = exec->plan;
+    for (uint32_t i = 0; exec->images && i < plan->image_count; i++) {
+        if (!plan->images[i].imported)
+            vkDestroyImage(exec->device, exec->images[i], NULL);
+    }
+    for (uint32_t i = 0; exec->buffers && i < plan->buffer_count; i++) {
+        struct exec_buffer *buffer = &exec->buffers[i];
+        for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
+            if (buffer->buffers && !plan->buffers[i].imported)
+                vkDestroyBuffer(exec->device, buffer->buffers[slot], NULL);
+            if (buffer->memory)
+                vkFreeMemory(exec->device, buffer->memory[slot], NULL);
+        }
+        free(buffer->buffers);
+        free(buffer->memory);
+        free(buffer->mapped);
+    }
+    for (uint32_t i = 0; exec->blocks && i < plan->block_count; i++)
+        vkFreeMemory(exec->device, exec->blocks[i], NULL);
+}
+
+VkBuffer rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot)
+{
+    const struct exec_buffer *b = &exec->buffers[buffer];
+    return b->buffers[b->memory ? slot : 0];
+}
+
+/* Flushes what the CPU wrote, or invalidates what it will read; coherent memory needs neither. */
+VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory memory)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < exec->plan->buffer_count; i++) {
+        const struct exec_buffer *buffer = &exec->buffers[i];
+        if (!buffer->memory || buffer->coherent || exec->plan->buffers[i].buffer->memory != memory)
+            continue;
+        const VkMappedMemoryRange range = {
+            .sType = VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE,
+            .memory = buffer->memory[slot],
+            .size = VK_WHOLE_SIZE,
+        };
+        if (memory == RG_MEMORY_UPLOAD)
+            RG_TRY(exec, vkFlushMappedMemoryRanges(exec->device, 1, &range));
+        else
+            RG_TRY(exec, vkInvalidateMappedMemoryRanges(exec->device, 1, &range));
+    }
+fail:
+    return result;
+}

@@ -1,0 +1,302 @@
+/* rg_record.c: a plan's barriers, targets and labels, and what record functions call. */
+#include <assert.h>
+#include "graph/rg_cmd.h"
+#include "graph/rg_exec_internal.h"
+
+/* ---- barriers ---- */
+
+static VkImageMemoryBarrier2 image_barrier(const struct rg_exec *exec, const struct rg_barrier *b)
+{
+    return (VkImageMemoryBarrier2){
+        .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+        .srcStageMask = b->src_stages,
+        .srcAccessMask = b->src_access,
+        .dstStageMask = b->dst_stages,
+        .dstAccessMask = b->dst_access,
+        .oldLayout = b->old_layout,
+        .newLayout = b->new_layout,
+        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+        .image = exec->images[b->image],
+        .subresourceRange = b->range,
+    };
+}
+
+static VkBufferMemoryBarrier2 buffer_barrier(const struct rg_exec *exec, const struct rg_barrier *b)
+{
+    return (VkBufferMemoryBarrier2){
+        .sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2,
+        .srcStageMask = b->src_stages,
+        .srcAccessMask = b->src_access,
+        .dstStageMask = b->dst_stages,
+        .dstAccessMask = b->dst_access,
+        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+        .buffer = rg_exec_buffer(exec, b->buffer, exec->slot),
+        .size = VK_WHOLE_SIZE,
+    };
+}
+
+static void record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
+                         uint32_t count)
+{
+    uint32_t images = 0;
+    uint32_t buffers = 0;
+    for (uint32_t i = first; i < first + count; i++) {
+        const struct rg_barrier *b = &exec->plan->barriers[i];
+        if (b->image != RG_NONE)
+            exec->image_batch[images++] = image_barrier(exec, b);
+        else
+            exec->buffer_batch[buffers++] = buffer_barrier(exec, b);
+    }
+    const VkDependencyInfo info = {
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+        .bufferMemoryBarrierCount = buffers,
+        .pBufferMemoryBarriers = exec->buffer_batch,
+        .imageMemoryBarrierCount = images,
+        .pImageMemoryBarriers = exec->image_batch,
+    };
+    if (count)
+        vkCmdPipelineBarrier2(commands, &info);
+}
+
+/* ---- targets ---- */
+
+static VkRenderingAttachmentInfo attachment(const struct rg_plan_target *target,
+                                            const struct rg_target *row, VkImageView view)
+{
+    return (VkRenderingAttachmentInfo){
+        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+        .imageView = view,
+        .imageLayout = target->layout,
+        .loadOp = target->load,
+        .storeOp = target->store,
+        .clearValue = row->clear,
+    };
+}
+
+static void begin_rendering(const struct rg_cmd *cmd)
+{
+    const struct rg_plan_pass *plan = cmd->plan_pass;
+    VkRenderingAttachmentInfo attachments[RG_COLOR_COUNT + 1];
+    bool has_depth = plan->depth.image != RG_NONE;
+    uint32_t count = plan->color_count;
+    for (uint32_t i = 0; i < count; i++)
+        attachments[i] = attachment(&plan->color[i], &plan->pass->color[i], cmd->pass->views[i]);
+    if (has_depth)
+        attachments[count] = attachment(&plan->depth, &plan->pass->depth, cmd->pass->views[count]);
+    bool has_stencil = has_depth && cmd->exec->plan->images[plan->depth.image].aspects &
+                                        VK_IMAGE_ASPECT_STENCIL_BIT;
+    const VkRenderingInfo info = {
+        .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+        .renderArea = { .extent = plan->extent },
+        .layerCount = 1,
+        .colorAttachmentCount = count,
+        .pColorAttachments = attachments,
+        .pDepthAttachment = has_depth ? &attachments[count] : NULL,
+        .pStencilAttachment = has_stencil ? &attachments[count] : NULL,
+    };
+    vkCmdBeginRendering(cmd->commands, &info);
+}
+
+static void begin_render_pass(const struct rg_cmd *cmd)
+{
+    const struct rg_plan_pass *plan = cmd->plan_pass;
+    VkClearValue clears[RG_COLOR_COUNT + 1];
+    for (uint32_t i = 0; i < plan->color_count; i++)
+        clears[i] = plan->pass->color[i].clear;
+    clears[plan->color_count] = plan->pass->depth.clear;
+    const VkRenderPassBeginInfo info = {
+        .sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
+        .renderPass = cmd->pass->render_pass,
+        .framebuffer = cmd->pass->framebuffer,
+        .renderArea = { .extent = plan->extent },
+        .clearValueCount = plan->color_count + 1,
+        .pClearValues = clears,
+    };
+    vkCmdBeginRenderPass(cmd->commands, &info, VK_SUBPASS_CONTENTS_INLINE);
+}
+
+/* ---- passes ---- */
+
+static void bind(const struct rg_cmd *cmd)
+{
+    const struct rg_plan_pass *plan = cmd->plan_pass;
+    VkPipelineBindPoint point = plan->pass->kind == RG_COMPUTE ? VK_PIPELINE_BIND_POINT_COMPUTE
+                                                               : VK_PIPELINE_BIND_POINT_GRAPHICS;
+    if (plan->pass->kind == RG_TRANSFER)
+        return;
+    vkCmdBindPipeline(cmd->commands, point, cmd->pass->pipeline);
+    vkCmdBindDescriptorSets(cmd->commands, point, cmd->pass->layout, 0, 1,
+                            &cmd->pass->sets[cmd->exec->slot], 0, NULL);
+    if (plan->pass->kind != RG_RASTER)
+        return;
+    const VkViewport viewport = {
+        .width = (float)plan->extent.width,
+        .height = (float)plan->extent.height,
+        .maxDepth = 1.0f,
+    };
+    vkCmdSetViewport(cmd->commands, 0, 1, &viewport);
+    vkCmdSetScissor(cmd->commands, 0, 1, &(VkRect2D){ .extent = plan->extent });
+}
+
+static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer commands,
+                        const struct rg_frame *frame)
+{
+    struct rg_cmd cmd = {
+        .exec = exec,
+        .plan_pass = &exec->plan->passes[index],
+        .pass = &exec->passes[index],
+        .commands = commands,
+    };
+    bool raster = cmd.plan_pass->pass->kind == RG_RASTER;
+    if (vkCmdBeginDebugUtilsLabelEXT)
+        vkCmdBeginDebugUtilsLabelEXT(commands, &(VkDebugUtilsLabelEXT){
+                                                   .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT,
+                                                   .pLabelName = cmd.plan_pass->pass->name,
+                                               });
+    record_batch(exec, commands, cmd.plan_pass->first_barrier, cmd.plan_pass->barrier_count);
+    if (raster && cmd.pass->render_pass)
+        begin_render_pass(&cmd);
+    else if (raster)
+        begin_rendering(&cmd);
+    bind(&cmd);
+    cmd.plan_pass->pass->record(&cmd, frame);
+    if (raster && cmd.pass->render_pass)
+        vkCmdEndRenderPass(commands);
+    else if (raster)
+        vkCmdEndRendering(commands);
+    if (vkCmdEndDebugUtilsLabelEXT)
+        vkCmdEndDebugUtilsLabelEXT(commands);
+}
+
+VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame)
+{
+    VkCommandBuffer commands = exec->slots[exec->slot].commands;
+    const struct rg_plan *plan = exec->plan;
+    VkResult result;
+    RG_TRY(exec,
+           vkBeginCommandBuffer(commands, &(VkCommandBufferBeginInfo){
+                                              .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                              .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
+                                          }));
+    for (uint32_t p = 0; p < plan->pass_count; p++)
+        record_pass(exec, p, commands, frame);
+    record_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
+    RG_TRY(exec, vkEndCommandBuffer(commands));
+fail:
+    return result;
+}
+
+/* ---- what record functions call ---- */
+
+const struct rg_pass *rg_cmd_pass(const struct rg_cmd *cmd)
+{
+    return cmd->plan_pass->pass;
+}
+
+uint32_t rg_cmd_repetition(const struct rg_cmd *cmd)
+{
+    return cmd->plan_pass->repetition;
+}
+
+VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd)
+{
+    return cmd->plan_pass->extent;
+}
+
+void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size)
+{
+    vkCmdPushConstants(cmd->commands, cmd->pass->layout, rg_exec_stages(cmd->plan_pass->pass), 0,
+                       size, data);
+}
+
+void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count)
+{
+    vkCmdDraw(cmd->commands, vertex_count, 1, 0, 0);
+}
+
+void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
+{
+    const VkDeviceSize offset = 0;
+    if (!mesh->index_count)
+        return;
+    vkCmdBindVertexBuffers(cmd->commands, 0, 1, &mesh->vertices, &offset);
+    vkCmdBindIndexBuffer(cmd->commands, mesh->indices, 0, VK_INDEX_TYPE_UINT32);
+    vkCmdDrawIndexed(cmd->commands, mesh->index_count, 1, 0, 0, 0);
+}
+
+void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)
+{
+    vkCmdDispatch(cmd->commands, x, y, z);
+}
+
+/* The row's first use of a resource, if `access` is none, else its first one with that access. */
+static const struct rg_plan_use *find_use(const struct rg_cmd *cmd, const void *resource,
+                                          enum rg_access access)
+{
+    for (uint32_t i = 0; i < cmd->plan_pass->use_count; i++) {
+        const struct rg_plan_use *use = &cmd->exec->plan->uses[cmd->plan_pass->first_use + i];
+        const void *used =
+            use->use->image ? (const void *)use->use->image : (const void *)use->use->buffer;
+        if (used == resource && (!access || use->use->access == access))
+            return use;
+    }
+    return NULL;
+}
+
+static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_plan_use *use,
+                                     VkDeviceSize offset)
+{
+    const struct rg_plan_image *image = &cmd->exec->plan->images[use->image];
+    uint32_t mip = use->range.baseMipLevel;
+    uint32_t width = image->extent.width >> mip;
+    uint32_t height = image->extent.height >> mip;
+    return (VkBufferImageCopy){
+        .bufferOffset = offset,
+        .imageSubresource = { use->range.aspectMask, mip, use->range.baseArrayLayer,
+                              use->range.layerCount },
+        .imageExtent = { width ? width : 1, height ? height : 1, 1 },
+    };
+}
+
+void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *image,
+                                 const struct rg_buffer *buffer, VkDeviceSize offset)
+{
+    const struct rg_plan_use *from = find_use(cmd, image, RG_COPY_SRC);
+    const struct rg_plan_use *to = find_use(cmd, buffer, RG_COPY_DST);
+    assert(from && to); /* the row names both */
+    const VkBufferImageCopy region = copy_region(cmd, from, offset);
+    vkCmdCopyImageToBuffer(cmd->commands, cmd->exec->images[from->image], from->layout,
+                           rg_exec_buffer(cmd->exec, to->buffer, cmd->exec->slot), 1, &region);
+}
+
+void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
+                                 VkDeviceSize offset, const struct rg_image *image)
+{
+    const struct rg_plan_use *from = find_use(cmd, buffer, RG_COPY_SRC);
+    const struct rg_plan_use *to = find_use(cmd, image, RG_COPY_DST);
+    assert(from && to); /* the row names both */
+    const VkBufferImageCopy region = copy_region(cmd, to, offset);
+    vkCmdCopyBufferToImage(cmd->commands, rg_exec_buffer(cmd->exec, from->buffer, cmd->exec->slot),
+                           cmd->exec->images[to->image], to->layout, 1, &region);
+}
+
+VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd)
+{
+    return cmd->commands;
+}
+
+VkImage rg_cmd_image(const struct rg_cmd *cmd, const struct rg_image *image)
+{
+    const struct rg_plan_use *use = find_use(cmd, image, RG_ACCESS_NONE);
+    assert(use); /* the row names it */
+    return cmd->exec->images[use->image];
+}
+
+VkBuffer rg_cmd_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer)
+{
+    const struct rg_plan_use *use = find_use(cmd, buffer, RG_ACCESS_NONE);
+    assert(use); /* the row names it */
+    return rg_exec_buffer(cmd->exec, use->buffer, cmd->exec->slot);
+}
