@@ -1,0 +1,24 @@
+/*
+ * abi.h: lets one header be read by the C compiler and by glslang.
+ *
+ * Shared structs are written with cglm's value types (vec3s, mat4s), which GLSL reads as its
+ * own. GLSL uses scalar block layout; tests/unit/test_shaders.c compares every member's offset
+ * with the SPIR-V. vec4s and mat4s are aligned to 16 bytes in C: put them first.
+ */
+#ifndef SHADERS_ABI_H
+#define SHADERS_ABI_H
+
+#ifdef GL_core_profile
+#extension GL_EXT_scalar_block_layout : require
+#define vec2s    vec2
+#define vec3s    vec3
+#define vec4s    vec4
+#define mat4s    mat4
+#define uint32_t uint
+#else
+#include <stdint.h>
+
+#include <cglm/struct.h>
+#endif
+
+#endif

@@ -1,0 +1,19 @@
+/* background.h: what background.c, env_cube.c and background*.{vert,frag} agree on. */
+#ifndef SHADERS_BACKGROUND_H
+#define SHADERS_BACKGROUND_H
+#include "abi.h"
+
+#define BACKGROUND_ENVIRONMENT 1 /* equirectangular picture, -Z in the middle */
+#define BACKGROUND_TEXTURES    2 /* base colours of the surroundings, one layer each */
+
+/* One picture of the scene: the view, or a face of a cube. */
+struct background_push {
+    mat4s clip_from_world;
+    vec3s eye;             /* world, metres */
+    float environment_lod; /* mip of the environment picture that fits this picture's pixels */
+    vec3s right;           /* from the middle of the picture to its right edge, at distance 1 */
+    vec3s up;              /* to its upper edge */
+    vec3s forward;         /* to its middle */
+};
+
+#endif

@@ -1,0 +1,31 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "background.h"
+#include "mesh.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    background_push push;
+};
+
+layout(location = MESH_POSITION) in vec3 position;
+layout(location = MESH_NORMAL) in vec3 normal;
+layout(location = MESH_COLOR) in vec3 color;
+layout(location = MESH_UV) in vec2 uv;
+layout(location = MESH_MATERIAL) in uint material;
+
+layout(location = 0) out vec3 out_eye_to_point;
+layout(location = 1) out vec3 out_normal;
+layout(location = 2) out vec3 out_color;
+layout(location = 3) out vec2 out_uv;
+layout(location = 4) flat out uint out_material;
+
+void main()
+{
+    gl_Position = push.clip_from_world * vec4(position, 1.0);
+    out_eye_to_point = position - push.eye;
+    out_normal = normal;
+    out_color = color;
+    out_uv = uv;
+    out_material = material;
+}

@@ -1,0 +1,18 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "background.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    background_push push;
+};
+
+layout(location = 0) out vec3 dir; /* not unit; linear over the picture */
+
+/* One triangle that covers the picture, at depth 0: infinitely far away. */
+void main()
+{
+    vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+    dir = push.forward + corner.x * push.right - corner.y * push.up;
+}

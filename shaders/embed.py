@@ -1,0 +1,28 @@
+"""embed.py: SPIR-V files to one C file of `const struct rg_shader` and its header."""
+import pathlib
+import struct
+import sys
+
+
+def write(path, text):
+    """Leaves an unchanged file alone, so that what includes it is not rebuilt."""
+    file = pathlib.Path(path)
+    if not file.exists() or file.read_text(encoding='utf-8') != text:
+        file.write_text(text, encoding='utf-8')
+
+
+source_path, header_path, *modules = sys.argv[1:]
+stem = pathlib.Path(header_path).stem
+source = f'#include "{stem}.h"\n'
+header = f'#ifndef {stem.upper()}_H\n#define {stem.upper()}_H\n#include "graph/rg.h"\n'
+for module in modules:
+    name = pathlib.Path(module).stem.replace('.', '_')
+    data = pathlib.Path(module).read_bytes()
+    words = struct.unpack(f'<{len(data) // 4}I', data)
+    rows = (', '.join(f'0x{w:08x}' for w in words[i:i + 8]) for i in range(0, len(words), 8))
+    source += f'\nstatic const uint32_t {name}_words[] = {{\n    '
+    source += ',\n    '.join(rows) + ',\n};\n'
+    source += f'const struct rg_shader {name} = {{ "{name}", {name}_words, {len(words)} }};\n'
+    header += f'extern const struct rg_shader {name};\n'
+write(source_path, source)
+write(header_path, header + '#endif\n')

@@ -1,0 +1,23 @@
+/* globals.h: what every pass of a frame may read; one uniform buffer, written once a frame. */
+#ifndef SHADERS_GLOBALS_H
+#define SHADERS_GLOBALS_H
+#include "abi.h"
+
+#define GLOBALS_BINDING     0 /* in every row that names the buffer */
+#define GLOBALS_SKY         0 /* globals.background_kind: the procedural sky */
+#define GLOBALS_COLOR       1 /* one colour everywhere */
+#define GLOBALS_ENVIRONMENT 2 /* the equirectangular picture */
+
+struct globals {
+    mat4s clip_from_world;    /* of the view */
+    vec3s eye;                /* of the view, world, metres */
+    float eta;                /* refractive index outside / inside */
+    vec3s forward;            /* of the view, unit */
+    uint32_t background_kind; /* GLOBALS_SKY ... */
+    vec3s background_color;   /* linear radiance */
+    float sky_strength;       /* factor on the procedural sky and its light */
+    vec3s sun_dir;            /* unit, towards the sun */
+    float sun_strength;       /* irradiance of the sun, square to it, in units of the sky's */
+};
+
+#endif

@@ -1,0 +1,10 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+layout(location = 0) in vec3 normal;
+layout(location = 0) out vec4 back; /* xyz: outward world normal, unit; w: 1 where there is one */
+
+void main()
+{
+    back = vec4(normalize(normal), 1.0);
+}

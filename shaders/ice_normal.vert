@@ -1,0 +1,15 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/globals.glsl"
+#include "mesh.h"
+
+layout(location = MESH_POSITION) in vec3 position;
+layout(location = MESH_NORMAL) in vec3 normal;
+
+layout(location = 0) out vec3 out_normal;
+
+void main()
+{
+    gl_Position = frame.clip_from_world * vec4(position, 1.0);
+    out_normal = normal;
+}

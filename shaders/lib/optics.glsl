@@ -1,0 +1,68 @@
+/*
+ * optics.glsl: what light does at a smooth surface between two media.
+ *
+ * "SN" equations are those of Seipel and Nivfors 2006, Efficient Rendering of Multiple Refractions
+ * and Reflections in Natural Objects, with their letters:
+ *   e    unit vector from the eye to the surface point
+ *   n_f  unit outward normal of the front face, n_f.e < 0
+ *   n_b  unit outward normal of the back face behind it, n_b.e > 0; never flipped to the viewer
+ *   eta  refractive index of the medium the light comes from, over that of the one it enters
+ */
+#ifndef LIB_OPTICS_GLSL
+#define LIB_OPTICS_GLSL
+
+/* SN eq. 1. Not normalised, as in the paper: its length falls to 1 - 2a at the silhouette. */
+vec3 optics_blend_normals(vec3 n_f, vec3 n_b, float a)
+{
+    return n_f * (1.0 - a) - n_b * a;
+}
+
+/* The radicand of SN eq. 2; below 0 the light is totally reflected. */
+float optics_refract_k(vec3 e, vec3 n, float eta)
+{
+    float c = dot(n, e);
+    return 1.0 - eta * eta * (1.0 - c * c);
+}
+
+/* SN eq. 2; GLSL's refract(). Where the light is totally reflected, the reflected direction. */
+vec3 optics_refract(vec3 e, vec3 n_r, float eta)
+{
+    float k = optics_refract_k(e, n_r, eta);
+    if (k < 0.0)
+        return reflect(e, n_r);
+    return eta * e - (eta * dot(n_r, e) + sqrt(k)) * n_r;
+}
+
+/* SN eq. 3; GLSL's reflect(). */
+vec3 optics_reflect(vec3 e, vec3 n_f)
+{
+    return e - 2.0 * dot(n_f, e) * n_f;
+}
+
+/* SN eq. 4: a cheap stand-in for Fresnel's equations; 0 straight on, where ice has 0.0179. */
+float optics_fresnel_paper(vec3 e, vec3 n)
+{
+    float f = 1.0 - abs(dot(e, n));
+    return f * f * f;
+}
+
+/* SN eq. 6. (Eq. 5 is missing from the paper.) */
+vec3 optics_compose(vec3 reflected, vec3 refracted, float f)
+{
+    return f * reflected + (1.0 - f) * refracted;
+}
+
+/* Fresnel's equations for unpolarised light; 1 under total reflection. Normals of either side. */
+float optics_fresnel(vec3 e, vec3 n, float eta)
+{
+    float ci = abs(dot(e, n));
+    float sin2 = eta * eta * (1.0 - ci * ci);
+    if (sin2 >= 1.0)
+        return 1.0;
+    float ct = sqrt(1.0 - sin2);
+    float rs = (eta * ci - ct) / (eta * ci + ct);
+    float rp = (ci - eta * ct) / (ci + eta * ct);
+    return 0.5 * (rs * rs + rp * rp);
+}
+
+#endif

@@ -1,0 +1,16 @@
+/* mesh.h: where vertex shaders find the fields of struct mesh_vertex (src/scene/mesh.h). */
+#ifndef SHADERS_MESH_H
+#define SHADERS_MESH_H
+
+#define MESH_POSITION 0
+#define MESH_NORMAL   1
+#define MESH_COLOR    2
+#define MESH_UV       3
+#define MESH_MATERIAL 4
+
+/* the bits of mesh_vertex.material */
+#define MESH_TEXTURE_MASK 0xffffu  /* texture layer + 1; 0: none */
+#define MESH_UNLIT        0x10000u /* the colour is emitted, not lit */
+#define MESH_CUTOUT       0x20000u /* texels with alpha below one half are holes */
+
+#endif

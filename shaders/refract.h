@@ -1,0 +1,15 @@
+/* refract.h: what the refraction rungs (refract_*.c, refract*.{glsl,vert,frag}) agree on. */
+#ifndef SHADERS_REFRACT_H
+#define SHADERS_REFRACT_H
+#include "abi.h"
+
+#define REFRACT_ENV_CUBE    1 /* radiance around the object */
+#define REFRACT_NORMAL_BACK 2 /* outward normals of the back faces; rungs that read them */
+
+/* colour targets of the pass that writes a rung's layers */
+#define REFRACT_OUT_EXIT       0
+#define REFRACT_OUT_REFRACTION 1
+#define REFRACT_OUT_REFLECTION 2
+#define REFRACT_OUT_FRESNEL    3
+
+#endif

@@ -1,0 +1,5 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "refract_one_sided.glsl"
+
+#include "refract_color.glsl"

@@ -1,0 +1,20 @@
+/* refract_paper.glsl: eq. 1 and 2, the two faces' normals blended into one. */
+#include "refract.glsl"
+#include "refract_paper.h"
+
+layout(set = 0, binding = REFRACT_NORMAL_BACK) uniform sampler2D normal_back;
+
+layout(push_constant, scalar) uniform Push
+{
+    refract_paper_params params;
+};
+
+/* A pixel with a front face and no back face (a mesh that is not closed) is one-sided. */
+refract_result shade()
+{
+    vec3 e = normalize(eye_to_point);
+    vec3 n_f = normalize(normal);
+    vec4 n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0);
+    vec3 n_r = n_b.w > 0.5 ? optics_blend_normals(n_f, n_b.xyz, params.a) : n_f;
+    return refract_lookup(e, n_f, optics_refract(e, n_r, frame.eta));
+}

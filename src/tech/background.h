@@ -1,0 +1,23 @@
+/* background.h: the scene without the ice, as the view sees it; rungs draw over it. */
+#ifndef TECH_BACKGROUND_H
+#define TECH_BACKGROUND_H
+#include "src/technique.h"
+
+extern const struct rg_image background_color; /* linear radiance, alpha 1 */
+extern const struct rg_image background_depth; /* reversed: 1 near, 0 infinitely far */
+extern const struct technique background;
+
+/* Rows that draw the sky over a whole picture, and those that draw the surroundings before it;
+ * both push a struct background_push. */
+#define BACKGROUND_SKY \
+    .uses = background_sky_uses, .vert = &background_sky_vert, .frag = &background_sky_frag, \
+    .push_size = sizeof(struct background_push)
+
+#define BACKGROUND_SURROUNDINGS \
+    .uses = background_uses, .vert = &background_vert, .frag = &background_frag, \
+    .vertices = &frame_mesh_layout, .depth_compare = VK_COMPARE_OP_GREATER, \
+    .push_size = sizeof(struct background_push)
+
+extern const struct rg_use background_sky_uses[], background_uses[];
+
+#endif

@@ -1,0 +1,90 @@
+/*
+ * env_cube.c: the environment cube.
+ *
+ * Seipel and Nivfors 2006, section 3.2: the entire scene without the ice, rendered six times with
+ * a field of view of 90 degrees from the centre of the ice object, 512 x 512 texels a face.
+ * Faces in Vulkan's order and orientation, which is left-handed: nothing here culls by winding.
+ *
+ * Limits: what lies near the object is seen from its centre, not from where light leaves it.
+ */
+#include "src/tech/env_cube.h"
+#include "shaders/embedded.h"
+#include "src/frame.h"
+#include "src/tech/background.h"
+
+enum {
+    FACE_SIZE = 512
+};
+
+static rg_record_fn record_sky, record_surroundings;
+
+const struct rg_image env_cube_color = {
+    .name = "env_cube.color",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .width = FACE_SIZE,
+    .height = FACE_SIZE,
+    .cube = true,
+};
+
+static const struct rg_image env_cube_depth = {
+    .name = "env_cube.depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .width = FACE_SIZE,
+    .height = FACE_SIZE,
+    .layers = 6,
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "env_cube.sky",
+        .repeat = RG_PER_LAYER,
+        .color[0] = { &env_cube_color, RG_LOAD_DISCARD },
+        BACKGROUND_SKY,
+        .record = record_sky,
+    },
+    {
+        .name = "env_cube.surroundings",
+        .repeat = RG_PER_LAYER,
+        .color[0] = { &env_cube_color, RG_LOAD_KEEP },
+        .depth = { &env_cube_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
+        BACKGROUND_SURROUNDINGS,
+        .record = record_surroundings,
+    },
+};
+
+static void push_face(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, &frame->faces[rg_cmd_repetition(cmd)], sizeof(struct background_push));
+}
+
+static void record_sky(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push_face(cmd, frame);
+    rg_cmd_draw(cmd, 3);
+}
+
+static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push_face(cmd, frame);
+    rg_cmd_draw_mesh(cmd, &frame->surroundings);
+}
+
+static const struct setting rows[] = {
+    {
+        .name = "env_cube.dynamic",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct env_cube_params, dynamic),
+        .initial = 1,
+        .max = 1,
+        .help = "draw the environment cube in every frame (off: once)",
+    },
+};
+
+const struct setting_group env_cube_settings =
+    SETTING_GROUP("env_cube", rows, struct env_cube_params);
+
+const struct technique env_cube = {
+    .graph = RG_TECHNIQUE("env_cube", passes),
+    .settings = &env_cube_settings,
+    .help = "the scene without the ice, six ways from its centre",
+};

@@ -1,0 +1,14 @@
+/* env_cube.h: the scene without the ice, seen from its centre in all directions. */
+#ifndef TECH_ENV_CUBE_H
+#define TECH_ENV_CUBE_H
+#include "src/technique.h"
+
+extern const struct rg_image env_cube_color; /* linear radiance */
+extern const struct technique env_cube;
+extern const struct setting_group env_cube_settings;
+
+struct env_cube_params {
+    uint32_t dynamic; /* captured in every frame, else once */
+};
+
+#endif

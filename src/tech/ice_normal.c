@@ -1,0 +1,40 @@
+/*
+ * ice_normal.c: world normals of the back faces.
+ *
+ * Seipel and Nivfors 2006, section 3.2: rendered to a floating-point texture of the window's size,
+ * interpolated and normalised. Of several back faces behind each other the nearest counts: it is
+ * where a ray that enters a convex part leaves it.
+ */
+#include "src/tech/ice_normal.h"
+#include "shaders/embedded.h"
+#include "src/frame.h"
+
+const struct rg_image ice_normal_back = {
+    .name = "ice_normal.back",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+static const struct rg_image ice_normal_depth = {
+    .name = "ice_normal.depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "ice_normal.back",
+        .color[0] = { &ice_normal_back, RG_LOAD_CLEAR },
+        .depth = { &ice_normal_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = RG_USES(FRAME_USE_GLOBALS),
+        .vert = &ice_normal_vert,
+        .frag = &ice_normal_frag,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_FRONT_BIT,
+        .record = frame_draw_object,
+    },
+};
+
+const struct technique ice_normal = {
+    .graph = RG_TECHNIQUE("ice_normal", passes),
+    .help = "outward normals of the ice's back faces",
+};

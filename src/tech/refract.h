@@ -1,0 +1,53 @@
+/*
+ * refract.h: what the refraction rungs (refract_*.c) share: their layers and the index.
+ *
+ * A rung is a technique that draws the ice over the background. It may name what other techniques
+ * make (env_cube, ice_normal); what the chosen rung does not name is culled.
+ */
+#ifndef TECH_REFRACT_H
+#define TECH_REFRACT_H
+#include "shaders/refract.h"
+#include "src/tech/background.h"
+#include "src/tech/env_cube.h"
+#include "src/technique.h"
+
+/* On the ice's front faces; 0 elsewhere. */
+extern const struct rg_image refract_exit;       /* unit direction in which light leaves */
+extern const struct rg_image refract_refraction; /* linear radiance from there */
+extern const struct rg_image refract_reflection; /* linear radiance by reflection */
+extern const struct rg_image refract_fresnel;    /* share of the reflection */
+
+extern const struct setting_group refract_settings;
+
+struct refract_params {
+    float ior; /* refractive index of the object */
+};
+
+/* Refractive index of the air around it (Cg Tutorial; Seipel and Nivfors 2006, eq. 2). */
+#define REFRACT_IOR_AIR 1.0003f
+
+/* The use of the environment that every rung has. */
+#define REFRACT_USE_ENV_CUBE \
+    { \
+        .image = &env_cube_color, .access = RG_SAMPLED, .binding = REFRACT_ENV_CUBE, \
+        .sampler = &frame_linear \
+    }
+
+/* What is drawn: the front faces, with eq. 4 at the vertices. */
+#define REFRACT_FRONT_FACES \
+    .vert = &refract_vert, .vertices = &frame_mesh_layout, .cull = VK_CULL_MODE_BACK_BIT
+
+/* The targets of a rung's row for the picture ... */
+#define REFRACT_COLOR_TARGETS \
+    .color[0] = { &background_color, RG_LOAD_KEEP }, .depth = { &background_depth, RG_LOAD_KEEP }, \
+    .depth_compare = VK_COMPARE_OP_GREATER
+
+/* ... and of its row for the layers, which may come after it, on the depth it wrote. */
+#define REFRACT_LAYER_TARGETS \
+    .color[REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR }, \
+    .color[REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR }, \
+    .color[REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR }, \
+    .color[REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR }, \
+    .depth = { &background_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL
+
+#endif

@@ -1,0 +1,75 @@
+/*
+ * refract_paper.c: two-sided refraction by blending front and back normals into one.
+ *
+ * Seipel and Nivfors 2006, section 3.2, faithfully: eq. 1 with outward normals and a = 0.33, not
+ * normalised; eq. 2 with the blended normal, eq. 3 with the front normal, eq. 4 in the vertex
+ * shader, eq. 6.
+ *
+ * Error: outward normals make eq. 1 average two normals that face the viewer, which bends less
+ * than one interface where two true ones bend twice: an ice sphere at impact parameter 0.6 shows
+ * 3.3 degrees, one interface 9.6, the truth 19.2. Convex objects only: of a concave one, one front
+ * and one back face count.
+ */
+#include "src/tech/refract_paper.h"
+#include "shaders/embedded.h"
+#include "shaders/refract_paper.h"
+#include "src/frame.h"
+#include "src/tech/ice_normal.h"
+#include "src/tech/refract.h"
+
+static rg_record_fn record_object;
+
+static const struct rg_use uses[] = {
+    FRAME_USE_GLOBALS,
+    REFRACT_USE_ENV_CUBE,
+    { .image = &ice_normal_back, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_BACK },
+    { 0 },
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "refract_paper.color",
+        REFRACT_COLOR_TARGETS,
+        .uses = uses,
+        REFRACT_FRONT_FACES,
+        .frag = &refract_paper_frag,
+        .push_size = sizeof(struct refract_paper_params),
+        .record = record_object,
+    },
+    {
+        .name = "refract_paper.layers",
+        REFRACT_LAYER_TARGETS,
+        .uses = uses,
+        REFRACT_FRONT_FACES,
+        .frag = &refract_paper_aov_frag,
+        .push_size = sizeof(struct refract_paper_params),
+        .record = record_object,
+    },
+};
+
+static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, settings_of(frame->settings, &refract_paper_settings),
+                sizeof(struct refract_paper_params));
+    rg_cmd_draw_mesh(cmd, &frame->object);
+}
+
+static const struct setting rows[] = {
+    {
+        .name = "refract_paper.a",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_paper_params, a),
+        .initial = 0.33,
+        .max = 1.0,
+        .help = "share of the back face's normal (eq. 1)",
+    },
+};
+
+const struct setting_group refract_paper_settings =
+    SETTING_GROUP("refract_paper", rows, struct refract_paper_params);
+
+const struct technique refract_paper = {
+    .graph = RG_TECHNIQUE("refract_paper", passes),
+    .settings = &refract_paper_settings,
+    .help = "front and back normals blended into one (Seipel and Nivfors 2006)",
+};

@@ -1,0 +1,9 @@
+/* refract_paper.h: two-sided refraction by blended normals. */
+#ifndef TECH_REFRACT_PAPER_H
+#define TECH_REFRACT_PAPER_H
+#include "src/technique.h"
+
+extern const struct technique refract_paper;
+extern const struct setting_group refract_paper_settings;
+
+#endif

@@ -1,0 +1,73 @@
+/*
+ * tonemap.c: exposure, highlight compression, sRGB encoding; for PNG and windows only.
+ *
+ * Curve "neutral": Khronos PBR Neutral (Khronos Group 2024), which keeps base colours; "clip":
+ * nothing but the encoding, for measuring.
+ */
+#include "src/tech/tonemap.h"
+#include "shaders/embedded.h"
+#include "shaders/tonemap.h"
+#include "src/frame.h"
+#include "src/tech/background.h"
+
+static rg_record_fn record_screen;
+
+const struct rg_image tonemap_color = {
+    .name = "tonemap.color",
+    .format = VK_FORMAT_R8G8B8A8_UNORM,
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "tonemap.screen",
+        .color[0] = { &tonemap_color, RG_LOAD_DISCARD },
+        .uses =
+            RG_USES({ .image = &background_color, .access = RG_SAMPLED, .binding = TONEMAP_COLOR }),
+        .vert = &screen_vert,
+        .frag = &tonemap_frag,
+        .push_size = sizeof(struct tonemap_params),
+        .record = record_screen,
+    },
+};
+
+static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, settings_of(frame->settings, &tonemap_settings),
+                sizeof(struct tonemap_params));
+    rg_cmd_draw(cmd, 3);
+}
+
+static const char *const curves[] = {
+    [TONEMAP_NEUTRAL] = "neutral",
+    [TONEMAP_CLIP] = "clip",
+    NULL,
+};
+
+static const struct setting rows[] = {
+    {
+        .name = "tonemap.exposure",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct tonemap_params, exposure),
+        .min = -16,
+        .max = 16,
+        .unit = "stops",
+        .help = "brightness of PNG pictures",
+    },
+    {
+        .name = "tonemap.curve",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct tonemap_params, curve),
+        .initial = TONEMAP_NEUTRAL,
+        .max = TONEMAP_CLIP,
+        .choices = curves,
+        .help = "how PNG pictures show highlights",
+    },
+};
+
+const struct setting_group tonemap_settings = SETTING_GROUP("tonemap", rows, struct tonemap_params);
+
+const struct technique tonemap = {
+    .graph = RG_TECHNIQUE("tonemap", passes),
+    .settings = &tonemap_settings,
+    .help = "linear light to 8-bit sRGB",
+};

@@ -1,0 +1,10 @@
+/* tonemap.h: the linear picture for people's eyes: 8 bits, sRGB. */
+#ifndef TECH_TONEMAP_H
+#define TECH_TONEMAP_H
+#include "src/technique.h"
+
+extern const struct rg_image tonemap_color; /* sRGB-encoded */
+extern const struct technique tonemap;
+extern const struct setting_group tonemap_settings;
+
+#endif
