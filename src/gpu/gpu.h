@@ -1,0 +1,120 @@
+/*
+ * gpu.h: one Vulkan 1.3 device: chosen, opened, and its memory.
+ *
+ * Correct on any device: queue families, memory types, coherence, alignment and formats are
+ * queried, never assumed. Works with no window system.
+ *
+ * Ownership:     gpu_destroy() frees everything gpu_create() made; buffers and images made with
+ *                gpu_buffer_create() and gpu_image_create() are the caller's to destroy before.
+ * Errors:        logged once, with the failing call and the VkResult's name; the result is
+ *                STATUS_NO_DEVICE (no loader, no device, or none good enough), STATUS_TRY_AGAIN
+ *                (device lost or memory short) or STATUS_FAILED (anything else).
+ * Thread-safety: one thread at a time per gpu.
+ */
+#ifndef FIRN_GPU_GPU_H
+#define FIRN_GPU_GPU_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <volk.h>
+#include "src/status.h"
+
+struct gpu_params {
+    /* number as listed, from 0, or part of the name in any case; NULL: the best */
+    const char *device;
+    bool validate; /* validation and synchronization validation, if the layer is there */
+};
+
+struct gpu {
+    VkInstance instance;
+    VkPhysicalDevice physical;
+    VkDevice device;
+    VkQueue queue; /* graphics, compute and transfer */
+    uint32_t queue_family;
+    VkPhysicalDeviceProperties properties;
+    VkPhysicalDeviceMemoryProperties memory;
+    VkPipelineCache pipeline_cache;
+    VkCommandPool pool;   /* for uploads */
+    float max_anisotropy; /* of samplers; 0: not to be had */
+    bool validated;       /* the layer is really on */
+    VkDebugUtilsMessengerEXT messenger;
+    uint32_t message_count; /* warnings and errors of the validation layer so far */
+};
+
+/* Opens a device into *gpu, which must not move afterwards. On failure *gpu is {0}. */
+MUST_USE enum status gpu_create(struct gpu *gpu, const struct gpu_params *params);
+
+/*
+ * Waits for the device, saves the pipeline cache, frees. A {0} or half-built gpu is fine. Leaves
+ * {0} but for message_count, which then tells also of objects that were not destroyed.
+ */
+void gpu_destroy(struct gpu *gpu);
+
+/* One line of gpu_list(). */
+struct gpu_device {
+    char name[VK_MAX_PHYSICAL_DEVICE_NAME_SIZE];
+    VkPhysicalDeviceType type;
+    const char *kind;  /* the type in words: "discrete GPU", "integrated GPU", "CPU", ... */
+    char refused[128]; /* why firn cannot use it; "" if it can */
+    char version[64];  /* of Vulkan and driver: "1.3.230, Mesa 22.3.6 (LLVM 15.0.6)" */
+};
+
+/*
+ * The devices there are, in the order of --device numbers, into *devices (malloc'd, the caller
+ * frees it). No loader or no device is an empty list and STATUS_OK.
+ */
+MUST_USE enum status gpu_list(struct gpu_device **devices, uint32_t *count);
+
+/* The VkResult's name, "VK_ERROR_DEVICE_LOST". */
+const char *gpu_result_name(VkResult result);
+
+/* Logs "<what>: <result's name>" and gives the status for it. */
+enum status gpu_failed(const char *what, VkResult result);
+
+struct gpu_buffer {
+    VkBuffer buffer;
+    VkDeviceMemory memory;
+    VkDeviceSize size;
+};
+
+struct gpu_image {
+    VkImage image;
+    VkDeviceMemory memory;
+    VkExtent3D extent;
+    VkFormat format;
+    uint32_t mips, layers;
+};
+
+/*
+ * Makes a device-local buffer and fills it with `data` through a staging buffer, waiting until it
+ * is done and visible to every later command of the queue. A size of 0 makes nothing: {0}.
+ */
+MUST_USE enum status gpu_buffer_create(struct gpu *gpu, struct gpu_buffer *buffer,
+                                       VkBufferUsageFlags usage, const void *data,
+                                       VkDeviceSize size, const char *name);
+
+struct gpu_image_params {
+    const char *name;
+    VkFormat format;
+    uint32_t width, height;
+    uint32_t layers;         /* 0 means 1 */
+    bool mipmaps;            /* makes the whole chain by halving; needs blit support, queried */
+    const void *texels;      /* layers one after another, rows tight, mip 0 only */
+    size_t texels_size;      /* bytes; checked against the format */
+    VkImageUsageFlags usage; /* besides SAMPLED and TRANSFER */
+};
+
+/*
+ * Makes a device-local 2D (array) image, fills it and leaves it in SHADER_READ_ONLY_OPTIMAL,
+ * visible to every later command of the queue. A device that cannot make, sample linearly or
+ * (for mipmaps) blit the format is a logged STATUS_NO_DEVICE; an image of no size or over the
+ * device's limits, or a wrong texels_size, is a logged STATUS_DATA.
+ */
+MUST_USE enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
+                                      const struct gpu_image_params *params);
+
+void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
+void gpu_image_destroy(struct gpu *gpu, struct gpu_image *image);
+
+#endif

@@ -1,0 +1,228 @@
+/* gpu_choose.c: the devices there are, which of them will do, and which is taken. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "src/gpu/gpu_internal.h"
+#include "src/log.h"
+
+/* least values of limits; the graph writes up to 8 targets, push structs have up to 128 bytes */
+enum {
+    PUSH_CONSTANTS_SIZE = 128,
+    COLOR_ATTACHMENT_COUNT = 8,
+};
+
+/* best first */
+static const struct {
+    VkPhysicalDeviceType type;
+    const char *name;
+} kinds[] = {
+    { VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, "discrete GPU" },
+    { VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU, "integrated GPU" },
+    { VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU, "virtual GPU" },
+    { VK_PHYSICAL_DEVICE_TYPE_CPU, "CPU" },
+    { VK_PHYSICAL_DEVICE_TYPE_OTHER, "other" },
+};
+
+enum {
+    KIND_COUNT = sizeof(kinds) / sizeof(kinds[0]),
+};
+
+static uint32_t rank(VkPhysicalDeviceType type)
+{
+    uint32_t i = 0;
+    while (i < KIND_COUNT - 1 && kinds[i].type != type)
+        i++;
+    return i;
+}
+
+struct feature {
+    const char *name;
+    size_t offset; /* of its VkBool32 in struct gpu_features */
+};
+
+#define CORE(feature) #feature, offsetof(struct gpu_features, core.features.feature)
+#define V12(feature)  #feature, offsetof(struct gpu_features, v12.feature)
+#define V13(feature)  #feature, offsetof(struct gpu_features, v13.feature)
+
+static const struct feature needed[] = {
+    { V13(dynamicRendering) },
+    { V13(synchronization2) },
+    { V13(maintenance4) },
+    { V12(scalarBlockLayout) },
+    { V12(separateDepthStencilLayouts) },
+    { CORE(independentBlend) },
+};
+
+static const struct feature welcome[] = {
+    { CORE(samplerAnisotropy) },
+    { V12(hostQueryReset) },
+    { V12(timelineSemaphore) },
+};
+
+static void chain(struct gpu_features *features)
+{
+    *features = (struct gpu_features){
+        .core = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &features->v12 },
+        .v12 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES,
+                 .pNext = &features->v13 },
+        .v13 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES },
+    };
+}
+
+/* Wants the feature if the device has it. */
+static bool want(const struct feature *feature, const struct gpu_features *has,
+                 struct gpu_features *wanted)
+{
+    VkBool32 there = VK_FALSE;
+    memcpy(&there, (const char *)has + feature->offset, sizeof(there));
+    memcpy((char *)wanted + feature->offset, &there, sizeof(there));
+    return there;
+}
+
+const char *gpu_features_choose(VkPhysicalDevice physical, struct gpu_features *wanted)
+{
+    struct gpu_features has;
+    const char *missing = NULL;
+    chain(&has);
+    chain(wanted);
+    vkGetPhysicalDeviceFeatures2(physical, &has.core);
+    for (size_t i = 0; i < sizeof(needed) / sizeof(needed[0]); i++) {
+        if (!want(&needed[i], &has, wanted) && !missing)
+            missing = needed[i].name;
+    }
+    for (size_t i = 0; i < sizeof(welcome) / sizeof(welcome[0]); i++)
+        (void)want(&welcome[i], &has, wanted);
+    return missing;
+}
+
+uint32_t gpu_choose_queue_family(VkPhysicalDevice physical)
+{
+    VkQueueFamilyProperties families[32];
+    const VkQueueFlags both = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    uint32_t count = sizeof(families) / sizeof(families[0]);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families);
+    for (uint32_t i = 0; i < count; i++) {
+        if ((families[i].queueFlags & both) == both)
+            return i;
+    }
+    return UINT32_MAX;
+}
+
+static void find_refusal(VkPhysicalDevice physical, const VkPhysicalDeviceProperties *properties,
+                         char *refused, size_t size)
+{
+    const VkPhysicalDeviceLimits *limits = &properties->limits;
+    const uint32_t version = properties->apiVersion;
+    struct gpu_features wanted;
+    const char *missing = NULL;
+
+    refused[0] = '\0';
+    if (version < VK_API_VERSION_1_3)
+        snprintf(refused, size, "only Vulkan %u.%u, 1.3 is needed", VK_API_VERSION_MAJOR(version),
+                 VK_API_VERSION_MINOR(version));
+    else if ((missing = gpu_features_choose(physical, &wanted)))
+        snprintf(refused, size, "no %s", missing);
+    else if (gpu_choose_queue_family(physical) == UINT32_MAX)
+        snprintf(refused, size, "no queue with graphics and compute");
+    else if (limits->maxPushConstantsSize < PUSH_CONSTANTS_SIZE)
+        snprintf(refused, size, "maxPushConstantsSize is %u, %d is needed",
+                 limits->maxPushConstantsSize, PUSH_CONSTANTS_SIZE);
+    else if (limits->maxColorAttachments < COLOR_ATTACHMENT_COUNT)
+        snprintf(refused, size, "maxColorAttachments is %u, %d is needed",
+                 limits->maxColorAttachments, COLOR_ATTACHMENT_COUNT);
+    else if (limits->maxFragmentOutputAttachments < COLOR_ATTACHMENT_COUNT)
+        snprintf(refused, size, "maxFragmentOutputAttachments is %u, %d is needed",
+                 limits->maxFragmentOutputAttachments, COLOR_ATTACHMENT_COUNT);
+}
+
+void gpu_choose_describe(VkPhysicalDevice physical, struct gpu_device *device)
+{
+    VkPhysicalDeviceDriverProperties driver = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
+    };
+    VkPhysicalDeviceProperties2 all = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2 };
+    const VkPhysicalDeviceProperties *properties = &all.properties;
+    vkGetPhysicalDeviceProperties(physical, &all.properties);
+    const uint32_t version = properties->apiVersion;
+    if (version >= VK_API_VERSION_1_2) {
+        all.pNext = &driver;
+        vkGetPhysicalDeviceProperties2(physical, &all);
+    }
+
+    *device = (struct gpu_device){
+        .type = properties->deviceType,
+        .kind = kinds[rank(properties->deviceType)].name,
+    };
+    snprintf(device->name, sizeof(device->name), "%s", properties->deviceName);
+    snprintf(device->version, sizeof(device->version), "%u.%u.%u%s%.40s",
+             VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
+             VK_API_VERSION_PATCH(version), driver.driverInfo[0] ? ", " : "", driver.driverInfo);
+    find_refusal(physical, properties, device->refused, sizeof(device->refused));
+}
+
+/* Is `part` in `name`, in any case? */
+static bool contains(const char *name, const char *part)
+{
+    const size_t length = strlen(part);
+    for (; *name; name++) {
+        if (strncasecmp(name, part, length) == 0)
+            return true;
+    }
+    return length == 0;
+}
+
+static bool matches(const struct gpu_device *device, uint32_t number, const char *wanted)
+{
+    if (!wanted)
+        return true;
+    if (wanted[0] && strspn(wanted, "0123456789") == strlen(wanted))
+        return strtoull(wanted, NULL, 10) == number;
+    return contains(device->name, wanted);
+}
+
+/* "0: NAME, 1: NAME (no synchronization2)", as far as it fits. */
+static void list_names(const struct gpu_device *devices, uint32_t count, char *text, size_t size)
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (uint32_t i = 0; i < count && used < size; i++) {
+        const bool refused = devices[i].refused[0];
+        const int length =
+            snprintf(text + used, size - used, "%s%u: %s%s%s%s", i ? ", " : "", i, devices[i].name,
+                     refused ? " (" : "", devices[i].refused, refused ? ")" : "");
+        used += length > 0 ? (size_t)length : 0;
+    }
+}
+
+enum status gpu_choose(const struct gpu_device *devices, uint32_t count, const char *wanted,
+                       uint32_t *index)
+{
+    const struct gpu_device *best = NULL;
+    const struct gpu_device *refused = NULL;
+    char names[1024];
+
+    for (uint32_t i = 0; i < count; i++) {
+        if (!matches(&devices[i], i, wanted))
+            continue;
+        if (devices[i].refused[0])
+            refused = refused ? refused : &devices[i];
+        else if (!best || rank(devices[i].type) < rank(best->type))
+            best = &devices[i];
+    }
+    if (best) {
+        *index = (uint32_t)(best - devices);
+        return STATUS_OK;
+    }
+    list_names(devices, count, names, sizeof(names));
+    if (count == 0)
+        log_error("no Vulkan device: install a driver (mesa-vulkan-drivers has one for the CPU)");
+    else if (wanted && refused)
+        log_error("%s: %s", refused->name, refused->refused);
+    else if (wanted)
+        log_error("no Vulkan device \"%s\"; there is %s", wanted, names);
+    else
+        log_error("no Vulkan device will do: %s", names);
+    return STATUS_NO_DEVICE;
+}

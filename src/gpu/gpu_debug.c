@@ -1,0 +1,50 @@
+/* gpu_debug.c: what the validation layer says, and names for captures. */
+#include <string.h>
+
+#include "src/gpu/gpu_internal.h"
+#include "src/log.h"
+
+static VKAPI_ATTR VkBool32 VKAPI_CALL count_message(
+    VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT types,
+    const VkDebugUtilsMessengerCallbackDataEXT *data, void *user)
+{
+    (void)types;
+    struct gpu *gpu = user;
+    /* The loader tells here of drivers without a device, which is no fault of ours. */
+    if (data->pMessageIdName && strcmp(data->pMessageIdName, "Loader Message") == 0)
+        return VK_FALSE;
+    gpu->message_count++;
+    if (severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT)
+        log_error("%.600s", data->pMessage);
+    else
+        log_warning("%.600s", data->pMessage);
+    return VK_FALSE;
+}
+
+VkDebugUtilsMessengerCreateInfoEXT gpu_debug_messenger(struct gpu *gpu)
+{
+    return (VkDebugUtilsMessengerCreateInfoEXT){
+        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
+        .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                           VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+        /* without PERFORMANCE: advice for vendors that are not there */
+        .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT |
+                       VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
+        .pfnUserCallback = count_message,
+        .pUserData = gpu,
+    };
+}
+
+void gpu_debug_name(const struct gpu *gpu, VkObjectType type, uint64_t handle, const char *name)
+{
+    if (!name || !vkSetDebugUtilsObjectNameEXT)
+        return;
+    const VkDebugUtilsObjectNameInfoEXT info = {
+        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
+        .objectType = type,
+        .objectHandle = handle,
+        .pObjectName = name,
+    };
+    /* an object without its name is no failure */
+    (void)vkSetDebugUtilsObjectNameEXT(gpu->device, &info);
+}

@@ -1,0 +1,182 @@
+/* gpu_device.c: opens and closes a device, lists them. */
+#include <stdlib.h>
+
+#include "src/gpu/gpu_internal.h"
+#include "src/log.h"
+
+/* more than any machine has; the rest is not seen */
+enum {
+    DEVICES_MAX = 32,
+};
+
+static VkResult find_devices(VkInstance instance, VkPhysicalDevice *devices, uint32_t *count)
+{
+    *count = DEVICES_MAX;
+    const VkResult result = vkEnumeratePhysicalDevices(instance, count, devices);
+    if (result == VK_SUCCESS || result == VK_INCOMPLETE)
+        return VK_SUCCESS;
+    *count = 0;
+    /* how some loaders say that there is none */
+    return result == VK_ERROR_INITIALIZATION_FAILED ? VK_SUCCESS : result;
+}
+
+static enum status open_instance(struct gpu *gpu, bool validate)
+{
+    if (volkInitialize() != VK_SUCCESS) {
+        log_error("no Vulkan loader (libvulkan.so.1): install libvulkan1 and a driver");
+        return STATUS_NO_DEVICE;
+    }
+    const VkResult result = gpu_instance_create(gpu, validate);
+    if (result == VK_SUCCESS)
+        return STATUS_OK;
+    if (result != VK_ERROR_INCOMPATIBLE_DRIVER)
+        return gpu_failed("vkCreateInstance", result);
+    log_error("no Vulkan driver, or no Vulkan 1.3: install or update libvulkan1 and a driver "
+              "(mesa-vulkan-drivers has one for the CPU)");
+    return STATUS_NO_DEVICE;
+}
+
+static enum status choose(struct gpu *gpu, const char *wanted)
+{
+    VkPhysicalDevice physical[DEVICES_MAX];
+    struct gpu_device devices[DEVICES_MAX];
+    uint32_t count = 0;
+    uint32_t index = 0;
+    const VkResult result = find_devices(gpu->instance, physical, &count);
+    if (result != VK_SUCCESS)
+        return gpu_failed("vkEnumeratePhysicalDevices", result);
+    for (uint32_t i = 0; i < count; i++)
+        gpu_choose_describe(physical[i], &devices[i]);
+    const enum status status = gpu_choose(devices, count, wanted, &index);
+    if (status != STATUS_OK)
+        return status;
+    gpu->physical = physical[index];
+    vkGetPhysicalDeviceProperties(gpu->physical, &gpu->properties);
+    vkGetPhysicalDeviceMemoryProperties(gpu->physical, &gpu->memory);
+    gpu->queue_family = gpu_choose_queue_family(gpu->physical);
+    return STATUS_OK;
+}
+
+/* A device that offers VK_KHR_portability_subset must have it enabled. */
+static VkResult find_portability(VkPhysicalDevice physical, bool *there)
+{
+    uint32_t count = 0;
+    VkResult result = vkEnumerateDeviceExtensionProperties(physical, NULL, &count, NULL);
+    if (result != VK_SUCCESS || count == 0)
+        return result;
+    VkExtensionProperties *list = calloc(count, sizeof(*list));
+    if (!list)
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    result = vkEnumerateDeviceExtensionProperties(physical, NULL, &count, list);
+    *there = gpu_has_extension(list, count, "VK_KHR_portability_subset");
+    free(list);
+    return result == VK_INCOMPLETE ? VK_SUCCESS : result;
+}
+
+static enum status open_device(struct gpu *gpu)
+{
+    const float priority = 1.0F;
+    const char *const extensions[] = { "VK_KHR_portability_subset" };
+    struct gpu_features features;
+    bool portability = false;
+
+    VkResult result = find_portability(gpu->physical, &portability);
+    if (result != VK_SUCCESS)
+        return gpu_failed("vkEnumerateDeviceExtensionProperties", result);
+    (void)gpu_features_choose(gpu->physical, &features); /* has all, or it was not chosen */
+    const VkDeviceQueueCreateInfo queue = {
+        .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+        .queueFamilyIndex = gpu->queue_family,
+        .queueCount = 1,
+        .pQueuePriorities = &priority,
+    };
+    const VkDeviceCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+        .pNext = &features.core,
+        .queueCreateInfoCount = 1,
+        .pQueueCreateInfos = &queue,
+        .enabledExtensionCount = portability ? 1 : 0,
+        .ppEnabledExtensionNames = extensions,
+    };
+    result = vkCreateDevice(gpu->physical, &info, NULL, &gpu->device);
+    if (result != VK_SUCCESS) {
+        gpu->device = VK_NULL_HANDLE;
+        return gpu_failed("vkCreateDevice", result);
+    }
+    vkGetDeviceQueue(gpu->device, gpu->queue_family, 0, &gpu->queue);
+    if (features.core.features.samplerAnisotropy)
+        gpu->max_anisotropy = gpu->properties.limits.maxSamplerAnisotropy;
+    const VkCommandPoolCreateInfo pool = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+        .flags =
+            VK_COMMAND_POOL_CREATE_TRANSIENT_BIT | VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+        .queueFamilyIndex = gpu->queue_family,
+    };
+    result = vkCreateCommandPool(gpu->device, &pool, NULL, &gpu->pool);
+    if (result != VK_SUCCESS)
+        return gpu_failed("vkCreateCommandPool", result);
+    return gpu_cache_load(gpu);
+}
+
+enum status gpu_create(struct gpu *gpu, const struct gpu_params *params)
+{
+    *gpu = (struct gpu){ 0 };
+    enum status status = open_instance(gpu, params->validate);
+    if (status == STATUS_OK)
+        status = choose(gpu, params->device);
+    if (status == STATUS_OK)
+        status = open_device(gpu);
+    if (status != STATUS_OK) {
+        gpu_destroy(gpu);
+        *gpu = (struct gpu){ 0 };
+    }
+    return status;
+}
+
+void gpu_destroy(struct gpu *gpu)
+{
+    if (gpu->device) {
+        (void)vkDeviceWaitIdle(gpu->device); /* lost or not, it goes */
+        if (gpu->pipeline_cache)
+            gpu_cache_save(gpu);
+        vkDestroyPipelineCache(gpu->device, gpu->pipeline_cache, NULL);
+        vkDestroyCommandPool(gpu->device, gpu->pool, NULL);
+        vkDestroyDevice(gpu->device, NULL);
+    }
+    if (gpu->instance) {
+        if (gpu->messenger)
+            vkDestroyDebugUtilsMessengerEXT(gpu->instance, gpu->messenger, NULL);
+        vkDestroyInstance(gpu->instance, NULL);
+    }
+    *gpu = (struct gpu){ .message_count = gpu->message_count };
+}
+
+enum status gpu_list(struct gpu_device **devices, uint32_t *count)
+{
+    VkPhysicalDevice physical[DEVICES_MAX];
+    struct gpu gpu = { 0 };
+    enum status status = STATUS_OK;
+
+    *devices = NULL;
+    *count = 0;
+    if (volkInitialize() != VK_SUCCESS)
+        return STATUS_OK;
+    VkResult result = gpu_instance_create(&gpu, false);
+    if (result == VK_SUCCESS)
+        result = find_devices(gpu.instance, physical, count);
+    if (result == VK_SUCCESS && *count > 0) {
+        *devices = calloc(*count, sizeof(**devices));
+        if (!*devices)
+            result = VK_ERROR_OUT_OF_HOST_MEMORY;
+    }
+    if (result == VK_SUCCESS) {
+        for (uint32_t i = 0; i < *count; i++)
+            gpu_choose_describe(physical[i], &(*devices)[i]);
+    } else {
+        *count = 0;
+        if (result != VK_ERROR_INCOMPATIBLE_DRIVER)
+            status = gpu_failed("listing the Vulkan devices", result);
+    }
+    gpu_destroy(&gpu);
+    return status;
+}

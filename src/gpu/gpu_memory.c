@@ -1,0 +1,175 @@
+/* gpu_memory.c: device memory, and buffers with their content. */
+#include <string.h>
+
+#include "src/gpu/gpu_internal.h"
+#include "src/log.h"
+
+enum {
+    MIB = 1 << 20,
+};
+
+uint32_t gpu_memory_type(const VkPhysicalDeviceMemoryProperties *memory, uint32_t bits,
+                         VkMemoryPropertyFlags required, VkMemoryPropertyFlags preferred)
+{
+    uint32_t second = UINT32_MAX;
+    for (uint32_t i = 0; i < memory->memoryTypeCount; i++) {
+        const VkMemoryPropertyFlags flags = memory->memoryTypes[i].propertyFlags;
+        if (!(bits >> i & 1) || (flags & required) != required)
+            continue;
+        if ((flags & preferred) == preferred)
+            return i;
+        if (second == UINT32_MAX)
+            second = i;
+    }
+    return second;
+}
+
+static enum status too_large(const char *name, VkDeviceSize size, VkDeviceSize limit)
+{
+    const unsigned long long needed = size / MIB + (size % MIB != 0 ? 1 : 0);
+    const unsigned long long given = limit / MIB;
+    log_error("%s needs %llu MiB of memory, the device gives at most %llu MiB at once",
+              name ? name : "a buffer", needed, given);
+    return STATUS_TRY_AGAIN;
+}
+
+enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *needs, bool host,
+                                const char *name, VkDeviceMemory *memory)
+{
+    VkPhysicalDeviceVulkan11Properties v11 = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES,
+    };
+    VkPhysicalDeviceProperties2 properties = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
+        .pNext = &v11,
+    };
+    const uint32_t type = gpu_memory_type(
+        &gpu->memory, needs->memoryTypeBits, host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT : 0,
+        host ? VK_MEMORY_PROPERTY_HOST_COHERENT_BIT : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    if (type == UINT32_MAX) {
+        log_error("%s: the device has no memory of a fitting type", name ? name : "a buffer");
+        return STATUS_NO_DEVICE;
+    }
+    /* A driver may promise more than there is and die later: keep to what it says itself. */
+    vkGetPhysicalDeviceProperties2(gpu->physical, &properties);
+    VkDeviceSize limit = gpu->memory.memoryHeaps[gpu->memory.memoryTypes[type].heapIndex].size;
+    if (limit > v11.maxMemoryAllocationSize)
+        limit = v11.maxMemoryAllocationSize;
+    if (needs->size > limit)
+        return too_large(name, needs->size, limit);
+
+    const VkMemoryAllocateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+        .allocationSize = needs->size,
+        .memoryTypeIndex = type,
+    };
+    const VkResult result = vkAllocateMemory(gpu->device, &info, NULL, memory);
+    if (result == VK_SUCCESS)
+        return STATUS_OK;
+    *memory = VK_NULL_HANDLE;
+    return gpu_failed("vkAllocateMemory", result);
+}
+
+enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer, VkBufferUsageFlags usage,
+                              VkDeviceSize size, bool host, const char *name)
+{
+    VkPhysicalDeviceVulkan13Properties v13 = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES,
+    };
+    VkPhysicalDeviceProperties2 properties = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
+        .pNext = &v13,
+    };
+    VkMemoryRequirements needs;
+    *buffer = (struct gpu_buffer){ 0 };
+    vkGetPhysicalDeviceProperties2(gpu->physical, &properties);
+    if (size > v13.maxBufferSize)
+        return too_large(name, size, v13.maxBufferSize);
+
+    const VkBufferCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+        .size = size,
+        .usage = usage,
+    };
+    VkResult result = vkCreateBuffer(gpu->device, &info, NULL, &buffer->buffer);
+    if (result != VK_SUCCESS) {
+        *buffer = (struct gpu_buffer){ 0 };
+        return gpu_failed("vkCreateBuffer", result);
+    }
+    gpu_debug_name(gpu, VK_OBJECT_TYPE_BUFFER, (uint64_t)buffer->buffer, name);
+    vkGetBufferMemoryRequirements(gpu->device, buffer->buffer, &needs);
+    enum status status = gpu_memory_allocate(gpu, &needs, host, name, &buffer->memory);
+    if (status == STATUS_OK) {
+        result = vkBindBufferMemory(gpu->device, buffer->buffer, buffer->memory, 0);
+        if (result != VK_SUCCESS)
+            status = gpu_failed("vkBindBufferMemory", result);
+    }
+    if (status != STATUS_OK)
+        gpu_buffer_destroy(gpu, buffer);
+    buffer->size = status == STATUS_OK ? size : 0;
+    return status;
+}
+
+/* Makes everything copied so far visible to whatever comes later. */
+static void record_visible(VkCommandBuffer commands)
+{
+    const VkMemoryBarrier2 barrier = {
+        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+        .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
+        .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+    };
+    const VkDependencyInfo dependency = {
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+        .memoryBarrierCount = 1,
+        .pMemoryBarriers = &barrier,
+    };
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+static enum status fill(struct gpu *gpu, const struct gpu_buffer *buffer, const void *data)
+{
+    struct gpu_upload upload = { 0 };
+    enum status status = gpu_upload_begin(gpu, &upload, buffer->size);
+    VkDeviceSize done = 0;
+    while (status == STATUS_OK && done < buffer->size) {
+        const VkDeviceSize left = buffer->size - done;
+        const VkBufferCopy copy = {
+            .dstOffset = done,
+            .size = left < upload.staging.size ? left : upload.staging.size,
+        };
+        memcpy(upload.mapped, (const char *)data + done, copy.size);
+        vkCmdCopyBuffer(upload.commands, upload.staging.buffer, buffer->buffer, 1, &copy);
+        done += copy.size;
+        if (done == buffer->size)
+            record_visible(upload.commands);
+        status = gpu_upload_flush(gpu, &upload);
+    }
+    gpu_upload_finish(gpu, &upload);
+    return status;
+}
+
+enum status gpu_buffer_create(struct gpu *gpu, struct gpu_buffer *buffer, VkBufferUsageFlags usage,
+                              const void *data, VkDeviceSize size, const char *name)
+{
+    *buffer = (struct gpu_buffer){ 0 };
+    if (size == 0)
+        return STATUS_OK;
+    enum status status =
+        gpu_memory_buffer(gpu, buffer, usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, size, false, name);
+    if (status == STATUS_OK)
+        status = fill(gpu, buffer, data);
+    if (status != STATUS_OK)
+        gpu_buffer_destroy(gpu, buffer);
+    return status;
+}
+
+void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer)
+{
+    if (gpu->device) {
+        vkDestroyBuffer(gpu->device, buffer->buffer, NULL);
+        vkFreeMemory(gpu->device, buffer->memory, NULL);
+    }
+    *buffer = (struct gpu_buffer){ 0 };
+}
