@@ -1,0 +1,246 @@
+/* exr_read.c: the first part of an OpenEXR file as planes of floats. */
+#include <OpenEXR/openexr.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/image/exr.h"
+#include "src/image/file.h"
+#include "src/log.h"
+
+struct source {
+    FILE *file;
+    int64_t size;
+    char message[256];  /* the library's first complaint */
+    bool out_of_memory; /* for planes; the library says so of some damaged chunks too */
+};
+
+struct reader {
+    exr_context_t context;
+    exr_storage_t storage;
+    exr_attr_box2i_t window; /* the data window: the picture */
+    struct image *image;
+    struct source *source;
+};
+
+static int64_t source_read(exr_const_context_t context, void *user, void *bytes, uint64_t size,
+                           uint64_t offset, exr_stream_error_func_ptr_t report)
+{
+    struct source *source = user;
+
+    (void)context;
+    (void)report;
+    if (offset > (uint64_t)source->size || fseeko(source->file, (off_t)offset, SEEK_SET) != 0)
+        return -1;
+    return (int64_t)fread(bytes, 1, size, source->file);
+}
+
+static int64_t source_size(exr_const_context_t context, void *user)
+{
+    const struct source *source = user;
+    (void)context;
+    return source->size;
+}
+
+static void keep_message(exr_const_context_t context, exr_result_t code, const char *text)
+{
+    void *user = NULL;
+
+    (void)code;
+    if (exr_get_user_data(context, &user) != EXR_ERR_SUCCESS || !user)
+        return;
+    struct source *source = user;
+    if (!source->message[0])
+        snprintf(source->message, sizeof(source->message), "%s", text);
+}
+
+/* The library's buffers, zeroed: it misses some chunks that unpack to less than they should. */
+static void *allocate(size_t size)
+{
+    return calloc(1, size);
+}
+
+static exr_result_t fault(struct reader *reader, const char *text)
+{
+    snprintf(reader->source->message, sizeof(reader->source->message), "%s", text);
+    return EXR_ERR_FILE_BAD_HEADER;
+}
+
+static exr_result_t add_planes(struct reader *reader, const exr_attr_chlist_t *channels)
+{
+    for (int c = 0; c < channels->num_channels; c++) {
+        const exr_attr_chlist_entry_t *channel = &channels->entries[c];
+        if (channel->x_sampling != 1 || channel->y_sampling != 1)
+            return fault(reader, "subsampled channels cannot be read");
+        if (strlen(channel->name.str) >= IMAGE_NAME_SIZE)
+            return fault(reader, "a channel's name is too long");
+        if (image_find(reader->image, channel->name.str))
+            return fault(reader, "two channels have the same name");
+        if (!image_add_plane(reader->image, channel->name.str,
+                             channel->pixel_type == EXR_PIXEL_HALF)) {
+            reader->source->out_of_memory = true;
+            return EXR_ERR_OUT_OF_MEMORY;
+        }
+    }
+    return EXR_ERR_SUCCESS;
+}
+
+static exr_result_t prepare(struct reader *reader)
+{
+    const exr_attr_chlist_t *channels;
+    exr_result_t result = exr_get_storage(reader->context, 0, &reader->storage);
+
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_get_data_window(reader->context, 0, &reader->window);
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_get_channels(reader->context, 0, &channels);
+    if (result != EXR_ERR_SUCCESS)
+        return result;
+    if (reader->storage != EXR_STORAGE_SCANLINE && reader->storage != EXR_STORAGE_TILED)
+        return fault(reader, "deep pictures cannot be read");
+
+    const exr_attr_box2i_t *window = &reader->window;
+    const int64_t width = (int64_t)window->max.x - window->min.x + 1;
+    const int64_t height = (int64_t)window->max.y - window->min.y + 1;
+    const int count = channels->num_channels;
+    if (width < 1 || width > IMAGE_MAX_SIDE || height < 1 || height > IMAGE_MAX_SIDE ||
+        width * height > IMAGE_MAX_TEXELS)
+        return fault(reader, "the size is out of range");
+    if (count < 1 || count > IMAGE_MAX_PLANES || width * height > IMAGE_MAX_SAMPLES / count)
+        return fault(reader, "the number of channels is out of range");
+    image_init(reader->image, (uint32_t)width, (uint32_t)height);
+    return add_planes(reader, channels);
+}
+
+/* Channels stand in the order of the file's list, as the planes do. */
+static void set_channels(exr_decode_pipeline_t *pipeline, const struct image *image, size_t first)
+{
+    for (int c = 0; c < pipeline->channel_count; c++) {
+        exr_coding_channel_info_t *channel = &pipeline->channels[c];
+        channel->decode_to_ptr = (uint8_t *)(image->planes[c].texels + first);
+        channel->user_data_type = EXR_PIXEL_FLOAT;
+        channel->user_bytes_per_element = sizeof(float);
+        channel->user_pixel_stride = sizeof(float);
+        channel->user_line_stride = (int32_t)(image->width * sizeof(float));
+    }
+}
+
+/* A pipeline per chunk: reused ones keep pointers and buffers that must be mended by hand. */
+static exr_result_t read_chunk(const struct reader *reader, const exr_chunk_info_t *chunk, size_t x,
+                               size_t y)
+{
+    const struct image *image = reader->image;
+    exr_decode_pipeline_t pipeline = EXR_DECODE_PIPELINE_INITIALIZER;
+    exr_result_t result;
+
+    if (chunk->width < 1 || x + (size_t)chunk->width > image->width || chunk->height < 1 ||
+        y + (size_t)chunk->height > image->height)
+        return EXR_ERR_CORRUPT_CHUNK;
+    if (chunk->compression == EXR_COMPRESSION_NONE && chunk->packed_size != chunk->unpacked_size)
+        return EXR_ERR_CORRUPT_CHUNK;
+    result = exr_decoding_initialize(reader->context, 0, chunk, &pipeline);
+    if (result == EXR_ERR_SUCCESS) {
+        set_channels(&pipeline, image, y * image->width + x);
+        result = exr_decoding_choose_default_routines(reader->context, 0, &pipeline);
+    }
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_decoding_run(reader->context, 0, &pipeline);
+    exr_decoding_destroy(reader->context, &pipeline);
+    return result;
+}
+
+static exr_result_t read_lines(const struct reader *reader)
+{
+    int32_t lines;
+    exr_result_t result = exr_get_scanlines_per_chunk(reader->context, 0, &lines);
+
+    for (uint32_t y = 0; y < reader->image->height && result == EXR_ERR_SUCCESS;
+         y += (uint32_t)lines) {
+        exr_chunk_info_t chunk;
+        result =
+            exr_read_scanline_chunk_info(reader->context, 0, reader->window.min.y + (int)y, &chunk);
+        if (result == EXR_ERR_SUCCESS)
+            result = read_chunk(reader, &chunk, 0, y);
+    }
+    return result;
+}
+
+static exr_result_t read_tiles(const struct reader *reader)
+{
+    const struct image *image = reader->image;
+    int32_t width, height;
+    exr_result_t result = exr_get_tile_sizes(reader->context, 0, 0, 0, &width, &height);
+
+    if (result == EXR_ERR_SUCCESS && (width < 1 || height < 1))
+        result = EXR_ERR_INVALID_ATTR;
+    if (result != EXR_ERR_SUCCESS)
+        return result;
+    const uint32_t columns = (image->width - 1) / (uint32_t)width + 1;
+    const uint32_t rows = (image->height - 1) / (uint32_t)height + 1;
+    for (uint32_t i = 0; i < columns * rows && result == EXR_ERR_SUCCESS; i++) {
+        const uint32_t column = i % columns, row = i / columns;
+        exr_chunk_info_t chunk;
+        result = exr_read_tile_chunk_info(reader->context, 0, (int)column, (int)row, 0, 0, &chunk);
+        if (result == EXR_ERR_SUCCESS)
+            result = read_chunk(reader, &chunk, (size_t)column * (uint32_t)width,
+                                (size_t)row * (uint32_t)height);
+    }
+    return result;
+}
+
+static exr_result_t read_part(struct reader *reader)
+{
+    const exr_result_t result = prepare(reader);
+
+    if (result != EXR_ERR_SUCCESS)
+        return result;
+    return reader->storage == EXR_STORAGE_TILED ? read_tiles(reader) : read_lines(reader);
+}
+
+/* Logs what went wrong. */
+static enum status report(const char *path, const struct source *source, exr_result_t result)
+{
+    if (result == EXR_ERR_SUCCESS)
+        return STATUS_OK;
+    if (ferror(source->file)) {
+        log_error("%s: reading failed", path);
+        return STATUS_NO_INPUT;
+    }
+    if (source->out_of_memory) {
+        log_error("%s: out of memory", path);
+        return STATUS_TRY_AGAIN;
+    }
+    log_error("%s: %s", path,
+              source->message[0] ? source->message : exr_get_default_error_message(result));
+    return STATUS_DATA;
+}
+
+enum status exr_read(const char *path, struct image *image)
+{
+    struct source source = { 0 };
+    struct reader reader = { .image = image, .source = &source };
+    exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    enum status status = file_open(path, &source.file, &source.size);
+    exr_result_t result;
+
+    if (status != STATUS_OK)
+        return status;
+    start.error_handler_fn = keep_message;
+    start.alloc_fn = allocate;
+    start.user_data = &source;
+    start.read_fn = source_read;
+    start.size_fn = source_size;
+    start.max_image_width = IMAGE_MAX_SIDE;
+    start.max_image_height = IMAGE_MAX_SIDE;
+    start.max_tile_width = IMAGE_MAX_SIDE;
+    start.max_tile_height = IMAGE_MAX_SIDE;
+    /* a file with holes is refused below, so do not search it for the chunks it lost */
+    start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
+    result = exr_start_read(&reader.context, path, &start);
+    if (result == EXR_ERR_SUCCESS)
+        result = read_part(&reader);
+    exr_finish(&reader.context);
+    status = report(path, &source, result);
+    if (status != STATUS_OK)
+        image_finish(image);
+    fclose(source.file);
+    return status;
+}

@@ -1,0 +1,257 @@
+/* exr_write.c: OpenEXR files into memory: the library's own files hide errors of writing. */
+#include <OpenEXR/openexr.h>
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/image/exr.h"
+#include "src/image/half.h"
+#include "src/log.h"
+
+/* Longer ones need a flag in the file, which old readers refuse. */
+enum {
+    SHORT_NAME_MAX = 31
+};
+
+struct sink {
+    unsigned char *bytes;
+    size_t size, capacity;
+    bool out_of_memory;
+};
+
+/* Chunks come in order, past a hole for their table, which comes last. */
+static int64_t sink_write(exr_const_context_t context, void *user, const void *bytes, uint64_t size,
+                          uint64_t offset, exr_stream_error_func_ptr_t report)
+{
+    struct sink *sink = user;
+    const size_t end = offset + size;
+
+    (void)context;
+    (void)report;
+    if (end > sink->capacity) {
+        const size_t capacity = end + end / 2;
+        unsigned char *grown = realloc(sink->bytes, capacity);
+        if (!grown) {
+            sink->out_of_memory = true;
+            return -1;
+        }
+        memset(grown + sink->capacity, 0, capacity - sink->capacity);
+        sink->bytes = grown;
+        sink->capacity = capacity;
+    }
+    memcpy(sink->bytes + offset, bytes, size);
+    if (end > sink->size)
+        sink->size = end;
+    return (int64_t)size;
+}
+
+/* Keeps the library from printing: the result code says enough of a write to memory. */
+static void ignore_message(exr_const_context_t context, exr_result_t code, const char *text)
+{
+    (void)context;
+    (void)code;
+    (void)text;
+}
+
+static bool has_long_names(const struct image *image, const struct exr_header *header)
+{
+    for (uint32_t i = 0; i < image->plane_count; i++) {
+        if (strlen(image->planes[i].name) > SHORT_NAME_MAX)
+            return true;
+    }
+    for (uint32_t i = 0; i < header->text_count; i++) {
+        if (strlen(header->texts[i].name) > SHORT_NAME_MAX)
+            return true;
+    }
+    return false;
+}
+
+static exr_result_t declare_matrix(exr_context_t context, const char *name, const float *matrix)
+{
+    exr_attr_m44f_t value;
+
+    if (!matrix)
+        return EXR_ERR_SUCCESS;
+    memcpy(value.m, matrix, sizeof(value.m));
+    return exr_attr_set_m44f(context, 0, name, &value);
+}
+
+static exr_result_t declare_attributes(exr_context_t context, const struct exr_header *header)
+{
+    /* ITU-R BT.709-6, item 1.3 and 1.4 */
+    static const exr_attr_chromaticities_t rec709 = {
+        .red_x = 0.64f,
+        .red_y = 0.33f,
+        .green_x = 0.3f,
+        .green_y = 0.6f,
+        .blue_x = 0.15f,
+        .blue_y = 0.06f,
+        .white_x = 0.3127f,
+        .white_y = 0.329f,
+    };
+    exr_result_t result = exr_attr_set_chromaticities(context, 0, "chromaticities", &rec709);
+
+    if (result == EXR_ERR_SUCCESS)
+        result = declare_matrix(context, "worldToCamera", header->world_to_camera);
+    if (result == EXR_ERR_SUCCESS)
+        result = declare_matrix(context, "worldToNDC", header->world_to_ndc);
+    for (uint32_t i = 0; i < header->text_count && result == EXR_ERR_SUCCESS; i++) {
+        const struct exr_text *text = &header->texts[i];
+        result = exr_attr_set_string(context, 0, text->name, text->value);
+    }
+    return result;
+}
+
+static exr_result_t declare_part(exr_context_t context, const struct image *image)
+{
+    int part;
+    exr_result_t result = exr_add_part(context, NULL, EXR_STORAGE_SCANLINE, &part);
+
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_initialize_required_attr_simple(context, part, (int32_t)image->width,
+                                                     (int32_t)image->height, EXR_COMPRESSION_ZIP);
+    for (uint32_t i = 0; i < image->plane_count && result == EXR_ERR_SUCCESS; i++) {
+        const struct image_plane *plane = &image->planes[i];
+        result = exr_add_channel(context, part, plane->name,
+                                 plane->half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+                                 EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
+    }
+    return result;
+}
+
+static const struct image_plane *find_plane(const struct image *image, const char *name)
+{
+    const struct image_plane *plane = image->planes;
+    while (strcmp(plane->name, name) != 0)
+        plane++;
+    return plane;
+}
+
+/* Gives the pipeline the rows from y on; those of half planes by way of `halves`. */
+static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *image, uint32_t y,
+                         uint16_t *halves)
+{
+    for (int c = 0; c < pipeline->channel_count; c++) {
+        exr_coding_channel_info_t *channel = &pipeline->channels[c];
+        const struct image_plane *plane = find_plane(image, channel->channel_name);
+        const float *texels = plane->texels + (size_t)y * image->width;
+        const size_t count = (size_t)channel->width * (size_t)channel->height;
+
+        if (plane->half) {
+            for (size_t t = 0; t < count; t++)
+                halves[t] = half_from_float(texels[t]);
+            channel->encode_from_ptr = (const uint8_t *)halves;
+            channel->user_pixel_stride = sizeof(*halves);
+            halves += count;
+        } else {
+            channel->encode_from_ptr = (const uint8_t *)texels;
+            channel->user_pixel_stride = sizeof(*texels);
+        }
+        channel->user_line_stride = channel->width * channel->user_pixel_stride;
+    }
+}
+
+typedef exr_result_t compress_fn(exr_encode_pipeline_t *pipeline);
+
+struct compressor {
+    compress_fn *compress; /* the library's */
+};
+
+/*
+ * A chunk as long as it unpacks to is one stored unpacked, to all readers. The library 3.1.5
+ * writes packed ones of that length too, which nobody can read again.
+ */
+static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
+{
+    const struct compressor *compressor = pipeline->encoding_user_data;
+    const exr_result_t result = compressor->compress(pipeline);
+
+    if (result == EXR_ERR_SUCCESS && pipeline->compressed_bytes == pipeline->packed_bytes)
+        memcpy(pipeline->compressed_buffer, pipeline->packed_buffer, pipeline->packed_bytes);
+    return result;
+}
+
+/* A pipeline per chunk: reused ones keep pointers and buffers that must be mended by hand. */
+static exr_result_t write_chunk(exr_context_t context, const struct image *image, uint32_t y,
+                                uint16_t *halves)
+{
+    exr_chunk_info_t chunk;
+    exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
+    struct compressor compressor;
+    exr_result_t result = exr_write_scanline_chunk_info(context, 0, (int)y, &chunk);
+
+    if (result != EXR_ERR_SUCCESS)
+        return result;
+    result = exr_encoding_initialize(context, 0, &chunk, &pipeline);
+    if (result == EXR_ERR_SUCCESS) {
+        set_channels(&pipeline, image, y, halves);
+        result = exr_encoding_choose_default_routines(context, 0, &pipeline);
+    }
+    if (result == EXR_ERR_SUCCESS) {
+        compressor.compress = pipeline.compress_fn;
+        pipeline.encoding_user_data = &compressor;
+        pipeline.compress_fn = compress_chunk;
+        result = exr_encoding_run(context, 0, &pipeline);
+    }
+    exr_encoding_destroy(context, &pipeline);
+    return result;
+}
+
+static exr_result_t write_chunks(exr_context_t context, const struct image *image)
+{
+    int32_t lines;
+    exr_result_t result = exr_get_scanlines_per_chunk(context, 0, &lines);
+
+    if (result != EXR_ERR_SUCCESS)
+        return result;
+    const size_t plane_size = (size_t)lines * image->width * sizeof(uint16_t);
+    uint16_t *halves = malloc(plane_size * image->plane_count);
+    if (!halves)
+        return EXR_ERR_OUT_OF_MEMORY;
+    for (uint32_t y = 0; y < image->height && result == EXR_ERR_SUCCESS; y += (uint32_t)lines)
+        result = write_chunk(context, image, y, halves);
+    free(halves);
+    return result;
+}
+
+enum status exr_encode(const struct image *image, const struct exr_header *header, void **data,
+                       size_t *size)
+{
+    struct sink sink = { 0 };
+    exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    exr_context_t context = NULL;
+    exr_result_t result, finished;
+
+    assert(image->plane_count > 0 && image->plane_count <= IMAGE_MAX_PLANES);
+    assert(image->width <= IMAGE_MAX_SIDE && image->height <= IMAGE_MAX_SIDE);
+    *data = NULL;
+    *size = 0;
+    start.error_handler_fn = ignore_message;
+    start.user_data = &sink;
+    start.write_fn = sink_write;
+    start.zip_level = 4; /* against zlib's default: two thirds of the time, 5% more bytes */
+    result = exr_start_write(&context, "memory", EXR_WRITE_FILE_DIRECTLY, &start);
+    if (result == EXR_ERR_SUCCESS && has_long_names(image, header))
+        result = exr_set_longname_support(context, 1);
+    if (result == EXR_ERR_SUCCESS)
+        result = declare_part(context, image);
+    if (result == EXR_ERR_SUCCESS)
+        result = declare_attributes(context, header);
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_write_header(context);
+    if (result == EXR_ERR_SUCCESS)
+        result = write_chunks(context, image);
+    finished = exr_finish(&context);
+    if (result == EXR_ERR_SUCCESS)
+        result = finished;
+
+    if (result == EXR_ERR_SUCCESS && !sink.out_of_memory) {
+        *data = sink.bytes;
+        *size = sink.size;
+        return STATUS_OK;
+    }
+    free(sink.bytes);
+    if (sink.out_of_memory)
+        result = EXR_ERR_OUT_OF_MEMORY;
+    log_error("an EXR picture could not be encoded: %s", exr_get_default_error_message(result));
+    return result == EXR_ERR_OUT_OF_MEMORY ? STATUS_TRY_AGAIN : STATUS_FAILED;
+}

@@ -1,0 +1,138 @@
+/* hdr.c: Radiance .hdr files by stb_image, with guards against what it takes on trust. */
+#include "src/image/hdr.h"
+#include <stb/stb_image.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/image/file.h"
+#include "src/log.h"
+
+struct source {
+    FILE *file;
+    bool ended;   /* a read came short */
+    bool overrun; /* stb_image asked for more than there is */
+};
+
+/*
+ * stb_image neither reports a picture cut short nor, in run-length data, ends at all when fed the
+ * zeros it makes up for itself at the end of a file. Line ends in their place end every loop of
+ * its (an empty header line, a run longer than none). It fills its buffer ahead by large reads,
+ * where the last may well be short; one for a single texel (4 bytes) may not.
+ */
+static int source_read(void *user, char *data, int size)
+{
+    struct source *source = user;
+    const size_t wanted = (size_t)size;
+    const size_t count = fread(data, 1, wanted, source->file);
+
+    if (count == wanted)
+        return size;
+    source->ended = true;
+    if (count > 0 && wanted > 4)
+        return (int)count;
+    source->overrun = true;
+    memset(data + count, '\n', wanted - count);
+    return size;
+}
+
+static void source_skip(void *user, int count)
+{
+    struct source *source = user;
+    if (fseek(source->file, count, SEEK_CUR) != 0)
+        source->ended = true;
+}
+
+static int source_eof(void *user)
+{
+    const struct source *source = user;
+    return source->ended;
+}
+
+static const stbi_io_callbacks callbacks = { source_read, source_skip, source_eof };
+
+static void source_rewind(struct source *source)
+{
+    rewind(source->file);
+    source->ended = false;
+    source->overrun = false;
+}
+
+/* Bytes that the texels take at least: flat, or in runs of 127, four to each row. */
+static int64_t least_size(int width, int height)
+{
+    const int64_t row =
+        width < 8 || width >= 32768 ? 4 * (int64_t)width : 4 + 8 * (((int64_t)width + 126) / 127);
+    return row * height;
+}
+
+/* Says what is wrong with the header, or NULL. */
+static const char *find_fault(struct source *source, int64_t file_size, int *width, int *height)
+{
+    int channels;
+
+    source_rewind(source);
+    if (!stbi_is_hdr_from_callbacks(&callbacks, source))
+        return "no Radiance HDR file";
+    source_rewind(source);
+    if (!stbi_info_from_callbacks(&callbacks, source, width, height, &channels))
+        return "the header is damaged or of a kind that cannot be read";
+    if (*width <= 0 || *width > IMAGE_MAX_SIDE || *height <= 0 || *height > IMAGE_MAX_SIDE ||
+        *width > IMAGE_MAX_TEXELS / *height)
+        return "the size is out of range";
+    if (file_size < least_size(*width, *height))
+        return "the file is cut short";
+    return NULL;
+}
+
+static bool fill_image(struct image *image, const float *texels, int width, int height)
+{
+    static const char names[3][2] = { "R", "G", "B" };
+    const size_t count = (size_t)width * (size_t)height;
+
+    image_init(image, (uint32_t)width, (uint32_t)height);
+    for (size_t c = 0; c < 3; c++) {
+        float *plane = image_add_plane(image, names[c], false);
+        if (!plane) {
+            image_finish(image);
+            return false;
+        }
+        for (size_t i = 0; i < count; i++)
+            plane[i] = texels[3 * i + c];
+    }
+    return true;
+}
+
+enum status hdr_read(const char *path, struct image *image)
+{
+    struct source source = { 0 };
+    int64_t file_size;
+    int width = 0, height = 0, channels;
+    float *texels = NULL;
+    const char *fault;
+    enum status status = file_open(path, &source.file, &file_size);
+
+    if (status != STATUS_OK)
+        return status;
+    fault = find_fault(&source, file_size, &width, &height);
+    if (!fault) {
+        source_rewind(&source);
+        texels = stbi_loadf_from_callbacks(&callbacks, &source, &width, &height, &channels, 3);
+        if (source.overrun)
+            fault = "the file is cut short";
+        else if (!texels && strcmp(stbi_failure_reason(), "outofmem") != 0)
+            fault = stbi_failure_reason();
+    }
+    if (ferror(source.file)) {
+        log_error("%s: reading failed", path);
+        status = STATUS_NO_INPUT;
+    } else if (fault) {
+        log_error("%s: %s", path, fault);
+        status = STATUS_DATA;
+    } else if (!texels || !fill_image(image, texels, width, height)) {
+        log_error("%s: out of memory for %d x %d pixels", path, width, height);
+        status = STATUS_TRY_AGAIN;
+    }
+    stbi_image_free(texels);
+    fclose(source.file);
+    return status;
+}

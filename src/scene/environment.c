@@ -1,0 +1,77 @@
+/* environment.c: an equirectangular picture, from file to half floats. */
+#include "src/scene/environment.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include "src/image/exr.h"
+#include "src/image/half.h"
+#include "src/image/hdr.h"
+#include "src/log.h"
+
+static enum status read_picture(const char *path, struct image *image)
+{
+    const char *dot = strrchr(path, '.');
+    if (dot && !strcasecmp(dot, ".hdr"))
+        return hdr_read(path, image);
+    if (dot && !strcasecmp(dot, ".exr"))
+        return exr_read(path, image);
+    log_error("%s: an environment is an .exr or .hdr file", path);
+    return STATUS_DATA;
+}
+
+static uint16_t to_half(float value)
+{
+    if (!(value > 0.0f) || isinf(value)) /* NaN too */
+        return 0;
+    return half_from_float(value);
+}
+
+static enum status convert(struct environment *environment, const struct image *image,
+                           const char *path)
+{
+    const float *gray = image_find(image, "Y");
+    const float *planes[3] = {
+        image_find(image, "R"),
+        image_find(image, "G"),
+        image_find(image, "B"),
+    };
+    size_t count = (size_t)image->width * image->height;
+    for (size_t c = 0; c < 3; c++) {
+        planes[c] = planes[c] ? planes[c] : gray;
+        if (!planes[c]) {
+            log_error("%s: has no channels R, G, B (or Y)", path);
+            return STATUS_DATA;
+        }
+    }
+    environment->texels = calloc(count, 4 * sizeof(uint16_t));
+    if (!environment->texels) {
+        log_error("%s: out of memory", path);
+        return STATUS_TRY_AGAIN;
+    }
+    environment->width = image->width;
+    environment->height = image->height;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < 3; c++)
+            environment->texels[i * 4 + c] = to_half(planes[c][i]);
+        environment->texels[i * 4 + 3] = half_from_float(1.0f);
+    }
+    return STATUS_OK;
+}
+
+enum status environment_load(struct environment *environment, const char *path)
+{
+    struct image image = { 0 };
+    *environment = (struct environment){ 0 };
+    enum status status = read_picture(path, &image);
+    if (status == STATUS_OK)
+        status = convert(environment, &image, path);
+    image_finish(&image);
+    return status;
+}
+
+void environment_finish(struct environment *environment)
+{
+    free(environment->texels);
+    *environment = (struct environment){ 0 };
+}

@@ -1,0 +1,143 @@
+/* mesh.c: storage, boxes and normals of indexed triangles. */
+#include "src/scene/mesh.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+bool mesh_init(struct mesh *mesh, uint32_t vertex_count, uint32_t index_count)
+{
+    *mesh = (struct mesh){ 0 };
+    if (vertex_count > 0) {
+        mesh->vertices = calloc(vertex_count, sizeof(*mesh->vertices));
+        if (mesh->vertices == NULL)
+            goto fail;
+        mesh->vertex_count = vertex_count;
+    }
+    if (index_count > 0) {
+        mesh->indices = calloc(index_count, sizeof(*mesh->indices));
+        if (mesh->indices == NULL)
+            goto fail;
+        mesh->index_count = index_count;
+    }
+    return true;
+
+fail:
+    mesh_finish(mesh);
+    return false;
+}
+
+void mesh_finish(struct mesh *mesh)
+{
+    free(mesh->vertices);
+    free(mesh->indices);
+    *mesh = (struct mesh){ 0 };
+}
+
+/* *array with room for `count` elements more, or NULL. */
+static void *grown(void *array, uint32_t have, uint32_t count, size_t size)
+{
+    if (count > UINT32_MAX - have || have + count > SIZE_MAX / size)
+        return NULL;
+    return realloc(array, (have + count) * size);
+}
+
+bool mesh_append(struct mesh *mesh, const struct mesh *other)
+{
+    assert(mesh != other);
+    if (other->vertex_count > 0) {
+        void *vertices =
+            grown(mesh->vertices, mesh->vertex_count, other->vertex_count, sizeof(*mesh->vertices));
+        if (vertices == NULL)
+            return false;
+        mesh->vertices = vertices;
+    }
+    if (other->index_count > 0) {
+        void *indices =
+            grown(mesh->indices, mesh->index_count, other->index_count, sizeof(*mesh->indices));
+        if (indices == NULL)
+            return false;
+        mesh->indices = indices;
+    }
+    for (uint32_t i = 0; i < other->vertex_count; i++)
+        mesh->vertices[mesh->vertex_count + i] = other->vertices[i];
+    for (uint32_t i = 0; i < other->index_count; i++)
+        mesh->indices[mesh->index_count + i] = mesh->vertex_count + other->indices[i];
+    mesh->vertex_count += other->vertex_count;
+    mesh->index_count += other->index_count;
+    return true;
+}
+
+struct box mesh_box(const struct mesh *mesh)
+{
+    if (mesh->vertex_count == 0)
+        return (struct box){ 0 };
+    struct box box = { mesh->vertices[0].position, mesh->vertices[0].position };
+    for (uint32_t i = 1; i < mesh->vertex_count; i++) {
+        box.min = glms_vec3_minv(box.min, mesh->vertices[i].position);
+        box.max = glms_vec3_maxv(box.max, mesh->vertices[i].position);
+    }
+    return box;
+}
+
+vec3s box_center(struct box box)
+{
+    /* halved first: the sum of two large coordinates may overflow */
+    return glms_vec3_add(glms_vec3_scale(box.min, 0.5F), glms_vec3_scale(box.max, 0.5F));
+}
+
+float box_diagonal(struct box box)
+{
+    return glms_vec3_distance(box.min, box.max);
+}
+
+void mesh_fit(struct mesh *mesh, float width)
+{
+    struct box box = mesh_box(mesh);
+    vec3s center = box_center(box);
+    float scale = width / (box.max.x - box.min.x);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        vec3s *position = &mesh->vertices[i].position;
+        *position = glms_vec3_scale(glms_vec3_sub(*position, center), scale);
+    }
+}
+
+/* {0} for a vector without a direction. */
+static vec3s unit(vec3s v)
+{
+    /* in double, so that the squares neither vanish nor overflow */
+    double x = (double)v.x, y = (double)v.y, z = (double)v.z;
+    double length = sqrt(x * x + y * y + z * z);
+    if (!(length > 0) || !isfinite(length))
+        return (vec3s){ 0 };
+    return (vec3s){ { (float)(x / length), (float)(y / length), (float)(z / length) } };
+}
+
+static void add_facet_normal(struct mesh_vertex *vertices, const uint32_t *corners)
+{
+    vec3s side_dir[3]; /* from each corner to the next */
+    for (int k = 0; k < 3; k++)
+        side_dir[k] = unit(
+            glms_vec3_sub(vertices[corners[(k + 1) % 3]].position, vertices[corners[k]].position));
+    for (int k = 0; k < 3; k++) {
+        vec3s next_dir = side_dir[k];
+        vec3s last_dir = glms_vec3_negate(side_dir[(k + 2) % 3]);
+        vec3s normal = unit(glms_vec3_cross(next_dir, last_dir));
+        float angle = acosf(glm_clamp(glms_vec3_dot(next_dir, last_dir), -1, 1));
+        vec3s *sum = &vertices[corners[k]].normal;
+        *sum = glms_vec3_muladds(normal, angle, *sum);
+    }
+}
+
+void mesh_make_normals(struct mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        mesh->vertices[i].normal = (vec3s){ 0 };
+    for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3)
+        add_facet_normal(mesh->vertices, mesh->indices + i);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        vec3s normal = unit(mesh->vertices[i].normal);
+        bool none = glms_vec3_norm2(normal) == 0;
+        mesh->vertices[i].normal = none ? (vec3s){ { 0, 1, 0 } } : normal;
+    }
+}

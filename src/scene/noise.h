@@ -1,0 +1,23 @@
+/*
+ * noise.h: smooth random fields for the generators; the same on every machine.
+ */
+#ifndef FIRN_SCENE_NOISE_H
+#define FIRN_SCENE_NOISE_H
+
+#include <cglm/struct.h>
+#include <stdint.h>
+
+/*
+ * Value noise in [-1, 1] with two continuous derivatives: random values at the points with whole
+ * coordinates, interpolated. Its slope stays below 4. Seeds give unrelated fields. Coordinates
+ * must be below 2^30.
+ */
+float noise_value(vec3s p, uint32_t seed);
+
+/* Three unrelated fields as a vector. */
+vec3s noise_vector(vec3s p, uint32_t seed);
+
+/* A sum of `octaves` fields, each of twice the frequency and half the height, in (-2, 2). */
+float noise_fractal(vec3s p, int octaves, uint32_t seed);
+
+#endif

@@ -1,0 +1,122 @@
+/* scene.c: built-in scenes, model files, and what lies around them. */
+#include "src/scene/scene.h"
+#include <string.h>
+#include "src/log.h"
+#include "src/scene/generate.h"
+
+const struct scene_builtin scene_builtins[] = {
+    {
+        .name = "ice-cube",
+        .generate = generate_ice_cube,
+        .triangles = GENERATE_ICE_CUBE_TRIANGLES,
+        .help = "irregular cube of ice in a valley",
+    },
+    {
+        .name = "sphere",
+        .generate = generate_sphere,
+        .triangles = GENERATE_SPHERE_TRIANGLES,
+        .help = "sphere of radius 1, for comparison with closed forms",
+    },
+    {
+        .name = "teapot",
+        .generate = generate_teapot,
+        .triangles = GENERATE_TEAPOT_TRIANGLES,
+        .help = "the Utah teapot, closed",
+    },
+    { 0 },
+};
+
+static const struct scene_builtin *find_builtin(const char *name)
+{
+    for (const struct scene_builtin *b = scene_builtins; b->name; b++) {
+        if (!strcmp(b->name, name))
+            return b;
+    }
+    return NULL;
+}
+
+static enum status out_of_memory(const char *what)
+{
+    log_error("%s: out of memory", what);
+    return STATUS_TRY_AGAIN;
+}
+
+static enum status load_object(struct scene *scene, const struct scene_params *params)
+{
+    const struct scene_builtin *builtin = find_builtin(params->name);
+    if (!builtin)
+        return model_load(&scene->model, params->name, MODEL_OBJECT);
+    uint32_t triangles = params->object_triangles ? params->object_triangles : builtin->triangles;
+    if (!builtin->generate(&scene->model.object, triangles))
+        return out_of_memory(builtin->name);
+    return STATUS_OK;
+}
+
+/* The landscape is made for objects about 3.2 m across; others get it to their scale. */
+static void fit_landscape(struct mesh *landscape, struct box box)
+{
+    float scale = box_diagonal(box) / 3.2f;
+    vec3s center = box_center(box);
+    for (uint32_t i = 0; i < landscape->vertex_count; i++) {
+        vec3s *p = &landscape->vertices[i].position;
+        *p = glms_vec3_add(glms_vec3_scale(*p, scale), center);
+    }
+}
+
+static enum status add_landscape(struct scene *scene, const struct scene_params *params)
+{
+    uint32_t triangles =
+        params->landscape_triangles ? params->landscape_triangles : GENERATE_LANDSCAPE_TRIANGLES;
+    if (!generate_landscape(&scene->model.surroundings, triangles))
+        return out_of_memory("landscape");
+    if (!find_builtin(params->name))
+        fit_landscape(&scene->model.surroundings, scene->box);
+    return STATUS_OK;
+}
+
+static enum status add_surroundings(struct scene *scene, const char *path)
+{
+    struct model model = { 0 };
+    enum status status = model_load(&model, path, MODEL_SURROUNDINGS);
+    if (status == STATUS_OK)
+        status = model_add_surroundings(&scene->model, &model);
+    model_finish(&model);
+    return status;
+}
+
+static enum status load_background(struct scene *scene, const struct scene_params *params)
+{
+    if (params->background) {
+        scene->background = SCENE_COLOR;
+        scene->background_color = *params->background;
+    }
+    if (params->environment) {
+        scene->background = SCENE_ENVIRONMENT;
+        return environment_load(&scene->environment, params->environment);
+    }
+    return STATUS_OK;
+}
+
+enum status scene_load(struct scene *scene, const struct scene_params *params)
+{
+    *scene = (struct scene){ 0 };
+    enum status status = load_object(scene, params);
+    if (status == STATUS_OK)
+        status = load_background(scene, params);
+    scene->box = mesh_box(&scene->model.object);
+    bool bare = !params->surroundings && !scene->model.surroundings.index_count;
+    if (status == STATUS_OK && params->surroundings)
+        status = add_surroundings(scene, params->surroundings);
+    else if (status == STATUS_OK && bare && scene->background == SCENE_SKY)
+        status = add_landscape(scene, params);
+    if (status != STATUS_OK)
+        scene_finish(scene);
+    return status;
+}
+
+void scene_finish(struct scene *scene)
+{
+    model_finish(&scene->model);
+    environment_finish(&scene->environment);
+    *scene = (struct scene){ 0 };
+}

@@ -1,0 +1,50 @@
+/*
+ * scene.h: what there is to draw: an object, its surroundings, a background.
+ *
+ * Ownership: scene_finish() frees what a scene holds; a {0} scene is fine.
+ */
+#ifndef FIRN_SCENE_SCENE_H
+#define FIRN_SCENE_SCENE_H
+
+#include "src/scene/environment.h"
+#include "src/scene/model.h"
+
+enum scene_background {
+    SCENE_SKY,
+    SCENE_COLOR,
+    SCENE_ENVIRONMENT,
+};
+
+struct scene {
+    struct model model;
+    enum scene_background background;
+    vec3s background_color; /* SCENE_COLOR; linear radiance */
+    struct environment environment;
+    struct box box; /* of the object */
+};
+
+struct scene_params {
+    const char *name;             /* of a built-in scene, or a model file */
+    const char *surroundings;     /* model file; NULL: the landscape, if the sky is there too */
+    const char *environment;      /* picture file; NULL: none */
+    const vec3s *background;      /* NULL: the sky */
+    uint32_t object_triangles;    /* of a built-in object; 0: its default */
+    uint32_t landscape_triangles; /* 0: default */
+};
+
+/* A scene known by name. */
+struct scene_builtin {
+    const char *name;
+    bool (*generate)(struct mesh *mesh, uint32_t triangles);
+    uint32_t triangles; /* by default */
+    const char *help;
+};
+
+extern const struct scene_builtin scene_builtins[]; /* ends at a row of zeros */
+
+/* Logs and returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *scene is then {0}. */
+MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
+
+void scene_finish(struct scene *scene);
+
+#endif
