@@ -1,0 +1,24 @@
+/*
+ * accumulate.h: what comes back from the device, sample by sample, becomes planes of floats.
+ */
+#ifndef FIRN_ACCUMULATE_H
+#define FIRN_ACCUMULATE_H
+
+#include "src/frames.h"
+#include "src/image/image.h"
+#include "src/status.h"
+
+/* Adds the planes of a layer to an image, all 0. False when memory is short. */
+bool accumulate_add_planes(struct image *image, const struct frame_layer *layer);
+
+/*
+ * Adds one sample of a layer to its planes. `texels` are those of the layer's image, rows tight.
+ * Layers that are not averaged take sample 0, the pixel's centre, and ignore the others.
+ */
+void accumulate_sample(struct image *image, const struct frame_layer *layer, const void *texels,
+                       uint32_t sample);
+
+/* Divides an averaged layer's planes by the number of samples. */
+void accumulate_mean(struct image *image, const struct frame_layer *layer, uint32_t samples);
+
+#endif

@@ -1,0 +1,59 @@
+/* app.h: the program's subcommands and what their options say. */
+#ifndef FIRN_APP_APP_H
+#define FIRN_APP_APP_H
+
+#include <stdbool.h>
+#include "src/frames.h"
+#include "src/scene/scene.h"
+#include "src/settings.h"
+#include "src/status.h"
+
+enum {
+    APP_OUTPUT_COUNT = 16
+}; /* -o options at most */
+
+/* What the command line says; zero is the default everywhere. */
+struct app_options {
+    const char *positional; /* SCENE, or what to list */
+    const char *outputs[APP_OUTPUT_COUNT];
+    uint32_t output_count;
+    uint32_t width, height, samples;
+    uint32_t layers; /* bit i: frame_layers[i] */
+    const struct rung *rung;
+    const char *material, *environment, *surroundings, *device;
+    vec3s background, eye, target, orbit; /* orbit: azimuth, elevation (degrees), distance */
+    bool has_background, has_eye, has_target, has_orbit, has_fov;
+    float fov_deg;
+    struct settings settings;
+    bool ior_is_set; /* by --set */
+    bool validate, no_aliasing, quiet, dot;
+};
+
+enum app_command {
+    APP_RENDER = 1,
+    APP_GRAPH = 2,
+    APP_LIST = 4,
+};
+
+/*
+ * Parses the words after the command. What is wrong is logged in one line: STATUS_USAGE. Asked for
+ * help it prints it and sets *done.
+ */
+MUST_USE enum status app_parse(struct app_options *options, enum app_command command, int argc,
+                               char **argv, bool *done);
+
+/* The help of a command, on stdout. */
+void app_help(enum app_command command);
+
+enum status app_render(const struct app_options *options);
+enum status app_graph(const struct app_options *given);
+enum status app_list(const struct app_options *options);
+
+/* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
+MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);
+
+/* The camera of the options, else the model's, else one that frames the object. */
+MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
+                                const struct app_options *options);
+
+#endif

@@ -1,0 +1,41 @@
+/* graph.c: firn graph: the compiled plan of a frame, without a device. */
+#include <stdio.h>
+#include "src/app/app.h"
+#include "src/frame_plan.h"
+#include "src/log.h"
+#include "src/renderer.h"
+
+enum status app_graph(const struct app_options *given)
+{
+    struct app_options o = *given;
+    struct scene scene;
+    struct frame_plan frame = { 0 };
+    enum status status = app_load_scene(&scene, &o);
+    if (status != STATUS_OK)
+        return status;
+    status = renderer_plan(&frame, &(struct renderer_params){
+                                       .scene = &scene,
+                                       .settings = &o.settings,
+                                       .rung = o.rung,
+                                       .width = o.width,
+                                       .height = o.height,
+                                       .samples = o.samples,
+                                       .layers = o.layers,
+                                       .linear = true,
+                                       .display = true,
+                                       .no_aliasing = o.no_aliasing,
+                                   });
+    if (status == STATUS_OK) {
+        if (o.dot)
+            rg_dump_dot(frame.plan, stdout);
+        else
+            rg_dump(frame.plan, stdout);
+        if (fflush(stdout) || ferror(stdout)) {
+            log_error("stdout: cannot be written");
+            status = STATUS_WRITE;
+        }
+    }
+    frame_plan_finish(&frame);
+    scene_finish(&scene);
+    return status;
+}

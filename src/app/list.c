@@ -1,0 +1,102 @@
+/* list.c: firn list: scenes, rungs, materials, layers, settings, devices. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/app.h"
+#include "src/gpu/gpu.h"
+#include "src/log.h"
+#include "src/scene/material.h"
+
+static enum status list_scenes(void)
+{
+    for (const struct scene_builtin *b = scene_builtins; b->name; b++)
+        printf("  %-14s %s, %u triangles\n", b->name, b->help, b->triangles);
+    printf("  %-14s %s\n", "FILE", "a model: .gltf, .glb, .obj, .ply");
+    return STATUS_OK;
+}
+
+static enum status list_rungs(void)
+{
+    for (const struct rung *rung = frame_rungs; rung->name; rung++)
+        printf("  %-14s %s\n", rung->name, rung->technique->help);
+    return STATUS_OK;
+}
+
+static enum status list_materials(void)
+{
+    for (const struct material *m = materials; m->name; m++)
+        printf("  %-14s %-7g %s\n", m->name, (double)m->ior, m->help);
+    return STATUS_OK;
+}
+
+static enum status list_layers(void)
+{
+    for (const struct frame_layer *layer = frame_layers; layer->name; layer++)
+        printf("  %-14s %s\n", layer->name, layer->help);
+    return STATUS_OK;
+}
+
+static enum status list_settings(void)
+{
+    const struct settings defaults = settings_default();
+    for (size_t g = 0; setting_groups[g]; g++) {
+        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
+            const struct setting *row = &setting_groups[g]->rows[r];
+            printf("  %-22s %s; default ", row->name, row->help);
+            settings_print(&defaults, row, stdout);
+            if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
+                printf(", %.7g to %.7g%s%s", row->min, row->max, row->unit ? " " : "",
+                       row->unit ? row->unit : "");
+            for (size_t c = 0; row->choices && row->choices[c]; c++)
+                printf("%s%s", c ? ", " : ", one of ", row->choices[c]);
+            printf("\n");
+        }
+    }
+    return STATUS_OK;
+}
+
+static enum status list_devices(void)
+{
+    struct gpu_device *devices = NULL;
+    uint32_t count = 0;
+    enum status status = gpu_list(&devices, &count);
+    for (uint32_t i = 0; i < count; i++)
+        printf("  %u  %s (%s), Vulkan %s%s%s\n", i, devices[i].name, devices[i].kind,
+               devices[i].version, devices[i].refused[0] ? "; not usable: " : "",
+               devices[i].refused);
+    if (status == STATUS_OK && !count)
+        printf("  none: install a Vulkan driver (on Debian: mesa-vulkan-drivers)\n");
+    free(devices);
+    return status;
+}
+
+static const struct {
+    const char *name;
+    enum status (*print)(void);
+} lists[] = {
+    { "scenes", list_scenes }, { "rungs", list_rungs },       { "materials", list_materials },
+    { "layers", list_layers }, { "settings", list_settings }, { "devices", list_devices },
+};
+
+enum status app_list(const struct app_options *o)
+{
+    bool found = false;
+    enum status status = STATUS_OK;
+    for (size_t i = 0; i < sizeof(lists) / sizeof(lists[0]) && status == STATUS_OK; i++) {
+        if (o->positional && strcmp(o->positional, lists[i].name) != 0)
+            continue;
+        found = true;
+        printf("%s:\n", lists[i].name);
+        status = lists[i].print();
+    }
+    if (!found) {
+        log_error("list %s: one of scenes, rungs, materials, layers, settings, devices is wanted",
+                  o->positional);
+        return STATUS_USAGE;
+    }
+    if (status == STATUS_OK && (fflush(stdout) || ferror(stdout))) {
+        log_error("stdout: cannot be written");
+        return STATUS_WRITE;
+    }
+    return status;
+}

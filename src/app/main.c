@@ -1,0 +1,85 @@
+/* main.c: firn <command> [options] [SCENE] */
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include "src/app/app.h"
+#include "src/log.h"
+#include "src/version.h"
+
+static const struct {
+    const char *name;
+    enum app_command command;
+    enum status (*run)(const struct app_options *options);
+    const char *help;
+} commands[] = {
+    { "render", APP_RENDER, app_render, "draw a picture, to EXR and PNG" },
+    { "graph", APP_GRAPH, app_graph, "print the compiled plan of a frame; needs no device" },
+    { "list", APP_LIST, app_list, "scenes, rungs, materials, layers, settings, devices" },
+};
+
+enum {
+    COMMAND_COUNT = sizeof(commands) / sizeof(commands[0])
+};
+
+static void print_help(FILE *out)
+{
+    fprintf(out, "firn: ice, glass and water, and how far each picture is from the truth\n\n"
+                 "Examples:\n"
+                 "  firn render ice-cube -o ice.exr -o ice.png\n"
+                 "  firn list settings\n\n"
+                 "Commands:\n");
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        fprintf(out, "  %-8s %s\n", commands[i].name, commands[i].help);
+    fprintf(out, "  %-8s %s\n\n", "help", "this text, or that of a command: firn help render");
+    fprintf(out, "Options:\n  -h, --help     this text\n      --version  the version\n");
+}
+
+static size_t find_command(const char *name)
+{
+    size_t i = 0;
+    while (i < COMMAND_COUNT && strcmp(commands[i].name, name) != 0)
+        i++;
+    return i;
+}
+
+static enum status unknown(const char *word)
+{
+    log_error("unknown command %s: render, graph or list is wanted (see --help)", word);
+    return STATUS_USAGE;
+}
+
+static enum status help(const char *name)
+{
+    size_t i = name ? find_command(name) : COMMAND_COUNT;
+    if (name && i == COMMAND_COUNT)
+        return unknown(name);
+    if (name)
+        app_help(commands[i].command);
+    else
+        print_help(stdout);
+    return STATUS_OK;
+}
+
+int main(int argc, char **argv)
+{
+    struct app_options options;
+    bool done;
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
+    if (argc < 2) {
+        log_error("a command is missing: render, graph or list (see --help)");
+        return STATUS_USAGE;
+    }
+    if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))
+        return (int)help(argc > 2 ? argv[2] : NULL);
+    if (!strcmp(argv[1], "--version")) {
+        printf("firn %s\n", FIRN_VERSION);
+        return STATUS_OK;
+    }
+    size_t i = find_command(argv[1]);
+    if (i == COMMAND_COUNT)
+        return (int)unknown(argv[1]);
+    enum status status = app_parse(&options, commands[i].command, argc - 2, argv + 2, &done);
+    if (status == STATUS_OK && !done)
+        status = commands[i].run(&options);
+    return (int)status;
+}

@@ -1,0 +1,397 @@
+/* options.c: the table of options, parsed and explained. */
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/app.h"
+#include "src/log.h"
+#include "src/scene/material.h"
+#include "src/tech/refract.h"
+
+typedef enum status option_fn(struct app_options *o, const char *value);
+
+struct option {
+    const char *group; /* heading in the help */
+    const char *name;  /* without dashes */
+    char letter;       /* 0: none */
+    const char *value; /* NULL: takes none */
+    unsigned commands; /* enum app_command */
+    option_fn *set;
+    const char *help;
+};
+
+/* ---- values ---- */
+
+static enum status refuse(const char *option, const char *value, const char *wanted)
+{
+    log_error("--%s %s: %s", option, value, wanted);
+    return STATUS_USAGE;
+}
+
+/* Numbers with a separator between; true if there are exactly `count`, all finite. */
+static bool parse_numbers(const char *text, char separator, float *numbers, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        char *end;
+        if (isspace((unsigned char)*text))
+            return false;
+        double value = strtod(text, &end);
+        bool last = i + 1 == count;
+        if (end == text || !(fabs(value) <= 1e30) || *end != (last ? '\0' : separator))
+            return false;
+        numbers[i] = (float)value;
+        text = end + !last;
+    }
+    return true;
+}
+
+static bool parse_count(const char *text, uint32_t min, uint32_t max, uint32_t *count,
+                        const char **rest)
+{
+    char *end;
+    if (!isdigit((unsigned char)*text))
+        return false;
+    errno = 0;
+    unsigned long value = strtoul(text, &end, 10);
+    if (errno || value < min || value > max)
+        return false;
+    *count = (uint32_t)value;
+    *rest = end;
+    return true;
+}
+
+static enum status set_output(struct app_options *o, const char *value)
+{
+    const char *dot = strrchr(value, '.');
+    bool known = !strcmp(value, "-") || (dot && (!strcmp(dot, ".exr") || !strcmp(dot, ".png")));
+    if (!known)
+        return refuse("output", value, "a name that ends in .exr or .png, or - is wanted");
+    if (o->output_count == APP_OUTPUT_COUNT)
+        return refuse("output", value, "at most 16 files can be written at once");
+    o->outputs[o->output_count++] = value;
+    return STATUS_OK;
+}
+
+static enum status set_size(struct app_options *o, const char *value)
+{
+    const char *rest;
+    if (!parse_count(value, 1, 16384, &o->width, &rest) || *rest != 'x' ||
+        !parse_count(rest + 1, 1, 16384, &o->height, &rest) || *rest)
+        return refuse("size", value, "WIDTHxHEIGHT in pixels is wanted, 1x1 to 16384x16384");
+    return STATUS_OK;
+}
+
+static enum status set_samples(struct app_options *o, const char *value)
+{
+    const char *rest;
+    if (!parse_count(value, 1, 65536, &o->samples, &rest) || *rest)
+        return refuse("samples", value, "a number from 1 to 65536 is wanted");
+    return STATUS_OK;
+}
+
+static enum status add_layer(struct app_options *o, const char *name, size_t length,
+                             const char *value)
+{
+    if (length == 3 && !strncmp(name, "all", 3)) {
+        o->layers = (1u << FRAME_LAYER_COUNT) - 1;
+        return STATUS_OK;
+    }
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        if (strlen(frame_layers[i].name) == length &&
+            !strncmp(frame_layers[i].name, name, length)) {
+            o->layers |= 1u << i;
+            return STATUS_OK;
+        }
+    }
+    return refuse("aov", value,
+                  "layers separated by commas, or all, are wanted (firn list layers)");
+}
+
+static enum status set_aov(struct app_options *o, const char *value)
+{
+    enum status status = STATUS_OK;
+    for (const char *name = value; status == STATUS_OK;) {
+        size_t length = strcspn(name, ",");
+        status = add_layer(o, name, length, value);
+        if (!name[length])
+            break;
+        name += length + 1;
+    }
+    return status;
+}
+
+static enum status set_refraction(struct app_options *o, const char *value)
+{
+    o->rung = frame_find_rung(value);
+    return o->rung ? STATUS_OK : refuse("refraction", value, "no such rung (firn list rungs)");
+}
+
+static enum status set_material(struct app_options *o, const char *value)
+{
+    o->material = value;
+    return material_find(value)
+               ? STATUS_OK
+               : refuse("material", value, "no such material (firn list materials)");
+}
+
+static enum status set_set(struct app_options *o, const char *value)
+{
+    static const char ior[] = "refract.ior=";
+    o->ior_is_set = o->ior_is_set || !strncmp(value, ior, sizeof(ior) - 1);
+    return settings_set(&o->settings, value);
+}
+
+static enum status set_env(struct app_options *o, const char *value)
+{
+    o->environment = value;
+    return STATUS_OK;
+}
+
+static enum status set_surroundings(struct app_options *o, const char *value)
+{
+    o->surroundings = value;
+    return STATUS_OK;
+}
+
+static enum status set_background(struct app_options *o, const char *value)
+{
+    o->has_background = parse_numbers(value, ',', o->background.raw, 3) &&
+                        o->background.x >= 0.0f && o->background.y >= 0.0f &&
+                        o->background.z >= 0.0f;
+    return o->has_background ? STATUS_OK
+                             : refuse("background", value, "R,G,B is wanted, linear, from 0 up");
+}
+
+static enum status set_orbit(struct app_options *o, const char *value)
+{
+    o->has_orbit = parse_numbers(value, ',', o->orbit.raw, 3) && o->orbit.z > 0.0f;
+    return o->has_orbit ? STATUS_OK
+                        : refuse("orbit", value,
+                                 "AZIMUTH,ELEVATION,DISTANCE is wanted, in degrees and metres");
+}
+
+static enum status set_eye(struct app_options *o, const char *value)
+{
+    o->has_eye = parse_numbers(value, ',', o->eye.raw, 3);
+    return o->has_eye ? STATUS_OK : refuse("eye", value, "X,Y,Z is wanted");
+}
+
+static enum status set_target(struct app_options *o, const char *value)
+{
+    o->has_target = parse_numbers(value, ',', o->target.raw, 3);
+    return o->has_target ? STATUS_OK : refuse("target", value, "X,Y,Z is wanted");
+}
+
+static enum status set_fov(struct app_options *o, const char *value)
+{
+    o->has_fov =
+        parse_numbers(value, ',', &o->fov_deg, 1) && o->fov_deg >= 1.0f && o->fov_deg <= 170.0f;
+    return o->has_fov ? STATUS_OK : refuse("fov", value, "1 to 170 degrees are wanted");
+}
+
+static enum status set_device(struct app_options *o, const char *value)
+{
+    o->device = value;
+    return STATUS_OK;
+}
+
+static enum status set_validate(struct app_options *o, const char *value)
+{
+    (void)value;
+    o->validate = true;
+    return STATUS_OK;
+}
+
+static enum status set_no_aliasing(struct app_options *o, const char *value)
+{
+    (void)value;
+    o->no_aliasing = true;
+    return STATUS_OK;
+}
+
+static enum status set_quiet(struct app_options *o, const char *value)
+{
+    (void)value;
+    o->quiet = true;
+    return STATUS_OK;
+}
+
+static enum status set_dot(struct app_options *o, const char *value)
+{
+    (void)value;
+    o->dot = true;
+    return STATUS_OK;
+}
+
+/* ---- the table ---- */
+
+#define PICTURES (APP_RENDER | APP_GRAPH)
+
+static const struct option options[] = {
+    { "Output", "output", 'o', "FILE", APP_RENDER, set_output,
+      "write FILE.exr or FILE.png, may be repeated; - is an EXR on stdout (firn.exr)" },
+    { "Output", "size", 's', "WxH", PICTURES, set_size, "pixels (1024x768)" },
+    { "Output", "samples", 'n', "N", PICTURES, set_samples, "samples a pixel (1)" },
+    { "Output", "aov", 0, "LIST", PICTURES, set_aov,
+      "extra layers of the EXR: Z,N,P,back.N,exit,refraction,reflection,fresnel or all" },
+    { "Picture", "refraction", 'r', "RUNG", PICTURES, set_refraction,
+      "paper or one-sided (paper)" },
+    { "Picture", "material", 'm', "NAME", PICTURES, set_material, "ice, water, glass, ... (ice)" },
+    { "Picture", "set", 0, "NAME=VALUE", PICTURES, set_set,
+      "a setting (firn list settings), may be repeated" },
+    { "Scene", "env", 'e', "FILE", PICTURES, set_env,
+      "equirectangular .exr or .hdr around the scene; -Z in its middle" },
+    { "Scene", "surroundings", 0, "FILE", PICTURES, set_surroundings, "a model around the object" },
+    { "Scene", "background", 0, "R,G,B", PICTURES, set_background,
+      "one linear colour for the sky" },
+    { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, set_orbit,
+      "degrees, degrees, metres, around the target" },
+    { "Camera", "eye", 0, "X,Y,Z", PICTURES, set_eye, "where the camera stands, metres" },
+    { "Camera", "target", 0, "X,Y,Z", PICTURES, set_target,
+      "what it looks at (the object's centre)" },
+    { "Camera", "fov", 0, "DEGREES", PICTURES, set_fov, "vertical angle of view (45)" },
+    { "Device", "device", 'd', "N|NAME", APP_RENDER, set_device,
+      "number or part of the name (firn list devices)" },
+    { "Device", "validate", 0, NULL, APP_RENDER, set_validate,
+      "Vulkan validation and synchronization validation" },
+    { "Device", "no-aliasing", 0, NULL, PICTURES, set_no_aliasing,
+      "transient images share no memory" },
+    { "Other", "dot", 0, NULL, APP_GRAPH, set_dot, "print a Graphviz digraph" },
+    { "Other", "quiet", 'q', NULL, PICTURES, set_quiet, "no progress" },
+};
+
+enum {
+    OPTION_COUNT = sizeof(options) / sizeof(options[0])
+};
+
+static const char *const examples[] = {
+    [APP_RENDER] = "  firn render ice-cube -o ice.exr -o ice.png\n"
+                   "  firn render statue.glb --env studio.hdr --samples 16 -o statue.png\n"
+                   "  firn render sphere --refraction one-sided --aov exit -o sphere.exr\n",
+    [APP_GRAPH] = "  firn graph ice-cube\n"
+                  "  firn graph ice-cube --refraction one-sided --dot | dot -Tsvg > plan.svg\n",
+    [APP_LIST] = "  firn list\n"
+                 "  firn list settings\n",
+};
+
+static const char *const usages[] = {
+    [APP_RENDER] = "firn render [options] SCENE: draw a picture, to EXR and PNG",
+    [APP_GRAPH] = "firn graph [options] SCENE: print the compiled plan of a frame; needs no device",
+    [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
+};
+
+void app_help(enum app_command command)
+{
+    const char *group = "";
+    printf("%s\n\nExamples:\n%s", usages[command], examples[command]);
+    if (command & PICTURES)
+        printf("\nSCENE is ice-cube, sphere, teapot, or a model file (.gltf .glb .obj .ply).\n");
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        const struct option *option = &options[i];
+        char left[64];
+        if (!(option->commands & command))
+            continue;
+        if (strcmp(group, option->group) != 0)
+            printf("\n%s:\n", option->group);
+        group = option->group;
+        snprintf(left, sizeof(left), "--%s %s", option->name, option->value ? option->value : "");
+        if (option->letter)
+            printf("  -%c, %-22s %s\n", option->letter, left, option->help);
+        else
+            printf("      %-22s %s\n", left, option->help);
+    }
+    printf("  -h, %-22s %s\n", "--help", "this text");
+}
+
+/* ---- parsing ---- */
+
+static const struct option *find_long(const char *name, size_t length, enum app_command command)
+{
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        if ((options[i].commands & command) && strlen(options[i].name) == length &&
+            !strncmp(options[i].name, name, length))
+            return &options[i];
+    }
+    return NULL;
+}
+
+static const struct option *find_letter(char letter, enum app_command command)
+{
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        if ((options[i].commands & command) && letter && options[i].letter == letter)
+            return &options[i];
+    }
+    return NULL;
+}
+
+/* "--name=value", "--name value", "-x value", "-xvalue": the option and its value. */
+static const struct option *split(const char *word, enum app_command command, const char **value)
+{
+    const struct option *option;
+    *value = NULL;
+    if (word[1] == '-') {
+        size_t length = strcspn(word + 2, "=");
+        option = find_long(word + 2, length, command);
+        if (word[2 + length])
+            *value = &word[2 + length + 1];
+    } else {
+        option = find_letter(word[1], command);
+        if (word[2])
+            *value = &word[2];
+    }
+    return option;
+}
+
+static enum status parse_option(struct app_options *o, enum app_command command, char **argv,
+                                int *index)
+{
+    const char *value;
+    const struct option *option = split(argv[*index], command, &value);
+    if (!option) {
+        log_error("unknown option %s (see --help)", argv[*index]);
+        return STATUS_USAGE;
+    }
+    if (!option->value && value) {
+        log_error("--%s takes no value (see --help)", option->name);
+        return STATUS_USAGE;
+    }
+    if (option->value && !value)
+        value = argv[++*index]; /* argv ends at NULL */
+    if (option->value && !value) {
+        log_error("--%s: %s is missing (see --help)", option->name, option->value);
+        return STATUS_USAGE;
+    }
+    return option->set(o, value);
+}
+
+enum status app_parse(struct app_options *o, enum app_command command, int argc, char **argv,
+                      bool *done)
+{
+    bool only_words = false;
+    *done = false;
+    *o = (struct app_options){ .settings = settings_default(), .rung = &frame_rungs[0] };
+    for (int i = 0; i < argc; i++) {
+        enum status status = STATUS_OK;
+        const char *word = argv[i];
+        if (!only_words && (!strcmp(word, "--help") || !strcmp(word, "-h"))) {
+            app_help(command);
+            *done = true;
+            return STATUS_OK;
+        }
+        if (!only_words && !strcmp(word, "--")) {
+            only_words = true;
+        } else if (!only_words && word[0] == '-' && word[1]) {
+            status = parse_option(o, command, argv, &i);
+        } else if (o->positional) {
+            log_error("%s: only one of these is wanted, %s is there already", word, o->positional);
+            status = STATUS_USAGE;
+        } else {
+            o->positional = word;
+        }
+        if (status != STATUS_OK)
+            return status;
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,85 @@
+/* scene.c: what the options say of scene and camera. */
+#include "src/app/app.h"
+#include "src/log.h"
+#include "src/scene/material.h"
+#include "src/scene_settings.h"
+#include "src/tech/refract.h"
+
+static const float default_fov_deg = 45.0f;
+static const uint32_t default_width = 1024;
+static const uint32_t default_height = 768;
+
+/* --set over --material over the model's own index over the default. */
+static void settle_ior(struct app_options *o, const struct model *model)
+{
+    const struct setting *ior = &refract_settings.rows[0];
+    if (o->ior_is_set)
+        return;
+    if (o->material)
+        settings_put(&o->settings, ior, (double)material_find(o->material)->ior);
+    else if (model->has_ior)
+        settings_put(&o->settings, ior, (double)model->ior);
+}
+
+enum status app_load_scene(struct scene *scene, struct app_options *o)
+{
+    const struct object_params *object = settings_of(&o->settings, &object_settings);
+    const struct landscape_params *landscape = settings_of(&o->settings, &landscape_settings);
+    if (!o->positional) {
+        log_error("SCENE is missing: ice-cube, sphere, teapot or a model file (see --help)");
+        return STATUS_USAGE;
+    }
+    if (!o->width) {
+        o->width = default_width;
+        o->height = default_height;
+    }
+    enum status status =
+        scene_load(scene, &(struct scene_params){
+                              .name = o->positional,
+                              .surroundings = o->surroundings,
+                              .environment = o->environment,
+                              .background = o->has_background ? &o->background : NULL,
+                              .object_triangles = object->triangles,
+                              .landscape_triangles = landscape->triangles,
+                          });
+    if (status == STATUS_OK)
+        settle_ior(o, &scene->model);
+    return status;
+}
+
+static enum status explicit_camera(struct camera *camera, const struct app_options *o, vec3s center)
+{
+    camera->eye = o->eye;
+    camera->target = o->has_target ? o->target : center;
+    if (glms_vec3_distance(camera->eye, camera->target) > 0.0f)
+        return STATUS_OK;
+    log_error("--eye and --target are one point: move one of them");
+    return STATUS_USAGE;
+}
+
+enum status app_camera(struct camera *camera, const struct scene *scene,
+                       const struct app_options *o)
+{
+    vec3s center = box_center(scene->box);
+    bool own = scene->model.has_camera && !o->has_eye && !o->has_orbit;
+    float fov = o->has_fov ? o->fov_deg : default_fov_deg;
+    if (own) {
+        *camera = scene->model.camera;
+        if (o->has_fov)
+            camera->fov_deg = fov;
+        if (o->has_target)
+            camera->target = o->target;
+        return STATUS_OK;
+    }
+    *camera = (struct camera){ .fov_deg = fov };
+    if (o->has_eye && o->has_orbit) {
+        log_error("--eye and --orbit: only one of them can place the camera");
+        return STATUS_USAGE;
+    }
+    if (o->has_eye)
+        return explicit_camera(camera, o, center);
+    float distance = camera_framing_distance(box_diagonal(scene->box), fov, o->width, o->height);
+    vec3s orbit = o->has_orbit ? o->orbit : (vec3s){ { 28.0f, 9.0f, distance } };
+    *camera = camera_orbit(orbit.x, orbit.y, orbit.z, o->has_target ? o->target : center, fov);
+    return STATUS_OK;
+}

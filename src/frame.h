@@ -1,0 +1,44 @@
+/*
+ * frame.h: what a record function may read. Filled by the renderer, once a frame.
+ */
+#ifndef FIRN_FRAME_H
+#define FIRN_FRAME_H
+
+#include "graph/rg_cmd.h"
+#include "shaders/background.h"
+#include "shaders/globals.h"
+#include "src/settings.h"
+
+/* The tag that graph/rg.h leaves to the program. */
+struct rg_frame {
+    const struct settings *settings;
+    struct rg_mesh object;       /* the refractive one */
+    struct rg_mesh surroundings; /* may be empty */
+    struct background_push view;
+    struct background_push faces[6]; /* of the cube around the object, Vulkan's order */
+};
+
+/* struct mesh_vertex as shaders/mesh.h has it. */
+extern const struct rg_vertex_layout frame_mesh_layout;
+
+/* struct globals (shaders/globals.h), and the use of it that most rows begin with. */
+extern const struct rg_buffer frame_globals;
+#define FRAME_USE_GLOBALS \
+    { \
+        .buffer = &frame_globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING \
+    }
+
+/* Pictures that come from the scene, imported: */
+extern const struct rg_image frame_environment; /* equirectangular; 1x1 if there is none */
+extern const struct rg_image frame_textures;    /* of the surroundings, an array; the same */
+
+/* Samplers */
+extern const struct rg_sampler frame_linear;              /* clamped, one mip */
+extern const struct rg_sampler frame_environment_sampler; /* wraps around, all mips */
+extern const struct rg_sampler frame_texture_sampler;     /* repeats, all mips, anisotropic */
+
+/* Record functions of rows that draw a mesh and push nothing. */
+void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
+void frame_draw_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame);
+
+#endif

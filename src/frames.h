@@ -1,0 +1,59 @@
+/*
+ * frames.h: which techniques make a frame, in their order; which rungs of refraction there are;
+ * which layers a picture can have.
+ */
+#ifndef FIRN_FRAMES_H
+#define FIRN_FRAMES_H
+
+#include "src/technique.h"
+
+/* A way to refract, as --refraction names it. */
+struct rung {
+    const char *name;
+    const struct technique *technique;
+};
+
+extern const struct rung frame_rungs[]; /* ends at a row of zeros */
+
+/* NULL if there is none of that name. */
+const struct rung *frame_find_rung(const char *name);
+
+enum {
+    FRAME_TECHNIQUE_COUNT = 8
+}; /* at most, in one frame */
+
+/*
+ * The techniques of a frame with this rung, in order; the list ends at NULL. Without `env_cube`
+ * the cube comes from outside.
+ */
+struct frame_list {
+    const struct technique *techniques[FRAME_TECHNIQUE_COUNT + 1];
+};
+
+struct frame_list frame_with(const struct rung *rung, bool env_cube);
+
+/* Only the environment cube. */
+struct frame_list frame_capture(void);
+
+/* The mean of many samples, tonemapped. */
+struct frame_list frame_resolve(void);
+
+/* A layer of a picture, as --aov names it, and the planes it becomes in an EXR file. */
+struct frame_layer {
+    const char *name;
+    const struct rg_image *image;
+    const char *planes[4];  /* names, ends at NULL */
+    uint32_t first_channel; /* of the image, that the first plane takes */
+    bool half;              /* stored as half; else as float */
+    bool mean;              /* many samples are averaged; else the pixel's centre counts */
+    const char *help;
+};
+
+extern const struct frame_layer frame_beauty;   /* always there */
+extern const struct frame_layer frame_layers[]; /* those to ask for; ends at a row of zeros */
+
+enum {
+    FRAME_LAYER_COUNT = 8
+};
+
+#endif

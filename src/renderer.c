@@ -1,0 +1,456 @@
+/* renderer.c: plans, executors and frames behind a picture. */
+#include "src/renderer.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "graph/rg_exec.h"
+#include "shaders/globals.h"
+#include "src/accumulate.h"
+#include "src/frame.h"
+#include "src/frame_plan.h"
+#include "src/image/half.h"
+#include "src/log.h"
+#include "src/scene_gpu.h"
+#include "src/scene_settings.h"
+#include "src/tech/background.h"
+#include "src/tech/env_cube.h"
+#include "src/tech/refract.h"
+#include "src/tech/resolve.h"
+#include "src/tech/tonemap.h"
+
+/* A plan, realised. */
+struct stage {
+    struct frame_plan frame;
+    struct rg_exec *exec; /* NULL: not needed */
+};
+
+struct renderer {
+    struct renderer_params params;
+    struct scene_gpu scene;
+    struct stage capture; /* the environment cube, once, if it is not dynamic */
+    struct stage picture; /* a sample */
+    struct stage resolve; /* the mean of many samples, tonemapped */
+    bool captured;
+    uint32_t last_slot; /* of the picture's executor, where the last sample is */
+};
+
+/* ---- plans ---- */
+
+static bool cube_is_dynamic(const struct renderer_params *params)
+{
+    const struct env_cube_params *cube = settings_of(params->settings, &env_cube_settings);
+    return cube->dynamic;
+}
+
+static struct frame_request picture_request(const struct renderer_params *params)
+{
+    bool many = params->samples > 1;
+    struct frame_request request = {
+        .list = frame_with(params->rung, cube_is_dynamic(params)),
+        .view = { params->width, params->height },
+        .layers = params->layers,
+        .beauty = params->linear || (params->display && many),
+        .display = params->display && !many,
+        .no_aliasing = params->no_aliasing,
+    };
+    scene_gpu_describe(params->scene, &request);
+    return request;
+}
+
+static struct frame_request capture_request(const struct renderer_params *params)
+{
+    struct frame_request request = {
+        .list = frame_capture(),
+        .view = { params->width, params->height },
+        .keep_cube = true,
+        .no_aliasing = params->no_aliasing,
+    };
+    scene_gpu_describe(params->scene, &request);
+    return request;
+}
+
+static struct frame_request resolve_request(const struct renderer_params *params)
+{
+    return (struct frame_request){
+        .list = frame_resolve(),
+        .view = { params->width, params->height },
+        .display = true,
+        .no_aliasing = params->no_aliasing,
+    };
+}
+
+enum status renderer_plan(struct frame_plan *plan, const struct renderer_params *params)
+{
+    const struct frame_request request = picture_request(params);
+    return frame_plan_init(plan, &request);
+}
+
+static void log_exec(void *user, const char *line)
+{
+    (void)user;
+    log_error("%s", line);
+}
+
+static enum status exec_status(VkResult result)
+{
+    switch ((int)result) {
+    case VK_SUCCESS:
+        return STATUS_OK;
+    case VK_ERROR_DEVICE_LOST:
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+        return STATUS_TRY_AGAIN;
+    default:
+        return STATUS_FAILED;
+    }
+}
+
+static enum status stage_create(struct stage *stage, const struct renderer *renderer,
+                                struct frame_request request)
+{
+    struct gpu *gpu = renderer->params.gpu;
+    const struct rg_vulkan vulkan = { gpu->physical, gpu->device };
+    const struct rg_device device = rg_exec_device(&vulkan);
+    const struct rg_exec_import imports[FRAME_IMPORT_COUNT] = {
+        [FRAME_IMPORT_ENVIRONMENT].image = renderer->scene.environment.image,
+        [FRAME_IMPORT_TEXTURES].image = renderer->scene.textures.image,
+        [FRAME_IMPORT_CUBE].image = renderer->capture.exec
+                                        ? rg_exec_image(renderer->capture.exec, &env_cube_color)
+                                        : VK_NULL_HANDLE,
+    };
+    request.device = &device;
+    enum status status = frame_plan_init(&stage->frame, &request);
+    if (status != STATUS_OK)
+        return status;
+    VkResult result;
+    stage->exec = rg_exec_create(
+        &(struct rg_exec_params){
+            .plan = stage->frame.plan,
+            .physical = gpu->physical,
+            .device = gpu->device,
+            .queue = gpu->queue,
+            .queue_family = gpu->queue_family,
+            .pipeline_cache = gpu->pipeline_cache,
+            .imports = imports,
+            .import_count = stage->frame.import_count,
+            .max_anisotropy = gpu->max_anisotropy,
+            .render_passes = gpu->validated, /* see rg_exec.h */
+            .log = log_exec,
+        },
+        &result);
+    return exec_status(result);
+}
+
+static void stage_destroy(struct stage *stage)
+{
+    rg_exec_destroy(stage->exec);
+    frame_plan_finish(&stage->frame);
+}
+
+enum status renderer_create(struct renderer **renderer, const struct renderer_params *params)
+{
+    struct renderer *r = calloc(1, sizeof(*r));
+    enum status status = STATUS_TRY_AGAIN;
+    *renderer = NULL;
+    if (!r) {
+        log_error("out of memory");
+        return status;
+    }
+    r->params = *params;
+    r->params.samples = params->samples ? params->samples : 1;
+    status = scene_gpu_upload(&r->scene, params->gpu, params->scene);
+    if (status == STATUS_OK && !cube_is_dynamic(params))
+        status = stage_create(&r->capture, r, capture_request(params));
+    if (status == STATUS_OK)
+        status = stage_create(&r->picture, r, picture_request(&r->params));
+    if (status == STATUS_OK && params->display && r->params.samples > 1)
+        status = stage_create(&r->resolve, r, resolve_request(params));
+    if (status == STATUS_OK)
+        *renderer = r;
+    else
+        renderer_destroy(r);
+    return status;
+}
+
+void renderer_destroy(struct renderer *renderer)
+{
+    if (!renderer)
+        return;
+    stage_destroy(&renderer->resolve);
+    stage_destroy(&renderer->picture);
+    stage_destroy(&renderer->capture);
+    scene_gpu_finish(&renderer->scene, renderer->params.gpu);
+    free(renderer);
+}
+
+/* ---- a frame ---- */
+
+static float radians(float degrees)
+{
+    return degrees * 0.01745329252f;
+}
+
+/* Mip of the environment whose texels are as large as pixels of this size, radians. */
+static float environment_lod(const struct scene *scene, float pixel)
+{
+    float texel = 6.2831853f / (float)(scene->environment.width ? scene->environment.width : 1);
+    float lod = log2f(pixel / texel);
+    return scene->environment.width && lod > 0.0f ? lod : 0.0f;
+}
+
+float renderer_near_plane(const struct scene *scene)
+{
+    float diagonal = box_diagonal(scene->box);
+    return diagonal > 0.0f ? diagonal * 1e-3f : 1e-3f;
+}
+
+static struct background_push view_push(const struct renderer *r, const struct camera *camera,
+                                        vec2s jitter)
+{
+    const struct camera_basis basis = camera_basis(camera);
+    float up = tanf(radians(camera->fov_deg) / 2.0f);
+    float right = up * (float)r->params.width / (float)r->params.height;
+    /* a pixel to the right is 2 right / width; a pixel down is the other way than up */
+    vec3s shift = glms_vec3_sub(
+        glms_vec3_scale(basis.right, 2.0f * jitter.x * right / (float)r->params.width),
+        glms_vec3_scale(basis.up, 2.0f * jitter.y * up / (float)r->params.height));
+    return (struct background_push){
+        .clip_from_world = camera_clip_from_world(camera, r->params.width, r->params.height,
+                                                  renderer_near_plane(r->params.scene), jitter),
+        .eye = camera->eye,
+        .environment_lod = environment_lod(r->params.scene, 2.0f * up / (float)r->params.height),
+        .right = glms_vec3_scale(basis.right, right),
+        .up = glms_vec3_scale(basis.up, up),
+        .forward = glms_vec3_add(basis.forward, shift),
+    };
+}
+
+static struct background_push face_push(const struct renderer *r, uint32_t face)
+{
+    const struct camera_basis basis = camera_cube_basis(face);
+    vec3s center = box_center(r->params.scene->box);
+    return (struct background_push){
+        .clip_from_world =
+            camera_cube_clip_from_world(face, center, renderer_near_plane(r->params.scene)),
+        .eye = center,
+        .environment_lod = environment_lod(r->params.scene, 2.0f / (float)env_cube_color.width),
+        .right = basis.right,
+        .up = basis.up,
+        .forward = basis.forward,
+    };
+}
+
+static struct globals make_globals(const struct renderer *r, const struct camera *camera,
+                                   const struct background_push *view)
+{
+    static const uint32_t kinds[] = {
+        [SCENE_SKY] = GLOBALS_SKY,
+        [SCENE_COLOR] = GLOBALS_COLOR,
+        [SCENE_ENVIRONMENT] = GLOBALS_ENVIRONMENT,
+    };
+    const struct sky_params *sky = settings_of(r->params.settings, &sky_settings);
+    const struct refract_params *refract = settings_of(r->params.settings, &refract_settings);
+    float azimuth = radians(sky->sun_azimuth);
+    float elevation = radians(sky->sun_elevation);
+    return (struct globals){
+        .clip_from_world = view->clip_from_world,
+        .eye = camera->eye,
+        .eta = REFRACT_IOR_AIR / refract->ior,
+        .forward = camera_basis(camera).forward,
+        .background_kind = kinds[r->params.scene->background],
+        .background_color = r->params.scene->background_color,
+        .sky_strength = sky->strength,
+        .sun_dir = { { sinf(azimuth) * cosf(elevation), sinf(elevation),
+                       cosf(azimuth) * cosf(elevation) } },
+        .sun_strength = sky->sun_strength,
+    };
+}
+
+static struct rg_mesh draw_mesh(const struct gpu_buffer *vertices, const struct gpu_buffer *indices)
+{
+    return (struct rg_mesh){
+        .vertices = vertices->buffer,
+        .indices = indices->buffer,
+        .index_count = (uint32_t)(indices->size / sizeof(uint32_t)),
+    };
+}
+
+static enum status run_stage(const struct renderer *r, struct stage *stage,
+                             const struct camera *camera, vec2s jitter, uint32_t *slot)
+{
+    const struct scene_gpu *s = &r->scene;
+    struct rg_frame frame = {
+        .settings = r->params.settings,
+        .object = draw_mesh(&s->object_vertices, &s->object_indices),
+        .surroundings = draw_mesh(&s->surroundings_vertices, &s->surroundings_indices),
+        .view = view_push(r, camera, jitter),
+    };
+    for (uint32_t face = 0; face < 6; face++)
+        frame.faces[face] = face_push(r, face);
+    VkResult result = rg_exec_begin(stage->exec, slot);
+    if (result == VK_SUCCESS) {
+        void *mapped = rg_exec_mapped(stage->exec, &frame_globals, *slot);
+        const struct globals globals = make_globals(r, camera, &frame.view);
+        if (mapped)
+            memcpy(mapped, &globals, sizeof(globals));
+        result = rg_exec_submit(stage->exec, &frame);
+    }
+    return exec_status(result);
+}
+
+/* ---- a picture ---- */
+
+static const void *read_back(struct stage *stage, const struct rg_image *image, uint32_t slot)
+{
+    const struct rg_buffer *buffer = frame_plan_buffer(&stage->frame, image);
+    return buffer ? rg_exec_mapped(stage->exec, buffer, slot) : NULL;
+}
+
+static bool wants_layer(const struct renderer *r, uint32_t layer)
+{
+    return r->params.layers & 1u << layer;
+}
+
+static enum status fetch_sample(struct renderer *r, struct image *image, uint32_t sample,
+                                uint32_t slot)
+{
+    enum status status = exec_status(rg_exec_wait(r->picture.exec, slot));
+    if (status != STATUS_OK)
+        return status;
+    const void *beauty = read_back(&r->picture, frame_beauty.image, slot);
+    if (beauty)
+        accumulate_sample(image, &frame_beauty, beauty, sample);
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        if (wants_layer(r, i))
+            accumulate_sample(image, &frame_layers[i],
+                              read_back(&r->picture, frame_layers[i].image, slot), sample);
+    }
+    return STATUS_OK;
+}
+
+static enum status draw_samples(struct renderer *r, const struct camera *camera,
+                                struct image *image, renderer_progress_fn *progress, void *user)
+{
+    enum status status = STATUS_OK;
+    if (r->capture.exec && !r->captured) {
+        uint32_t slot;
+        status = run_stage(r, &r->capture, camera, (vec2s){ { 0.0f, 0.0f } }, &slot);
+        r->captured = status == STATUS_OK;
+    }
+    /* one sample is drawn while the one before is added up */
+    for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
+        uint32_t slot_before = r->last_slot;
+        if (i < r->params.samples)
+            status = run_stage(r, &r->picture, camera, renderer_jitter(i), &r->last_slot);
+        if (i == 0 || status != STATUS_OK)
+            continue;
+        status = fetch_sample(r, image, i - 1, slot_before);
+        if (status == STATUS_OK && progress && !progress(user, i, r->params.samples))
+            status = STATUS_FAILED;
+    }
+    return status;
+}
+
+static uint8_t *copy_display(struct renderer *r, struct stage *stage, uint32_t slot)
+{
+    size_t size = (size_t)r->params.width * r->params.height * 4;
+    uint8_t *rgba = malloc(size);
+    const void *source = read_back(stage, &tonemap_color, slot);
+    if (rgba && source)
+        memcpy(rgba, source, size);
+    else
+        log_error("out of memory");
+    return rgba;
+}
+
+/* Sends the mean back to the device, in half as the device would have drawn it. */
+static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
+{
+    uint32_t slot;
+    enum status status = exec_status(rg_exec_begin(r->resolve.exec, &slot));
+    uint16_t *texels =
+        status == STATUS_OK ? rg_exec_mapped(r->resolve.exec, &resolve_samples, slot) : NULL;
+    size_t count = (size_t)image->width * image->height;
+    for (size_t p = 0; p < 4 && texels; p++) {
+        const float *plane = image_find(image, frame_beauty.planes[p]);
+        for (size_t i = 0; i < count; i++)
+            texels[i * 4 + p] = half_from_float(plane[i]);
+    }
+    const struct rg_frame frame = { .settings = r->params.settings };
+    if (status == STATUS_OK)
+        status = exec_status(rg_exec_submit(r->resolve.exec, &frame));
+    if (status == STATUS_OK)
+        status = exec_status(rg_exec_wait(r->resolve.exec, slot));
+    if (status == STATUS_OK) {
+        *rgba = copy_display(r, &r->resolve, slot);
+        status = *rgba ? STATUS_OK : STATUS_TRY_AGAIN;
+    }
+    return status;
+}
+
+static bool make_planes(const struct renderer *r, struct image *image)
+{
+    bool many = r->params.samples > 1;
+    image_init(image, r->params.width, r->params.height);
+    if (r->params.linear || (r->params.display && many)) {
+        if (!accumulate_add_planes(image, &frame_beauty))
+            return false;
+    }
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        if (wants_layer(r, i) && !accumulate_add_planes(image, &frame_layers[i]))
+            return false;
+    }
+    return true;
+}
+
+static void take_means(const struct renderer *r, struct image *image)
+{
+    if (image_find(image, frame_beauty.planes[0]))
+        accumulate_mean(image, &frame_beauty, r->params.samples);
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        if (wants_layer(r, i))
+            accumulate_mean(image, &frame_layers[i], r->params.samples);
+    }
+}
+
+enum status renderer_render(struct renderer *r, const struct camera *camera,
+                            struct render_result *result, renderer_progress_fn *progress,
+                            void *user)
+{
+    *result = (struct render_result){ 0 };
+    enum status status = STATUS_TRY_AGAIN;
+    if (make_planes(r, &result->image))
+        status = draw_samples(r, camera, &result->image, progress, user);
+    else
+        log_error("out of memory");
+    if (status == STATUS_OK)
+        take_means(r, &result->image);
+    if (status == STATUS_OK && r->resolve.exec) {
+        status = resolve_display(r, &result->image, &result->rgba);
+    } else if (status == STATUS_OK && r->params.display) {
+        result->rgba = copy_display(r, &r->picture, r->last_slot);
+        status = result->rgba ? STATUS_OK : STATUS_TRY_AGAIN;
+    }
+    if (status != STATUS_OK)
+        render_result_finish(result);
+    return status;
+}
+
+void render_result_finish(struct render_result *result)
+{
+    image_finish(&result->image);
+    free(result->rgba);
+    *result = (struct render_result){ 0 };
+}
+
+vec2s renderer_jitter(uint32_t sample)
+{
+    /* powers of 1 / g, g the real root of g^3 = g + 1 */
+    const double a[2] = { 0.7548776662466927, 0.5698402909980532 };
+    vec2s jitter;
+    for (int i = 0; i < 2; i++) {
+        double x = 0.5 + sample * a[i];
+        jitter.raw[i] = fminf((float)(x - floor(x) - 0.5), nextafterf(0.5f, 0.0f));
+    }
+    return jitter;
+}

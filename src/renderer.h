@@ -1,0 +1,67 @@
+/*
+ * renderer.h: scene + settings + camera to a picture; what every front end calls.
+ *
+ *     renderer_create()   uploads the scene, compiles the plan, realises it
+ *     renderer_render()   draws all samples and brings the picture back
+ *
+ * Ownership: gpu, scene and settings are borrowed and outlive the renderer.
+ * Errors:    logged once where found; STATUS_NO_DEVICE, STATUS_TRY_AGAIN or STATUS_FAILED.
+ */
+#ifndef FIRN_RENDERER_H
+#define FIRN_RENDERER_H
+
+#include "src/frames.h"
+#include "src/gpu/gpu.h"
+#include "src/image/image.h"
+#include "src/scene/scene.h"
+
+struct renderer_params {
+    struct gpu *gpu;
+    const struct scene *scene;
+    const struct settings *settings;
+    const struct rung *rung;
+    uint32_t width, height; /* pixels */
+    uint32_t samples;       /* a pixel; 0 means 1 */
+    uint32_t layers;        /* bit i: frame_layers[i] */
+    bool linear;            /* the beauty, in render_result.image */
+    bool display;           /* the tonemapped picture, in render_result.rgba */
+    bool no_aliasing;       /* transient images share no memory */
+};
+
+struct renderer;
+
+struct render_result {
+    struct image image; /* linear: beauty and layers */
+    uint8_t *rgba;      /* sRGB-encoded, width * height * 4 bytes; NULL if not asked for */
+};
+
+/* Called after every sample; false stops the render with STATUS_FAILED, nothing logged. */
+typedef bool renderer_progress_fn(void *user, uint32_t done, uint32_t all);
+
+MUST_USE enum status renderer_create(struct renderer **renderer,
+                                     const struct renderer_params *params);
+
+/* *result must be {0} or finished; on failure it is {0}. `progress` may be NULL. */
+MUST_USE enum status renderer_render(struct renderer *renderer, const struct camera *camera,
+                                     struct render_result *result, renderer_progress_fn *progress,
+                                     void *user);
+
+void renderer_destroy(struct renderer *renderer); /* may be NULL */
+
+void render_result_finish(struct render_result *result);
+
+/* Metres from the eye to the near plane of pictures of a scene; there is no far plane. */
+float renderer_near_plane(const struct scene *scene);
+
+/*
+ * Where in its pixel sample i lies, in pixels from the pixel's centre, in [-0.5, 0.5). Sample 0 is
+ * the centre; the others follow Roberts' R2 sequence, which fills the pixel evenly at any count.
+ */
+vec2s renderer_jitter(uint32_t sample);
+
+/* The plan of a frame as the renderer would compile it, without a device: for `firn graph`.
+ * Only rung, size, layers, linear, display, no_aliasing, scene and settings of params count. */
+struct frame_plan;
+MUST_USE enum status renderer_plan(struct frame_plan *plan, const struct renderer_params *params);
+
+#endif

@@ -1,0 +1,107 @@
+/* scene_gpu.c: a scene's meshes and pictures on the device. */
+#include "src/scene_gpu.h"
+#include "src/frame.h"
+
+static uint32_t full_chain(uint32_t width, uint32_t height)
+{
+    uint32_t side = width > height ? width : height;
+    uint32_t mips = 1;
+    while (side >>= 1)
+        mips++;
+    return mips;
+}
+
+void scene_gpu_describe(const struct scene *scene, struct frame_request *request)
+{
+    const struct environment *environment = &scene->environment;
+    const struct texture_layers *textures = &scene->model.textures;
+    if (environment->texels) {
+        request->environment = (VkExtent2D){ environment->width, environment->height };
+        request->environment_mips = full_chain(environment->width, environment->height);
+    }
+    if (textures->texels) {
+        request->texture_size = textures->size;
+        request->texture_count = textures->count;
+        request->texture_mips = full_chain(textures->size, textures->size);
+    }
+}
+
+static enum status upload_mesh(struct gpu *gpu, const struct mesh *mesh,
+                               struct gpu_buffer *vertices, struct gpu_buffer *indices,
+                               const char *name)
+{
+    enum status status =
+        gpu_buffer_create(gpu, vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, mesh->vertices,
+                          (VkDeviceSize)mesh->vertex_count * sizeof(*mesh->vertices), name);
+    if (status == STATUS_OK)
+        status = gpu_buffer_create(gpu, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, mesh->indices,
+                                   (VkDeviceSize)mesh->index_count * sizeof(*mesh->indices), name);
+    return status;
+}
+
+static enum status upload_environment(struct scene_gpu *on_gpu, struct gpu *gpu,
+                                      const struct environment *environment)
+{
+    static const uint16_t black[4] = { 0 };
+    bool real = environment->texels;
+    uint32_t width = real ? environment->width : 1;
+    uint32_t height = real ? environment->height : 1;
+    return gpu_image_create(gpu, &on_gpu->environment,
+                            &(struct gpu_image_params){
+                                .name = frame_environment.name,
+                                .format = frame_environment.format,
+                                .width = width,
+                                .height = height,
+                                .mipmaps = real,
+                                .texels = real ? environment->texels : black,
+                                .texels_size = (size_t)width * height * sizeof(black),
+                            });
+}
+
+static enum status upload_textures(struct scene_gpu *on_gpu, struct gpu *gpu,
+                                   const struct texture_layers *textures)
+{
+    static const uint8_t white[4] = { 255, 255, 255, 255 };
+    bool real = textures->texels;
+    uint32_t size = real ? textures->size : 1;
+    uint32_t count = real ? textures->count : 1;
+    return gpu_image_create(gpu, &on_gpu->textures,
+                            &(struct gpu_image_params){
+                                .name = frame_textures.name,
+                                .format = frame_textures.format,
+                                .width = size,
+                                .height = size,
+                                .layers = count,
+                                .mipmaps = real,
+                                .texels = real ? textures->texels : white,
+                                .texels_size = (size_t)size * size * count * sizeof(white),
+                            });
+}
+
+enum status scene_gpu_upload(struct scene_gpu *on_gpu, struct gpu *gpu, const struct scene *scene)
+{
+    *on_gpu = (struct scene_gpu){ 0 };
+    enum status status = upload_mesh(gpu, &scene->model.object, &on_gpu->object_vertices,
+                                     &on_gpu->object_indices, "scene.object");
+    if (status == STATUS_OK)
+        status = upload_mesh(gpu, &scene->model.surroundings, &on_gpu->surroundings_vertices,
+                             &on_gpu->surroundings_indices, "scene.surroundings");
+    if (status == STATUS_OK)
+        status = upload_environment(on_gpu, gpu, &scene->environment);
+    if (status == STATUS_OK)
+        status = upload_textures(on_gpu, gpu, &scene->model.textures);
+    if (status != STATUS_OK)
+        scene_gpu_finish(on_gpu, gpu);
+    return status;
+}
+
+void scene_gpu_finish(struct scene_gpu *on_gpu, struct gpu *gpu)
+{
+    gpu_buffer_destroy(gpu, &on_gpu->object_vertices);
+    gpu_buffer_destroy(gpu, &on_gpu->object_indices);
+    gpu_buffer_destroy(gpu, &on_gpu->surroundings_vertices);
+    gpu_buffer_destroy(gpu, &on_gpu->surroundings_indices);
+    gpu_image_destroy(gpu, &on_gpu->environment);
+    gpu_image_destroy(gpu, &on_gpu->textures);
+    *on_gpu = (struct scene_gpu){ 0 };
+}

@@ -1,0 +1,25 @@
+/* scene_gpu.h: a scene's meshes and pictures on the device. */
+#ifndef FIRN_SCENE_GPU_H
+#define FIRN_SCENE_GPU_H
+
+#include "src/frame_plan.h"
+#include "src/gpu/gpu.h"
+#include "src/scene/scene.h"
+
+struct scene_gpu {
+    struct gpu_buffer object_vertices, object_indices;
+    struct gpu_buffer surroundings_vertices, surroundings_indices;
+    struct gpu_image environment; /* 1x1 if the scene has none */
+    struct gpu_image textures;    /* the same */
+};
+
+/* Fills what a plan must know of the scene's pictures; needs no device. */
+void scene_gpu_describe(const struct scene *scene, struct frame_request *request);
+
+/* On failure (logged) *on_gpu is {0}. */
+MUST_USE enum status scene_gpu_upload(struct scene_gpu *on_gpu, struct gpu *gpu,
+                                      const struct scene *scene);
+
+void scene_gpu_finish(struct scene_gpu *on_gpu, struct gpu *gpu);
+
+#endif
