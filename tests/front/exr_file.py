@@ -1,0 +1,64 @@
+"""exr_file.py: just enough of the OpenEXR format (version 2, one part) to look into a header."""
+import struct
+
+MAGIC = b'\x76\x2f\x31\x01'
+LINES_PER_CHUNK = {0: 1, 1: 1, 2: 1, 3: 16}  # compression NONE, RLE, ZIPS, ZIP
+
+
+class Damaged(Exception):
+    pass
+
+
+def take_string(data, at):
+    end = data.index(b'\0', at)
+    return data[at:end].decode('utf-8'), end + 1
+
+
+def read_attributes(data):
+    """({name: (type, bytes)}, offset of the chunk table)"""
+    if data[:4] != MAGIC or data[4:8] not in (b'\x02\0\0\0', b'\x02\x04\0\0'):  # long names
+        raise Damaged(f'begins with {data[:8].hex()}')
+    attributes, at = {}, 8
+    while data[at]:
+        name, at = take_string(data, at)
+        kind, at = take_string(data, at)
+        size, = struct.unpack_from('<i', data, at)
+        attributes[name] = kind, data[at + 4:at + 4 + size]
+        at += 4 + size
+    return attributes, at + 1
+
+
+def read_channels(value):
+    """{name: 'uint', 'half' or 'float'}, in the order of the file"""
+    channels, at = {}, 0
+    while value[at]:
+        name, at = take_string(value, at)
+        kind, = struct.unpack_from('<i', value, at)
+        channels[name] = ('uint', 'half', 'float')[kind]
+        at += 16
+    return channels
+
+
+class Exr:
+    def __init__(self, data):
+        self.attributes, table = read_attributes(data)
+        self.channels = read_channels(self.attributes['channels'][1])
+        left, top, right, bottom = struct.unpack('<4i', self.attributes['dataWindow'][1])
+        self.size = right - left + 1, bottom - top + 1
+        lines = LINES_PER_CHUNK[self.attributes['compression'][1][0]]
+        chunks = struct.unpack_from(f'<{-(-self.size[1] // lines)}Q', data, table)
+        last = max(chunks)
+        self.end = last + 8 + struct.unpack_from('<i', data, last + 4)[0]  # of all chunks
+        self.pixels = data[min(chunks):self.end]  # compressed
+
+    def text(self, name):
+        kind, value = self.attributes[name]
+        if kind != 'string':
+            raise Damaged(f'{name} is a {kind}')
+        return value.decode('utf-8')
+
+    def matrix(self, name):
+        kind, value = self.attributes[name]
+        if kind != 'm44f':
+            raise Damaged(f'{name} is a {kind}')
+        return struct.unpack('<16f', value)

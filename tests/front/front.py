@@ -1,0 +1,309 @@
+"""front.py: the program `firn` as a user runs it.
+
+Usage: front.py FIRN [TEST...]   FIRN: the program; TEST: as unittest names them
+Every run gets a folder of its own and an environment with next to nothing in it. Where lavapipe
+is installed it is the device, so that the tests mean the same everywhere.
+"""
+import glob
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from exr_file import Exr  # noqa: E402
+
+USAGE, DATA, NO_INPUT, NO_DEVICE, CANT_CREATE, WRITE = 2, 65, 66, 69, 73, 74
+SMALL = ('--size', '64x48')
+NO_DRIVER = {'VK_DRIVER_FILES': '/nonexistent.json'}
+COMMANDS = ('render', 'graph', 'list', 'help')
+
+# Layer by layer, what `--aov all` adds to the picture.
+LAYERS = (
+    'Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z', 'back.N.X', 'back.N.Y', 'back.N.Z',
+    'exit.X', 'exit.Y', 'exit.Z', 'refraction.R', 'refraction.G', 'refraction.B',
+    'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z',
+)
+
+firn_path = ''  # set by main()
+
+
+def environment(extra):
+    """PATH, the test device and what sanitizers are told; no HOME, no DISPLAY."""
+    env = {'PATH': os.environ.get('PATH', '/usr/bin:/bin')}
+    env.update({name: value for name, value in os.environ.items() if name.endswith('SAN_OPTIONS')})
+    drivers = [file for folder in ('/usr/share', '/usr/local/share', '/etc')
+               for file in glob.glob(f'{folder}/vulkan/icd.d/lvp_icd*.json')]
+    if drivers:
+        env['VK_DRIVER_FILES'] = drivers[0]
+    return {**env, **extra}
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix='firn ')  # the space is on purpose
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def firn(self, *arguments, env=(), cwd=None, stdout=subprocess.PIPE):
+        return subprocess.run([firn_path, *map(str, arguments)], env=environment(dict(env)),
+                              cwd=cwd or self.folder, stdin=subprocess.DEVNULL, stdout=stdout,
+                              stderr=subprocess.PIPE, timeout=240, check=False)
+
+    def succeed(self, *arguments, **how):
+        done = self.firn(*arguments, **how)
+        self.assertEqual(done.returncode, 0, f'{arguments}: {done.stderr.decode()}')
+        return done
+
+    def render(self, output, *arguments, **how):
+        """The bytes of the file."""
+        self.succeed('render', 'sphere', *SMALL, '-o', output, *arguments, **how)
+        return (self.folder / output).read_bytes()
+
+    def refuse(self, code, *arguments, names=(), **how):
+        """Exits with the code, prints nothing, and says why in one line that has these names."""
+        with self.subTest(arguments=arguments):
+            done = self.firn(*arguments, **how)
+            words = done.stderr.decode()
+            self.assertEqual(done.returncode, code, words)
+            self.assertFalse(done.stdout)
+            self.assertEqual(len(words.splitlines()), 1, words)
+            self.assertTrue(words.startswith('firn: ') and words.endswith('\n'), words)
+            for name in names:
+                self.assertIn(name, words)
+
+    def files(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+
+class CommandLine(Case):
+    def test_help_names_every_command(self):
+        text = self.succeed('--help').stdout
+        for same in ('-h', 'help'):
+            self.assertEqual(self.succeed(same).stdout, text)
+        for command in COMMANDS:
+            self.assertRegex(text.decode(), rf'(?m)^\s+(firn )?{command}\b')
+
+    def test_version_is_one_line(self):
+        self.assertRegex(self.succeed('--version').stdout.decode(), r'\Afirn \d+\.\d+\.\d+\n\Z')
+
+    def test_no_command_and_no_scene(self):
+        self.refuse(USAGE)
+        self.refuse(USAGE, 'render', '-o', 'a.exr')
+        self.refuse(USAGE, 'graph')
+
+    def test_unknown_words_are_named(self):
+        self.refuse(USAGE, 'rendr', names=['rendr'])
+        self.refuse(USAGE, '--colour', names=['--colour'])
+        self.refuse(USAGE, 'render', 'sphere', '--sise', '64x48', names=['--sise'])
+        self.refuse(USAGE, 'graph', 'sphere', '--sise', names=['--sise'])
+        self.refuse(USAGE, 'list', 'scnes', names=['scnes'])
+        self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--aov', 'N,depht', names=['depht'])
+        self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--refraction', 'papre',
+                    names=['papre'])
+
+    def test_an_option_without_its_value(self):
+        self.refuse(USAGE, 'render', 'sphere', '-o', names=['--output'])
+        self.refuse(USAGE, 'render', 'sphere', '--size', names=['--size'])
+
+    def test_an_output_of_unknown_kind(self):
+        self.refuse(USAGE, 'render', 'sphere', *SMALL, '-o', 'a.gif', names=['a.gif'])
+
+    def test_bad_sizes(self):
+        for size in ('0x0', '12', '99999999x1', '5x5x5', '-3x4', '4x', 'x4', '64x48 ', ''):
+            self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--size', size, names=[size])
+
+    def test_bad_settings(self):
+        for assignment, name in (
+                ('sky.strenght=1', 'sky.strength'),  # the nearest is proposed
+                ('refract_paper.a=1.5', 'refract_paper.a'),
+                ('refract_paper.a=-0.1', 'refract_paper.a'),
+                ('refract_paper.a=nan', 'refract_paper.a'),
+                ('refract_paper.a=ice', 'ice'),
+                ('refract_paper.a=0.5x', '0.5x'),
+                ('refract_paper.a', 'refract_paper.a'),
+                ('tonemap.curve=neutrl', 'neutrl')):
+            self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--set', assignment,
+                        names=[name])
+        self.assertEqual(self.files(), [])
+
+    def test_list(self):
+        text = self.succeed('list', env=NO_DRIVER).stdout.decode()
+        for name in ('ice-cube', 'sphere', 'teapot', 'paper', 'one-sided', 'refract_paper.a'):
+            self.assertRegex(text, rf'(?m)(^|\s){re.escape(name)}(\s|$)')
+
+    def test_list_to_a_full_disk(self):
+        with open('/dev/full', 'wb') as full:
+            self.assertEqual(self.firn('list', stdout=full).returncode, WRITE)
+
+
+class Input(Case):
+    def render_file(self, name, content):
+        (self.folder / name).write_bytes(content)
+        self.refuse(DATA, 'render', name, *SMALL, '-o', 'a.exr', names=[name])
+        self.assertEqual(self.files(), [name])
+
+    def test_missing(self):
+        self.refuse(NO_INPUT, 'render', 'gone.obj', '-o', 'a.exr', names=['gone.obj'])
+        self.refuse(NO_INPUT, 'render', 'sphere', '-o', 'a.exr', '--env', 'gone.hdr',
+                    names=['gone.hdr'])
+
+    def test_broken_glb(self):
+        self.render_file('broken.glb', b'glTF\x02\0\0\0' + bytes(range(256)) * 4)
+
+    def test_empty_file(self):
+        self.render_file('empty.obj', b'')
+
+    def test_nan_in_obj(self):
+        self.render_file('nan.obj', b'v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n')
+
+    def test_index_out_of_range(self):
+        self.render_file('index.obj', b'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n')
+
+    def test_a_model_is_rendered(self):
+        (self.folder / 'tent.obj').write_text(
+            'v 0 1 0\nv -1 -1 1\nv 1 -1 1\nv 0 -1 -1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n')
+        self.succeed('render', 'tent.obj', *SMALL, '-o', 'a.exr', '--aov', 'N')
+        self.assertEqual(Exr((self.folder / 'a.exr').read_bytes()).size, (64, 48))
+
+
+class Device(Case):
+    def test_none(self):
+        self.refuse(NO_DEVICE, 'render', 'sphere', *SMALL, '-o', 'a.exr', env=NO_DRIVER)
+        self.assertEqual(self.files(), [])
+
+    def test_a_plan_needs_none(self):
+        plan = {rung: self.succeed('graph', 'ice-cube', '--refraction', rung,
+                                   env=NO_DRIVER).stdout.decode()
+                for rung in ('paper', 'one-sided')}
+        self.assertIn('refract_paper.color', plan['paper'])
+        self.assertIn('refract_one_sided.color', plan['one-sided'])
+        self.assertIn('ice_normal.back', plan['paper'])
+        # it may be named among what was culled, but is not run
+        alive = [line for line in plan['one-sided'].splitlines() if 'cull' not in line]
+        self.assertNotIn('ice_normal.back', '\n'.join(alive))
+
+    def test_a_plan_as_graphviz(self):
+        dot = self.succeed('graph', 'ice-cube', '--dot', env=NO_DRIVER).stdout.decode()
+        self.assertRegex(dot, r'\Adigraph\b')
+        self.assertEqual(dot.count('{'), dot.count('}'))
+
+    def test_links_no_window_system(self):
+        libraries = subprocess.run(['ldd', firn_path], capture_output=True, text=True, check=True)
+        self.assertNotRegex(libraries.stdout, r'(?i)libX11|libxcb|wayland|glfw')
+        self.assertIn('libc.so', libraries.stdout)
+
+
+class Output(Case):
+    def test_a_missing_folder_is_found_before_rendering(self):
+        for driver in ({}, NO_DRIVER):  # without a driver too: before a device is looked for
+            self.refuse(CANT_CREATE, 'render', 'sphere', *SMALL, '-o', 'gone/a.exr', env=driver,
+                        names=['gone/a.exr'])
+
+    def test_one_bad_output_of_two_leaves_none(self):
+        self.refuse(CANT_CREATE, 'render', 'sphere', *SMALL, '-o', 'a.exr', '-o', 'gone/a.png',
+                    names=['gone/a.png'])
+        self.assertEqual(self.files(), [])
+
+    def test_stdout_holds_the_picture_and_nothing_else(self):
+        data = self.succeed('render', 'sphere', *SMALL, '-o', '-').stdout
+        self.assertEqual(data, self.render('a.exr'))
+        self.assertEqual(len(data), Exr(data).end)
+
+    def test_stdout_is_a_full_disk(self):
+        with open('/dev/full', 'wb') as full:
+            done = self.firn('render', 'sphere', *SMALL, '-o', '-', stdout=full)
+        self.assertEqual(done.returncode, WRITE, done.stderr.decode())
+
+    def test_exr_and_png_at_once(self):
+        self.render('a.exr', '-o', 'a.png')
+        self.assertEqual(self.files(), ['a.exr', 'a.png'])
+        png = (self.folder / 'a.png').read_bytes()
+        self.assertEqual(png[:16], b'\x89PNG\r\n\x1a\n\0\0\0\rIHDR')
+        self.assertEqual(png[16:24], b'\0\0\0\x40\0\0\0\x30')
+        self.assertEqual(png[-8:-4], b'IEND')
+        self.assertEqual(Exr((self.folder / 'a.exr').read_bytes()).size, (64, 48))
+
+    def test_an_older_file_is_replaced(self):
+        (self.folder / 'a.exr').write_bytes(b'older')
+        Exr(self.render('a.exr'))
+        self.assertEqual(self.files(), ['a.exr'])
+
+    def test_runs_with_no_home_in_a_folder_it_cannot_write_to(self):
+        self.succeed('render', 'sphere', *SMALL, '-o', self.folder / 'a.exr', cwd='/proc')
+        self.assertEqual(self.files(), ['a.exr'])
+
+    def test_quiet(self):
+        done = self.succeed('render', 'sphere', *SMALL, '-q', '-o', 'a.exr')
+        self.assertEqual((done.stdout, done.stderr), (b'', b''))
+
+    def test_no_escape_codes_outside_a_terminal(self):
+        done = self.succeed('render', 'sphere', *SMALL, '-o', 'a.exr')
+        self.assertEqual(done.stdout, b'')
+        self.assertNotIn(b'\x1b', done.stderr)
+        self.assertNotIn(b'\r', done.stderr)
+
+
+class Layers(Case):
+    def test_all(self):
+        picture = Exr(self.render('a.exr', '--refraction', 'paper', '--aov', 'all'))
+        want = {**dict.fromkeys('RGBA', 'half'), **dict.fromkeys(LAYERS, 'float')}
+        self.assertEqual(picture.channels, want)
+        self.assertEqual(list(picture.channels), sorted(want))
+
+    def test_none_and_some(self):
+        self.assertEqual(set(Exr(self.render('a.exr')).channels), set('RGBA'))
+        self.assertEqual(set(Exr(self.render('b.exr', '--aov', 'Z,back.N')).channels),
+                         {*'RGBA', 'Z', 'back.N.X', 'back.N.Y', 'back.N.Z'})
+
+    def test_metadata_tells_how_it_was_made(self):
+        picture = Exr(self.render('a.exr', '--set', 'refract_paper.a=0.25'))
+        version = self.succeed('--version').stdout.decode().split()[1]
+        self.assertIn(version, picture.text('firn/version'))
+        self.assertRegex(picture.text('firn/settings'), r'refract_paper\.a=0\.25\b')
+        matrix = picture.matrix('worldToCamera')
+        self.assertEqual(matrix[3::4], (0, 0, 0, 1))  # affine, row vectors
+        for axis in (matrix[0:3], matrix[4:7], matrix[8:11]):  # a rotation
+            self.assertAlmostEqual(sum(x * x for x in axis), 1, places=5)
+        self.assertIn('chromaticities', picture.attributes)
+
+
+class Same(Case):
+    """The same command gives the same bytes; another one does not."""
+
+    def setUp(self):
+        super().setUp()
+        self.first = self.render('first.exr', '--aov', 'all')
+
+    def check(self, *arguments, env=()):
+        again = self.render('again.exr', '--aov', 'all', *arguments, env=env)
+        self.assertTrue(self.first == again, f'{arguments} {env}: other bytes')
+
+    def test_again(self):
+        self.check()
+
+    def test_whatever_the_threads(self):
+        self.check(env={'LP_NUM_THREADS': '1'})
+        self.check(env={'LP_NUM_THREADS': '2'})
+
+    def test_without_aliasing(self):
+        self.check('--no-aliasing')
+
+    def test_a_setting_changes_the_picture(self):
+        other = self.render('other.exr', '--aov', 'all', '--set', 'refract_paper.a=0.5')
+        self.assertFalse(Exr(self.first).pixels == Exr(other).pixels)
+
+
+def main():
+    global firn_path
+    if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
+        sys.exit(f'front.py: no program to test: {sys.argv[1:2] or "(none given)"}')
+    firn_path = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
+
+
+if __name__ == '__main__':
+    main()

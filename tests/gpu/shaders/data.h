@@ -1,0 +1,20 @@
+/* data.h: bindings of the test shaders that compute. */
+#ifndef DATA_H
+#define DATA_H
+#include "shaders/abi.h"
+
+#define DATA_SEED    0 /* uniform buffer */
+#define DATA_NUMBERS 1 /* storage buffer, one number a texel */
+#define DATA_TEXELS  2 /* storage image, or the same sampled */
+#define DATA_IMAGE   3 /* cube or array, sampled */
+#define DATA_COLORS  4 /* storage buffer of what was sampled */
+
+#define DATA_SAMPLERS 5 /* and on */
+
+#define DATA_GROUP 4 /* a workgroup's width and height */
+
+struct data_seed {
+    uint32_t value;
+};
+
+#endif

@@ -1,0 +1,29 @@
+/* optics.comp: asks everything that lib/optics.glsl knows. */
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/optics.glsl"
+#include "tests/gpu/shaders/optics.h"
+
+layout(binding = OPTICS_QUESTIONS, scalar) readonly buffer Questions
+{
+    optics_question questions[];
+};
+
+layout(binding = OPTICS_ANSWERS, scalar) writeonly buffer Answers
+{
+    optics_answer answers[];
+};
+
+void main()
+{
+    optics_question q = questions[gl_WorkGroupID.x];
+    optics_answer r;
+    r.blended = optics_blend_normals(q.front, q.back, q.a);
+    r.refracted = optics_refract(q.e, r.blended, q.eta);
+    r.reflected = optics_reflect(q.e, q.front);
+    r.k = optics_refract_k(q.e, r.blended, q.eta);
+    r.fresnel_paper = optics_fresnel_paper(q.e, q.front);
+    r.fresnel = optics_fresnel(q.e, q.front, q.eta);
+    r.composed = optics_compose(r.reflected, r.refracted, r.fresnel);
+    answers[gl_WorkGroupID.x] = r;
+}

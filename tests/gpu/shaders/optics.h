@@ -1,0 +1,26 @@
+/* optics.h: what optics.comp is asked, and what it answers: one of each a case. */
+#ifndef OPTICS_H
+#define OPTICS_H
+#include "shaders/abi.h"
+
+#define OPTICS_QUESTIONS 0
+#define OPTICS_ANSWERS   1
+
+struct optics_question {
+    vec3s e;
+    vec3s front, back; /* normals */
+    float a;           /* share of the back one in the normal that refracts; 0: front alone */
+    float eta;
+};
+
+struct optics_answer {
+    vec3s blended;
+    vec3s refracted; /* at the blended normal */
+    vec3s reflected; /* at the front normal, as are: */
+    vec3s composed;
+    float k; /* at the blended normal */
+    float fresnel_paper;
+    float fresnel;
+};
+
+#endif

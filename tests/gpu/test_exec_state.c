@@ -1,0 +1,289 @@
+/* test_exec_state.c: the fixed-function state of raster passes: depth, blend, faces, vertices. */
+#include <math.h>
+
+#include "tests/support/check.h"
+
+#include "tests/support/lavapipe.h"
+#include "tests/support/painted.h"
+
+/* ---- depth ---- */
+
+#define DEPTH_IMAGE(title) \
+    { \
+        .name = (title), .format = VK_FORMAT_D32_SFLOAT \
+    }
+#define DEPTH_BUFFER(title) \
+    { \
+        .name = (title), .size_per_texel = sizeof(float), .memory = RG_MEMORY_READBACK \
+    }
+
+static const struct rg_image depth = DEPTH_IMAGE("depth");
+static const struct rg_image reversed = DEPTH_IMAGE("reversed depth");
+static const struct rg_image near = COLOR_IMAGE("near");
+static const struct rg_image reversed_near = COLOR_IMAGE("reversed near");
+static const struct rg_image tested = COLOR_IMAGE("tested");
+static const struct rg_image seen = COLOR_IMAGE("seen");
+static const struct rg_buffer depth_out = DEPTH_BUFFER("depth out");
+static const struct rg_buffer reversed_out = DEPTH_BUFFER("reversed out");
+static const struct rg_buffer near_out = COLOR_BUFFER("near out");
+static const struct rg_buffer reversed_near_out = COLOR_BUFFER("reversed near out");
+static const struct rg_buffer tested_out = COLOR_BUFFER("tested out");
+static const struct rg_buffer seen_out = COLOR_BUFFER("seen out");
+
+static const struct rg_pass depth_rows[] = {
+    {
+        .name = "depth alone",
+        .depth = { &depth, RG_LOAD_CLEAR, .clear.depthStencil.depth = 0.5F },
+        PAINTED_BY(painted_record, NULL),
+    },
+    {
+        .name = "nearer",
+        .color[0] = { &near, RG_LOAD_CLEAR },
+        .depth = { &depth, RG_LOAD_KEEP },
+        PAINTED,
+    },
+    {
+        .name = "reversed depth",
+        .depth = { &reversed, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        PAINTED_BY(painted_record, NULL),
+    },
+    {
+        .name = "reversed nearer",
+        .color[0] = { &reversed_near, RG_LOAD_CLEAR },
+        .depth = { &reversed, RG_LOAD_KEEP },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        PAINTED,
+    },
+    {
+        .name = "only tested",
+        .color[0] = { &tested, RG_LOAD_CLEAR },
+        .depth = { &depth },
+        .depth_read_only = true,
+        PAINTED,
+    },
+    {
+        .name = "look",
+        .color[0] = { &seen, RG_LOAD_DISCARD },
+        .uses = RG_USES({ .image = &depth, .access = RG_SAMPLED, .binding = PAINT_SOURCE }),
+        PAINTED_BY(painted_record, &fetch_frag),
+    },
+    RUN_READ("read depth", depth, depth_out),
+    RUN_READ("read reversed", reversed, reversed_out),
+    RUN_READ("read near", near, near_out),
+    RUN_READ("read reversed near", reversed_near, reversed_near_out),
+    RUN_READ("read tested", tested, tested_out),
+    RUN_READ("read seen", seen, seen_out),
+};
+
+/* Left: 0.25, and 0.4 is farther, reversed 0.2. Right: 0.5, then 0.4; reversed 0, then 0.2. */
+static void check_depth(struct run *run)
+{
+    const float *depths = run_data(run, &depth_out);
+    const float *reversed_depths = run_data(run, &reversed_out);
+    const vec4s *seen_texels = run_data(run, &seen_out);
+    for (uint32_t i = 0; i < 64; i++) {
+        const bool left = i % 8 < 4;
+        CHECK_NEAR(depths[i], left ? 0.25F : 0.4F, 0);
+        CHECK_NEAR(reversed_depths[i], left ? 0.25F : 0.2F, 0);
+        painted_check(run, &near_out, i,
+                      left ? painted_color(0, 0, 0, 0) : painted_color(1, 0, 0, 1));
+        painted_check(run, &reversed_near_out, i,
+                      left ? painted_color(0, 0, 0, 0) : painted_color(2, 0, 0, 2));
+        painted_check(run, &tested_out, i,
+                      left ? painted_color(0, 0, 0, 0) : painted_color(5, 5, 5, 5));
+        CHECK_NEAR(seen_texels[i].x, left ? 8.25F : 8.4F, 0);
+    }
+}
+
+static void depth_is_tested(void **state)
+{
+    static const struct paint_push paints[] = {
+        { LEFT_HALF, .depth = 0.25F },
+        { .color = { { 1, 0, 0, 1 } }, ALL, .depth = 0.4F },
+        { LEFT_HALF, .depth = 0.25F },
+        { .color = { { 2, 0, 0, 2 } }, ALL, .depth = 0.2F },
+        { .color = { { 5, 5, 5, 5 } }, ALL, .depth = 0.3F },
+        { .color = { { 8, 8, 8, 8 } }, ALL },
+    };
+    PAINTED_EVERYWHERE(state, depth_rows, paints, check_depth,
+                       .outputs = { &depth_out, &reversed_out, &near_out, &reversed_near_out,
+                                    &tested_out, &seen_out });
+}
+
+/* ---- blending ---- */
+
+static const struct rg_image over = COLOR_IMAGE("over");
+static const struct rg_image sum = COLOR_IMAGE("sum");
+static const struct rg_buffer over_out = COLOR_BUFFER("over out");
+static const struct rg_buffer sum_out = COLOR_BUFFER("sum out");
+
+/* A blend of its own for each target; in the second row none for the first. */
+static const struct rg_pass blend_rows[] = {
+    {
+        .name = "blend",
+        .color[0] = { &over, RG_LOAD_CLEAR, .clear.color = { { 0.5F, 0.25F, 1, 1 } },
+                      .blend = RG_BLEND_OVER },
+        .color[1] = { &sum, RG_LOAD_CLEAR, .clear.color = { { 1, 2, 3, 4 } },
+                      .blend = RG_BLEND_ADD },
+        PAINTED_BY(painted_record, &paint_two_frag),
+    },
+    {
+        .name = "blend the second",
+        .color[0] = { &over, RG_LOAD_KEEP },
+        .color[1] = { &sum, RG_LOAD_KEEP, .blend = RG_BLEND_ADD },
+        PAINTED_BY(painted_record, &paint_two_frag),
+    },
+    RUN_READ("read over", over, over_out),
+    RUN_READ("read sum", sum, sum_out),
+};
+
+static void check_blend(struct run *run)
+{
+    for (uint32_t i = 0; i < 64; i++) {
+        const bool left = i % 8 < 4;
+        painted_check(run, &over_out, i,
+                      left ? painted_color(16, 32, 64, 128)
+                           : painted_color(0.5F, 0.625F, 0.625F, 1));
+        painted_check(run, &sum_out, i,
+                      left ? painted_color(129.5F, 66.125F, 35.5F, 20.25F)
+                           : painted_color(1.5F, 2.125F, 3.5F, 4.25F));
+    }
+}
+
+static void targets_are_blended(void **state)
+{
+    static const struct paint_push paints[] = {
+        { .color = { { 0.25F, 0.5F, 0.125F, 0.5F } }, ALL },
+        { .color = { { 16, 32, 64, 128 } }, LEFT_HALF },
+    };
+    PAINTED_EVERYWHERE(state, blend_rows, paints, check_blend, .outputs = { &over_out, &sum_out });
+}
+
+/* ---- faces and topology ---- */
+
+static const struct rg_image faces = COLOR_IMAGE("faces");
+static const struct rg_buffer faces_out = COLOR_BUFFER("faces out");
+
+/* The rectangle is counter-clockwise. */
+static const struct rg_pass faces_rows[] = {
+    { .name = "front",
+      .color[0] = { &faces, RG_LOAD_CLEAR },
+      .cull = VK_CULL_MODE_BACK_BIT,
+      PAINTED },
+    { .name = "back", .color[0] = { &faces }, .cull = VK_CULL_MODE_FRONT_BIT, PAINTED },
+    { .name = "front of clockwise",
+      .color[0] = { &faces },
+      .cull = VK_CULL_MODE_BACK_BIT,
+      .front = VK_FRONT_FACE_CLOCKWISE,
+      PAINTED },
+    { .name = "lines",
+      .color[0] = { &faces },
+      .topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST,
+      PAINTED },
+    RUN_READ("read", faces, faces_out),
+};
+
+/* The second line is a diagonal. */
+static void check_faces(struct run *run)
+{
+    painted_check(run, &faces_out, 3 * 8 + 3, painted_color(4, 4, 4, 4));
+    painted_check(run, &faces_out, 6 * 8 + 2, painted_color(1, 1, 1, 1));
+    painted_check(run, &faces_out, 2 * 8 + 6, painted_color(1, 1, 1, 1));
+}
+
+static void faces_are_culled(void **state)
+{
+    static const struct paint_push paints[] = {
+        { .color = { { 1, 1, 1, 1 } }, ALL },
+        { .color = { { 2, 2, 2, 2 } }, ALL },
+        { .color = { { 3, 3, 3, 3 } }, ALL },
+        { .color = { { 4, 4, 4, 4 } }, ALL },
+    };
+    PAINTED_EVERYWHERE(state, faces_rows, paints, check_faces, .outputs = { &faces_out });
+}
+
+/* ---- vertices from a buffer ---- */
+
+struct vertex {
+    float other[3];
+    float position[2];
+};
+
+static const VkVertexInputAttributeDescription attributes[] = {
+    { .location = 2,
+      .format = VK_FORMAT_R32G32_SFLOAT,
+      .offset = offsetof(struct vertex, position) },
+};
+static const struct rg_vertex_layout layout = { sizeof(struct vertex), 1, attributes };
+static const struct rg_image drawn = COLOR_IMAGE("drawn");
+static const struct rg_buffer drawn_out = COLOR_BUFFER("drawn out");
+
+static void record_mesh(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, frame->paints, sizeof(*frame->paints));
+    rg_cmd_draw_mesh(cmd, &frame->mesh);
+    rg_cmd_draw_mesh(cmd, &(struct rg_mesh){ 0 });
+}
+
+static const struct rg_pass drawn_rows[] = {
+    {
+        .name = "draw",
+        .color[0] = { &drawn, RG_LOAD_CLEAR },
+        .vert = &paint_mesh_vert,
+        .frag = &paint_frag,
+        .vertices = &layout,
+        .push_size = sizeof(struct paint_push),
+        .record = record_mesh,
+    },
+    RUN_READ("read", drawn, drawn_out),
+};
+
+static void check_drawn(struct run *run)
+{
+    for (uint32_t i = 0; i < 64; i++)
+        painted_check(run, &drawn_out, i,
+                      i % 8 < 4 ? painted_color(1, 2, 3, 4) : painted_color(0, 0, 0, 0));
+}
+
+static void mesh_is_drawn(void **state)
+{
+    static const struct vertex vertices[] = {
+        { { 9, 9, 9 }, { 1, 1 } },  { { 9, 9, 9 }, { -1, -1 } }, { { 9, 9, 9 }, { -1, 1 } },
+        { { 9, 9, 9 }, { 0, -1 } }, { { 9, 9, 9 }, { 0, 1 } },
+    };
+    static const uint32_t indices[] = { 1, 2, 3, 3, 2, 4 };
+    static const struct paint_push paint = { .color = { { 1, 2, 3, 4 } } };
+    struct gpu *gpu = *state;
+    struct gpu_buffer vertex_buffer;
+    struct gpu_buffer index_buffer;
+    assert_int_equal(gpu_buffer_create(gpu, &vertex_buffer, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                                       vertices, sizeof(vertices), "vertices"),
+                     STATUS_OK);
+    assert_int_equal(gpu_buffer_create(gpu, &index_buffer, VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+                                       indices, sizeof(indices), "indices"),
+                     STATUS_OK);
+    const struct rg_frame frame = {
+        .paints = &paint,
+        .mesh = { vertex_buffer.buffer, index_buffer.buffer, 6 },
+    };
+    run_everywhere(gpu,
+                   &(struct run_params){
+                       .technique = RG_TECHNIQUE("test", drawn_rows),
+                       .outputs = { &drawn_out },
+                   },
+                   &frame, check_drawn);
+    gpu_buffer_destroy(gpu, &vertex_buffer);
+    gpu_buffer_destroy(gpu, &index_buffer);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        ON_DEVICE(depth_is_tested),
+        ON_DEVICE(targets_are_blended),
+        ON_DEVICE(faces_are_culled),
+        ON_DEVICE(mesh_is_drawn),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

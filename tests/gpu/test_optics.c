@@ -1,0 +1,332 @@
+/*
+ * test_optics.c: lib/optics.glsl, run on a device, against vectors worked out elsewhere in double
+ * precision (tests/data/oracles.json) and against closed forms.
+ *
+ * Vectors: e goes towards the surface, the front normal against it; "inside" and "chord" are those
+ * of a ray that enters a unit sphere of ice along -z, x being its impact parameter.
+ */
+#include <jansson.h>
+#include <math.h>
+#include <string.h>
+
+#include "tests/support/check.h"
+
+#include "tests/gpu/shaders/optics.h"
+#include "tests/gpu/test_shaders.h"
+#include "tests/support/lavapipe.h"
+#include "tests/support/run_graph.h"
+
+_Static_assert(sizeof(struct optics_question) == 44, "as tight as scalar layout");
+_Static_assert(sizeof(struct optics_answer) == 60, "as tight as scalar layout");
+
+/* what floats on the device leave of the vectors' digits */
+static const double tolerance = 1e-5;
+
+/* ---- asking the shader ---- */
+
+enum {
+    QUESTIONS_MAX = 64,
+};
+
+struct rg_frame {
+    uint32_t count;
+};
+
+#define BUFFER(title, type, where) \
+    { \
+        .name = (title), .size = QUESTIONS_MAX * sizeof(type), .memory = (where) \
+    }
+static const struct rg_buffer questions_in =
+    BUFFER("questions in", struct optics_question, RG_MEMORY_UPLOAD);
+static const struct rg_buffer questions =
+    BUFFER("questions", struct optics_question, RG_MEMORY_DEVICE);
+static const struct rg_buffer answers = BUFFER("answers", struct optics_answer, RG_MEMORY_DEVICE);
+static const struct rg_buffer answers_out =
+    BUFFER("answers out", struct optics_answer, RG_MEMORY_READBACK);
+
+static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    const struct rg_use *uses = rg_cmd_pass(cmd)->uses;
+    const VkBufferCopy region = { .size = uses[0].buffer->size };
+    vkCmdCopyBuffer(rg_cmd_vulkan(cmd), rg_cmd_buffer(cmd, uses[0].buffer),
+                    rg_cmd_buffer(cmd, uses[1].buffer), 1, &region);
+}
+
+static void record_answer(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_dispatch(cmd, frame->count, 1, 1);
+}
+
+static const struct rg_pass rows[] = {
+    {
+        .name = "up",
+        .kind = RG_TRANSFER,
+        .uses = RG_USES({ .buffer = &questions_in, .access = RG_COPY_SRC },
+                        { .buffer = &questions, .access = RG_COPY_DST }),
+        .record = record_copy,
+    },
+    {
+        .name = "answer",
+        .kind = RG_COMPUTE,
+        .uses = RG_USES(
+            { .buffer = &questions, .access = RG_STORAGE_READ, .binding = OPTICS_QUESTIONS },
+            { .buffer = &answers, .access = RG_STORAGE_WRITE, .binding = OPTICS_ANSWERS }),
+        .comp = &optics_comp,
+        .record = record_answer,
+    },
+    {
+        .name = "down",
+        .kind = RG_TRANSFER,
+        .uses = RG_USES({ .buffer = &answers, .access = RG_COPY_SRC },
+                        { .buffer = &answers_out, .access = RG_COPY_DST }),
+        .record = record_copy,
+    },
+};
+
+static void ask(struct gpu *gpu, const struct optics_question *asked,
+                struct optics_answer *answered, uint32_t count)
+{
+    const struct rg_frame frame = { count };
+    struct run run;
+    assert_in_range(count, 1, QUESTIONS_MAX);
+    run_open(&run, gpu,
+             &(struct run_params){
+                 .technique = RG_TECHNIQUE("optics", rows),
+                 .outputs = { &answers_out },
+             });
+    assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
+    memcpy(run_data(&run, &questions_in), asked, count * sizeof(*asked));
+    assert_int_equal(rg_exec_submit(run.exec, &frame), VK_SUCCESS);
+    assert_int_equal(rg_exec_wait(run.exec, run.slot), VK_SUCCESS);
+    memcpy(answered, run_data(&run, &answers_out), count * sizeof(*answered));
+    run_close(&run);
+}
+
+/* ---- reading the vectors ---- */
+
+static json_t *load(void)
+{
+    json_error_t error;
+    json_t *oracles = json_load_file(ORACLES, 0, &error);
+    if (!oracles)
+        fail_msg("%s: line %d: %s", ORACLES, error.line, error.text);
+    return oracles;
+}
+
+/* The array of that name, which has `count` elements. */
+static json_t *get_cases(const json_t *oracles, const char *name, size_t count)
+{
+    json_t *cases = json_object_get(oracles, name);
+    assert_int_equal(json_array_size(cases), count);
+    return cases;
+}
+
+static double get_number(const json_t *row, const char *name)
+{
+    const json_t *number = json_object_get(row, name);
+    assert_true(json_is_number(number));
+    return json_number_value(number);
+}
+
+static vec3s get_vector(const json_t *row, const char *name)
+{
+    const json_t *vector = json_object_get(row, name);
+    vec3s v;
+    assert_int_equal(json_array_size(vector), 3);
+    for (size_t i = 0; i < 3; i++)
+        v.raw[i] = (float)json_number_value(json_array_get(vector, i));
+    return v;
+}
+
+static void check_vector(vec3s got, vec3s wanted)
+{
+    for (size_t i = 0; i < 3; i++)
+        CHECK_NEAR(got.raw[i], wanted.raw[i], tolerance);
+}
+
+/* ---- the vectors ---- */
+
+static void blended_normals(void **state)
+{
+    enum {
+        COUNT = 16
+    };
+    struct optics_question asked[COUNT];
+    struct optics_answer got[COUNT];
+    json_t *oracles = load();
+    const json_t *cases = get_cases(oracles, "blend", COUNT);
+    const double eta = get_number(oracles, "air") / get_number(oracles, "ice");
+    for (size_t i = 0; i < COUNT; i++) {
+        const json_t *row = json_array_get(cases, i);
+        asked[i] = (struct optics_question){
+            .e = get_vector(row, "e"),
+            .front = get_vector(row, "front_normal"),
+            .back = get_vector(row, "back_normal"),
+            .a = (float)get_number(row, "a"),
+            .eta = (float)eta,
+        };
+    }
+    ask(*state, asked, got, COUNT);
+    for (size_t i = 0; i < COUNT; i++) {
+        const json_t *row = json_array_get(cases, i);
+        check_vector(got[i].blended, get_vector(row, "blended"));
+        check_vector(got[i].refracted, get_vector(row, "refracted"));
+        check_vector(got[i].reflected, get_vector(row, "reflected"));
+        CHECK_NEAR(got[i].fresnel_paper, get_number(row, "fresnel_paper"), tolerance);
+        CHECK_NEAR(got[i].fresnel, get_number(row, "fresnel_exact"), tolerance);
+        for (size_t c = 0; c < 3; c++) {
+            const double f = (double)got[i].fresnel;
+            CHECK_NEAR(got[i].composed.raw[c],
+                       f * (double)got[i].reflected.raw[c] +
+                           (1 - f) * (double)got[i].refracted.raw[c],
+                       tolerance);
+        }
+    }
+    json_decref(oracles);
+}
+
+static void refracted_or_reflected(void **state)
+{
+    enum {
+        COUNT = 28
+    };
+    struct optics_question asked[COUNT];
+    struct optics_answer got[COUNT];
+    json_t *oracles = load();
+    const json_t *cases = get_cases(oracles, "refract", COUNT);
+    int total = 0;
+    for (size_t i = 0; i < COUNT; i++) {
+        const json_t *row = json_array_get(cases, i);
+        asked[i] = (struct optics_question){
+            .e = get_vector(row, "e"),
+            .front = get_vector(row, "n"),
+            .eta = (float)(get_number(row, "n1") / get_number(row, "n2")),
+        };
+    }
+    ask(*state, asked, got, COUNT);
+    for (size_t i = 0; i < COUNT; i++) {
+        const json_t *row = json_array_get(cases, i);
+        const json_t *tir = json_object_get(row, "total_internal_reflection");
+        assert_true(json_is_boolean(tir));
+        CHECK_NEAR(got[i].fresnel, get_number(row, "fresnel"), tolerance);
+        if (json_is_true(tir)) {
+            const vec3s e = asked[i].e;
+            const vec3s n = asked[i].front;
+            const float c = 2 * glms_vec3_dot(e, n);
+            total++;
+            assert_true(got[i].k < 0);
+            check_vector(got[i].refracted, glms_vec3_sub(e, glms_vec3_scale(n, c)));
+            CHECK_NEAR(got[i].fresnel, 1, 0);
+        } else {
+            assert_true(got[i].k >= 0);
+            check_vector(got[i].refracted, get_vector(row, "refracted"));
+        }
+        CHECK_NEAR(glms_vec3_norm(got[i].refracted), 1, tolerance);
+    }
+    assert_int_equal(total, 9);
+    json_decref(oracles);
+}
+
+/* In at the one side, out at the other. */
+static void through_a_sphere(void **state)
+{
+    enum {
+        COUNT = 12
+    };
+    struct optics_question asked[2 * COUNT];
+    struct optics_answer got[2 * COUNT];
+    json_t *oracles = load();
+    const json_t *cases = get_cases(oracles, "sphere_two_interfaces", COUNT);
+    const double eta = get_number(oracles, "air") / get_number(oracles, "ice");
+    const vec3s e = { { 0, 0, -1 } };
+    for (size_t i = 0; i < COUNT; i++) {
+        const json_t *row = json_array_get(cases, i);
+        const double x = get_number(row, "impact");
+        asked[2 * i] = (struct optics_question){
+            .e = e,
+            .front = { { (float)x, 0, (float)sqrt(1 - x * x) } },
+            .eta = (float)eta,
+        };
+        asked[2 * i + 1] = (struct optics_question){
+            .e = get_vector(row, "inside"),
+            .front = glms_vec3_negate(get_vector(row, "exit_point")),
+            .eta = (float)(1 / eta),
+        };
+    }
+    ask(*state, asked, got, 2 * COUNT);
+    for (size_t i = 0; i < COUNT; i++) {
+        const json_t *row = json_array_get(cases, i);
+        const vec3s out = got[2 * i + 1].refracted;
+        check_vector(got[2 * i].refracted, get_vector(row, "inside"));
+        check_vector(out, get_vector(row, "exit_direction"));
+        CHECK_NEAR(atan2(hypot((double)out.x, (double)out.y), -(double)out.z),
+                   get_number(row, "deviation_deg") * acos(-1) / 180, tolerance);
+    }
+    json_decref(oracles);
+}
+
+/* ---- closed forms ---- */
+
+/* Light that comes in at an angle to the normal, which is +y. */
+static struct optics_question at_angle(double degrees, double n1, double n2)
+{
+    const double angle = degrees * acos(-1) / 180;
+    return (struct optics_question){
+        .e = { { (float)sin(angle), -(float)cos(angle), 0 } },
+        .front = { { 0, 1, 0 } },
+        .eta = (float)(n1 / n2),
+    };
+}
+
+static void closed_forms(void **state)
+{
+    const double air = 1.0003;
+    const double ice = 1.3091;
+    const double critical = asin(air / ice) * 180 / acos(-1);
+    struct optics_question asked[] = {
+        at_angle(0, air, ice),
+        at_angle(0, ice, air),
+        at_angle(60, air, ice),
+        at_angle(60, air, ice),
+        at_angle(critical - 0.01, ice, air),
+        at_angle(critical + 0.01, ice, air),
+        at_angle(30, ice, ice),
+    };
+
+    enum {
+        COUNT = sizeof(asked) / sizeof(asked[0])
+    };
+
+    struct optics_answer got[COUNT];
+    asked[3].front = glms_vec3_negate(asked[3].front);
+    ask(*state, asked, got, COUNT);
+
+    CHECK_NEAR(critical, 49.8281, 5e-5);
+    CHECK_NEAR(got[0].fresnel, 0.017879537, 1e-7);
+    CHECK_NEAR(got[1].fresnel, 0.017879537, 1e-7);
+    CHECK_NEAR(got[0].fresnel_paper, 0, 1e-7);
+    for (size_t i = 2; i < 4; i++) { /* whichever way the normal points */
+        CHECK_NEAR(got[i].fresnel_paper, 0.125, 1e-6);
+        CHECK_NEAR(got[i].fresnel, 0.0551, 5e-5);
+    }
+    assert_true(got[4].k > 0);
+    assert_true(got[4].fresnel < 1);
+    assert_true(got[4].refracted.y < 0);
+    assert_true(got[5].k < 0);
+    CHECK_NEAR(got[5].fresnel, 1, 0);
+    assert_true(got[5].refracted.y > 0);
+    check_vector(got[6].refracted, asked[6].e); /* no surface at all */
+    CHECK_NEAR(got[6].fresnel, 0, 1e-7);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        ON_DEVICE(blended_normals),
+        ON_DEVICE(refracted_or_reflected),
+        ON_DEVICE(through_a_sphere),
+        ON_DEVICE(closed_forms),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,323 @@
+"""style.py: the house rules that a machine can check.
+
+Usage: style.py ROOT [LIBRARY...]   LIBRARY: a static library in which nothing may be writable
+       style.py --self-test         feeds something bad to every rule
+Prints one line a fault, "file:line: what is wrong", and exits 1 if there is any.
+"""
+import ast
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from typing import NamedTuple
+
+MAX_FILE, MAX_FUNCTION, MAX_COLUMN, MAX_SUBJECT = 600, 60, 100, 72
+
+FOLDERS = ('.ci', 'assets', 'docs', 'graph', 'shaders', 'src', 'tests')
+C = ('.c', '.h')
+GLSL = ('.vert', '.frag', '.comp', '.glsl')
+CODE = (*C, *GLSL, '.py', '.sh', '.build')
+TEXT = (*CODE, '.md', '.txt', '.json', '.html', '.supp')
+SHELL_NAMES = ('run',)  # files without a suffix
+TEXT_NAMES = (*SHELL_NAMES, 'LICENSE', '.clang-format', '.clang-tidy', '.gitignore')
+
+# What a file may include begins with one of these; the longest folder that fits the file counts.
+MAY_INCLUDE = {
+    'graph/': ('graph/',),
+    'src/': ('src/', 'graph/', 'shaders/'),
+    'src/tech/': ('src/tech/', 'src/frame.h', 'src/settings.h', 'src/technique.h', 'shaders/',
+                  'graph/rg.h', 'graph/rg_cmd.h'),
+    'src/gpu/': ('src/gpu/', 'src/log.h', 'src/status.h'),
+    'src/image/': ('src/image/', 'src/log.h', 'src/status.h'),
+    'src/scene/': ('src/scene/', 'src/image/', 'shaders/', 'src/log.h', 'src/status.h'),
+    'tests/': ('tests/', 'src/', 'graph/', 'shaders/'),
+}
+FRONT_ENDS = ('src/app/', 'src/view/')  # included by themselves and by tests
+
+# The same for <headers>; folders that are not listed may include any.
+C_STANDARD = tuple(f'{name}.h' for name in (
+    'assert complex ctype errno fenv float inttypes limits locale math setjmp signal stdalign '
+    'stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time '
+    'uchar wchar wctype').split())
+MAY_INCLUDE_SYSTEM = {
+    'graph/': (*C_STANDARD, 'vulkan/', 'volk.h'),
+    'src/tech/': (*C_STANDARD, 'cglm/struct.h'),
+    'shaders/': ('stdint.h', 'cglm/struct.h'),
+}
+
+# Words that tell of where a line was written, not of what it is for. Not looked for in this file.
+LEAKS = (
+    (r'(?<![\w&%#])#\d{1,4}\b', 'number of an issue'),
+    (r'\bissue \d', 'number of an issue'),
+    (r'(?<![\w.}$])/(home|root|Users|mnt|srv)/', 'path of one machine'),
+    (r'\b(TODO|FIXME|XXX)\b', 'unfinished business'),
+)
+
+# C that compiles but is not written here.
+NOT_OURS = (
+    (r'\bglm_(vec|mat|quat)\w*\(', 'array API of cglm: use the value types, glms_...'),
+    (r'^\s*typedef (struct|union|enum)\b[^(]*$', 'typedef of a struct, union or enum'),
+    (r'\bgoto (?!fail;)', 'the one label is "fail"'),
+)
+
+
+class File(NamedTuple):
+    path: str  # from the root, with slashes
+    text: str
+
+    @property
+    def lines(self):
+        return self.text.splitlines()
+
+    def ends(self, suffixes):
+        return pathlib.PurePath(self.path).suffix in suffixes
+
+
+def matches(file, patterns):
+    for number, line in enumerate(file.lines, 1):
+        for pattern, message in patterns:
+            found = re.search(pattern, line)
+            if found:
+                yield number, f'{message}: {found[0].strip()}'
+
+
+def layout_rule(file):
+    for number, line in enumerate(file.lines, 1):
+        if '\t' in line:
+            yield number, 'tab'
+        if line != line.rstrip():
+            yield number, 'trailing space'
+        if len(line) > MAX_COLUMN and (file.ends(CODE) or file.path in SHELL_NAMES):
+            yield number, f'{len(line)} columns, at most {MAX_COLUMN}'
+    if file.text and not file.text.endswith('\n'):
+        yield len(file.lines), 'no newline at the end'
+
+
+def length_rule(file):
+    if len(file.lines) > MAX_FILE and file.ends(CODE):
+        yield MAX_FILE + 1, f'{len(file.lines)} lines, at most {MAX_FILE}'
+
+
+def functions(file):
+    """(first line, last line) of every function."""
+    if file.ends(('.py',)):
+        for node in ast.walk(ast.parse(file.text)):
+            if isinstance(node, ast.FunctionDef):
+                yield node.lineno, node.end_lineno
+    if file.ends(C + GLSL):  # clang-format puts both braces into column 1
+        first = None
+        for number, line in enumerate(file.lines, 1):
+            if line == '{':
+                first = number
+            elif line == '}' and first:
+                yield first, number
+                first = None
+
+
+def function_rule(file):
+    for first, last in functions(file):
+        if last - first + 1 > MAX_FUNCTION:
+            yield first, f'function of {last - first + 1} lines, at most {MAX_FUNCTION}'
+
+
+def row_for(path, table):
+    fitting = [folder for folder in table if path.startswith(folder)]
+    return table[max(fitting, key=len)] if fitting else None
+
+
+def include_fault(path, header, system):
+    if system:
+        allowed = row_for(path, MAY_INCLUDE_SYSTEM)
+        if allowed and not header.startswith(allowed):
+            return f'{os.path.dirname(path)}/ may not include <{header}>'
+    elif path.startswith('shaders/'):  # -Ishaders: GLSL compilers know no other root
+        if header.startswith(('shaders/', 'src/', 'graph/', 'tests/', '.')):
+            return f'shaders/ include each other, from shaders/, and nothing else: "{header}"'
+    elif not header.startswith(('src/', 'graph/', 'shaders/', 'tests/')) or '..' in header:
+        return f'include "{header}" does not start from the root'
+    elif not header.startswith(row_for(path, MAY_INCLUDE) or ('',)):
+        return f'{os.path.dirname(path)}/ may not include "{header}"'
+    elif header.startswith(FRONT_ENDS) and not path.startswith((*FRONT_ENDS, 'tests/')):
+        return f'nothing includes a front end: "{header}"'
+    return None
+
+
+def include_rule(file):
+    if not file.ends(C + GLSL):
+        return
+    for number, line in enumerate(file.lines, 1):
+        found = re.match(r'\s*#\s*include\s*([<"])([^>"]*)', line)
+        fault = found and include_fault(file.path, found[2], found[1] == '<')
+        if fault:
+            yield number, fault
+
+
+def leak_rule(file):
+    if file.path != 'tests/style.py':
+        yield from matches(file, LEAKS)
+
+
+def c_rule(file):
+    if file.ends(C):
+        yield from matches(file, NOT_OURS)
+
+
+RULES = (layout_rule, length_rule, function_rule, include_rule, leak_rule, c_rule)
+
+
+def check_file(file):
+    return [f'{file.path}:{number}: {message}' for rule in RULES for number, message in rule(file)]
+
+
+def read_tree(root):
+    inside = (path for folder in FOLDERS for path in (root / folder).rglob('*'))
+    for path in sorted([*root.iterdir(), *inside]):
+        if path.is_file() and (path.suffix in TEXT or path.name in TEXT_NAMES):
+            yield File(path.relative_to(root).as_posix(), path.read_text(encoding='utf-8'))
+
+
+def check_library(library):
+    """Sections of an archive's objects that can be written to; .data.rel.ro cannot."""
+    sizes = subprocess.run(['size', '-A', library], capture_output=True, text=True, check=True)
+    faults, member = [], '?'
+    for line in sizes.stdout.splitlines():
+        member = line.split()[0] if ' (ex ' in line or line.endswith(':') else member
+        section = re.match(r'(\.t?(?:data|bss)(?!\.rel\.ro)\S*)\s+([1-9]\d*)', line)
+        if section:
+            faults.append(f'{library}:{member}: {section[2]} writable bytes in {section[1]}')
+    return faults
+
+
+def subject_fault(subject):
+    if len(subject) > MAX_SUBJECT:
+        return f'{len(subject)} columns, at most {MAX_SUBJECT}'
+    if not re.match(r'[a-z0-9_./-]+(, ?[a-z0-9_./-]+)*: \S', subject):
+        return 'not of the form "area: subject"'
+    if subject.endswith('.') or re.search(r'^[^ ]+: [A-Z][a-z]', subject):
+        return 'a subject begins in lower case and ends without a full stop'
+    return None
+
+
+def check_commits(root):
+    if not (root / '.git').exists():
+        return []
+    if not shutil.which('git'):
+        return ['.git: there is no git program to read the commits']
+    git = ['git', '-c', 'safe.directory=*', '-C', str(root)]
+    head = subprocess.run([*git, 'rev-parse', '-q', '--verify', 'HEAD'], capture_output=True)
+    if head.returncode:
+        return []  # no commit yet
+    log = subprocess.run([*git, 'log', '--no-merges', '--format=%h %s'], capture_output=True,
+                         text=True, check=True)
+    commits = (line.split(' ', 1) for line in log.stdout.splitlines())
+    return [f'commit {commit}: {subject_fault(subject)}: {subject}'
+            for commit, subject in commits if subject_fault(subject)]
+
+
+# Path, text, and part of the message that must come; None: nothing may come.
+LONG = 'x = 1;\n'
+SAMPLES = (
+    ('src/a.c', 'int x;\n\treturn;\n', 'a.c:2: tab'),
+    ('docs/a.md', 'words \n', 'a.md:1: trailing space'),
+    ('src/a.c', 'int x;', 'no newline'),
+    ('src/a.c', 'x' * 101 + '\n', '101 columns'),
+    ('run', 'x' * 101 + '\n', '101 columns'),
+    ('docs/a.md', 'x' * 101 + '\n', None),
+    ('src/a.c', LONG * 601, '601 lines'),
+    ('src/a.c', LONG * 600, None),
+    ('src/a.c', 'void f(void)\n{\n' + LONG * 59 + '}\n', 'a.c:2: function of 61 lines'),
+    ('shaders/a.frag', 'void main()\n{\n' + LONG * 59 + '}\n', 'function of 61 lines'),
+    ('src/a.c', 'void f(void)\n{\n' + LONG * 58 + '}\n', None),
+    ('tests/a.py', 'def f():\n' + '    x = 1\n' * 60, 'a.py:1: function of 61 lines'),
+    ('graph/a.c', '#include "src/log.h"\n', 'graph/ may not include "src/log.h"'),
+    ('graph/a.c', '#include <cglm/struct.h>\n', 'graph/ may not include <cglm'),
+    ('graph/a.c', '#include <stdlib.h>\n#include <vulkan/vulkan_core.h>\n', None),
+    ('src/tech/a.c', '#include "graph/rg_exec.h"\n', 'may not include "graph/rg_exec.h"'),
+    ('src/tech/a.c', '#include "src/gpu/gpu.h"\n', 'may not include "src/gpu/gpu.h"'),
+    ('src/tech/a.c', '#include <volk.h>\n', 'may not include <volk.h>'),
+    ('src/tech/a.c', '#include "graph/rg_cmd.h"\n#include "src/tech/b.h"\n', None),
+    ('src/scene/a.c', '#include "src/renderer.h"\n', 'may not include "src/renderer.h"'),
+    ('src/scene/a.c', '#include "src/image/image.h"\n', None),
+    ('src/image/a.c', '#include "src/scene/mesh.h"\n', 'may not include "src/scene/mesh.h"'),
+    ('src/gpu/a.c', '#include "src/tech/a.h"\n', 'may not include "src/tech/a.h"'),
+    ('src/renderer.c', '#include "src/app/app.h"\n', 'nothing includes a front end'),
+    ('src/app/a.c', '#include "src/app/app.h"\n#include "src/renderer.h"\n', None),
+    ('src/tech/a.c', '#include "b.h"\n', 'does not start from the root'),
+    ('src/a.c', '#include "src/../graph/rg.h"\n', 'does not start from the root'),
+    ('shaders/a.h', '#include "src/frame.h"\n', 'shaders/ include each other'),
+    ('shaders/a.frag', '#include "lib/optics.glsl"\n', None),
+    ('docs/a.md', 'see #12\n', 'number of an issue: #12'),
+    ('docs/a.md', 'see issue 12\n', 'number of an issue'),
+    ('src/a.c', '/* as in /home/me/firn */\n', 'path of one machine'),
+    ('src/a.c', '/* TODO: all */\n', 'unfinished business'),
+    ('src/a.c', 'log("%#08x");\n#version 460\n', None),
+    ('src/a.c', 'glm_vec3_add(a, b, c);\n', 'array API of cglm'),
+    ('src/a.c', 'float f = glm_rad(3);\n', None),
+    ('src/a.h', 'typedef struct a a;\n', 'typedef of a struct'),
+    ('src/a.c', 'typedef enum status set_fn(int value);\n', None),
+    ('src/a.c', '    goto out;\n', 'the one label'),
+    ('src/a.c', '    goto fail;\n', None),
+)
+SUBJECTS = (
+    ('Add the cracks', 'not of the form'),
+    ('cracks: ' + 'x' * 65, '73 columns'),
+    ('cracks: clip against depth.', 'without a full stop'),
+    ('cracks: Clip against depth', 'lower case'),
+    ('graph/alias: pack largest first', None),
+    ('image, tests: EXR files keep their layers', None),
+)
+OBJECTS = (
+    ('static int count;\nint f(void);\nint f(void) { return count++; }\n', '.bss'),
+    ('int count = 1;\n', '.data'),
+    ('_Thread_local int count;\n', '.tbss'),
+    ('static int x;\nint *p = &x;\n', '.data'),
+    ('extern int x;\nint *const p[] = { &x };\nconst int c = 3;\n', None),
+)
+
+
+def compile_library(folder, source):
+    base = pathlib.Path(folder)
+    (base / 'a.c').write_text(source, encoding='utf-8')
+    compiler = os.environ.get('CC', 'cc').split()
+    subprocess.run([*compiler, '-fPIC', '-c', 'a.c', '-o', 'a.o'], cwd=base, check=True)
+    (base / 'a.a').unlink(missing_ok=True)
+    subprocess.run(['ar', 'crT', 'a.a', 'a.o'], cwd=base, check=True)
+    return str(base / 'a.a')
+
+
+def self_test():
+    """What the rules say of the samples, compared with what they should say."""
+    with tempfile.TemporaryDirectory() as folder:
+        said = [(text, check_file(File(path, text)), want) for path, text, want in SAMPLES]
+        said += [(text, list(filter(None, [subject_fault(text)])), want) for text, want in SUBJECTS]
+        said += [(text, check_library(compile_library(folder, text)), want)
+                 for text, want in OBJECTS]
+    wrong = 0
+    for text, faults, want in said:
+        if any(want in fault for fault in faults) if want else not faults:
+            continue
+        wrong += 1
+        print(f'{text[:80]!r}: expected {want!r}, got {faults}')
+    print(f'{len(said)} samples, {wrong} judged wrongly')
+    return wrong
+
+
+def main(arguments):
+    if arguments == ['--self-test']:
+        return bool(self_test())
+    if not arguments:
+        print(__doc__, file=sys.stderr)
+        return 2
+    root = pathlib.Path(arguments[0])
+    faults = [fault for file in read_tree(root) for fault in check_file(file)]
+    faults += [fault for library in arguments[1:] for fault in check_library(library)]
+    faults += check_commits(root)
+    print(*faults, sep='\n', end='\n' if faults else '')
+    return bool(faults)
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1:]))

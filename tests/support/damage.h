@@ -1,0 +1,36 @@
+/*
+ * damage.h: copies of plans with one thing broken, to see whether a checker notices.
+ */
+#ifndef TESTS_DAMAGE_H
+#define TESTS_DAMAGE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "graph/rg.h"
+
+/* A plan whose arrays may be changed. */
+struct damage_copy {
+    struct rg_plan plan;
+    struct rg_plan_pass *passes;
+    struct rg_plan_image *images;
+    struct rg_plan_buffer *buffers;
+    struct rg_barrier *barriers;
+    struct rg_plan_use *uses;
+    struct rg_block *blocks;
+};
+
+size_t damage_count(void); /* kinds of damage */
+
+/* `sometimes`: a plan may survive it, where it did more than it must. */
+const char *damage_name(size_t damage, bool *sometimes);
+
+/*
+ * Copies a plan and damages it at the next place where this kind of damage can be done, from
+ * *next on, which is 0 at first. Returns false, without a copy, when there is none left.
+ */
+bool damage_init(struct damage_copy *c, const struct rg_plan *plan, size_t damage, uint32_t *next);
+
+void damage_finish(struct damage_copy *c);
+
+#endif

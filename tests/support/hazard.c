@@ -1,0 +1,226 @@
+/* The checker from outside: what the plan must be before it can run, then two frames of it. */
+#include "tests/support/hazard.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/support/hazard_private.h"
+
+enum {
+    REPORTED = 20, /* findings written out */
+};
+
+static void write_out(struct hazard *h, const char *format, va_list arguments)
+{
+    const struct rg_plan *plan = h->plan;
+    uint32_t index = h->slot ? (h->slot - 1) % (plan->pass_count + 1) : 0;
+    if (h->slot && index < plan->pass_count)
+        fprintf(h->report, "hazard: slot %u (frame %u, %s[%u]): ", h->slot, h->frame + 1,
+                plan->passes[index].pass->name, plan->passes[index].repetition);
+    else if (h->slot)
+        fprintf(h->report, "hazard: slot %u (end of frame %u): ", h->slot, h->frame + 1);
+    else
+        fputs("hazard: plan: ", h->report);
+    vfprintf(h->report, format, arguments);
+}
+
+void hazard_find(struct hazard *h, const char *format, ...)
+{
+    if (h->report && h->findings < REPORTED) {
+        va_list arguments;
+        va_start(arguments, format);
+        write_out(h, format, arguments);
+        va_end(arguments);
+        fputc('\n', h->report);
+    }
+    h->findings++;
+}
+
+void hazard_find_cell(struct hazard *h, uint32_t cell, const char *format, ...)
+{
+    if (h->report && h->findings < REPORTED) {
+        const struct hazard_resource *r = &h->resources[h->cells[cell].resource];
+        uint32_t aspects = r->cell_count / (r->mips * r->layers), index = cell - r->first_cell;
+        va_list arguments;
+        va_start(arguments, format);
+        write_out(h, format, arguments);
+        va_end(arguments);
+        fprintf(h->report, " ('%s' mip %u layer %u aspect %u)\n",
+                r->image ? r->image->name : r->buffer->name, index / aspects % r->mips,
+                index / aspects / r->mips, index % aspects);
+    }
+    h->findings++;
+}
+
+void *hazard_grow(void *array, uint32_t *room, uint32_t count, size_t size)
+{
+    if (count <= *room)
+        return array;
+    uint32_t wanted = *room ? *room * 2 : 16;
+    if (wanted < count)
+        wanted = count;
+    void *grown = realloc(array, wanted * size);
+    if (!grown)
+        abort();
+    memset((char *)grown + *room * size, 0, (wanted - *room) * size);
+    *room = wanted;
+    return grown;
+}
+
+uint32_t hazard_next_cell(const struct hazard_resource *resource,
+                          const VkImageSubresourceRange *range, uint32_t *index)
+{
+    if (resource->buffer)
+        return (*index)++ == 0 ? resource->first_cell : RG_NONE;
+    uint32_t aspect_count = resource->cell_count / (resource->mips * resource->layers);
+    for (; *index < resource->cell_count; (*index)++) {
+        uint32_t mip = *index / aspect_count % resource->mips;
+        uint32_t layer = *index / aspect_count / resource->mips;
+        VkImageAspectFlags aspect = resource->aspects;
+        if (aspect_count == 2)
+            aspect = *index % 2 ? VK_IMAGE_ASPECT_STENCIL_BIT : VK_IMAGE_ASPECT_DEPTH_BIT;
+        /* a difference below the base wraps around and is no less than any count */
+        if (mip - range->baseMipLevel < range->levelCount &&
+            layer - range->baseArrayLayer < range->layerCount && (range->aspectMask & aspect))
+            return resource->first_cell + (*index)++;
+    }
+    return RG_NONE;
+}
+
+static void check_image_barrier(struct hazard *h, uint32_t index)
+{
+    const struct rg_barrier *barrier = &h->plan->barriers[index];
+    const struct rg_plan_image *image = &h->plan->images[barrier->image];
+    const VkImageSubresourceRange *range = &barrier->range;
+    const char *name = image->image->name;
+    h->barriers[index].transition = barrier->old_layout == VK_IMAGE_LAYOUT_UNDEFINED ||
+                                    barrier->old_layout != barrier->new_layout;
+    if (!range->aspectMask || (range->aspectMask & ~image->aspects) ||
+        range->baseMipLevel >= image->mips || range->baseArrayLayer >= image->layers ||
+        range->levelCount == 0 || range->levelCount > image->mips - range->baseMipLevel ||
+        range->layerCount == 0 || range->layerCount > image->layers - range->baseArrayLayer)
+        hazard_find(h, "barrier %u: range that '%s' does not have", index, name);
+    if (barrier->new_layout == VK_IMAGE_LAYOUT_UNDEFINED)
+        hazard_find(h, "barrier %u: '%s' put into no layout", index, name);
+    VkImageUsageFlags usage = hazard_layout_usage(barrier->new_layout);
+    if (usage && !image->imported && !(usage & image->usage))
+        hazard_find(h, "barrier %u: '%s' has no usage for its new layout", index, name);
+}
+
+/* Expands a barrier; false if it names nothing that could be simulated. */
+static bool check_barrier(struct hazard *h, uint32_t index)
+{
+    const struct rg_barrier *barrier = &h->plan->barriers[index];
+    struct hazard_barrier *b = &h->barriers[index];
+    *b = (struct hazard_barrier){
+        .src = hazard_stages(barrier->src_stages, true),
+        .dst = hazard_stages(barrier->dst_stages, false),
+        .src_access = hazard_accesses(barrier->src_access),
+        .dst_access = hazard_accesses(barrier->dst_access),
+    };
+    if (!hazard_access_fits(b->src, barrier->src_access) ||
+        !hazard_access_fits(b->dst, barrier->dst_access))
+        hazard_find(h, "barrier %u: access that its stages cannot do", index);
+    bool of_image = barrier->image < h->plan->image_count;
+    bool of_buffer = barrier->buffer < h->plan->buffer_count;
+    if (of_image == of_buffer || (!of_image && barrier->image != RG_NONE) ||
+        (!of_buffer && barrier->buffer != RG_NONE)) {
+        hazard_find(h, "barrier %u: not of one resource", index);
+        return false;
+    }
+    if (of_image)
+        check_image_barrier(h, index);
+    return true;
+}
+
+static bool is_batch(const struct rg_plan *plan, uint32_t first, uint32_t count)
+{
+    return first <= plan->barrier_count && count <= plan->barrier_count - first;
+}
+
+/* Finds the row and repetition of a pass in the tables, from `from` on. */
+static uint32_t find_pass(const struct hazard *h, const struct rg_plan_pass *pass, uint32_t from)
+{
+    for (uint32_t i = from; i < h->pass_count; i++)
+        if (h->passes[i].pass == pass->pass && h->passes[i].technique == pass->technique &&
+            h->passes[i].row == pass->row && h->passes[i].repetition == pass->repetition)
+            return i;
+    return RG_NONE;
+}
+
+/* Whether the plan has the rows that outputs need, in order, and culls all others. */
+static bool check_passes(struct hazard *h)
+{
+    const struct rg_plan *plan = h->plan;
+    uint32_t from = 0, needed = 0, room = 0;
+    h->plan_passes =
+        hazard_grow(h->plan_passes, &room, plan->pass_count + 1, sizeof(*h->plan_passes));
+    for (uint32_t i = 0; i < plan->pass_count; i++) {
+        const struct rg_plan_pass *pass = &plan->passes[i];
+        uint32_t index = find_pass(h, pass, from);
+        if (index == RG_NONE || !is_batch(plan, pass->first_barrier, pass->barrier_count) ||
+            pass->first_use > plan->use_count ||
+            pass->use_count > plan->use_count - pass->first_use) {
+            hazard_find(h, "pass %u '%s' is out of order or broken", i, pass->pass->name);
+            return false;
+        }
+        if (!h->passes[index].needed)
+            hazard_find(h, "'%s'[%u] is not needed, but lives", pass->pass->name, pass->repetition);
+        h->plan_passes[i] = index;
+        from = index + 1;
+    }
+    for (uint32_t i = 0; i < h->pass_count; i++)
+        needed += h->passes[i].needed;
+    if (needed > plan->pass_count)
+        hazard_find(h, "%u passes needed, but %u live", needed, plan->pass_count);
+    if (plan->culled_count != h->pass_count - plan->pass_count)
+        hazard_find(h, "%u passes culled of %u", plan->culled_count, h->pass_count);
+    if (is_batch(plan, plan->first_final_barrier, plan->final_barrier_count))
+        return true;
+    hazard_find(h, "its final barriers are not among its barriers");
+    return false;
+}
+
+static void run(struct hazard *h)
+{
+    uint32_t room = 0;
+    hazard_tables(h);
+    hazard_tables_expect(h);
+    if (!check_passes(h))
+        return;
+    hazard_memory(h);
+    h->barriers = hazard_grow(NULL, &room, h->plan->barrier_count + 1, sizeof(*h->barriers));
+    for (uint32_t i = 0; i < h->plan->barrier_count; i++)
+        if (!check_barrier(h, i))
+            return;
+    h->slot_count = 1 + 2 * (h->plan->pass_count + 1);
+    room = 0;
+    h->reach = hazard_grow(NULL, &room, h->slot_count * HAZARD_STAGE_COUNT, sizeof(*h->reach));
+    for (h->frame = 0; h->frame < 2; h->frame++)
+        hazard_frame(h);
+}
+
+static void finish(struct hazard *h)
+{
+    for (uint32_t i = 0; h->reach && i < h->slot_count * HAZARD_STAGE_COUNT; i++)
+        free(h->reach[i]);
+    void *const arrays[] = {
+        h->resources, h->passes,   h->uses,    h->cells,       h->barriers,
+        h->nodes,     h->expected, h->aliases, h->plan_passes, (void *)h->reach
+    };
+    for (size_t i = 0; i < sizeof(arrays) / sizeof(arrays[0]); i++)
+        free(arrays[i]);
+}
+
+uint32_t hazard_check(const struct rg_plan *plan, const struct rg_compile_params *params,
+                      FILE *report)
+{
+    struct hazard h = { .plan = plan, .params = params, .report = report };
+    if (plan->fault_count)
+        hazard_find(&h, "it has faults");
+    else
+        run(&h);
+    finish(&h);
+    return h.findings;
+}

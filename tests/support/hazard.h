@@ -1,0 +1,24 @@
+/*
+ * hazard.h: an independent judge of compiled plans.
+ *
+ * Runs a plan twice in a row on a queue of paper, with nothing awaited in between, by the rules of
+ * Vulkan 1.3 ("Synchronization and Cache Control", "Memory Aliasing"): which access may race with
+ * which, which layout and content every subresource has, what memory is shared. What passes should
+ * do is derived anew from the tables; nothing here asks the compiler.
+ */
+#ifndef TESTS_HAZARD_H
+#define TESTS_HAZARD_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "graph/rg.h"
+
+/*
+ * Returns the number of findings, 0 for a plan without fault, and writes a line about each of the
+ * first ones to `report`, which may be NULL. `params` are those that the plan was compiled with.
+ */
+uint32_t hazard_check(const struct rg_plan *plan, const struct rg_compile_params *params,
+                      FILE *report);
+
+#endif

@@ -1,0 +1,265 @@
+/* One frame as the queue would run it: barriers, passes, and what arrives and leaves. */
+#include "tests/support/hazard_private.h"
+
+#include <stdlib.h>
+
+static const VkImageSubresourceRange everything = {
+    .aspectMask =
+        VK_IMAGE_ASPECT_COLOR_BIT | VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT,
+    .levelCount = UINT32_MAX,
+    .layerCount = UINT32_MAX,
+};
+
+static void arrive(struct hazard *h, uint32_t cell, const struct hazard_resource *resource)
+{
+    enum rg_access access = resource->import->access;
+    if (access != RG_ACCESS_NONE) {
+        hazard_sync_arrive(h, cell, h->slot - 1, access);
+        return;
+    }
+    /* what was shown comes back through a semaphore */
+    if (resource->output && resource->output->access == RG_PRESENT)
+        hazard_sync_arrive(h, cell, h->slot - 1, RG_PRESENT);
+    h->cells[cell].layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    h->cells[cell].content = HAZARD_UNDEFINED;
+}
+
+/* Contents do not outlive a frame; imports and buffers of the host's come anew. */
+static void begin(struct hazard *h)
+{
+    for (uint32_t i = 0; i < h->cell_count; i++) {
+        struct hazard_cell *cell = &h->cells[i];
+        const struct hazard_resource *resource = &h->resources[cell->resource];
+        cell->content = HAZARD_UNDEFINED;
+        if (resource->import) {
+            arrive(h, i, resource);
+        } else if (resource->buffer && resource->buffer->memory != RG_MEMORY_DEVICE) {
+            cell->written = false;
+            cell->reads = cell->barriers = cell->last_barrier = RG_NONE;
+            if (resource->buffer->memory == RG_MEMORY_UPLOAD)
+                cell->content = HAZARD_UPLOADED;
+        }
+    }
+}
+
+static void run_barriers(struct hazard *h, uint32_t first, uint32_t count)
+{
+    for (uint32_t i = first; i < first + count; i++) {
+        const struct rg_barrier *barrier = &h->plan->barriers[i];
+        bool of_image = barrier->image != RG_NONE;
+        uint32_t plan = of_image ? barrier->image : barrier->buffer;
+        uint32_t r = 0;
+        while (r < h->resource_count &&
+               (h->resources[r].plan != plan || (h->resources[r].image != NULL) != of_image))
+            r++;
+        if (r == h->resource_count)
+            continue;
+        uint32_t cell;
+        for (uint32_t c = 0;
+             (cell = hazard_next_cell(&h->resources[r], of_image ? &barrier->range : &everything,
+                                      &c)) != RG_NONE;)
+            hazard_sync_barrier(h, cell, i);
+    }
+}
+
+/* What a pass of the plan does to one resource of its row. */
+struct action {
+    const struct hazard_use *use;
+    struct hazard_event event;
+    VkImageLayout layout;
+    uint32_t content; /* of its cells afterwards, if it writes */
+};
+
+static bool same_range(const VkImageSubresourceRange *a, const VkImageSubresourceRange *b)
+{
+    return a->aspectMask == b->aspectMask && a->baseMipLevel == b->baseMipLevel &&
+           a->levelCount == b->levelCount && a->baseArrayLayer == b->baseArrayLayer &&
+           a->layerCount == b->layerCount;
+}
+
+static void act_on_target(struct hazard *h, const struct rg_plan_pass *pass, struct action *action)
+{
+    const struct hazard_use *use = action->use;
+    const struct rg_target *target = use->target;
+    const struct rg_plan_target *planned =
+        target == &pass->pass->depth ? &pass->depth : &pass->color[target - pass->pass->color];
+    const char *name = target->image->name;
+    if (planned->image != h->resources[use->resource].plan ||
+        planned->mip != use->range.baseMipLevel || planned->layer != use->range.baseArrayLayer)
+        hazard_find(h, "'%s': target '%s' is not what the row says", pass->pass->name, name);
+    if ((use->needs_content && planned->load != VK_ATTACHMENT_LOAD_OP_LOAD) ||
+        (target->load == RG_LOAD_CLEAR && planned->load != VK_ATTACHMENT_LOAD_OP_CLEAR))
+        hazard_find(h, "'%s': load op of '%s' is not what the row says", pass->pass->name, name);
+    action->layout = planned->layout;
+    if (use->access == RG_DEPTH_READ) {
+        action->event.reads = use->reads;
+        /* the store op STORE counts as a write, also where nothing was drawn */
+        if (planned->store == VK_ATTACHMENT_STORE_OP_NONE)
+            return;
+        action->event.writes = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
+        if (planned->store != VK_ATTACHMENT_STORE_OP_STORE)
+            hazard_find(h, "'%s': '%s' is lost by its store op", pass->pass->name, name);
+        return;
+    }
+    action->event.reads = planned->load == VK_ATTACHMENT_LOAD_OP_LOAD ? use->reads : 0;
+    action->event.writes = use->writes;
+    if (planned->store != VK_ATTACHMENT_STORE_OP_STORE)
+        action->content = HAZARD_UNDEFINED;
+}
+
+static void act_on_use(struct hazard *h, const struct rg_plan_pass *pass, struct action *action)
+{
+    const struct hazard_use *use = action->use;
+    const struct hazard_resource *resource = &h->resources[use->resource];
+    action->event.reads = use->reads;
+    action->event.writes = use->writes;
+    const struct rg_plan_use *planned = NULL;
+    for (uint32_t i = 0; i < pass->use_count; i++)
+        if (h->plan->uses[pass->first_use + i].use == use->use)
+            planned = &h->plan->uses[pass->first_use + i];
+    if (!planned || (resource->image ? planned->image : planned->buffer) != resource->plan ||
+        (resource->image ? planned->buffer : planned->image) != RG_NONE) {
+        hazard_find(h, "'%s': use of '%s' is missing or wrong", pass->pass->name,
+                    resource->image ? resource->image->name : resource->buffer->name);
+        return;
+    }
+    action->layout = planned->layout;
+    if (resource->image && !same_range(&planned->range, &use->range))
+        hazard_find(h, "'%s': range of '%s' is not what the row says", pass->pass->name,
+                    resource->image->name);
+}
+
+static void check_content(struct hazard *h, uint32_t cell, uint32_t expected)
+{
+    uint32_t content = h->cells[cell].content;
+    if (hazard_sync_lost(h, cell))
+        hazard_find_cell(h, cell, "read, but its memory was used by another resource since");
+    else if (content == HAZARD_UNDEFINED)
+        hazard_find_cell(h, cell, "read, but its content is undefined");
+    else if (content != expected)
+        hazard_find_cell(h, cell, "read, but it holds content %u instead of %u", content, expected);
+}
+
+static void check_action(struct hazard *h, const struct action *action)
+{
+    const struct hazard_use *use = action->use;
+    const struct hazard_resource *resource = &h->resources[use->resource];
+    const struct hazard_expected *expected = h->expected + use->first_expected;
+    if (resource->image && !hazard_layout_fits(action->layout, use->access, resource->aspects))
+        hazard_find(h, "'%s' is used in a layout that does not fit", resource->image->name);
+    uint32_t cell;
+    for (uint32_t i = 0; (cell = hazard_next_cell(resource, &use->range, &i)) != RG_NONE;) {
+        if (resource->image && h->cells[cell].layout != action->layout)
+            hazard_find_cell(h, cell, "is in layout %d, used in %d", (int)h->cells[cell].layout,
+                             (int)action->layout);
+        if (expected->wanted)
+            check_content(h, cell, expected->content);
+        expected++;
+    }
+}
+
+static void perform(struct hazard *h, const struct action *action)
+{
+    const struct hazard_use *use = action->use;
+    const struct hazard_resource *resource = &h->resources[use->resource];
+    uint32_t cell;
+    for (uint32_t i = 0; (cell = hazard_next_cell(resource, &use->range, &i)) != RG_NONE;) {
+        hazard_sync_event(h, cell, &action->event);
+        if (use->gives_content)
+            h->cells[cell].content = action->content;
+    }
+}
+
+static void check_extent(struct hazard *h, const struct rg_plan_pass *pass,
+                         const struct hazard_pass *declared)
+{
+    VkExtent2D extent = h->params->view;
+    const struct hazard_use *use = &h->uses[declared->first_use];
+    if (declared->use_count && use->target) {
+        extent = h->resources[use->resource].extent;
+        extent.width >>= use->range.baseMipLevel;
+        extent.height >>= use->range.baseMipLevel;
+        extent.width += extent.width == 0;
+        extent.height += extent.height == 0;
+    }
+    if (pass->extent.width != extent.width || pass->extent.height != extent.height)
+        hazard_find(h, "'%s' has the wrong extent", pass->pass->name);
+}
+
+static void run_pass(struct hazard *h, uint32_t index)
+{
+    const struct rg_plan_pass *pass = &h->plan->passes[index];
+    const struct hazard_pass *declared = &h->passes[h->plan_passes[index]];
+    check_extent(h, pass, declared);
+    uint32_t targets = 0, room = 0;
+    struct action *actions = hazard_grow(NULL, &room, declared->use_count + 1, sizeof(*actions));
+    for (uint32_t i = 0; i < declared->use_count; i++) {
+        const struct hazard_use *use = &h->uses[declared->first_use + i];
+        actions[i] = (struct action){
+            .use = use,
+            .event = { .slot = h->slot, .stages = use->stages },
+            .content = HAZARD_WRITTEN + h->plan_passes[index],
+        };
+        if (use->target)
+            act_on_target(h, pass, &actions[i]);
+        else
+            act_on_use(h, pass, &actions[i]);
+        targets += use->target != NULL;
+    }
+    if (targets != pass->color_count + (pass->depth.image != RG_NONE) ||
+        declared->use_count - targets != pass->use_count)
+        hazard_find(h, "'%s' has not the targets and uses of its row", pass->pass->name);
+    for (uint32_t i = 0; i < declared->use_count; i++)
+        check_action(h, &actions[i]);
+    for (uint32_t i = 0; i < declared->use_count; i++)
+        perform(h, &actions[i]);
+    free(actions);
+}
+
+static void leave(struct hazard *h, uint32_t index, enum rg_access access, bool handed_back)
+{
+    struct hazard_cell *cell = &h->cells[index];
+    const struct hazard_resource *resource = &h->resources[cell->resource];
+    const struct hazard_rule *rule = hazard_rule(access);
+    if (resource->image && cell->layout != rule->layout)
+        hazard_find_cell(h, index, "leaves in layout %d instead of %d", (int)cell->layout,
+                         (int)rule->layout);
+    if (cell->declared != HAZARD_UNDEFINED && !(handed_back && cell->declared != HAZARD_IMPORTED))
+        check_content(h, index, cell->declared);
+    if (access == RG_PRESENT || cell->declared == HAZARD_UNDEFINED)
+        return;
+    hazard_sync_event(h, index,
+                      &(struct hazard_event){
+                          .slot = h->slot,
+                          .stages = rule->stages ? rule->stages : (uint32_t)HAZARD_SHADERS,
+                          .reads = rule->reads,
+                          .writes = rule->writes,
+                          .handed_back = handed_back,
+                      });
+}
+
+static void end(struct hazard *h)
+{
+    for (uint32_t i = 0; i < h->cell_count; i++) {
+        const struct hazard_resource *resource = &h->resources[h->cells[i].resource];
+        if (resource->plan == RG_NONE)
+            continue;
+        if (resource->output)
+            leave(h, i, resource->output->access, false);
+        else if (resource->import && resource->import->access != RG_ACCESS_NONE)
+            leave(h, i, resource->import->access, true);
+    }
+}
+
+void hazard_frame(struct hazard *h)
+{
+    const struct rg_plan *plan = h->plan;
+    h->slot = 1 + h->frame * (plan->pass_count + 1);
+    begin(h);
+    for (uint32_t i = 0; i < plan->pass_count; i++, h->slot++) {
+        run_barriers(h, plan->passes[i].first_barrier, plan->passes[i].barrier_count);
+        run_pass(h, i);
+    }
+    run_barriers(h, plan->first_final_barrier, plan->final_barrier_count);
+    end(h);
+}

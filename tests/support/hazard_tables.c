@@ -1,0 +1,306 @@
+/* What the tables say: every row and repetition, its accesses, and who wrote what they read. */
+#include "tests/support/hazard_private.h"
+
+#include <math.h>
+
+static uint32_t texels_of_view(float scale, uint32_t view)
+{
+    double texels = ceil((double)view * (scale > 0.0F ? (double)scale : 1.0));
+    return texels < 1.0 ? 1 : (uint32_t)texels;
+}
+
+static void fill_image(const struct hazard *h, struct hazard_resource *resource)
+{
+    const struct rg_image *image = resource->image;
+    VkExtent2D view = h->params->view;
+    resource->extent.width = image->width ? image->width : texels_of_view(image->scale, view.width);
+    resource->extent.height =
+        image->height ? image->height : texels_of_view(image->scale, view.height);
+    resource->layers = image->layers ? image->layers : (image->cube ? 6 : 1);
+    resource->mips = image->mips ? image->mips : 1;
+    if (image->mips == RG_ALL_MIPS) {
+        uint32_t size = resource->extent.width > resource->extent.height ? resource->extent.width
+                                                                         : resource->extent.height;
+        for (resource->mips = 1; size > 1; size /= 2)
+            resource->mips++;
+    }
+    resource->aspects = hazard_aspects(image->format);
+}
+
+static void find_in_plan(const struct hazard *h, struct hazard_resource *resource)
+{
+    resource->plan = RG_NONE;
+    for (uint32_t i = 0; resource->image && i < h->plan->image_count; i++)
+        if (h->plan->images[i].image == resource->image)
+            resource->plan = i;
+    for (uint32_t i = 0; resource->buffer && i < h->plan->buffer_count; i++)
+        if (h->plan->buffers[i].buffer == resource->buffer)
+            resource->plan = i;
+    const struct rg_compile_params *params = h->params;
+    for (size_t i = 0; i < params->import_count; i++)
+        if (params->imports[i].image == resource->image &&
+            params->imports[i].buffer == resource->buffer)
+            resource->import = &params->imports[i];
+    for (size_t i = 0; i < params->output_count; i++)
+        if (params->outputs[i].image == resource->image &&
+            params->outputs[i].buffer == resource->buffer)
+            resource->output = &params->outputs[i];
+}
+
+static uint32_t first_content(const struct hazard_resource *resource)
+{
+    if (resource->import && resource->import->access != RG_ACCESS_NONE)
+        return HAZARD_IMPORTED;
+    if (resource->buffer && resource->buffer->memory == RG_MEMORY_UPLOAD)
+        return HAZARD_UPLOADED;
+    return HAZARD_UNDEFINED;
+}
+
+static uint32_t add_resource(struct hazard *h, const struct rg_image *image,
+                             const struct rg_buffer *buffer)
+{
+    for (uint32_t i = 0; i < h->resource_count; i++)
+        if (h->resources[i].image == image && h->resources[i].buffer == buffer)
+            return i;
+    h->resources =
+        hazard_grow(h->resources, &h->resource_room, h->resource_count + 1, sizeof(*h->resources));
+    struct hazard_resource *resource = &h->resources[h->resource_count];
+    *resource = (struct hazard_resource){
+        .image = image,
+        .buffer = buffer,
+        .mips = 1,
+        .layers = 1,
+        .first = RG_NONE,
+    };
+    find_in_plan(h, resource);
+    uint32_t aspect_count = 1;
+    if (image) {
+        fill_image(h, resource);
+        aspect_count = resource->aspects & VK_IMAGE_ASPECT_STENCIL_BIT ? 2 : 1;
+    }
+    resource->first_cell = h->cell_count;
+    resource->cell_count = resource->mips * resource->layers * aspect_count;
+    h->cell_count += resource->cell_count;
+    h->cells = hazard_grow(h->cells, &h->cell_room, h->cell_count, sizeof(*h->cells));
+    for (uint32_t i = resource->first_cell; i < h->cell_count; i++)
+        h->cells[i] = (struct hazard_cell){
+            .resource = h->resource_count,
+            .reads = RG_NONE,
+            .barriers = RG_NONE,
+            .last_barrier = RG_NONE,
+            .declared = first_content(resource),
+        };
+    return h->resource_count++;
+}
+
+static VkImageSubresourceRange resolve(const struct hazard_resource *resource,
+                                       const struct rg_range *range, enum rg_repeat repeat,
+                                       uint32_t repetition)
+{
+    VkImageSubresourceRange r = {
+        .aspectMask = range->aspect ? range->aspect : resource->aspects,
+        .baseMipLevel = range->mip,
+        .levelCount = range->mip_count ? range->mip_count : resource->mips - range->mip,
+        .baseArrayLayer = range->layer,
+        .layerCount = range->layer_count ? range->layer_count : resource->layers - range->layer,
+    };
+    if (range->each && repeat == RG_PER_LAYER) {
+        r.baseArrayLayer += repetition;
+        r.layerCount = 1;
+    }
+    if (range->each && repeat == RG_PER_MIP) {
+        r.baseMipLevel += repetition;
+        r.levelCount = 1;
+    }
+    return r;
+}
+
+static bool writes(enum rg_access access)
+{
+    return hazard_rule(access)->writes != 0;
+}
+
+/* How often a row runs: for each layer or mip of its first target or image written, from the one
+ * it names on. */
+static uint32_t repetitions(struct hazard *h, const struct rg_pass *pass)
+{
+    if (pass->repeat == RG_ONCE)
+        return 1;
+    const struct rg_target *target = pass->color[0].image ? &pass->color[0] : &pass->depth;
+    const struct rg_image *image = target->image;
+    struct rg_range range = { .mip = target->mip, .layer = target->layer };
+    for (const struct rg_use *use = pass->uses; !image && use && use->access; use++)
+        if (use->image && writes(use->access)) {
+            image = use->image;
+            range = use->range;
+        }
+    if (!image)
+        return 1;
+    uint32_t index = add_resource(h, image, NULL);
+    const struct hazard_resource *resource = &h->resources[index];
+    return pass->repeat == RG_PER_LAYER ? resource->layers - range.layer
+                                        : resource->mips - range.mip;
+}
+
+static struct hazard_use *add_use(struct hazard *h, struct hazard_pass *pass,
+                                  const struct rg_image *image, const struct rg_buffer *buffer,
+                                  enum rg_access access)
+{
+    uint32_t resource = add_resource(h, image, buffer);
+    const struct hazard_rule *rule = hazard_rule(access);
+    h->uses = hazard_grow(h->uses, &h->use_room, h->use_count + 1, sizeof(*h->uses));
+    pass->use_count++;
+    h->uses[h->use_count] = (struct hazard_use){
+        .resource = resource,
+        .access = access,
+        .stages = rule->stages,
+        .reads = rule->reads,
+        .writes = rule->writes,
+        .needs_content = rule->reads != 0,
+        .gives_content = rule->writes != 0,
+    };
+    return &h->uses[h->use_count++];
+}
+
+static void add_target(struct hazard *h, struct hazard_pass *pass, const struct rg_target *target,
+                       enum rg_access access)
+{
+    struct hazard_use *use = add_use(h, pass, target->image, NULL, access);
+    use->target = target;
+    use->needs_content = access == RG_DEPTH_READ || target->load == RG_LOAD_KEEP;
+    use->range = (VkImageSubresourceRange){
+        .aspectMask = h->resources[use->resource].aspects,
+        .baseMipLevel = target->mip,
+        .levelCount = 1,
+        .baseArrayLayer = target->layer,
+        .layerCount = 1,
+    };
+    if (pass->pass->repeat == RG_PER_LAYER && h->resources[use->resource].layers > 1)
+        use->range.baseArrayLayer += pass->repetition;
+    if (pass->pass->repeat == RG_PER_MIP && h->resources[use->resource].mips > 1)
+        use->range.baseMipLevel += pass->repetition;
+}
+
+static void add_row_use(struct hazard *h, struct hazard_pass *pass, const struct rg_use *row)
+{
+    struct hazard_use *use = add_use(h, pass, row->image, row->buffer, row->access);
+    use->use = row;
+    use->keeps_content = row->partial && use->gives_content;
+    if (row->image)
+        use->range = resolve(&h->resources[use->resource], &row->range, pass->pass->repeat,
+                             pass->repetition);
+    if (use->stages)
+        return;
+    if (row->stages)
+        use->stages = hazard_stages(row->stages, true);
+    else if (pass->pass->kind == RG_COMPUTE)
+        use->stages = HAZARD_COMPUTE;
+    else
+        use->stages = HAZARD_FRAGMENT | (row->access == RG_UNIFORM ? HAZARD_VERTEX : 0U);
+}
+
+static void add_repetition(struct hazard *h, struct hazard_pass pass)
+{
+    const struct rg_pass *row = pass.pass;
+    pass.first_use = h->use_count;
+    for (uint32_t i = 0; i < RG_COLOR_COUNT && row->color[i].image; i++)
+        add_target(h, &pass, &row->color[i], RG_COLOR);
+    if (row->depth.image)
+        add_target(h, &pass, &row->depth, row->depth_read_only ? RG_DEPTH_READ : RG_DEPTH);
+    for (const struct rg_use *use = row->uses; use && use->access; use++)
+        add_row_use(h, &pass, use);
+    h->passes = hazard_grow(h->passes, &h->pass_room, h->pass_count + 1, sizeof(*h->passes));
+    h->passes[h->pass_count++] = pass;
+}
+
+void hazard_tables(struct hazard *h)
+{
+    const struct rg_compile_params *params = h->params;
+    for (size_t i = 0; i < params->import_count; i++)
+        add_resource(h, params->imports[i].image, params->imports[i].buffer);
+    for (size_t t = 0; t < params->technique_count; t++) {
+        const struct rg_technique *technique = params->techniques[t];
+        for (uint32_t row = 0; row < technique->pass_count; row++) {
+            struct hazard_pass pass = {
+                .pass = &technique->passes[row],
+                .technique = technique,
+                .row = row,
+            };
+            uint32_t count = repetitions(h, pass.pass);
+            for (pass.repetition = 0; pass.repetition < count; pass.repetition++)
+                add_repetition(h, pass);
+        }
+    }
+    for (size_t i = 0; i < params->output_count; i++)
+        add_resource(h, params->outputs[i].image, params->outputs[i].buffer);
+}
+
+static void expect(struct hazard *h, struct hazard_use *use)
+{
+    use->first_expected = h->expected_count;
+    uint32_t cell;
+    for (uint32_t i = 0;
+         (cell = hazard_next_cell(&h->resources[use->resource], &use->range, &i)) != RG_NONE;) {
+        h->expected = hazard_grow(h->expected, &h->expected_room, h->expected_count + 1,
+                                  sizeof(*h->expected));
+        h->expected[h->expected_count++] =
+            (struct hazard_expected){ h->cells[cell].declared, use->needs_content };
+    }
+}
+
+static void give(struct hazard *h, const struct hazard_use *use, uint32_t content)
+{
+    uint32_t cell;
+    for (uint32_t i = 0;
+         (cell = hazard_next_cell(&h->resources[use->resource], &use->range, &i)) != RG_NONE;)
+        h->cells[cell].declared = content;
+}
+
+static bool is_wanted(const struct hazard *h, const struct hazard_use *use)
+{
+    uint32_t cell;
+    for (uint32_t i = 0;
+         (cell = hazard_next_cell(&h->resources[use->resource], &use->range, &i)) != RG_NONE;)
+        if (use->gives_content && h->cells[cell].wanted)
+            return true;
+    return false;
+}
+
+/* Steps back over a needed pass's use: from what is wanted after it to what is wanted before. */
+static void want(struct hazard *h, const struct hazard_use *use)
+{
+    struct hazard_expected *expected = h->expected + use->first_expected;
+    uint32_t cell;
+    for (uint32_t i = 0;
+         (cell = hazard_next_cell(&h->resources[use->resource], &use->range, &i)) != RG_NONE;
+         expected++) {
+        struct hazard_cell *c = &h->cells[cell];
+        if (use->keeps_content)
+            expected->wanted = c->wanted;
+        if (use->needs_content)
+            c->wanted = true;
+        else if (use->gives_content && !use->keeps_content)
+            c->wanted = false;
+    }
+}
+
+void hazard_tables_expect(struct hazard *h)
+{
+    for (uint32_t p = 0; p < h->pass_count; p++) {
+        const struct hazard_pass *pass = &h->passes[p];
+        for (uint32_t u = 0; u < pass->use_count; u++)
+            expect(h, &h->uses[pass->first_use + u]);
+        for (uint32_t u = 0; u < pass->use_count; u++)
+            if (h->uses[pass->first_use + u].gives_content)
+                give(h, &h->uses[pass->first_use + u], HAZARD_WRITTEN + p);
+    }
+    for (uint32_t i = 0; i < h->cell_count; i++)
+        h->cells[i].wanted = h->resources[h->cells[i].resource].output != NULL;
+    for (uint32_t p = h->pass_count; p-- > 0;) {
+        struct hazard_pass *pass = &h->passes[p];
+        for (uint32_t u = 0; u < pass->use_count; u++)
+            pass->needed |= is_wanted(h, &h->uses[pass->first_use + u]);
+        for (uint32_t u = 0; pass->needed && u < pass->use_count; u++)
+            want(h, &h->uses[pass->first_use + u]);
+    }
+}

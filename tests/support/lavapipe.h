@@ -1,0 +1,22 @@
+/*
+ * lavapipe.h: a device for tests, the CPU driver that is everywhere, with validation on. Without
+ * driver or validation layer the tests fail: nothing is skipped.
+ */
+#ifndef TESTS_LAVAPIPE_H
+#define TESTS_LAVAPIPE_H
+
+#include "src/gpu/gpu.h"
+
+extern const struct gpu_params lavapipe_params;
+
+/* No pipeline cache of the user's, and synchronization validation across submissions. */
+void lavapipe_environment(void);
+
+/* Setup and teardown for cmocka; *state is a struct gpu. Teardown fails if the validation layer
+ * said anything, also about what was not destroyed. */
+int lavapipe_open(void **state);
+int lavapipe_close(void **state);
+
+#define ON_DEVICE(test) cmocka_unit_test_setup_teardown(test, lavapipe_open, lavapipe_close)
+
+#endif

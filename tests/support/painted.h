@@ -1,0 +1,58 @@
+/*
+ * painted.h: rows that draw a rectangle each, and what they leave in the texels.
+ */
+#ifndef TESTS_PAINTED_H
+#define TESTS_PAINTED_H
+
+#include "tests/gpu/shaders/paint.h"
+#include "tests/gpu/test_shaders.h"
+#include "tests/support/run_graph.h"
+
+/* A row's rectangle has the row's index. */
+struct rg_frame {
+    const struct rg_pass *rows;
+    const struct paint_push *paints;
+    struct rg_mesh mesh;
+};
+
+/* Of four floats a texel: name, then other members. */
+#define COLOR_IMAGE(...) \
+    { \
+        .format = VK_FORMAT_R32G32B32A32_SFLOAT, .name = __VA_ARGS__, \
+    }
+#define COLOR_BUFFER(title) \
+    { \
+        .name = (title), .size_per_texel = 4 * sizeof(float), .memory = RG_MEMORY_READBACK \
+    }
+
+/* What makes a row draw its rectangle. */
+#define PAINTED PAINTED_BY(painted_record, &paint_frag)
+#define PAINTED_BY(record_function, fragment_shader) \
+    .vert = &paint_vert, .frag = (fragment_shader), .push_size = sizeof(struct paint_push), \
+    .record = (record_function)
+rg_record_fn painted_record;
+
+void painted_draw(struct rg_cmd *cmd, const struct paint_push *paint);
+
+/* Parts of the target, for a struct paint_push. */
+#define ALL       .from = { { -1, -1 } }, .to = { { 1, 1 } }
+#define LEFT_HALF .from = { { -1, -1 } }, .to = { { 0, 1 } }
+#define TOP_HALF  .from = { { -1, -1 } }, .to = { { 1, 0 } }
+
+/* run_everywhere() for a table of rows; what follows `check` are members of run_params. */
+#define PAINTED_EVERYWHERE(state, table, rectangles, check, ...) \
+    run_everywhere(*(state), \
+                   &(struct run_params){ \
+                       .technique = RG_TECHNIQUE("test", table), \
+                       __VA_ARGS__, \
+                   }, \
+                   &(struct rg_frame){ .rows = (table), .paints = (rectangles) }, check)
+
+vec4s painted_color(float r, float g, float b, float a);
+
+/* Texels that were read back, exactly. */
+void painted_check(struct run *run, const struct rg_buffer *buffer, uint32_t index, vec4s color);
+void painted_check_all(struct run *run, const struct rg_buffer *buffer, uint32_t count,
+                       vec4s color);
+
+#endif

@@ -1,0 +1,185 @@
+/* picture.c: scenes made by hand, and pictures of them. */
+#include "tests/support/picture.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/support/check.h"
+
+#include "src/image/half.h"
+#include "src/scene/generate.h"
+
+static const double pi = 3.14159265358979323846;
+
+struct render_result picture_render(struct gpu *gpu, const struct picture_request *request)
+{
+    const struct settings defaults = settings_default();
+    struct renderer *renderer;
+    struct render_result result;
+    const struct renderer_params params = {
+        .gpu = gpu,
+        .scene = request->scene,
+        .settings = request->settings ? request->settings : &defaults,
+        .rung = request->rung ? frame_find_rung(request->rung) : &frame_rungs[0],
+        .width = request->width,
+        .height = request->height,
+        .samples = request->samples,
+        .layers = request->layers,
+        .linear = true,
+        .display = request->display,
+        .no_aliasing = request->no_aliasing,
+    };
+    assert_non_null(params.rung);
+    assert_int_equal(renderer_create(&renderer, &params), STATUS_OK);
+    assert_int_equal(renderer_render(renderer, &request->camera, &result, NULL, NULL), STATUS_OK);
+    renderer_destroy(renderer);
+    assert_int_equal(gpu->message_count, 0);
+    return result;
+}
+
+struct settings picture_settings(const char *assignment)
+{
+    struct settings settings = settings_default();
+    assert_int_equal(settings_set(&settings, assignment), STATUS_OK);
+    return settings;
+}
+
+struct vec picture_ray(const struct picture_request *request, double x, double y)
+{
+    const struct camera *camera = &request->camera;
+    const struct vec world_up = { 0, 1, 0 };
+    const struct vec forward =
+        vec_unit(vec_add(vec_from(camera->target), -1, vec_from(camera->eye)));
+    const struct vec given = vec_from(camera->up);
+    const struct vec right = vec_unit(vec_cross(forward, vec_norm(given) > 0 ? given : world_up));
+    const struct vec up = vec_cross(right, forward);
+    const double pixel = 2 * tan((double)camera->fov_deg * pi / 360) / request->height;
+    struct vec ray = vec_add(forward, (x - request->width / 2.0) * pixel, right);
+    return vec_unit(vec_add(ray, (request->height / 2.0 - y) * pixel, up));
+}
+
+struct vec picture_pixel_ray(const struct picture_request *request, size_t i)
+{
+    const size_t column = i % request->width;
+    const size_t row = i / request->width;
+    return picture_ray(request, (double)column + 0.5, (double)row + 0.5);
+}
+
+struct picture_layer picture_layer(const struct image *image, const char *name)
+{
+    static const char *const sets[] = { "XYZ", "RGB" };
+    struct picture_layer layer = { { 0 } };
+    for (size_t s = 0; s < 2 && !layer.planes[0]; s++) {
+        for (size_t p = 0; p < 3; p++) {
+            char plane[IMAGE_NAME_SIZE];
+            snprintf(plane, sizeof(plane), "%s%s%c", name, *name ? "." : "", sets[s][p]);
+            layer.planes[p] = image_find(image, plane);
+        }
+    }
+    assert_true(layer.planes[0] && layer.planes[1] && layer.planes[2]);
+    return layer;
+}
+
+struct vec picture_at(struct picture_layer layer, size_t i)
+{
+    return (struct vec){ (double)layer.planes[0][i], (double)layer.planes[1][i],
+                         (double)layer.planes[2][i] };
+}
+
+bool picture_is_object(struct picture_layer exit, size_t i)
+{
+    return !(vec_norm(picture_at(exit, i)) < 0.5); /* NaN: looked at, and found */
+}
+
+/* ---- scenes ---- */
+
+struct vec picture_direction_color(struct vec dir)
+{
+    return (struct vec){ (dir.x + 1) / 2, (dir.y + 1) / 2, (dir.z + 1) / 2 };
+}
+
+struct scene picture_sphere_scene(vec3s center, uint32_t triangles)
+{
+    struct scene scene = { 0 };
+    struct mesh *mesh = &scene.model.object;
+    assert_true(generate_sphere(mesh, triangles));
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        mesh->vertices[i].position = glms_vec3_add(mesh->vertices[i].position, center);
+    scene.box = mesh_box(mesh);
+    return scene;
+}
+
+void picture_add_directions(struct scene *scene, vec3s center, float radius)
+{
+    struct mesh ball;
+    assert_true(generate_sphere(&ball, 40000));
+    for (uint32_t i = 0; i < ball.vertex_count; i++) {
+        struct mesh_vertex *v = &ball.vertices[i];
+        v->color = glms_vec3_scale(glms_vec3_adds(v->position, 1), 0.5F);
+        v->position = glms_vec3_add(glms_vec3_scale(v->position, radius), center);
+        v->material = MESH_UNLIT;
+    }
+    assert_true(mesh_append(&scene->model.surroundings, &ball));
+    mesh_finish(&ball);
+}
+
+void picture_use_directions(struct scene *scene, uint32_t width)
+{
+    struct environment *e = &scene->environment;
+    scene->background = SCENE_ENVIRONMENT;
+    *e = (struct environment){ .width = width, .height = width / 2 };
+    e->texels = malloc((size_t)e->width * e->height * 4 * sizeof(*e->texels));
+    assert_non_null(e->texels);
+    for (size_t i = 0; i < (size_t)e->width * e->height; i++) {
+        /* -Z in the middle, +X a quarter to the right of it */
+        const size_t column = i % width;
+        const size_t row = i / width;
+        const double longitude = ((double)column + 0.5) / width * 2 * pi - pi;
+        const double from_top = ((double)row + 0.5) / e->height * pi;
+        const struct vec color = picture_direction_color((struct vec){
+            sin(from_top) * sin(longitude), cos(from_top), -sin(from_top) * cos(longitude) });
+        e->texels[4 * i + 0] = half_from_float((float)color.x);
+        e->texels[4 * i + 1] = half_from_float((float)color.y);
+        e->texels[4 * i + 2] = half_from_float((float)color.z);
+        e->texels[4 * i + 3] = half_from_float(1);
+    }
+}
+
+void picture_add_quad(struct scene *scene, const struct picture_quad *quad)
+{
+    static const uint32_t corners[6] = { 0, 2, 3, 0, 3, 1 }; /* top left, bottom left, ... */
+    struct mesh mesh;
+    assert_true(mesh_init(&mesh, 4, 6));
+    for (uint32_t i = 0; i < 4; i++) {
+        const uint32_t row = i / 2;
+        const vec2s uv = { { (float)(i % 2), (float)row } };
+        mesh.vertices[i] = (struct mesh_vertex){
+            .position = glms_vec3_muladds(quad->down, uv.y,
+                                          glms_vec3_muladds(quad->right, uv.x, quad->top_left)),
+            .normal = glms_vec3_normalize(glms_vec3_cross(quad->down, quad->right)),
+            .color = quad->color,
+            .uv = uv,
+            .material = quad->material,
+        };
+    }
+    memcpy(mesh.indices, corners, sizeof(corners));
+    assert_true(mesh_append(&scene->model.surroundings, &mesh));
+    mesh_finish(&mesh);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double picture_quantile(double *values, size_t count, double q)
+{
+    assert_true(count > 0);
+    for (size_t i = 0; i < count; i++)
+        values[i] = isnan(values[i]) ? HUGE_VAL : values[i];
+    qsort(values, count, sizeof(*values), compare);
+    return values[(size_t)(q * (double)(count - 1) + 0.5)];
+}

@@ -1,0 +1,25 @@
+/*
+ * random_graph.h: tables made up from a seed, valid by construction.
+ *
+ * The same seed gives the same tables. They use all kinds of passes, loads, ranges, repeats,
+ * formats, imports and outputs, and some passes that no output needs; no pass reads what was never
+ * written or uses the same texels twice.
+ */
+#ifndef TESTS_RANDOM_GRAPH_H
+#define TESTS_RANDOM_GRAPH_H
+
+#include <stdint.h>
+
+#include "graph/rg.h"
+
+struct random_graph {
+    struct rg_compile_params params; /* points into this object */
+    void *tables;
+};
+
+/* Returns false if memory is short. Not to be moved after it. */
+bool random_graph_init(struct random_graph *graph, uint64_t seed);
+
+void random_graph_finish(struct random_graph *graph);
+
+#endif

@@ -1,0 +1,390 @@
+/* Draws passes, keeping book of what has been written, so that each is valid where it stands. */
+#include "tests/support/random_graph_private.h"
+
+static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)cmd;
+    (void)frame;
+}
+
+static const struct rg_shader shader = { .name = "none" };
+
+static void define(struct random_known *known, const struct rg_range *range)
+{
+    for (uint32_t layer = range->layer; layer < range->layer + range->layer_count; layer++)
+        for (uint32_t mip = range->mip; mip < range->mip + range->mip_count; mip++)
+            known->defined[layer * known->mips + mip] = true;
+    known->written = true;
+}
+
+bool random_graph_is_defined(const struct random_known *known, const struct rg_range *range)
+{
+    for (uint32_t layer = range->layer; layer < range->layer + range->layer_count; layer++)
+        for (uint32_t mip = range->mip; mip < range->mip + range->mip_count; mip++)
+            if (!known->defined[layer * known->mips + mip])
+                return false;
+    return true;
+}
+
+struct rg_range random_graph_whole(const struct random_known *known)
+{
+    return (struct rg_range){ .mip_count = known->mips, .layer_count = known->layers };
+}
+
+static uint32_t pick_image(struct random_tables *t)
+{
+    if (!t->local || t->image_count < 4)
+        return random_graph_below(t, t->image_count);
+    uint32_t first = t->pass_count * (t->image_count - 3) / t->wanted_count;
+    return first + random_graph_below(t, 4);
+}
+
+static uint32_t pick(struct random_tables *t)
+{
+    return random_graph_chance(t, 65) ? pick_image(t) : IMAGES + random_graph_below(t, BUFFERS);
+}
+
+static bool overlaps(const struct rg_range *a, const struct rg_range *b)
+{
+    return a->mip < b->mip + b->mip_count && b->mip < a->mip + a->mip_count &&
+           a->layer < b->layer + b->layer_count && b->layer < a->layer + a->layer_count;
+}
+
+/* Reserves a part of a resource for the pass being drawn. */
+static bool claim(struct random_tables *t, uint32_t resource, struct rg_range range, bool writes)
+{
+    for (uint32_t i = 0; i < t->claim_count; i++)
+        if (t->claims[i].resource == resource && overlaps(&t->claims[i].range, &range))
+            return false;
+    t->claims[t->claim_count++] = (struct random_claim){ resource, range, writes };
+    return true;
+}
+
+/* A part of an image: all of it, or a few mips and layers. */
+static struct rg_range draw_range(struct random_tables *t, const struct random_known *known)
+{
+    struct rg_range range = random_graph_whole(known);
+    if (random_graph_chance(t, 50))
+        return range;
+    range.mip = random_graph_below(t, known->mips);
+    range.mip_count = 1 + random_graph_below(t, known->mips - range.mip);
+    range.layer = random_graph_below(t, known->layers);
+    range.layer_count = 1 + random_graph_below(t, known->layers - range.layer);
+    return range;
+}
+
+static struct rg_use *add_use(struct random_tables *t, uint32_t resource, enum rg_access access)
+{
+    struct rg_use *use = &t->uses[t->pass_count][t->use_count];
+    *use = (struct rg_use){ .access = access, .binding = t->use_count };
+    if (resource < IMAGES)
+        use->image = &t->images[resource];
+    else
+        use->buffer = &t->buffers[resource - IMAGES];
+    t->use_count++;
+    return use;
+}
+
+/* Sometimes leaves counts to their defaults. */
+static struct rg_range written_range(struct random_tables *t, const struct random_known *known,
+                                     struct rg_range range)
+{
+    if (range.mip + range.mip_count == known->mips && random_graph_chance(t, 50))
+        range.mip_count = 0;
+    if (range.layer + range.layer_count == known->layers && random_graph_chance(t, 50))
+        range.layer_count = 0;
+    return range;
+}
+
+static enum rg_access draw_read(struct random_tables *t, const struct rg_pass *pass,
+                                uint32_t resource)
+{
+    static const enum rg_access raster[] = { RG_UNIFORM, RG_STORAGE_READ, RG_VERTEX, RG_INDEX,
+                                             RG_INDIRECT };
+
+    static const enum rg_access compute[] = { RG_UNIFORM, RG_STORAGE_READ, RG_INDIRECT };
+
+    if (pass->kind == RG_TRANSFER)
+        return RG_COPY_SRC;
+    if (resource < IMAGES)
+        return t->known[resource].storage && random_graph_chance(t, 30) ? RG_STORAGE_READ
+                                                                        : RG_SAMPLED;
+    return pass->kind == RG_RASTER ? raster[random_graph_below(t, 5)]
+                                   : compute[random_graph_below(t, 3)];
+}
+
+static void draw_stages(struct random_tables *t, const struct rg_pass *pass, struct rg_use *use)
+{
+    bool shader_access =
+        use->access == RG_SAMPLED || use->access == RG_UNIFORM || use->access == RG_STORAGE_READ;
+    if (pass->kind != RG_RASTER || !shader_access || random_graph_chance(t, 70))
+        return;
+    use->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT;
+    if (random_graph_chance(t, 50))
+        use->stages |= VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+}
+
+static void draw_reads(struct random_tables *t, const struct rg_pass *pass)
+{
+    uint32_t wanted = (t->local ? 1 : 0) + random_graph_below(t, USES - 2);
+    for (uint32_t tries = 0; tries < 12 && wanted && t->use_count < USES; tries++) {
+        uint32_t resource = t->local && tries < 2 ? t->last_written : pick(t);
+        struct random_known *known = &t->known[resource];
+        if (!random_graph_exists(t, resource) ||
+            (resource >= IMAGES && t->buffers[resource - IMAGES].memory == RG_MEMORY_READBACK))
+            continue;
+        struct rg_range range = draw_range(t, known);
+        if (!random_graph_is_defined(known, &range) || !claim(t, resource, range, false))
+            continue;
+        struct rg_use *use = add_use(t, resource, draw_read(t, pass, resource));
+        if (resource < IMAGES)
+            use->range = written_range(t, known, range);
+        if (known->stencil && use->access != RG_COPY_SRC)
+            use->range.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
+        draw_stages(t, pass, use);
+        wanted--;
+    }
+}
+
+static enum rg_access draw_write(struct random_tables *t, const struct rg_pass *pass, bool defined)
+{
+    if (pass->kind == RG_TRANSFER)
+        return RG_COPY_DST;
+    return defined && random_graph_chance(t, 40) ? RG_STORAGE_READ_WRITE : RG_STORAGE_WRITE;
+}
+
+static bool can_write(const struct random_tables *t, const struct rg_pass *pass, uint32_t resource)
+{
+    if (!random_graph_exists(t, resource))
+        return false;
+    if (resource >= IMAGES)
+        return t->buffers[resource - IMAGES].memory != RG_MEMORY_UPLOAD;
+    return pass->kind == RG_TRANSFER ? !t->known[resource].depth : t->known[resource].storage;
+}
+
+static bool add_write(struct random_tables *t, const struct rg_pass *pass, uint32_t resource)
+{
+    struct random_known *known = &t->known[resource];
+    struct rg_range range = draw_range(t, known);
+    if (!claim(t, resource, range, true))
+        return false;
+    bool defined = random_graph_is_defined(known, &range);
+    struct rg_use *use = add_use(t, resource, draw_write(t, pass, defined));
+    use->partial = defined && use->access != RG_STORAGE_READ_WRITE && random_graph_chance(t, 20);
+    if (resource < IMAGES)
+        use->range = written_range(t, known, range);
+    return true;
+}
+
+static bool draw_writes(struct random_tables *t, const struct rg_pass *pass)
+{
+    uint32_t wanted = 1 + random_graph_below(t, 2);
+    bool any = false;
+    for (uint32_t tries = 0; tries < 20 && wanted && t->use_count < USES; tries++) {
+        uint32_t resource = pick(t);
+        if (can_write(t, pass, resource) && add_write(t, pass, resource)) {
+            any = true;
+            wanted--;
+        }
+    }
+    return any;
+}
+
+static uint32_t mip_size(uint32_t size, uint32_t mip)
+{
+    return size >> mip ? size >> mip : 1;
+}
+
+/* What a target of a row covers over all repetitions. */
+static struct rg_range target_range(const struct random_known *known, const struct rg_pass *pass,
+                                    uint32_t mip, uint32_t layer)
+{
+    struct rg_range range = { .mip = mip, .mip_count = 1, .layer = layer, .layer_count = 1 };
+    if (pass->repeat == RG_PER_LAYER)
+        range.layer_count = known->layers - layer;
+    if (pass->repeat == RG_PER_MIP)
+        range.mip_count = known->mips - mip;
+    return range;
+}
+
+static bool claim_target(struct random_tables *t, const struct rg_pass *pass,
+                         struct rg_target *target, uint32_t resource)
+{
+    const struct random_known *known = &t->known[resource];
+    struct rg_range range = target_range(known, pass, target->mip, target->layer);
+    bool read_only = target == &pass->depth && pass->depth_read_only;
+    bool defined = random_graph_is_defined(known, &range);
+    if ((read_only && !defined) || !claim(t, resource, range, !read_only))
+        return false;
+    target->image = &t->images[resource];
+
+    static const enum rg_load loads[] = { RG_LOAD_CLEAR, RG_LOAD_DISCARD, RG_LOAD_KEEP,
+                                          RG_LOAD_KEEP };
+
+    target->load = read_only ? RG_LOAD_KEEP : loads[random_graph_below(t, defined ? 4 : 2)];
+    if (target != &pass->depth && defined && random_graph_chance(t, 20))
+        target->blend = RG_BLEND_OVER;
+    return true;
+}
+
+/* More targets of the size of the first, which is `of`. */
+static void draw_other_targets(struct random_tables *t, struct rg_pass *pass, uint32_t of,
+                               const struct rg_target *first)
+{
+    struct random_known *main = &t->known[of];
+    uint32_t colors = pass->color[0].image ? 1 : RG_COLOR_COUNT; /* none beside depth alone */
+    for (uint32_t tries = 0; tries < 10; tries++) {
+        uint32_t resource = pick_image(t);
+        const struct random_known *known = &t->known[resource];
+        struct rg_target target = { .mip = random_graph_below(t, known->mips),
+                                    .layer = random_graph_below(t, known->layers) };
+        if (mip_size(known->width, target.mip) != mip_size(main->width, first->mip) ||
+            mip_size(known->height, target.mip) != mip_size(main->height, first->mip) ||
+            (pass->repeat == RG_PER_LAYER && known->layers > 1 &&
+             known->layers - target.layer != main->layers - first->layer) ||
+            (pass->repeat == RG_PER_MIP && known->mips - target.mip != main->mips - first->mip))
+            continue;
+        struct rg_target *place = known->depth ? &pass->depth : &pass->color[colors % 8];
+        if (place->image || (!known->depth && colors >= 4))
+            continue;
+        *place = target;
+        pass->depth_read_only |= known->depth && random_graph_chance(t, 30);
+        if (claim_target(t, pass, place, resource)) {
+            colors += !known->depth;
+        } else {
+            *place = (struct rg_target){ 0 };
+            pass->depth_read_only &= pass->depth.image != NULL;
+        }
+    }
+}
+
+static bool draw_targets(struct random_tables *t, struct rg_pass *pass)
+{
+    uint32_t resource = pick_image(t);
+    struct random_known *known = &t->known[resource];
+    struct rg_target *target = known->depth ? &pass->depth : &pass->color[0];
+    if (known->layers > 1 && random_graph_chance(t, 50))
+        pass->repeat = RG_PER_LAYER;
+    else if (known->mips > 1 && random_graph_chance(t, 50))
+        pass->repeat = RG_PER_MIP;
+    bool from_start = pass->repeat == RG_ONCE || random_graph_chance(t, 70);
+    target->mip = pass->repeat == RG_PER_MIP && from_start ? 0 : random_graph_below(t, known->mips);
+    target->layer =
+        pass->repeat == RG_PER_LAYER && from_start ? 0 : random_graph_below(t, known->layers);
+    if (!claim_target(t, pass, target, resource))
+        return false;
+    draw_other_targets(t, pass, resource, target);
+    return true;
+}
+
+/* Each mip from the one above it: the row reads what its own earlier repetitions wrote. */
+static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
+{
+    uint32_t resource = pick_image(t);
+    struct random_known *known = &t->known[resource];
+    struct rg_range top = random_graph_whole(known);
+    top.mip_count = 1;
+    bool layered = pass->kind != RG_RASTER;
+    if (!layered)
+        top.layer_count = 1;
+    if (known->mips < 2 || known->depth || !random_graph_is_defined(known, &top))
+        return false;
+    struct rg_range all = top;
+    all.mip_count = known->mips;
+    if (!claim(t, resource, all, true))
+        return false;
+    pass->repeat = RG_PER_MIP;
+    struct rg_range each = { .layer_count = layered ? 0 : 1, .each = true };
+    add_use(t, resource, pass->kind == RG_TRANSFER ? RG_COPY_SRC : RG_SAMPLED)->range = each;
+    each.mip = 1;
+    if (layered)
+        add_use(t, resource, pass->kind == RG_TRANSFER ? RG_COPY_DST : RG_STORAGE_WRITE)->range =
+            each;
+    else
+        pass->color[0] =
+            (struct rg_target){ .image = &t->images[resource], .load = RG_LOAD_DISCARD, .mip = 1 };
+    return true;
+}
+
+/* A row repeated for each layer of an image it writes from a shader, or copies. */
+static bool draw_layer_copy(struct random_tables *t, struct rg_pass *pass)
+{
+    uint32_t from = pick_image(t), to = pick_image(t);
+    struct random_known *source = &t->known[from], *target = &t->known[to];
+    struct rg_range reads = random_graph_whole(source), writes = random_graph_whole(target);
+    if (from == to || source->layers < target->layers || source->depth || !can_write(t, pass, to) ||
+        !random_graph_is_defined(source, &reads))
+        return false;
+    if (!claim(t, from, reads, false) || !claim(t, to, writes, true))
+        return false;
+    pass->repeat = RG_PER_LAYER;
+    struct rg_range each = { .each = true };
+    add_use(t, from, pass->kind == RG_TRANSFER ? RG_COPY_SRC : RG_SAMPLED)->range = each;
+    add_use(t, to, pass->kind == RG_TRANSFER ? RG_COPY_DST : RG_STORAGE_WRITE)->range = each;
+    return true;
+}
+
+static bool draw_body(struct random_tables *t, struct rg_pass *pass)
+{
+    if (random_graph_chance(t, 15) && draw_mip_chain(t, pass))
+        return true;
+    if (pass->kind == RG_RASTER) {
+        if (t->claim_count || !draw_targets(t, pass))
+            return false;
+        if (random_graph_chance(t, 10) && pass->repeat == RG_ONCE)
+            draw_writes(t, pass);
+        return true;
+    }
+    if (random_graph_chance(t, 20) && !t->claim_count && draw_layer_copy(t, pass))
+        return true;
+    return t->claim_count == 0 && draw_writes(t, pass);
+}
+
+void random_graph_draw(struct random_tables *t)
+{
+    struct rg_pass *pass = &t->passes[t->pass_count];
+    *pass = (struct rg_pass){
+        .kind = random_graph_chance(t, 50)   ? RG_RASTER
+                : random_graph_chance(t, 60) ? RG_COMPUTE
+                                             : RG_TRANSFER,
+        .uses = t->uses[t->pass_count],
+        .record = record,
+    };
+    t->claim_count = t->use_count = 0;
+    bool drawn = draw_body(t, pass);
+    if (drawn && random_graph_chance(t, t->local ? 100 : 85))
+        draw_reads(t, pass);
+    t->uses[t->pass_count][t->use_count] = (struct rg_use){ 0 };
+    if (!drawn)
+        return;
+    pass->name = random_graph_name(t, 'p', t->pass_count, RESOURCES + t->pass_count);
+    if (pass->kind == RG_RASTER) {
+        pass->vert = &shader;
+        pass->frag = &shader;
+    } else if (pass->kind == RG_COMPUTE) {
+        pass->comp = &shader;
+    }
+    for (uint32_t i = 0; i < t->claim_count; i++)
+        if (t->claims[i].writes) {
+            define(&t->known[t->claims[i].resource], &t->claims[i].range);
+            t->last_written = t->claims[i].resource;
+        }
+    t->pass_count++;
+}
+
+void random_graph_draw_last(struct random_tables *t)
+{
+    struct rg_pass *pass = &t->passes[t->pass_count];
+    struct rg_range range = random_graph_whole(&t->known[0]);
+    *pass = (struct rg_pass){
+        .name = "last",
+        .kind = RG_TRANSFER,
+        .uses = t->uses[t->pass_count],
+        .record = record,
+    };
+    t->use_count = 0;
+    add_use(t, 0, RG_COPY_DST);
+    t->uses[t->pass_count][1] = (struct rg_use){ 0 };
+    define(&t->known[0], &range);
+    t->pass_count++;
+}

@@ -1,0 +1,74 @@
+/*
+ * random_graph_private.h: what the files of the random graphs share.
+ */
+#ifndef TESTS_RANDOM_GRAPH_PRIVATE_H
+#define TESTS_RANDOM_GRAPH_PRIVATE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "graph/rg.h"
+
+enum {
+    IMAGES = 14,
+    BUFFERS = 8,
+    RESOURCES = IMAGES + BUFFERS, /* images first */
+    PASSES = 41,
+    USES = 6, /* of a pass */
+    TECHNIQUES = 4,
+    CELLS = 12 * 8, /* of an image: layers by mips */
+    CLAIMS = 2 * USES + RG_COLOR_COUNT,
+};
+
+/* What is known of an image or buffer; a buffer has one layer and mip. */
+struct random_known {
+    uint32_t layers, mips, width, height;
+    bool depth, stencil, storage, written;
+    bool defined[CELLS];
+};
+
+/* Part of a resource that the pass being drawn uses already. */
+struct random_claim {
+    uint32_t resource;
+    struct rg_range range; /* counts resolved */
+    bool writes;
+};
+
+struct random_tables {
+    uint64_t state;
+    struct rg_image images[IMAGES];
+    struct rg_buffer buffers[BUFFERS];
+    struct rg_pass passes[PASSES];
+    struct rg_use uses[PASSES][USES + 1];
+    char names[RESOURCES + PASSES][16];
+    struct rg_technique techniques[TECHNIQUES];
+    const struct rg_technique *technique_list[TECHNIQUES];
+    struct rg_import imports[RESOURCES];
+    struct rg_output outputs[RESOURCES];
+    struct rg_device device;
+    struct random_known known[RESOURCES];
+    uint32_t image_count, buffer_count, pass_count, wanted_count;
+    bool local; /* passes use images near each other, so that lives are short, and read what the
+                   pass before wrote, so that few are culled */
+    uint32_t last_written;
+    /* of the pass being drawn: */
+    struct random_claim claims[CLAIMS];
+    uint32_t claim_count, use_count;
+};
+
+/* random_graph.c */
+uint32_t random_graph_below(struct random_tables *t, uint32_t count);
+bool random_graph_chance(struct random_tables *t, uint32_t percent);
+const char *random_graph_name(struct random_tables *t, char kind, uint32_t index, uint32_t slot);
+bool random_graph_exists(const struct random_tables *t, uint32_t resource);
+
+/* random_graph_pass.c: draws the next row; it may fail, and then none is added. */
+void random_graph_draw(struct random_tables *t);
+
+/* Adds a pass that writes all of image 0, so that there is something to put out. */
+void random_graph_draw_last(struct random_tables *t);
+
+bool random_graph_is_defined(const struct random_known *known, const struct rg_range *range);
+struct rg_range random_graph_whole(const struct random_known *known);
+
+#endif

@@ -1,0 +1,130 @@
+/* run_graph.c: compiles tables for a device and runs them. */
+#include "tests/support/run_graph.h"
+
+#include "tests/support/check.h"
+
+static void log_line(void *user, const char *line)
+{
+    struct run *run = user;
+    run->line_count++;
+    (void)snprintf(run->line, sizeof(run->line), "%s", line);
+}
+
+static void print_faults(const struct rg_plan *plan)
+{
+    for (uint32_t i = 0; i < plan->fault_count; i++) {
+        char text[300];
+        (void)rg_fault_text(&plan->faults[i], text, sizeof(text));
+        print_error("%s\n", text);
+    }
+}
+
+void run_compile(struct run *run, struct gpu *gpu, const struct run_params *params)
+{
+    *run = (struct run){
+        .params = *params,
+        .vulkan = { gpu->physical, gpu->device },
+        .gpu = gpu,
+    };
+    struct rg_output outputs[RUN_OUTPUT_COUNT + 1];
+    size_t output_count = 0;
+    for (; params->outputs[output_count]; output_count++)
+        outputs[output_count] = (struct rg_output){
+            .buffer = params->outputs[output_count],
+            .access = RG_HOST_READ,
+        };
+    if (params->kept.image || params->kept.buffer)
+        outputs[output_count++] = params->kept;
+    const struct rg_technique *const technique = &run->params.technique;
+    const struct rg_device device = rg_exec_device(&run->vulkan);
+    if (!params->view.width)
+        run->params.view = (VkExtent2D){ 8, 8 };
+    run->plan = rg_compile(&(struct rg_compile_params){
+        .techniques = &technique,
+        .technique_count = 1,
+        .view = run->params.view,
+        .outputs = outputs,
+        .output_count = output_count,
+        .imports = params->imports,
+        .import_count = params->import_count,
+        .device = params->no_device ? NULL : &device,
+        .no_aliasing = params->no_aliasing,
+    });
+    assert_non_null(run->plan);
+    print_faults(run->plan);
+    assert_int_equal(run->plan->fault_count, 0);
+}
+
+VkResult run_create(struct run *run, const struct rg_plan *plan)
+{
+    VkResult result = VK_ERROR_UNKNOWN;
+    run->exec = rg_exec_create(
+        &(struct rg_exec_params){
+            .plan = plan,
+            .physical = run->gpu->physical,
+            .device = run->gpu->device,
+            .queue = run->gpu->queue,
+            .queue_family = run->gpu->queue_family,
+            .pipeline_cache = run->gpu->pipeline_cache,
+            .frames_in_flight = run->params.frames_in_flight,
+            .imports = run->params.objects,
+            .import_count = run->params.import_count,
+            .max_anisotropy = run->gpu->max_anisotropy,
+            .render_passes = run->params.render_passes,
+            .log = log_line,
+            .user = run,
+        },
+        &result);
+    assert_int_equal(!run->exec, result != VK_SUCCESS);
+    return result;
+}
+
+void run_open(struct run *run, struct gpu *gpu, const struct run_params *params)
+{
+    run_compile(run, gpu, params);
+    if (run_create(run, run->plan) != VK_SUCCESS)
+        fail_msg("%s", run->line);
+}
+
+void run_close(struct run *run)
+{
+    rg_exec_destroy(run->exec);
+    rg_plan_destroy(run->plan);
+    *run = (struct run){ 0 };
+}
+
+void run_frame(struct run *run, const struct rg_frame *frame)
+{
+    assert_int_equal(rg_exec_begin(run->exec, &run->slot), VK_SUCCESS);
+    assert_int_equal(rg_exec_submit(run->exec, frame), VK_SUCCESS);
+    assert_int_equal(rg_exec_wait(run->exec, run->slot), VK_SUCCESS);
+}
+
+void *run_data(struct run *run, const struct rg_buffer *buffer)
+{
+    void *data = rg_exec_mapped(run->exec, buffer, run->slot);
+    assert_non_null(data);
+    return data;
+}
+
+void run_everywhere(struct gpu *gpu, const struct run_params *params, const struct rg_frame *frame,
+                    void (*check)(struct run *run))
+{
+    for (unsigned way = 0; way < 4; way++) {
+        struct run_params changed = *params;
+        struct run run;
+        changed.render_passes = way & 1;
+        changed.no_aliasing = way & 2;
+        run_open(&run, gpu, &changed);
+        run_frame(&run, frame);
+        check(&run);
+        run_close(&run);
+    }
+}
+
+void run_record_read(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    const struct rg_use *uses = rg_cmd_pass(cmd)->uses;
+    rg_cmd_copy_image_to_buffer(cmd, uses[0].image, uses[1].buffer, 0);
+}

@@ -1,0 +1,119 @@
+/* test_pack.c: where transient resources lie, against brute force and the bound. */
+#include "tests/support/check.h"
+
+#include <stdio.h>
+#include <string.h>
+#include "graph/rg_internal.h"
+
+enum {
+    MOST = 600
+};
+
+static uint32_t next_random(uint32_t *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return *state >> 8;
+}
+
+/* Lives in a window of passes, as a render graph's are; in the order of first use. */
+static void make_items(struct pack_item *items, uint32_t count, uint32_t seed)
+{
+    static const VkDeviceSize sizes[] = { 100, 256, 1000, 4096, 5000, 16384, 65536, 1 };
+    uint32_t pass = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        pass += next_random(&seed) % 2;
+        items[i] = (struct pack_item){
+            .size = sizes[next_random(&seed) % 8],
+            .alignment = (VkDeviceSize)1 << next_random(&seed) % 9,
+            .first = pass,
+            .last = pass + next_random(&seed) % 12,
+            .index = i,
+        };
+    }
+}
+
+static bool apart(const struct pack_item *a, const struct pack_item *b)
+{
+    return a->last < b->first || b->last < a->first || a->offset + a->size <= b->offset ||
+           b->offset + b->size <= a->offset;
+}
+
+static void check_places(const struct pack_item *items, uint32_t count, VkDeviceSize size)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        assert_true(items[i].offset % items[i].alignment == 0);
+        assert_true(items[i].offset + items[i].size <= size);
+        for (uint32_t k = 0; k < i; k++)
+            assert_true(apart(&items[i], &items[k]));
+    }
+}
+
+/* The bytes of the pass in which most live, counted pass by pass. */
+static VkDeviceSize slow_bound(const struct pack_item *items, uint32_t count)
+{
+    VkDeviceSize bound = 0;
+    for (uint32_t pass = 0; pass < 2 * MOST; pass++) {
+        VkDeviceSize live = 0;
+        for (uint32_t i = 0; i < count; i++)
+            live += items[i].first <= pass && pass <= items[i].last ? items[i].size : 0;
+        bound = bound < live ? live : bound;
+    }
+    return bound;
+}
+
+static void test_random_lives(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 1; seed <= 200; seed++) {
+        struct arena scratch = { 0 };
+        struct pack_item items[MOST];
+        uint32_t count = seed % 50 ? 1 + seed % 60 : MOST; /* beyond what all rules are tried for */
+        make_items(items, count, seed);
+        const struct pack_result r = rg_pack(&scratch, items, count, false);
+        check_places(items, count, r.size);
+        assert_int_equal(r.bound, slow_bound(items, count));
+        assert_true(r.bound <= r.size && r.size <= r.apart);
+        arena_finish(&scratch);
+    }
+}
+
+static void test_without_aliasing_nothing_is_shared(void **state)
+{
+    (void)state;
+    struct arena scratch = { 0 };
+    struct pack_item items[40];
+    make_items(items, 40, 7);
+    const struct pack_result r = rg_pack(&scratch, items, 40, true);
+    assert_int_equal(r.size, r.apart);
+    for (uint32_t i = 0; i < 40; i++)
+        items[i].first = 0, items[i].last = 99;
+    check_places(items, 40, r.size);
+    arena_finish(&scratch);
+}
+
+/* Time order leaves a hole of 2 under the 3: only an order that begins with it meets the bound. */
+static void test_the_best_rule_wins(void **state)
+{
+    (void)state;
+    struct arena scratch = { 0 };
+    struct pack_item items[] = {
+        { .size = 2, .alignment = 1, .first = 0, .last = 1, .index = 0 },
+        { .size = 1, .alignment = 1, .first = 0, .last = 3, .index = 1 },
+        { .size = 3, .alignment = 1, .first = 2, .last = 3, .index = 2 },
+    };
+    const struct pack_result r = rg_pack(&scratch, items, 3, false);
+    assert_int_equal(r.bound, 4);
+    assert_int_equal(r.size, 4);
+    check_places(items, 3, 4);
+    arena_finish(&scratch);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_lives),
+        cmocka_unit_test(test_without_aliasing_nothing_is_shared),
+        cmocka_unit_test(test_the_best_rule_wins),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,189 @@
+/*
+ * The plans of the program's frames, as text, are those of tests/golden/plan_*.txt.
+ *
+ * test-plans FOLDER            compares
+ * test-plans FOLDER --update   writes the files anew, to be read in the diff
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "src/frame_plan.h"
+#include "src/tech/ice_normal.h"
+#include "tests/support/check.h"
+
+enum list_kind {
+    LIST_FRAME,
+    LIST_CAPTURE,
+    LIST_RESOLVE,
+};
+
+struct golden {
+    const char *name;
+    enum list_kind list;
+    const char *rung;
+    bool layers;      /* all of them */
+    bool static_cube; /* that comes from outside */
+    const char *program, *folder;
+    bool update;
+};
+
+static const struct golden goldens[] = {
+    { .name = "plan_paper", .rung = "paper" },
+    { .name = "plan_paper_layers", .rung = "paper", .layers = true },
+    { .name = "plan_paper_static_cube", .rung = "paper", .static_cube = true },
+    { .name = "plan_one_sided", .rung = "one-sided" },
+    { .name = "plan_one_sided_layers", .rung = "one-sided", .layers = true },
+    { .name = "plan_capture", .list = LIST_CAPTURE },
+    { .name = "plan_resolve", .list = LIST_RESOLVE },
+};
+
+enum {
+    GOLDEN_COUNT = sizeof(goldens) / sizeof(goldens[0])
+};
+
+static struct frame_request request_of(const struct golden *golden)
+{
+    struct frame_request request = {
+        .view = { 1024, 768 },
+        .layers = golden->layers ? (1u << FRAME_LAYER_COUNT) - 1 : 0,
+        .beauty = golden->list == LIST_FRAME,
+        .display = golden->list != LIST_CAPTURE,
+        .keep_cube = golden->list == LIST_CAPTURE,
+    };
+    if (golden->list == LIST_CAPTURE) {
+        request.list = frame_capture();
+    } else if (golden->list == LIST_RESOLVE) {
+        request.list = frame_resolve();
+    } else {
+        const struct rung *rung = frame_find_rung(golden->rung);
+        assert_non_null(rung);
+        request.list = frame_with(rung, !golden->static_cube);
+    }
+    return request;
+}
+
+/* The caller frees it. */
+static char *dump(const struct golden *golden)
+{
+    const struct frame_request request = request_of(golden);
+    struct frame_plan plan;
+    assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
+    char *text;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    assert_non_null(file);
+    rg_dump(plan.plan, file);
+    fclose(file);
+    frame_plan_finish(&plan);
+    return text;
+}
+
+/* Whether a file holds this text; if not, prints the first line that differs, was and is. */
+static bool compare(const struct golden *golden, FILE *file, const char *text)
+{
+    char *line = NULL;
+    size_t room = 0;
+    bool same = true;
+    for (unsigned number = 1; same; number++) {
+        ssize_t length = getline(&line, &room, file);
+        size_t wanted = strcspn(text, "\n") + (strchr(text, '\n') != NULL);
+        if (length < 0 && !wanted)
+            break;
+        same = length >= 0 && (size_t)length == wanted && !memcmp(line, text, wanted);
+        if (!same)
+            print_error("%s.txt:%u\nwas: %s%sis:  %.*s%s", golden->name, number,
+                        length < 0 ? "" : line, length < 0 ? "(the end)\n" : "", (int)wanted, text,
+                        wanted ? "" : "(the end)\n");
+        text += wanted;
+    }
+    free(line);
+    return same;
+}
+
+static void write_golden(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+}
+
+static void test_golden(void **state)
+{
+    const struct golden *golden = *state;
+    char path[1024];
+    char *text = dump(golden);
+    snprintf(path, sizeof(path), "%s/%s.txt", golden->folder, golden->name);
+    if (golden->update)
+        write_golden(path, text);
+    FILE *file = fopen(path, "r");
+    bool same = file && compare(golden, file, text);
+    if (!file)
+        print_error("%s cannot be read\n", path);
+    if (!same)
+        print_error("if that is right: %s %s --update\n", golden->program, golden->folder);
+    if (file)
+        fclose(file);
+    free(text);
+    assert_true(same);
+}
+
+static bool has_pass_of(const struct rg_plan *plan, const char *technique)
+{
+    for (uint32_t i = 0; i < plan->pass_count; i++) {
+        if (!strcmp(plan->passes[i].technique->name, technique))
+            return true;
+    }
+    return false;
+}
+
+static bool is_culled(const struct rg_plan *plan, const struct rg_pass *pass)
+{
+    for (uint32_t i = 0; i < plan->culled_count; i++) {
+        if (plan->culled[i].pass == pass)
+            return true;
+    }
+    return false;
+}
+
+/* A rung that reads no back normals does not pay for them. */
+static void test_one_sided_draws_no_back_normals(void **state)
+{
+    (void)state;
+    const struct golden one_sided = { .rung = "one-sided" };
+    const struct golden paper = { .rung = "paper" };
+    const struct rg_pass *pass = &ice_normal.graph.passes[0];
+    struct frame_request request = request_of(&one_sided);
+    struct frame_plan plan;
+    assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
+    assert_false(has_pass_of(plan.plan, "ice_normal"));
+    assert_true(is_culled(plan.plan, pass));
+    frame_plan_finish(&plan);
+
+    request = request_of(&paper);
+    assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
+    assert_true(has_pass_of(plan.plan, "ice_normal"));
+    assert_false(is_culled(plan.plan, pass));
+    frame_plan_finish(&plan);
+}
+
+int main(int argc, char **argv)
+{
+    struct golden states[GOLDEN_COUNT];
+    struct CMUnitTest tests[GOLDEN_COUNT + 1] = {
+        cmocka_unit_test(test_one_sided_draws_no_back_normals),
+    };
+    if (argc < 2) {
+        fprintf(stderr, "usage: %s FOLDER [--update]\n", argv[0]);
+        return 2;
+    }
+    for (size_t i = 0; i < GOLDEN_COUNT; i++) {
+        states[i] = goldens[i];
+        states[i].program = argv[0];
+        states[i].folder = argv[1];
+        states[i].update = argc > 2 && !strcmp(argv[2], "--update");
+        tests[i + 1] = (struct CMUnitTest){ goldens[i].name, test_golden, NULL, NULL, &states[i] };
+    }
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,362 @@
+/* The rows of all groups are in order, and values go in and out by name. */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "src/frames.h"
+#include "src/settings.h"
+#include "tests/support/check.h"
+
+typedef void row_fn(const struct setting_group *group, const struct setting *row);
+
+static void for_each_row(row_fn *check)
+{
+    size_t rows = 0;
+    for (size_t g = 0; setting_groups[g]; g++) {
+        for (size_t r = 0; r < setting_groups[g]->row_count; r++, rows++)
+            check(setting_groups[g], &setting_groups[g]->rows[r]);
+    }
+    assert_true(rows > 0);
+}
+
+/* The first row of a type, from any group. */
+static const struct setting *row_of(enum setting_type type)
+{
+    for (size_t g = 0; setting_groups[g]; g++) {
+        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
+            if (setting_groups[g]->rows[r].type == type)
+                return &setting_groups[g]->rows[r];
+        }
+    }
+    fail_msg("no row of type %d", (int)type);
+    return NULL;
+}
+
+/* ---- the tables ---- */
+
+static void check_words(const struct setting_group *group, const struct setting *row)
+{
+    size_t prefix = strlen(group->name);
+    assert_true(strlen(row->name) < 64); /* what settings_set() takes */
+    assert_memory_equal(row->name, group->name, prefix);
+    assert_int_equal(row->name[prefix], '.');
+    assert_true(row->name[prefix + 1] != '\0');
+    assert_null(strpbrk(row->name, "= \n"));
+    const char *help = row->help ? row->help : "";
+    assert_true(strlen(help) > 3 && help[strlen(help) - 1] != '.');
+    assert_null(strchr(help, '\n'));
+    assert_ptr_equal(settings_find(row->name), row); /* so there is no other of that name */
+}
+
+static void check_range(const struct setting_group *group, const struct setting *row)
+{
+    assert_true(row->min < row->max);
+    assert_true(row->min <= row->initial && row->initial <= row->max);
+    assert_int_equal(row->offset % 4, 0);
+    assert_true(row->offset + 4 <= group->params_size);
+    for (size_t r = 0; r < group->row_count; r++)
+        assert_true(&group->rows[r] == row || group->rows[r].offset != row->offset);
+    if (row->type == SETTING_FLOAT) {
+        assert_true(row->max <= (double)FLT_MAX && row->min >= -(double)FLT_MAX);
+        return;
+    }
+    assert_true(row->min >= 0.0 && row->max <= (double)UINT32_MAX);
+    assert_true(floor(row->initial) >= row->initial);
+    if (row->type == SETTING_SWITCH)
+        assert_true(row->min <= 0.0 && row->max >= 1.0 && row->max <= 1.0);
+    if (row->type == SETTING_CHOICE) {
+        size_t count = 0;
+        while (row->choices[count])
+            count++;
+        assert_true(row->min <= 0.0);
+        assert_int_equal(row->max, count - 1);
+    }
+}
+
+static void test_every_row(void **state)
+{
+    (void)state;
+    for_each_row(check_words);
+    for_each_row(check_range);
+}
+
+static bool is_listed(const struct setting_group *group)
+{
+    for (size_t g = 0; setting_groups[g]; g++) {
+        if (setting_groups[g] == group)
+            return true;
+    }
+    return false;
+}
+
+static void test_groups(void **state)
+{
+    (void)state;
+    const struct settings settings = settings_default();
+    const unsigned char *end = settings.values;
+    for (size_t g = 0; setting_groups[g]; g++) {
+        const unsigned char *params = settings_of(&settings, setting_groups[g]);
+        assert_int_equal((uintptr_t)params % 16, 0);
+        assert_true(params >= end); /* of the group before */
+        end = params + setting_groups[g]->params_size;
+        assert_true(end <= settings.values + SETTINGS_SIZE);
+    }
+    for (const struct rung *rung = frame_rungs; rung->name; rung++) {
+        const struct frame_list list = frame_with(rung, true);
+        for (size_t t = 0; list.techniques[t]; t++)
+            assert_true(!list.techniques[t]->settings || is_listed(list.techniques[t]->settings));
+    }
+}
+
+/* ---- values ---- */
+
+static void check_default(const struct setting_group *group, const struct setting *row)
+{
+    const struct settings settings = settings_default();
+    const unsigned char *params = settings_of(&settings, group);
+    CHECK_NEAR(settings_get(&settings, row), row->initial, 1e-6 * fabs(row->initial));
+    float number;
+    uint32_t count;
+    memcpy(&number, params + row->offset, 4);
+    memcpy(&count, params + row->offset, 4);
+    double field = row->type == SETTING_FLOAT ? (double)number : count;
+    assert_true(field == settings_get(&settings, row));
+}
+
+static void test_defaults(void **state)
+{
+    (void)state;
+    for_each_row(check_default);
+}
+
+static void print(const struct settings *settings, const struct setting *row, char *text,
+                  size_t size)
+{
+    FILE *file = fmemopen(text, size, "w");
+    assert_non_null(file);
+    settings_print(settings, row, file);
+    assert_int_equal(fclose(file), 0);
+    assert_true(strlen(text) > 0 && strlen(text) < size - 1);
+}
+
+/* What is printed sets the same value again, to the last bit. */
+static void check_round_trip(const struct setting *row, double value)
+{
+    char text[32], assignment[128];
+    struct settings before = settings_default();
+    struct settings after = settings_default();
+    settings_put(&before, row, value);
+    print(&before, row, text, sizeof(text));
+    settings_put(&after, row, value > row->min ? row->min : row->max);
+    snprintf(assignment, sizeof(assignment), "%s=%s", row->name, text);
+    assert_int_equal(settings_set(&after, assignment), STATUS_OK);
+    assert_memory_equal(&before, &after, sizeof(before)); /* and no other value has changed */
+}
+
+static void check_round_trips(const struct setting_group *group, const struct setting *row)
+{
+    (void)group;
+    check_round_trip(row, row->initial);
+    check_round_trip(row, row->min);
+    check_round_trip(row, row->max);
+    for (int i = 1; i < 20; i++) {
+        double value = row->min + (row->max - row->min) * (i / 20.0);
+        check_round_trip(row, row->type == SETTING_FLOAT ? value : floor(value));
+    }
+    if (row->type != SETTING_FLOAT)
+        return;
+    float third = (float)(row->min + (row->max - row->min) / 3.0);
+    check_round_trip(row, (double)third);
+    check_round_trip(row, (double)nextafterf(third, FLT_MAX));
+    check_round_trip(row, (double)nextafterf((float)row->min, FLT_MAX));
+}
+
+static void test_round_trips(void **state)
+{
+    (void)state;
+    for_each_row(check_round_trips);
+}
+
+static void check_printed(const char *name, const char *value)
+{
+    char assignment[64], text[32];
+    struct settings settings = settings_default();
+    snprintf(assignment, sizeof(assignment), "%s=%s", name, value);
+    assert_int_equal(settings_set(&settings, assignment), STATUS_OK);
+    print(&settings, settings_find(name), text, sizeof(text));
+    assert_string_equal(text, value);
+}
+
+static void test_prints_as_people_write(void **state)
+{
+    (void)state;
+    check_printed("refract_paper.a", "0.33");
+    check_printed("refract_paper.a", "0.1");
+    check_printed("refract.ior", "1.3091");
+    check_printed("tonemap.exposure", "-2.5");
+    check_printed("tonemap.exposure", "0");
+    check_printed("sky.sun_azimuth", "-360");
+    check_printed("object.triangles", "123456");
+    check_printed("env_cube.dynamic", "off");
+    check_printed("tonemap.curve", "clip");
+}
+
+/* ---- what is said about mistakes ---- */
+
+/* Sets with stderr caught in `said`; returns the status. */
+static enum status set(struct settings *settings, const char *assignment, char *said, size_t size)
+{
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    fflush(stderr);
+    int kept = dup(STDERR_FILENO);
+    assert_true(kept >= 0 && dup2(fileno(file), STDERR_FILENO) >= 0);
+    enum status status = settings_set(settings, assignment);
+    fflush(stderr);
+    assert_true(dup2(kept, STDERR_FILENO) >= 0);
+    close(kept);
+    rewind(file);
+    said[fread(said, 1, size - 1, file)] = '\0';
+    fclose(file);
+    return status;
+}
+
+/* Refused, in one line that has these words (NULL: any), and nothing has changed. */
+static void check_refused(const char *assignment, const char *words)
+{
+    char said[4096];
+    struct settings settings = settings_default();
+    const struct settings before = settings;
+    assert_int_equal(set(&settings, assignment, said, sizeof(said)), STATUS_USAGE);
+    assert_memory_equal(&settings, &before, sizeof(before));
+    if (!strstr(said, words))
+        print_error("--set %s: \"%s\" lacks \"%s\"\n", assignment, said, words);
+    assert_non_null(strstr(said, words));
+    assert_int_equal(strcspn(said, "\n"), strlen(said) - 1);
+}
+
+static void test_unknown_names(void **state)
+{
+    (void)state;
+    check_refused("refract.iro=1.5", "did you mean refract.ior?");
+    check_refused("refact_paper.a=0.5", "did you mean refract_paper.a?");
+    check_refused("sky.sun_elevatoin=10", "did you mean sky.sun_elevation?");
+    check_refused(" refract.ior=1.5", "did you mean refract.ior?");
+    check_refused("refract.ior =1.5", "did you mean refract.ior?");
+    check_refused("REFRACT.IOR=1.5", "no such setting");
+    check_refused("", "name=value is wanted");
+    check_refused("refract.ior", "name=value is wanted");
+    check_refused("=1.5", "name=value is wanted");
+}
+
+/* Names as long as the longest that is looked up, and much longer. */
+static void test_long_names(void **state)
+{
+    (void)state;
+    static const size_t lengths[] = { 62, 63, 64, 65, 127, 128, 3000 };
+    char assignment[4096];
+    for (size_t i = 0; i < sizeof(lengths) / sizeof(lengths[0]); i++) {
+        memset(assignment, 'x', lengths[i]);
+        memcpy(assignment, "refract.ior", 11);
+        memcpy(&assignment[lengths[i]], "=1.5", sizeof("=1.5"));
+        check_refused(assignment, "no such setting");
+    }
+    /* as a value */
+    memset(assignment, '1', sizeof(assignment));
+    assignment[sizeof(assignment) - 1] = '\0';
+    memcpy(assignment, "refract.ior=", 12);
+    check_refused(assignment, "refract.ior");
+}
+
+static void test_values_that_are_none(void **state)
+{
+    (void)state;
+    static const char *const numbers[] = {
+        "",    " ",    " 1.5",    "1.5 ", "1.5x",     "1,5",      "nan",
+        "NAN", "-nan", "inf",     "-inf", "infinity", "1e999",    "-1e999",
+        "on",  "--1",  "1.5=1.5", "ior",  "0.999999", "4.000001", "-1.5",
+    };
+    static const char *const counts[] = { "", "1.5", "-1", "1e99", "many", "4294967296" };
+    static const char *const words[] = { "", "1", "0", "ON", "on ", "yes", "neutral ", "2" };
+    char assignment[128];
+    for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++) {
+        snprintf(assignment, sizeof(assignment), "refract.ior=%s", numbers[i]);
+        check_refused(assignment, "a number from 1 to 4 is wanted");
+    }
+    for (size_t i = 0; i < sizeof(counts) / sizeof(counts[0]); i++) {
+        snprintf(assignment, sizeof(assignment), "%s=%s", row_of(SETTING_COUNT)->name, counts[i]);
+        check_refused(assignment, "a whole number from 0 to");
+    }
+    for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
+        snprintf(assignment, sizeof(assignment), "%s=%s", row_of(SETTING_SWITCH)->name, words[i]);
+        check_refused(assignment, "on or off is wanted");
+        snprintf(assignment, sizeof(assignment), "%s=%s", row_of(SETTING_CHOICE)->name, words[i]);
+        check_refused(assignment, "one of neutral, clip is wanted");
+    }
+}
+
+/* Numbers are those of C: with exponent, sign, or in hexadecimal. */
+static void test_unusual_numbers(void **state)
+{
+    (void)state;
+
+    static const struct {
+        const char *assignment;
+        const char *name;
+        double value;
+    } cases[] = {
+        { "object.triangles=1e3", "object.triangles", 1000.0 },
+        { "object.triangles=0x10", "object.triangles", 16.0 },
+        { "object.triangles=-0", "object.triangles", 0.0 },
+        { "object.triangles=20.0", "object.triangles", 20.0 },
+        { "refract.ior=+2", "refract.ior", 2.0 },
+        { "refract.ior=0x1.8p0", "refract.ior", 1.5 },
+        { "refract.ior=15e-1", "refract.ior", 1.5 },
+        { "refract.ior=1", "refract.ior", 1.0 },
+        { "refract.ior=4", "refract.ior", 4.0 },
+        { "refract_paper.a=1e-999", "refract_paper.a", 0.0 },
+        { "refract_paper.a=.5", "refract_paper.a", 0.5 },
+        { "tonemap.exposure=-16", "tonemap.exposure", -16.0 },
+    };
+
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+        struct settings settings = settings_default();
+        assert_int_equal(settings_set(&settings, cases[i].assignment), STATUS_OK);
+        double value = settings_get(&settings, settings_find(cases[i].name));
+        CHECK_NEAR(value, cases[i].value, 0.0);
+    }
+}
+
+/* A later value of a setting counts; the same text twice is the same. */
+static void test_setting_again(void **state)
+{
+    (void)state;
+    struct settings settings = settings_default();
+    const struct setting *row = settings_find("refract.ior");
+    assert_int_equal(settings_set(&settings, "refract.ior=1.5"), STATUS_OK);
+    assert_int_equal(settings_set(&settings, "tonemap.exposure=1"), STATUS_OK);
+    assert_int_equal(settings_set(&settings, "refract.ior=2"), STATUS_OK);
+    CHECK_NEAR(settings_get(&settings, row), 2.0, 0.0);
+    CHECK_NEAR(settings_get(&settings, settings_find("tonemap.exposure")), 1.0, 0.0);
+    assert_null(settings_find("refract.io"));
+    assert_null(settings_find(""));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_row),
+        cmocka_unit_test(test_groups),
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_round_trips),
+        cmocka_unit_test(test_prints_as_people_write),
+        cmocka_unit_test(test_unknown_names),
+        cmocka_unit_test(test_long_names),
+        cmocka_unit_test(test_values_that_are_none),
+        cmocka_unit_test(test_unusual_numbers),
+        cmocka_unit_test(test_setting_again),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
