@@ -9,8 +9,9 @@
  *
  * Order:         passes run in the order of the tables.
  * Zero:          is the default everywhere; every field says what its zero means.
- * Ownership:     the tables belong to the caller and must outlive the plan. A plan is one
- *                allocation chain, freed by rg_plan_destroy().
+ * Ownership:     the tables belong to the caller and must outlive the plan. A plan lives in memory
+ *                that the caller gives (rg_compile_params.memory) or that is freed by
+ *                rg_plan_destroy().
  * Errors:        faults in the tables are data (struct rg_fault), all of them at once; nothing is
  *                printed here.
  * Thread-safety: a plan is never changed after rg_compile() and may be read from many threads.
@@ -23,6 +24,16 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <vulkan/vulkan_core.h>
+
+#ifdef __GNUC__
+#define RG_API __attribute__((visibility("default"))) /* all else stays inside the library */
+#else
+#define RG_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 enum {
     RG_COLOR_COUNT = 8,       /* colour targets of a pass; what every desktop device has */
@@ -38,6 +49,7 @@ enum rg_access {
     RG_COLOR,              /* colour target; not in rg_use */
     RG_DEPTH,              /* depth-stencil target, written; not in rg_use */
     RG_DEPTH_READ,         /* depth-stencil target, only tested; not in rg_use */
+    RG_RESOLVE,            /* a target's .resolve; not in rg_use */
     RG_SAMPLED,            /* image and sampler of a descriptor */
     RG_STORAGE_READ,       /* storage image or buffer */
     RG_STORAGE_WRITE,      /* the same; the whole range gets new content unless `partial` */
@@ -84,8 +96,11 @@ enum rg_memory {
     RG_MEMORY_READBACK, /* read by the CPU after each frame; one copy per frame in flight */
 };
 
-/* A two-dimensional image, transient unless imported: its content lives from its first pass to
- * its last one in the frame. */
+/*
+ * A two-dimensional image. It is transient, its content living from its first pass to its last one
+ * in the frame, unless it is imported or persistent: then what one frame leaves is what the next
+ * one finds (history). Before the first frame a persistent resource is all zero.
+ */
 struct rg_image {
     const char *name;       /* unique; shown in dumps, captures and messages */
     VkFormat format;        /* required */
@@ -95,6 +110,9 @@ struct rg_image {
     uint32_t mips;          /* 0 means 1; RG_ALL_MIPS the whole chain */
     bool cube;              /* sampled as a cube map; layers are a multiple of 6 */
     bool array;             /* an array for shaders even with one layer; with more it always is */
+    uint32_t samples;       /* a texel: 1 (0 means 1), 2, 4 ... 64; with more than 1: a target, or
+                               sampled by texelFetch; one mip, no cube */
+    bool persistent;        /* keeps its content from frame to frame; never shares memory */
 };
 
 struct rg_buffer {
@@ -102,6 +120,7 @@ struct rg_buffer {
     VkDeviceSize size;           /* bytes, plus: */
     VkDeviceSize size_per_texel; /* bytes for every texel of the view */
     enum rg_memory memory;
+    bool persistent; /* as of an image; RG_MEMORY_DEVICE alone */
 };
 
 /* Part of an image. {0} is all of it. */
@@ -142,6 +161,10 @@ struct rg_target {
     uint32_t mip, layer; /* of a repeated row: the first one; an image with a single layer (mip)
                             serves every repetition */
     enum rg_blend blend; /* colour only */
+    /* Colour only: gets the mean of each texel's samples when the pass ends. The same format and
+     * size, one sample a texel; `resolve_mip` and `resolve_layer` count as `mip` and `layer` do. */
+    const struct rg_image *resolve;
+    uint32_t resolve_mip, resolve_layer;
 };
 
 /* SPIR-V words of one stage, embedded at build time; its entry point is "main". */
@@ -164,6 +187,14 @@ struct rg_frame; /* left to the program to define: what its record functions may
 /* When it runs, everything its row names is bound: pipeline, set 0, viewport, targets. */
 typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
 
+/*
+ * Whether a conditional pass runs in this frame; asked once for each recording of each pass, and
+ * to answer the same for the same frame. A pass that does not run leaves everything as it was, its
+ * clears included; its barriers are recorded all the same. So what only conditional passes write
+ * is there only for passes of the same condition, unless it is persistent or imported.
+ */
+typedef bool rg_when_fn(const struct rg_frame *frame);
+
 struct rg_pass {
     const char *name; /* unique */
     enum rg_kind kind;
@@ -181,6 +212,7 @@ struct rg_pass {
     VkFrontFace front;                       /* 0 means counter-clockwise */
     uint32_t push_size;                      /* bytes of push constants */
     rg_record_fn *record;                    /* required */
+    rg_when_fn *when;                        /* NULL: it runs in every frame */
 };
 
 /* Passes that belong together. */
@@ -234,7 +266,19 @@ struct rg_device {
     struct rg_memory_need (*buffer_memory)(const void *user, const VkBufferCreateInfo *info);
     /* VK_IMAGE_TILING_OPTIMAL */
     VkFormatFeatureFlags (*format_features)(const void *user, VkFormat format);
+    /* which rg_image.samples such an image may have */
+    VkSampleCountFlags (*sample_counts)(const void *user, const VkImageCreateInfo *info);
     uint32_t max_image_size, max_layers; /* texels; 0 means no limit */
+};
+
+/*
+ * Which transient resources may lie in the same memory. Taking over memory needs a barrier after
+ * its former user's last pass, where the frame might need none: fewer bytes or fewer batches.
+ */
+enum rg_sharing {
+    RG_SHARE_FEWEST_BATCHES, /* those that need no batch more than if nothing were shared */
+    RG_SHARE_LEAST_MEMORY,   /* all that are not alive together */
+    RG_SHARE_NOTHING,        /* none */
 };
 
 struct rg_compile_params {
@@ -246,7 +290,12 @@ struct rg_compile_params {
     const struct rg_import *imports;
     size_t import_count;
     const struct rg_device *device; /* NULL: tight sizes, alignment 256, every format works */
-    bool no_aliasing;               /* gives every transient resource memory of its own */
+    enum rg_sharing sharing;
+    /* Room for the plan and for compiling it, aligned for any type; it outlives the plan and may
+     * serve again after rg_plan_destroy(). What it lacks (plan->arena_size says how much would be
+     * enough), or all where it is NULL, comes from malloc. */
+    void *memory;
+    size_t memory_size; /* bytes */
 };
 
 enum rg_error {
@@ -273,6 +322,9 @@ enum rg_error {
     RG_ERROR_WRITES_NOTHING,     /* a pass that writes no resource */
     RG_ERROR_REPEAT,             /* a repeated row without an image to count */
     RG_ERROR_LISTED_TWICE,       /* an import or output listed twice */
+    RG_ERROR_SAMPLES,            /* numbers of samples, or a resolve, that Vulkan does not have */
+    RG_ERROR_PERSISTENT,         /* a persistent resource that is imported or in host memory */
+    RG_ERROR_VALUE,              /* a number where an enum has no such constant */
     RG_ERROR_COUNT,
 };
 
@@ -293,10 +345,11 @@ struct rg_plan_image {
     VkImageAspectFlags aspects;
     VkImageUsageFlags usage;
     VkImageCreateFlags flags;
-    bool imported;
+    uint32_t samples;
+    bool imported, persistent;
     uint32_t import;           /* index into the params' imports, or RG_NONE */
     uint32_t first, last;      /* plan passes that touch it; an output's last is pass_count */
-    uint32_t block;            /* index into blocks; RG_NONE if imported */
+    uint32_t block;            /* index into blocks; RG_NONE unless transient */
     VkDeviceSize offset, size; /* in the block */
 };
 
@@ -304,10 +357,10 @@ struct rg_plan_buffer {
     const struct rg_buffer *buffer;
     VkDeviceSize size; /* bytes, as declared */
     VkBufferUsageFlags usage;
-    bool imported;
+    bool imported, persistent;
     uint32_t import;
     uint32_t first, last;
-    uint32_t block; /* RG_NONE if imported, or memory other than RG_MEMORY_DEVICE */
+    uint32_t block; /* RG_NONE unless transient and RG_MEMORY_DEVICE */
     VkDeviceSize offset, memory_size;
 };
 
@@ -334,6 +387,8 @@ struct rg_plan_target {
     VkAttachmentLoadOp load;
     VkAttachmentStoreOp store;
     VkImageLayout layout;
+    uint32_t resolve; /* index into images, or RG_NONE; in the layout of a colour target */
+    uint32_t resolve_mip, resolve_layer;
 };
 
 /* A descriptor, or an access that needs none, with its range resolved. */
@@ -375,36 +430,49 @@ struct rg_plan {
     const struct rg_plan_buffer *buffers;
     const struct rg_barrier *barriers;
     uint32_t first_final_barrier, final_barrier_count; /* after the last pass */
+    /* Before the first frame, from TRANSFER_DST_OPTIMAL (persistent resources have just been filled
+     * with zeros) to the state that every frame finds and leaves; in no batch. */
+    uint32_t first_initial_barrier, initial_barrier_count;
     const struct rg_plan_use *uses;
     const struct rg_block *blocks;
     const struct rg_culled *culled;
     VkDeviceSize memory_used;             /* bytes of all blocks */
     VkDeviceSize memory_without_aliasing; /* bytes if nothing were shared */
-    VkDeviceSize memory_bound;            /* bytes that live in some one pass: the least possible */
-    size_t arena_size;                    /* bytes allocated for the plan */
+    VkDeviceSize memory_bound;            /* the least possible with these batches: bytes that are
+                                             taken at some one time */
+    VkDeviceSize memory_least;            /* the same if batches did not count */
+    VkDeviceSize memory_persistent;       /* bytes of persistent resources, beside all this */
+    size_t arena_size;                    /* bytes that compiling took */
 };
 
 /*
  * Compiles techniques, in the order given. Returns a plan, which the caller destroys, with all
  * faults found in it (fault_count 0: a good plan); NULL only when memory is short.
  */
-struct rg_plan *rg_compile(const struct rg_compile_params *params);
+RG_API struct rg_plan *rg_compile(const struct rg_compile_params *params);
 
 /* How to create an image of a plan; the compiler asks for its memory with the same words. */
-VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image);
+RG_API VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image);
 
-void rg_plan_destroy(struct rg_plan *plan); /* may be NULL */
+RG_API void rg_plan_destroy(struct rg_plan *plan); /* may be NULL */
 
 /* The plan as text, one line a thing; the form golden tests compare. No names of techniques'
  * functions and no addresses: the same tables give the same text. */
-void rg_dump(const struct rg_plan *plan, FILE *out);
+RG_API void rg_dump(const struct rg_plan *plan, FILE *out);
 
 /* The plan as a Graphviz digraph: passes, resources and what flows between them. */
-void rg_dump_dot(const struct rg_plan *plan, FILE *out);
+RG_API void rg_dump_dot(const struct rg_plan *plan, FILE *out);
+
+/* The plan as a JSON object: everything that rg_dump() says, and offsets. */
+RG_API void rg_dump_json(const struct rg_plan *plan, FILE *out);
+
+/* The plan as one HTML page that needs no network: passes as columns, resources as bars over their
+ * life in the shared memory, barriers between the passes. */
+RG_API void rg_dump_html(const struct rg_plan *plan, FILE *out);
 
 /* One line without newline: technique, row, pass, what is wrong with which resource, hint.
  * Returns the length it would have, as snprintf. */
-int rg_fault_text(const struct rg_fault *fault, char *text, size_t size);
+RG_API int rg_fault_text(const struct rg_fault *fault, char *text, size_t size);
 
 /* The stages, accesses, layout and usage of an access, as Vulkan names them. */
 struct rg_access_info {
@@ -420,7 +488,7 @@ struct rg_access_info {
     bool reads_content;                   /* wants what was there (a KEEP target does too) */
     bool writes_content;
 };
-const struct rg_access_info *rg_access_info(enum rg_access access);
+RG_API const struct rg_access_info *rg_access_info(enum rg_access access);
 
 /* Name, bytes of a texel and aspects of a format; NULL for formats unknown to the graph. */
 struct rg_format_info {
@@ -429,6 +497,10 @@ struct rg_format_info {
     uint32_t size;    /* bytes a texel */
     VkImageAspectFlags aspects;
 };
-const struct rg_format_info *rg_format_info(VkFormat format);
+RG_API const struct rg_format_info *rg_format_info(VkFormat format);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -44,6 +44,16 @@ static const struct rg_access_info access_table[RG_ACCESS_COUNT] = {
         .reads_content = true,
         NO_DESCRIPTOR,
     },
+    [RG_RESOLVE] = {
+        .name = "resolve",
+        .stages = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+        .writes = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+        .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+        .image_usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+        .format_features = VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT,
+        .writes_content = true,
+        NO_DESCRIPTOR,
+    },
     [RG_SAMPLED] = {
         .name = "sampled",
         .reads = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,

@@ -18,7 +18,7 @@ VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
         .extent = { image->extent.width, image->extent.height, 1 },
         .mipLevels = image->mips,
         .arrayLayers = image->layers,
-        .samples = VK_SAMPLE_COUNT_1_BIT,
+        .samples = (VkSampleCountFlagBits)image->samples,
         .tiling = VK_IMAGE_TILING_OPTIMAL,
         .usage = image->usage,
         .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
@@ -72,6 +72,7 @@ static void list_image(struct compiler *c, struct resource *r, struct rg_plan_im
         .aspects = r->aspects,
         .usage = r->usage,
         .flags = r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
+        .samples = r->image->samples ? r->image->samples : 1,
         .imported = r->import != RG_NONE,
         .import = r->import,
         .first = r->first,
@@ -170,7 +171,8 @@ static uint32_t place_kind(struct compiler *c, struct resource **order, uint32_t
         };
         item_count++;
     }
-    struct pack_result packed = rg_pack(&c->scratch, items, item_count, c->params->no_aliasing);
+    struct pack_result packed =
+        rg_pack(&c->scratch, items, item_count, c->params->sharing == RG_SHARE_NOTHING);
     rg_overlap(&c->scratch, items, item_count);
     block->size = packed.size;
     plan->memory_used += packed.size;

@@ -25,6 +25,9 @@ static const char *const messages[RG_ERROR_COUNT] = {
     [RG_ERROR_WRITES_NOTHING] = "writes nothing",
     [RG_ERROR_REPEAT] = "has nothing to be repeated for",
     [RG_ERROR_LISTED_TWICE] = "is listed twice",
+    [RG_ERROR_SAMPLES] = "cannot have or resolve samples so",
+    [RG_ERROR_PERSISTENT] = "cannot be persistent",
+    [RG_ERROR_VALUE] = "has a value that does not exist",
 };
 
 static const char *or_else(const char *text, const char *instead)

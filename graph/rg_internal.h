@@ -176,7 +176,7 @@ struct pack_result {
 
 /* Fills the items' offsets. */
 struct pack_result rg_pack(struct arena *scratch, struct pack_item *items, size_t count,
-                           bool no_aliasing);
+                           bool apart);
 
 /* rg_overlap.c: fills `former` of the resources of a block, given in the order of first use. */
 void rg_overlap(struct arena *scratch, const struct pack_item *items, uint32_t count);

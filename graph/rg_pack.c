@@ -229,8 +229,7 @@ static VkDeviceSize find_bound(struct arena *scratch, const struct pack_item *it
     return bound;
 }
 
-struct pack_result rg_pack(struct arena *scratch, struct pack_item *items, size_t count,
-                           bool no_aliasing)
+struct pack_result rg_pack(struct arena *scratch, struct pack_item *items, size_t count, bool apart)
 {
     struct pack_item **order = ARENA_ARRAY(scratch, struct pack_item *, count);
     struct pack_item **placed = ARENA_ARRAY(scratch, struct pack_item *, count);
@@ -240,7 +239,7 @@ struct pack_result rg_pack(struct arena *scratch, struct pack_item *items, size_
         .bound = find_bound(scratch, items, count),
     };
     result.size = result.apart;
-    if (scratch->failed || no_aliasing)
+    if (scratch->failed || apart)
         return result;
     for (size_t i = 0; i < count; i++) {
         order[i] = &items[i];

@@ -297,6 +297,7 @@ static struct rg_plan_target plan_target(const struct compiler *c, const struct 
         .load = a->writes_content ? load_ops[a->target->load] : VK_ATTACHMENT_LOAD_OP_LOAD,
         .store = store,
         .layout = a->layout,
+        .resolve = RG_NONE,
     };
 }
 

@@ -113,7 +113,7 @@ enum status frame_plan_init(struct frame_plan *p, const struct frame_request *re
         .imports = p->imports,
         .import_count = p->import_count,
         .device = request->device,
-        .no_aliasing = request->no_aliasing,
+        .sharing = request->sharing,
     };
     p->plan = rg_compile(&params);
     if (!p->plan) {

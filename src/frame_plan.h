@@ -27,7 +27,7 @@ struct frame_request {
     uint32_t layers;      /* bit i: frame_layers[i] */
     bool beauty, display; /* the linear picture; the 8-bit one */
     bool keep_cube;       /* leave env_cube_color ready to be sampled elsewhere */
-    bool no_aliasing;
+    enum rg_sharing sharing;
     const struct rg_device *device; /* may be NULL */
     VkExtent2D environment;         /* texels of the picture; 0: none */
     uint32_t environment_mips;

@@ -51,7 +51,7 @@ static struct frame_request picture_request(const struct renderer_params *params
         .layers = params->layers,
         .beauty = params->linear || (params->display && many),
         .display = params->display && !many,
-        .no_aliasing = params->no_aliasing,
+        .sharing = params->sharing,
     };
     scene_gpu_describe(params->scene, &request);
     return request;
@@ -63,7 +63,7 @@ static struct frame_request capture_request(const struct renderer_params *params
         .list = frame_capture(),
         .view = { params->width, params->height },
         .keep_cube = true,
-        .no_aliasing = params->no_aliasing,
+        .sharing = params->sharing,
     };
     scene_gpu_describe(params->scene, &request);
     return request;
@@ -75,7 +75,7 @@ static struct frame_request resolve_request(const struct renderer_params *params
         .list = frame_resolve(),
         .view = { params->width, params->height },
         .display = true,
-        .no_aliasing = params->no_aliasing,
+        .sharing = params->sharing,
     };
 }
 

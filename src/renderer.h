@@ -20,12 +20,12 @@ struct renderer_params {
     const struct scene *scene;
     const struct settings *settings;
     const struct rung *rung;
-    uint32_t width, height; /* pixels */
-    uint32_t samples;       /* a pixel; 0 means 1 */
-    uint32_t layers;        /* bit i: frame_layers[i] */
-    bool linear;            /* the beauty, in render_result.image */
-    bool display;           /* the tonemapped picture, in render_result.rgba */
-    bool no_aliasing;       /* transient images share no memory */
+    uint32_t width, height;  /* pixels */
+    uint32_t samples;        /* a pixel; 0 means 1 */
+    uint32_t layers;         /* bit i: frame_layers[i] */
+    bool linear;             /* the beauty, in render_result.image */
+    bool display;            /* the tonemapped picture, in render_result.rgba */
+    enum rg_sharing sharing; /* which transient images share memory */
 };
 
 struct renderer;
@@ -60,7 +60,7 @@ float renderer_near_plane(const struct scene *scene);
 vec2s renderer_jitter(uint32_t sample);
 
 /* The plan of a frame as the renderer would compile it, without a device: for `firn graph`.
- * Only rung, size, layers, linear, display, no_aliasing, scene and settings of params count. */
+ * Only rung, size, layers, linear, display, sharing, scene and settings of params count. */
 struct frame_plan;
 MUST_USE enum status renderer_plan(struct frame_plan *plan, const struct renderer_params *params);
 

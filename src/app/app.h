@@ -26,7 +26,8 @@ struct app_options {
     float fov_deg;
     struct settings settings;
     bool ior_is_set; /* by --set */
-    bool validate, no_aliasing, quiet, dot;
+    bool validate, quiet, dot;
+    enum rg_sharing sharing;
 };
 
 enum app_command {

@@ -23,7 +23,7 @@ enum status app_graph(const struct app_options *given)
                                        .layers = o.layers,
                                        .linear = true,
                                        .display = true,
-                                       .no_aliasing = o.no_aliasing,
+                                       .sharing = o.sharing,
                                    });
     if (status == STATUS_OK) {
         if (o.dot)

@@ -204,11 +204,21 @@ static enum status set_validate(struct app_options *o, const char *value)
     return STATUS_OK;
 }
 
-static enum status set_no_aliasing(struct app_options *o, const char *value)
+static enum status set_sharing(struct app_options *o, const char *value)
 {
-    (void)value;
-    o->no_aliasing = true;
-    return STATUS_OK;
+    static const char *const names[] = {
+        [RG_SHARE_FEWEST_BATCHES] = "batches",
+        [RG_SHARE_LEAST_MEMORY] = "memory",
+        [RG_SHARE_NOTHING] = "nothing",
+    };
+    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
+        if (!strcmp(value, names[i])) {
+            o->sharing = (enum rg_sharing)i;
+            return STATUS_OK;
+        }
+    }
+    log_error("--sharing %s: batches, memory or nothing", value);
+    return STATUS_USAGE;
 }
 
 static enum status set_quiet(struct app_options *o, const char *value)
@@ -256,8 +266,8 @@ static const struct option options[] = {
       "number or part of the name (firn list devices)" },
     { "Device", "validate", 0, NULL, APP_RENDER, set_validate,
       "Vulkan validation and synchronization validation" },
-    { "Device", "no-aliasing", 0, NULL, PICTURES, set_no_aliasing,
-      "transient images share no memory" },
+    { "Device", "sharing", 0, "HOW", PICTURES, set_sharing,
+      "transient images share: batches (what costs no barrier batch), memory, nothing (batches)" },
     { "Other", "dot", 0, NULL, APP_GRAPH, set_dot, "print a Graphviz digraph" },
     { "Other", "quiet", 'q', NULL, PICTURES, set_quiet, "no progress" },
 };

@@ -160,7 +160,7 @@ static enum status draw(struct job *job)
         .width = o->width,
         .height = o->height,
         .samples = o->samples,
-        .no_aliasing = o->no_aliasing,
+        .sharing = o->sharing,
     };
     for (uint32_t i = 0; i < o->output_count; i++) {
         if (is_png(o->outputs[i]))

@@ -290,7 +290,7 @@ class Same(Case):
         self.check(env={'LP_NUM_THREADS': '2'})
 
     def test_without_aliasing(self):
-        self.check('--no-aliasing')
+        self.check('--sharing', 'nothing')
 
     def test_a_setting_changes_the_picture(self):
         other = self.render('other.exr', '--aov', 'all', '--set', 'refract_paper.a=0.5')

@@ -367,7 +367,7 @@ static const struct rg_pass link_rows[] = {
 static void check_links(struct run *run)
 {
     painted_check_all(run, &links_out, 64, painted_color(1111, 2222, 3333, 4444));
-    if (run->params.no_aliasing)
+    if (run->params.sharing == RG_SHARE_NOTHING)
         assert_true(run->plan->memory_used == run->plan->memory_without_aliasing);
     else
         assert_true(run->plan->memory_used == run->plan->memory_without_aliasing / 2);

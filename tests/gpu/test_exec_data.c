@@ -138,7 +138,7 @@ static void storage_is_read_back(void **state)
         struct run_params params = number_params;
         struct run run;
         params.render_passes = way & 1;
-        params.no_aliasing = way & 2;
+        params.sharing = way & 2 ? RG_SHARE_NOTHING : RG_SHARE_LEAST_MEMORY;
         run_open(&run, *state, &params);
         assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
         write_numbers(&run, 1000);

@@ -409,7 +409,7 @@ static void check_repeatable(struct gpu *gpu, const char *rung, uint32_t samples
     };
     struct render_result first = picture_render(gpu, &request);
     struct picture_request others[5] = { request, request, request, request, request };
-    others[1].no_aliasing = true;
+    others[1].sharing = RG_SHARE_NOTHING;
     others[2].settings = &still;
     others[3].layers = 0;
     others[4].display = false;

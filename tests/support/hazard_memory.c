@@ -200,7 +200,7 @@ static void find_aliases(struct hazard *h, uint32_t index)
             hazard_grow(h->aliases, &h->alias_room, h->alias_count + 1, sizeof(*h->aliases));
         h->aliases[h->alias_count++] = i;
         a->alias_count++;
-        if (i > index && h->params->no_aliasing)
+        if (i > index && h->params->sharing == RG_SHARE_NOTHING)
             hazard_find(h, "'%s' and '%s' share memory", name_of(a), name_of(b));
         else if (i > index && a->first <= b->last && b->first <= a->last)
             hazard_find(h, "'%s' and '%s' share memory while both are alive", name_of(a),

@@ -28,7 +28,7 @@ struct render_result picture_render(struct gpu *gpu, const struct picture_reques
         .layers = request->layers,
         .linear = true,
         .display = request->display,
-        .no_aliasing = request->no_aliasing,
+        .sharing = request->sharing,
     };
     assert_non_null(params.rung);
     assert_int_equal(renderer_create(&renderer, &params), STATUS_OK);

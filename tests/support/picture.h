@@ -18,7 +18,8 @@ struct picture_request {
     const char *rung;                /* NULL: paper */
     struct camera camera;
     uint32_t width, height, samples, layers;
-    bool display, no_aliasing;
+    bool display;
+    enum rg_sharing sharing;
 };
 
 /* One picture, linear always; any failure or validation message fails the test. */

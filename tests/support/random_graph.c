@@ -284,7 +284,7 @@ bool random_graph_init(struct random_graph *graph, uint64_t seed)
         draw_outputs(t, params);
     }
     split(t, params);
-    params->no_aliasing = random_graph_chance(t, 15);
+    params->sharing = (enum rg_sharing)random_graph_below(t, 3);
     t->device = (struct rg_device){ NULL, image_memory, buffer_memory, format_features, 0, 0 };
     if (random_graph_chance(t, 50))
         params->device = &t->device;

@@ -48,7 +48,7 @@ void run_compile(struct run *run, struct gpu *gpu, const struct run_params *para
         .imports = params->imports,
         .import_count = params->import_count,
         .device = params->no_device ? NULL : &device,
-        .no_aliasing = params->no_aliasing,
+        .sharing = params->sharing,
     });
     assert_non_null(run->plan);
     print_faults(run->plan);
@@ -114,7 +114,7 @@ void run_everywhere(struct gpu *gpu, const struct run_params *params, const stru
         struct run_params changed = *params;
         struct run run;
         changed.render_passes = way & 1;
-        changed.no_aliasing = way & 2;
+        changed.sharing = way & 2 ? RG_SHARE_NOTHING : RG_SHARE_LEAST_MEMORY;
         run_open(&run, gpu, &changed);
         run_frame(&run, frame);
         check(&run);

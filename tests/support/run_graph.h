@@ -23,7 +23,7 @@ struct run_params {
     size_t import_count;
     uint32_t frames_in_flight;
     bool render_passes;
-    bool no_aliasing;
+    enum rg_sharing sharing;
     bool no_device; /* to compile for */
 };
 

@@ -23,7 +23,7 @@ struct rg_plan *small_graph_compile(const struct small_graph *graph)
         .view = graph->view,
         .outputs = graph->outputs,
         .imports = graph->imports,
-        .no_aliasing = graph->no_aliasing,
+        .sharing = graph->sharing,
     };
     while (graph->outputs[params.output_count].access)
         params.output_count++;

@@ -47,7 +47,7 @@ struct small_graph {
     struct rg_output outputs[4];
     struct rg_import imports[2];
     VkExtent2D view; /* 0 means SMALL_GRAPH_SIZE, both ways */
-    bool no_aliasing;
+    enum rg_sharing sharing;
 };
 
 #define PASSES(table) .passes = (table), .pass_count = sizeof(table) / sizeof((table)[0])

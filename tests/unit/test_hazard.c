@@ -272,7 +272,7 @@ static void test_wrong_memory_by_hand(void **state)
     assert_int_not_equal(hazard_check(&plan.plan, &params, NULL), 0);
 
     struct rg_compile_params apart = params;
-    apart.no_aliasing = true;
+    apart.sharing = RG_SHARE_NOTHING;
     plan.images[2].offset = 0;
     assert_int_not_equal(hazard_check(&plan.plan, &apart, NULL), 0);
 }

@@ -250,8 +250,8 @@ static void test_barriers_of_shared_memory(void **state)
         MOVE(c, FROM(FRAGMENT, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
     rg_plan_destroy(plan);
 
-    plan =
-        small_graph_compile(&(struct small_graph){ PASSES(relay), WANTS(d), .no_aliasing = true });
+    plan = small_graph_compile(
+        &(struct small_graph){ PASSES(relay), WANTS(d), .sharing = RG_SHARE_NOTHING });
     assert_int_equal(plan->passes[0].barrier_count, 4);
     CHECK_BARRIERS(
         plan, 2,

@@ -305,11 +305,11 @@ static void test_disjoint_lives_share_memory(void **state)
     rg_plan_destroy(plan);
 }
 
-static void test_no_aliasing(void **state)
+static void test_share_nothing(void **state)
 {
     (void)state;
-    struct rg_plan *plan =
-        small_graph_compile(&(struct small_graph){ PASSES(relay), WANTS(d), .no_aliasing = true });
+    struct rg_plan *plan = small_graph_compile(
+        &(struct small_graph){ PASSES(relay), WANTS(d), .sharing = RG_SHARE_NOTHING });
     for (uint32_t i = 0; i < plan->image_count; i++)
         assert_int_equal(plan->images[i].offset, i * SMALL_GRAPH_BYTES);
     assert_int_equal(plan->memory_used, 4 * SMALL_GRAPH_BYTES);
@@ -473,7 +473,7 @@ int main(void)
         cmocka_unit_test(test_buffers),
         cmocka_unit_test(test_size_of_an_import),
         cmocka_unit_test(test_disjoint_lives_share_memory),
-        cmocka_unit_test(test_no_aliasing),
+        cmocka_unit_test(test_share_nothing),
         cmocka_unit_test(test_memory_of_layers_and_mips),
         cmocka_unit_test(test_dump_knows_no_addresses),
         cmocka_unit_test(test_arrays_of_any_length),
