@@ -408,8 +408,8 @@ struct rg_plan_pass {
     VkExtent2D extent;                     /* of the targets; the view's without targets */
     uint32_t first_barrier, barrier_count; /* one batch, before the pass */
     uint32_t color_count;
-    struct rg_plan_target color[RG_COLOR_COUNT];
-    struct rg_plan_target depth; /* image RG_NONE: none */
+    struct rg_plan_target color[RG_COLOR_COUNT]; /* color_count of them are set */
+    struct rg_plan_target depth;                 /* image RG_NONE: none */
     uint32_t first_use, use_count;
 };
 
@@ -428,7 +428,7 @@ struct rg_plan {
     const struct rg_plan_pass *passes;  /* in execution order */
     const struct rg_plan_image *images; /* those that living passes use, in order of first use */
     const struct rg_plan_buffer *buffers;
-    const struct rg_barrier *barriers;
+    const struct rg_barrier *barriers; /* of the frame; behind them the initial ones */
     uint32_t first_final_barrier, final_barrier_count; /* after the last pass */
     /* Before the first frame, from TRANSFER_DST_OPTIMAL (persistent resources have just been filled
      * with zeros) to the state that every frame finds and leaves; in no batch. */

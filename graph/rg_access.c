@@ -1,5 +1,5 @@
 /* rg_access.c: the one table that turns an access into Vulkan's words. */
-#include "graph/rg.h"
+#include "graph/rg_internal.h"
 
 #define NO_DESCRIPTOR \
     .image_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM, \
@@ -172,4 +172,28 @@ static const struct rg_access_info access_table[RG_ACCESS_COUNT] = {
 const struct rg_access_info *rg_access_info(enum rg_access access)
 {
     return &access_table[access];
+}
+
+/* The lowest of three bits (vertex, fragment, compute) of what shaders do, or the bit of what one
+ * fixed stage does. */
+static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
+    [RG_SAMPLED] = 1 << 0,   [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
+    [RG_COLOR] = 1 << 9,     [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
+    [RG_VERTEX] = 1 << 11,   [RG_INDEX] = 1 << 12,       [RG_INDIRECT] = 1 << 13,
+    [RG_COPY_SRC] = 1 << 14, [RG_HOST_READ] = 1 << 15,
+};
+
+uint32_t rg_visibility(enum rg_access access, VkPipelineStageFlags2 stages)
+{
+    uint32_t bit = visibility_bits[access];
+    if (access > RG_UNIFORM || access < RG_SAMPLED)
+        return bit;
+    uint32_t visibility = stages & ~RG_ANY_SHADER ? ~RG_VISIBLE_TO_ALL : 0;
+    if (stages & VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
+        visibility |= bit;
+    if (stages & VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
+        visibility |= bit << 1;
+    if (stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
+        visibility |= bit << 2;
+    return visibility;
 }

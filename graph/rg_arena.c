@@ -1,52 +1,90 @@
-/* rg_arena.c: memory that is freed all at once. */
+/* rg_arena.c: memory that is given back all at once: the caller's first, then from malloc. */
 #include <stdlib.h>
+#include <string.h>
 #include "graph/rg_internal.h"
 
 enum {
-    CHUNK_SIZE = 16384
+    CHUNK_SIZE = 65536
 };
 
 struct arena_chunk {
     struct arena_chunk *next;
-    size_t used, size; /* bytes of data */
     max_align_t data[];
 };
 
-static struct arena_chunk *add_chunk(struct arena *arena, size_t size)
+static size_t align_up(size_t size)
 {
-    if (size < CHUNK_SIZE)
-        size = CHUNK_SIZE;
-    struct arena_chunk *chunk = calloc(1, sizeof(*chunk) + size);
+    return (size + _Alignof(max_align_t) - 1) & ~(_Alignof(max_align_t) - 1);
+}
+
+void arena_init(struct arena *arena, void *memory, size_t size)
+{
+    size_t gap = memory ? align_up((uintptr_t)memory) - (uintptr_t)memory : 0;
+    *arena = (struct arena){ 0 };
+    if (memory && gap <= size) {
+        arena->next = (char *)memory + gap;
+        arena->end = (char *)memory + size;
+    }
+}
+
+/* Chunks double, so that there are few of them. */
+static bool add_chunk(struct arena *arena, size_t size)
+{
+    size_t room = arena->used < CHUNK_SIZE ? CHUNK_SIZE : arena->used;
+    if (room < size)
+        room = size;
+    struct arena_chunk *chunk = malloc(sizeof(*chunk) + room);
     if (!chunk)
-        return NULL;
+        return false;
     chunk->next = arena->chunks;
-    chunk->size = size;
     arena->chunks = chunk;
-    arena->size += sizeof(*chunk) + size;
-    return chunk;
+    arena->next = (char *)chunk->data;
+    arena->end = arena->next + room;
+    return true;
 }
 
 void *arena_alloc(struct arena *arena, size_t count, size_t element_size)
 {
-    const size_t align = _Alignof(max_align_t);
     size_t size;
     if (arena->failed || __builtin_mul_overflow(count, element_size, &size) ||
-        size > SIZE_MAX / 2) {
+        size > SIZE_MAX / 4) {
         arena->failed = true;
         return NULL;
     }
-    size = (size + align - 1) / align * align;
-
-    struct arena_chunk *chunk = arena->chunks;
-    if (!chunk || chunk->size - chunk->used < size)
-        chunk = add_chunk(arena, size);
-    if (!chunk) {
+    size = align_up(size);
+    if (size > (size_t)(arena->end - arena->next) && !add_chunk(arena, size)) {
         arena->failed = true;
         return NULL;
     }
-    void *data = (char *)chunk->data + chunk->used;
-    chunk->used += size;
+    void *data = arena->next;
+    arena->next += size;
+    arena->used += size;
     return data;
+}
+
+void *arena_zeroed(struct arena *arena, size_t count, size_t element_size)
+{
+    void *data = arena_alloc(arena, count, element_size);
+    if (data)
+        memset(data, 0, count * element_size);
+    return data;
+}
+
+void *arena_grow(struct arena *arena, const void *array, uint32_t *room, uint32_t least,
+                 size_t element_size)
+{
+    if (*room > UINT32_MAX / 2) {
+        arena->failed = true;
+        return NULL;
+    }
+    uint32_t grown = *room < least / 2 ? least : *room * 2;
+    void *copy = arena_alloc(arena, grown, element_size);
+    if (!copy)
+        return NULL;
+    if (*room)
+        memcpy(copy, array, *room * element_size);
+    *room = grown;
+    return copy;
 }
 
 void arena_finish(struct arena *arena)

@@ -1,5 +1,4 @@
 /* rg_compile.c: the compiler's steps, in their order. */
-#include <stdlib.h>
 #include "graph/rg_internal.h"
 
 /* The plan and what it lives in. */
@@ -8,50 +7,63 @@ struct owned_plan {
     struct arena arena;
 };
 
+/* Barriers need memory's places, or places the barriers, as enum rg_sharing has it. */
+static void place_and_sync(struct compiler *c)
+{
+    struct sync sync = { .c = c };
+    bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
+    if (place_first) {
+        rg_place(c);
+        rg_place_formers(c, false);
+    }
+    if (!c->arena->failed)
+        rg_emit(c, &sync);
+    if (!place_first && !c->arena->failed)
+        rg_place(c);
+    if (c->arena->failed)
+        return;
+    rg_place_formers(c, true);
+    rg_sync_takeovers(&sync);
+}
+
 static void run(struct compiler *c)
 {
     rg_check_params(c);
-    rg_collect(c);
-    if (c->scratch.failed)
-        return;
-    rg_resolve(c);
-    rg_check_passes(c);
-    rg_expand(c);
-    if (c->scratch.failed)
-        return;
-    rg_check_content(c);
-    if (c->fault_count || c->scratch.failed)
+    rg_add_ends(c);
+    if (!c->arena->failed)
+        rg_expand(c);
+    if (c->arena->failed || c->fault_count)
         return;
     rg_cull(c);
-    rg_lifetimes(c);
-    if (c->fault_count || c->scratch.failed)
-        return;
-    rg_find_tails(c);
-    rg_place(c);
-    rg_sync(c);
+    rg_list(c);
+    if (!c->arena->failed && !c->fault_count)
+        place_and_sync(c);
 }
 
 struct rg_plan *rg_compile(const struct rg_compile_params *params)
 {
-    struct owned_plan *owned = calloc(1, sizeof(*owned));
+    struct arena arena;
+    arena_init(&arena, params->memory, params->memory_size);
+    struct owned_plan *owned = arena_zeroed(&arena, 1, sizeof(*owned));
     if (!owned)
         return NULL;
     struct compiler c = {
         .params = params,
         .plan = &owned->plan,
-        .arena = &owned->arena,
+        .arena = &arena,
     };
     owned->plan.view = params->view;
     run(&c);
-    owned->plan.faults = c.faults;
-    owned->plan.fault_count = c.fault_count;
-    owned->plan.arena_size = sizeof(*owned) + owned->arena.size;
-    bool failed = c.scratch.failed || owned->arena.failed;
-    arena_finish(&c.scratch);
-    if (failed) {
+    owned->arena = arena;
+    if (arena.failed) {
         rg_plan_destroy(&owned->plan);
         return NULL;
     }
+    if (c.fault_count) /* nothing half-made is to be seen */
+        owned->plan = (struct rg_plan){ .view = params->view };
+    owned->plan.faults = c.faults;
+    owned->plan.fault_count = c.fault_count;
+    owned->plan.arena_size = arena.used + _Alignof(max_align_t);
     return &owned->plan;
 }
 
@@ -59,7 +71,6 @@ void rg_plan_destroy(struct rg_plan *plan)
 {
     if (!plan)
         return;
-    struct owned_plan *owned = (struct owned_plan *)plan;
-    arena_finish(&owned->arena);
-    free(owned);
+    struct arena arena = ((struct owned_plan *)plan)->arena;
+    arena_finish(&arena); /* the plan lives in it */
 }

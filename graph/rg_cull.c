@@ -1,178 +1,117 @@
-/* rg_cull.c: what is read before it is written, which passes anybody needs, and when. */
+/*
+ * rg_cull.c: which passes anybody needs.
+ *
+ * From the last pass back: a pass lives if a later living one or an output wants what it leaves.
+ * What a frame leaves in a persistent resource is wanted if the frame reads it before it writes it;
+ * that is known when the walk has come to the first pass, so it is repeated until nothing is new.
+ */
 #include "graph/rg_internal.h"
 
-static bool import_has_content(const struct compiler *c, const struct resource *r)
-{
-    return r->import != RG_NONE && c->params->imports[r->import].access != RG_ACCESS_NONE;
-}
+enum {
+    MAX_ROUNDS = 4 /* then all of every persistent resource counts as wanted */
+};
 
-/* All cells of a resource, as an access walks them. */
-static struct access whole(uint32_t resource, const struct resource *r)
-{
-    return (struct access){
-        .resource = resource,
-        .range = { r->aspects, 0, r->mips, 0, r->layers },
-    };
-}
-
-static void fill_imports(struct compiler *c, bool *filled)
+static void begin_round(struct compiler *c, uint32_t round)
 {
     for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = &c->resources[i];
-        bool uploaded = r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD;
-        for (uint32_t k = 0; k < r->cell_count && (uploaded || import_has_content(c, r)); k++)
-            filled[r->first_cell + k] = true;
-    }
-}
-
-static void check_access_content(struct compiler *c, const struct pass *pass,
-                                 const struct access *access, const bool *filled)
-{
-    if (!access->reads_content)
-        return;
-    for (struct cell_walk w = rg_walk(c, access); rg_walk_next(&w);) {
-        if (filled[w.cell])
+        bool output = r->output != RG_NONE;
+        if (!output && !r->persistent)
             continue;
-        const struct place place = { rg_technique_of(c, pass), pass->row, w.resource->name };
-        rg_fault_add(c, RG_ERROR_READ_BEFORE_WRITE, place,
-                     access->target ? "clear it, or put the pass that fills it before this one"
-                                    : "put the pass that writes it before this one, or import it");
-        return;
-    }
-}
-
-static void check_outputs_content(struct compiler *c, const bool *filled)
-{
-    for (uint32_t i = 0; i < c->resource_count; i++) {
-        const struct resource *r = &c->resources[i];
-        bool complete = true;
-        for (uint32_t k = 0; k < r->cell_count; k++)
-            complete = complete && filled[r->first_cell + k];
-        if (r->output != RG_NONE && !complete)
-            rg_fault_add(c, RG_ERROR_OUTPUT_NOT_WRITTEN,
-                         (struct place){ .row = RG_NONE, .resource = r->name },
-                         "list the technique whose pass writes all of it");
-    }
-}
-
-void rg_check_content(struct compiler *c)
-{
-    bool *filled = ARENA_ARRAY(&c->scratch, bool, c->cell_count);
-    if (!filled)
-        return;
-    fill_imports(c, filled);
-    for (uint32_t p = 0; p < c->pass_count; p++) {
-        const struct pass *pass = &c->passes[p];
-        const struct access *accesses = &c->accesses[pass->first_access];
-        for (uint32_t i = 0; i < pass->access_count; i++)
-            check_access_content(c, pass, &accesses[i], filled);
-        for (uint32_t i = 0; i < pass->access_count; i++) {
-            for (struct cell_walk w = rg_walk(c, &accesses[i]); rg_walk_next(&w);)
-                filled[w.cell] = filled[w.cell] || accesses[i].writes_content;
+        for (uint32_t k = 0; k < r->cell_count; k++) {
+            struct cell *cell = &r->cells[k];
+            cell->wanted_next = r->persistent && (cell->wanted_next || round == MAX_ROUNDS);
+            cell->wanted = output || cell->wanted_next;
         }
     }
-    check_outputs_content(c, filled);
 }
 
 /* Whether later passes or outputs want any of what this access leaves. */
-static bool is_wanted(const struct compiler *c, const struct access *access, const bool *wanted)
+static bool is_wanted(const struct resource *r, const struct access *access)
 {
+    if (access->whole)
+        return r->cells->wanted;
     bool any = false;
-    for (struct cell_walk w = rg_walk(c, access); rg_walk_next(&w);)
-        any = any || wanted[w.cell];
+    for (struct cell_walk w = rg_walk(r, access); rg_walk_next(&w);)
+        any = any || w.cell->wanted;
     return any;
 }
 
-static void mark(const struct compiler *c, const struct access *access, bool *wanted, bool value)
+static void mark(const struct resource *r, const struct access *access, bool value)
 {
-    for (struct cell_walk w = rg_walk(c, access); rg_walk_next(&w);)
-        wanted[w.cell] = value;
+    if (access->whole) {
+        r->cells->wanted = value;
+        return;
+    }
+    for (struct cell_walk w = rg_walk(r, access); rg_walk_next(&w);)
+        w.cell->wanted = value;
 }
 
-static void cull_pass(struct compiler *c, struct pass *pass, bool *wanted)
+static bool is_alive(struct compiler *c, const struct pass *pass)
 {
-    struct access *accesses = &c->accesses[pass->first_access];
+    bool alive = false;
     for (uint32_t i = 0; i < pass->access_count; i++) {
-        struct access *a = &accesses[i];
-        a->needed = a->writes_content && is_wanted(c, a, wanted);
-        pass->alive = pass->alive || a->needed;
+        struct access *a = &c->accesses[pass->first_access + i];
+        if (!(a->flags & ACCESS_WRITES_CONTENT))
+            continue;
+        bool needed = is_wanted(&c->resources[a->resource], a);
+        a->flags = (uint8_t)(needed ? a->flags | ACCESS_NEEDED : a->flags & ~ACCESS_NEEDED);
+        alive = alive || needed;
     }
+    return alive;
+}
+
+static void cull_pass(struct compiler *c, struct pass *pass)
+{
+    const struct access *accesses = &c->accesses[pass->first_access];
+    pass->alive = is_alive(c, pass);
     if (!pass->alive)
         return;
+    c->alive_access_count += pass->access_count;
+    c->plan->pass_count++;
     for (uint32_t i = 0; i < pass->access_count; i++) {
-        if (accesses[i].overwrites)
-            mark(c, &accesses[i], wanted, false);
+        if (accesses[i].flags & ACCESS_OVERWRITES)
+            mark(&c->resources[accesses[i].resource], &accesses[i], false);
     }
     for (uint32_t i = 0; i < pass->access_count; i++) {
-        if (accesses[i].reads_content)
-            mark(c, &accesses[i], wanted, true);
+        if (accesses[i].flags & ACCESS_READS_CONTENT)
+            mark(&c->resources[accesses[i].resource], &accesses[i], true);
+    }
+}
+
+/* Whether the next frame wants more than the walk was told. */
+static bool want_more(struct compiler *c)
+{
+    bool more = false;
+    for (uint32_t i = 0; i < c->resource_count && c->persistent_count; i++) {
+        const struct resource *r = &c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {
+            struct cell *cell = &r->cells[k];
+            more = more || (cell->wanted && !cell->wanted_next);
+            cell->wanted_next = cell->wanted_next || cell->wanted;
+        }
+    }
+    return more;
+}
+
+static void reset(struct compiler *c)
+{
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        const struct resource *r = &c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count; k++)
+            r->cells[k].wanted = false;
     }
 }
 
 void rg_cull(struct compiler *c)
 {
-    bool *wanted = ARENA_ARRAY(&c->scratch, bool, c->cell_count);
-    if (!wanted)
-        return;
-    for (uint32_t i = 0; i < c->resource_count; i++) {
-        const struct resource *r = &c->resources[i];
-        const struct access all = whole(i, r);
-        if (r->output != RG_NONE)
-            mark(c, &all, wanted, true);
-    }
-    for (uint32_t p = c->pass_count; p-- > 0;)
-        cull_pass(c, &c->passes[p], wanted);
-}
-
-static VkFlags usage_of(const struct resource *r, enum rg_access access)
-{
-    const struct rg_access_info *info = rg_access_info(access);
-    return r->image ? info->image_usage : info->buffer_usage;
-}
-
-static void check_format(struct compiler *c, const struct pass *pass, const struct access *access)
-{
-    const struct rg_device *device = c->params->device;
-    const struct resource *r = &c->resources[access->resource];
-    if (!r->image || !device || !device->format_features)
-        return;
-    VkFormatFeatureFlags wanted = rg_access_info(access->access)->format_features;
-    if (access->use && access->use->sampler && access->use->sampler->linear)
-        wanted |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
-    if (access->target && access->access == RG_COLOR && access->target->blend)
-        wanted |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
-    if (wanted & ~device->format_features(device->user, r->image->format))
-        rg_fault_add(c, RG_ERROR_FORMAT,
-                     (struct place){ rg_technique_of(c, pass), pass->row, r->name },
-                     "this device cannot use the format so; choose another format or device");
-}
-
-void rg_lifetimes(struct compiler *c)
-{
-    uint32_t alive = 0;
-    for (uint32_t p = 0; p < c->pass_count; p++) {
-        const struct pass *pass = &c->passes[p];
-        if (!pass->alive)
-            continue;
-        for (uint32_t i = 0; i < pass->access_count; i++) {
-            const struct access *access = &c->accesses[pass->first_access + i];
-            struct resource *r = &c->resources[access->resource];
-            if (r->first == RG_NONE)
-                r->first = alive;
-            r->last = alive;
-            r->usage |= usage_of(r, access->access);
-            check_format(c, pass, access);
-        }
-        alive++;
-    }
-    for (uint32_t i = 0; i < c->resource_count; i++) {
-        struct resource *r = &c->resources[i];
-        if (r->output == RG_NONE)
-            continue;
-        if (r->first == RG_NONE) /* an import that no pass touches, handed through */
-            r->first = alive;
-        r->last = alive;
-        r->usage |= usage_of(r, c->params->outputs[r->output].access);
-    }
-    c->plan->pass_count = c->fault_count ? 0 : alive;
+    uint32_t round = 0;
+    do {
+        if (round)
+            reset(c);
+        begin_round(c, round++);
+        c->plan->pass_count = c->alive_access_count = 0;
+        for (uint32_t p = c->pass_count; p-- > 0;)
+            cull_pass(c, &c->passes[p]);
+    } while (round <= MAX_ROUNDS && want_more(c));
 }

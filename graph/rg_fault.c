@@ -1,5 +1,5 @@
-/* rg_fault.c: a fault as one line of text. */
-#include "graph/rg.h"
+/* rg_fault.c: the list of faults, and a fault as one line of text. */
+#include "graph/rg_internal.h"
 
 static const char *const messages[RG_ERROR_COUNT] = {
     [RG_ERROR_NONE] = "no fault",
@@ -47,4 +47,36 @@ int rg_fault_text(const struct rg_fault *fault, char *text, size_t size)
     return snprintf(text, size, "%s%s%s%s%s%s%s; %s", or_else(fault->technique, in_row ? "?" : ""),
                     row, in_row ? or_else(fault->pass, "?") : "", end, or_else(fault->resource, ""),
                     fault->resource ? " " : "", messages[fault->error], fault->hint);
+}
+
+/* The repetitions of a row have the same faults: once is enough. */
+static bool is_known(const struct compiler *c, enum rg_error error, struct place place,
+                     const char *hint)
+{
+    const char *technique = place.technique ? place.technique->name : NULL;
+    for (uint32_t i = c->row_first_fault; i < c->fault_count; i++) {
+        const struct rg_fault *f = &c->faults[i];
+        if (f->error == error && f->technique == technique && f->row == place.row &&
+            f->resource == place.resource && f->hint == hint)
+            return true;
+    }
+    return false;
+}
+
+void rg_fault_add(struct compiler *c, enum rg_error error, struct place place, const char *hint)
+{
+    if (is_known(c, error, place, hint) ||
+        !ARENA_ROOM(c->arena, c->faults, c->fault_count, c->fault_room, 8))
+        return;
+    const struct rg_pass *pass = NULL;
+    if (place.technique && place.row != RG_NONE)
+        pass = &place.technique->passes[place.row];
+    c->faults[c->fault_count++] = (struct rg_fault){
+        .error = error,
+        .technique = place.technique ? place.technique->name : NULL,
+        .pass = pass ? pass->name : NULL,
+        .resource = place.resource,
+        .row = place.row,
+        .hint = hint,
+    };
 }

@@ -2,8 +2,11 @@
 #include "graph/rg.h"
 
 #define COLOR(format, bytes) \
-    { \
-        VK_FORMAT_##format, #format, bytes, VK_IMAGE_ASPECT_COLOR_BIT \
+    [VK_FORMAT_##format] = { \
+        VK_FORMAT_##format, \
+        #format, \
+        bytes, \
+        VK_IMAGE_ASPECT_COLOR_BIT, \
     }
 
 static const struct rg_format_info formats[] = {
@@ -37,20 +40,19 @@ static const struct rg_format_info formats[] = {
     COLOR(R32G32_SFLOAT, 8),
     COLOR(R32G32B32A32_UINT, 16),
     COLOR(R32G32B32A32_SFLOAT, 16),
-    { VK_FORMAT_D16_UNORM, "D16_UNORM", 2, VK_IMAGE_ASPECT_DEPTH_BIT },
-    { VK_FORMAT_X8_D24_UNORM_PACK32, "X8_D24_UNORM_PACK32", 4, VK_IMAGE_ASPECT_DEPTH_BIT },
-    { VK_FORMAT_D32_SFLOAT, "D32_SFLOAT", 4, VK_IMAGE_ASPECT_DEPTH_BIT },
-    { VK_FORMAT_D24_UNORM_S8_UINT, "D24_UNORM_S8_UINT", 4,
-      VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT },
-    { VK_FORMAT_D32_SFLOAT_S8_UINT, "D32_SFLOAT_S8_UINT", 8,
-      VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT },
+    [VK_FORMAT_D16_UNORM] = { VK_FORMAT_D16_UNORM, "D16_UNORM", 2, VK_IMAGE_ASPECT_DEPTH_BIT },
+    [VK_FORMAT_X8_D24_UNORM_PACK32] = { VK_FORMAT_X8_D24_UNORM_PACK32, "X8_D24_UNORM_PACK32", 4,
+                                        VK_IMAGE_ASPECT_DEPTH_BIT },
+    [VK_FORMAT_D32_SFLOAT] = { VK_FORMAT_D32_SFLOAT, "D32_SFLOAT", 4, VK_IMAGE_ASPECT_DEPTH_BIT },
+    [VK_FORMAT_D24_UNORM_S8_UINT] = { VK_FORMAT_D24_UNORM_S8_UINT, "D24_UNORM_S8_UINT", 4,
+                                      VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT },
+    [VK_FORMAT_D32_SFLOAT_S8_UINT] = { VK_FORMAT_D32_SFLOAT_S8_UINT, "D32_SFLOAT_S8_UINT", 8,
+                                       VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT },
 };
 
 const struct rg_format_info *rg_format_info(VkFormat format)
 {
-    for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); i++) {
-        if (formats[i].format == format)
-            return &formats[i];
-    }
-    return NULL;
+    if ((size_t)format >= sizeof(formats) / sizeof(formats[0]) || !formats[format].name)
+        return NULL;
+    return &formats[format];
 }

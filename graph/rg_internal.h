@@ -10,62 +10,102 @@
 
 #include "graph/rg.h"
 
-/* Memory that is freed all at once. After a failed allocation `failed` stays true. */
+/* ---- rg_arena.c ---- */
+
+/* Memory that is given back all at once. After a failed allocation `failed` stays true. */
 struct arena {
-    struct arena_chunk *chunks;
-    size_t size; /* bytes taken from malloc */
+    char *next, *end;           /* room left in the newest chunk */
+    struct arena_chunk *chunks; /* from malloc */
+    size_t used;                /* bytes handed out, with what alignment takes */
     bool failed;
 };
 
-/* Zeroed room for count elements, aligned for any type; NULL when memory is short. */
-void *arena_alloc(struct arena *arena, size_t count, size_t element_size);
+/* `memory` may be NULL. */
+void arena_init(struct arena *arena, void *memory, size_t size);
 void arena_finish(struct arena *arena);
 
-#define ARENA_ARRAY(arena, type, count) ((type *)arena_alloc((arena), (count), sizeof(type)))
+/* Room for count elements, aligned for any type; NULL when memory is short. */
+void *arena_alloc(struct arena *arena, size_t count, size_t element_size);
+void *arena_zeroed(struct arena *arena, size_t count, size_t element_size);
 
-/* Whoever used a resource's memory before it, in this frame or the one before. */
-struct former {
-    VkPipelineStageFlags2 stages;
-    VkAccessFlags2 writes; /* not yet available */
-    uint32_t end;          /* the first pass of this frame after them; 0: none in this frame */
+#define ARENA_ARRAY(arena, type, count)  ((type *)arena_alloc((arena), (count), sizeof(type)))
+#define ARENA_ZEROED(arena, type, count) ((type *)arena_zeroed((arena), (count), sizeof(type)))
+
+/* A larger copy of a full array of *room elements: doubled, at least `least`. */
+void *arena_grow(struct arena *arena, const void *array, uint32_t *room, uint32_t least,
+                 size_t element_size);
+
+/* Room for one more element at array[count]; false when memory is short. */
+#define ARENA_ROOM(arena, array, count, room, least) \
+    ((count) < (room) || \
+     ((array) = arena_grow((arena), (array), &(room), (least), sizeof(*(array)))) != NULL)
+
+/* ---- what the tables say ---- */
+
+/* Whether earlier passes have filled a cell; from CELL_FILLED_BY on, if a condition holds. */
+enum {
+    CELL_EMPTY,
+    CELL_FILLED,
+    CELL_FILLED_BY, /* plus the index of a conditional pass */
+};
+
+struct cell {
+    VkPipelineStageFlags2 write_stages; /* of the last write, or that it was chained on to */
+    VkAccessFlags2 write_access;        /* of it, while not yet available */
+    VkPipelineStageFlags2 read_stages;  /* since then */
+    uint32_t visible;                   /* to whom the write was made visible (rg_visibility) */
+    VkImageLayout layout;
+    uint32_t written, touched; /* the first pass after the last write, and after the last access */
+    uint32_t first_barrier, barrier_end; /* of the access that made the write visible first */
+    uint32_t last_access;                /* one more than the index of the latest one found */
+    uint32_t filled;
+    bool wanted;      /* by later passes or outputs, while culling */
+    bool wanted_next; /* of a persistent resource: by the next frame */
+    bool changed;     /* content or layout, by this frame */
+    bool fresh;       /* shared memory that this frame has not used yet: who had it is not known */
 };
 
 #define RG_SIZE_OVERFLOW UINT64_MAX
 
 struct resource {
+    const void *address;          /* of: */
     const struct rg_image *image; /* this or: */
     const struct rg_buffer *buffer;
-    const char *name; /* "?" if it has none */
-    uint32_t import;  /* index into the params' imports, or RG_NONE */
-    uint32_t output;  /* index into the params' outputs, or RG_NONE */
-    VkExtent2D extent;
+    struct cell *cells;
+    uint32_t cell_count;
     uint32_t layers, mips;
     VkImageAspectFlags aspects; /* 0 for buffers */
-    VkDeviceSize size;          /* of a buffer, as declared; or RG_SIZE_OVERFLOW */
-    uint32_t first_cell, cell_count;
+    VkExtent2D extent;
+    VkDeviceSize size; /* of a buffer, as declared; or RG_SIZE_OVERFLOW */
+    uint32_t import;   /* index into the params' imports, or RG_NONE */
+    uint32_t output;   /* index into the params' outputs, or RG_NONE */
+    bool persistent;
     /* of the living passes: */
-    uint32_t first, last; /* plan passes; first RG_NONE: unused */
-    VkFlags usage;        /* VkImageUsageFlags or VkBufferUsageFlags */
-    uint32_t plan_index;  /* in the plan's images or buffers */
-    struct rg_memory_need need;
-    VkPipelineStageFlags2 tail_stages; /* that touch it last in a frame */
-    VkAccessFlags2 tail_writes;        /* their writes not yet made available */
-    struct former former;              /* transient ones */
+    uint32_t first, last;  /* plan passes; first RG_NONE: unused */
+    VkFlags usage;         /* VkImageUsageFlags or VkBufferUsageFlags */
+    uint32_t plan_index;   /* in the plan's images or buffers */
+    uint32_t item;         /* in compiler.items, or RG_NONE: it shares no memory */
+    uint32_t last_barrier; /* index of the newest one, or RG_NONE */
+};
+
+enum {
+    ACCESS_READS_CONTENT = 1 << 0,  /* needs what earlier passes left */
+    ACCESS_WRITES_CONTENT = 1 << 1, /* leaves something for later ones */
+    ACCESS_OVERWRITES = 1 << 2,     /* nothing of the range's earlier content remains */
+    ACCESS_READS = 1 << 3,          /* has the access mask for reading */
+    ACCESS_NEEDED = 1 << 4,         /* somebody wants what it writes: STORE */
 };
 
 struct access {
     uint32_t resource;
-    enum rg_access access;
-    VkImageSubresourceRange range; /* images */
-    VkPipelineStageFlags2 stages;
-    VkAccessFlags2 reads, writes; /* access masks */
+    uint8_t access; /* enum rg_access */
+    uint8_t flags;
+    bool whole;          /* its range is all of a resource of one cell */
+    uint32_t visibility; /* that it needs (rg_visibility) */
     VkImageLayout layout;
-    bool reads_content;       /* needs what earlier passes left */
-    bool writes_content;      /* leaves something for later ones */
-    bool overwrites;          /* nothing of the range's earlier content remains */
-    bool needed;              /* somebody wants what it writes: STORE */
-    const struct rg_use *use; /* NULL: a target */
-    const struct rg_target *target;
+    VkPipelineStageFlags2 stages;
+    const void *declared;          /* const struct rg_use or rg_target */
+    VkImageSubresourceRange range; /* images */
 };
 
 struct pass {
@@ -76,32 +116,6 @@ struct pass {
     bool alive;
 };
 
-/* Open addressing from a resource's address to its index. */
-struct resource_map {
-    const void **keys;
-    uint32_t *values;
-    uint32_t mask;
-};
-
-struct compiler {
-    const struct rg_compile_params *params;
-    struct rg_plan *plan;
-    struct arena *arena;  /* the plan's */
-    struct arena scratch; /* freed at the end of the compilation */
-    struct resource *resources;
-    uint32_t resource_count;
-    struct resource_map map;
-    struct pass *passes;
-    uint32_t pass_count;
-    struct access *accesses;
-    uint32_t access_count;
-    uint32_t cell_count;
-    struct rg_plan_image *images;   /* the plan's, still to be written */
-    struct rg_plan_buffer *buffers; /* the same */
-    struct rg_fault *faults;        /* of room for fault_room */
-    uint32_t fault_count, fault_room;
-};
-
 /* Where a fault lies; unused fields are NULL or RG_NONE. */
 struct place {
     const struct rg_technique *technique;
@@ -109,64 +123,196 @@ struct place {
     const char *resource;
 };
 
-/* rg_resource.c */
+/* Open addressing; 0 is an empty slot. */
+struct resource_map {
+    uint32_t *slots; /* one more than a resource's index */
+    uint32_t mask;   /* one less than how many */
+};
 
-/* Finds every resource that the tables name, in the order in which they name them. */
-void rg_collect(struct compiler *c);
+struct name;
 
-/* Their sizes, layers, mips and cells. */
-void rg_resolve(struct compiler *c);
+struct name_map {
+    struct name *slots;
+    uint32_t mask, count;
+};
 
-const struct rg_technique *rg_technique_of(const struct compiler *c, const struct pass *pass);
+/* A transient resource that shares memory; in the order of first use. */
+struct pack_item {
+    VkDeviceSize size, alignment;
+    uint32_t first, last; /* passes between which the memory is taken; both included */
+    VkDeviceSize offset;
+    uint32_t resource;
+    uint32_t type_bits;
+    bool buffer;
+    /* who used the memory before it, in this frame or the one before: */
+    VkPipelineStageFlags2 former_stages;
+    VkAccessFlags2 former_writes; /* not yet available */
+    uint32_t former_end;          /* the first pass of this frame after them; 0: none in this one */
+};
+
+/* A barrier that waits for whoever had the memory before. */
+struct takeover {
+    uint32_t barrier, resource;
+};
+
+struct compiler {
+    const struct rg_compile_params *params;
+    struct rg_plan *plan;
+    struct arena *arena;
+    struct resource *resources;
+    uint32_t resource_count, resource_room;
+    uint32_t persistent_count;
+    struct resource_map map;
+    struct name_map names;
+    struct pass *passes;
+    uint32_t pass_count, pass_room;
+    struct access *accesses;
+    uint32_t access_count, access_room;
+    uint32_t alive_access_count;
+    struct rg_plan_image *images;   /* the plan's, still to be written */
+    struct rg_plan_buffer *buffers; /* the same */
+    struct pack_item *items;
+    uint32_t item_count;
+    struct rg_fault *faults;
+    uint32_t fault_count, fault_room;
+    uint32_t row_first_fault; /* of the row being looked at */
+};
+
+/* ---- rg_fault.c ---- */
+
+/* Faults of one row that are told already are left out. */
+void rg_fault_add(struct compiler *c, enum rg_error error, struct place place, const char *hint);
+
+/* ---- rg_name.c: faults of names that come twice, among resources and among passes ---- */
+
+enum name_kind {
+    NAME_RESOURCE,
+    NAME_PASS,
+};
+
+void rg_name_add(struct compiler *c, enum name_kind kind, const char *name, struct place place);
+
+/* ---- rg_resource.c ---- */
+
+/* The import and output lists; faults of them. */
+void rg_add_ends(struct compiler *c);
+
+/* Index of the resource, which is added, checked and sized when it is new. Not to be kept across
+ * calls as a pointer. RG_NONE: memory is short. */
+uint32_t rg_resource_of(struct compiler *c, const struct rg_image *image,
+                        const struct rg_buffer *buffer);
+
+const char *rg_resource_name(const struct resource *r); /* "?" if it has none */
 
 bool rg_is_use(const struct rg_use *use);      /* or the end of a row's uses */
 bool rg_is_good_use(const struct rg_use *use); /* of one resource */
 
-/* How many uses a row has. */
-size_t rg_use_count(const struct rg_pass *pass);
+/* Whether it is transient and lies in a block. */
+bool rg_is_shared(const struct resource *r);
 
-/* Index of the resource at this address, or RG_NONE. */
-uint32_t rg_find(const struct compiler *c, const void *address);
+/* ---- rg_walk.c: the cells of an access ---- */
 
-/* The cell of a resource. `aspect` counts the set bits of its aspects from the lowest. */
-uint32_t rg_cell(const struct resource *r, uint32_t aspect, uint32_t mip, uint32_t layer);
-
-/* Calls for each cell of an access: for (struct cell_walk w = rg_walk(c, a); rg_walk_next(&w);) */
+/* for (struct cell_walk w = rg_walk(r, a); rg_walk_next(&w);) */
 struct cell_walk {
     const struct resource *resource;
     VkImageSubresourceRange range;
-    uint32_t aspect; /* index among the resource's aspects */
+    uint32_t aspect; /* index among the resource's aspects, from the lowest bit */
     uint32_t mip, layer;
-    uint32_t cell;
+    struct cell *cell;
     bool started;
 };
-struct cell_walk rg_walk(const struct compiler *c, const struct access *access);
+struct cell_walk rg_walk(const struct resource *r, const struct access *access);
 bool rg_walk_next(struct cell_walk *walk);
 
-/* rg_check.c */
-void rg_fault_add(struct compiler *c, enum rg_error error, struct place place, const char *hint);
-void rg_check_params(struct compiler *c);
-void rg_check_resources(struct compiler *c);
-void rg_check_passes(struct compiler *c);
+/* ---- rg_check.c, rg_check_row.c ---- */
 
-/* rg_expand.c: the passes and their accesses, from the rows; faults of ranges. */
+void rg_check_params(struct compiler *c);
+void rg_check_output_memory(struct compiler *c, const struct resource *r);
+void rg_check_resource(struct compiler *c, struct resource *r);
+void rg_check_row(struct compiler *c, const struct rg_pass *pass, struct place place);
+
+/* The row's kind; a wild value counts as compute. */
+enum rg_kind rg_kind_of(const struct rg_pass *pass);
+bool rg_is_shader_access(enum rg_access access);
+
+/* ---- rg_expand.c: passes and accesses from the rows; faults of rows, ranges and content ---- */
+
 void rg_expand(struct compiler *c);
 
-/* rg_cull.c: what is read before it is written; which passes live; first and last uses. */
-void rg_check_content(struct compiler *c);
+/* ---- rg_access.c ---- */
+
+/* The (stage, access) pairs of a read, one bit each. Bit 31 stands for all that is not told apart
+ * and never counts as visible. */
+uint32_t rg_visibility(enum rg_access access, VkPipelineStageFlags2 stages);
+
+#define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
+
+/* ---- rg_cull.c: which passes live ---- */
+
 void rg_cull(struct compiler *c);
-void rg_lifetimes(struct compiler *c);
 
-/* rg_pack.c */
+/* ---- rg_list.c: the plan's images and buffers in order of first use, and their memory ---- */
 
-/* Something to be placed, and its place. */
-struct pack_item {
-    VkDeviceSize size, alignment;
-    uint32_t first, last; /* passes; both included */
-    uint32_t index;       /* among the items: settles ties */
-    VkDeviceSize offset;
-    struct resource *resource;
+void rg_list(struct compiler *c);
+
+/* ---- rg_sync.c: barriers, in batches ---- */
+
+struct sync {
+    struct compiler *c;
+    struct rg_plan_pass *passes; /* the plan's; those so far are filled */
+    struct rg_barrier *barriers;
+    uint32_t barrier_count, barrier_room;
+    uint32_t batch_first;    /* barrier of the newest batch */
+    uint32_t batch_position; /* the pass it lies before; RG_NONE: there is none yet */
+    struct takeover *takeovers;
+    uint32_t takeover_count, takeover_room;
 };
+
+void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes);
+
+/* Adds the barriers that an access of the plan's pass `pass` needs. */
+void rg_sync_access(struct sync *sync, const struct access *access, uint32_t pass);
+
+/* The barriers after the last pass, and before the first frame. */
+void rg_sync_end(struct sync *sync);
+
+/* Once it is known who had which memory before: what the first barriers wait for. */
+void rg_sync_takeovers(struct sync *sync);
+
+/* ---- rg_state.c: what a cell needs before an access, and what it leaves ---- */
+
+/* Fills `b` but for resource and range, and *release: the first pass before which it may lie.
+ * False if nothing is needed. */
+bool rg_state_decide(const struct cell *s, const struct access *a, struct rg_barrier *b,
+                     uint32_t *release);
+void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass, bool made_visible);
+
+/* Every cell as the frame finds it. */
+void rg_state_begin(struct compiler *c);
+
+/* ---- rg_end.c: what is done to a whole resource outside the frame ---- */
+
+struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg_access access);
+VkAccessFlags2 rg_access_reads(const struct access *a);
+
+/* All shader stages that the graph knows: those of imports and outputs. */
+#define RG_ANY_SHADER \
+    (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
+     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
+
+/* ---- rg_emit.c: the plan's passes, their targets and uses ---- */
+
+void rg_emit(struct compiler *c, struct sync *sync);
+
+/* ---- rg_place.c: the place of every transient resource ---- */
+
+/* Before or after the barriers are known (enum rg_sharing). */
+void rg_place(struct compiler *c);
+
+/* Who had the memory before, after rg_place(). `stages`: also what they did last in a frame. */
+void rg_place_formers(struct compiler *c, bool stages);
+
+/* ---- rg_pack.c ---- */
 
 struct pack_result {
     VkDeviceSize size;  /* bytes of the block */
@@ -175,53 +321,22 @@ struct pack_result {
 };
 
 /* Fills the items' offsets. */
-struct pack_result rg_pack(struct arena *scratch, struct pack_item *items, size_t count,
+struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
                            bool apart);
 
-/* rg_overlap.c: fills `former` of the resources of a block, given in the order of first use. */
-void rg_overlap(struct arena *scratch, const struct pack_item *items, uint32_t count);
+/* Most bytes that lie between `first` and `last` of some items at once. */
+VkDeviceSize rg_pack_bound(struct arena *arena, const struct pack_item *items, uint32_t count);
 
-/* rg_alias.c: the place of every transient resource, and who had it before. Needs lifetimes, usage
- * and tails. */
-void rg_place(struct compiler *c);
+/* ---- rg_former.c ---- */
 
-/* rg_batch.c */
-
-/* A barrier and the batches it may lie in: before any of the plan's passes release..deadline. */
-struct transition {
-    struct rg_barrier barrier;
-    uint32_t release, deadline;
+/* What an item leaves behind when the frame is over. */
+struct former {
+    VkPipelineStageFlags2 stages;
+    VkAccessFlags2 writes;
 };
 
-/* In the order of their deadlines. */
-struct transitions {
-    struct transition *items;
-    uint32_t count, room;
-};
-
-void rg_transition_add(struct arena *scratch, struct transitions *list, const struct transition *t);
-
-/* Joins the last ones from index `first` on, all of one access, while their ranges make one. */
-void rg_transition_join(struct transitions *list, uint32_t first);
-
-/* Writes the plan's barriers, batch by batch. */
-void rg_batch(struct compiler *c, const struct transitions *list, struct rg_plan_pass *passes);
-
-/* rg_tail.c: who touches each resource last in a frame. */
-void rg_find_tails(struct compiler *c);
-
-/* What is done to a whole resource outside the frame. */
-struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg_access access);
-
-/* What an output is wanted for; RG_ACCESS_NONE if it is none. */
-enum rg_access rg_output_access(const struct compiler *c, const struct resource *r);
-
-/* All shader stages that the graph knows: those of imports and outputs. */
-#define RG_ANY_SHADER \
-    (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
-     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
-
-/* rg_sync.c: barriers, plan passes, targets. Needs places. */
-void rg_sync(struct compiler *c);
+/* Fills former_* of the placed items of a block, given in the order of first use. */
+void rg_former(struct arena *arena, struct pack_item *items, const struct former *left,
+               uint32_t count);
 
 #endif

@@ -20,7 +20,7 @@ static int by_time(const struct pack_item *a, const struct pack_item *b)
 {
     if (a->first != b->first)
         return a->first < b->first ? -1 : 1;
-    return a->index < b->index ? -1 : a->index > b->index;
+    return a < b ? -1 : a > b; /* as listed */
 }
 
 static int compare_size(const void *a, const void *b)
@@ -62,7 +62,7 @@ static bool live_together(const struct pack_item *a, const struct pack_item *b)
 
 /* A free offset for an item among those placed, which are sorted by offset. */
 static VkDeviceSize find_gap(const struct pack_item *item, struct pack_item *const *placed,
-                             size_t count, bool tightest)
+                             uint32_t count, bool tightest)
 {
     VkDeviceSize end = 0; /* of everything so far that lives with the item */
     VkDeviceSize best = 0;
@@ -86,14 +86,14 @@ static VkDeviceSize find_gap(const struct pack_item *item, struct pack_item *con
 
 /* Places all items by a rule; returns the size of the block. */
 static VkDeviceSize apply_rule(const struct rule *rule, struct pack_item **order,
-                               struct pack_item **placed, size_t count)
+                               struct pack_item **placed, uint32_t count)
 {
     VkDeviceSize size = 0;
     qsort(order, count, sizeof(struct pack_item *), rule->order);
-    for (size_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; i++) {
         struct pack_item *item = order[i];
         item->offset = find_gap(item, placed, i, rule->tightest);
-        size_t k = i;
+        uint32_t k = i;
         for (; k > 0 && placed[k - 1]->offset > item->offset; k--)
             placed[k] = placed[k - 1];
         placed[k] = item;
@@ -111,7 +111,7 @@ struct hole {
 
 struct holes {
     struct hole *items; /* by offset; none touches the next; the last one has no end */
-    size_t count;
+    uint32_t count;
 };
 
 static void remove_hole(struct holes *holes, size_t i)
@@ -166,16 +166,16 @@ static void give_back(struct holes *holes, const struct pack_item *item)
 }
 
 /* Items come in the order of first use. Costs items times holes, and there are few holes. */
-static VkDeviceSize apply_time_order(struct arena *scratch, struct pack_item *items, size_t count)
+static VkDeviceSize apply_time_order(struct arena *arena, struct pack_item *items, uint32_t count)
 {
     uint32_t end = 0;
     VkDeviceSize size = 0;
     for (size_t i = 0; i < count; i++)
         end = end < items[i].last ? items[i].last : end;
-    struct holes holes = { ARENA_ARRAY(scratch, struct hole, count * 2 + 1), 1 };
-    uint32_t *dying = ARENA_ARRAY(scratch, uint32_t, (size_t)end + 1); /* first of a pass, plus 1 */
-    uint32_t *next = ARENA_ARRAY(scratch, uint32_t, count);
-    if (scratch->failed)
+    struct holes holes = { ARENA_ARRAY(arena, struct hole, count * 2 + 1), 1 };
+    uint32_t *dying = ARENA_ZEROED(arena, uint32_t, (size_t)end + 1); /* first of a pass, plus 1 */
+    uint32_t *next = ARENA_ARRAY(arena, uint32_t, count);
+    if (arena->failed)
         return UINT64_MAX;
     holes.items[0] = (struct hole){ 0, UINT64_MAX / 2 };
     uint32_t now = 0;
@@ -196,7 +196,7 @@ static VkDeviceSize apply_time_order(struct arena *scratch, struct pack_item *it
 
 /* ---- the best of all ---- */
 
-static VkDeviceSize pack_apart(struct pack_item *items, size_t count)
+static VkDeviceSize pack_apart(struct pack_item *items, uint32_t count)
 {
     VkDeviceSize size = 0;
     for (size_t i = 0; i < count; i++) {
@@ -206,40 +206,38 @@ static VkDeviceSize pack_apart(struct pack_item *items, size_t count)
     return size;
 }
 
-/* No block can be smaller than what lives in any one pass. */
-static VkDeviceSize find_bound(struct arena *scratch, const struct pack_item *items, size_t count)
+VkDeviceSize rg_pack_bound(struct arena *arena, const struct pack_item *items, uint32_t count)
 {
     uint32_t end = 0;
-    for (size_t i = 0; i < count; i++)
+    for (uint32_t i = 0; i < count; i++)
         end = end < items[i].last ? items[i].last : end;
-    VkDeviceSize *born = ARENA_ARRAY(scratch, VkDeviceSize, (size_t)end + 2);
-    VkDeviceSize *gone = ARENA_ARRAY(scratch, VkDeviceSize, (size_t)end + 2);
+    VkDeviceSize *more = ARENA_ZEROED(arena, VkDeviceSize, (size_t)end + 2); /* less may wrap */
     VkDeviceSize live = 0;
     VkDeviceSize bound = 0;
-    if (!born || !gone)
+    if (!more)
         return 0;
-    for (size_t i = 0; i < count; i++) {
-        born[items[i].first] += items[i].size;
-        gone[items[i].last + 1] += items[i].size;
+    for (uint32_t i = 0; i < count; i++) {
+        more[items[i].first] += items[i].size;
+        more[items[i].last + 1] -= items[i].size;
     }
     for (uint32_t p = 0; p <= end; p++) {
-        live += born[p] - gone[p];
+        live += more[p];
         bound = bound < live ? live : bound;
     }
     return bound;
 }
 
-struct pack_result rg_pack(struct arena *scratch, struct pack_item *items, size_t count, bool apart)
+struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count, bool apart)
 {
-    struct pack_item **order = ARENA_ARRAY(scratch, struct pack_item *, count);
-    struct pack_item **placed = ARENA_ARRAY(scratch, struct pack_item *, count);
-    VkDeviceSize *best = ARENA_ARRAY(scratch, VkDeviceSize, count);
+    struct pack_item **order = ARENA_ARRAY(arena, struct pack_item *, count);
+    struct pack_item **placed = ARENA_ARRAY(arena, struct pack_item *, count);
+    VkDeviceSize *best = ARENA_ARRAY(arena, VkDeviceSize, count);
     struct pack_result result = {
         .apart = pack_apart(items, count),
-        .bound = find_bound(scratch, items, count),
+        .bound = rg_pack_bound(arena, items, count),
     };
     result.size = result.apart;
-    if (scratch->failed || apart)
+    if (arena->failed || apart)
         return result;
     for (size_t i = 0; i < count; i++) {
         order[i] = &items[i];
@@ -248,7 +246,7 @@ struct pack_result rg_pack(struct arena *scratch, struct pack_item *items, size_
     size_t rule_count = count > MANY ? 0 : sizeof(rules) / sizeof(rules[0]);
     for (size_t r = 0; r <= rule_count && result.size > result.bound; r++) {
         VkDeviceSize size = r ? apply_rule(&rules[r - 1], order, placed, count)
-                              : apply_time_order(scratch, items, count);
+                              : apply_time_order(arena, items, count);
         if (size >= result.size)
             continue;
         result.size = size;

@@ -1,52 +1,6 @@
-/* rg_resource.c: what the tables name: found, counted, sized, and walked cell by cell. */
+/* rg_resource.c: what the tables name: found, sized and given cells. */
 #include <math.h>
 #include "graph/rg_internal.h"
-
-const struct rg_technique *rg_technique_of(const struct compiler *c, const struct pass *pass)
-{
-    return c->params->techniques[pass->technique];
-}
-
-static uint32_t map_slot(const struct resource_map *map, const void *key)
-{
-    uint64_t hash = (uint64_t)(uintptr_t)key * UINT64_C(0x9e3779b97f4a7c15);
-    uint32_t slot = (uint32_t)(hash >> 32) & map->mask;
-    while (map->keys[slot] && map->keys[slot] != key)
-        slot = (slot + 1) & map->mask;
-    return slot;
-}
-
-uint32_t rg_find(const struct compiler *c, const void *address)
-{
-    if (!address)
-        return RG_NONE;
-    uint32_t slot = map_slot(&c->map, address);
-    return c->map.keys[slot] ? c->map.values[slot] : RG_NONE;
-}
-
-static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
-                                     const struct rg_buffer *buffer)
-{
-    const void *address = image ? (const void *)image : (const void *)buffer;
-    if (!address)
-        return NULL;
-    uint32_t slot = map_slot(&c->map, address);
-    if (!c->map.keys[slot]) {
-        c->map.keys[slot] = address;
-        c->map.values[slot] = c->resource_count;
-        const char *name = image ? image->name : buffer->name;
-        c->resources[c->resource_count++] = (struct resource){
-            .image = image,
-            .buffer = image ? NULL : buffer,
-            .name = name ? name : "?",
-            .import = RG_NONE,
-            .output = RG_NONE,
-            .first = RG_NONE,
-            .plan_index = RG_NONE,
-        };
-    }
-    return &c->resources[c->map.values[slot]];
-}
 
 bool rg_is_use(const struct rg_use *use)
 {
@@ -59,86 +13,26 @@ bool rg_is_good_use(const struct rg_use *use)
            use->access < RG_ACCESS_COUNT;
 }
 
-size_t rg_use_count(const struct rg_pass *pass)
+const char *rg_resource_name(const struct resource *r)
 {
-    size_t count = 0;
-    while (pass->uses && rg_is_use(&pass->uses[count]))
-        count++;
-    return count;
+    const char *name = r->image ? r->image->name : r->buffer->name;
+    return name ? name : "?";
 }
 
-/* How many resources and faults there can be at most. */
-static size_t reference_count(const struct rg_compile_params *params)
+bool rg_is_shared(const struct resource *r)
 {
-    size_t count = params->output_count + params->import_count;
-    for (size_t t = 0; t < params->technique_count; t++) {
-        const struct rg_technique *technique = params->techniques[t];
-        for (size_t p = 0; p < technique->pass_count; p++)
-            count += RG_COLOR_COUNT + 1 + rg_use_count(&technique->passes[p]);
-    }
-    return count;
+    return r->import == RG_NONE && !r->persistent &&
+           (r->image || r->buffer->memory == RG_MEMORY_DEVICE);
 }
 
-static void add_pass_resources(struct compiler *c, const struct rg_pass *pass)
-{
-    for (size_t i = 0; i < RG_COLOR_COUNT && pass->color[i].image; i++)
-        add_resource(c, pass->color[i].image, NULL);
-    add_resource(c, pass->depth.image, NULL);
-    size_t uses = rg_use_count(pass);
-    for (size_t i = 0; i < uses; i++)
-        add_resource(c, pass->uses[i].image, pass->uses[i].buffer);
-}
-
-static void add_ends(struct compiler *c)
-{
-    const struct rg_compile_params *params = c->params;
-    for (size_t i = 0; i < params->import_count; i++) {
-        const struct rg_import *import = &params->imports[i];
-        struct resource *r = add_resource(c, import->image, import->buffer);
-        if (r && r->import != RG_NONE)
-            rg_fault_add(c, RG_ERROR_LISTED_TWICE,
-                         (struct place){ .row = RG_NONE, .resource = r->name },
-                         "list an import once");
-        else if (r)
-            r->import = (uint32_t)i;
-    }
-    for (size_t i = 0; i < params->output_count; i++) {
-        const struct rg_output *output = &params->outputs[i];
-        struct resource *r = add_resource(c, output->image, output->buffer);
-        if (r && r->output != RG_NONE)
-            rg_fault_add(c, RG_ERROR_LISTED_TWICE,
-                         (struct place){ .row = RG_NONE, .resource = r->name },
-                         "list an output once");
-        else if (r)
-            r->output = (uint32_t)i;
-    }
-}
-
-/* Finds every resource that the tables name, in the order in which they name them. */
-void rg_collect(struct compiler *c)
-{
-    size_t references = reference_count(c->params);
-    uint32_t slots = 16;
-    while (slots < references * 2 && slots < UINT32_C(1) << 31)
-        slots *= 2;
-    c->map.mask = slots - 1;
-    c->map.keys = ARENA_ARRAY(&c->scratch, const void *, slots);
-    c->map.values = ARENA_ARRAY(&c->scratch, uint32_t, slots);
-    c->resources = ARENA_ARRAY(&c->scratch, struct resource, references + 1);
-    if (c->scratch.failed)
-        return;
-    for (size_t t = 0; t < c->params->technique_count; t++) {
-        const struct rg_technique *technique = c->params->techniques[t];
-        for (size_t p = 0; p < technique->pass_count; p++)
-            add_pass_resources(c, &technique->passes[p]);
-    }
-    add_ends(c);
-}
+/* ---- sizes ---- */
 
 static uint32_t scaled(uint32_t view, float scale)
 {
-    double texels = ceil((double)view * (scale > 0.0f ? (double)scale : 1.0));
-    return texels < 1.0 ? 1 : texels > (double)UINT32_MAX ? UINT32_MAX : (uint32_t)texels;
+    if (scale == 0.0f || scale == 1.0f)
+        return view;
+    double texels = ceil((double)view * (double)scale);
+    return !(texels >= 1.0) ? 1 : texels > (double)UINT32_MAX ? UINT32_MAX : (uint32_t)texels;
 }
 
 static uint32_t full_chain(VkExtent2D extent)
@@ -159,6 +53,7 @@ static void resolve_image(struct resource *r, VkExtent2D view)
     r->layers = image->layers ? image->layers : image->cube ? 6 : 1;
     r->mips = image->mips == RG_ALL_MIPS ? full_chain(r->extent) : image->mips ? image->mips : 1;
     r->aspects = format ? format->aspects : VK_IMAGE_ASPECT_COLOR_BIT;
+    r->persistent = image->persistent;
 }
 
 static void resolve_buffer(struct resource *r, VkExtent2D view)
@@ -169,6 +64,8 @@ static void resolve_buffer(struct resource *r, VkExtent2D view)
         __builtin_add_overflow(size, r->buffer->size, &size) || size > UINT64_MAX >> 16)
         size = RG_SIZE_OVERFLOW;
     r->size = size;
+    r->layers = r->mips = 1;
+    r->persistent = r->buffer->persistent;
 }
 
 /* What comes from outside may differ from its declaration. */
@@ -187,84 +84,125 @@ static void resolve_import(struct resource *r, const struct rg_import *import)
         r->size = import->size;
 }
 
-void rg_resolve(struct compiler *c)
+/* Whether it has content when the frame begins. */
+static bool arrives_filled(const struct compiler *c, const struct resource *r)
 {
-    VkExtent2D view = c->params->view;
-    for (uint32_t i = 0; i < c->resource_count; i++) {
-        struct resource *r = &c->resources[i];
-        if (r->image)
-            resolve_image(r, view);
-        else
-            resolve_buffer(r, view);
-        if (r->import != RG_NONE)
-            resolve_import(r, &c->params->imports[r->import]);
-    }
-    rg_check_resources(c);
-
-    uint64_t cells = 0;
-    for (uint32_t i = 0; i < c->resource_count && cells <= UINT32_MAX; i++) {
-        struct resource *r = &c->resources[i];
-        uint64_t aspect_count = (uint64_t)__builtin_popcount(r->aspects);
-        uint64_t count = r->image ? aspect_count * r->mips * r->layers : 1;
-        r->first_cell = (uint32_t)cells;
-        r->cell_count = (uint32_t)count;
-        cells += count;
-    }
-    c->cell_count = (uint32_t)cells;
-    if (cells > UINT32_MAX)
-        c->scratch.failed = true; /* no machine holds their states */
+    return r->persistent || (r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD) ||
+           (r->import != RG_NONE && c->params->imports[r->import].access != RG_ACCESS_NONE);
 }
 
-uint32_t rg_cell(const struct resource *r, uint32_t aspect, uint32_t mip, uint32_t layer)
+static bool add_cells(struct compiler *c, struct resource *r)
 {
-    return r->first_cell + (aspect * r->mips + mip) * r->layers + layer;
+    uint64_t count = r->image ? (uint64_t)__builtin_popcount(r->aspects) * r->mips * r->layers : 1;
+    r->cell_count = (uint32_t)count;
+    r->cells = ARENA_ZEROED(c->arena, struct cell, count);
+    for (uint32_t i = 0; r->cells && i < count && arrives_filled(c, r); i++)
+        r->cells[i].filled = CELL_FILLED;
+    return r->cells != NULL;
 }
 
-struct cell_walk rg_walk(const struct compiler *c, const struct access *access)
+/* ---- the map ---- */
+
+static uint32_t slot_of(const struct compiler *c, const void *address)
 {
-    return (struct cell_walk){
-        .resource = &c->resources[access->resource],
-        .range = access->range,
-    };
+    uint64_t hash = (uint64_t)(uintptr_t)address * UINT64_C(0x9e3779b97f4a7c15);
+    uint32_t slot = (uint32_t)(hash >> 32) & c->map.mask;
+    while (c->map.slots[slot] && c->resources[c->map.slots[slot] - 1].address != address)
+        slot = (slot + 1) & c->map.mask;
+    return slot;
 }
 
-/* Moves on to the next aspect of the range. Aspects count from the resource's lowest bit. */
-static bool next_aspect(struct cell_walk *w, uint32_t from)
+static bool grow_map(struct compiler *c)
 {
-    VkImageAspectFlags left = w->resource->aspects;
-    for (uint32_t index = 0; left; index++, left &= left - 1) {
-        if (index >= from && (left & (~left + 1) & w->range.aspectMask)) {
-            w->aspect = index;
-            return true;
-        }
-    }
-    return false;
-}
-
-bool rg_walk_next(struct cell_walk *w)
-{
-    const struct resource *r = w->resource;
-    if (r->buffer) {
-        bool first = !w->started;
-        w->started = true;
-        w->cell = r->first_cell;
-        return first;
-    }
-    const VkImageSubresourceRange *range = &w->range;
-    if (!w->started) {
-        w->started = true;
-        w->mip = range->baseMipLevel;
-        w->layer = range->baseArrayLayer;
-        if (!next_aspect(w, 0))
-            return false;
-    } else if (++w->layer == range->baseArrayLayer + range->layerCount) {
-        w->layer = range->baseArrayLayer;
-        if (++w->mip == range->baseMipLevel + range->levelCount) {
-            w->mip = range->baseMipLevel;
-            if (!next_aspect(w, w->aspect + 1))
-                return false;
-        }
-    }
-    w->cell = rg_cell(r, w->aspect, w->mip, w->layer);
+    c->map.mask = c->map.slots ? c->map.mask * 2 + 1 : 63;
+    c->map.slots = ARENA_ZEROED(c->arena, uint32_t, (size_t)c->map.mask + 1);
+    if (!c->map.slots)
+        return false;
+    for (uint32_t i = 0; i < c->resource_count; i++)
+        c->map.slots[slot_of(c, c->resources[i].address)] = i + 1;
     return true;
+}
+
+static uint32_t add_resource(struct compiler *c, const struct rg_image *image,
+                             const struct rg_buffer *buffer, const struct rg_import *import)
+{
+    if ((c->resource_count >= c->map.mask / 2 && !grow_map(c)) ||
+        !ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room, 64))
+        return RG_NONE;
+    struct resource *r = &c->resources[c->resource_count];
+    *r = (struct resource){
+        .address = image ? (const void *)image : (const void *)buffer,
+        .image = image,
+        .buffer = image ? NULL : buffer,
+        .import = import ? (uint32_t)(import - c->params->imports) : RG_NONE,
+        .output = RG_NONE,
+        .first = RG_NONE,
+        .plan_index = RG_NONE,
+        .item = RG_NONE,
+        .last_barrier = RG_NONE,
+    };
+    if (image)
+        resolve_image(r, c->params->view);
+    else
+        resolve_buffer(r, c->params->view);
+    if (import)
+        resolve_import(r, import);
+    rg_check_resource(c, r);
+    if (!add_cells(c, r))
+        return RG_NONE;
+    c->persistent_count += r->persistent;
+    c->map.slots[slot_of(c, r->address)] = ++c->resource_count;
+    return c->resource_count - 1;
+}
+
+static uint32_t find_or_add(struct compiler *c, const struct rg_image *image,
+                            const struct rg_buffer *buffer, const struct rg_import *import)
+{
+    if (c->map.slots) {
+        uint32_t slot = slot_of(c, image ? (const void *)image : (const void *)buffer);
+        if (c->map.slots[slot])
+            return c->map.slots[slot] - 1;
+    }
+    return add_resource(c, image, buffer, import);
+}
+
+uint32_t rg_resource_of(struct compiler *c, const struct rg_image *image,
+                        const struct rg_buffer *buffer)
+{
+    return find_or_add(c, image, buffer, NULL);
+}
+
+/* ---- imports and outputs ---- */
+
+void rg_add_ends(struct compiler *c)
+{
+    const struct rg_compile_params *params = c->params;
+    for (size_t i = 0; i < params->import_count; i++) {
+        const struct rg_import *import = &params->imports[i];
+        if (!import->image == !import->buffer)
+            continue;
+        uint32_t before = c->resource_count;
+        uint32_t index = find_or_add(c, import->image, import->buffer, import);
+        if (index < before)
+            rg_fault_add(c, RG_ERROR_LISTED_TWICE,
+                         (struct place){ .row = RG_NONE,
+                                         .resource = rg_resource_name(&c->resources[index]) },
+                         "list an import once");
+    }
+    for (size_t i = 0; i < params->output_count; i++) {
+        const struct rg_output *output = &params->outputs[i];
+        if (!output->image == !output->buffer)
+            continue;
+        uint32_t index = find_or_add(c, output->image, output->buffer, NULL);
+        if (index == RG_NONE)
+            return;
+        if (c->resources[index].output != RG_NONE)
+            rg_fault_add(c, RG_ERROR_LISTED_TWICE,
+                         (struct place){ .row = RG_NONE,
+                                         .resource = rg_resource_name(&c->resources[index]) },
+                         "list an output once");
+        else
+            c->resources[index].output = (uint32_t)i;
+        rg_check_output_memory(c, &c->resources[index]);
+    }
 }

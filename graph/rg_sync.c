@@ -1,140 +1,153 @@
 /*
  * rg_sync.c: which barrier goes before which pass.
  *
- * Every cell (rg_internal.h) remembers its layout, its last write, the stages that have read it
- * since, and to which stages and accesses the write was made visible. From these follow (Vulkan
- * 1.3, chapter 7): a read needs a barrier unless it is covered by an earlier one; a write always
- * needs one; a change of layout is a write between the barrier's two halves, and later barriers
- * chain on to the stages it was made visible to.
- *
- * A frame follows itself on one queue without a pause, so the first use of any memory waits for
- * whoever used it last in the frame before, and for those it is shared with.
+ * A barrier may lie anywhere between its release (whoever it waits for has been recorded) and its
+ * deadline (the pass that waits for it). A batch is one vkCmdPipelineBarrier2 before a pass.
+ * Greedy interval stabbing: barriers come in the order of their deadlines; each joins the newest
+ * batch if that is not before its release, or else opens one at its deadline. No set of batches
+ * for the same order of passes is smaller, and none waits earlier than it has to.
  */
-#include <string.h>
 #include "graph/rg_internal.h"
 
-/* The stages for which visibility is tracked one by one; any other counts as never covered. */
-static const VkPipelineStageFlags2 tracked_stages[] = {
-    VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
-    VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT,
-    VK_PIPELINE_STAGE_2_VERTEX_ATTRIBUTE_INPUT_BIT,
-    VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
-    VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT,
-    VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
-    VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-    VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-    VK_PIPELINE_STAGE_2_HOST_BIT,
-};
-
-enum {
-    STAGE_COUNT = sizeof(tracked_stages) / sizeof(tracked_stages[0])
-};
-
-struct state {
-    VkImageLayout layout;
-    VkPipelineStageFlags2 write_stages; /* of the last write, or that it was chained on to */
-    VkAccessFlags2 write_access;        /* of it, while not yet available */
-    VkPipelineStageFlags2 read_stages;  /* since then */
-    VkAccessFlags2 visible[STAGE_COUNT];
-    uint32_t written, touched; /* the first pass after the last write, and after the last access */
-    uint32_t first_transition, transition_end; /* of the access that made the write visible first */
-    bool changed;                              /* content or layout, by this frame */
-};
-
-struct sync {
-    struct compiler *c;
-    struct state *states; /* one a cell */
-    struct transitions transitions;
-};
-
-static bool is_visible(const struct state *s, VkPipelineStageFlags2 stages, VkAccessFlags2 access)
+static void close_batch(struct sync *sync)
 {
-    for (uint32_t i = 0; i < STAGE_COUNT; i++) {
-        if ((stages & tracked_stages[i]) && (access & ~s->visible[i]))
-            return false;
-        stages &= ~tracked_stages[i];
-    }
-    return !stages;
-}
-
-static void make_visible(struct state *s, VkPipelineStageFlags2 stages, VkAccessFlags2 access)
-{
-    for (uint32_t i = 0; i < STAGE_COUNT; i++) {
-        if (stages & tracked_stages[i])
-            s->visible[i] |= access;
+    struct rg_plan *plan = sync->c->plan;
+    uint32_t count = sync->barrier_count - sync->batch_first;
+    if (sync->batch_position == RG_NONE)
+        return;
+    plan->batch_count++;
+    if (sync->batch_position == plan->pass_count) {
+        plan->first_final_barrier = sync->batch_first;
+        plan->final_barrier_count = count;
+    } else {
+        sync->passes[sync->batch_position].first_barrier = sync->batch_first;
+        sync->passes[sync->batch_position].barrier_count = count;
     }
 }
 
-/* What a cell needs before an access at pass `deadline`; false if nothing. */
-static bool decide(const struct state *s, const struct access *a, struct transition *t)
+static bool same_words(const struct rg_barrier *a, const struct rg_barrier *b)
 {
-    bool moves = s->layout != a->layout;
-    if (!a->writes_content && !moves && is_visible(s, a->stages, a->reads))
+    return a->image == b->image && a->buffer == b->buffer && a->src_stages == b->src_stages &&
+           a->dst_stages == b->dst_stages && a->src_access == b->src_access &&
+           a->dst_access == b->dst_access && a->old_layout == b->old_layout &&
+           a->new_layout == b->new_layout;
+}
+
+/* Grows `a` by `b` if together they are one range of layers, mips or aspects. */
+static bool join_ranges(VkImageSubresourceRange *a, const VkImageSubresourceRange *b)
+{
+    bool aspects = a->aspectMask == b->aspectMask;
+    bool mips = a->baseMipLevel == b->baseMipLevel && a->levelCount == b->levelCount;
+    bool layers = a->baseArrayLayer == b->baseArrayLayer && a->layerCount == b->layerCount;
+    if (aspects && mips && a->baseArrayLayer + a->layerCount == b->baseArrayLayer)
+        a->layerCount += b->layerCount;
+    else if (aspects && layers && a->baseMipLevel + a->levelCount == b->baseMipLevel)
+        a->levelCount += b->levelCount;
+    else if (mips && layers)
+        a->aspectMask |= b->aspectMask;
+    else
         return false;
-    t->release = s->written;
-    t->barrier = (struct rg_barrier){
-        .src_stages = s->write_stages,
-        .src_access = s->write_access,
-        .dst_stages = a->stages,
-        .dst_access = a->reads | a->writes,
-        .old_layout = a->overwrites ? VK_IMAGE_LAYOUT_UNDEFINED : s->layout,
-        .new_layout = a->layout,
-    };
-    if (a->writes_content || moves)
-        t->release = s->touched;
-    /* who read it since has waited for the write, and a barrier made the write available then */
-    if ((a->writes_content || moves) && s->read_stages) {
-        t->barrier.src_stages = s->read_stages;
-        t->barrier.src_access = VK_ACCESS_2_NONE;
+    return true;
+}
+
+/* Makes one of the newest barrier and that of index `before`, of the same batch, if it can. */
+static bool join(struct sync *sync, uint32_t before)
+{
+    uint32_t newest = sync->barrier_count - 1;
+    struct rg_barrier *a = &sync->barriers[before];
+    const struct rg_barrier *b = &sync->barriers[newest];
+    if (before < sync->batch_first || !same_words(a, b) || !join_ranges(&a->range, &b->range))
+        return false;
+    sync->barrier_count--;
+    uint32_t *takeovers = &sync->takeover_count;
+    if (*takeovers && sync->takeovers[*takeovers - 1].barrier == newest)
+        (*takeovers)--;
+    return true;
+}
+
+/* Room for the next barrier, which is not there before put() says so. */
+static struct rg_barrier *next_barrier(struct sync *sync)
+{
+    return ARENA_ROOM(sync->c->arena, sync->barriers, sync->barrier_count, sync->barrier_room, 64)
+               ? &sync->barriers[sync->barrier_count]
+               : NULL;
+}
+
+static void put(struct sync *sync, struct resource *r, const struct cell *cell, uint32_t release,
+                uint32_t deadline)
+{
+    struct compiler *c = sync->c;
+    if (sync->batch_position == RG_NONE || release > sync->batch_position) {
+        close_batch(sync);
+        sync->batch_first = sync->barrier_count;
+        sync->batch_position = deadline;
     }
-    return moves || t->barrier.src_stages;
+    if (cell->fresh) {
+        struct pack_item *item = &c->items[r->item];
+        bool earlier = c->params->sharing == RG_SHARE_FEWEST_BATCHES;
+        if (earlier && item->first > sync->batch_position)
+            item->first = sync->batch_position; /* its memory changes hands here */
+        if (!ARENA_ROOM(c->arena, sync->takeovers, sync->takeover_count, sync->takeover_room, 64))
+            return;
+        sync->takeovers[sync->takeover_count++] =
+            (struct takeover){ sync->barrier_count, (uint32_t)(r - c->resources) };
+    }
+    r->last_barrier = sync->barrier_count++;
 }
 
 /*
- * Another stage reads what an earlier transition of this frame has made visible to some: that
- * transition makes it visible to this one too, instead of a barrier more.
+ * Another stage reads what an earlier barrier of this frame has made visible to some: that barrier
+ * makes it visible to this one too, instead of a barrier more. `next` is what would be added.
  */
-static bool widen(struct sync *sync, const struct state *s, const struct access *a, uint32_t image,
-                  const struct cell_walk *w, VkImageAspectFlags aspect)
+static bool widen(struct sync *sync, const struct cell *s, const struct access *a,
+                  const struct rg_barrier *next)
 {
-    if (a->writes_content || s->layout != a->layout)
+    if ((a->flags & ACCESS_WRITES_CONTENT) || s->layout != a->layout)
         return false;
-    for (uint32_t i = s->first_transition; i < s->transition_end; i++) {
-        struct rg_barrier *b = &sync->transitions.items[i].barrier;
-        const VkImageSubresourceRange *range = &b->range;
-        bool holds = image == RG_NONE || ((range->aspectMask & aspect) &&
-                                          w->mip - range->baseMipLevel < range->levelCount &&
-                                          w->layer - range->baseArrayLayer < range->layerCount);
-        if (!holds)
+    for (uint32_t i = s->first_barrier; i < s->barrier_end && i < sync->barrier_count; i++) {
+        struct rg_barrier *b = &sync->barriers[i];
+        const VkImageSubresourceRange *all = &b->range;
+        const VkImageSubresourceRange *one = &next->range;
+        if (b->image != next->image || b->buffer != next->buffer)
+            continue;
+        if (b->image != RG_NONE && (!(all->aspectMask & one->aspectMask) ||
+                                    one->baseMipLevel - all->baseMipLevel >= all->levelCount ||
+                                    one->baseArrayLayer - all->baseArrayLayer >= all->layerCount))
             continue;
         b->dst_stages |= a->stages;
-        b->dst_access |= a->reads;
+        b->dst_access |= rg_access_reads(a);
         return true;
     }
     return false;
 }
 
-static void apply(struct state *s, const struct access *a, uint32_t pass, bool made_visible)
+static void name_barrier(struct rg_barrier *b, const struct resource *r)
 {
-    bool moves = s->layout != a->layout;
-    s->touched = pass + 1;
-    if (a->writes_content || moves) {
-        s->write_stages = a->stages;
-        s->write_access = a->writes;
-        s->read_stages = VK_PIPELINE_STAGE_2_NONE;
-        s->changed = true;
-        s->written = pass + 1;
-        s->first_transition = s->transition_end = 0;
-        memset(s->visible, 0, sizeof(s->visible));
-    }
-    s->layout = a->layout;
-    if (a->writes_content)
+    b->image = r->image ? r->plan_index : RG_NONE;
+    b->buffer = r->image ? RG_NONE : r->plan_index;
+}
+
+static void sync_whole(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass)
+{
+    struct cell *cell = r->cells;
+    struct rg_barrier *b = next_barrier(sync);
+    uint32_t release;
+    if (!b)
         return;
-    s->read_stages |= a->stages;
-    if (made_visible)
-        make_visible(s, a->stages, a->reads);
+    bool needed = rg_state_decide(cell, a, b, &release);
+    bool added = false;
+    if (needed) {
+        name_barrier(b, r);
+        b->range = a->range;
+        added = !widen(sync, cell, a, b);
+        if (added)
+            put(sync, r, cell, release, pass);
+    }
+    rg_state_apply(cell, a, pass, needed);
+    if (added && !(a->flags & ACCESS_WRITES_CONTENT)) {
+        cell->first_barrier = r->last_barrier;
+        cell->barrier_end = r->last_barrier + 1;
+    }
 }
 
 static VkImageAspectFlags aspect_bit(VkImageAspectFlags aspects, uint32_t index)
@@ -144,232 +157,182 @@ static VkImageAspectFlags aspect_bit(VkImageAspectFlags aspects, uint32_t index)
     return aspects & (~aspects + 1);
 }
 
+static VkImageSubresourceRange cell_range(const struct resource *r, const struct cell_walk *w)
+{
+    if (!r->image)
+        return (VkImageSubresourceRange){ 0 };
+    return (VkImageSubresourceRange){
+        aspect_bit(r->aspects, w->aspect), w->mip, 1, w->layer, 1,
+    };
+}
+
+/* Adds the barrier of one cell to those from `start` on, or to the resource's last one. */
+static void put_cell(struct sync *sync, struct resource *r, const struct cell_walk *w,
+                     uint32_t release, uint32_t pass)
+{
+    uint32_t before = r->last_barrier;
+    put(sync, r, w->cell, release, pass);
+    if (before != RG_NONE && r->image && join(sync, before))
+        r->last_barrier = before;
+}
+
+/* Joins the newest barriers, all from `start` on and of one resource, while they make one. */
+static void join_rows(struct sync *sync, struct resource *r, uint32_t start)
+{
+    while (sync->barrier_count >= start + 2 && join(sync, sync->barrier_count - 2))
+        r->last_barrier = sync->barrier_count - 1;
+}
+
 /* Whether a frame has left an import in another state than it came in. */
-static bool has_to_go_back(const struct state *s, const struct access *arrival)
+static bool has_to_go_back(const struct cell *s, const struct access *arrival)
 {
-    return s->changed || (arrival->writes_content && s->read_stages);
+    return s->changed || ((arrival->flags & ACCESS_WRITES_CONTENT) && s->read_stages);
 }
 
-/* The transitions that one access of the plan's pass `pass` needs, and what it leaves. */
-static void synchronise_cells(struct sync *sync, const struct access *access, uint32_t pass,
-                              bool hand_back)
+/* Returns whether it has added a barrier. */
+static bool sync_cell(struct sync *sync, struct resource *r, const struct cell_walk *w,
+                      const struct access *a, uint32_t pass)
 {
-    const struct resource *r = &sync->c->resources[access->resource];
-    struct transitions *list = &sync->transitions;
-    uint32_t start = list->count;
-    uint32_t row_start = start; /* of the mip being walked */
-    struct transition t = {
-        .deadline = pass,
-        .barrier.image = r->image ? r->plan_index : RG_NONE,
-        .barrier.buffer = r->image ? RG_NONE : r->plan_index,
-    };
-    const struct rg_barrier names = t.barrier;
-    for (struct cell_walk w = rg_walk(sync->c, access); rg_walk_next(&w);) {
-        struct state *s = &sync->states[w.cell];
-        VkImageAspectFlags aspect = aspect_bit(r->aspects, w.aspect);
-        if (hand_back && !has_to_go_back(s, access))
-            continue;
-        if (r->image && w.layer == access->range.baseArrayLayer) {
-            rg_transition_join(list, start); /* the mip before with those before it */
-            row_start = list->count;
-        }
-        bool needed = decide(s, access, &t);
-        if (needed && !widen(sync, s, access, names.image, &w, aspect)) {
-            t.barrier.image = names.image;
-            t.barrier.buffer = names.buffer;
-            if (r->image)
-                t.barrier.range = (VkImageSubresourceRange){ aspect, w.mip, 1, w.layer, 1 };
-            rg_transition_add(&sync->c->scratch, list, &t);
-            rg_transition_join(list, row_start);
-        }
-        apply(s, access, pass, needed);
+    struct rg_barrier *b = next_barrier(sync);
+    uint32_t release;
+    if (!b)
+        return false;
+    bool needed = rg_state_decide(w->cell, a, b, &release);
+    bool added = false;
+    if (needed) {
+        name_barrier(b, r);
+        b->range = cell_range(r, w);
+        added = !widen(sync, w->cell, a, b);
+        if (added)
+            put_cell(sync, r, w, release, pass);
     }
-    rg_transition_join(list, start);
+    rg_state_apply(w->cell, a, pass, needed);
+    return added;
 }
 
-/*
- * `hand_back`: the access is an import's arrival, and cells that are still so are left alone. Later
- * readers can widen what the transitions of this access made visible.
- */
-static void synchronise(struct sync *sync, const struct access *access, uint32_t pass,
-                        bool hand_back)
+static void sync_cells(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass,
+                       bool hand_back)
 {
-    uint32_t start = sync->transitions.count;
-    synchronise_cells(sync, access, pass, hand_back);
-    if (access->writes_content || sync->transitions.count == start)
+    bool writes = a->flags & ACCESS_WRITES_CONTENT;
+    uint32_t start = sync->barrier_count;
+    uint32_t mip = RG_NONE;
+    for (struct cell_walk w = rg_walk(r, a); rg_walk_next(&w);) {
+        if (hand_back && !has_to_go_back(w.cell, a))
+            continue;
+        if (w.mip != mip)
+            join_rows(sync, r, start); /* the mip before with those before it */
+        mip = w.mip;
+        if (sync_cell(sync, r, &w, a, pass) && !writes && r->last_barrier < start) {
+            w.cell->first_barrier = r->last_barrier;
+            w.cell->barrier_end = r->last_barrier + 1;
+        }
+    }
+    join_rows(sync, r, start);
+    if (writes || sync->barrier_count == start)
         return;
-    for (struct cell_walk w = rg_walk(sync->c, access); rg_walk_next(&w);) {
-        struct state *s = &sync->states[w.cell];
-        if (s->transition_end)
+    for (struct cell_walk w = rg_walk(r, a); rg_walk_next(&w);) {
+        if (w.cell->barrier_end)
             continue;
-        s->first_transition = start;
-        s->transition_end = sync->transitions.count;
+        w.cell->first_barrier = start;
+        w.cell->barrier_end = sync->barrier_count;
     }
 }
 
-/* ---- where a frame begins and ends ---- */
-
-/* As struct rg_import says; nobody knows who else reads it, so a write waits for everything. */
-static struct state import_state(const struct resource *r, enum rg_access access)
+void rg_sync_access(struct sync *sync, const struct access *access, uint32_t pass)
 {
-    const struct rg_access_info *info = rg_access_info(access);
-    bool shader = !info->stages && (info->reads || info->writes);
-    struct state s = {
-        .layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED,
-        .write_stages = shader ? RG_ANY_SHADER : info->stages,
-        .write_access = info->writes,
-    };
-    if (!s.write_stages)
-        s.write_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    struct resource *r = &sync->c->resources[access->resource];
+    if (access->whole)
+        sync_whole(sync, r, access, pass);
+    else
+        sync_cells(sync, r, access, pass, false);
+}
+
+void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes)
+{
+    struct compiler *c = sync->c;
+    sync->passes = passes;
+    sync->batch_position = RG_NONE;
+    sync->barrier_room = c->alive_access_count;
+    sync->barriers = ARENA_ARRAY(c->arena, struct rg_barrier, sync->barrier_room);
+    rg_state_begin(c);
+}
+
+/* Outputs become ready for their access; other imports go back as they came. */
+static void end_resource(struct sync *sync, uint32_t index)
+{
+    struct compiler *c = sync->c;
+    struct resource *r = &c->resources[index];
+    bool hand_back = r->output == RG_NONE && r->import != RG_NONE;
+    enum rg_access access = RG_ACCESS_NONE;
+    if (hand_back)
+        access = c->params->imports[r->import].access;
+    else if (r->output != RG_NONE)
+        access = c->params->outputs[r->output].access;
     if (access == RG_ACCESS_NONE)
-        s.write_access = VK_ACCESS_2_MEMORY_WRITE_BIT;
-    if (info->writes_content || access == RG_ACCESS_NONE)
-        return s;
-    s.read_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    make_visible(&s, s.write_stages, info->reads);
-    return s;
-}
-
-static struct state initial_state(const struct compiler *c, const struct resource *r)
-{
-    struct state s = {
-        .layout = VK_IMAGE_LAYOUT_UNDEFINED,
-        .write_stages = r->former.stages,
-        .write_access = r->former.writes,
-        .written = r->former.end,
-        .touched = r->former.end,
-    };
-    if (r->import != RG_NONE)
-        return import_state(r, c->params->imports[r->import].access);
-    if (r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD) /* a submit shows all of it to all */
-        memset(s.visible, 0xff, sizeof(s.visible));
-    return s;
-}
-
-static void begin_frame(struct sync *sync)
-{
-    struct compiler *c = sync->c;
-    for (uint32_t i = 0; i < c->resource_count; i++) {
-        const struct resource *r = &c->resources[i];
-        if (r->first == RG_NONE)
-            continue;
-        struct state s = initial_state(c, r);
-        for (uint32_t k = 0; k < r->cell_count; k++)
-            sync->states[r->first_cell + k] = s;
-    }
-}
-
-static void end_frame(struct sync *sync)
-{
-    struct compiler *c = sync->c;
-    for (uint32_t i = 0; i < c->resource_count; i++) {
-        const struct resource *r = &c->resources[i];
-        if (r->first == RG_NONE)
-            continue;
-        bool hand_back = r->output == RG_NONE && r->import != RG_NONE;
-        enum rg_access access =
-            hand_back ? c->params->imports[r->import].access : rg_output_access(c, r);
-        if (access == RG_ACCESS_NONE)
-            continue;
-        const struct access a = rg_end_access(c, i, access);
-        synchronise(sync, &a, c->plan->pass_count, hand_back);
-    }
-}
-
-/* ---- the plan's passes ---- */
-
-static const VkAttachmentLoadOp load_ops[] = {
-    [RG_LOAD_KEEP] = VK_ATTACHMENT_LOAD_OP_LOAD,
-    [RG_LOAD_CLEAR] = VK_ATTACHMENT_LOAD_OP_CLEAR,
-    [RG_LOAD_DISCARD] = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-};
-
-static struct rg_plan_target plan_target(const struct compiler *c, const struct access *a)
-{
-    VkAttachmentStoreOp store =
-        a->needed ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
-    if (!a->writes_content)
-        store = VK_ATTACHMENT_STORE_OP_NONE;
-    return (struct rg_plan_target){
-        .image = c->resources[a->resource].plan_index,
-        .mip = a->range.baseMipLevel,
-        .layer = a->range.baseArrayLayer,
-        .load = a->writes_content ? load_ops[a->target->load] : VK_ATTACHMENT_LOAD_OP_LOAD,
-        .store = store,
-        .layout = a->layout,
-        .resolve = RG_NONE,
-    };
-}
-
-static struct rg_plan_use plan_use(const struct compiler *c, const struct access *a)
-{
-    const struct resource *r = &c->resources[a->resource];
-    return (struct rg_plan_use){
-        .use = a->use,
-        .image = r->image ? r->plan_index : RG_NONE,
-        .buffer = r->image ? RG_NONE : r->plan_index,
-        .range = a->range,
-        .layout = a->layout,
-    };
-}
-
-static void plan_pass(struct sync *sync, const struct pass *pass, struct rg_plan_pass *out,
-                      struct rg_plan_use *uses, uint32_t index)
-{
-    struct compiler *c = sync->c;
-    *out = (struct rg_plan_pass){
-        .pass = pass->rg,
-        .technique = rg_technique_of(c, pass),
-        .row = pass->row,
-        .repetition = pass->repetition,
-        .extent = pass->extent,
-        .depth.image = RG_NONE,
-        .first_use = c->plan->use_count,
-    };
-    for (uint32_t i = 0; i < pass->access_count; i++) {
-        const struct access *a = &c->accesses[pass->first_access + i];
-        synchronise(sync, a, index, false);
-        if (a->use)
-            uses[c->plan->use_count++] = plan_use(c, a);
-        else if (a->access == RG_COLOR)
-            out->color[out->color_count++] = plan_target(c, a);
-        else
-            out->depth = plan_target(c, a);
-    }
-    out->use_count = c->plan->use_count - out->first_use;
-}
-
-static void list_culled(struct compiler *c)
-{
-    struct rg_culled *culled =
-        ARENA_ARRAY(c->arena, struct rg_culled, c->pass_count - c->plan->pass_count);
-    for (uint32_t p = 0; p < c->pass_count && culled; p++) {
-        if (!c->passes[p].alive)
-            culled[c->plan->culled_count++] =
-                (struct rg_culled){ c->passes[p].rg, c->passes[p].repetition };
-    }
-    c->plan->culled = culled;
-}
-
-void rg_sync(struct compiler *c)
-{
-    struct rg_plan *plan = c->plan;
-    struct sync sync = { .c = c, .states = ARENA_ARRAY(&c->scratch, struct state, c->cell_count) };
-    struct rg_plan_pass *passes = ARENA_ARRAY(c->arena, struct rg_plan_pass, plan->pass_count);
-    struct rg_plan_use *uses = ARENA_ARRAY(c->arena, struct rg_plan_use, c->access_count);
-    if (c->scratch.failed || c->arena->failed)
         return;
-    begin_frame(&sync);
-    uint32_t n = 0;
-    for (uint32_t p = 0; p < c->pass_count; p++) {
-        if (!c->passes[p].alive)
-            continue;
-        plan_pass(&sync, &c->passes[p], &passes[n], uses, n);
-        n++;
+    const struct access a = rg_end_access(c, index, access);
+    sync_cells(sync, r, &a, c->plan->pass_count, hand_back);
+}
+
+/* From the zeros of the very first frame to what every frame finds: what every frame leaves. */
+static void begin_history(struct sync *sync, struct resource *r)
+{
+    const struct access all = { .range = { r->aspects, 0, r->mips, 0, r->layers } };
+    uint32_t start = sync->barrier_count;
+    uint32_t mip = RG_NONE;
+    for (struct cell_walk w = rg_walk(r, &all); rg_walk_next(&w);) {
+        if (w.mip != mip)
+            join_rows(sync, r, start);
+        mip = w.mip;
+        struct rg_barrier *b = next_barrier(sync);
+        if (!b)
+            return;
+        *b = (struct rg_barrier){
+            .src_stages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+            .src_access = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+            .dst_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+            .dst_access = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+        };
+        name_barrier(b, r);
+        b->range = cell_range(r, &w);
+        if (r->image) {
+            b->old_layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+            b->new_layout = w.cell->layout == VK_IMAGE_LAYOUT_UNDEFINED ? VK_IMAGE_LAYOUT_GENERAL
+                                                                        : w.cell->layout;
+        }
+        sync->barrier_count++;
+        if (sync->barrier_count >= start + 2 && r->image)
+            join(sync, sync->barrier_count - 2);
     }
-    end_frame(&sync);
-    rg_batch(c, &sync.transitions, passes);
-    plan->passes = passes;
-    plan->uses = uses;
-    list_culled(c);
+    join_rows(sync, r, start);
+}
+
+void rg_sync_end(struct sync *sync)
+{
+    struct compiler *c = sync->c;
+    struct rg_plan *plan = c->plan;
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        if (c->resources[i].first != RG_NONE)
+            end_resource(sync, i);
+    }
+    close_batch(sync);
+    plan->barrier_count = sync->barrier_count;
+    plan->first_initial_barrier = sync->batch_first = sync->barrier_count;
+    for (uint32_t i = 0; i < c->resource_count && c->persistent_count; i++) {
+        if (c->resources[i].first != RG_NONE && c->resources[i].persistent)
+            begin_history(sync, &c->resources[i]);
+    }
+    plan->initial_barrier_count = sync->barrier_count - plan->barrier_count;
+    plan->barriers = sync->barriers;
+}
+
+void rg_sync_takeovers(struct sync *sync)
+{
+    for (uint32_t i = 0; i < sync->takeover_count; i++) {
+        const struct resource *r = &sync->c->resources[sync->takeovers[i].resource];
+        const struct pack_item *item = &sync->c->items[r->item];
+        struct rg_barrier *b = &sync->barriers[sync->takeovers[i].barrier];
+        b->src_stages = item->former_stages;
+        b->src_access = item->former_writes;
+    }
 }

@@ -27,7 +27,6 @@ static void make_items(struct pack_item *items, uint32_t count, uint32_t seed)
             .alignment = (VkDeviceSize)1 << next_random(&seed) % 9,
             .first = pass,
             .last = pass + next_random(&seed) % 12,
-            .index = i,
         };
     }
 }
@@ -97,9 +96,9 @@ static void test_the_best_rule_wins(void **state)
     (void)state;
     struct arena scratch = { 0 };
     struct pack_item items[] = {
-        { .size = 2, .alignment = 1, .first = 0, .last = 1, .index = 0 },
-        { .size = 1, .alignment = 1, .first = 0, .last = 3, .index = 1 },
-        { .size = 3, .alignment = 1, .first = 2, .last = 3, .index = 2 },
+        { .size = 2, .alignment = 1, .first = 0, .last = 1 },
+        { .size = 1, .alignment = 1, .first = 0, .last = 3 },
+        { .size = 3, .alignment = 1, .first = 2, .last = 3 },
     };
     const struct pack_result r = rg_pack(&scratch, items, 3, false);
     assert_int_equal(r.bound, 4);

@@ -5,20 +5,16 @@
 
 #include "graph/rg.h"
 #include "tests/support/check.h"
-#include "tests/support/small_graph.h"
-
-enum {
-    VIEW = 64,
-    ROWS = 2,
-};
+#include "tests/support/fault_case.h"
 
 #define COLOR_FORMAT VK_FORMAT_R8G8B8A8_UNORM
-#define WILD         UINT32_MAX
+#define WILD         FAULT_CASE_WILD
 
 /* ---- resources, good ones first ---- */
 
-static const struct rg_image picture = { .name = "picture", .format = COLOR_FORMAT };
-static const struct rg_image other = { .name = "other", .format = COLOR_FORMAT };
+#define picture fault_case_picture
+#define other   fault_case_other
+
 static const struct rg_image third = { .name = "third", .format = COLOR_FORMAT };
 static const struct rg_image small = { .name = "small", .format = COLOR_FORMAT, .scale = 0.5f };
 static const struct rg_image depth = { .name = "depth", .format = VK_FORMAT_D32_SFLOAT };
@@ -66,43 +62,12 @@ static VkFormatFeatureFlags all_but_some(const void *user, VkFormat format)
 
 static const struct rg_device sampling_device = { .format_features = only_sampled };
 static const struct rg_device plain_device = { .format_features = all_but_some };
-static const struct rg_device small_device = { .max_image_size = VIEW - 1 };
+static const struct rg_device small_device = { .max_image_size = FAULT_CASE_VIEW - 1 };
 static const struct rg_device thin_device = { .max_layers = 3 };
 
 static const struct rg_sampler linear = { .linear = true };
 
 /* ---- cases ---- */
-
-/* Rows that say little more than one resource; ALSO reads it and writes another. */
-#define FILL(to)    DRAW("draw", .color[0] = { CLEARED(to) })
-#define COPY_TO(to) COPY("copy", { .buffer = &(to), .access = RG_COPY_DST })
-#define ALSO(...)   COMPUTE("compute", { WRITE_OTHER }, { __VA_ARGS__ })
-#define WRITE_OTHER .image = &other, .access = RG_STORAGE_WRITE, .binding = 9
-
-/*
- * Before the rows of a case, in a technique of its own, a good row writes `picture`, which is the
- * output unless the case has outputs. One fault is expected, in the last row if it lies in a row.
- */
-struct fault_case {
-    enum rg_error error;
-    const char *resource; /* that the fault names; NULL: none */
-    bool row;             /* it lies in a row */
-    uint32_t row_count;
-    struct rg_pass rows[ROWS];
-    struct rg_output outputs[2];
-    struct rg_import imports[2];
-    const struct rg_device *device;
-    bool no_output, no_view, nameless_technique;
-};
-
-/* A fault in the only row, of a resource (NULL: none). */
-#define ROW(kind, name, ...) \
-    .error = (kind), .resource = (name), .row = true, .row_count = 1, .rows = { __VA_ARGS__ }
-/* A fault outside the rows, which a good or bad row may lead to. */
-#define AROUND(kind, name, ...) \
-    .error = (kind), .resource = (name), .row_count = 1, .rows = { __VA_ARGS__ }
-#define OUTPUT(kind, name, ...) .error = (kind), .resource = (name), .outputs = { __VA_ARGS__ }
-#define IMPORT(kind, name, ...) .error = (kind), .resource = (name), .imports = { __VA_ARGS__ }
 
 static const struct fault_case params_cases[] = {
     { .error = RG_ERROR_NO_OUTPUT, .no_output = true },
@@ -330,110 +295,17 @@ static const struct fault_case device_cases[] = {
       .device = &plain_device },
 };
 
-#define CASES(table) \
-    { \
-        table, sizeof(table) / sizeof((table)[0]) \
-    }
-
-static const struct {
-    const struct fault_case *cases;
-    size_t count;
-} all_cases[] = {
-    CASES(params_cases), CASES(resource_cases), CASES(row_cases),
-    CASES(use_cases),    CASES(range_cases),    CASES(device_cases),
+static const struct fault_cases all_cases[] = {
+    FAULT_CASES(params_cases), FAULT_CASES(resource_cases), FAULT_CASES(row_cases),
+    FAULT_CASES(use_cases),    FAULT_CASES(range_cases),    FAULT_CASES(device_cases),
 };
-
-/* ---- judging them ---- */
-
-static const struct rg_pass good_rows[] = { DRAW("fill", .color[0] = { CLEARED(picture) }) };
-
-static struct rg_plan *compile_case(const struct fault_case *fc)
-{
-    const struct rg_technique good = RG_TECHNIQUE("good", good_rows);
-    const struct rg_technique bad = {
-        .name = fc->nameless_technique ? NULL : "bad",
-        .passes = fc->rows,
-        .pass_count = fc->row_count,
-    };
-    const struct rg_technique *const techniques[] = { &good, &bad };
-    const struct rg_output wanted = { .image = &picture, .access = RG_SAMPLED };
-    bool own = fc->outputs[0].image || fc->outputs[0].buffer || fc->outputs[0].access;
-    bool second_output = fc->outputs[1].image;
-    bool import = fc->imports[0].image || fc->imports[0].buffer || fc->imports[0].access;
-    bool second_import = fc->imports[1].image;
-    return rg_compile(&(struct rg_compile_params){
-        .techniques = techniques,
-        .technique_count = 2,
-        .view = { VIEW, fc->no_view ? 0 : VIEW },
-        .outputs = own ? fc->outputs : &wanted,
-        .output_count = fc->no_output   ? 0
-                        : second_output ? 2
-                                        : 1,
-        .imports = fc->imports,
-        .import_count = second_import ? 2
-                        : import      ? 1
-                                      : 0,
-        .device = fc->device,
-    });
-}
-
-static bool same_text(const char *a, const char *b)
-{
-    return a && b ? !strcmp(a, b) : a == b;
-}
-
-static void check_text(const struct rg_fault *fault)
-{
-    char text[512];
-    const char *const names[] = { fault->technique, fault->pass, fault->resource, fault->hint };
-    int length = rg_fault_text(fault, text, sizeof(text));
-    assert_int_equal(length, strlen(text));
-    assert_null(strchr(text, '\n'));
-    assert_non_null(fault->hint);
-    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
-        assert_true(!names[i] || strstr(text, names[i]));
-    char row[32];
-    snprintf(row, sizeof(row), "row %u", fault->row);
-    assert_true((strstr(text, row) != NULL) == (fault->row != RG_NONE));
-}
-
-static bool is_expected(const struct fault_case *fc, const struct rg_fault *fault)
-{
-    const char *technique = fc->row ? "bad" : NULL;
-    const char *pass = fc->row ? fc->rows[fc->row_count - 1].name : NULL;
-    uint32_t row = fc->row ? fc->row_count - 1 : RG_NONE;
-    return fault->error == fc->error && same_text(fault->technique, technique) &&
-           same_text(fault->pass, pass) && same_text(fault->resource, fc->resource) &&
-           fault->row == row;
-}
-
-static void check_case(const struct fault_case *fc)
-{
-    struct rg_plan *plan = compile_case(fc);
-    assert_non_null(plan);
-    bool good = plan->fault_count == 1 && is_expected(fc, &plan->faults[0]);
-    if (!good) {
-        print_error("error %d of %s expected, found:\n", (int)fc->error,
-                    fc->resource ? fc->resource : "nothing");
-        rg_dump(plan, stderr);
-    }
-    assert_true(good);
-    check_text(&plan->faults[0]);
-    assert_int_equal(plan->pass_count, 0);
-    rg_plan_destroy(plan);
-}
 
 static void test_every_case(void **state)
 {
     (void)state;
     bool provoked[RG_ERROR_COUNT] = { false };
-    for (size_t t = 0; t < sizeof(all_cases) / sizeof(all_cases[0]); t++) {
-        for (size_t i = 0; i < all_cases[t].count; i++) {
-            check_case(&all_cases[t].cases[i]);
-            provoked[all_cases[t].cases[i].error] = true;
-        }
-    }
-    for (int error = RG_ERROR_NONE + 1; error < RG_ERROR_COUNT; error++) {
+    fault_case_check(all_cases, sizeof(all_cases) / sizeof(all_cases[0]), provoked);
+    for (int error = RG_ERROR_NONE + 1; error < RG_ERROR_SAMPLES; error++) {
         if (!provoked[error])
             print_error("no case provokes error %d\n", error);
         assert_true(provoked[error]);
@@ -443,7 +315,7 @@ static void test_every_case(void **state)
 static void test_no_fault_without_cause(void **state)
 {
     (void)state;
-    struct rg_plan *plan = compile_case(&(struct fault_case){ 0 });
+    struct rg_plan *plan = fault_case_compile(&(struct fault_case){ 0 });
     assert_non_null(plan);
     assert_int_equal(plan->fault_count, 0);
     assert_int_equal(plan->pass_count, 1);
@@ -453,7 +325,8 @@ static void test_no_fault_without_cause(void **state)
 static bool has_fault(const struct rg_plan *plan, enum rg_error error, const char *resource)
 {
     for (uint32_t i = 0; i < plan->fault_count; i++) {
-        if (plan->faults[i].error == error && same_text(plan->faults[i].resource, resource))
+        if (plan->faults[i].error == error &&
+            fault_case_same_text(plan->faults[i].resource, resource))
             return true;
     }
     return false;
@@ -472,7 +345,7 @@ static void test_all_at_once(void **state)
         .outputs = { { .image = &third, .access = RG_SAMPLED } },
         .no_view = true,
     };
-    struct rg_plan *plan = compile_case(&fc);
+    struct rg_plan *plan = fault_case_compile(&fc);
     assert_non_null(plan);
     assert_true(has_fault(plan, RG_ERROR_NO_SIZE, NULL));
     assert_true(has_fault(plan, RG_ERROR_TOO_LARGE, "wide"));
@@ -497,7 +370,7 @@ static void test_repetitions_report_once(void **state)
         .rows = { DRAW("draw", .repeat = RG_PER_LAYER, .color[0] = { &pages },
                        .uses = RG_USES({ &other, .access = RG_SAMPLED })) },
     };
-    struct rg_plan *plan = compile_case(&fc);
+    struct rg_plan *plan = fault_case_compile(&fc);
     assert_non_null(plan);
     assert_true(has_fault(plan, RG_ERROR_READ_BEFORE_WRITE, "pages"));
     assert_true(has_fault(plan, RG_ERROR_READ_BEFORE_WRITE, "other"));
@@ -515,7 +388,7 @@ static void test_faults_of_formats(void **state)
                   DRAW("draw", .color[0] = { &picture }) },
         .device = &sampling_device,
     };
-    struct rg_plan *plan = compile_case(&fc);
+    struct rg_plan *plan = fault_case_compile(&fc);
     assert_non_null(plan);
     assert_int_equal(plan->fault_count, 2);
     assert_string_equal(plan->faults[0].pass, "fill");
@@ -530,7 +403,7 @@ static void test_no_techniques(void **state)
     (void)state;
     const struct rg_output output = { .image = &picture, .access = RG_SAMPLED };
     struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
-        .view = { VIEW, VIEW },
+        .view = { FAULT_CASE_VIEW, FAULT_CASE_VIEW },
         .outputs = &output,
         .output_count = 1,
     });

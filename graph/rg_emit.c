@@ -1,0 +1,111 @@
+/* rg_emit.c: the plan's passes, their targets and uses. */
+#include "graph/rg_internal.h"
+
+static const VkAttachmentLoadOp load_ops[] = {
+    [RG_LOAD_KEEP] = VK_ATTACHMENT_LOAD_OP_LOAD,
+    [RG_LOAD_CLEAR] = VK_ATTACHMENT_LOAD_OP_CLEAR,
+    [RG_LOAD_DISCARD] = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+};
+
+static struct rg_plan_target plan_target(const struct compiler *c, const struct access *a)
+{
+    const struct rg_target *target = a->declared;
+    bool writes = a->flags & ACCESS_WRITES_CONTENT;
+    VkAttachmentStoreOp store =
+        a->flags & ACCESS_NEEDED ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    return (struct rg_plan_target){
+        .image = c->resources[a->resource].plan_index,
+        .mip = a->range.baseMipLevel,
+        .layer = a->range.baseArrayLayer,
+        .load = writes ? load_ops[target->load] : VK_ATTACHMENT_LOAD_OP_LOAD,
+        .store = writes ? store : VK_ATTACHMENT_STORE_OP_NONE,
+        .layout = a->layout,
+        .resolve = RG_NONE,
+    };
+}
+
+static void add_resolve(const struct compiler *c, const struct access *a,
+                        struct rg_plan_target *target)
+{
+    target->resolve = c->resources[a->resource].plan_index;
+    target->resolve_mip = a->range.baseMipLevel;
+    target->resolve_layer = a->range.baseArrayLayer;
+}
+
+static void add_use(const struct compiler *c, const struct access *a, struct rg_plan_use *out)
+{
+    const struct resource *r = &c->resources[a->resource];
+    *out = (struct rg_plan_use){
+        .use = a->declared,
+        .image = r->image ? r->plan_index : RG_NONE,
+        .buffer = r->image ? RG_NONE : r->plan_index,
+        .range = a->range,
+        .layout = a->layout,
+    };
+}
+
+/* Colours that the pass does not have are left alone: they are most of the struct. */
+static void begin_pass(const struct compiler *c, const struct pass *pass, struct rg_plan_pass *out)
+{
+    out->pass = pass->rg;
+    out->technique = c->params->techniques[pass->technique];
+    out->row = pass->row;
+    out->repetition = pass->repetition;
+    out->extent = pass->extent;
+    out->first_barrier = out->barrier_count = 0;
+    out->color_count = 0;
+    out->depth = (struct rg_plan_target){ .image = RG_NONE, .resolve = RG_NONE };
+    out->first_use = c->plan->use_count;
+}
+
+static void emit_pass(struct sync *sync, const struct pass *pass, struct rg_plan_use *uses,
+                      uint32_t index)
+{
+    struct compiler *c = sync->c;
+    struct rg_plan_pass *out = &sync->passes[index];
+    begin_pass(c, pass, out);
+    for (uint32_t i = 0; i < pass->access_count; i++) {
+        const struct access *a = &c->accesses[pass->first_access + i];
+        rg_sync_access(sync, a, index);
+        if (a->access > RG_RESOLVE)
+            add_use(c, a, &uses[c->plan->use_count++]);
+        else if (a->access == RG_COLOR)
+            out->color[out->color_count++] = plan_target(c, a);
+        else if (a->access == RG_RESOLVE)
+            add_resolve(c, a, &out->color[out->color_count - 1]);
+        else
+            out->depth = plan_target(c, a);
+    }
+    out->use_count = c->plan->use_count - out->first_use;
+}
+
+static void list_culled(struct compiler *c)
+{
+    struct rg_culled *culled =
+        ARENA_ARRAY(c->arena, struct rg_culled, c->pass_count - c->plan->pass_count);
+    for (uint32_t p = 0; p < c->pass_count && culled; p++) {
+        if (!c->passes[p].alive)
+            culled[c->plan->culled_count++] =
+                (struct rg_culled){ c->passes[p].rg, c->passes[p].repetition };
+    }
+    c->plan->culled = culled;
+}
+
+void rg_emit(struct compiler *c, struct sync *sync)
+{
+    struct rg_plan *plan = c->plan;
+    struct rg_plan_pass *passes = ARENA_ARRAY(c->arena, struct rg_plan_pass, plan->pass_count);
+    struct rg_plan_use *uses = ARENA_ARRAY(c->arena, struct rg_plan_use, c->alive_access_count);
+    rg_sync_begin(sync, passes);
+    if (c->arena->failed)
+        return;
+    plan->passes = passes;
+    plan->uses = uses;
+    uint32_t index = 0;
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        if (c->passes[p].alive)
+            emit_pass(sync, &c->passes[p], uses, index++);
+    }
+    rg_sync_end(sync);
+    list_culled(c);
+}

@@ -1,0 +1,234 @@
+/* rg_list.c: the plan's images and buffers, in the order of first use, and the memory they need. */
+#include "graph/rg_internal.h"
+
+VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
+{
+    return (VkImageCreateInfo){
+        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+        .flags = image->flags,
+        .imageType = VK_IMAGE_TYPE_2D,
+        .format = image->image->format,
+        .extent = { image->extent.width, image->extent.height, 1 },
+        .mipLevels = image->mips,
+        .arrayLayers = image->layers,
+        .samples = (VkSampleCountFlagBits)image->samples,
+        .tiling = VK_IMAGE_TILING_OPTIMAL,
+        .usage = image->usage,
+        .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
+        .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+    };
+}
+
+/* ---- what living passes do ---- */
+
+static VkFlags usage_of(const struct resource *r, enum rg_access access)
+{
+    const struct rg_access_info *info = rg_access_info(access);
+    return r->image ? info->image_usage : info->buffer_usage;
+}
+
+static void check_format(struct compiler *c, const struct pass *pass, const struct access *access)
+{
+    const struct rg_device *device = c->params->device;
+    const struct resource *r = &c->resources[access->resource];
+    VkFormatFeatureFlags wanted = rg_access_info(access->access)->format_features;
+    if (access->access == RG_SAMPLED) {
+        const struct rg_use *use = access->declared;
+        if (use->sampler && use->sampler->linear)
+            wanted |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    }
+    if (access->access == RG_COLOR) {
+        const struct rg_target *target = access->declared;
+        if (target->blend)
+            wanted |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
+    }
+    if (wanted & ~device->format_features(device->user, r->image->format))
+        rg_fault_add(c, RG_ERROR_FORMAT,
+                     (struct place){ c->params->techniques[pass->technique], pass->row,
+                                     rg_resource_name(r) },
+                     "this device cannot use the format so; choose another format or device");
+}
+
+/* Numbers a resource when the first living pass names it. */
+static void meet(struct compiler *c, struct resource *r, uint32_t pass)
+{
+    r->first = pass;
+    r->plan_index = r->image ? c->plan->image_count++ : c->plan->buffer_count++;
+    if (r->persistent)
+        r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    else if (rg_is_shared(r))
+        r->item = c->item_count++;
+}
+
+static void follow_pass(struct compiler *c, const struct pass *pass, uint32_t index)
+{
+    const struct rg_device *device = c->params->device;
+    bool asks = device && device->format_features;
+    if (!pass->repetition)
+        c->row_first_fault = c->fault_count;
+    for (uint32_t i = 0; i < pass->access_count; i++) {
+        const struct access *access = &c->accesses[pass->first_access + i];
+        struct resource *r = &c->resources[access->resource];
+        if (r->first == RG_NONE)
+            meet(c, r, index);
+        r->last = index;
+        r->usage |= usage_of(r, access->access);
+        if (asks && r->image)
+            check_format(c, pass, access);
+    }
+}
+
+static void follow_outputs(struct compiler *c)
+{
+    uint32_t end = c->plan->pass_count;
+    for (size_t i = 0; i < c->params->output_count; i++) {
+        const struct rg_output *output = &c->params->outputs[i];
+        struct resource *r = &c->resources[rg_resource_of(c, output->image, output->buffer)];
+        if (r->first == RG_NONE) /* that no pass touches, handed through */
+            meet(c, r, end);
+        r->last = end;
+        r->usage |= usage_of(r, output->access);
+    }
+}
+
+/* ---- the lists ---- */
+
+/* Without a device: tight sizes, so that plans are the same everywhere. */
+static struct rg_memory_need estimate_image(const struct rg_plan_image *image)
+{
+    const struct rg_format_info *format = rg_format_info(image->image->format);
+    VkDeviceSize texels = 0;
+    for (uint32_t mip = 0; mip < image->mips; mip++) {
+        VkDeviceSize width = image->extent.width >> mip;
+        VkDeviceSize height = image->extent.height >> mip;
+        texels += (width ? width : 1) * (height ? height : 1);
+    }
+    texels *= (VkDeviceSize)image->layers * image->samples;
+    return (struct rg_memory_need){ texels * format->size, 256, 1 };
+}
+
+static struct rg_memory_need image_need(const struct compiler *c, const struct rg_plan_image *image)
+{
+    const struct rg_device *device = c->params->device;
+    if (!device || !device->image_memory)
+        return estimate_image(image);
+    const VkImageCreateInfo info = rg_image_create_info(image);
+    return device->image_memory(device->user, &info);
+}
+
+static struct rg_memory_need buffer_need(const struct compiler *c,
+                                         const struct rg_plan_buffer *buffer)
+{
+    const struct rg_device *device = c->params->device;
+    if (!device || !device->buffer_memory)
+        return (struct rg_memory_need){ buffer->size, 256, 1 };
+    const VkBufferCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+        .size = buffer->size,
+        .usage = buffer->usage,
+    };
+    return device->buffer_memory(device->user, &info);
+}
+
+static void check_samples(struct compiler *c, const struct rg_plan_image *image)
+{
+    const struct rg_device *device = c->params->device;
+    if (image->samples == 1 || !device || !device->sample_counts)
+        return;
+    VkImageCreateInfo info = rg_image_create_info(image);
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    if (!(device->sample_counts(device->user, &info) & image->samples))
+        rg_fault_add(c, RG_ERROR_SAMPLES,
+                     (struct place){ .row = RG_NONE, .resource = image->image->name },
+                     "this device has no such images of so many samples; ask for fewer");
+}
+
+/* An item to be placed, or memory of its own. */
+static void need_memory(struct compiler *c, uint32_t resource, struct rg_memory_need need)
+{
+    const struct resource *r = &c->resources[resource];
+    if (r->item == RG_NONE) {
+        c->plan->memory_persistent += need.size;
+        return;
+    }
+    c->items[r->item] = (struct pack_item){
+        .size = need.size,
+        .alignment = need.alignment ? need.alignment : 1,
+        .first = r->first,
+        .last = r->last,
+        .resource = resource,
+        .type_bits = need.type_bits,
+        .buffer = !r->image,
+    };
+}
+
+static void list_image(struct compiler *c, uint32_t resource, struct rg_plan_image *image)
+{
+    const struct resource *r = &c->resources[resource];
+    *image = (struct rg_plan_image){
+        .image = r->image,
+        .extent = r->extent,
+        .layers = r->layers,
+        .mips = r->mips,
+        .aspects = r->aspects,
+        .usage = r->usage,
+        .flags = r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
+        .samples = r->image->samples ? r->image->samples : 1,
+        .imported = r->import != RG_NONE,
+        .persistent = r->persistent,
+        .import = r->import,
+        .first = r->first,
+        .last = r->last,
+        .block = RG_NONE,
+    };
+    if (image->imported)
+        return;
+    check_samples(c, image);
+    const struct rg_memory_need need = image_need(c, image);
+    image->size = need.size;
+    need_memory(c, resource, need);
+}
+
+static void list_buffer(struct compiler *c, uint32_t resource, struct rg_plan_buffer *buffer)
+{
+    const struct resource *r = &c->resources[resource];
+    *buffer = (struct rg_plan_buffer){
+        .buffer = r->buffer,
+        .size = r->size,
+        .usage = r->usage,
+        .imported = r->import != RG_NONE,
+        .persistent = r->persistent,
+        .import = r->import,
+        .first = r->first,
+        .last = r->last,
+        .block = RG_NONE,
+    };
+    if (buffer->imported || r->buffer->memory != RG_MEMORY_DEVICE)
+        return;
+    const struct rg_memory_need need = buffer_need(c, buffer);
+    buffer->memory_size = need.size;
+    need_memory(c, resource, need);
+}
+
+void rg_list(struct compiler *c)
+{
+    struct rg_plan *plan = c->plan;
+    uint32_t index = 0;
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        if (c->passes[p].alive)
+            follow_pass(c, &c->passes[p], index++);
+    }
+    follow_outputs(c);
+    plan->images = c->images = ARENA_ARRAY(c->arena, struct rg_plan_image, plan->image_count);
+    plan->buffers = c->buffers = ARENA_ARRAY(c->arena, struct rg_plan_buffer, plan->buffer_count);
+    c->items = ARENA_ARRAY(c->arena, struct pack_item, c->item_count);
+    for (uint32_t i = 0; i < c->resource_count && !c->arena->failed; i++) {
+        const struct resource *r = &c->resources[i];
+        if (r->first == RG_NONE)
+            continue;
+        if (r->image)
+            list_image(c, i, &c->images[r->plan_index]);
+        else
+            list_buffer(c, i, &c->buffers[r->plan_index]);
+    }
+}

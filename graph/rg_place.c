@@ -1,0 +1,133 @@
+/*
+ * rg_place.c: the block of memory of every transient resource, its place there, and who had it.
+ *
+ * Resources that do not need their memory at the same time may share bytes (rg_pack.c). Images and
+ * buffers, and resources of different memory types, live in blocks of their own, so
+ * bufferImageGranularity never matters.
+ */
+#include <string.h>
+#include "graph/rg_internal.h"
+
+static bool same_kind(const struct pack_item *a, const struct pack_item *b)
+{
+    return a->buffer == b->buffer && a->type_bits == b->type_bits;
+}
+
+/* Brings all items of the kind of the first one to the front, in their order. */
+static uint32_t gather(struct compiler *c, struct pack_item *items, uint32_t count)
+{
+    uint32_t same = 1;
+    while (same < count && same_kind(&items[same], &items[0]))
+        same++;
+    if (same == count)
+        return same;
+    struct pack_item *others = ARENA_ARRAY(c->arena, struct pack_item, count);
+    uint32_t other_count = 0;
+    for (uint32_t i = same; i < count && others; i++) {
+        if (same_kind(&items[i], &items[0]))
+            items[same++] = items[i];
+        else
+            others[other_count++] = items[i];
+    }
+    if (other_count)
+        memcpy(&items[same], others, other_count * sizeof(*items));
+    return same;
+}
+
+static void set_places(struct compiler *c, const struct pack_item *items, uint32_t count,
+                       uint32_t block)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t index = c->resources[items[i].resource].plan_index;
+        if (items[i].buffer) {
+            c->buffers[index].block = block;
+            c->buffers[index].offset = items[i].offset;
+        } else {
+            c->images[index].block = block;
+            c->images[index].offset = items[i].offset;
+        }
+    }
+}
+
+static void place_block(struct compiler *c, struct pack_item *items, uint32_t count,
+                        struct rg_block *block)
+{
+    struct rg_plan *plan = c->plan;
+    struct pack_result packed =
+        rg_pack(c->arena, items, count, c->params->sharing == RG_SHARE_NOTHING);
+    *block = (struct rg_block){
+        .size = packed.size,
+        .type_bits = items->type_bits,
+        .buffers = items->buffer,
+    };
+    for (uint32_t i = 0; i < count; i++) {
+        if (block->alignment < items[i].alignment)
+            block->alignment = items[i].alignment;
+    }
+    plan->memory_used += packed.size;
+    plan->memory_without_aliasing += packed.apart;
+    plan->memory_bound += packed.bound;
+    set_places(c, items, count, plan->block_count++);
+}
+
+/* What the bound would be if memory could change hands anywhere. */
+static VkDeviceSize least(struct compiler *c, struct pack_item *items, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t first = items[i].first;
+        items[i].first = c->resources[items[i].resource].first;
+        c->resources[items[i].resource].first = first;
+    }
+    VkDeviceSize bound = rg_pack_bound(c->arena, items, count);
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t first = items[i].first;
+        items[i].first = c->resources[items[i].resource].first;
+        c->resources[items[i].resource].first = first;
+    }
+    return bound;
+}
+
+void rg_place(struct compiler *c)
+{
+    uint32_t block_room = 0;
+    struct rg_block *blocks = NULL;
+    for (uint32_t done = 0; done < c->item_count && !c->arena->failed;) {
+        struct pack_item *items = &c->items[done];
+        uint32_t count = gather(c, items, c->item_count - done);
+        if (!ARENA_ROOM(c->arena, blocks, c->plan->block_count, block_room, 4))
+            return;
+        place_block(c, items, count, &blocks[c->plan->block_count]);
+        c->plan->memory_least += least(c, items, count);
+        done += count;
+    }
+    for (uint32_t i = 0; i < c->item_count; i++)
+        c->resources[c->items[i].resource].item = i;
+    c->plan->blocks = blocks;
+}
+
+/* What its last users do, and what of it is not yet available when the frame is over. */
+static struct former left_by(const struct resource *r)
+{
+    struct former left = { 0 };
+    for (uint32_t k = 0; k < r->cell_count; k++) {
+        const struct cell *s = &r->cells[k];
+        left.stages |= s->read_stages ? s->read_stages : s->write_stages;
+        left.writes |= s->read_stages ? VK_ACCESS_2_NONE : s->write_access;
+    }
+    return left;
+}
+
+void rg_place_formers(struct compiler *c, bool stages)
+{
+    struct former *left = ARENA_ZEROED(c->arena, struct former, c->item_count);
+    for (uint32_t i = 0; i < c->item_count && stages && left; i++)
+        left[i] = left_by(&c->resources[c->items[i].resource]);
+    uint32_t done = 0;
+    while (left && done < c->item_count) {
+        uint32_t count = 1;
+        while (done + count < c->item_count && same_kind(&c->items[done], &c->items[done + count]))
+            count++;
+        rg_former(c->arena, &c->items[done], &left[done], count);
+        done += count;
+    }
+}

@@ -1,0 +1,150 @@
+/*
+ * rg_state.c: what a cell needs before an access, and what the access leaves.
+ *
+ * Every cell (rg_internal.h) remembers its layout, its last write, the stages that have read it
+ * since, and to which stages and accesses the write was made visible. From these follow (Vulkan
+ * 1.3, chapter 7): a read needs a barrier unless it is covered by an earlier one; a write always
+ * needs one; a change of layout is a write between the barrier's two halves, and later barriers
+ * chain on to the stages it was made visible to.
+ *
+ * A frame follows itself on one queue without a pause, so the first use of any memory waits for
+ * whoever used it last in the frame before, and for those it is shared with.
+ */
+#include "graph/rg_internal.h"
+
+bool rg_state_decide(const struct cell *s, const struct access *a, struct rg_barrier *b,
+                     uint32_t *release)
+{
+    bool moves = s->layout != a->layout;
+    bool writes = a->flags & ACCESS_WRITES_CONTENT;
+    if (!writes && !moves && !(a->visibility & ~s->visible))
+        return false;
+    b->src_stages = s->write_stages;
+    b->src_access = s->write_access;
+    b->dst_stages = a->stages;
+    b->dst_access = rg_access_reads(a) | rg_access_info(a->access)->writes;
+    b->old_layout = a->flags & ACCESS_OVERWRITES ? VK_IMAGE_LAYOUT_UNDEFINED : s->layout;
+    b->new_layout = a->layout;
+    *release = s->written;
+    if (writes || moves) {
+        *release = s->touched;
+        /* who read it has waited for the write, and a barrier made the write available then */
+        if (s->read_stages) {
+            b->src_stages = s->read_stages;
+            b->src_access = VK_ACCESS_2_NONE;
+        }
+    }
+    return moves || b->src_stages || s->fresh;
+}
+
+void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass, bool made_visible)
+{
+    bool writes = a->flags & ACCESS_WRITES_CONTENT;
+    s->touched = pass + 1;
+    if (writes || s->layout != a->layout) {
+        s->write_stages = a->stages;
+        s->write_access = rg_access_info(a->access)->writes;
+        s->read_stages = VK_PIPELINE_STAGE_2_NONE;
+        s->written = pass + 1;
+        s->first_barrier = s->barrier_end = 0;
+        s->visible = 0;
+        s->changed = true;
+        s->layout = a->layout;
+    }
+    s->fresh = false;
+    if (writes)
+        return;
+    s->read_stages |= a->stages;
+    if (made_visible)
+        s->visible |= a->visibility & RG_VISIBLE_TO_ALL;
+}
+
+/* As struct rg_import says; nobody knows who else reads it, so a write waits for everything. */
+static struct cell import_state(const struct resource *r, enum rg_access access)
+{
+    const struct rg_access_info *info = rg_access_info(access);
+    bool shader = !info->stages && (info->reads || info->writes);
+    struct cell s = {
+        .layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED,
+        .write_stages = shader ? RG_ANY_SHADER : info->stages,
+        .write_access = info->writes,
+    };
+    if (!s.write_stages)
+        s.write_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    if (access == RG_ACCESS_NONE)
+        s.write_access = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    if (info->writes_content || access == RG_ACCESS_NONE)
+        return s;
+    s.read_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    s.visible = rg_visibility(access, RG_ANY_SHADER);
+    return s;
+}
+
+/* What memory is like when a frame begins; persistent resources' comes from keep_state(). */
+static struct cell initial_state(const struct compiler *c, const struct resource *r)
+{
+    if (r->import != RG_NONE)
+        return import_state(r, c->params->imports[r->import].access);
+    struct cell s = { .fresh = rg_is_shared(r) };
+    if (s.fresh)
+        s.written = s.touched = c->items[r->item].former_end;
+    if (r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD) /* a submit shows all of it to all */
+        s.visible = RG_VISIBLE_TO_ALL;
+    return s;
+}
+
+static void rehearse_access(const struct resource *r, const struct access *a)
+{
+    for (struct cell_walk w = rg_walk(r, a); rg_walk_next(&w);) {
+        struct rg_barrier unused;
+        uint32_t release;
+        bool needed = rg_state_decide(w.cell, a, &unused, &release);
+        rg_state_apply(w.cell, a, 0, needed);
+    }
+}
+
+/* What a frame finds in persistent resources is what a frame leaves: the frame is rehearsed. */
+static void rehearse(struct compiler *c)
+{
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
+            const struct access *a = &c->accesses[pass->first_access + i];
+            if (c->resources[a->resource].persistent)
+                rehearse_access(&c->resources[a->resource], a);
+        }
+    }
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        const struct resource *r = &c->resources[i];
+        if (!r->persistent || r->output == RG_NONE)
+            continue;
+        const struct access a = rg_end_access(c, i, c->params->outputs[r->output].access);
+        rehearse_access(r, &a);
+    }
+}
+
+static void keep_state(struct cell *s)
+{
+    s->written = s->touched = 0;
+    s->first_barrier = s->barrier_end = 0;
+    s->changed = false;
+}
+
+void rg_state_begin(struct compiler *c)
+{
+    if (c->persistent_count)
+        rehearse(c);
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        const struct resource *r = &c->resources[i];
+        if (r->first == RG_NONE)
+            continue;
+        if (r->persistent) {
+            for (uint32_t k = 0; k < r->cell_count; k++)
+                keep_state(&r->cells[k]);
+            continue;
+        }
+        struct cell s = initial_state(c, r);
+        for (uint32_t k = 0; k < r->cell_count; k++)
+            r->cells[k] = s;
+    }
+}

@@ -1,0 +1,160 @@
+/* Faults of samples, resolves, history, conditions and of numbers that are no constants. */
+#include "graph/rg.h"
+#include "tests/support/check.h"
+#include "tests/support/fault_case.h"
+
+#define COLOR_FORMAT VK_FORMAT_R8G8B8A8_UNORM
+
+#define picture fault_case_picture
+#define other   fault_case_other
+
+static const struct rg_image four = { "four", COLOR_FORMAT, .samples = 4 };
+static const struct rg_image three = { "three", COLOR_FORMAT, .samples = 3 };
+static const struct rg_image chained = { "chained", COLOR_FORMAT, .samples = 4, .mips = 2 };
+static const struct rg_image deep = { "deep", VK_FORMAT_D32_SFLOAT, .samples = 4 };
+static const struct rg_image flat = { "flat", VK_FORMAT_D32_SFLOAT };
+static const struct rg_image floats = { "floats", VK_FORMAT_R32_SFLOAT };
+static const struct rg_image half = { "half", COLOR_FORMAT, .scale = 0.5f };
+static const struct rg_image kept = { "kept", COLOR_FORMAT, .persistent = true };
+static const struct rg_buffer upload = {
+    .name = "upload",
+    .size = 64,
+    .memory = RG_MEMORY_UPLOAD,
+    .persistent = true,
+};
+static const struct rg_buffer nowhere = {
+    .name = "nowhere",
+    .size = 64,
+    .memory = (enum rg_memory)99,
+};
+static const struct rg_sampler nearest = { 0 };
+
+static VkSampleCountFlags one_sample(const void *user, const VkImageCreateInfo *info)
+{
+    (void)user;
+    (void)info;
+    return VK_SAMPLE_COUNT_1_BIT;
+}
+
+static const struct rg_device plain_device = { .sample_counts = one_sample };
+
+#define RESOLVE(from, to) \
+    DRAW("draw", .color[0] = { .image = &(from), .load = RG_LOAD_CLEAR, .resolve = &(to) })
+
+static const struct fault_case sample_cases[] = {
+    { AROUND(RG_ERROR_SAMPLES, "three", FILL(three)) },
+    { AROUND(RG_ERROR_SAMPLES, "chained", FILL(chained)) },
+    { ROW(RG_ERROR_SAMPLES, "deep",
+          DRAW("draw", .color[0] = { CLEARED(other) }, .depth = { CLEARED(deep) })) },
+    { ROW(RG_ERROR_SAMPLES, "other",
+          DRAW("draw", .color = { { CLEARED(four) }, { CLEARED(other) } })) },
+    { ROW(RG_ERROR_SAMPLES, "picture", RESOLVE(other, picture)) },
+    { ROW(RG_ERROR_SAMPLES, "deep",
+          DRAW("draw", .depth = { .image = &deep, .load = RG_LOAD_CLEAR, .resolve = &flat })) },
+    { ROW(RG_ERROR_SAMPLES, "four", COPY("copy", { &four, .access = RG_COPY_DST })) },
+    { .error = RG_ERROR_SAMPLES,
+      .resource = "four",
+      .row = true,
+      .row_count = 2,
+      .rows = { FILL(four), ALSO(&four, .access = RG_SAMPLED, .sampler = &nearest) } },
+    { ROW(RG_ERROR_FORMAT, "floats", RESOLVE(four, floats)) },
+    { ROW(RG_ERROR_TARGET_SIZE, "half", RESOLVE(four, half)) },
+    { .error = RG_ERROR_SAMPLES,
+      .resource = "four",
+      .row_count = 1,
+      .rows = { RESOLVE(four, picture) },
+      .device = &plain_device },
+};
+
+static const struct fault_case history_cases[] = {
+    { IMPORT(RG_ERROR_PERSISTENT, "kept", { .image = &kept, .access = RG_SAMPLED }) },
+    { AROUND(RG_ERROR_PERSISTENT, "upload", ALSO(.buffer = &upload, .access = RG_UNIFORM)) },
+};
+
+static bool sometimes(const struct rg_frame *frame)
+{
+    (void)frame;
+    return false;
+}
+
+static bool rarely(const struct rg_frame *frame)
+{
+    (void)frame;
+    return false;
+}
+
+#define MAYBE DRAW("maybe", .color[0] = { CLEARED(other) }, .when = sometimes)
+
+static const struct fault_case condition_cases[] = {
+    { .error = RG_ERROR_READ_BEFORE_WRITE, /* if the first does not run */
+      .resource = "other",
+      .row = true,
+      .row_count = 2,
+      .rows = { MAYBE, DRAW("draw", .color[0] = { &picture }, SAMPLING(other)) } },
+    { .error = RG_ERROR_READ_BEFORE_WRITE,
+      .resource = "other",
+      .row = true,
+      .row_count = 2,
+      .rows = { MAYBE, DRAW("draw", .color[0] = { &picture }, SAMPLING(other), .when = rarely) } },
+    { .error = RG_ERROR_OUTPUT_NOT_WRITTEN,
+      .resource = "other",
+      .row_count = 1,
+      .rows = { MAYBE },
+      .outputs = { { .image = &other, .access = RG_SAMPLED } } },
+};
+
+static const struct fault_case value_cases[] = {
+    { ROW(RG_ERROR_VALUE, NULL,
+          { .name = "draw",
+            .kind = (enum rg_kind)7,
+            .record = small_graph_record,
+            .uses = RG_USES({ WRITE_OTHER }) }) },
+    { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .color[0] = { &other, (enum rg_load)77 })) },
+    { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .depth = { &flat, (enum rg_load)INT32_MAX })) },
+    { ROW(RG_ERROR_VALUE, NULL,
+          DRAW("draw", .color[0] = { CLEARED(other), .blend = (enum rg_blend)3 })) },
+    { ROW(RG_ERROR_VALUE, NULL,
+          DRAW("draw", .color[0] = { CLEARED(other) }, .repeat = (enum rg_repeat)3)) },
+    { AROUND(RG_ERROR_VALUE, "nowhere",
+             COPY("copy", { .buffer = &nowhere, .access = RG_COPY_DST })) },
+};
+
+static void test_every_case(void **state)
+{
+    (void)state;
+    const struct fault_cases tables[] = {
+        FAULT_CASES(sample_cases),
+        FAULT_CASES(history_cases),
+        FAULT_CASES(condition_cases),
+        FAULT_CASES(value_cases),
+    };
+    bool provoked[RG_ERROR_COUNT] = { false };
+    fault_case_check(tables, sizeof(tables) / sizeof(tables[0]), provoked);
+    for (int error = RG_ERROR_SAMPLES; error < RG_ERROR_COUNT; error++)
+        assert_true(provoked[error]);
+}
+
+/* What a condition filled is there for others of the same condition. */
+static void test_one_condition(void **state)
+{
+    (void)state;
+    const struct fault_case fc = {
+        .row_count = 2,
+        .rows = { MAYBE,
+                  DRAW("draw", .color[0] = { &picture }, SAMPLING(other), .when = sometimes) },
+    };
+    struct rg_plan *plan = fault_case_compile(&fc);
+    assert_non_null(plan);
+    assert_int_equal(plan->fault_count, 0);
+    assert_int_equal(plan->pass_count, 3);
+    rg_plan_destroy(plan);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_case),
+        cmocka_unit_test(test_one_condition),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
