@@ -5,7 +5,7 @@
     .image_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM, \
     .buffer_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM
 
-static const struct rg_access_info access_table[RG_ACCESS_COUNT] = {
+const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
     [RG_ACCESS_NONE] = {
         .name = "none",
         NO_DESCRIPTOR,
@@ -171,7 +171,7 @@ static const struct rg_access_info access_table[RG_ACCESS_COUNT] = {
 
 const struct rg_access_info *rg_access_info(enum rg_access access)
 {
-    return &access_table[access];
+    return &rg_access_table[access];
 }
 
 /* The lowest of three bits (vertex, fragment, compute) of what shaders do, or the bit of what one

@@ -17,7 +17,7 @@ static size_t align_up(size_t size)
     return (size + _Alignof(max_align_t) - 1) & ~(_Alignof(max_align_t) - 1);
 }
 
-void arena_init(struct arena *arena, void *memory, size_t size)
+void rg_arena_init(struct arena *arena, void *memory, size_t size)
 {
     size_t gap = memory ? align_up((uintptr_t)memory) - (uintptr_t)memory : 0;
     *arena = (struct arena){ 0 };
@@ -43,7 +43,7 @@ static bool add_chunk(struct arena *arena, size_t size)
     return true;
 }
 
-void *arena_alloc(struct arena *arena, size_t count, size_t element_size)
+void *rg_arena_alloc(struct arena *arena, size_t count, size_t element_size)
 {
     size_t size;
     if (arena->failed || __builtin_mul_overflow(count, element_size, &size) ||
@@ -62,23 +62,23 @@ void *arena_alloc(struct arena *arena, size_t count, size_t element_size)
     return data;
 }
 
-void *arena_zeroed(struct arena *arena, size_t count, size_t element_size)
+void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size)
 {
-    void *data = arena_alloc(arena, count, element_size);
+    void *data = rg_arena_alloc(arena, count, element_size);
     if (data)
         memset(data, 0, count * element_size);
     return data;
 }
 
-void *arena_grow(struct arena *arena, const void *array, uint32_t *room, uint32_t least,
-                 size_t element_size)
+void *rg_arena_grow(struct arena *arena, const void *array, uint32_t *room, uint32_t least,
+                    size_t element_size)
 {
     if (*room > UINT32_MAX / 2) {
         arena->failed = true;
         return NULL;
     }
     uint32_t grown = *room < least / 2 ? least : *room * 2;
-    void *copy = arena_alloc(arena, grown, element_size);
+    void *copy = rg_arena_alloc(arena, grown, element_size);
     if (!copy)
         return NULL;
     if (*room)
@@ -87,7 +87,7 @@ void *arena_grow(struct arena *arena, const void *array, uint32_t *room, uint32_
     return copy;
 }
 
-void arena_finish(struct arena *arena)
+void rg_arena_finish(struct arena *arena)
 {
     while (arena->chunks) {
         struct arena_chunk *next = arena->chunks->next;

@@ -5,7 +5,7 @@
 static bool end_fits(const struct rg_image *image, const struct rg_buffer *buffer,
                      enum rg_access access)
 {
-    const struct rg_access_info *info = rg_access_info(access);
+    const struct rg_access_info *info = &rg_access_table[access];
     if (buffer)
         return info->buffer_usage || access == RG_HOST_READ;
     const struct rg_format_info *format = rg_format_info(image->format);

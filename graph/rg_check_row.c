@@ -18,19 +18,9 @@ static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
     [RG_COPY_DST] = KIND_BIT(RG_TRANSFER),
 };
 
-enum rg_kind rg_kind_of(const struct rg_pass *pass)
-{
-    return (unsigned)pass->kind <= RG_TRANSFER ? pass->kind : RG_COMPUTE;
-}
-
-bool rg_is_shader_access(enum rg_access access)
-{
-    return access >= RG_SAMPLED && access <= RG_UNIFORM;
-}
-
 static const char *use_trouble(enum rg_kind kind, const struct rg_use *use)
 {
-    const struct rg_access_info *info = rg_access_info(use->access);
+    const struct rg_access_info *info = &rg_access_table[use->access];
     if (!(kinds_of_use[use->access] & KIND_BIT(kind)))
         return "this kind of pass cannot do that; targets go into .color and .depth";
     if (use->image ? !info->image_usage : !info->buffer_usage)
@@ -109,7 +99,7 @@ static bool check_uses(struct compiler *c, const struct rg_pass *pass, struct pl
         clash = clash || (bindings & binding) || use->binding >= 64;
         bindings |= binding;
         writes = writes || ((unsigned)use->access < RG_ACCESS_COUNT &&
-                            rg_access_info(use->access)->writes_content);
+                            rg_access_table[use->access].writes_content);
     }
     if (clash)
         check_bindings(c, pass, place);

@@ -26,8 +26,26 @@ static void place_and_sync(struct compiler *c)
     rg_sync_takeovers(&sync);
 }
 
+/* Room for what the tables are likely to hold, so that nothing has to be copied as it grows. */
+static void expect(struct compiler *c)
+{
+    size_t rows = 0;
+    for (size_t t = 0; t < c->params->technique_count; t++)
+        rows += c->params->techniques[t]->pass_count;
+    uint32_t count = rows < UINT32_MAX / 64 ? (uint32_t)rows + 8 : UINT32_MAX / 64;
+    c->pass_room = count;
+    c->passes = ARENA_ARRAY(c->arena, struct pass, count);
+    c->access_room = count * 4;
+    c->accesses = ARENA_ARRAY(c->arena, struct access, c->access_room);
+    rg_resource_expect(c, count * 2);
+    rg_name_expect(c, count * 3);
+}
+
 static void run(struct compiler *c)
 {
+    expect(c);
+    if (c->arena->failed)
+        return;
     rg_check_params(c);
     rg_add_ends(c);
     if (!c->arena->failed)
@@ -43,8 +61,8 @@ static void run(struct compiler *c)
 struct rg_plan *rg_compile(const struct rg_compile_params *params)
 {
     struct arena arena;
-    arena_init(&arena, params->memory, params->memory_size);
-    struct owned_plan *owned = arena_zeroed(&arena, 1, sizeof(*owned));
+    rg_arena_init(&arena, params->memory, params->memory_size);
+    struct owned_plan *owned = rg_arena_zeroed(&arena, 1, sizeof(*owned));
     if (!owned)
         return NULL;
     struct compiler c = {
@@ -72,5 +90,5 @@ void rg_plan_destroy(struct rg_plan *plan)
     if (!plan)
         return;
     struct arena arena = ((struct owned_plan *)plan)->arena;
-    arena_finish(&arena); /* the plan lives in it */
+    rg_arena_finish(&arena); /* the plan lives in it */
 }

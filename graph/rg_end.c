@@ -3,7 +3,7 @@
 
 struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg_access access)
 {
-    const struct rg_access_info *info = rg_access_info(access);
+    const struct rg_access_info *info = &rg_access_table[access];
     const struct resource *r = &c->resources[resource];
     bool shader = !info->stages && (info->reads || info->writes);
     VkPipelineStageFlags2 stages = shader ? RG_ANY_SHADER : info->stages;
@@ -26,5 +26,5 @@ struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg
 
 VkAccessFlags2 rg_access_reads(const struct access *a)
 {
-    return a->flags & ACCESS_READS ? rg_access_info(a->access)->reads : VK_ACCESS_2_NONE;
+    return a->flags & ACCESS_READS ? rg_access_table[a->access].reads : VK_ACCESS_2_NONE;
 }

@@ -162,7 +162,7 @@ static VkImageSubresourceRange target_range(const struct pass *pass, const struc
 
 static void add_resolve(struct expansion *e, const struct rg_target *target)
 {
-    const struct rg_access_info *info = rg_access_info(RG_RESOLVE);
+    const struct rg_access_info *info = &rg_access_table[RG_RESOLVE];
     uint32_t index = rg_resource_of(e->c, target->resolve, NULL);
     if (index == RG_NONE)
         return;
@@ -192,7 +192,7 @@ static void add_target(struct expansion *e, const struct rg_target *target)
     enum rg_access kind = target != &rg->depth  ? RG_COLOR
                           : rg->depth_read_only ? RG_DEPTH_READ
                                                 : RG_DEPTH;
-    const struct rg_access_info *info = rg_access_info(kind);
+    const struct rg_access_info *info = &rg_access_table[kind];
     uint32_t index = rg_resource_of(e->c, target->image, NULL);
     if (index == RG_NONE)
         return;
@@ -263,7 +263,7 @@ static VkPipelineStageFlags2 use_stages(const struct rg_pass *rg, const struct r
 static void add_use(struct expansion *e, const struct rg_use *use)
 {
     const struct rg_pass *rg = e->pass->rg;
-    const struct rg_access_info *info = rg_access_info(use->access);
+    const struct rg_access_info *info = &rg_access_table[use->access];
     uint32_t index = rg_resource_of(e->c, use->image, use->buffer);
     if (index == RG_NONE)
         return;
@@ -328,7 +328,7 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
     uint32_t mip = target->mip;
     uint32_t layer = target->layer;
     for (const struct rg_use *use = pass->uses; use && rg_is_use(use) && !image; use++) {
-        if (rg_is_good_use(use) && rg_access_info(use->access)->writes_content) {
+        if (rg_is_good_use(use) && rg_access_table[use->access].writes_content) {
             image = use->image;
             mip = use->range.mip;
             layer = use->range.layer;

@@ -21,24 +21,24 @@ struct arena {
 };
 
 /* `memory` may be NULL. */
-void arena_init(struct arena *arena, void *memory, size_t size);
-void arena_finish(struct arena *arena);
+void rg_arena_init(struct arena *arena, void *memory, size_t size);
+void rg_arena_finish(struct arena *arena);
 
 /* Room for count elements, aligned for any type; NULL when memory is short. */
-void *arena_alloc(struct arena *arena, size_t count, size_t element_size);
-void *arena_zeroed(struct arena *arena, size_t count, size_t element_size);
+void *rg_arena_alloc(struct arena *arena, size_t count, size_t element_size);
+void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size);
 
-#define ARENA_ARRAY(arena, type, count)  ((type *)arena_alloc((arena), (count), sizeof(type)))
-#define ARENA_ZEROED(arena, type, count) ((type *)arena_zeroed((arena), (count), sizeof(type)))
+#define ARENA_ARRAY(arena, type, count)  ((type *)rg_arena_alloc((arena), (count), sizeof(type)))
+#define ARENA_ZEROED(arena, type, count) ((type *)rg_arena_zeroed((arena), (count), sizeof(type)))
 
 /* A larger copy of a full array of *room elements: doubled, at least `least`. */
-void *arena_grow(struct arena *arena, const void *array, uint32_t *room, uint32_t least,
-                 size_t element_size);
+void *rg_arena_grow(struct arena *arena, const void *array, uint32_t *room, uint32_t least,
+                    size_t element_size);
 
 /* Room for one more element at array[count]; false when memory is short. */
 #define ARENA_ROOM(arena, array, count, room, least) \
     ((count) < (room) || \
-     ((array) = arena_grow((arena), (array), &(room), (least), sizeof(*(array)))) != NULL)
+     ((array) = rg_arena_grow((arena), (array), &(room), (least), sizeof(*(array)))) != NULL)
 
 /* ---- what the tables say ---- */
 
@@ -129,11 +129,13 @@ struct resource_map {
     uint32_t mask;   /* one less than how many */
 };
 
-struct name;
+struct name_slot;
 
 struct name_map {
-    struct name *slots;
-    uint32_t mask, count;
+    struct name_slot *slots;
+    uint32_t mask; /* one less than how many */
+    const char **names;
+    uint32_t count, room;
 };
 
 /* A transient resource that shares memory; in the order of first use. */
@@ -190,9 +192,15 @@ enum name_kind {
     NAME_PASS,
 };
 
+/* Room for about so many. */
+void rg_name_expect(struct compiler *c, uint32_t count);
+
 void rg_name_add(struct compiler *c, enum name_kind kind, const char *name, struct place place);
 
 /* ---- rg_resource.c ---- */
+
+/* Room for about so many. */
+void rg_resource_expect(struct compiler *c, uint32_t count);
 
 /* The import and output lists; faults of them. */
 void rg_add_ends(struct compiler *c);
@@ -204,8 +212,18 @@ uint32_t rg_resource_of(struct compiler *c, const struct rg_image *image,
 
 const char *rg_resource_name(const struct resource *r); /* "?" if it has none */
 
-bool rg_is_use(const struct rg_use *use);      /* or the end of a row's uses */
-bool rg_is_good_use(const struct rg_use *use); /* of one resource */
+/* Or the end of a row's uses. */
+static inline bool rg_is_use(const struct rg_use *use)
+{
+    return use->image || use->buffer || use->access;
+}
+
+/* Of one resource. */
+static inline bool rg_is_good_use(const struct rg_use *use)
+{
+    return !use->image != !use->buffer && use->access > RG_ACCESS_NONE &&
+           use->access < RG_ACCESS_COUNT;
+}
 
 /* Whether it is transient and lies in a block. */
 bool rg_is_shared(const struct resource *r);
@@ -232,14 +250,23 @@ void rg_check_resource(struct compiler *c, struct resource *r);
 void rg_check_row(struct compiler *c, const struct rg_pass *pass, struct place place);
 
 /* The row's kind; a wild value counts as compute. */
-enum rg_kind rg_kind_of(const struct rg_pass *pass);
-bool rg_is_shader_access(enum rg_access access);
+static inline enum rg_kind rg_kind_of(const struct rg_pass *pass)
+{
+    return (unsigned)pass->kind <= RG_TRANSFER ? pass->kind : RG_COMPUTE;
+}
+
+static inline bool rg_is_shader_access(enum rg_access access)
+{
+    return access >= RG_SAMPLED && access <= RG_UNIFORM;
+}
 
 /* ---- rg_expand.c: passes and accesses from the rows; faults of rows, ranges and content ---- */
 
 void rg_expand(struct compiler *c);
 
 /* ---- rg_access.c ---- */
+
+extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT]; /* rg_access_info() */
 
 /* The (stage, access) pairs of a read, one bit each. Bit 31 stands for all that is not told apart
  * and never counts as visible. */

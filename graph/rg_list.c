@@ -23,7 +23,7 @@ VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
 
 static VkFlags usage_of(const struct resource *r, enum rg_access access)
 {
-    const struct rg_access_info *info = rg_access_info(access);
+    const struct rg_access_info *info = &rg_access_table[access];
     return r->image ? info->image_usage : info->buffer_usage;
 }
 
@@ -31,7 +31,7 @@ static void check_format(struct compiler *c, const struct pass *pass, const stru
 {
     const struct rg_device *device = c->params->device;
     const struct resource *r = &c->resources[access->resource];
-    VkFormatFeatureFlags wanted = rg_access_info(access->access)->format_features;
+    VkFormatFeatureFlags wanted = rg_access_table[access->access].format_features;
     if (access->access == RG_SAMPLED) {
         const struct rg_use *use = access->declared;
         if (use->sampler && use->sampler->linear)

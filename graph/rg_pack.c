@@ -41,13 +41,25 @@ static int compare_life(const void *a, const void *b)
     return compare_size(a, b);
 }
 
+static int compare_area(const void *a, const void *b)
+{
+    const struct pack_item *x = *(const struct pack_item *const *)a;
+    const struct pack_item *y = *(const struct pack_item *const *)b;
+    double p = (double)x->size * (double)(x->last - x->first + 1);
+    double q = (double)y->size * (double)(y->last - y->first + 1);
+    if (p != q)
+        return p > q ? -1 : 1;
+    return by_time(x, y);
+}
+
 static const struct rule {
     compare_fn *order;
     bool tightest; /* gap; else the lowest */
 } rules[] = {
+    { compare_size, true },
+    { compare_area, false },
     { compare_life, false },
     { compare_size, false },
-    { compare_size, true },
 };
 
 static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)

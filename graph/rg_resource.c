@@ -2,17 +2,6 @@
 #include <math.h>
 #include "graph/rg_internal.h"
 
-bool rg_is_use(const struct rg_use *use)
-{
-    return use->image || use->buffer || use->access;
-}
-
-bool rg_is_good_use(const struct rg_use *use)
-{
-    return !use->image != !use->buffer && use->access > RG_ACCESS_NONE &&
-           use->access < RG_ACCESS_COUNT;
-}
-
 const char *rg_resource_name(const struct resource *r)
 {
     const char *name = r->image ? r->image->name : r->buffer->name;
@@ -94,10 +83,11 @@ static bool arrives_filled(const struct compiler *c, const struct resource *r)
 static bool add_cells(struct compiler *c, struct resource *r)
 {
     uint64_t count = r->image ? (uint64_t)__builtin_popcount(r->aspects) * r->mips * r->layers : 1;
+    const struct cell cell = { .filled = arrives_filled(c, r) ? CELL_FILLED : CELL_EMPTY };
     r->cell_count = (uint32_t)count;
-    r->cells = ARENA_ZEROED(c->arena, struct cell, count);
-    for (uint32_t i = 0; r->cells && i < count && arrives_filled(c, r); i++)
-        r->cells[i].filled = CELL_FILLED;
+    r->cells = ARENA_ARRAY(c->arena, struct cell, count);
+    for (uint32_t i = 0; r->cells && i < count; i++)
+        r->cells[i] = cell;
     return r->cells != NULL;
 }
 
@@ -112,9 +102,11 @@ static uint32_t slot_of(const struct compiler *c, const void *address)
     return slot;
 }
 
-static bool grow_map(struct compiler *c)
+static bool grow_map(struct compiler *c, uint32_t count)
 {
-    c->map.mask = c->map.slots ? c->map.mask * 2 + 1 : 63;
+    c->map.mask = 63;
+    while (c->map.mask / 2 <= count)
+        c->map.mask = c->map.mask * 2 + 1;
     c->map.slots = ARENA_ZEROED(c->arena, uint32_t, (size_t)c->map.mask + 1);
     if (!c->map.slots)
         return false;
@@ -123,10 +115,17 @@ static bool grow_map(struct compiler *c)
     return true;
 }
 
+void rg_resource_expect(struct compiler *c, uint32_t count)
+{
+    c->resource_room = count;
+    c->resources = ARENA_ARRAY(c->arena, struct resource, count);
+    grow_map(c, count);
+}
+
 static uint32_t add_resource(struct compiler *c, const struct rg_image *image,
                              const struct rg_buffer *buffer, const struct rg_import *import)
 {
-    if ((c->resource_count >= c->map.mask / 2 && !grow_map(c)) ||
+    if ((c->resource_count >= c->map.mask / 2 && !grow_map(c, c->resource_count)) ||
         !ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room, 64))
         return RG_NONE;
     struct resource *r = &c->resources[c->resource_count];

@@ -22,7 +22,7 @@ bool rg_state_decide(const struct cell *s, const struct access *a, struct rg_bar
     b->src_stages = s->write_stages;
     b->src_access = s->write_access;
     b->dst_stages = a->stages;
-    b->dst_access = rg_access_reads(a) | rg_access_info(a->access)->writes;
+    b->dst_access = rg_access_reads(a) | rg_access_table[a->access].writes;
     b->old_layout = a->flags & ACCESS_OVERWRITES ? VK_IMAGE_LAYOUT_UNDEFINED : s->layout;
     b->new_layout = a->layout;
     *release = s->written;
@@ -43,7 +43,7 @@ void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass, bool 
     s->touched = pass + 1;
     if (writes || s->layout != a->layout) {
         s->write_stages = a->stages;
-        s->write_access = rg_access_info(a->access)->writes;
+        s->write_access = rg_access_table[a->access].writes;
         s->read_stages = VK_PIPELINE_STAGE_2_NONE;
         s->written = pass + 1;
         s->first_barrier = s->barrier_end = 0;
@@ -62,7 +62,7 @@ void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass, bool 
 /* As struct rg_import says; nobody knows who else reads it, so a write waits for everything. */
 static struct cell import_state(const struct resource *r, enum rg_access access)
 {
-    const struct rg_access_info *info = rg_access_info(access);
+    const struct rg_access_info *info = &rg_access_table[access];
     bool shader = !info->stages && (info->reads || info->writes);
     struct cell s = {
         .layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED,

@@ -12,6 +12,15 @@ enum {
     APP_OUTPUT_COUNT = 16
 }; /* -o options at most */
 
+/* How firn graph prints a plan. */
+enum app_format {
+    APP_FORMAT_TEXT,
+    APP_FORMAT_DOT,
+    APP_FORMAT_JSON,
+    APP_FORMAT_HTML,
+    APP_FORMAT_COUNT,
+};
+
 /* What the command line says; zero is the default everywhere. */
 struct app_options {
     const char *positional; /* SCENE, or what to list */
@@ -26,7 +35,8 @@ struct app_options {
     float fov_deg;
     struct settings settings;
     bool ior_is_set; /* by --set */
-    bool validate, quiet, dot;
+    bool validate, quiet;
+    enum app_format format;
     enum rg_sharing sharing;
 };
 

@@ -5,6 +5,15 @@
 #include "src/log.h"
 #include "src/renderer.h"
 
+typedef void dump_fn(const struct rg_plan *plan, FILE *out);
+
+static dump_fn *const dumps[APP_FORMAT_COUNT] = {
+    [APP_FORMAT_TEXT] = rg_dump,
+    [APP_FORMAT_DOT] = rg_dump_dot,
+    [APP_FORMAT_JSON] = rg_dump_json,
+    [APP_FORMAT_HTML] = rg_dump_html,
+};
+
 enum status app_graph(const struct app_options *given)
 {
     struct app_options o = *given;
@@ -26,10 +35,7 @@ enum status app_graph(const struct app_options *given)
                                        .sharing = o.sharing,
                                    });
     if (status == STATUS_OK) {
-        if (o.dot)
-            rg_dump_dot(frame.plan, stdout);
-        else
-            rg_dump(frame.plan, stdout);
+        dumps[o.format](frame.plan, stdout);
         if (fflush(stdout) || ferror(stdout)) {
             log_error("stdout: cannot be written");
             status = STATUS_WRITE;

@@ -217,8 +217,7 @@ static enum status set_sharing(struct app_options *o, const char *value)
             return STATUS_OK;
         }
     }
-    log_error("--sharing %s: batches, memory or nothing", value);
-    return STATUS_USAGE;
+    return refuse("sharing", value, "batches, memory or nothing is wanted");
 }
 
 static enum status set_quiet(struct app_options *o, const char *value)
@@ -228,11 +227,39 @@ static enum status set_quiet(struct app_options *o, const char *value)
     return STATUS_OK;
 }
 
+/* At most one format; the same one again is harmless. */
+static enum status set_format(struct app_options *o, enum app_format format)
+{
+    static const char *const names[] = {
+        [APP_FORMAT_DOT] = "dot",
+        [APP_FORMAT_JSON] = "json",
+        [APP_FORMAT_HTML] = "html",
+    };
+    if (o->format != APP_FORMAT_TEXT && o->format != format) {
+        log_error("--%s: only one format is wanted, --%s is there already", names[format],
+                  names[o->format]);
+        return STATUS_USAGE;
+    }
+    o->format = format;
+    return STATUS_OK;
+}
+
 static enum status set_dot(struct app_options *o, const char *value)
 {
     (void)value;
-    o->dot = true;
-    return STATUS_OK;
+    return set_format(o, APP_FORMAT_DOT);
+}
+
+static enum status set_json(struct app_options *o, const char *value)
+{
+    (void)value;
+    return set_format(o, APP_FORMAT_JSON);
+}
+
+static enum status set_html(struct app_options *o, const char *value)
+{
+    (void)value;
+    return set_format(o, APP_FORMAT_HTML);
 }
 
 /* ---- the table ---- */
@@ -267,8 +294,10 @@ static const struct option options[] = {
     { "Device", "validate", 0, NULL, APP_RENDER, set_validate,
       "Vulkan validation and synchronization validation" },
     { "Device", "sharing", 0, "HOW", PICTURES, set_sharing,
-      "transient images share: batches (what costs no barrier batch), memory, nothing (batches)" },
-    { "Other", "dot", 0, NULL, APP_GRAPH, set_dot, "print a Graphviz digraph" },
+      "share memory: batches (where it costs none), memory, nothing (batches)" },
+    { "Format", "dot", 0, NULL, APP_GRAPH, set_dot, "print a Graphviz digraph, not text" },
+    { "Format", "html", 0, NULL, APP_GRAPH, set_html, "print a page that shows passes and memory" },
+    { "Format", "json", 0, NULL, APP_GRAPH, set_json, "print JSON, with everything" },
     { "Other", "quiet", 'q', NULL, PICTURES, set_quiet, "no progress" },
 };
 
@@ -281,6 +310,7 @@ static const char *const examples[] = {
                    "  firn render statue.glb --env studio.hdr --samples 16 -o statue.png\n"
                    "  firn render sphere --refraction one-sided --aov exit -o sphere.exr\n",
     [APP_GRAPH] = "  firn graph ice-cube\n"
+                  "  firn graph ice-cube --html > plan.html\n"
                   "  firn graph ice-cube --refraction one-sided --dot | dot -Tsvg > plan.svg\n",
     [APP_LIST] = "  firn list\n"
                  "  firn list settings\n",

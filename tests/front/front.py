@@ -5,6 +5,8 @@ Every run gets a folder of its own and an environment with next to nothing in it
 is installed it is the device, so that the tests mean the same everywhere.
 """
 import glob
+import itertools
+import json
 import os
 import pathlib
 import re
@@ -14,7 +16,9 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True  # the source tree stays clean
+sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
 from exr_file import Exr  # noqa: E402
+import plan_dumps  # noqa: E402
 
 USAGE, DATA, NO_INPUT, NO_DEVICE, CANT_CREATE, WRITE = 2, 65, 66, 69, 73, 74
 SMALL = ('--size', '64x48')
@@ -116,6 +120,25 @@ class CommandLine(Case):
         for size in ('0x0', '12', '99999999x1', '5x5x5', '-3x4', '4x', 'x4', '64x48 ', ''):
             self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--size', size, names=[size])
 
+    def test_bad_sharing(self):
+        for how in ('all', 'batch', 'Memory', ''):
+            for command in (('graph', 'sphere'), ('render', 'sphere', '-o', 'a.exr')):
+                self.refuse(USAGE, *command, '--sharing', how,
+                            names=['--sharing', how, 'batches', 'memory', 'nothing'])
+        self.assertEqual(self.files(), [])
+
+    def test_one_format_of_a_plan(self):
+        for first, second in itertools.permutations(('--dot', '--html', '--json'), 2):
+            self.refuse(USAGE, 'graph', 'sphere', first, second, names=[first, second])
+        self.refuse(USAGE, 'graph', 'sphere', '--json=plan', names=['--json'])
+        self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--json', names=['--json'])
+
+    def test_help_fits(self):
+        for command in ('graph', 'render'):
+            text = self.succeed(command, '--help').stdout.decode()
+            self.assertIn('--sharing', text)
+            self.assertEqual([line for line in text.splitlines() if len(line) > 110], [])
+
     def test_bad_settings(self):
         for assignment, name in (
                 ('sky.strenght=1', 'sky.strength'),  # the nearest is proposed
@@ -190,6 +213,33 @@ class Device(Case):
         dot = self.succeed('graph', 'ice-cube', '--dot', env=NO_DRIVER).stdout.decode()
         self.assertRegex(dot, r'\Adigraph\b')
         self.assertEqual(dot.count('{'), dot.count('}'))
+
+    def graph(self, *arguments):
+        """The same bytes twice."""
+        first, second = (self.succeed('graph', 'ice-cube', *arguments, env=NO_DRIVER).stdout
+                         for _ in range(2))
+        self.assertTrue(first == second, f'{arguments}: other bytes')
+        return first.decode()
+
+    def test_a_plan_as_json(self):
+        for how in ('batches', 'memory', 'nothing'):
+            plan = json.loads(self.graph('--json', '--sharing', how))
+            self.assertEqual(plan['faults'], [])
+            self.assertEqual(list(plan_dumps.text_lines(plan)),
+                             self.graph('--sharing', how).splitlines())
+
+    def test_a_plan_as_a_page(self):
+        for rung in ('paper', 'one-sided'):
+            plan = json.loads(self.graph('--json', '--refraction', rung, '--aov', 'all'))
+            html = self.graph('--html', '--refraction', rung, '--aov', 'all')
+            self.assertEqual(plan_dumps.Page(html, plan).faults, [])
+            self.assertIn('refract_', html)
+
+    def test_a_plan_to_a_full_disk(self):
+        for form in ('--html', '--json'):
+            with open('/dev/full', 'wb') as full:
+                done = self.firn('graph', 'sphere', form, env=NO_DRIVER, stdout=full)
+            self.assertEqual(done.returncode, WRITE, done.stderr.decode())
 
     def test_links_no_window_system(self):
         libraries = subprocess.run(['ldd', firn_path], capture_output=True, text=True, check=True)

@@ -72,7 +72,7 @@ static void test_random_lives(void **state)
         check_places(items, count, r.size);
         assert_int_equal(r.bound, slow_bound(items, count));
         assert_true(r.bound <= r.size && r.size <= r.apart);
-        arena_finish(&scratch);
+        rg_arena_finish(&scratch);
     }
 }
 
@@ -87,7 +87,7 @@ static void test_without_aliasing_nothing_is_shared(void **state)
     for (uint32_t i = 0; i < 40; i++)
         items[i].first = 0, items[i].last = 99;
     check_places(items, 40, r.size);
-    arena_finish(&scratch);
+    rg_arena_finish(&scratch);
 }
 
 /* Time order leaves a hole of 2 under the 3: only an order that begins with it meets the bound. */
@@ -104,7 +104,7 @@ static void test_the_best_rule_wins(void **state)
     assert_int_equal(r.bound, 4);
     assert_int_equal(r.size, 4);
     check_places(items, 3, 4);
-    arena_finish(&scratch);
+    rg_arena_finish(&scratch);
 }
 
 int main(void)
