@@ -38,6 +38,18 @@ void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh);
 void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z);
 
 /*
+ * The same with their numbers in a buffer, which the row names as RG_INDIRECT: there lies, from
+ * byte `offset` on, a multiple of 4, one VkDrawIndirectCommand, VkDrawIndexedIndirectCommand (the
+ * mesh's index_count does not count then) or VkDispatchIndirectCommand. `firstInstance` is 0,
+ * unless the device has drawIndirectFirstInstance enabled.
+ */
+void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer, VkDeviceSize offset);
+void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
+                               const struct rg_buffer *buffer, VkDeviceSize offset);
+void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
+                              VkDeviceSize offset);
+
+/*
  * Copies the first mip of the row's range of an image, its layers one after another, rows tight,
  * to a buffer from byte `offset` on. The row names the image as RG_COPY_SRC and the buffer as
  * RG_COPY_DST.

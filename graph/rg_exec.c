@@ -65,17 +65,19 @@ static void *make_array(size_t count, size_t size)
 static bool make_arrays(struct rg_exec *exec)
 {
     const struct rg_plan *plan = exec->plan;
+    size_t barrier_count = (size_t)plan->barrier_count + plan->initial_barrier_count;
     exec->blocks = make_array(plan->block_count, sizeof(*exec->blocks));
     exec->images = make_array(plan->image_count, sizeof(*exec->images));
+    exec->image_memory = make_array(plan->image_count, sizeof(*exec->image_memory));
     exec->buffers = make_array(plan->buffer_count, sizeof(*exec->buffers));
     exec->use_views = make_array(plan->use_count, sizeof(VkImageView));
     exec->samplers = make_array(plan->use_count, sizeof(*exec->samplers));
     exec->passes = make_array(plan->pass_count, sizeof(*exec->passes));
     exec->slots = make_array(exec->slot_count, sizeof(*exec->slots));
-    exec->image_batch = make_array(plan->barrier_count, sizeof(*exec->image_batch));
-    exec->buffer_batch = make_array(plan->barrier_count, sizeof(*exec->buffer_batch));
-    return exec->blocks && exec->images && exec->buffers && exec->use_views && exec->samplers &&
-           exec->passes && exec->slots && exec->image_batch && exec->buffer_batch;
+    exec->image_batch = make_array(barrier_count, sizeof(*exec->image_batch));
+    exec->buffer_batch = make_array(barrier_count, sizeof(*exec->buffer_batch));
+    return exec->blocks && exec->images && exec->image_memory && exec->buffers && exec->use_views &&
+           exec->samplers && exec->passes && exec->slots && exec->image_batch && exec->buffer_batch;
 }
 
 static VkResult make_all(struct rg_exec *exec)
@@ -133,6 +135,7 @@ void rg_exec_destroy(struct rg_exec *exec)
     rg_exec_free_memory(exec);
     free(exec->blocks);
     free(exec->images);
+    free(exec->image_memory);
     free(exec->buffers);
     free(exec->use_views);
     free(exec->samplers);
@@ -168,6 +171,7 @@ VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
     RG_TRY(exec, vkResetFences(exec->device, 1, &slot->fence));
     RG_TRY(exec, vkQueueSubmit2(exec->params.queue, 1, &submit, slot->fence));
     slot->submitted = true;
+    exec->filled = true;
 fail:
     return result;
 }

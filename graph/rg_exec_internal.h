@@ -9,12 +9,17 @@ struct exec_buffer {
     VkBuffer *buffers;      /* one a slot */
     VkDeviceMemory *memory; /* one a slot; only of host memory */
     void **mapped;          /* one a slot; only of host memory */
+    VkDeviceMemory own;     /* of a persistent buffer */
     bool coherent;
 };
 
+enum {
+    RG_VIEW_COUNT = 2 * RG_COLOR_COUNT + 1 /* of a pass: colours, depth, what they resolve to */
+};
+
 struct exec_pass {
-    VkImageView views[RG_COLOR_COUNT + 1]; /* of the targets; depth last of those there are */
-    VkPipelineLayout layout;               /* shared by the repetitions of a row, as are: */
+    VkImageView views[RG_VIEW_COUNT]; /* colours, depth, resolves; without gaps */
+    VkPipelineLayout layout;          /* shared by the repetitions of a row, as are: */
     VkDescriptorSetLayout set_layout;
     VkPipeline pipeline;
     bool owner; /* of the three above */
@@ -42,6 +47,7 @@ struct rg_exec {
     VkPhysicalDeviceMemoryProperties memory_properties;
     VkDeviceMemory *blocks;
     VkImage *images;
+    VkDeviceMemory *image_memory; /* of persistent images */
     struct exec_buffer *buffers;
     VkImageView *use_views; /* one a plan use; null for buffers */
     struct exec_sampler *samplers;
@@ -50,6 +56,7 @@ struct rg_exec {
     VkDescriptorPool descriptor_pool;
     VkCommandPool command_pool;
     struct exec_slot *slots;
+    bool filled;                        /* the persistent resources are */
     VkImageMemoryBarrier2 *image_batch; /* room to record any batch from */
     VkBufferMemoryBarrier2 *buffer_batch;
 };
@@ -100,10 +107,16 @@ void rg_exec_free_pipelines(struct rg_exec *exec);
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
 
 /* rg_render_pass.c: target views always, VkRenderPass objects where asked for */
+VkSampleCountFlagBits rg_exec_samples(const struct rg_exec *exec, const struct rg_plan_pass *pass);
 VkResult rg_exec_make_targets(struct rg_exec *exec);
 void rg_exec_free_targets(struct rg_exec *exec);
 
+/* rg_fill.c: before the first frame */
+void rg_exec_record_fill(struct rg_exec *exec, VkCommandBuffer commands);
+
 /* rg_record.c */
+void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
+                          uint32_t count);
 VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame);
 
 #endif

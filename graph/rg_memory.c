@@ -49,6 +49,16 @@ static VkFormatFeatureFlags format_features(const void *user, VkFormat format)
     return properties.optimalTilingFeatures;
 }
 
+static VkSampleCountFlags sample_counts(const void *user, const VkImageCreateInfo *info)
+{
+    const struct rg_vulkan *vulkan = user;
+    VkImageFormatProperties properties = { 0 };
+    VkResult result = vkGetPhysicalDeviceImageFormatProperties(
+        vulkan->physical, info->format, info->imageType, info->tiling, info->usage, info->flags,
+        &properties);
+    return result == VK_SUCCESS ? properties.sampleCounts : 0;
+}
+
 struct rg_device rg_exec_device(const struct rg_vulkan *vulkan)
 {
     VkPhysicalDeviceProperties properties;
@@ -58,6 +68,7 @@ struct rg_device rg_exec_device(const struct rg_vulkan *vulkan)
         .image_memory = image_memory,
         .buffer_memory = buffer_memory,
         .format_features = format_features,
+        .sample_counts = sample_counts,
         .max_image_size = properties.limits.maxImageDimension2D,
         .max_layers = properties.limits.maxImageArrayLayers,
     };
@@ -91,6 +102,18 @@ static VkResult allocate(const struct rg_exec *exec, VkDeviceSize size, uint32_t
     if (type == RG_NONE)
         return VK_ERROR_FEATURE_NOT_PRESENT;
     return vkAllocateMemory(exec->device, &info, NULL, memory);
+}
+
+/* Memory of a persistent resource, which shares it with nothing. */
+static VkResult allocate_own(const struct rg_exec *exec, const VkMemoryRequirements *needs,
+                             const char *name, VkDeviceMemory *memory)
+{
+    uint32_t type = find_type(exec, needs->memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0);
+    VkResult result;
+    RG_TRY(exec, allocate(exec, needs->size, type, memory));
+    rg_exec_name(exec, VK_OBJECT_TYPE_DEVICE_MEMORY, (uint64_t)*memory, name);
+fail:
+    return result;
 }
 
 static VkResult make_blocks(struct rg_exec *exec)
@@ -131,6 +154,12 @@ static VkResult make_image(struct rg_exec *exec, uint32_t index)
     RG_TRY(exec, vkCreateImage(exec->device, &info, NULL, &exec->images[index]));
     rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE, (uint64_t)exec->images[index], image->image->name);
     vkGetImageMemoryRequirements(exec->device, exec->images[index], &needs);
+    if (image->persistent) {
+        VkDeviceMemory *memory = &exec->image_memory[index];
+        RG_PASS(allocate_own(exec, &needs, image->image->name, memory));
+        RG_TRY(exec, vkBindImageMemory(exec->device, exec->images[index], *memory, 0));
+        return VK_SUCCESS;
+    }
     if (!fits(&needs, &exec->plan->blocks[image->block], image->offset, image->size))
         RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, "a plan for another device"));
     RG_TRY(exec, vkBindImageMemory(exec->device, exec->images[index], exec->blocks[image->block],
@@ -142,11 +171,13 @@ fail:
 static VkResult create_buffer(struct rg_exec *exec, const struct rg_plan_buffer *plan,
                               VkBuffer *buffer)
 {
+    /* vkCmdFillBuffer() fills words */
+    VkDeviceSize room = plan->persistent ? (plan->size + 3) / 4 * 4 : plan->size;
     VkResult result;
     RG_TRY(exec, vkCreateBuffer(exec->device,
                                 &(VkBufferCreateInfo){
                                     .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-                                    .size = plan->size,
+                                    .size = room,
                                     .usage = plan->usage,
                                 },
                                 NULL, buffer));
@@ -162,6 +193,11 @@ static VkResult make_device_buffer(struct rg_exec *exec, const struct rg_plan_bu
     VkResult result;
     RG_PASS(create_buffer(exec, plan, &buffer->buffers[0]));
     vkGetBufferMemoryRequirements(exec->device, buffer->buffers[0], &needs);
+    if (plan->persistent) {
+        RG_PASS(allocate_own(exec, &needs, plan->buffer->name, &buffer->own));
+        RG_TRY(exec, vkBindBufferMemory(exec->device, buffer->buffers[0], buffer->own, 0));
+        return VK_SUCCESS;
+    }
     if (!fits(&needs, &exec->plan->blocks[plan->block], plan->offset, plan->memory_size))
         RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, "a plan for another device"));
     RG_TRY(exec, vkBindBufferMemory(exec->device, buffer->buffers[0], exec->blocks[plan->block],
@@ -240,6 +276,8 @@ void rg_exec_free_memory(struct rg_exec *exec)
         if (!plan->images[i].imported)
             vkDestroyImage(exec->device, exec->images[i], NULL);
     }
+    for (uint32_t i = 0; exec->image_memory && i < plan->image_count; i++)
+        vkFreeMemory(exec->device, exec->image_memory[i], NULL);
     for (uint32_t i = 0; exec->buffers && i < plan->buffer_count; i++) {
         struct exec_buffer *buffer = &exec->buffers[i];
         for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
@@ -248,6 +286,7 @@ void rg_exec_free_memory(struct rg_exec *exec)
             if (buffer->memory)
                 vkFreeMemory(exec->device, buffer->memory[slot], NULL);
         }
+        vkFreeMemory(exec->device, buffer->own, NULL);
         free(buffer->buffers);
         free(buffer->memory);
         free(buffer->mapped);

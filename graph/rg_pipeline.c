@@ -106,10 +106,6 @@ static void fill_geometry(struct raster_state *s, const struct rg_pass *row)
         .frontFace = row->front,
         .lineWidth = 1.0f,
     };
-    s->samples = (VkPipelineMultisampleStateCreateInfo){
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-        .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT,
-    };
 }
 
 static void fill_targets(struct raster_state *s, const struct rg_exec *exec,
@@ -122,6 +118,10 @@ static void fill_targets(struct raster_state *s, const struct rg_exec *exec,
         s->blends[i] = blend_state(row->color[i].blend);
         s->formats[i] = images[plan->color[i].image].image->format;
     }
+    s->samples = (VkPipelineMultisampleStateCreateInfo){
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+        .rasterizationSamples = rg_exec_samples(exec, plan),
+    };
     s->depth = (VkPipelineDepthStencilStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
         .depthTestEnable = has_depth,

@@ -1,5 +1,6 @@
 /* rg_record.c: a plan's barriers, targets and labels, and what record functions call. */
 #include <assert.h>
+#include <string.h>
 #include "graph/rg_cmd.h"
 #include "graph/rg_exec_internal.h"
 
@@ -37,8 +38,8 @@ static VkBufferMemoryBarrier2 buffer_barrier(const struct rg_exec *exec, const s
     };
 }
 
-static void record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
-                         uint32_t count)
+void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
+                          uint32_t count)
 {
     uint32_t images = 0;
     uint32_t buffers = 0;
@@ -75,14 +76,30 @@ static VkRenderingAttachmentInfo attachment(const struct rg_plan_target *target,
     };
 }
 
+/* Vulkan's names of formats tell the type of their numbers. */
+static VkResolveModeFlagBits resolve_mode(const struct rg_plan_image *image)
+{
+    const char *name = rg_format_info(image->image->format)->name;
+    bool integer = strstr(name, "_UINT") || strstr(name, "_SINT");
+    return integer ? VK_RESOLVE_MODE_SAMPLE_ZERO_BIT : VK_RESOLVE_MODE_AVERAGE_BIT;
+}
+
 static void begin_rendering(const struct rg_cmd *cmd)
 {
     const struct rg_plan_pass *plan = cmd->plan_pass;
     VkRenderingAttachmentInfo attachments[RG_COLOR_COUNT + 1];
     bool has_depth = plan->depth.image != RG_NONE;
     uint32_t count = plan->color_count;
-    for (uint32_t i = 0; i < count; i++)
-        attachments[i] = attachment(&plan->color[i], &plan->pass->color[i], cmd->pass->views[i]);
+    const VkImageView *resolve_view = &cmd->pass->views[count + has_depth];
+    for (uint32_t i = 0; i < count; i++) {
+        const struct rg_plan_target *target = &plan->color[i];
+        attachments[i] = attachment(target, &plan->pass->color[i], cmd->pass->views[i]);
+        if (target->resolve == RG_NONE)
+            continue;
+        attachments[i].resolveMode = resolve_mode(&cmd->exec->plan->images[target->resolve]);
+        attachments[i].resolveImageView = *resolve_view++;
+        attachments[i].resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    }
     if (has_depth)
         attachments[count] = attachment(&plan->depth, &plan->pass->depth, cmd->pass->views[count]);
     bool has_stencil = has_depth && cmd->exec->plan->images[plan->depth.image].aspects &
@@ -140,6 +157,21 @@ static void bind(const struct rg_cmd *cmd)
     vkCmdSetScissor(cmd->commands, 0, 1, &(VkRect2D){ .extent = plan->extent });
 }
 
+static void record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    bool raster = cmd->plan_pass->pass->kind == RG_RASTER;
+    if (raster && cmd->pass->render_pass)
+        begin_render_pass(cmd);
+    else if (raster)
+        begin_rendering(cmd);
+    bind(cmd);
+    cmd->plan_pass->pass->record(cmd, frame);
+    if (raster && cmd->pass->render_pass)
+        vkCmdEndRenderPass(cmd->commands);
+    else if (raster)
+        vkCmdEndRendering(cmd->commands);
+}
+
 static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer commands,
                         const struct rg_frame *frame)
 {
@@ -149,23 +181,16 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
         .pass = &exec->passes[index],
         .commands = commands,
     };
-    bool raster = cmd.plan_pass->pass->kind == RG_RASTER;
+    const struct rg_pass *row = cmd.plan_pass->pass;
     if (vkCmdBeginDebugUtilsLabelEXT)
         vkCmdBeginDebugUtilsLabelEXT(commands, &(VkDebugUtilsLabelEXT){
                                                    .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT,
-                                                   .pLabelName = cmd.plan_pass->pass->name,
+                                                   .pLabelName = row->name,
                                                });
-    record_batch(exec, commands, cmd.plan_pass->first_barrier, cmd.plan_pass->barrier_count);
-    if (raster && cmd.pass->render_pass)
-        begin_render_pass(&cmd);
-    else if (raster)
-        begin_rendering(&cmd);
-    bind(&cmd);
-    cmd.plan_pass->pass->record(&cmd, frame);
-    if (raster && cmd.pass->render_pass)
-        vkCmdEndRenderPass(commands);
-    else if (raster)
-        vkCmdEndRendering(commands);
+    rg_exec_record_batch(exec, commands, cmd.plan_pass->first_barrier,
+                         cmd.plan_pass->barrier_count);
+    if (!row->when || row->when(frame))
+        record_work(&cmd, frame);
     if (vkCmdEndDebugUtilsLabelEXT)
         vkCmdEndDebugUtilsLabelEXT(commands);
 }
@@ -180,9 +205,11 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame)
                                               .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                               .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
                                           }));
+    if (!exec->filled)
+        rg_exec_record_fill(exec, commands);
     for (uint32_t p = 0; p < plan->pass_count; p++)
         record_pass(exec, p, commands, frame);
-    record_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
+    rg_exec_record_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
     RG_TRY(exec, vkEndCommandBuffer(commands));
 fail:
     return result;
@@ -216,13 +243,18 @@ void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count)
     vkCmdDraw(cmd->commands, vertex_count, 1, 0, 0);
 }
 
-void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
+static void bind_mesh(const struct rg_cmd *cmd, const struct rg_mesh *mesh)
 {
     const VkDeviceSize offset = 0;
-    if (!mesh->index_count)
-        return;
     vkCmdBindVertexBuffers(cmd->commands, 0, 1, &mesh->vertices, &offset);
     vkCmdBindIndexBuffer(cmd->commands, mesh->indices, 0, VK_INDEX_TYPE_UINT32);
+}
+
+void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
+{
+    if (!mesh->index_count)
+        return;
+    bind_mesh(cmd, mesh);
     vkCmdDrawIndexed(cmd->commands, mesh->index_count, 1, 0, 0, 0);
 }
 
@@ -243,6 +275,31 @@ static const struct rg_plan_use *find_use(const struct rg_cmd *cmd, const void *
             return use;
     }
     return NULL;
+}
+
+static VkBuffer indirect_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer)
+{
+    const struct rg_plan_use *use = find_use(cmd, buffer, RG_INDIRECT);
+    assert(use); /* the row names it */
+    return rg_exec_buffer(cmd->exec, use->buffer, cmd->exec->slot);
+}
+
+void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer, VkDeviceSize offset)
+{
+    vkCmdDrawIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
+}
+
+void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
+                               const struct rg_buffer *buffer, VkDeviceSize offset)
+{
+    bind_mesh(cmd, mesh);
+    vkCmdDrawIndexedIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
+}
+
+void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
+                              VkDeviceSize offset)
+{
+    vkCmdDispatchIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset);
 }
 
 static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_plan_use *use,

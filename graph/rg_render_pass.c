@@ -6,29 +6,55 @@
  */
 #include "graph/rg_exec_internal.h"
 
-static uint32_t target_count(const struct rg_plan_pass *pass)
+/* What a view shows: a target, or what it resolves to. */
+struct part {
+    uint32_t image, mip, layer;
+    const struct rg_plan_target *target; /* NULL: resolved to */
+};
+
+static struct part target_part(const struct rg_plan_target *target)
 {
-    return pass->color_count + (pass->depth.image != RG_NONE);
+    return (struct part){ target->image, target->mip, target->layer, target };
 }
 
-static const struct rg_plan_target *target_at(const struct rg_plan_pass *pass, uint32_t index)
+/* The attachments of a pass in the order of its views; returns how many there are. */
+static uint32_t list_parts(const struct rg_plan_pass *pass, struct part parts[RG_VIEW_COUNT])
 {
-    return index < pass->color_count ? &pass->color[index] : &pass->depth;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < pass->color_count; i++)
+        parts[count++] = target_part(&pass->color[i]);
+    if (pass->depth.image != RG_NONE)
+        parts[count++] = target_part(&pass->depth);
+    for (uint32_t i = 0; i < pass->color_count; i++) {
+        const struct rg_plan_target *target = &pass->color[i];
+        if (target->resolve != RG_NONE)
+            parts[count++] = (struct part){
+                .image = target->resolve,
+                .mip = target->resolve_mip,
+                .layer = target->resolve_layer,
+            };
+    }
+    return count;
 }
 
-static VkResult make_view(struct rg_exec *exec, const struct rg_plan_target *target,
-                          VkImageView *view)
+VkSampleCountFlagBits rg_exec_samples(const struct rg_exec *exec, const struct rg_plan_pass *pass)
 {
-    const struct rg_plan_image *image = &exec->plan->images[target->image];
+    const struct rg_plan_target *target = pass->color_count ? &pass->color[0] : &pass->depth;
+    return (VkSampleCountFlagBits)exec->plan->images[target->image].samples;
+}
+
+static VkResult make_view(struct rg_exec *exec, const struct part *part, VkImageView *view)
+{
+    const struct rg_plan_image *image = &exec->plan->images[part->image];
     VkResult result;
     RG_TRY(exec, vkCreateImageView(
                      exec->device,
                      &(VkImageViewCreateInfo){
                          .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-                         .image = exec->images[target->image],
+                         .image = exec->images[part->image],
                          .viewType = VK_IMAGE_VIEW_TYPE_2D,
                          .format = image->image->format,
-                         .subresourceRange = { image->aspects, target->mip, 1, target->layer, 1 },
+                         .subresourceRange = { image->aspects, part->mip, 1, part->layer, 1 },
                      },
                      NULL, view));
     rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE_VIEW, (uint64_t)*view, image->image->name);
@@ -36,32 +62,54 @@ fail:
     return result;
 }
 
+/* A target as the plan has it; of what it resolves to every texel gets new content. */
+static VkAttachmentDescription describe(const struct rg_exec *exec, const struct part *part)
+{
+    const struct rg_plan_target resolved = {
+        .load = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+        .store = VK_ATTACHMENT_STORE_OP_STORE,
+        .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+    };
+    const struct rg_plan_image *image = &exec->plan->images[part->image];
+    const struct rg_plan_target *target = part->target ? part->target : &resolved;
+    return (VkAttachmentDescription){
+        .format = image->image->format,
+        .samples = (VkSampleCountFlagBits)image->samples,
+        .loadOp = target->load,
+        .storeOp = target->store,
+        .stencilLoadOp = target->load,
+        .stencilStoreOp = target->store,
+        .initialLayout = target->layout,
+        .finalLayout = target->layout,
+    };
+}
+
 static VkResult make_render_pass(struct rg_exec *exec, const struct rg_plan_pass *plan,
                                  struct exec_pass *pass)
 {
-    VkAttachmentDescription attachments[RG_COLOR_COUNT + 1];
-    VkAttachmentReference references[RG_COLOR_COUNT + 1];
-    uint32_t count = target_count(plan);
+    struct part parts[RG_VIEW_COUNT];
+    VkAttachmentDescription attachments[RG_VIEW_COUNT];
+    VkAttachmentReference references[RG_VIEW_COUNT];
+    VkAttachmentReference resolves[RG_COLOR_COUNT];
+    bool has_depth = plan->depth.image != RG_NONE;
+    uint32_t count = list_parts(plan, parts);
+    uint32_t resolve = plan->color_count + has_depth;
     VkResult result;
     for (uint32_t i = 0; i < count; i++) {
-        const struct rg_plan_target *target = target_at(plan, i);
-        attachments[i] = (VkAttachmentDescription){
-            .format = exec->plan->images[target->image].image->format,
-            .samples = VK_SAMPLE_COUNT_1_BIT,
-            .loadOp = target->load,
-            .storeOp = target->store,
-            .stencilLoadOp = target->load,
-            .stencilStoreOp = target->store,
-            .initialLayout = target->layout,
-            .finalLayout = target->layout,
-        };
-        references[i] = (VkAttachmentReference){ i, target->layout };
+        attachments[i] = describe(exec, &parts[i]);
+        references[i] = (VkAttachmentReference){ i, attachments[i].initialLayout };
+    }
+    for (uint32_t i = 0; i < plan->color_count; i++) {
+        bool resolved = plan->color[i].resolve != RG_NONE;
+        resolves[i] = resolved ? references[resolve++]
+                               : (VkAttachmentReference){ .attachment = VK_ATTACHMENT_UNUSED };
     }
     const VkSubpassDescription subpass = {
         .pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS,
         .colorAttachmentCount = plan->color_count,
         .pColorAttachments = references,
-        .pDepthStencilAttachment = count > plan->color_count ? &references[count - 1] : NULL,
+        .pResolveAttachments = resolves,
+        .pDepthStencilAttachment = has_depth ? &references[plan->color_count] : NULL,
     };
     RG_TRY(exec, vkCreateRenderPass(exec->device,
                                     &(VkRenderPassCreateInfo){
@@ -92,8 +140,10 @@ VkResult rg_exec_make_targets(struct rg_exec *exec)
     VkResult result = VK_SUCCESS;
     for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
         const struct rg_plan_pass *plan = &exec->plan->passes[p];
-        for (uint32_t i = 0; i < target_count(plan) && result == VK_SUCCESS; i++)
-            result = make_view(exec, target_at(plan, i), &exec->passes[p].views[i]);
+        struct part parts[RG_VIEW_COUNT];
+        uint32_t count = list_parts(plan, parts);
+        for (uint32_t i = 0; i < count && result == VK_SUCCESS; i++)
+            result = make_view(exec, &parts[i], &exec->passes[p].views[i]);
         if (result == VK_SUCCESS && exec->params.render_passes && plan->pass->kind == RG_RASTER)
             result = make_render_pass(exec, plan, &exec->passes[p]);
     }
@@ -106,7 +156,7 @@ void rg_exec_free_targets(struct rg_exec *exec)
         struct exec_pass *pass = &exec->passes[p];
         vkDestroyFramebuffer(exec->device, pass->framebuffer, NULL);
         vkDestroyRenderPass(exec->device, pass->render_pass, NULL);
-        for (uint32_t i = 0; i <= RG_COLOR_COUNT; i++)
+        for (uint32_t i = 0; i < RG_VIEW_COUNT; i++)
             vkDestroyImageView(exec->device, pass->views[i], NULL);
     }
 }

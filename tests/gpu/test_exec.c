@@ -1,18 +1,9 @@
 /* test_exec.c: what raster passes of the executor draw, to the bit. */
 #include "tests/support/check.h"
 
-#include "tests/gpu/shaders/data.h"
+#include "tests/support/feature.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/painted.h"
-
-/* Adds the number of the repetition, from 1, to the first channel; each nearer than the last. */
-static void record_number(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    struct paint_push paint = frame->paints[rg_cmd_pass(cmd) - frame->rows];
-    paint.color.x += (float)(rg_cmd_repetition(cmd) + 1);
-    paint.depth = 0.5F - 0.0625F * (float)rg_cmd_repetition(cmd);
-    painted_draw(cmd, &paint);
-}
 
 static void record_extent(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
@@ -78,79 +69,21 @@ static void loads_and_targets(void **state)
 
 /* ---- rows repeated by layer and by mip ---- */
 
-static const struct rg_image cube = COLOR_IMAGE("cube", .cube = true, .width = 3, .height = 3);
-
-static const struct rg_image cube_depth = {
-    .name = "cube depth",
-    .format = VK_FORMAT_D32_SFLOAT,
-    .width = 3,
-    .height = 3,
-};
-
-static const struct rg_image cube_copy = COLOR_IMAGE("copy", .layers = 6, .width = 3, .height = 3);
-static const struct rg_buffer cube_out = COLOR_BUFFER("cube out");
-static const struct rg_buffer cube_copy_out = COLOR_BUFFER("copy out");
-
-static const struct rg_buffer cube_seen = {
-    .name = "seen",
-    .size = 6 * sizeof(vec4s),
-    .memory = RG_MEMORY_READBACK,
-};
-
-static void record_faces(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    (void)frame;
-    rg_cmd_dispatch(cmd, 6, 1, 1);
-}
-
-/* Each face's rectangle is behind the one before: it shows only if the depth is cleared. */
-static const struct rg_pass cube_rows[] = {
-    {
-        .name = "draw",
-        .repeat = RG_PER_LAYER,
-        .color[0] = { &cube, RG_LOAD_CLEAR, .clear.color = { { 7, 7, 7, 7 } } },
-        .depth = { &cube_depth, RG_LOAD_CLEAR },
-        .depth_compare = VK_COMPARE_OP_GREATER,
-        PAINTED_BY(record_number, &paint_frag),
-    },
-    {
-        .name = "copy",
-        .repeat = RG_PER_LAYER,
-        .color[0] = { &cube_copy, RG_LOAD_DISCARD },
-        .uses = RG_USES({
-            .image = &cube,
-            .access = RG_SAMPLED,
-            .binding = PAINT_SOURCE,
-            .range.each = true,
-        }),
-        PAINTED_BY(painted_record, &fetch_layer_frag),
-    },
-    {
-        .name = "look",
-        .kind = RG_COMPUTE,
-        .uses =
-            RG_USES({ .image = &cube, .access = RG_SAMPLED, .binding = DATA_IMAGE },
-                    { .buffer = &cube_seen, .access = RG_STORAGE_WRITE, .binding = DATA_COLORS }),
-        .comp = &faces_comp,
-        .record = record_faces,
-    },
-    RUN_READ("read", cube, cube_out),
-    RUN_READ("read copy", cube_copy, cube_copy_out),
-};
-
 static void check_cube(struct run *run)
 {
+    const struct rg_buffer *const *outputs = run->params.outputs;
     for (uint32_t i = 0; i < 6 * 9; i++) {
         const uint32_t face = i / 9;
         const float number = (float)(face + 1);
         const bool painted = i % 3 < 2;
-        painted_check(run, &cube_out, i,
+        painted_check(run, outputs[PER_LAYER_CUBE_OUT], i,
                       painted ? painted_color(number, 0, 0, 1) : painted_color(7, 7, 7, 7));
-        painted_check(run, &cube_copy_out, i,
+        painted_check(run, outputs[PER_LAYER_COPY_OUT], i,
                       painted ? painted_color(number, 0, 0, 101) : painted_color(7, 7, 7, 107));
     }
     for (uint32_t face = 0; face < 6; face++)
-        painted_check(run, &cube_seen, face, painted_color((float)(face + 1), 0, 0, 1));
+        painted_check(run, outputs[PER_LAYER_SEEN_OUT], face,
+                      painted_color((float)(face + 1), 0, 0, 1));
 }
 
 static void row_per_layer(void **state)
@@ -159,50 +92,19 @@ static void row_per_layer(void **state)
         { .color = { { 0, 0, 0, 1 } }, .from = { { -1, -1 } }, .to = { { 1 / 3.0F, 1 } } },
         { .color = { { 0, 0, 0, 100 } }, ALL },
     };
-    PAINTED_EVERYWHERE(state, cube_rows, paints, check_cube,
-                       .outputs = { &cube_out, &cube_copy_out, &cube_seen });
+    const struct run_params *params = &feature_per_layer.params;
+    run_everywhere(*state, params,
+                   &(struct rg_frame){ .rows = params->technique.passes, .paints = paints },
+                   check_cube);
 }
-
-static const struct rg_image mip_from = COLOR_IMAGE("from", .mips = RG_ALL_MIPS, .array = true);
-static const struct rg_image mip_to = COLOR_IMAGE("to", .mips = 2, .scale = 0.5F);
-static const struct rg_buffer mip_out[] = {
-    COLOR_BUFFER("from 2"),
-    COLOR_BUFFER("from 3"),
-    COLOR_BUFFER("to 0"),
-    COLOR_BUFFER("to 1"),
-};
-
-static const struct rg_pass mip_rows[] = {
-    {
-        .name = "number",
-        .repeat = RG_PER_MIP,
-        .color[0] = { &mip_from, RG_LOAD_DISCARD },
-        PAINTED_BY(record_number, &paint_frag),
-    },
-    {
-        .name = "copy",
-        .repeat = RG_PER_MIP,
-        .color[0] = { &mip_to, RG_LOAD_DISCARD },
-        .uses = RG_USES({
-            .image = &mip_from,
-            .access = RG_SAMPLED,
-            .binding = PAINT_SOURCE,
-            .range = { .mip = 1, .each = true },
-        }),
-        PAINTED_BY(painted_record, &fetch_layer_frag),
-    },
-    RUN_READ_PART("read 2", mip_from, mip_out[0], .mip = 2),
-    RUN_READ_PART("read 3", mip_from, mip_out[1], .mip = 3),
-    RUN_READ_PART("read to", mip_to, mip_out[2], 0),
-    RUN_READ_PART("read to 1", mip_to, mip_out[3], .mip = 1),
-};
 
 static void check_mips(struct run *run)
 {
-    painted_check_all(run, &mip_out[0], 2 * 2, painted_color(3, 0, 0, 1));
-    painted_check_all(run, &mip_out[1], 1, painted_color(4, 0, 0, 1));
-    painted_check_all(run, &mip_out[2], 4 * 4, painted_color(2, 100, 0, 1));
-    painted_check_all(run, &mip_out[3], 2 * 2, painted_color(3, 100, 0, 1));
+    const struct rg_buffer *const *outputs = run->params.outputs;
+    painted_check_all(run, outputs[PER_MIP_FROM_2_OUT], 2 * 2, painted_color(3, 0, 0, 1));
+    painted_check_all(run, outputs[PER_MIP_FROM_3_OUT], 1, painted_color(4, 0, 0, 1));
+    painted_check_all(run, outputs[PER_MIP_TO_0_OUT], 4 * 4, painted_color(2, 100, 0, 1));
+    painted_check_all(run, outputs[PER_MIP_TO_1_OUT], 2 * 2, painted_color(3, 100, 0, 1));
 }
 
 static void row_per_mip(void **state)
@@ -211,8 +113,10 @@ static void row_per_mip(void **state)
         { .color = { { 0, 0, 0, 1 } }, ALL },
         { .color = { { 0, 100, 0, 0 } }, ALL },
     };
-    PAINTED_EVERYWHERE(state, mip_rows, paints, check_mips,
-                       .outputs = { &mip_out[0], &mip_out[1], &mip_out[2], &mip_out[3] });
+    const struct run_params *params = &feature_per_mip.params;
+    run_everywhere(*state, params,
+                   &(struct rg_frame){ .rows = params->technique.passes, .paints = paints },
+                   check_mips);
 }
 
 enum {

@@ -3,128 +3,26 @@
 
 #include "tests/support/check.h"
 
-#include "tests/gpu/shaders/data.h"
+#include "tests/support/feature.h"
 #include "tests/support/lavapipe.h"
-#include "tests/support/painted.h"
 
 enum {
-    SIZE = 8,
-    TEXELS = SIZE * SIZE,
+    TEXELS = FEATURE_TEXELS,
 };
 
-/* ---- storage, sampled afterwards, copied ---- */
+/* ---- storage ---- */
 
-static const struct rg_image numbers = { .name = "numbers", .format = VK_FORMAT_R32_UINT };
-static const struct rg_image next = { .name = "next", .format = VK_FORMAT_R32_UINT };
-static const struct rg_buffer list = { .name = "list", .size_per_texel = sizeof(uint32_t) };
-
-static const struct rg_buffer seed = {
-    .name = "seed",
-    .size = sizeof(struct data_seed),
-    .memory = RG_MEMORY_UPLOAD,
-};
-
-/* parameters of vkCmdDispatchIndirect() */
-static const struct rg_buffer groups = {
-    .name = "groups",
-    .size = sizeof(VkDispatchIndirectCommand),
-    .memory = RG_MEMORY_UPLOAD,
-};
-
-#define NUMBER_BUFFER(title) \
-    { \
-        .name = (title), .size_per_texel = sizeof(uint32_t), .memory = RG_MEMORY_READBACK \
-    }
-static const struct rg_buffer numbers_out = NUMBER_BUFFER("numbers out");
-static const struct rg_buffer next_out = NUMBER_BUFFER("next out");
-static const struct rg_buffer list_out = NUMBER_BUFFER("list out");
-
-static void record_all_texels(struct rg_cmd *cmd, const struct rg_frame *frame)
+static void write_seed(struct run *run, uint32_t value)
 {
-    (void)frame;
-    rg_cmd_dispatch(cmd, SIZE / DATA_GROUP, SIZE / DATA_GROUP, 1);
-}
-
-static void record_indirect(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    (void)frame;
-    vkCmdDispatchIndirect(rg_cmd_vulkan(cmd), rg_cmd_buffer(cmd, &groups), 0);
-}
-
-static void record_triangles(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    (void)frame;
-    painted_draw(cmd, &(struct paint_push){ ALL });
-}
-
-static void record_copy_list(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    (void)frame;
-    const VkBufferCopy region = { .size = TEXELS * sizeof(uint32_t) };
-    vkCmdCopyBuffer(rg_cmd_vulkan(cmd), rg_cmd_buffer(cmd, &list), rg_cmd_buffer(cmd, &list_out), 1,
-                    &region);
-}
-
-#define SEED \
-    { \
-        .buffer = &seed, .access = RG_UNIFORM, .binding = DATA_SEED \
-    }
-
-static const struct rg_pass number_rows[] = {
-    {
-        .name = "fill",
-        .kind = RG_COMPUTE,
-        .uses =
-            RG_USES(SEED, { .image = &numbers, .access = RG_STORAGE_WRITE, .binding = DATA_TEXELS },
-                    { .buffer = &list, .access = RG_STORAGE_WRITE, .binding = DATA_NUMBERS }),
-        .comp = &fill_comp,
-        .record = record_all_texels,
-    },
-    {
-        .name = "add",
-        .kind = RG_COMPUTE,
-        .uses =
-            RG_USES({ .image = &numbers, .access = RG_STORAGE_READ, .binding = DATA_TEXELS },
-                    { .buffer = &list, .access = RG_STORAGE_READ_WRITE, .binding = DATA_NUMBERS },
-                    { .buffer = &groups, .access = RG_INDIRECT }),
-        .comp = &add_comp,
-        .record = record_indirect,
-    },
-    {
-        .name = "next",
-        .color[0] = { &next, RG_LOAD_DISCARD },
-        .uses = RG_USES(SEED, { .image = &numbers, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
-        PAINTED_BY(record_triangles, &next_frag),
-    },
-    RUN_READ("read numbers", numbers, numbers_out),
-    RUN_READ("read next", next, next_out),
-    {
-        .name = "copy list",
-        .kind = RG_TRANSFER,
-        .uses = RG_USES({ .buffer = &list, .access = RG_COPY_SRC },
-                        { .buffer = &list_out, .access = RG_COPY_DST }),
-        .record = record_copy_list,
-    },
-};
-
-static const struct run_params number_params = {
-    .technique = RG_TECHNIQUE("test", number_rows),
-    .outputs = { &numbers_out, &next_out, &list_out },
-};
-
-/* What the frame of the slot is to start from. */
-static void write_numbers(struct run *run, uint32_t value)
-{
-    *(struct data_seed *)run_data(run, &seed) = (struct data_seed){ value };
-    *(VkDispatchIndirectCommand *)run_data(run, &groups) =
-        (VkDispatchIndirectCommand){ SIZE / DATA_GROUP, SIZE / DATA_GROUP, 1 };
+    *(struct data_seed *)run_data(run, &feature_seed) = (struct data_seed){ value };
 }
 
 static void check_numbers(struct run *run, uint32_t value)
 {
-    const uint32_t *number = run_data(run, &numbers_out);
-    const uint32_t *after = run_data(run, &next_out);
-    const uint32_t *added = run_data(run, &list_out);
+    const struct rg_buffer *const *outputs = run->params.outputs;
+    const uint32_t *number = run_data(run, outputs[STORAGE_NUMBERS_OUT]);
+    const uint32_t *after = run_data(run, outputs[STORAGE_NEXT_OUT]);
+    const uint32_t *added = run_data(run, outputs[STORAGE_LIST_OUT]);
     for (uint32_t i = 0; i < TEXELS; i++) {
         assert_int_equal(number[i], value + i);
         assert_int_equal(after[i], value + i + value);
@@ -134,14 +32,12 @@ static void check_numbers(struct run *run, uint32_t value)
 
 static void storage_is_read_back(void **state)
 {
-    for (unsigned way = 0; way < 4; way++) {
-        struct run_params params = number_params;
+    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+        const struct run_params params = run_way(&feature_storage.params, way);
         struct run run;
-        params.render_passes = way & 1;
-        params.sharing = way & 2 ? RG_SHARE_NOTHING : RG_SHARE_LEAST_MEMORY;
         run_open(&run, *state, &params);
         assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
-        write_numbers(&run, 1000);
+        write_seed(&run, 1000);
         assert_int_equal(rg_exec_submit(run.exec, NULL), VK_SUCCESS);
         assert_int_equal(rg_exec_wait(run.exec, run.slot), VK_SUCCESS);
         check_numbers(&run, 1000);
@@ -155,7 +51,7 @@ static void check_in_flight(struct gpu *gpu, uint32_t slots, bool render_passes)
     enum {
         FRAMES = 7
     };
-    struct run_params params = number_params;
+    struct run_params params = feature_storage.params;
     struct run run;
     params.frames_in_flight = slots;
     params.render_passes = render_passes;
@@ -171,7 +67,7 @@ static void check_in_flight(struct gpu *gpu, uint32_t slots, bool render_passes)
             check_numbers(&run, 1000 * (frame - slots));
         if (frame >= FRAMES)
             continue;
-        write_numbers(&run, 1000 * frame);
+        write_seed(&run, 1000 * frame);
         assert_int_equal(rg_exec_submit(run.exec, NULL), VK_SUCCESS);
     }
     run_close(&run);
@@ -452,14 +348,15 @@ static void images_pass_between_executors(void **state)
     const struct rg_output ready = { .image = &kept, .access = RG_SAMPLED };
     struct run keep;
     struct run take;
-    run_open(&keep, *state,
-             &(struct run_params){ .technique = RG_TECHNIQUE("keep", keep_rows), .kept = ready });
+    run_open(
+        &keep, *state,
+        &(struct run_params){ .technique = RG_TECHNIQUE("keep", keep_rows), .kept = { ready } });
     const struct rg_exec_import object = { .image = rg_exec_image(keep.exec, &kept) };
     run_open(&take, *state,
              &(struct run_params){
                  .technique = RG_TECHNIQUE("take", take_rows),
                  .outputs = { &taken_out },
-                 .kept = ready,
+                 .kept = { ready },
                  .imports = &import,
                  .objects = &object,
                  .import_count = 1,
@@ -481,12 +378,136 @@ static void images_pass_between_executors(void **state)
     run_close(&keep);
 }
 
+/* ---- and so do images and buffers that a graph adds to ---- */
+
+#define IMPORTS_PAINTS(value) \
+    { \
+        [IMPORTS_ADD] = { .color = { { (value), 1, 0, 0 } }, LEFT_HALF }, \
+        [IMPORTS_LOOK] = { ALL }, \
+    }
+
+static void begin_imports(struct run *run, uint32_t number, struct rg_frame *frame)
+{
+    static const struct paint_push paints[][IMPORTS_PAINT_COUNT] = {
+        IMPORTS_PAINTS(1), IMPORTS_PAINTS(2), IMPORTS_PAINTS(3),
+        IMPORTS_PAINTS(4), IMPORTS_PAINTS(5),
+    };
+    frame->paints = paints[number];
+    write_seed(run, 100 * (number + 1));
+}
+
+/* They came with 50 in every channel, and a thousand times its index in every number. */
+static void check_imports(struct run *run, uint32_t number)
+{
+    const struct rg_buffer *const *outputs = run->params.outputs;
+    const uint32_t *totals = run_data(run, outputs[IMPORTS_TOTALS_OUT]);
+    const uint32_t frames = number + 1;
+    const uint32_t sum = frames * (frames + 1) / 2;
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        painted_check(run, outputs[IMPORTS_SEEN_OUT], i,
+                      i % 8 < 4 ? painted_color(50.0F + (float)sum, 50.0F + (float)frames, 50, 50)
+                                : painted_color(50, 50, 50, 50));
+        assert_int_equal(totals[i], 1000 * i + 100 * sum + frames * i);
+    }
+}
+
+static void imports_are_added_to(void **state)
+{
+    static const struct painted_series series = { 5, begin_imports, check_imports };
+    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+        struct gpu *gpu = *state;
+        struct gpu_image image;
+        struct gpu_buffer buffer;
+        vec4s texels[TEXELS];
+        uint32_t numbers[TEXELS];
+        for (uint32_t i = 0; i < TEXELS; i++) {
+            texels[i] = painted_color(50, 50, 50, 50);
+            numbers[i] = 1000 * i;
+        }
+        const struct gpu_image_params image_params = {
+            .name = "picture",
+            .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+            .width = FEATURE_SIZE,
+            .height = FEATURE_SIZE,
+            .texels = texels,
+            .texels_size = sizeof(texels),
+            .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+        };
+        assert_int_equal(gpu_image_create(gpu, &image, &image_params), STATUS_OK);
+        assert_int_equal(
+            gpu_buffer_create(gpu, &buffer,
+                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                              numbers, sizeof(numbers), "totals"),
+            STATUS_OK);
+        const struct rg_exec_import objects[] = {
+            { .image = image.image },
+            { .buffer = buffer.buffer },
+        };
+        struct run_params params = run_way(&feature_imports.params, way);
+        params.objects = objects;
+        painted_series(gpu, &params, &series);
+        gpu_image_destroy(gpu, &image);
+        gpu_buffer_destroy(gpu, &buffer);
+    }
+}
+
+/* ---- indirect ---- */
+
+static struct rg_mesh indirect_mesh;
+
+static void begin_indirect(struct run *run, uint32_t number, struct rg_frame *frame)
+{
+    frame->mesh = indirect_mesh;
+    write_seed(run, number);
+}
+
+/* The triangles are the halves of the view below and above a diagonal. */
+static void check_indirect(struct run *run, uint32_t number)
+{
+    const struct rg_buffer *const *outputs = run->params.outputs;
+    const uint32_t *numbers = run_data(run, outputs[INDIRECT_NUMBERS_OUT]);
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        const uint32_t x = i % FEATURE_SIZE;
+        const uint32_t y = i / FEATURE_SIZE;
+        const float drawn = number > (x > y) ? 1 : 0;
+        assert_int_equal(numbers[i], number + i);
+        if (x == y)
+            continue;
+        painted_check(run, outputs[INDIRECT_DRAWN_OUT], i,
+                      painted_color(drawn, drawn, drawn, drawn));
+        painted_check(run, outputs[INDIRECT_MESH_OUT], i,
+                      painted_color(drawn, drawn, drawn, drawn));
+    }
+}
+
+/* As many triangles as the number of the frame. */
+static void commands_come_from_shaders(void **state)
+{
+    static const struct painted_series series = { 3, begin_indirect, check_indirect };
+    static const vec2s vertices[] = { { { -1, -1 } }, { { -1, 1 } }, { { 1, 1 } }, { { 1, -1 } } };
+    static const uint32_t indices[] = { 0, 1, 2, 0, 2, 3 };
+    struct gpu *gpu = *state;
+    struct gpu_buffer vertex_buffer;
+    struct gpu_buffer index_buffer;
+    assert_int_equal(gpu_buffer_create(gpu, &vertex_buffer, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                                       vertices, sizeof(vertices), "vertices"),
+                     STATUS_OK);
+    assert_int_equal(gpu_buffer_create(gpu, &index_buffer, VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+                                       indices, sizeof(indices), "indices"),
+                     STATUS_OK);
+    indirect_mesh = (struct rg_mesh){ vertex_buffer.buffer, index_buffer.buffer, 0 };
+    painted_series_everywhere(gpu, &feature_indirect.params, &series);
+    gpu_buffer_destroy(gpu, &vertex_buffer);
+    gpu_buffer_destroy(gpu, &index_buffer);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         ON_DEVICE(storage_is_read_back),          ON_DEVICE(frames_in_flight),
         ON_DEVICE(texels_go_up_and_down),         ON_DEVICE(imports_come_as_they_are),
-        ON_DEVICE(images_pass_between_executors),
+        ON_DEVICE(images_pass_between_executors), ON_DEVICE(imports_are_added_to),
+        ON_DEVICE(commands_come_from_shaders),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

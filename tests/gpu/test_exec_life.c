@@ -10,9 +10,8 @@
 
 #include "tests/support/check.h"
 
-#include "tests/gpu/shaders/data.h"
+#include "tests/support/feature.h"
 #include "tests/support/lavapipe.h"
-#include "tests/support/painted.h"
 
 /* ---- what fails, and when ---- */
 
@@ -148,27 +147,18 @@ static void let_succeed(void)
 /* ---- a graph with something of everything ---- */
 
 static const struct rg_image texels = { .name = "texels", .format = VK_FORMAT_R32_UINT };
-static const struct rg_image drawn = { .name = "drawn", .format = VK_FORMAT_R32_UINT };
+static const struct rg_image drawn = {
+    .name = "drawn",
+    .format = VK_FORMAT_R32_UINT,
+    .persistent = true,
+};
 static const struct rg_image depth = { .name = "depth", .format = VK_FORMAT_D32_SFLOAT };
 static const struct rg_buffer numbers = { .name = "numbers", .size_per_texel = 4 };
+static const struct rg_buffer kept = { .name = "kept", .size_per_texel = 4, .persistent = true };
 static const struct rg_buffer nothing = { .name = "nothing", .size = 4 };
 
-static const struct rg_buffer seed = {
-    .name = "seed",
-    .size = sizeof(struct data_seed),
-    .memory = RG_MEMORY_UPLOAD,
-};
-static const struct rg_buffer drawn_out = {
-    .name = "drawn out",
-    .size_per_texel = 4,
-    .memory = RG_MEMORY_READBACK,
-};
-
-static void record_texels(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    (void)frame;
-    rg_cmd_dispatch(cmd, 8 / DATA_GROUP, 8 / DATA_GROUP, 1);
-}
+static const struct rg_buffer drawn_out = FEATURE_NUMBERS("drawn out");
+static const struct rg_buffer kept_out = FEATURE_NUMBERS("kept out");
 
 static void record_rectangle(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
@@ -176,34 +166,24 @@ static void record_rectangle(struct rg_cmd *cmd, const struct rg_frame *frame)
     painted_draw(cmd, &(struct paint_push){ ALL });
 }
 
-#define SEED \
-    { \
-        .buffer = &seed, .access = RG_UNIFORM, .binding = DATA_SEED \
-    }
-
 static const struct rg_pass rows[] = {
-    {
-        .name = "fill",
-        .kind = RG_COMPUTE,
-        .uses =
-            RG_USES(SEED, { .image = &texels, .access = RG_STORAGE_WRITE, .binding = DATA_TEXELS },
-                    { .buffer = &numbers, .access = RG_STORAGE_WRITE, .binding = DATA_NUMBERS }),
-        .comp = &fill_comp,
-        .record = record_texels,
-    },
+    { .name = "fill", FEATURE_FILL(texels, numbers) },
     {
         .name = "draw",
         .color[0] = { &drawn, RG_LOAD_DISCARD },
         .depth = { &depth, RG_LOAD_CLEAR, .clear.depthStencil.depth = 1 },
-        .uses = RG_USES(SEED, { .image = &texels, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
+        .uses = RG_USES(FEATURE_SEED,
+                        { .image = &texels, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
         PAINTED_BY(record_rectangle, &next_frag),
     },
     RUN_READ("read", drawn, drawn_out),
+    FEATURE_COPY("keep", numbers, kept),
+    FEATURE_COPY("read kept", kept, kept_out),
 };
 
 static const struct run_params params = {
     .technique = RG_TECHNIQUE("test", rows),
-    .outputs = { &drawn_out },
+    .outputs = { &drawn_out, &kept_out },
 };
 
 static VkResult try_frame(struct run *run)
@@ -211,7 +191,7 @@ static VkResult try_frame(struct run *run)
     VkResult result = rg_exec_begin(run->exec, &run->slot);
     if (result != VK_SUCCESS)
         return result;
-    *(struct data_seed *)run_data(run, &seed) = (struct data_seed){ 5 };
+    *(struct data_seed *)run_data(run, &feature_seed) = (struct data_seed){ 5 };
     result = rg_exec_submit(run->exec, NULL);
     return result == VK_SUCCESS ? rg_exec_wait(run->exec, run->slot) : result;
 }
@@ -219,26 +199,44 @@ static VkResult try_frame(struct run *run)
 static void check_frame(struct run *run)
 {
     const uint32_t *result = run_data(run, &drawn_out);
-    for (uint32_t i = 0; i < 64; i++)
+    const uint32_t *copy = run_data(run, &kept_out);
+    for (uint32_t i = 0; i < 64; i++) {
         assert_int_equal(result[i], i + 10);
+        assert_int_equal(copy[i], 3 * (i + 5));
+    }
 }
 
 /* ---- tests ---- */
 
+static void check_allocations(struct gpu *gpu, const struct run_params *run_params)
+{
+    static const struct paint_push paints[16] = { 0 };
+    struct rg_frame frame = { .rows = run_params->technique.passes, .paints = paints };
+    struct run run;
+    allocations.count = 0;
+    run_open(&run, gpu, run_params);
+    const uint32_t before = allocations.count;
+    for (uint32_t number = 0; number < 6; number++) {
+        frame.wanted = number % 3 != 0;
+        run_frame(&run, &frame);
+    }
+    assert_int_equal(allocations.count, before);
+    assert_true(before > 0);
+    run_close(&run);
+}
+
+/* Not even the first one. */
 static void frames_allocate_nothing(void **state)
 {
-    for (unsigned way = 0; way < 2; way++) {
-        struct run_params changed = params;
-        struct run run;
-        changed.render_passes = way & 1;
-        run_open(&run, *state, &changed);
-        const uint32_t before = allocations.count;
-        for (int frame = 0; frame < 5; frame++)
-            assert_int_equal(try_frame(&run), VK_SUCCESS);
-        assert_int_equal(allocations.count, before);
-        assert_true(before > 0);
-        check_frame(&run);
-        run_close(&run);
+    static const struct feature *const features[] = {
+        &feature_history,   &feature_history_buffers, &feature_when,
+        &feature_per_layer, &feature_resolve,         &feature_storage,
+    };
+    for (size_t i = 0; i < sizeof(features) / sizeof(features[0]); i++) {
+        for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+            const struct run_params changed = run_way(&features[i]->params, way);
+            check_allocations(*state, &changed);
+        }
     }
 }
 
@@ -257,8 +255,8 @@ static void every_allocation_may_fail(void **state)
         if (result != VK_SUCCESS)
             assert_int_equal(result, VK_ERROR_OUT_OF_HOST_MEMORY);
     }
-    /* the executor, its nine arrays, three of a host buffer and at least one a pass */
-    assert_true(failing > 1 + 9 + 2 * 3 + 3);
+    /* the executor, its ten arrays, three of a host buffer and at least one a pass */
+    assert_true(failing > 1 + 10 + 3 * 3 + 5);
     assert_int_equal(try_frame(&run), VK_SUCCESS);
     check_frame(&run);
     run_close(&run);
@@ -320,8 +318,8 @@ static void missing_import_is_refused(void **state)
         {
             .name = "draw",
             .color[0] = { &drawn, RG_LOAD_DISCARD },
-            .uses =
-                RG_USES(SEED, { .image = &texels, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
+            .uses = RG_USES(FEATURE_SEED,
+                            { .image = &texels, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
             PAINTED_BY(record_rectangle, &next_frag),
         },
         RUN_READ("read", drawn, drawn_out),
@@ -359,7 +357,8 @@ static void strangers_have_nothing(void **state)
     run_open(&run, *state, &params);
     assert_null(rg_exec_mapped(run.exec, &nothing, 0));
     assert_null(rg_exec_mapped(run.exec, &numbers, 0));
-    assert_ptr_not_equal(rg_exec_mapped(run.exec, &seed, 0), rg_exec_mapped(run.exec, &seed, 1));
+    assert_ptr_not_equal(rg_exec_mapped(run.exec, &feature_seed, 0),
+                         rg_exec_mapped(run.exec, &feature_seed, 1));
     assert_true(rg_exec_image(run.exec, &texels) != VK_NULL_HANDLE);
     assert_true(rg_exec_image(run.exec, &(struct rg_image){ .name = "?" }) == VK_NULL_HANDLE);
     run_close(&run);
@@ -439,7 +438,7 @@ static VKAPI_ATTR void VKAPI_CALL not_coherent(VkPhysicalDevice physical,
             ~(VkMemoryPropertyFlags)VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 }
 
-/* One upload buffer is flushed before, one readback buffer invalidated after each frame. */
+/* One upload buffer is flushed before, two readback buffers invalidated after each frame. */
 static void other_memory_is_flushed(void **state)
 {
     struct run run;
@@ -458,7 +457,7 @@ static void other_memory_is_flushed(void **state)
         check_frame(&run);
         run_close(&run);
     }
-    assert_int_equal(calls[1], calls[0] + 3 * 2);
+    assert_int_equal(calls[1], calls[0] + 3 * 3);
 }
 
 int main(void)

@@ -1,5 +1,6 @@
 /* painted.c: rows that draw a rectangle each, and what they leave in the texels. */
 #include "tests/support/painted.h"
+#include <string.h>
 
 #include "tests/support/check.h"
 
@@ -13,6 +14,79 @@ void painted_record(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     painted_draw(cmd, &frame->paints[rg_cmd_pass(cmd) - frame->rows]);
 }
+
+void painted_record_number(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    struct paint_push paint = frame->paints[rg_cmd_pass(cmd) - frame->rows];
+    paint.color.x += (float)(rg_cmd_repetition(cmd) + 1);
+    paint.depth = 0.5F - 0.0625F * (float)rg_cmd_repetition(cmd);
+    painted_draw(cmd, &paint);
+}
+
+bool painted_when(const struct rg_frame *frame)
+{
+    if (frame->asked)
+        ++*frame->asked;
+    return frame->wanted;
+}
+
+/* ---- series ---- */
+
+static PFN_vkAllocateMemory allocate_memory;
+
+/* This driver's memory can all be mapped. As floats every word is 48.6. */
+static VKAPI_ATTR VkResult VKAPI_CALL allocate_garbage(VkDevice device,
+                                                       const VkMemoryAllocateInfo *info,
+                                                       const VkAllocationCallbacks *callbacks,
+                                                       VkDeviceMemory *memory)
+{
+    void *bytes;
+    VkResult result = allocate_memory(device, info, callbacks, memory);
+    if (result != VK_SUCCESS)
+        return result;
+    assert_int_equal(vkMapMemory(device, *memory, 0, VK_WHOLE_SIZE, 0, &bytes), VK_SUCCESS);
+    memset(bytes, 0x42, (size_t)info->allocationSize);
+    vkUnmapMemory(device, *memory);
+    return VK_SUCCESS;
+}
+
+void painted_series(struct gpu *gpu, const struct run_params *params,
+                    const struct painted_series *series)
+{
+    struct run run;
+    const uint32_t slots = params->frames_in_flight ? params->frames_in_flight : 2;
+    allocate_memory = vkAllocateMemory;
+    vkAllocateMemory = allocate_garbage;
+    run_open(&run, gpu, params);
+    vkAllocateMemory = allocate_memory;
+    for (uint32_t number = 0; number < series->count + slots; number++) {
+        struct rg_frame frame = { .rows = params->technique.passes };
+        run.slot = number % slots;
+        if (number < series->count)
+            assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
+        else
+            assert_int_equal(rg_exec_wait(run.exec, run.slot), VK_SUCCESS);
+        assert_int_equal(run.slot, number % slots);
+        if (number >= slots)
+            series->check(&run, number - slots);
+        if (number >= series->count)
+            continue;
+        series->begin(&run, number, &frame);
+        assert_int_equal(rg_exec_submit(run.exec, &frame), VK_SUCCESS);
+    }
+    run_close(&run);
+}
+
+void painted_series_everywhere(struct gpu *gpu, const struct run_params *params,
+                               const struct painted_series *series)
+{
+    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+        const struct run_params changed = run_way(params, way);
+        painted_series(gpu, &changed, series);
+    }
+}
+
+/* ---- texels ---- */
 
 vec4s painted_color(float r, float g, float b, float a)
 {

@@ -13,6 +13,8 @@ struct rg_frame {
     const struct rg_pass *rows;
     const struct paint_push *paints;
     struct rg_mesh mesh;
+    bool wanted;     /* whether conditional rows run */
+    uint32_t *asked; /* counts how often they were asked; may be NULL */
 };
 
 /* Of four floats a texel: name, then other members. */
@@ -31,6 +33,20 @@ struct rg_frame {
     .vert = &paint_vert, .frag = (fragment_shader), .push_size = sizeof(struct paint_push), \
     .record = (record_function)
 rg_record_fn painted_record;
+rg_record_fn painted_record_number; /* adds the number of the repetition, from 1, to the first
+                                       channel; each nearer than the last */
+rg_when_fn painted_when;
+
+/* A row's use that such a shader fetches from, and a row that copies an image so. */
+#define PAINTED_SOURCE(from) \
+    { \
+        .image = &(from), .access = RG_SAMPLED, .binding = PAINT_SOURCE \
+    }
+#define PAINTED_FETCH(title, from, to) \
+    { \
+        .name = (title), .color[0] = { &(to), RG_LOAD_DISCARD }, \
+        .uses = RG_USES(PAINTED_SOURCE(from)), PAINTED_BY(painted_record, &fetch_frag), \
+    }
 
 void painted_draw(struct rg_cmd *cmd, const struct paint_push *paint);
 
@@ -47,6 +63,22 @@ void painted_draw(struct rg_cmd *cmd, const struct paint_push *paint);
                        __VA_ARGS__, \
                    }, \
                    &(struct rg_frame){ .rows = (table), .paints = (rectangles) }, check)
+
+/* Frames that a graph draws one after another. */
+struct painted_series {
+    uint32_t count;
+    /* What frame `number` is told; its upload buffers may be written now. */
+    void (*begin)(struct run *run, uint32_t number, struct rg_frame *frame);
+    void (*check)(struct run *run, uint32_t number); /* when it is finished */
+};
+
+/* Runs them in memory full of garbage, waiting for a frame only where its slot is wanted again. */
+void painted_series(struct gpu *gpu, const struct run_params *params,
+                    const struct painted_series *series);
+
+/* The same in the four ways of run_everywhere(). */
+void painted_series_everywhere(struct gpu *gpu, const struct run_params *params,
+                               const struct painted_series *series);
 
 vec4s painted_color(float r, float g, float b, float a);
 

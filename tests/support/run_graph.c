@@ -19,6 +19,35 @@ static void print_faults(const struct rg_plan *plan)
     }
 }
 
+struct rg_plan *run_plan(const struct run_params *params, const struct rg_device *device)
+{
+    struct rg_output outputs[RUN_OUTPUT_COUNT + RUN_KEPT_COUNT];
+    size_t output_count = 0;
+    for (size_t i = 0; params->outputs[i]; i++)
+        outputs[output_count++] = (struct rg_output){
+            .buffer = params->outputs[i],
+            .access = RG_HOST_READ,
+        };
+    for (size_t i = 0; params->kept[i].image || params->kept[i].buffer; i++)
+        outputs[output_count++] = params->kept[i];
+    const struct rg_technique *const technique = &params->technique;
+    struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
+        .techniques = &technique,
+        .technique_count = 1,
+        .view = params->view.width ? params->view : (VkExtent2D){ 8, 8 },
+        .outputs = outputs,
+        .output_count = output_count,
+        .imports = params->imports,
+        .import_count = params->import_count,
+        .device = device,
+        .sharing = params->sharing,
+    });
+    assert_non_null(plan);
+    print_faults(plan);
+    assert_int_equal(plan->fault_count, 0);
+    return plan;
+}
+
 void run_compile(struct run *run, struct gpu *gpu, const struct run_params *params)
 {
     *run = (struct run){
@@ -26,33 +55,8 @@ void run_compile(struct run *run, struct gpu *gpu, const struct run_params *para
         .vulkan = { gpu->physical, gpu->device },
         .gpu = gpu,
     };
-    struct rg_output outputs[RUN_OUTPUT_COUNT + 1];
-    size_t output_count = 0;
-    for (; params->outputs[output_count]; output_count++)
-        outputs[output_count] = (struct rg_output){
-            .buffer = params->outputs[output_count],
-            .access = RG_HOST_READ,
-        };
-    if (params->kept.image || params->kept.buffer)
-        outputs[output_count++] = params->kept;
-    const struct rg_technique *const technique = &run->params.technique;
     const struct rg_device device = rg_exec_device(&run->vulkan);
-    if (!params->view.width)
-        run->params.view = (VkExtent2D){ 8, 8 };
-    run->plan = rg_compile(&(struct rg_compile_params){
-        .techniques = &technique,
-        .technique_count = 1,
-        .view = run->params.view,
-        .outputs = outputs,
-        .output_count = output_count,
-        .imports = params->imports,
-        .import_count = params->import_count,
-        .device = params->no_device ? NULL : &device,
-        .sharing = params->sharing,
-    });
-    assert_non_null(run->plan);
-    print_faults(run->plan);
-    assert_int_equal(run->plan->fault_count, 0);
+    run->plan = run_plan(&run->params, params->no_device ? NULL : &device);
 }
 
 VkResult run_create(struct run *run, const struct rg_plan *plan)
@@ -107,14 +111,20 @@ void *run_data(struct run *run, const struct rg_buffer *buffer)
     return data;
 }
 
+struct run_params run_way(const struct run_params *params, unsigned way)
+{
+    struct run_params changed = *params;
+    changed.render_passes = way & 1;
+    changed.sharing = way & 2 ? RG_SHARE_NOTHING : RG_SHARE_LEAST_MEMORY;
+    return changed;
+}
+
 void run_everywhere(struct gpu *gpu, const struct run_params *params, const struct rg_frame *frame,
                     void (*check)(struct run *run))
 {
-    for (unsigned way = 0; way < 4; way++) {
-        struct run_params changed = *params;
+    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+        const struct run_params changed = run_way(params, way);
         struct run run;
-        changed.render_passes = way & 1;
-        changed.sharing = way & 2 ? RG_SHARE_NOTHING : RG_SHARE_LEAST_MEMORY;
         run_open(&run, gpu, &changed);
         run_frame(&run, frame);
         check(&run);

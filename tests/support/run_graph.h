@@ -10,6 +10,7 @@
 
 enum {
     RUN_OUTPUT_COUNT = 8,
+    RUN_KEPT_COUNT = 2,
 };
 
 struct run_params {
@@ -17,7 +18,7 @@ struct run_params {
     VkExtent2D view; /* texels; 0 means 8 x 8 */
     /* read back after the frame, in memory that the host reads; ends at NULL */
     const struct rg_buffer *outputs[RUN_OUTPUT_COUNT + 1];
-    struct rg_output kept; /* one more output; {0}: none */
+    struct rg_output kept[RUN_KEPT_COUNT + 1]; /* more outputs; ends at {0} */
     const struct rg_import *imports;
     const struct rg_exec_import *objects; /* behind the imports */
     size_t import_count;
@@ -38,7 +39,10 @@ struct run {
     uint32_t line_count;
 };
 
-/* Makes run->plan, which has no faults. run->exec is NULL. */
+/* Compiles for a device; NULL: for none. The caller destroys the plan, which has no faults. */
+struct rg_plan *run_plan(const struct run_params *params, const struct rg_device *device);
+
+/* Makes run->plan for a device. run->exec is NULL. */
 void run_compile(struct run *run, struct gpu *gpu, const struct run_params *params);
 
 /* Makes run->exec for a plan: run->plan, or a changed copy of it. May fail. */
@@ -53,6 +57,13 @@ void run_frame(struct run *run, const struct rg_frame *frame);
 
 /* What the last frame left in a readback buffer, or its upload buffer to write to. */
 void *run_data(struct run *run, const struct rg_buffer *buffer);
+
+enum {
+    RUN_WAY_COUNT = 4,
+};
+
+/* The same with the rendering and the sharing of one of the four ways below. */
+struct run_params run_way(const struct run_params *params, unsigned way);
 
 /*
  * Runs a frame and checks it, in four ways that must not differ: with dynamic rendering and with

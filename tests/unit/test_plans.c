@@ -1,5 +1,6 @@
 /*
- * The plans of the program's frames, as text, are those of tests/golden/plan_*.txt.
+ * The plans of the program's frames, as text, are those of tests/golden/plan_*.txt; those of small
+ * graphs, one for each thing that a graph can do, feature_*.txt.
  *
  * test-plans FOLDER            compares
  * test-plans FOLDER --update   writes the files anew, to be read in the diff
@@ -11,6 +12,7 @@
 #include "src/frame_plan.h"
 #include "src/tech/ice_normal.h"
 #include "tests/support/check.h"
+#include "tests/support/feature.h"
 
 enum list_kind {
     LIST_FRAME,
@@ -22,8 +24,9 @@ struct golden {
     const char *name;
     enum list_kind list;
     const char *rung;
-    bool layers;      /* all of them */
-    bool static_cube; /* that comes from outside */
+    bool layers;                   /* all of them */
+    bool static_cube;              /* that comes from outside */
+    const struct feature *feature; /* instead of a list */
     const char *program, *folder;
     bool update;
 };
@@ -39,7 +42,8 @@ static const struct golden goldens[] = {
 };
 
 enum {
-    GOLDEN_COUNT = sizeof(goldens) / sizeof(goldens[0])
+    LIST_COUNT = sizeof(goldens) / sizeof(goldens[0]),
+    GOLDEN_COUNT = LIST_COUNT + FEATURE_COUNT,
 };
 
 static struct frame_request request_of(const struct golden *golden)
@@ -64,17 +68,30 @@ static struct frame_request request_of(const struct golden *golden)
 }
 
 /* The caller frees it. */
-static char *dump(const struct golden *golden)
+static char *text_of(const struct rg_plan *plan)
 {
-    const struct frame_request request = request_of(golden);
-    struct frame_plan plan;
-    assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
     char *text;
     size_t size;
     FILE *file = open_memstream(&text, &size);
     assert_non_null(file);
-    rg_dump(plan.plan, file);
+    rg_dump(plan, file);
     fclose(file);
+    return text;
+}
+
+/* The same. */
+static char *dump(const struct golden *golden)
+{
+    if (golden->feature) {
+        struct rg_plan *plan = run_plan(&golden->feature->params, NULL);
+        char *text = text_of(plan);
+        rg_plan_destroy(plan);
+        return text;
+    }
+    const struct frame_request request = request_of(golden);
+    struct frame_plan plan;
+    assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
+    char *text = text_of(plan.plan);
     frame_plan_finish(&plan);
     return text;
 }
@@ -168,6 +185,11 @@ static void test_one_sided_draws_no_back_normals(void **state)
     frame_plan_finish(&plan);
 }
 
+static struct golden golden_of(const struct feature *feature)
+{
+    return (struct golden){ .name = feature->name, .feature = feature };
+}
+
 int main(int argc, char **argv)
 {
     struct golden states[GOLDEN_COUNT];
@@ -179,11 +201,11 @@ int main(int argc, char **argv)
         return 2;
     }
     for (size_t i = 0; i < GOLDEN_COUNT; i++) {
-        states[i] = goldens[i];
+        states[i] = i < LIST_COUNT ? goldens[i] : golden_of(feature_list[i - LIST_COUNT]);
         states[i].program = argv[0];
         states[i].folder = argv[1];
         states[i].update = argc > 2 && !strcmp(argv[2], "--update");
-        tests[i + 1] = (struct CMUnitTest){ goldens[i].name, test_golden, NULL, NULL, &states[i] };
+        tests[i + 1] = (struct CMUnitTest){ states[i].name, test_golden, NULL, NULL, &states[i] };
     }
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,11 +10,20 @@
 #define DATA_COLORS  4 /* storage buffer of what was sampled */
 
 #define DATA_SAMPLERS 5 /* and on */
+#define DATA_COMMANDS 6 /* storage buffer of a struct data_commands */
 
 #define DATA_GROUP 4 /* a workgroup's width and height */
 
 struct data_seed {
     uint32_t value;
+};
+
+/* Vulkan's commands, word by word, not at the beginning of the buffer. */
+struct data_commands {
+    uint32_t unused;
+    uint32_t groups[3];
+    uint32_t vertices[4];
+    uint32_t indices[5];
 };
 
 #endif

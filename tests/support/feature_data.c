@@ -1,0 +1,188 @@
+/* feature_data.c: storage, indirect commands, and what comes from outside. */
+#include "tests/support/feature.h"
+
+static void record_triangles(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    painted_draw(cmd, &(struct paint_push){ ALL });
+}
+
+static const struct rg_image numbers = { .name = "numbers", .format = VK_FORMAT_R32_UINT };
+static const struct rg_buffer list = { .name = "list", .size_per_texel = sizeof(uint32_t) };
+static const struct rg_buffer numbers_out = FEATURE_NUMBERS("numbers out");
+
+/* ---- storage ---- */
+
+static const struct rg_image next = { .name = "next", .format = VK_FORMAT_R32_UINT };
+static const struct rg_buffer next_out = FEATURE_NUMBERS("next out");
+static const struct rg_buffer list_out = FEATURE_NUMBERS("list out");
+
+static const struct rg_pass storage_rows[] = {
+    { .name = "fill", FEATURE_FILL(numbers, list) },
+    FEATURE_ADD("add", numbers, list),
+    {
+        .name = "next",
+        .color[0] = { &next, RG_LOAD_DISCARD },
+        .uses = RG_USES(FEATURE_SEED,
+                        { .image = &numbers, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
+        PAINTED_BY(record_triangles, &next_frag),
+    },
+    RUN_READ("read numbers", numbers, numbers_out),
+    RUN_READ("read next", next, next_out),
+    FEATURE_COPY("copy list", list, list_out),
+};
+
+const struct feature feature_storage = {
+    .name = "feature_storage",
+    .params = {
+        .technique = RG_TECHNIQUE("storage", storage_rows),
+        .outputs = {
+            [STORAGE_NUMBERS_OUT] = &numbers_out,
+            [STORAGE_NEXT_OUT] = &next_out,
+            [STORAGE_LIST_OUT] = &list_out,
+        },
+    },
+};
+
+/* ---- indirect ---- */
+
+static const struct rg_buffer commands = {
+    .name = "commands",
+    .size = sizeof(struct data_commands),
+};
+static const struct rg_image drawn = COLOR_IMAGE("drawn");
+static const struct rg_image mesh = COLOR_IMAGE("mesh");
+static const struct rg_buffer drawn_out = COLOR_BUFFER("drawn out");
+static const struct rg_buffer mesh_out = COLOR_BUFFER("mesh out");
+
+static const VkVertexInputAttributeDescription attributes[] = {
+    { .location = 2, .format = VK_FORMAT_R32G32_SFLOAT },
+};
+const struct rg_vertex_layout feature_indirect_vertices = { sizeof(vec2s), 1, attributes };
+
+static const struct paint_push ones = { .color = { { 1, 1, 1, 1 } }, ALL };
+
+static void record_one(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    rg_cmd_dispatch(cmd, 1, 1, 1);
+}
+
+static void record_fill(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    rg_cmd_dispatch_indirect(cmd, &commands, offsetof(struct data_commands, groups));
+}
+
+static void record_drawn(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    rg_cmd_push(cmd, &ones, sizeof(ones));
+    rg_cmd_draw_indirect(cmd, &commands, offsetof(struct data_commands, vertices));
+}
+
+static void record_mesh(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, &ones, sizeof(ones));
+    rg_cmd_draw_mesh_indirect(cmd, &frame->mesh, &commands,
+                              offsetof(struct data_commands, indices));
+}
+
+static const struct rg_pass indirect_rows[] = {
+    {
+        .name = "commands",
+        .kind = RG_COMPUTE,
+        .uses =
+            RG_USES(FEATURE_SEED,
+                    { .buffer = &commands, .access = RG_STORAGE_WRITE, .binding = DATA_COMMANDS }),
+        .comp = &commands_comp,
+        .record = record_one,
+    },
+    {
+        .name = "fill",
+        .kind = RG_COMPUTE,
+        .uses = RG_USES(FEATURE_SEED,
+                        { .image = &numbers, .access = RG_STORAGE_WRITE, .binding = DATA_TEXELS },
+                        { .buffer = &list, .access = RG_STORAGE_WRITE, .binding = DATA_NUMBERS },
+                        { .buffer = &commands, .access = RG_INDIRECT }),
+        .comp = &fill_comp,
+        .record = record_fill,
+    },
+    {
+        .name = "draw",
+        .color[0] = { &drawn, RG_LOAD_CLEAR },
+        .uses = RG_USES({ .buffer = &commands, .access = RG_INDIRECT }),
+        PAINTED_BY(record_drawn, &paint_frag),
+    },
+    {
+        .name = "mesh",
+        .color[0] = { &mesh, RG_LOAD_CLEAR },
+        .uses = RG_USES({ .buffer = &commands, .access = RG_INDIRECT }),
+        .vert = &paint_mesh_vert,
+        .frag = &paint_frag,
+        .vertices = &feature_indirect_vertices,
+        .push_size = sizeof(struct paint_push),
+        .record = record_mesh,
+    },
+    RUN_READ("read numbers", numbers, numbers_out),
+    RUN_READ("read drawn", drawn, drawn_out),
+    RUN_READ("read mesh", mesh, mesh_out),
+};
+
+const struct feature feature_indirect = {
+    .name = "feature_indirect",
+    .params = {
+        .technique = RG_TECHNIQUE("indirect", indirect_rows),
+        .outputs = {
+            [INDIRECT_NUMBERS_OUT] = &numbers_out,
+            [INDIRECT_DRAWN_OUT] = &drawn_out,
+            [INDIRECT_MESH_OUT] = &mesh_out,
+        },
+    },
+};
+
+/* ---- imports ---- */
+
+const struct rg_image feature_imports_picture = COLOR_IMAGE("picture");
+const struct rg_buffer feature_imports_totals = {
+    .name = "totals",
+    .size_per_texel = sizeof(uint32_t),
+};
+static const struct rg_image seen = COLOR_IMAGE("seen");
+static const struct rg_buffer seen_out = COLOR_BUFFER("seen out");
+static const struct rg_buffer totals_out = FEATURE_NUMBERS("totals out");
+
+static const struct rg_pass import_rows[] = {
+    [IMPORTS_ADD] = {
+        .name = "add",
+        .color[0] = { &feature_imports_picture, RG_LOAD_KEEP, .blend = RG_BLEND_ADD },
+        PAINTED,
+    },
+    [IMPORTS_LOOK] = PAINTED_FETCH("look", feature_imports_picture, seen),
+    { .name = "fill", FEATURE_FILL(numbers, list) },
+    FEATURE_ADD("add numbers", numbers, feature_imports_totals),
+    RUN_READ("read seen", seen, seen_out),
+    FEATURE_COPY("read totals", feature_imports_totals, totals_out),
+};
+
+static const struct rg_import imports[] = {
+    { .image = &feature_imports_picture, .access = RG_SAMPLED },
+    { .buffer = &feature_imports_totals, .access = RG_COPY_SRC },
+};
+
+const struct feature feature_imports = {
+    .name = "feature_imports",
+    .params = {
+        .technique = RG_TECHNIQUE("imports", import_rows),
+        .outputs = {
+            [IMPORTS_SEEN_OUT] = &seen_out,
+            [IMPORTS_TOTALS_OUT] = &totals_out,
+        },
+        .kept = {
+            { .image = &feature_imports_picture, .access = RG_SAMPLED },
+            { .buffer = &feature_imports_totals, .access = RG_COPY_SRC },
+        },
+        .imports = imports,
+        .import_count = sizeof(imports) / sizeof(imports[0]),
+    },
+};
