@@ -10,20 +10,24 @@
 
 #include "graph/rg.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The row being recorded. */
-const struct rg_pass *rg_cmd_pass(const struct rg_cmd *cmd);
+RG_API const struct rg_pass *rg_cmd_pass(const struct rg_cmd *cmd);
 
 /* Which repetition of its row this is: the cube face of a row repeated per layer. */
-uint32_t rg_cmd_repetition(const struct rg_cmd *cmd);
+RG_API uint32_t rg_cmd_repetition(const struct rg_cmd *cmd);
 
 /* Size of the targets, texels; the view's where there are none. */
-VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
+RG_API VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
 
 /* Push constants from offset 0; `size` is the row's push_size. */
-void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size);
+RG_API void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size);
 
 /* Vertices made up by the shader. */
-void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count);
+RG_API void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count);
 
 /* Indexed triangles of a mesh; buffers outlive the frame's execution. No indices: no draw. */
 struct rg_mesh {
@@ -32,10 +36,10 @@ struct rg_mesh {
     uint32_t index_count;
 };
 
-void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh);
+RG_API void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh);
 
 /* Workgroups. */
-void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z);
+RG_API void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z);
 
 /*
  * The same with their numbers in a buffer, which the row names as RG_INDIRECT: there lies, from
@@ -43,28 +47,33 @@ void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z);
  * mesh's index_count does not count then) or VkDispatchIndirectCommand. `firstInstance` is 0,
  * unless the device has drawIndirectFirstInstance enabled.
  */
-void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer, VkDeviceSize offset);
-void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
-                               const struct rg_buffer *buffer, VkDeviceSize offset);
-void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
-                              VkDeviceSize offset);
+RG_API void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
+                                 VkDeviceSize offset);
+RG_API void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
+                                      const struct rg_buffer *buffer, VkDeviceSize offset);
+RG_API void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
+                                     VkDeviceSize offset);
 
 /*
  * Copies the first mip of the row's range of an image, its layers one after another, rows tight,
  * to a buffer from byte `offset` on. The row names the image as RG_COPY_SRC and the buffer as
  * RG_COPY_DST.
  */
-void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *image,
-                                 const struct rg_buffer *buffer, VkDeviceSize offset);
+RG_API void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *image,
+                                        const struct rg_buffer *buffer, VkDeviceSize offset);
 
 /* The way back; the row names the buffer as RG_COPY_SRC, the image as RG_COPY_DST. */
-void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
-                                 VkDeviceSize offset, const struct rg_image *image);
+RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
+                                        VkDeviceSize offset, const struct rg_image *image);
 
 /* For what has no function here: the command buffer being recorded, and the objects (of this
  * frame's slot) behind what the row names. */
-VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd);
-VkImage rg_cmd_image(const struct rg_cmd *cmd, const struct rg_image *image);
-VkBuffer rg_cmd_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
+RG_API VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd);
+RG_API VkImage rg_cmd_image(const struct rg_cmd *cmd, const struct rg_image *image);
+RG_API VkBuffer rg_cmd_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

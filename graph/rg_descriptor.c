@@ -43,15 +43,15 @@ static VkResult make_use_view(struct rg_exec *exec, uint32_t index)
     if (use->image == RG_NONE || !has_descriptor(use))
         return VK_SUCCESS;
     const struct rg_plan_image *image = &exec->plan->images[use->image];
-    RG_TRY(exec, vkCreateImageView(exec->device,
-                                   &(VkImageViewCreateInfo){
-                                       .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-                                       .image = exec->images[use->image],
-                                       .viewType = view_type(image, use),
-                                       .format = image->image->format,
-                                       .subresourceRange = use->range,
-                                   },
-                                   NULL, &exec->use_views[index]));
+    RG_TRY(exec, exec->vk.CreateImageView(exec->device,
+                                          &(VkImageViewCreateInfo){
+                                              .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                              .image = exec->images[use->image],
+                                              .viewType = view_type(image, use),
+                                              .format = image->image->format,
+                                              .subresourceRange = use->range,
+                                          },
+                                          NULL, &exec->use_views[index]));
     rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE_VIEW, (uint64_t)exec->use_views[index],
                  image->image->name);
 fail:
@@ -98,7 +98,7 @@ static VkResult find_sampler(struct rg_exec *exec, const struct rg_sampler *want
         i++;
     if (i == exec->sampler_count) {
         const VkSamplerCreateInfo info = sampler_info(exec, key);
-        RG_TRY(exec, vkCreateSampler(exec->device, &info, NULL, &exec->samplers[i].sampler));
+        RG_TRY(exec, exec->vk.CreateSampler(exec->device, &info, NULL, &exec->samplers[i].sampler));
         exec->samplers[i].key = *key;
         exec->sampler_count++;
     }
@@ -125,7 +125,7 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
                 .stageFlags = use_stages(plan->pass, use->use),
             };
     }
-    RG_TRY(exec, vkCreateDescriptorSetLayout(
+    RG_TRY(exec, exec->vk.CreateDescriptorSetLayout(
                      exec->device,
                      &(VkDescriptorSetLayoutCreateInfo){
                          .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
@@ -160,15 +160,15 @@ static VkResult make_pool(struct rg_exec *exec)
                 sizes[t].descriptorCount += exec->slot_count;
         }
     }
-    RG_TRY(exec,
-           vkCreateDescriptorPool(exec->device,
-                                  &(VkDescriptorPoolCreateInfo){
-                                      .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
-                                      .maxSets = exec->slot_count * exec->plan->pass_count + 1,
-                                      .poolSizeCount = TYPE_COUNT,
-                                      .pPoolSizes = sizes,
-                                  },
-                                  NULL, &exec->descriptor_pool));
+    RG_TRY(exec, exec->vk.CreateDescriptorPool(
+                     exec->device,
+                     &(VkDescriptorPoolCreateInfo){
+                         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                         .maxSets = exec->slot_count * exec->plan->pass_count + 1,
+                         .poolSizeCount = TYPE_COUNT,
+                         .pPoolSizes = sizes,
+                     },
+                     NULL, &exec->descriptor_pool));
 fail:
     return result;
 }
@@ -190,17 +190,17 @@ static VkResult write_use(struct rg_exec *exec, uint32_t index, uint32_t slot, V
         result = find_sampler(exec, use->use->sampler, &image.sampler);
     if (result != VK_SUCCESS)
         return result;
-    vkUpdateDescriptorSets(exec->device, 1,
-                           &(VkWriteDescriptorSet){
-                               .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                               .dstSet = set,
-                               .dstBinding = use->use->binding,
-                               .descriptorCount = 1,
-                               .descriptorType = descriptor_type(use),
-                               .pImageInfo = &image,
-                               .pBufferInfo = &buffer,
-                           },
-                           0, NULL);
+    exec->vk.UpdateDescriptorSets(exec->device, 1,
+                                  &(VkWriteDescriptorSet){
+                                      .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                      .dstSet = set,
+                                      .dstBinding = use->use->binding,
+                                      .descriptorCount = 1,
+                                      .descriptorType = descriptor_type(use),
+                                      .pImageInfo = &image,
+                                      .pBufferInfo = &buffer,
+                                  },
+                                  0, NULL);
     return VK_SUCCESS;
 }
 
@@ -212,15 +212,15 @@ static VkResult make_sets(struct rg_exec *exec, const struct rg_plan_pass *plan,
     if (!pass->sets)
         return rg_exec_check(exec, result, "calloc");
     for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
-        RG_TRY(exec,
-               vkAllocateDescriptorSets(exec->device,
-                                        &(VkDescriptorSetAllocateInfo){
-                                            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
-                                            .descriptorPool = exec->descriptor_pool,
-                                            .descriptorSetCount = 1,
-                                            .pSetLayouts = &pass->set_layout,
-                                        },
-                                        &pass->sets[slot]));
+        RG_TRY(exec, exec->vk.AllocateDescriptorSets(
+                         exec->device,
+                         &(VkDescriptorSetAllocateInfo){
+                             .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                             .descriptorPool = exec->descriptor_pool,
+                             .descriptorSetCount = 1,
+                             .pSetLayouts = &pass->set_layout,
+                         },
+                         &pass->sets[slot]));
         for (uint32_t i = 0; i < plan->use_count; i++)
             RG_PASS(write_use(exec, plan->first_use + i, slot, pass->sets[slot]));
     }
@@ -251,12 +251,12 @@ void rg_exec_free_descriptors(struct rg_exec *exec)
 {
     for (uint32_t p = 0; exec->passes && p < exec->plan->pass_count; p++) {
         if (exec->passes[p].owner)
-            vkDestroyDescriptorSetLayout(exec->device, exec->passes[p].set_layout, NULL);
+            exec->vk.DestroyDescriptorSetLayout(exec->device, exec->passes[p].set_layout, NULL);
         free(exec->passes[p].sets);
     }
     for (uint32_t i = 0; exec->use_views && i < exec->plan->use_count; i++)
-        vkDestroyImageView(exec->device, exec->use_views[i], NULL);
+        exec->vk.DestroyImageView(exec->device, exec->use_views[i], NULL);
     for (uint32_t i = 0; i < exec->sampler_count; i++)
-        vkDestroySampler(exec->device, exec->samplers[i].sampler, NULL);
-    vkDestroyDescriptorPool(exec->device, exec->descriptor_pool, NULL);
+        exec->vk.DestroySampler(exec->device, exec->samplers[i].sampler, NULL);
+    exec->vk.DestroyDescriptorPool(exec->device, exec->descriptor_pool, NULL);
 }

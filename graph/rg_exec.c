@@ -21,36 +21,37 @@ void rg_exec_name(const struct rg_exec *exec, VkObjectType type, uint64_t handle
         .objectHandle = handle,
         .pObjectName = name,
     };
-    if (vkSetDebugUtilsObjectNameEXT)
-        vkSetDebugUtilsObjectNameEXT(exec->device, &info);
+    if (exec->vk.SetDebugUtilsObjectNameEXT)
+        exec->vk.SetDebugUtilsObjectNameEXT(exec->device, &info);
 }
 
 static VkResult make_slots(struct rg_exec *exec)
 {
     VkResult result;
-    RG_TRY(exec, vkCreateCommandPool(exec->device,
-                                     &(VkCommandPoolCreateInfo){
-                                         .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                         .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-                                         .queueFamilyIndex = exec->params.queue_family,
-                                     },
-                                     NULL, &exec->command_pool));
+    RG_TRY(exec,
+           exec->vk.CreateCommandPool(exec->device,
+                                      &(VkCommandPoolCreateInfo){
+                                          .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                          .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                                          .queueFamilyIndex = exec->params.queue_family,
+                                      },
+                                      NULL, &exec->command_pool));
     for (uint32_t i = 0; i < exec->slot_count; i++) {
         struct exec_slot *slot = &exec->slots[i];
-        RG_TRY(exec,
-               vkAllocateCommandBuffers(exec->device,
-                                        &(VkCommandBufferAllocateInfo){
-                                            .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                            .commandPool = exec->command_pool,
-                                            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-                                            .commandBufferCount = 1,
-                                        },
-                                        &slot->commands));
-        RG_TRY(exec, vkCreateFence(exec->device,
-                                   &(VkFenceCreateInfo){
-                                       .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
-                                   },
-                                   NULL, &slot->fence));
+        RG_TRY(exec, exec->vk.AllocateCommandBuffers(
+                         exec->device,
+                         &(VkCommandBufferAllocateInfo){
+                             .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                             .commandPool = exec->command_pool,
+                             .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                             .commandBufferCount = 1,
+                         },
+                         &slot->commands));
+        RG_TRY(exec, exec->vk.CreateFence(exec->device,
+                                          &(VkFenceCreateInfo){
+                                              .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
+                                          },
+                                          NULL, &slot->fence));
     }
 fail:
     return result;
@@ -86,6 +87,9 @@ static VkResult make_all(struct rg_exec *exec)
         rg_exec_make_memory,    rg_exec_make_targets, rg_exec_make_descriptors,
         rg_exec_make_pipelines, make_slots,
     };
+    exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
+    if (!make_arrays(exec))
+        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc");
     for (size_t i = 0; i < sizeof(steps) / sizeof(steps[0]); i++) {
         VkResult result = steps[i](exec);
         if (result != VK_SUCCESS)
@@ -103,13 +107,14 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
         .slot_count = params->frames_in_flight ? params->frames_in_flight : 2,
     };
     start.slot = start.slot_count - 1;
-    vkGetPhysicalDeviceMemoryProperties(params->physical, &start.memory_properties);
-    struct rg_exec *exec = calloc(1, sizeof(*exec));
-    if (exec)
+    VkResult outcome = rg_exec_find_functions(&start);
+    struct rg_exec *exec = outcome == VK_SUCCESS ? calloc(1, sizeof(*exec)) : NULL;
+    if (exec) {
         *exec = start;
-    VkResult outcome = exec && make_arrays(exec)
-                           ? make_all(exec)
-                           : rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc");
+        outcome = make_all(exec);
+    } else if (outcome == VK_SUCCESS) {
+        outcome = rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc");
+    }
     if (result)
         *result = outcome;
     if (outcome == VK_SUCCESS)
@@ -124,9 +129,9 @@ void rg_exec_destroy(struct rg_exec *exec)
         return;
     for (uint32_t i = 0; exec->slots && i < exec->slot_count; i++) {
         rg_exec_wait(exec, i);
-        vkDestroyFence(exec->device, exec->slots[i].fence, NULL);
+        exec->vk.DestroyFence(exec->device, exec->slots[i].fence, NULL);
     }
-    vkDestroyCommandPool(exec->device, exec->command_pool, NULL);
+    exec->vk.DestroyCommandPool(exec->device, exec->command_pool, NULL);
     if (exec->passes) {
         rg_exec_free_pipelines(exec);
         rg_exec_free_targets(exec);
@@ -168,8 +173,8 @@ VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
     };
     RG_PASS(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
     RG_PASS(rg_exec_record(exec, frame));
-    RG_TRY(exec, vkResetFences(exec->device, 1, &slot->fence));
-    RG_TRY(exec, vkQueueSubmit2(exec->params.queue, 1, &submit, slot->fence));
+    RG_TRY(exec, exec->vk.ResetFences(exec->device, 1, &slot->fence));
+    RG_TRY(exec, exec->vk.QueueSubmit2(exec->params.queue, 1, &submit, slot->fence));
     slot->submitted = true;
     exec->filled = true;
 fail:
@@ -181,7 +186,8 @@ VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
     VkResult result;
     if (!exec->slots[slot].submitted)
         return VK_SUCCESS;
-    RG_TRY(exec, vkWaitForFences(exec->device, 1, &exec->slots[slot].fence, VK_TRUE, UINT64_MAX));
+    RG_TRY(exec,
+           exec->vk.WaitForFences(exec->device, 1, &exec->slots[slot].fence, VK_TRUE, UINT64_MAX));
     exec->slots[slot].submitted = false;
     RG_PASS(rg_exec_sync_host(exec, slot, RG_MEMORY_READBACK));
 fail:

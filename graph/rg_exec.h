@@ -5,7 +5,8 @@
  * buffers) is made once by rg_exec_create(); a frame allocates nothing. Needs Vulkan 1.3 with
  * dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
  * separateDepthStencilLayouts enabled, and independentBlend where the targets of a row blend
- * differently. Functions are called through volk, which the program has loaded for the instance.
+ * differently. Every function is found through the program's own vkGetInstanceProcAddr: nothing is
+ * loaded or linked here, and each executor has its own table.
  *
  *     while (...) {
  *         rg_exec_begin(exec, &slot);                    waits until the slot is free
@@ -23,9 +24,11 @@
 #ifndef RG_EXEC_H
 #define RG_EXEC_H
 
-#include <volk.h>
-
 #include "graph/rg.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The object behind each of the compile params' imports, in the same order. */
 struct rg_exec_import {
@@ -35,6 +38,8 @@ struct rg_exec_import {
 
 struct rg_exec_params {
     const struct rg_plan *plan; /* without faults */
+    VkInstance instance;
+    PFN_vkGetInstanceProcAddr get_proc_addr; /* the loader's vkGetInstanceProcAddr, or volk's */
     VkPhysicalDevice physical;
     VkDevice device;
     VkQueue queue; /* graphics and compute */
@@ -54,31 +59,37 @@ struct rg_exec_params {
 struct rg_exec;
 
 /* NULL on failure; *result says why and may be NULL. */
-struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result);
+RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result);
 
 /* Waits for all frames. May be NULL. */
-void rg_exec_destroy(struct rg_exec *exec);
+RG_API void rg_exec_destroy(struct rg_exec *exec);
 
 /* Takes the next slot, 0..frames_in_flight - 1, waiting until its earlier frame is finished. */
-VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
+RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 
 /* Records the plan into the slot taken last and submits it. */
-VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
+RG_API VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
 
 /* Waits for the frame submitted in a slot; readback buffers are then up to date. */
-VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
+RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
 
 /* Memory of an upload or readback buffer in a slot; NULL if the plan does not use the buffer. */
-void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot);
+RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot);
 
 /* The image made for a declaration, to import elsewhere; VK_NULL_HANDLE if not in the plan. */
-VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
+RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
 
 /* What rg_compile() may ask of a device. `vulkan` is borrowed and outlives the result. */
 struct rg_vulkan {
+    VkInstance instance;
+    PFN_vkGetInstanceProcAddr get_proc_addr; /* as of rg_exec_params */
     VkPhysicalDevice physical;
     VkDevice device;
 };
-struct rg_device rg_exec_device(const struct rg_vulkan *vulkan);
+RG_API struct rg_device rg_exec_device(const struct rg_vulkan *vulkan);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

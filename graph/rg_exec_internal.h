@@ -3,6 +3,7 @@
 #define RG_EXEC_INTERNAL_H
 
 #include "graph/rg_exec.h"
+#include "graph/rg_functions.h"
 
 /* Buffers of host memory have one object a slot, others one in all. */
 struct exec_buffer {
@@ -41,6 +42,7 @@ struct exec_sampler {
 
 struct rg_exec {
     struct rg_exec_params params;
+    struct rg_functions vk;
     const struct rg_plan *plan;
     VkDevice device;
     uint32_t slot_count, slot; /* the slot taken last */
@@ -90,6 +92,9 @@ VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *
 
 /* Names an object for captures and messages, where the instance has debug utils. */
 void rg_exec_name(const struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name);
+
+/* rg_functions.c: fills exec->vk */
+VkResult rg_exec_find_functions(struct rg_exec *exec);
 
 /* rg_memory.c */
 VkResult rg_exec_make_memory(struct rg_exec *exec);

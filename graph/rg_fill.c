@@ -5,7 +5,7 @@
 static const VkImageLayout fill_layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
 
 /* Nobody has used the image yet, so there is nothing to wait for. */
-static void prepare_image(VkCommandBuffer commands, VkImage image,
+static void prepare_image(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
                           const VkImageSubresourceRange *range)
 {
     const VkImageMemoryBarrier2 barrier = {
@@ -19,23 +19,24 @@ static void prepare_image(VkCommandBuffer commands, VkImage image,
         .image = image,
         .subresourceRange = *range,
     };
-    vkCmdPipelineBarrier2(commands, &(VkDependencyInfo){
-                                        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                        .imageMemoryBarrierCount = 1,
-                                        .pImageMemoryBarriers = &barrier,
-                                    });
+    exec->vk.CmdPipelineBarrier2(commands, &(VkDependencyInfo){
+                                               .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                               .imageMemoryBarrierCount = 1,
+                                               .pImageMemoryBarriers = &barrier,
+                                           });
 }
 
-static void fill_image(VkCommandBuffer commands, VkImage image, const struct rg_plan_image *plan)
+static void fill_image(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
+                       const struct rg_plan_image *plan)
 {
     const VkImageSubresourceRange range = { plan->aspects, 0, plan->mips, 0, plan->layers };
-    prepare_image(commands, image, &range);
+    prepare_image(exec, commands, image, &range);
     if (plan->aspects & VK_IMAGE_ASPECT_COLOR_BIT)
-        vkCmdClearColorImage(commands, image, fill_layout, &(VkClearColorValue){ { 0 } }, 1,
-                             &range);
+        exec->vk.CmdClearColorImage(commands, image, fill_layout, &(VkClearColorValue){ { 0 } }, 1,
+                                    &range);
     else
-        vkCmdClearDepthStencilImage(commands, image, fill_layout, &(VkClearDepthStencilValue){ 0 },
-                                    1, &range);
+        exec->vk.CmdClearDepthStencilImage(commands, image, fill_layout,
+                                           &(VkClearDepthStencilValue){ 0 }, 1, &range);
 }
 
 void rg_exec_record_fill(struct rg_exec *exec, VkCommandBuffer commands)
@@ -43,11 +44,12 @@ void rg_exec_record_fill(struct rg_exec *exec, VkCommandBuffer commands)
     const struct rg_plan *plan = exec->plan;
     for (uint32_t i = 0; i < plan->image_count; i++) {
         if (plan->images[i].persistent)
-            fill_image(commands, exec->images[i], &plan->images[i]);
+            fill_image(exec, commands, exec->images[i], &plan->images[i]);
     }
     for (uint32_t i = 0; i < plan->buffer_count; i++) {
         if (plan->buffers[i].persistent)
-            vkCmdFillBuffer(commands, rg_exec_buffer(exec, i, exec->slot), 0, VK_WHOLE_SIZE, 0);
+            exec->vk.CmdFillBuffer(commands, rg_exec_buffer(exec, i, exec->slot), 0, VK_WHOLE_SIZE,
+                                   0);
     }
     rg_exec_record_batch(exec, commands, plan->first_initial_barrier, plan->initial_barrier_count);
 }

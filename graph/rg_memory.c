@@ -2,80 +2,6 @@
 #include <stdlib.h>
 #include "graph/rg_exec_internal.h"
 
-/* ---- what the compiler asks ---- */
-
-static struct rg_memory_need need_of(const VkMemoryRequirements2 *r)
-{
-    return (struct rg_memory_need){
-        .size = r->memoryRequirements.size,
-        .alignment = r->memoryRequirements.alignment,
-        .type_bits = r->memoryRequirements.memoryTypeBits,
-    };
-}
-
-static struct rg_memory_need image_memory(const void *user, const VkImageCreateInfo *info)
-{
-    const struct rg_vulkan *vulkan = user;
-    VkMemoryRequirements2 needs = { .sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2 };
-    vkGetDeviceImageMemoryRequirements(
-        vulkan->device,
-        &(VkDeviceImageMemoryRequirements){
-            .sType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS,
-            .pCreateInfo = info,
-        },
-        &needs);
-    return need_of(&needs);
-}
-
-static struct rg_memory_need buffer_memory(const void *user, const VkBufferCreateInfo *info)
-{
-    const struct rg_vulkan *vulkan = user;
-    VkMemoryRequirements2 needs = { .sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2 };
-    vkGetDeviceBufferMemoryRequirements(
-        vulkan->device,
-        &(VkDeviceBufferMemoryRequirements){
-            .sType = VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS,
-            .pCreateInfo = info,
-        },
-        &needs);
-    return need_of(&needs);
-}
-
-static VkFormatFeatureFlags format_features(const void *user, VkFormat format)
-{
-    const struct rg_vulkan *vulkan = user;
-    VkFormatProperties properties;
-    vkGetPhysicalDeviceFormatProperties(vulkan->physical, format, &properties);
-    return properties.optimalTilingFeatures;
-}
-
-static VkSampleCountFlags sample_counts(const void *user, const VkImageCreateInfo *info)
-{
-    const struct rg_vulkan *vulkan = user;
-    VkImageFormatProperties properties = { 0 };
-    VkResult result = vkGetPhysicalDeviceImageFormatProperties(
-        vulkan->physical, info->format, info->imageType, info->tiling, info->usage, info->flags,
-        &properties);
-    return result == VK_SUCCESS ? properties.sampleCounts : 0;
-}
-
-struct rg_device rg_exec_device(const struct rg_vulkan *vulkan)
-{
-    VkPhysicalDeviceProperties properties;
-    vkGetPhysicalDeviceProperties(vulkan->physical, &properties);
-    return (struct rg_device){
-        .user = vulkan,
-        .image_memory = image_memory,
-        .buffer_memory = buffer_memory,
-        .format_features = format_features,
-        .sample_counts = sample_counts,
-        .max_image_size = properties.limits.maxImageDimension2D,
-        .max_layers = properties.limits.maxImageArrayLayers,
-    };
-}
-
-/* ---- making ---- */
-
 /* The first memory type that has all of `wanted`, else of `needed`; RG_NONE if there is none. */
 static uint32_t find_type(const struct rg_exec *exec, uint32_t bits, VkMemoryPropertyFlags wanted,
                           VkMemoryPropertyFlags needed)
@@ -101,7 +27,7 @@ static VkResult allocate(const struct rg_exec *exec, VkDeviceSize size, uint32_t
     };
     if (type == RG_NONE)
         return VK_ERROR_FEATURE_NOT_PRESENT;
-    return vkAllocateMemory(exec->device, &info, NULL, memory);
+    return exec->vk.AllocateMemory(exec->device, &info, NULL, memory);
 }
 
 /* Memory of a persistent resource, which shares it with nothing. */
@@ -151,19 +77,19 @@ static VkResult make_image(struct rg_exec *exec, uint32_t index)
         exec->images[index] = exec->params.imports[image->import].image;
         return VK_SUCCESS;
     }
-    RG_TRY(exec, vkCreateImage(exec->device, &info, NULL, &exec->images[index]));
+    RG_TRY(exec, exec->vk.CreateImage(exec->device, &info, NULL, &exec->images[index]));
     rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE, (uint64_t)exec->images[index], image->image->name);
-    vkGetImageMemoryRequirements(exec->device, exec->images[index], &needs);
+    exec->vk.GetImageMemoryRequirements(exec->device, exec->images[index], &needs);
     if (image->persistent) {
         VkDeviceMemory *memory = &exec->image_memory[index];
         RG_PASS(allocate_own(exec, &needs, image->image->name, memory));
-        RG_TRY(exec, vkBindImageMemory(exec->device, exec->images[index], *memory, 0));
+        RG_TRY(exec, exec->vk.BindImageMemory(exec->device, exec->images[index], *memory, 0));
         return VK_SUCCESS;
     }
     if (!fits(&needs, &exec->plan->blocks[image->block], image->offset, image->size))
         RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, "a plan for another device"));
-    RG_TRY(exec, vkBindImageMemory(exec->device, exec->images[index], exec->blocks[image->block],
-                                   image->offset));
+    RG_TRY(exec, exec->vk.BindImageMemory(exec->device, exec->images[index],
+                                          exec->blocks[image->block], image->offset));
 fail:
     return result;
 }
@@ -174,13 +100,13 @@ static VkResult create_buffer(struct rg_exec *exec, const struct rg_plan_buffer 
     /* vkCmdFillBuffer() fills words */
     VkDeviceSize room = plan->persistent ? (plan->size + 3) / 4 * 4 : plan->size;
     VkResult result;
-    RG_TRY(exec, vkCreateBuffer(exec->device,
-                                &(VkBufferCreateInfo){
-                                    .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-                                    .size = room,
-                                    .usage = plan->usage,
-                                },
-                                NULL, buffer));
+    RG_TRY(exec, exec->vk.CreateBuffer(exec->device,
+                                       &(VkBufferCreateInfo){
+                                           .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                           .size = room,
+                                           .usage = plan->usage,
+                                       },
+                                       NULL, buffer));
     rg_exec_name(exec, VK_OBJECT_TYPE_BUFFER, (uint64_t)*buffer, plan->buffer->name);
 fail:
     return result;
@@ -192,16 +118,16 @@ static VkResult make_device_buffer(struct rg_exec *exec, const struct rg_plan_bu
     VkMemoryRequirements needs;
     VkResult result;
     RG_PASS(create_buffer(exec, plan, &buffer->buffers[0]));
-    vkGetBufferMemoryRequirements(exec->device, buffer->buffers[0], &needs);
+    exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffers[0], &needs);
     if (plan->persistent) {
         RG_PASS(allocate_own(exec, &needs, plan->buffer->name, &buffer->own));
-        RG_TRY(exec, vkBindBufferMemory(exec->device, buffer->buffers[0], buffer->own, 0));
+        RG_TRY(exec, exec->vk.BindBufferMemory(exec->device, buffer->buffers[0], buffer->own, 0));
         return VK_SUCCESS;
     }
     if (!fits(&needs, &exec->plan->blocks[plan->block], plan->offset, plan->memory_size))
         RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, "a plan for another device"));
-    RG_TRY(exec, vkBindBufferMemory(exec->device, buffer->buffers[0], exec->blocks[plan->block],
-                                    plan->offset));
+    RG_TRY(exec, exec->vk.BindBufferMemory(exec->device, buffer->buffers[0],
+                                           exec->blocks[plan->block], plan->offset));
 fail:
     return result;
 }
@@ -215,15 +141,16 @@ static VkResult make_host_buffer(struct rg_exec *exec, const struct rg_plan_buff
                                        ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
                                        : VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     RG_PASS(create_buffer(exec, plan, &buffer->buffers[slot]));
-    vkGetBufferMemoryRequirements(exec->device, buffer->buffers[slot], &needs);
+    exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffers[slot], &needs);
     uint32_t type =
         find_type(exec, needs.memoryTypeBits, wanted, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
     RG_TRY(exec, allocate(exec, needs.size, type, &buffer->memory[slot]));
     buffer->coherent = exec->memory_properties.memoryTypes[type].propertyFlags &
                        VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    RG_TRY(exec, vkBindBufferMemory(exec->device, buffer->buffers[slot], buffer->memory[slot], 0));
-    RG_TRY(exec, vkMapMemory(exec->device, buffer->memory[slot], 0, VK_WHOLE_SIZE, 0,
-                             &buffer->mapped[slot]));
+    RG_TRY(exec,
+           exec->vk.BindBufferMemory(exec->device, buffer->buffers[slot], buffer->memory[slot], 0));
+    RG_TRY(exec, exec->vk.MapMemory(exec->device, buffer->memory[slot], 0, VK_WHOLE_SIZE, 0,
+                                    &buffer->mapped[slot]));
 fail:
     return result;
 }
@@ -274,25 +201,25 @@ void rg_exec_free_memory(struct rg_exec *exec)
     const struct rg_plan *plan = exec->plan;
     for (uint32_t i = 0; exec->images && i < plan->image_count; i++) {
         if (!plan->images[i].imported)
-            vkDestroyImage(exec->device, exec->images[i], NULL);
+            exec->vk.DestroyImage(exec->device, exec->images[i], NULL);
     }
     for (uint32_t i = 0; exec->image_memory && i < plan->image_count; i++)
-        vkFreeMemory(exec->device, exec->image_memory[i], NULL);
+        exec->vk.FreeMemory(exec->device, exec->image_memory[i], NULL);
     for (uint32_t i = 0; exec->buffers && i < plan->buffer_count; i++) {
         struct exec_buffer *buffer = &exec->buffers[i];
         for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
             if (buffer->buffers && !plan->buffers[i].imported)
-                vkDestroyBuffer(exec->device, buffer->buffers[slot], NULL);
+                exec->vk.DestroyBuffer(exec->device, buffer->buffers[slot], NULL);
             if (buffer->memory)
-                vkFreeMemory(exec->device, buffer->memory[slot], NULL);
+                exec->vk.FreeMemory(exec->device, buffer->memory[slot], NULL);
         }
-        vkFreeMemory(exec->device, buffer->own, NULL);
+        exec->vk.FreeMemory(exec->device, buffer->own, NULL);
         free(buffer->buffers);
         free(buffer->memory);
         free(buffer->mapped);
     }
     for (uint32_t i = 0; exec->blocks && i < plan->block_count; i++)
-        vkFreeMemory(exec->device, exec->blocks[i], NULL);
+        exec->vk.FreeMemory(exec->device, exec->blocks[i], NULL);
 }
 
 VkBuffer rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot)
@@ -315,9 +242,9 @@ VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory m
             .size = VK_WHOLE_SIZE,
         };
         if (memory == RG_MEMORY_UPLOAD)
-            RG_TRY(exec, vkFlushMappedMemoryRanges(exec->device, 1, &range));
+            RG_TRY(exec, exec->vk.FlushMappedMemoryRanges(exec->device, 1, &range));
         else
-            RG_TRY(exec, vkInvalidateMappedMemoryRanges(exec->device, 1, &range));
+            RG_TRY(exec, exec->vk.InvalidateMappedMemoryRanges(exec->device, 1, &range));
     }
 fail:
     return result;

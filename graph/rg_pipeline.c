@@ -12,15 +12,16 @@ static VkResult make_layout(struct rg_exec *exec, const struct rg_pass *row, str
 {
     const VkPushConstantRange push = { rg_exec_stages(row), 0, row->push_size };
     VkResult result;
-    RG_TRY(exec, vkCreatePipelineLayout(exec->device,
-                                        &(VkPipelineLayoutCreateInfo){
-                                            .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                            .setLayoutCount = 1,
-                                            .pSetLayouts = &pass->set_layout,
-                                            .pushConstantRangeCount = row->push_size ? 1 : 0,
-                                            .pPushConstantRanges = &push,
-                                        },
-                                        NULL, &pass->layout));
+    RG_TRY(exec,
+           exec->vk.CreatePipelineLayout(exec->device,
+                                         &(VkPipelineLayoutCreateInfo){
+                                             .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                             .setLayoutCount = 1,
+                                             .pSetLayouts = &pass->set_layout,
+                                             .pushConstantRangeCount = row->push_size ? 1 : 0,
+                                             .pPushConstantRanges = &push,
+                                         },
+                                         NULL, &pass->layout));
     rg_exec_name(exec, VK_OBJECT_TYPE_PIPELINE_LAYOUT, (uint64_t)pass->layout, row->name);
 fail:
     return result;
@@ -36,13 +37,14 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
         .stage = stage,
         .pName = "main",
     };
-    RG_TRY(exec, vkCreateShaderModule(exec->device,
-                                      &(VkShaderModuleCreateInfo){
-                                          .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                          .codeSize = shader->word_count * sizeof(uint32_t),
-                                          .pCode = shader->words,
-                                      },
-                                      NULL, &info->module));
+    RG_TRY(exec,
+           exec->vk.CreateShaderModule(exec->device,
+                                       &(VkShaderModuleCreateInfo){
+                                           .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                           .codeSize = shader->word_count * sizeof(uint32_t),
+                                           .pCode = shader->words,
+                                       },
+                                       NULL, &info->module));
     rg_exec_name(exec, VK_OBJECT_TYPE_SHADER_MODULE, (uint64_t)info->module, shader->name);
 fail:
     return result;
@@ -179,11 +181,11 @@ static VkResult make_raster(struct rg_exec *exec, const struct rg_plan_pass *pla
         .layout = pass->layout,
         .renderPass = pass->render_pass,
     };
-    RG_TRY(exec, vkCreateGraphicsPipelines(exec->device, exec->params.pipeline_cache, 1, &info,
-                                           NULL, &pass->pipeline));
+    RG_TRY(exec, exec->vk.CreateGraphicsPipelines(exec->device, exec->params.pipeline_cache, 1,
+                                                  &info, NULL, &pass->pipeline));
 fail:
-    vkDestroyShaderModule(exec->device, stages[0].module, NULL);
-    vkDestroyShaderModule(exec->device, stages[1].module, NULL);
+    exec->vk.DestroyShaderModule(exec->device, stages[0].module, NULL);
+    exec->vk.DestroyShaderModule(exec->device, stages[1].module, NULL);
     return result;
 }
 
@@ -196,10 +198,10 @@ static VkResult make_compute(struct rg_exec *exec, const struct rg_pass *row,
     };
     VkResult result;
     RG_PASS(make_stage(exec, row->comp, VK_SHADER_STAGE_COMPUTE_BIT, &info.stage));
-    RG_TRY(exec, vkCreateComputePipelines(exec->device, exec->params.pipeline_cache, 1, &info, NULL,
-                                          &pass->pipeline));
+    RG_TRY(exec, exec->vk.CreateComputePipelines(exec->device, exec->params.pipeline_cache, 1,
+                                                 &info, NULL, &pass->pipeline));
 fail:
-    vkDestroyShaderModule(exec->device, info.stage.module, NULL);
+    exec->vk.DestroyShaderModule(exec->device, info.stage.module, NULL);
     return result;
 }
 
@@ -240,7 +242,7 @@ void rg_exec_free_pipelines(struct rg_exec *exec)
     for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
         if (!exec->passes[p].owner)
             continue;
-        vkDestroyPipeline(exec->device, exec->passes[p].pipeline, NULL);
-        vkDestroyPipelineLayout(exec->device, exec->passes[p].layout, NULL);
+        exec->vk.DestroyPipeline(exec->device, exec->passes[p].pipeline, NULL);
+        exec->vk.DestroyPipelineLayout(exec->device, exec->passes[p].layout, NULL);
     }
 }

@@ -58,7 +58,7 @@ void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32
         .pImageMemoryBarriers = exec->image_batch,
     };
     if (count)
-        vkCmdPipelineBarrier2(commands, &info);
+        exec->vk.CmdPipelineBarrier2(commands, &info);
 }
 
 /* ---- targets ---- */
@@ -113,7 +113,7 @@ static void begin_rendering(const struct rg_cmd *cmd)
         .pDepthAttachment = has_depth ? &attachments[count] : NULL,
         .pStencilAttachment = has_stencil ? &attachments[count] : NULL,
     };
-    vkCmdBeginRendering(cmd->commands, &info);
+    cmd->exec->vk.CmdBeginRendering(cmd->commands, &info);
 }
 
 static void begin_render_pass(const struct rg_cmd *cmd)
@@ -131,7 +131,7 @@ static void begin_render_pass(const struct rg_cmd *cmd)
         .clearValueCount = plan->color_count + 1,
         .pClearValues = clears,
     };
-    vkCmdBeginRenderPass(cmd->commands, &info, VK_SUBPASS_CONTENTS_INLINE);
+    cmd->exec->vk.CmdBeginRenderPass(cmd->commands, &info, VK_SUBPASS_CONTENTS_INLINE);
 }
 
 /* ---- passes ---- */
@@ -143,9 +143,9 @@ static void bind(const struct rg_cmd *cmd)
                                                                : VK_PIPELINE_BIND_POINT_GRAPHICS;
     if (plan->pass->kind == RG_TRANSFER)
         return;
-    vkCmdBindPipeline(cmd->commands, point, cmd->pass->pipeline);
-    vkCmdBindDescriptorSets(cmd->commands, point, cmd->pass->layout, 0, 1,
-                            &cmd->pass->sets[cmd->exec->slot], 0, NULL);
+    cmd->exec->vk.CmdBindPipeline(cmd->commands, point, cmd->pass->pipeline);
+    cmd->exec->vk.CmdBindDescriptorSets(cmd->commands, point, cmd->pass->layout, 0, 1,
+                                        &cmd->pass->sets[cmd->exec->slot], 0, NULL);
     if (plan->pass->kind != RG_RASTER)
         return;
     const VkViewport viewport = {
@@ -153,8 +153,8 @@ static void bind(const struct rg_cmd *cmd)
         .height = (float)plan->extent.height,
         .maxDepth = 1.0f,
     };
-    vkCmdSetViewport(cmd->commands, 0, 1, &viewport);
-    vkCmdSetScissor(cmd->commands, 0, 1, &(VkRect2D){ .extent = plan->extent });
+    cmd->exec->vk.CmdSetViewport(cmd->commands, 0, 1, &viewport);
+    cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &(VkRect2D){ .extent = plan->extent });
 }
 
 static void record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -167,9 +167,9 @@ static void record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
     bind(cmd);
     cmd->plan_pass->pass->record(cmd, frame);
     if (raster && cmd->pass->render_pass)
-        vkCmdEndRenderPass(cmd->commands);
+        cmd->exec->vk.CmdEndRenderPass(cmd->commands);
     else if (raster)
-        vkCmdEndRendering(cmd->commands);
+        cmd->exec->vk.CmdEndRendering(cmd->commands);
 }
 
 static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer commands,
@@ -182,17 +182,18 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
         .commands = commands,
     };
     const struct rg_pass *row = cmd.plan_pass->pass;
-    if (vkCmdBeginDebugUtilsLabelEXT)
-        vkCmdBeginDebugUtilsLabelEXT(commands, &(VkDebugUtilsLabelEXT){
-                                                   .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT,
-                                                   .pLabelName = row->name,
-                                               });
+    if (exec->vk.CmdBeginDebugUtilsLabelEXT)
+        exec->vk.CmdBeginDebugUtilsLabelEXT(commands,
+                                            &(VkDebugUtilsLabelEXT){
+                                                .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT,
+                                                .pLabelName = row->name,
+                                            });
     rg_exec_record_batch(exec, commands, cmd.plan_pass->first_barrier,
                          cmd.plan_pass->barrier_count);
     if (!row->when || row->when(frame))
         record_work(&cmd, frame);
-    if (vkCmdEndDebugUtilsLabelEXT)
-        vkCmdEndDebugUtilsLabelEXT(commands);
+    if (exec->vk.CmdEndDebugUtilsLabelEXT)
+        exec->vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 
 VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame)
@@ -200,17 +201,17 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame)
     VkCommandBuffer commands = exec->slots[exec->slot].commands;
     const struct rg_plan *plan = exec->plan;
     VkResult result;
-    RG_TRY(exec,
-           vkBeginCommandBuffer(commands, &(VkCommandBufferBeginInfo){
-                                              .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                              .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
-                                          }));
+    RG_TRY(exec, exec->vk.BeginCommandBuffer(
+                     commands, &(VkCommandBufferBeginInfo){
+                                   .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                   .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
+                               }));
     if (!exec->filled)
         rg_exec_record_fill(exec, commands);
     for (uint32_t p = 0; p < plan->pass_count; p++)
         record_pass(exec, p, commands, frame);
     rg_exec_record_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
-    RG_TRY(exec, vkEndCommandBuffer(commands));
+    RG_TRY(exec, exec->vk.EndCommandBuffer(commands));
 fail:
     return result;
 }
@@ -234,20 +235,20 @@ VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd)
 
 void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size)
 {
-    vkCmdPushConstants(cmd->commands, cmd->pass->layout, rg_exec_stages(cmd->plan_pass->pass), 0,
-                       size, data);
+    cmd->exec->vk.CmdPushConstants(cmd->commands, cmd->pass->layout,
+                                   rg_exec_stages(cmd->plan_pass->pass), 0, size, data);
 }
 
 void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count)
 {
-    vkCmdDraw(cmd->commands, vertex_count, 1, 0, 0);
+    cmd->exec->vk.CmdDraw(cmd->commands, vertex_count, 1, 0, 0);
 }
 
 static void bind_mesh(const struct rg_cmd *cmd, const struct rg_mesh *mesh)
 {
     const VkDeviceSize offset = 0;
-    vkCmdBindVertexBuffers(cmd->commands, 0, 1, &mesh->vertices, &offset);
-    vkCmdBindIndexBuffer(cmd->commands, mesh->indices, 0, VK_INDEX_TYPE_UINT32);
+    cmd->exec->vk.CmdBindVertexBuffers(cmd->commands, 0, 1, &mesh->vertices, &offset);
+    cmd->exec->vk.CmdBindIndexBuffer(cmd->commands, mesh->indices, 0, VK_INDEX_TYPE_UINT32);
 }
 
 void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
@@ -255,12 +256,12 @@ void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
     if (!mesh->index_count)
         return;
     bind_mesh(cmd, mesh);
-    vkCmdDrawIndexed(cmd->commands, mesh->index_count, 1, 0, 0, 0);
+    cmd->exec->vk.CmdDrawIndexed(cmd->commands, mesh->index_count, 1, 0, 0, 0);
 }
 
 void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)
 {
-    vkCmdDispatch(cmd->commands, x, y, z);
+    cmd->exec->vk.CmdDispatch(cmd->commands, x, y, z);
 }
 
 /* The row's first use of a resource, if `access` is none, else its first one with that access. */
@@ -286,20 +287,20 @@ static VkBuffer indirect_buffer(const struct rg_cmd *cmd, const struct rg_buffer
 
 void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer, VkDeviceSize offset)
 {
-    vkCmdDrawIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
+    cmd->exec->vk.CmdDrawIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
 }
 
 void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                const struct rg_buffer *buffer, VkDeviceSize offset)
 {
     bind_mesh(cmd, mesh);
-    vkCmdDrawIndexedIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
+    cmd->exec->vk.CmdDrawIndexedIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
 }
 
 void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                               VkDeviceSize offset)
 {
-    vkCmdDispatchIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset);
+    cmd->exec->vk.CmdDispatchIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset);
 }
 
 static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_plan_use *use,
@@ -324,8 +325,9 @@ void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *imag
     const struct rg_plan_use *to = find_use(cmd, buffer, RG_COPY_DST);
     assert(from && to); /* the row names both */
     const VkBufferImageCopy region = copy_region(cmd, from, offset);
-    vkCmdCopyImageToBuffer(cmd->commands, cmd->exec->images[from->image], from->layout,
-                           rg_exec_buffer(cmd->exec, to->buffer, cmd->exec->slot), 1, &region);
+    cmd->exec->vk.CmdCopyImageToBuffer(cmd->commands, cmd->exec->images[from->image], from->layout,
+                                       rg_exec_buffer(cmd->exec, to->buffer, cmd->exec->slot), 1,
+                                       &region);
 }
 
 void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
@@ -335,8 +337,9 @@ void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buf
     const struct rg_plan_use *to = find_use(cmd, image, RG_COPY_DST);
     assert(from && to); /* the row names both */
     const VkBufferImageCopy region = copy_region(cmd, to, offset);
-    vkCmdCopyBufferToImage(cmd->commands, rg_exec_buffer(cmd->exec, from->buffer, cmd->exec->slot),
-                           cmd->exec->images[to->image], to->layout, 1, &region);
+    cmd->exec->vk.CmdCopyBufferToImage(cmd->commands,
+                                       rg_exec_buffer(cmd->exec, from->buffer, cmd->exec->slot),
+                                       cmd->exec->images[to->image], to->layout, 1, &region);
 }
 
 VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd)

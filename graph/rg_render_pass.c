@@ -47,7 +47,7 @@ static VkResult make_view(struct rg_exec *exec, const struct part *part, VkImage
 {
     const struct rg_plan_image *image = &exec->plan->images[part->image];
     VkResult result;
-    RG_TRY(exec, vkCreateImageView(
+    RG_TRY(exec, exec->vk.CreateImageView(
                      exec->device,
                      &(VkImageViewCreateInfo){
                          .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
@@ -111,26 +111,26 @@ static VkResult make_render_pass(struct rg_exec *exec, const struct rg_plan_pass
         .pResolveAttachments = resolves,
         .pDepthStencilAttachment = has_depth ? &references[plan->color_count] : NULL,
     };
-    RG_TRY(exec, vkCreateRenderPass(exec->device,
-                                    &(VkRenderPassCreateInfo){
-                                        .sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
-                                        .attachmentCount = count,
-                                        .pAttachments = attachments,
-                                        .subpassCount = 1,
-                                        .pSubpasses = &subpass,
-                                    },
-                                    NULL, &pass->render_pass));
-    RG_TRY(exec, vkCreateFramebuffer(exec->device,
-                                     &(VkFramebufferCreateInfo){
-                                         .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                                         .renderPass = pass->render_pass,
-                                         .attachmentCount = count,
-                                         .pAttachments = pass->views,
-                                         .width = plan->extent.width,
-                                         .height = plan->extent.height,
-                                         .layers = 1,
-                                     },
-                                     NULL, &pass->framebuffer));
+    RG_TRY(exec, exec->vk.CreateRenderPass(exec->device,
+                                           &(VkRenderPassCreateInfo){
+                                               .sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                                               .attachmentCount = count,
+                                               .pAttachments = attachments,
+                                               .subpassCount = 1,
+                                               .pSubpasses = &subpass,
+                                           },
+                                           NULL, &pass->render_pass));
+    RG_TRY(exec, exec->vk.CreateFramebuffer(exec->device,
+                                            &(VkFramebufferCreateInfo){
+                                                .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                                                .renderPass = pass->render_pass,
+                                                .attachmentCount = count,
+                                                .pAttachments = pass->views,
+                                                .width = plan->extent.width,
+                                                .height = plan->extent.height,
+                                                .layers = 1,
+                                            },
+                                            NULL, &pass->framebuffer));
 fail:
     return result;
 }
@@ -154,9 +154,9 @@ void rg_exec_free_targets(struct rg_exec *exec)
 {
     for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
         struct exec_pass *pass = &exec->passes[p];
-        vkDestroyFramebuffer(exec->device, pass->framebuffer, NULL);
-        vkDestroyRenderPass(exec->device, pass->render_pass, NULL);
+        exec->vk.DestroyFramebuffer(exec->device, pass->framebuffer, NULL);
+        exec->vk.DestroyRenderPass(exec->device, pass->render_pass, NULL);
         for (uint32_t i = 0; i < RG_VIEW_COUNT; i++)
-            vkDestroyImageView(exec->device, pass->views[i], NULL);
+            exec->vk.DestroyImageView(exec->device, pass->views[i], NULL);
     }
 }

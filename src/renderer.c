@@ -109,7 +109,12 @@ static enum status stage_create(struct stage *stage, const struct renderer *rend
                                 struct frame_request request)
 {
     struct gpu *gpu = renderer->params.gpu;
-    const struct rg_vulkan vulkan = { gpu->physical, gpu->device };
+    const struct rg_vulkan vulkan = {
+        gpu->instance,
+        vkGetInstanceProcAddr,
+        gpu->physical,
+        gpu->device,
+    };
     const struct rg_device device = rg_exec_device(&vulkan);
     const struct rg_exec_import imports[FRAME_IMPORT_COUNT] = {
         [FRAME_IMPORT_ENVIRONMENT].image = renderer->scene.environment.image,
@@ -126,6 +131,8 @@ static enum status stage_create(struct stage *stage, const struct renderer *rend
     stage->exec = rg_exec_create(
         &(struct rg_exec_params){
             .plan = stage->frame.plan,
+            .instance = gpu->instance,
+            .get_proc_addr = vkGetInstanceProcAddr,
             .physical = gpu->physical,
             .device = gpu->device,
             .queue = gpu->queue,

@@ -128,7 +128,12 @@ static struct rg_frame make_frame(const struct scene_gpu *on_gpu, vec3s center)
 /* Six faces, half RGBA; the caller frees them. */
 static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s center)
 {
-    const struct rg_vulkan vulkan = { gpu->physical, gpu->device };
+    const struct rg_vulkan vulkan = {
+        gpu->instance,
+        vkGetInstanceProcAddr,
+        gpu->physical,
+        gpu->device,
+    };
     const struct rg_device device = rg_exec_device(&vulkan);
     struct rg_plan *plan = compile(&device, scene);
     struct scene_gpu on_gpu;
@@ -140,6 +145,8 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
     struct rg_exec *exec = rg_exec_create(
         &(struct rg_exec_params){
             .plan = plan,
+            .instance = gpu->instance,
+            .get_proc_addr = vkGetInstanceProcAddr,
             .physical = gpu->physical,
             .device = gpu->device,
             .queue = gpu->queue,

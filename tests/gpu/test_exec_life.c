@@ -2,8 +2,9 @@
  * test_exec_life.c: how an executor comes, fails and goes.
  *
  * Allocations of the program's own objects are counted and made to fail through the linker's
- * --wrap; Vulkan's functions through volk's pointers to them. What was not given back is reported
- * by the validation layer at the end of each test, or by the leak sanitizer.
+ * --wrap; Vulkan's functions through volk's pointers to them, where an executor finds its own (see
+ * run_create). What was not given back is reported by the validation layer at the end of each test,
+ * or by the leak sanitizer.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -128,7 +129,7 @@ void *__wrap_realloc(void *memory, size_t size)
     }
 FALLIBLE(FALLIBLE_FUNCTION)
 
-/* The `failing`th call from now on fails, until let_succeed(). */
+/* The `failing`th call from now on fails, until let_succeed(); of executors made in between. */
 static void let_fail(uint32_t failing)
 {
     vulkan_calls = (struct calls){ .failing = failing };
@@ -140,6 +141,7 @@ static void let_fail(uint32_t failing)
 
 static void let_succeed(void)
 {
+    vulkan_calls.failing = 0;
 #define RESTORE(name, parameters, arguments) (name) = real_##name;
     FALLIBLE(RESTORE)
 }
@@ -308,6 +310,38 @@ static void plan_without_device_is_refused(void **state)
     run_close(&run);
 }
 
+/* As of a loader older than Vulkan 1.3. */
+static void missing_function_is_refused(void **state)
+{
+    const PFN_vkQueueSubmit2 real = vkQueueSubmit2;
+    struct run run;
+    run_compile(&run, *state, &params);
+    vkQueueSubmit2 = NULL;
+    assert_int_equal(run_create(&run, run.plan), VK_ERROR_INCOMPATIBLE_DRIVER);
+    vkQueueSubmit2 = real;
+    assert_int_equal(run.line_count, 1);
+    assert_string_equal(run.line, "VkResult -9 from finding vkQueueSubmit2");
+    run_close(&run);
+}
+
+static void debug_utils_may_be_missing(void **state)
+{
+    const PFN_vkSetDebugUtilsObjectNameEXT name = vkSetDebugUtilsObjectNameEXT;
+    const PFN_vkCmdBeginDebugUtilsLabelEXT begin = vkCmdBeginDebugUtilsLabelEXT;
+    const PFN_vkCmdEndDebugUtilsLabelEXT end = vkCmdEndDebugUtilsLabelEXT;
+    struct run run;
+    vkSetDebugUtilsObjectNameEXT = NULL;
+    vkCmdBeginDebugUtilsLabelEXT = NULL;
+    vkCmdEndDebugUtilsLabelEXT = NULL;
+    run_open(&run, *state, &params);
+    vkSetDebugUtilsObjectNameEXT = name;
+    vkCmdBeginDebugUtilsLabelEXT = begin;
+    vkCmdEndDebugUtilsLabelEXT = end;
+    assert_int_equal(try_frame(&run), VK_SUCCESS);
+    check_frame(&run);
+    run_close(&run);
+}
+
 static void missing_import_is_refused(void **state)
 {
     const struct rg_import imports[] = {
@@ -447,13 +481,14 @@ static void other_memory_is_flushed(void **state)
         real_memory_properties = vkGetPhysicalDeviceMemoryProperties;
         if (way == 1)
             vkGetPhysicalDeviceMemoryProperties = not_coherent;
+        let_fail(0);
         run_open(&run, *state, &params);
         vkGetPhysicalDeviceMemoryProperties = real_memory_properties;
-        let_fail(0);
+        vulkan_calls.count = 0;
         for (int frame = 0; frame < 3; frame++)
             assert_int_equal(try_frame(&run), VK_SUCCESS);
-        let_succeed();
         calls[way] = vulkan_calls.count;
+        let_succeed();
         check_frame(&run);
         run_close(&run);
     }
@@ -465,6 +500,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         ON_DEVICE(frames_allocate_nothing),      ON_DEVICE(every_allocation_may_fail),
         ON_DEVICE(every_vulkan_call_may_fail),   ON_DEVICE(plan_without_device_is_refused),
+        ON_DEVICE(missing_function_is_refused),  ON_DEVICE(debug_utils_may_be_missing),
         ON_DEVICE(missing_import_is_refused),    ON_DEVICE(strangers_have_nothing),
         ON_DEVICE(targets_are_not_kept_in_vain), ON_DEVICE(other_memory_is_flushed),
     };

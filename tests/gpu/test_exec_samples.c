@@ -267,7 +267,8 @@ static void samples_are_fetched(void **state)
 static void device_says_how_many(void **state)
 {
     const struct gpu *gpu = *state;
-    const struct rg_vulkan vulkan = { gpu->physical, gpu->device };
+    const struct rg_vulkan vulkan = { gpu->instance, vkGetInstanceProcAddr, gpu->physical,
+                                      gpu->device };
     const struct rg_device device = rg_exec_device(&vulkan);
     struct rg_plan_image image = {
         .image = &feature_resolve_part,
@@ -298,7 +299,8 @@ static void plan_asks_the_device(void **state)
     const struct rg_technique *const techniques[] = { &technique };
     const struct rg_output output = { .image = &many, .access = RG_SAMPLED };
     const struct gpu *gpu = *state;
-    const struct rg_vulkan vulkan = { gpu->physical, gpu->device };
+    const struct rg_vulkan vulkan = { gpu->instance, vkGetInstanceProcAddr, gpu->physical,
+                                      gpu->device };
     const struct rg_device device = rg_exec_device(&vulkan);
     struct rg_compile_params params = {
         .techniques = techniques,

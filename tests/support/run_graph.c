@@ -1,6 +1,9 @@
 /* run_graph.c: compiles tables for a device and runs them. */
 #include "tests/support/run_graph.h"
 
+#include <string.h>
+
+#include "graph/rg_functions.h"
 #include "tests/support/check.h"
 
 static void log_line(void *user, const char *line)
@@ -8,6 +11,17 @@ static void log_line(void *user, const char *line)
     struct run *run = user;
     run->line_count++;
     (void)snprintf(run->line, sizeof(run->line), "%s", line);
+}
+
+/* What volk's pointers hold now: a test may have put functions of its own there. */
+static PFN_vkVoidFunction find_function(VkInstance instance, const char *name)
+{
+#define ROW(function) \
+    if (strcmp(name, "vk" #function) == 0) \
+        return (PFN_vkVoidFunction)vk##function;
+    RG_FUNCTIONS(ROW)
+    RG_FUNCTIONS_DEBUG(ROW)
+    return vkGetInstanceProcAddr(instance, name);
 }
 
 static void print_faults(const struct rg_plan *plan)
@@ -52,7 +66,7 @@ void run_compile(struct run *run, struct gpu *gpu, const struct run_params *para
 {
     *run = (struct run){
         .params = *params,
-        .vulkan = { gpu->physical, gpu->device },
+        .vulkan = { gpu->instance, find_function, gpu->physical, gpu->device },
         .gpu = gpu,
     };
     const struct rg_device device = rg_exec_device(&run->vulkan);
@@ -65,6 +79,8 @@ VkResult run_create(struct run *run, const struct rg_plan *plan)
     run->exec = rg_exec_create(
         &(struct rg_exec_params){
             .plan = plan,
+            .instance = run->gpu->instance,
+            .get_proc_addr = find_function,
             .physical = run->gpu->physical,
             .device = run->gpu->device,
             .queue = run->gpu->queue,

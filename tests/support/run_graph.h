@@ -45,7 +45,8 @@ struct rg_plan *run_plan(const struct run_params *params, const struct rg_device
 /* Makes run->plan for a device. run->exec is NULL. */
 void run_compile(struct run *run, struct gpu *gpu, const struct run_params *params);
 
-/* Makes run->exec for a plan: run->plan, or a changed copy of it. May fail. */
+/* Makes run->exec for a plan: run->plan, or a changed copy of it; it calls the functions that
+ * volk's pointers hold now. May fail. */
 VkResult run_create(struct run *run, const struct rg_plan *plan);
 
 /* run_compile(), and run_create() without failure. */

@@ -90,12 +90,13 @@ static void test_barriers_of_drawing(void **state)
         DRAW("over b", .color[0] = { &b }),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(b) });
-    /* both wait for who used them last in the frame before; b need not wait for pass 1 */
-    CHECK_BARRIERS(plan, 0, MOVE(a, FROM(FRAGMENT, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)),
-                   MOVE(b, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
+    /* both wait for who used them last in the frame before */
+    CHECK_BARRIERS(plan, 0,
+                   MOVE(a, FROM(FRAGMENT, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
     CHECK_BARRIERS(
         plan, 1,
-        MOVE(a, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR), TO(FRAGMENT, SAMPLED_READ, AS_TEXTURE)));
+        MOVE(a, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR), TO(FRAGMENT, SAMPLED_READ, AS_TEXTURE)),
+        MOVE(b, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
     CHECK_BARRIERS(plan, 2,
                    MOVE(b, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR),
                         TO(COLOR_STAGE, COLOR_READ | COLOR_WRITE, AS_COLOR)));
@@ -121,14 +122,14 @@ static void test_barriers_of_overwriting(void **state)
         PASSES(passes),
         .outputs = { { .image = &b, .access = RG_SAMPLED }, { .image = &c, .access = RG_SAMPLED } },
     });
-    CHECK_BARRIERS(plan, 2, MOVE(a, FROM(FRAGMENT, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)),
-                   MOVE(c, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
+    CHECK_BARRIERS(plan, 2,
+                   MOVE(a, FROM(FRAGMENT, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
     /* b may wait for the last batch that there is anyway */
     CHECK_BARRIERS(
         plan, 3,
         MOVE(a, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR), TO(FRAGMENT, SAMPLED_READ, AS_TEXTURE)),
-        MOVE(b, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR),
-             TO(ANY_SHADER, SAMPLED_READ, AS_TEXTURE)));
+        MOVE(b, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR), TO(ANY_SHADER, SAMPLED_READ, AS_TEXTURE)),
+        MOVE(c, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
     rg_plan_destroy(plan);
 }
 
@@ -143,11 +144,11 @@ static void test_barriers_of_depth(void **state)
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(a) });
     CHECK_BARRIERS(
         plan, 0,
-        MOVE(depth, FROM(FRAGMENT, 0, NEW), TO(TESTS, DEPTH_READS | DEPTH_WRITES, AS_DEPTH)),
-        MOVE(a, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
+        MOVE(depth, FROM(FRAGMENT, 0, NEW), TO(TESTS, DEPTH_READS | DEPTH_WRITES, AS_DEPTH)));
     CHECK_BARRIERS(
         plan, 1,
-        MOVE(depth, FROM(TESTS, DEPTH_WRITES, AS_DEPTH), TO(TESTS, DEPTH_READS, AS_DEPTH_READ)));
+        MOVE(depth, FROM(TESTS, DEPTH_WRITES, AS_DEPTH), TO(TESTS, DEPTH_READS, AS_DEPTH_READ)),
+        MOVE(a, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
     CHECK_BARRIERS(
         plan, 2, MOVE(depth, FROM(TESTS, 0, AS_DEPTH_READ), TO(FRAGMENT, SAMPLED_READ, AS_TEXTURE)),
         MOVE(a, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR),
@@ -171,12 +172,12 @@ static void test_barriers_of_a_buffer(void **state)
     });
 #define BYTES_FROM(stages, access) .image = RG_NONE, .src_stages = (stages), .src_access = (access)
 #define BYTES_TO(stages, access)   .dst_stages = (stages), .dst_access = (access)
-    CHECK_BARRIERS(plan, 0, { BYTES_FROM(TRANSFER, 0), BYTES_TO(COMPUTE_STAGE, STORAGE_WRITE) },
-                   MOVE(a, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
+    CHECK_BARRIERS(plan, 0, { BYTES_FROM(TRANSFER, 0), BYTES_TO(COMPUTE_STAGE, STORAGE_WRITE) });
     CHECK_BARRIERS(plan, 1,
                    { BYTES_FROM(COMPUTE_STAGE, STORAGE_WRITE),
                      BYTES_TO(VK_PIPELINE_STAGE_2_VERTEX_ATTRIBUTE_INPUT_BIT,
-                              VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT) });
+                              VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT) },
+                   MOVE(a, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
     CHECK_BARRIERS(plan, 2,
                    { BYTES_FROM(VK_PIPELINE_STAGE_2_VERTEX_ATTRIBUTE_INPUT_BIT, 0),
                      BYTES_TO(COMPUTE_STAGE, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | STORAGE_WRITE) },
@@ -233,6 +234,7 @@ static void test_reads_after_reads_are_merged(void **state)
     CHECK_BARRIERS(plan, 1,
                    MOVE(a, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR),
                         TO(FRAGMENT | COMPUTE_STAGE, SAMPLED_READ, AS_TEXTURE)),
+                   MOVE(b, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)),
                    MOVE(c, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)),
                    MOVE(d, FROM(ANY_SHADER, 0, NEW), TO(COMPUTE_STAGE, STORAGE_WRITE, AS_STORAGE)));
     assert_int_equal(plan->passes[2].barrier_count, 0);
@@ -249,30 +251,48 @@ static void test_barriers_of_shared_memory(void **state)
         DRAW("to c", .color[0] = { CLEARED(c) }, SAMPLING(b)),
         DRAW("to d", .color[0] = { CLEARED(d) }, SAMPLING(c)),
     };
-    struct rg_plan *plan = small_graph_compile(
-        &(struct small_graph){ PASSES(relay), WANTS(d), .sharing = RG_SHARE_LEAST_MEMORY });
-    /* c waits for the last reader of a, whose bytes it takes */
-    CHECK_BARRIERS(
-        plan, 2,
-        MOVE(b, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR), TO(FRAGMENT, SAMPLED_READ, AS_TEXTURE)),
-        MOVE(c, FROM(FRAGMENT, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
-    rg_plan_destroy(plan);
-
-    /* each is readied in the batch before, where what it would take is still needed */
-    for (unsigned way = 0; way < 2; way++) {
-        plan = small_graph_compile(&(struct small_graph){
-            PASSES(relay),
-            WANTS(d),
-            .sharing = way ? RG_SHARE_NOTHING : RG_SHARE_FEWEST_BATCHES,
-        });
+    for (int sharing = 0; sharing <= RG_SHARE_NOTHING; sharing++) {
+        struct rg_plan *plan = small_graph_compile(
+            &(struct small_graph){ PASSES(relay), WANTS(d), .sharing = (enum rg_sharing)sharing });
+        /* c waits for the last reader of a, whose bytes it may have, and for its own */
         CHECK_BARRIERS(plan, 2,
                        MOVE(b, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR),
                             TO(FRAGMENT, SAMPLED_READ, AS_TEXTURE)),
-                       MOVE(d, FROM(ANY_SHADER | (way ? 0 : FRAGMENT), 0, NEW),
-                            TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
+                       MOVE(c, FROM(FRAGMENT, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
         assert_int_equal(plan->batch_count, 5);
+        assert_int_equal(plan->memory_used,
+                         (sharing == RG_SHARE_NOTHING ? 4 : 2) * SMALL_GRAPH_BYTES);
         rg_plan_destroy(plan);
     }
+}
+
+/* Where fewest batches and least memory contradict each other: only c would wait before pass 3. */
+static void test_fewest_batches_or_least_memory(void **state)
+{
+    (void)state;
+    const struct rg_pass passes[] = {
+        DRAW("to a", .color[0] = { CLEARED(a) }),
+        DRAW("to b", .color[0] = { CLEARED(b) }, SAMPLING(a)),
+        DRAW("to c", .color[0] = { CLEARED(c) }),
+        DRAW("over c", .color[0] = { &c }, SAMPLING(b)),
+    };
+    struct small_graph graph = { PASSES(passes), WANTS(c) };
+    struct rg_plan *plan = small_graph_compile(&graph);
+    assert_int_equal(plan->passes[2].barrier_count, 0);
+    assert_int_equal(plan->batch_count, 4);
+    assert_int_equal(plan->memory_used, 3 * SMALL_GRAPH_BYTES);
+    assert_int_equal(plan->memory_bound, 3 * SMALL_GRAPH_BYTES);
+    assert_int_equal(plan->memory_least, 2 * SMALL_GRAPH_BYTES);
+    rg_plan_destroy(plan);
+
+    graph.sharing = RG_SHARE_LEAST_MEMORY;
+    plan = small_graph_compile(&graph);
+    CHECK_BARRIERS(
+        plan, 2,
+        MOVE(c, FROM(FRAGMENT | ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
+    assert_int_equal(plan->batch_count, 5);
+    assert_int_equal(plan->memory_used, 2 * SMALL_GRAPH_BYTES);
+    rg_plan_destroy(plan);
 }
 
 int main(void)
@@ -284,6 +304,7 @@ int main(void)
         cmocka_unit_test(test_barriers_of_a_buffer),
         cmocka_unit_test(test_barriers_of_an_import),
         cmocka_unit_test(test_barriers_of_shared_memory),
+        cmocka_unit_test(test_fewest_batches_or_least_memory),
         cmocka_unit_test(test_reads_after_reads_are_merged),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

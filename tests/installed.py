@@ -1,0 +1,152 @@
+"""installed.py: the libraries of graph/, as a stranger meets them.
+
+Usage: installed.py ROOT MESON
+Installs them, shared and static, and builds outside the tree what docs/render-graph.md shows, with
+its own commands: the programs print what it says. The libraries show what the headers declare,
+under the names that the version promises, and nothing else.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+HEADERS = {'rg': ['rg.h'], 'rg-exec': ['rg_exec.h', 'rg_cmd.h']}  # of each library
+WARNINGS = '-Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers'
+CPLUSPLUS = '''\
+#include "graph/rg_cmd.h"
+#include "graph/rg_exec.h"
+
+static void record(rg_cmd *cmd, const rg_frame *)
+{
+    rg_cmd_draw(cmd, 3);
+}
+
+int main()
+{
+    rg_pass pass = {};
+    pass.record = record;
+    rg_exec_destroy(nullptr);
+    return pass.record ? rg_access_info(RG_SAMPLED)->writes_content : 1;
+}
+'''
+
+
+def output(command, **options):
+    return subprocess.run(command, check=True, capture_output=True, text=True, **options).stdout
+
+
+def expect(what, wanted, found):
+    if wanted != found:
+        sys.exit(f'{what}: wanted\n{wanted}\nfound\n{found}')
+
+
+def install(root, meson, folder, kind):
+    """Returns the folder that it is installed into."""
+    prefix = folder / kind
+    prefix.mkdir()
+    for command in (['setup', prefix / 'build', root, '-Dfirn=false', '--prefix', prefix,
+                     '--libdir', 'lib', f'-Ddefault_library={kind}'],
+                    ['install', '-C', prefix / 'build']):
+        done = subprocess.run([meson, *command], capture_output=True, text=True)
+        if done.returncode:
+            sys.exit(f'meson {command[0]} failed:\n{done.stdout}{done.stderr}')
+    return prefix
+
+
+def symbols(library, *options):
+    """Name of each, without its version."""
+    lines = output(['nm', '--format=posix', *options, library]).splitlines()
+    return sorted(line.split()[0].split('@')[0] for line in lines if ' ' in line)
+
+
+def declared(prefix, library):
+    """Functions in the library's headers, whatever stands before their names."""
+    names = []
+    for header in HEADERS[library]:
+        text = (prefix / 'include' / 'firn' / 'graph' / header).read_text(encoding='utf-8')
+        text = re.sub(r'/\*(?s:.*?)\*/|^#(?:.*\\\n)*.*$', '', text, flags=re.M)
+        names += re.findall(r'^(?!typedef)\w[\w *]*?\b(\w+)\([^()]*\);', text, re.M)
+    return sorted(names)
+
+
+def dynamic(file, tag):
+    return re.findall(rf'\({tag}\).*\[(.*)\]', output(['readelf', '-d', file]))
+
+
+def soname(prefix, library, environment):
+    version = output(['pkg-config', '--modversion', library], env=environment).split('.')
+    return f'lib{library}.so.{version[0]}.{version[1]}'
+
+
+def check_shared(prefix, environment):
+    for library in HEADERS:
+        file = prefix / 'lib' / f'lib{library}.so'
+        expect(f'functions of {file.name}', declared(prefix, library),
+               symbols(file, '-D', '--defined-only'))
+        expect(f'name of {file.name}', [soname(prefix, library, environment)],
+               dynamic(file, 'SONAME'))
+        vulkan = [name for name in symbols(file, '-D', '--undefined-only') if name[:2] == 'vk']
+        expect(f'functions that {file.name} wants of a loader', [], vulkan)
+
+
+def check_static(prefix, _):
+    """Nothing in an archive is hidden from a program's own names."""
+    for library in HEADERS:
+        file = prefix / 'lib' / f'lib{library}.a'
+        names = symbols(file, '-g', '--defined-only')
+        expect(f'functions missing in {file.name}', set(), {*declared(prefix, library)} - {*names})
+        expect(f'names in {file.name} that are not the library\'s', [],
+               [name for name in names if not name.startswith('rg_')])
+
+
+def compile_and_run(command, source, text, environment):
+    """Runs a command of the shell that makes a program of its name from a source; and that."""
+    source.write_text(text, encoding='utf-8')
+    subprocess.run(['sh', '-e', '-c', command], cwd=source.parent, env=environment, check=True)
+    return output([source.with_suffix('')], env=environment)
+
+
+def check_programs(prefix, environment, static, page):
+    """A program, then a command that compiles it, then what it prints."""
+    compiler = os.environ.get('CC', 'cc')
+    programs = re.findall(
+        r'```c\n(.*?)```.*?\n    cc ([^\n]* (\w+\.c) [^\n]*)\n.*?```text\n(.*?)```', page, re.S)
+    expect('programs', page.count('```c\n'), len(programs))
+    for text, command, name, prints in programs:
+        if static:
+            command = command.replace('pkg-config', 'pkg-config --static')
+        source = prefix / name
+        expect(f'{name} prints', prints,
+               compile_and_run(f'{compiler} {WARNINGS} {command}', source, text, environment))
+        needed = {*dynamic(source.with_suffix(''), 'NEEDED')}
+        ours = {soname(prefix, library, environment) for library in HEADERS}
+        expect(f'{name} needs a shared library of ours', not static, bool(needed & ours))
+
+
+def check_cplusplus(prefix, environment):
+    compiler = os.environ.get('CXX', 'c++')
+    command = f'{compiler} -std=c++17 {WARNINGS} -o other other.cpp ' \
+              '$(pkg-config --cflags --libs rg-exec)'
+    compile_and_run(command, prefix / 'other.cpp', CPLUSPLUS, environment)
+
+
+def main(root, meson):
+    page = (pathlib.Path(root) / 'docs' / 'render-graph.md').read_text(encoding='utf-8')
+    with tempfile.TemporaryDirectory() as folder:
+        for kind, check in (('shared', check_shared), ('static', check_static)):
+            prefix = install(root, meson, pathlib.Path(folder), kind)
+            environment = {
+                **os.environ,
+                'PKG_CONFIG_PATH': str(prefix / 'lib' / 'pkgconfig'),
+                'LD_LIBRARY_PATH': str(prefix / 'lib'),
+                'VK_INSTANCE_LAYERS': 'VK_LAYER_KHRONOS_validation',  # which prints what is wrong
+            }
+            check(prefix, environment)
+            check_programs(prefix, environment, kind == 'static', page)
+            check_cplusplus(prefix, environment)
+
+
+if __name__ == '__main__':
+    main(*sys.argv[1:])
