@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "background.h"
-#include "mesh.h"
+#include "lib/pose.glsl"
 
 layout(push_constant, scalar) uniform Push
 {
@@ -22,9 +22,10 @@ layout(location = 4) flat out uint out_material;
 
 void main()
 {
-    gl_Position = push.clip_from_world * vec4(position, 1.0);
-    out_eye_to_point = position - push.eye;
-    out_normal = normal;
+    vec3 point = pose_surroundings(position, material);
+    gl_Position = push.clip_from_world * vec4(point, 1.0);
+    out_eye_to_point = point - push.eye;
+    out_normal = pose_surroundings_normal(normal, material);
     out_color = color;
     out_uv = uv;
     out_material = material;

@@ -1,17 +1,24 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/globals.glsl"
-#include "mesh.h"
+#include "gbuffer.h"
+#include "lib/pose.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;
 layout(location = MESH_NORMAL) in vec3 normal;
+layout(location = MESH_MATERIAL) in uint material;
+
+layout(push_constant, scalar) uniform Push
+{
+    gbuffer_push push;
+};
 
 layout(location = 0) out vec3 out_position;
 layout(location = 1) out vec3 out_normal;
 
 void main()
 {
-    gl_Position = frame.clip_from_world * vec4(position, 1.0);
-    out_position = position;
-    out_normal = normal;
+    bool object = push.object != 0u;
+    out_position = object ? pose_object(position) : pose_surroundings(position, material);
+    out_normal = object ? pose_object_normal(normal) : pose_surroundings_normal(normal, material);
+    gl_Position = frame.clip_from_world * vec4(out_position, 1.0);
 }

@@ -8,16 +8,27 @@
 #define GLOBALS_COLOR       1 /* one colour everywhere */
 #define GLOBALS_ENVIRONMENT 2 /* the equirectangular picture */
 
+#define GLOBALS_LIGHT_COUNT 4
+
 struct globals {
-    mat4s clip_from_world;    /* of the view */
-    vec3s eye;                /* of the view, world, metres */
-    float eta;                /* refractive index outside / inside */
-    vec3s forward;            /* of the view, unit */
-    uint32_t background_kind; /* GLOBALS_SKY ... */
-    vec3s background_color;   /* linear radiance */
-    float sky_strength;       /* factor on the procedural sky and its light */
-    vec3s sun_dir;            /* unit, towards the sun */
-    float sun_strength;       /* irradiance of the sun, square to it, in units of the sky's */
+    mat4s clip_from_world;             /* of the view */
+    mat4s fitted_clip_from_world;      /* the same with depth 0 .. 1 across the object's sphere */
+    mat4s world_from_object;           /* turns the object about its centre */
+    mat4s world_from_movers;           /* turns what moves around it */
+    vec4s lights[GLOBALS_LIGHT_COUNT]; /* world position, metres; w: strength of its highlight */
+    vec3s eye;                         /* of the view, world, metres */
+    float eta;                         /* refractive index outside / inside */
+    vec3s forward;                     /* of the view, unit */
+    uint32_t background_kind;          /* GLOBALS_SKY ... */
+    vec3s background_color;            /* linear radiance */
+    float sky_strength;                /* factor on the procedural sky and its light */
+    vec3s sun_dir;                     /* unit, towards the sun */
+    float sun_strength;   /* irradiance of the sun, square to it, in units of the sky's */
+    vec3s center;         /* of the object's bounding sphere, world, metres */
+    float radius;         /* of it, metres */
+    uint32_t light_count; /* of lights */
+    vec2s fitted;         /* near and far plane of fitted_clip_from_world, metres */
+    float time;           /* seconds */
 };
 
 #endif

@@ -1,7 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/globals.glsl"
-#include "mesh.h"
+#include "lib/pose.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;
 layout(location = MESH_NORMAL) in vec3 normal;
@@ -10,6 +9,6 @@ layout(location = 0) out vec3 out_normal;
 
 void main()
 {
-    gl_Position = frame.clip_from_world * vec4(position, 1.0);
-    out_normal = normal;
+    gl_Position = frame.clip_from_world * vec4(pose_object(position), 1.0);
+    out_normal = pose_object_normal(normal);
 }

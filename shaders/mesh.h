@@ -12,5 +12,6 @@
 #define MESH_TEXTURE_MASK 0xffffu  /* texture layer + 1; 0: none */
 #define MESH_UNLIT        0x10000u /* the colour is emitted, not lit */
 #define MESH_CUTOUT       0x20000u /* texels with alpha below one half are holes */
+#define MESH_MOVES        0x40000u /* turns with globals.world_from_movers */
 
 #endif

@@ -78,8 +78,3 @@ void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_draw_mesh(cmd, &frame->object);
 }
-
-void frame_draw_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    rg_cmd_draw_mesh(cmd, &frame->surroundings);
-}

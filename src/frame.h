@@ -14,6 +14,9 @@ struct rg_frame {
     const struct settings *settings;
     struct rg_mesh object;       /* the refractive one */
     struct rg_mesh surroundings; /* may be empty */
+    struct rg_mesh cracks;       /* in the object's space, as are these; may be empty */
+    struct rg_mesh air;          /* planes */
+    struct rg_mesh bubbles;      /* squares that are to face the eye */
     struct background_push view;
     struct background_push faces[6]; /* of the cube around the object, Vulkan's order */
 };
@@ -39,6 +42,5 @@ extern const struct rg_sampler frame_texture_sampler;     /* repeats, all mips, 
 
 /* Record functions of rows that draw a mesh and push nothing. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
-void frame_draw_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 #endif

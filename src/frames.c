@@ -1,9 +1,11 @@
 /* frames.c: the lists of techniques, rungs and layers. */
 #include "src/frames.h"
+#include <assert.h>
 #include <string.h>
 #include "src/tech/background.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/gbuffer.h"
+#include "src/tech/ice_depth.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 #include "src/tech/refract_one_sided.h"
@@ -26,16 +28,33 @@ const struct rung *frame_find_rung(const char *name)
     return NULL;
 }
 
-struct frame_list frame_with(const struct rung *rung, bool with_env_cube)
+static void add(struct frame_list *list, const struct technique *technique)
 {
-    const struct frame_list list = {
-        { &env_cube, &background, &gbuffer, &ice_normal, rung->technique, &tonemap },
-    };
-    struct frame_list rest = { { 0 } };
-    if (with_env_cube)
-        return list;
-    memcpy(rest.techniques, &list.techniques[1], sizeof(rest) - sizeof(rest.techniques[0]));
-    return rest;
+    uint32_t count = 0;
+    while (list->techniques[count])
+        count++;
+    assert(count < FRAME_TECHNIQUE_COUNT);
+    list->techniques[count] = technique;
+}
+
+bool frame_cube_is_dynamic(const struct settings *settings)
+{
+    const struct env_cube_params *cube = settings_of(settings, &env_cube_settings);
+    return cube->dynamic;
+}
+
+struct frame_list frame_with(const struct rung *rung, const struct settings *settings)
+{
+    struct frame_list list = { { 0 } };
+    if (frame_cube_is_dynamic(settings))
+        add(&list, &env_cube);
+    add(&list, &background);
+    add(&list, &gbuffer);
+    add(&list, &ice_depth);
+    add(&list, &ice_normal);
+    add(&list, rung->technique);
+    add(&list, &tonemap);
+    return list;
 }
 
 struct frame_list frame_capture(void)
@@ -82,6 +101,26 @@ const struct frame_layer frame_layers[] = {
         .image = &ice_normal_back,
         .planes = { "back.N.X", "back.N.Y", "back.N.Z" },
         .help = "outward world normal of the ice's back face",
+    },
+    {
+        .name = "front.Z",
+        .image = &ice_depth_layers,
+        .planes = { "front.Z" },
+        .help = "distance of the ice's front along the view's axis, metres; 0: no ice",
+    },
+    {
+        .name = "back.Z",
+        .image = &ice_depth_layers,
+        .planes = { "back.Z" },
+        .first_channel = 1,
+        .help = "distance of the ice's back along the view's axis, metres; 0: no ice",
+    },
+    {
+        .name = "thickness",
+        .image = &ice_depth_layers,
+        .planes = { "thickness.Z" },
+        .first_channel = 2,
+        .help = "from the ice's front to its back along the ray, metres",
     },
     {
         .name = "exit",

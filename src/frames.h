@@ -19,18 +19,18 @@ extern const struct rung frame_rungs[]; /* ends at a row of zeros */
 const struct rung *frame_find_rung(const char *name);
 
 enum {
-    FRAME_TECHNIQUE_COUNT = 8
+    FRAME_TECHNIQUE_COUNT = 16
 }; /* at most, in one frame */
 
-/*
- * The techniques of a frame with this rung, in order; the list ends at NULL. Without `env_cube`
- * the cube comes from outside.
- */
+/* The techniques of a frame in their order; ends at NULL. */
 struct frame_list {
     const struct technique *techniques[FRAME_TECHNIQUE_COUNT + 1];
 };
 
-struct frame_list frame_with(const struct rung *rung, bool env_cube);
+/* A frame with this rung and what the settings switch on. If the cube is not dynamic, it comes from
+ * outside. */
+struct frame_list frame_with(const struct rung *rung, const struct settings *settings);
+bool frame_cube_is_dynamic(const struct settings *settings);
 
 /* Only the environment cube. */
 struct frame_list frame_capture(void);
@@ -53,7 +53,7 @@ extern const struct frame_layer frame_beauty;   /* always there */
 extern const struct frame_layer frame_layers[]; /* those to ask for; ends at a row of zeros */
 
 enum {
-    FRAME_LAYER_COUNT = 8
+    FRAME_LAYER_COUNT = 11
 };
 
 #endif

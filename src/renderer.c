@@ -8,13 +8,11 @@
 #include "src/accumulate.h"
 #include "src/frame.h"
 #include "src/frame_plan.h"
+#include "src/frame_view.h"
 #include "src/image/half.h"
 #include "src/log.h"
 #include "src/scene_gpu.h"
-#include "src/scene_settings.h"
-#include "src/tech/background.h"
 #include "src/tech/env_cube.h"
-#include "src/tech/refract.h"
 #include "src/tech/resolve.h"
 #include "src/tech/tonemap.h"
 
@@ -36,17 +34,11 @@ struct renderer {
 
 /* ---- plans ---- */
 
-static bool cube_is_dynamic(const struct renderer_params *params)
-{
-    const struct env_cube_params *cube = settings_of(params->settings, &env_cube_settings);
-    return cube->dynamic;
-}
-
 static struct frame_request picture_request(const struct renderer_params *params)
 {
     bool many = params->samples > 1;
     struct frame_request request = {
-        .list = frame_with(params->rung, cube_is_dynamic(params)),
+        .list = frame_with(params->rung, params->settings),
         .view = { params->width, params->height },
         .layers = params->layers,
         .beauty = params->linear || (params->display && many),
@@ -166,7 +158,7 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     r->params = *params;
     r->params.samples = params->samples ? params->samples : 1;
     status = scene_gpu_upload(&r->scene, params->gpu, params->scene);
-    if (status == STATUS_OK && !cube_is_dynamic(params))
+    if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings))
         status = stage_create(&r->capture, r, capture_request(params));
     if (status == STATUS_OK)
         status = stage_create(&r->picture, r, picture_request(&r->params));
@@ -192,87 +184,6 @@ void renderer_destroy(struct renderer *renderer)
 
 /* ---- a frame ---- */
 
-static float radians(float degrees)
-{
-    return degrees * 0.01745329252f;
-}
-
-/* Mip of the environment whose texels are as large as pixels of this size, radians. */
-static float environment_lod(const struct scene *scene, float pixel)
-{
-    float texel = 6.2831853f / (float)(scene->environment.width ? scene->environment.width : 1);
-    float lod = log2f(pixel / texel);
-    return scene->environment.width && lod > 0.0f ? lod : 0.0f;
-}
-
-float renderer_near_plane(const struct scene *scene)
-{
-    float diagonal = box_diagonal(scene->box);
-    return diagonal > 0.0f ? diagonal * 1e-3f : 1e-3f;
-}
-
-static struct background_push view_push(const struct renderer *r, const struct camera *camera,
-                                        vec2s jitter)
-{
-    const struct camera_basis basis = camera_basis(camera);
-    float up = tanf(radians(camera->fov_deg) / 2.0f);
-    float right = up * (float)r->params.width / (float)r->params.height;
-    /* a pixel to the right is 2 right / width; a pixel down is the other way than up */
-    vec3s shift = glms_vec3_sub(
-        glms_vec3_scale(basis.right, 2.0f * jitter.x * right / (float)r->params.width),
-        glms_vec3_scale(basis.up, 2.0f * jitter.y * up / (float)r->params.height));
-    return (struct background_push){
-        .clip_from_world = camera_clip_from_world(camera, r->params.width, r->params.height,
-                                                  renderer_near_plane(r->params.scene), jitter),
-        .eye = camera->eye,
-        .environment_lod = environment_lod(r->params.scene, 2.0f * up / (float)r->params.height),
-        .right = glms_vec3_scale(basis.right, right),
-        .up = glms_vec3_scale(basis.up, up),
-        .forward = glms_vec3_add(basis.forward, shift),
-    };
-}
-
-static struct background_push face_push(const struct renderer *r, uint32_t face)
-{
-    const struct camera_basis basis = camera_cube_basis(face);
-    vec3s center = box_center(r->params.scene->box);
-    return (struct background_push){
-        .clip_from_world =
-            camera_cube_clip_from_world(face, center, renderer_near_plane(r->params.scene)),
-        .eye = center,
-        .environment_lod = environment_lod(r->params.scene, 2.0f / (float)env_cube_color.width),
-        .right = basis.right,
-        .up = basis.up,
-        .forward = basis.forward,
-    };
-}
-
-static struct globals make_globals(const struct renderer *r, const struct camera *camera,
-                                   const struct background_push *view)
-{
-    static const uint32_t kinds[] = {
-        [SCENE_SKY] = GLOBALS_SKY,
-        [SCENE_COLOR] = GLOBALS_COLOR,
-        [SCENE_ENVIRONMENT] = GLOBALS_ENVIRONMENT,
-    };
-    const struct sky_params *sky = settings_of(r->params.settings, &sky_settings);
-    const struct refract_params *refract = settings_of(r->params.settings, &refract_settings);
-    float azimuth = radians(sky->sun_azimuth);
-    float elevation = radians(sky->sun_elevation);
-    return (struct globals){
-        .clip_from_world = view->clip_from_world,
-        .eye = camera->eye,
-        .eta = REFRACT_IOR_AIR / refract->ior,
-        .forward = camera_basis(camera).forward,
-        .background_kind = kinds[r->params.scene->background],
-        .background_color = r->params.scene->background_color,
-        .sky_strength = sky->strength,
-        .sun_dir = { { sinf(azimuth) * cosf(elevation), sinf(elevation),
-                       cosf(azimuth) * cosf(elevation) } },
-        .sun_strength = sky->sun_strength,
-    };
-}
-
 static struct rg_mesh draw_mesh(const struct gpu_buffer *vertices, const struct gpu_buffer *indices)
 {
     return (struct rg_mesh){
@@ -283,21 +194,30 @@ static struct rg_mesh draw_mesh(const struct gpu_buffer *vertices, const struct 
 }
 
 static enum status run_stage(const struct renderer *r, struct stage *stage,
-                             const struct camera *camera, vec2s jitter, uint32_t *slot)
+                             const struct renderer_shot *shot, vec2s jitter, uint32_t *slot)
 {
     const struct scene_gpu *s = &r->scene;
+    const struct frame_view view = {
+        .scene = r->params.scene,
+        .settings = r->params.settings,
+        .camera = shot->camera,
+        .time = shot->time,
+        .width = r->params.width,
+        .height = r->params.height,
+        .jitter = jitter,
+    };
     struct rg_frame frame = {
         .settings = r->params.settings,
         .object = draw_mesh(&s->object_vertices, &s->object_indices),
         .surroundings = draw_mesh(&s->surroundings_vertices, &s->surroundings_indices),
-        .view = view_push(r, camera, jitter),
+        .view = frame_view_push(&view),
     };
     for (uint32_t face = 0; face < 6; face++)
-        frame.faces[face] = face_push(r, face);
+        frame.faces[face] = frame_view_face(&view, face);
     VkResult result = rg_exec_begin(stage->exec, slot);
     if (result == VK_SUCCESS) {
         void *mapped = rg_exec_mapped(stage->exec, &frame_globals, *slot);
-        const struct globals globals = make_globals(r, camera, &frame.view);
+        const struct globals globals = frame_view_globals(&view, &frame.view);
         if (mapped)
             memcpy(mapped, &globals, sizeof(globals));
         result = rg_exec_submit(stage->exec, &frame);
@@ -335,20 +255,20 @@ static enum status fetch_sample(struct renderer *r, struct image *image, uint32_
     return STATUS_OK;
 }
 
-static enum status draw_samples(struct renderer *r, const struct camera *camera,
+static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,
                                 struct image *image, renderer_progress_fn *progress, void *user)
 {
     enum status status = STATUS_OK;
     if (r->capture.exec && !r->captured) {
         uint32_t slot;
-        status = run_stage(r, &r->capture, camera, (vec2s){ { 0.0f, 0.0f } }, &slot);
+        status = run_stage(r, &r->capture, shot, (vec2s){ { 0.0f, 0.0f } }, &slot);
         r->captured = status == STATUS_OK;
     }
     /* one sample is drawn while the one before is added up */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
         uint32_t slot_before = r->last_slot;
         if (i < r->params.samples)
-            status = run_stage(r, &r->picture, camera, renderer_jitter(i), &r->last_slot);
+            status = run_stage(r, &r->picture, shot, renderer_jitter(i), &r->last_slot);
         if (i == 0 || status != STATUS_OK)
             continue;
         status = fetch_sample(r, image, i - 1, slot_before);
@@ -420,14 +340,14 @@ static void take_means(const struct renderer *r, struct image *image)
     }
 }
 
-enum status renderer_render(struct renderer *r, const struct camera *camera,
+enum status renderer_render(struct renderer *r, const struct renderer_shot *shot,
                             struct render_result *result, renderer_progress_fn *progress,
                             void *user)
 {
     *result = (struct render_result){ 0 };
     enum status status = STATUS_TRY_AGAIN;
     if (make_planes(r, &result->image))
-        status = draw_samples(r, camera, &result->image, progress, user);
+        status = draw_samples(r, shot, &result->image, progress, user);
     else
         log_error("out of memory");
     if (status == STATUS_OK)

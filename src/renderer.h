@@ -41,17 +41,20 @@ typedef bool renderer_progress_fn(void *user, uint32_t done, uint32_t all);
 MUST_USE enum status renderer_create(struct renderer **renderer,
                                      const struct renderer_params *params);
 
+/* What one picture shows. */
+struct renderer_shot {
+    struct camera camera;
+    float time; /* seconds: what turns and moves has turned so long */
+};
+
 /* *result must be {0} or finished; on failure it is {0}. `progress` may be NULL. */
-MUST_USE enum status renderer_render(struct renderer *renderer, const struct camera *camera,
+MUST_USE enum status renderer_render(struct renderer *renderer, const struct renderer_shot *shot,
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);
 
 void renderer_destroy(struct renderer *renderer); /* may be NULL */
 
 void render_result_finish(struct render_result *result);
-
-/* Metres from the eye to the near plane of pictures of a scene; there is no far plane. */
-float renderer_near_plane(const struct scene *scene);
 
 /*
  * Where in its pixel sample i lies, in pixels from the pixel's centre, in [-0.5, 0.5). Sample 0 is

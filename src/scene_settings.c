@@ -1,5 +1,6 @@
 /* scene_settings.c: parameters of the scene that belong to no technique. */
 #include "src/scene_settings.h"
+#include "shaders/globals.h"
 #include "src/scene/generate.h"
 
 static const struct setting object_rows[] = {
@@ -68,3 +69,56 @@ static const struct setting sky_rows[] = {
 };
 
 const struct setting_group sky_settings = SETTING_GROUP("sky", sky_rows, struct sky_params);
+
+#define MOTION(field, ...) \
+    { \
+        .name = "motion." #field, .type = SETTING_FLOAT, \
+        .offset = offsetof(struct motion_params, field), __VA_ARGS__ \
+    }
+
+static const struct setting motion_rows[] = {
+    MOTION(time, .max = 1e5, .unit = "seconds", .help = "time of frame 0"),
+    MOTION(fps, .initial = 25, .min = 0.01, .max = 1e4, .help = "frames a second"),
+    MOTION(ice, .initial = 20, .min = -3600, .max = 3600, .unit = "degrees a second",
+           .help = "how fast the ice turns"),
+    MOTION(lights, .initial = 30, .min = -3600, .max = 3600, .unit = "degrees a second",
+           .help = "how fast the lights go around it"),
+    MOTION(objects, .initial = 40, .min = -3600, .max = 3600, .unit = "degrees a second",
+           .help = "how fast the objects around it move"),
+    {
+        .name = "motion.count",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct motion_params, count),
+        .max = GENERATE_MOVERS_MAX,
+        .help = "objects that move around the ice",
+    },
+};
+
+const struct setting_group motion_settings =
+    SETTING_GROUP("motion", motion_rows, struct motion_params);
+
+#define LIGHT(field, ...) \
+    { \
+        .name = "light." #field, .type = SETTING_FLOAT, \
+        .offset = offsetof(struct light_params, field), __VA_ARGS__ \
+    }
+
+static const struct setting light_rows[] = {
+    {
+        .name = "light.count",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct light_params, count),
+        .initial = 2,
+        .max = GLOBALS_LIGHT_COUNT,
+        .help = "lights around the ice, whose highlights it shows",
+    },
+    LIGHT(strength, .initial = 1, .max = 100, .help = "brightness of their highlights"),
+    LIGHT(azimuth, .initial = 60, .min = -360, .max = 360, .unit = "degrees",
+          .help = "direction of the first light at time 0; 0 on +Z, 90 on +X"),
+    LIGHT(elevation, .initial = 50, .min = -90, .max = 90, .unit = "degrees",
+          .help = "height of the lights above the horizon"),
+    LIGHT(distance, .initial = 4, .min = 1, .max = 1e4, .unit = "radii",
+          .help = "how far away they are, in radii of the ice's bounding sphere"),
+};
+
+const struct setting_group light_settings = SETTING_GROUP("light", light_rows, struct light_params);

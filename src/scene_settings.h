@@ -19,6 +19,25 @@ struct sky_params {
     float sun_strength;  /* factor on the sun's light */
 };
 
-extern const struct setting_group object_settings, landscape_settings, sky_settings;
+/* Where time goes: a frame's time is `time` plus its number over `fps`. */
+struct motion_params {
+    float time;     /* seconds */
+    float fps;      /* frames a second */
+    float ice;      /* degrees a second, about +Y through the object's centre */
+    float lights;   /* the same, of the lights */
+    float objects;  /* the same, of what moves around it */
+    uint32_t count; /* of objects that move around it */
+};
+
+struct light_params {
+    uint32_t count;  /* of lights around the object */
+    float strength;  /* of their highlights */
+    float azimuth;   /* of the first, degrees; 0 on +Z, 90 on +X */
+    float elevation; /* degrees above the horizon */
+    float distance;  /* from the object's centre, in its bounding sphere's radii */
+};
+
+extern const struct setting_group object_settings, landscape_settings, sky_settings,
+    motion_settings, light_settings;
 
 #endif

@@ -4,11 +4,13 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/app/app.h"
+#include "src/frame_view.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
 #include "src/image/png.h"
 #include "src/log.h"
 #include "src/renderer.h"
+#include "src/scene_settings.h"
 #include "src/version.h"
 
 static bool is_png(const char *path)
@@ -74,8 +76,8 @@ static enum status encode_exr(const struct job *job, void **data, size_t *size)
     }
     const mat4s view = camera_view_from_world(&job->camera);
     const mat4s ndc =
-        camera_clip_from_world(&job->camera, o->width, o->height, renderer_near_plane(&job->scene),
-                               (vec2s){ { 0.0f, 0.0f } });
+        camera_clip_from_world(&job->camera, o->width, o->height,
+                               frame_view_near_plane(&job->scene), (vec2s){ { 0.0f, 0.0f } });
     const struct exr_text texts[] = {
         { "firn/version", FIRN_VERSION },
         { "firn/device", job->gpu.properties.deviceName },
@@ -172,9 +174,11 @@ static enum status draw(struct job *job)
         params.layers = o->layers;
     else if (o->layers)
         log_warning("--aov: PNG files have no layers; name an .exr file too");
+    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
+    const struct renderer_shot shot = { .camera = job->camera, .time = motion->time };
     enum status status = renderer_create(&job->renderer, &params);
     if (status == STATUS_OK)
-        status = renderer_render(job->renderer, &job->camera, &job->result, show_progress, job);
+        status = renderer_render(job->renderer, &shot, &job->result, show_progress, job);
     return status;
 }
 

@@ -25,6 +25,7 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
 {
     const struct object_params *object = settings_of(&o->settings, &object_settings);
     const struct landscape_params *landscape = settings_of(&o->settings, &landscape_settings);
+    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
     if (!o->positional) {
         log_error("SCENE is missing: ice-cube, sphere, teapot or a model file (see --help)");
         return STATUS_USAGE;
@@ -41,6 +42,7 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
                               .background = o->has_background ? &o->background : NULL,
                               .object_triangles = object->triangles,
                               .landscape_triangles = landscape->triangles,
+                              .mover_count = motion->count,
                           });
     if (status == STATUS_OK)
         settle_ior(o, &scene->model);

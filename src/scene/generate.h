@@ -21,6 +21,7 @@ enum {
     GENERATE_TEAPOT_TRIANGLES = 14400,
     GENERATE_LANDSCAPE_TRIANGLES = 2340,
     GENERATE_TRIANGLES_MAX = 1 << 20, /* some 200 MB */
+    GENERATE_MOVERS_MAX = 64,
 };
 
 /* Sphere of longitudes and latitudes, of the unit sphere's volume: the vertices lie a little
@@ -42,5 +43,11 @@ bool generate_teapot(struct mesh *mesh, uint32_t triangles);
  * (not MESH_UNLIT), coloured by height and slope, facing up.
  */
 bool generate_landscape(struct mesh *mesh, uint32_t triangles);
+
+/*
+ * Coloured balls in a ring around a box, of MESH_MOVES; `count` from 1 to GENERATE_MOVERS_MAX. They
+ * stay outside the sphere around the box wherever they turn about its vertical axis.
+ */
+bool generate_movers(struct mesh *mesh, struct box box, uint32_t count);
 
 #endif

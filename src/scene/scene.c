@@ -97,6 +97,15 @@ static enum status load_background(struct scene *scene, const struct scene_param
     return STATUS_OK;
 }
 
+static enum status add_movers(struct scene *scene, uint32_t count)
+{
+    struct mesh movers = { 0 };
+    bool done = generate_movers(&movers, scene->box, count) &&
+                mesh_append(&scene->model.surroundings, &movers);
+    mesh_finish(&movers);
+    return done ? STATUS_OK : out_of_memory("moving objects");
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *params)
 {
     *scene = (struct scene){ 0 };
@@ -109,6 +118,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
         status = add_surroundings(scene, params->surroundings);
     else if (status == STATUS_OK && bare && scene->background == SCENE_SKY)
         status = add_landscape(scene, params);
+    if (status == STATUS_OK && params->mover_count)
+        status = add_movers(scene, params->mover_count);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;

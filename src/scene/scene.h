@@ -30,6 +30,7 @@ struct scene_params {
     const vec3s *background;      /* NULL: the sky */
     uint32_t object_triangles;    /* of a built-in object; 0: its default */
     uint32_t landscape_triangles; /* 0: default */
+    uint32_t mover_count;         /* objects that move around it */
 };
 
 /* A scene known by name. */

@@ -6,7 +6,10 @@
  */
 #include "src/tech/gbuffer.h"
 #include "shaders/embedded.h"
+#include "shaders/gbuffer.h"
 #include "src/frame.h"
+
+static rg_record_fn record_surroundings, record_object;
 
 const struct rg_image gbuffer_normal = {
     .name = "gbuffer.normal",
@@ -39,7 +42,8 @@ static const struct rg_pass passes[] = {
         .vert = &gbuffer_vert,
         .frag = &gbuffer_frag,
         .vertices = &frame_mesh_layout,
-        .record = frame_draw_surroundings,
+        .push_size = sizeof(struct gbuffer_push),
+        .record = record_surroundings,
     },
     {
         .name = "gbuffer.object",
@@ -52,9 +56,22 @@ static const struct rg_pass passes[] = {
         .frag = &gbuffer_frag,
         .vertices = &frame_mesh_layout,
         .cull = VK_CULL_MODE_BACK_BIT,
-        .record = frame_draw_object,
+        .push_size = sizeof(struct gbuffer_push),
+        .record = record_object,
     },
 };
+
+static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, &(struct gbuffer_push){ 0 }, sizeof(struct gbuffer_push));
+    rg_cmd_draw_mesh(cmd, &frame->surroundings);
+}
+
+static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, &(struct gbuffer_push){ .object = 1 }, sizeof(struct gbuffer_push));
+    rg_cmd_draw_mesh(cmd, &frame->object);
+}
 
 const struct technique gbuffer = {
     .graph = RG_TECHNIQUE("gbuffer", passes),

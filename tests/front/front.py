@@ -28,7 +28,8 @@ COMMANDS = ('render', 'graph', 'list', 'help')
 # Layer by layer, what `--aov all` adds to the picture.
 LAYERS = (
     'Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z', 'back.N.X', 'back.N.Y', 'back.N.Z',
-    'exit.X', 'exit.Y', 'exit.Z', 'refraction.R', 'refraction.G', 'refraction.B',
+    'front.Z', 'back.Z', 'thickness.Z', 'exit.X', 'exit.Y', 'exit.Z',
+    'refraction.R', 'refraction.G', 'refraction.B',
     'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z',
 )
 

@@ -443,7 +443,11 @@ static void renderer_forgets_earlier_views(void **state)
         .height = 96,
         .layers = PICTURE_ALL_LAYERS,
     };
-    const struct camera other_side = camera_orbit(200, 30, 3, box_center(scene.box), 45);
+    const struct renderer_shot shot = { .camera = request.camera };
+    const struct renderer_shot other_side = {
+        .camera = camera_orbit(200, 30, 3, box_center(scene.box), 45),
+        .time = 5,
+    };
     struct render_result first = picture_render(*state, &request);
     struct render_result again;
     struct renderer *renderer;
@@ -461,7 +465,7 @@ static void renderer_forgets_earlier_views(void **state)
                      STATUS_OK);
     assert_int_equal(renderer_render(renderer, &other_side, &again, NULL, NULL), STATUS_OK);
     render_result_finish(&again);
-    assert_int_equal(renderer_render(renderer, &request.camera, &again, NULL, NULL), STATUS_OK);
+    assert_int_equal(renderer_render(renderer, &shot, &again, NULL, NULL), STATUS_OK);
     check_same(&request, &first, &again);
     render_result_finish(&again);
     render_result_finish(&first);

@@ -30,9 +30,10 @@ struct render_result picture_render(struct gpu *gpu, const struct picture_reques
         .display = request->display,
         .sharing = request->sharing,
     };
+    const struct renderer_shot shot = { .camera = request->camera, .time = request->time };
     assert_non_null(params.rung);
     assert_int_equal(renderer_create(&renderer, &params), STATUS_OK);
-    assert_int_equal(renderer_render(renderer, &request->camera, &result, NULL, NULL), STATUS_OK);
+    assert_int_equal(renderer_render(renderer, &shot, &result, NULL, NULL), STATUS_OK);
     renderer_destroy(renderer);
     assert_int_equal(gpu->message_count, 0);
     return result;

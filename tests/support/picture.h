@@ -19,6 +19,7 @@ struct picture_request {
     struct camera camera;
     uint32_t width, height, samples, layers;
     bool display;
+    float time; /* seconds */
     enum rg_sharing sharing;
 };
 

@@ -13,8 +13,10 @@ enum {
     OP_TYPE_MATRIX = 24,
     OP_TYPE_IMAGE = 25,
     OP_TYPE_SAMPLED_IMAGE = 27,
+    OP_TYPE_ARRAY = 28,
     OP_TYPE_STRUCT = 30,
     OP_TYPE_POINTER = 32,
+    OP_CONSTANT = 43,
     OP_FUNCTION = 54,
     OP_FUNCTION_CALL = 57,
     OP_VARIABLE = 59,
@@ -73,10 +75,10 @@ static bool is_id(const struct rg_shader *shader, uint32_t id)
 /* Which word of an instruction is the id it makes; 0: none, or none of interest. */
 static uint32_t result_word(uint32_t op)
 {
-    if (op == OP_VARIABLE)
+    if (op == OP_VARIABLE || op == OP_CONSTANT)
         return 2;
     bool type = op == OP_TYPE_POINTER || op == OP_TYPE_STRUCT || op == OP_TYPE_SAMPLED_IMAGE ||
-                (op >= OP_TYPE_INT && op <= OP_TYPE_IMAGE);
+                op == OP_TYPE_ARRAY || (op >= OP_TYPE_INT && op <= OP_TYPE_IMAGE);
     return type ? 1 : 0;
 }
 
@@ -203,6 +205,7 @@ const char *spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_
 static uint32_t size_of(const struct spirv *s, uint32_t type, uint32_t stride)
 {
     const uint32_t *words = is_id(s->shader, type) ? s->ids[type].made_by : NULL;
+    const uint32_t *length;
     uint32_t count;
     switch (words ? words[0] & 0xffff : 0) {
     case OP_TYPE_INT:
@@ -212,6 +215,9 @@ static uint32_t size_of(const struct spirv *s, uint32_t type, uint32_t stride)
         return words[3] * size_of(s, words[2], 0);
     case OP_TYPE_MATRIX:
         return words[3] * stride;
+    case OP_TYPE_ARRAY: /* of elements without padding */
+        length = type_by(s, words[3], OP_CONSTANT);
+        return length ? length[3] * size_of(s, words[2], 0) : 0;
     case OP_TYPE_STRUCT:
         if (spirv_struct(s, type, &count) && count) {
             struct spirv_member last = spirv_member(s, type, count - 1);

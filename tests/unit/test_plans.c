@@ -62,7 +62,10 @@ static struct frame_request request_of(const struct golden *golden)
     } else {
         const struct rung *rung = frame_find_rung(golden->rung);
         assert_non_null(rung);
-        request.list = frame_with(rung, !golden->static_cube);
+        struct settings settings = settings_default();
+        if (golden->static_cube)
+            assert_int_equal(settings_set(&settings, "env_cube.dynamic=off"), STATUS_OK);
+        request.list = frame_with(rung, &settings);
     }
     return request;
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "shaders/background.h"
+#include "shaders/gbuffer.h"
 #include "shaders/globals.h"
 #include "shaders/refract_paper.h"
 #include "shaders/tonemap.h"
@@ -23,7 +24,7 @@ struct field {
 struct shared {
     const char *name;
     size_t size;
-    struct field fields[12];
+    struct field fields[20];
 };
 
 #define FIELD(type, member) \
@@ -45,10 +46,19 @@ static const struct shared shared_structs[] = {
         },
     },
     {
+        "gbuffer_push",
+        sizeof(struct gbuffer_push),
+        { FIELD(gbuffer_push, object) },
+    },
+    {
         "globals",
         sizeof(struct globals),
         {
             FIELD(globals, clip_from_world),
+            FIELD(globals, fitted_clip_from_world),
+            FIELD(globals, world_from_object),
+            FIELD(globals, world_from_movers),
+            FIELD(globals, lights),
             FIELD(globals, eye),
             FIELD(globals, eta),
             FIELD(globals, forward),
@@ -57,6 +67,11 @@ static const struct shared shared_structs[] = {
             FIELD(globals, sky_strength),
             FIELD(globals, sun_dir),
             FIELD(globals, sun_strength),
+            FIELD(globals, center),
+            FIELD(globals, radius),
+            FIELD(globals, light_count),
+            FIELD(globals, fitted),
+            FIELD(globals, time),
         },
     },
     {
@@ -288,10 +303,11 @@ static size_t check_list(const struct frame_list *list, struct seen *seen)
 static void test_rows_and_shaders_agree(void **state)
 {
     (void)state;
+    const struct settings settings = settings_default();
     struct seen seen = { 0 };
     size_t rows = 0;
     for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        const struct frame_list list = frame_with(rung, true);
+        const struct frame_list list = frame_with(rung, &settings);
         rows += check_list(&list, &seen);
     }
     const struct frame_list capture = frame_capture();

@@ -1,0 +1,8 @@
+/* ice_depth.h: bindings of those who read ice_depth's images. */
+#ifndef SHADERS_ICE_DEPTH_H
+#define SHADERS_ICE_DEPTH_H
+
+#define ICE_DEPTH_FRONT 1
+#define ICE_DEPTH_BACK  2
+
+#endif

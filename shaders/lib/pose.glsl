@@ -1,0 +1,28 @@
+/* pose.glsl: where vertices of the scene's meshes are at this time. Rotations only: normals turn
+ * alike. */
+#ifndef LIB_POSE_GLSL
+#define LIB_POSE_GLSL
+#include "lib/globals.glsl"
+#include "mesh.h"
+
+vec3 pose_object(vec3 position)
+{
+    return (frame.world_from_object * vec4(position, 1.0)).xyz;
+}
+
+vec3 pose_object_normal(vec3 normal)
+{
+    return mat3(frame.world_from_object) * normal;
+}
+
+vec3 pose_surroundings(vec3 position, uint material)
+{
+    bool moves = (material & MESH_MOVES) != 0u;
+    return moves ? (frame.world_from_movers * vec4(position, 1.0)).xyz : position;
+}
+
+vec3 pose_surroundings_normal(vec3 normal, uint material)
+{
+    return (material & MESH_MOVES) != 0u ? mat3(frame.world_from_movers) * normal : normal;
+}
+#endif

@@ -1,0 +1,140 @@
+/* frame_view.c: camera, time and scene as shaders read them. */
+#include "src/frame_view.h"
+#include <math.h>
+#include "src/scene_settings.h"
+#include "src/tech/env_cube.h"
+#include "src/tech/refract.h"
+
+static float radians(float degrees)
+{
+    return degrees * 0.01745329252f;
+}
+
+/* Mip of the environment whose texels are as large as pixels of this size, radians. */
+static float environment_lod(const struct scene *scene, float pixel)
+{
+    float texel = 6.2831853f / (float)(scene->environment.width ? scene->environment.width : 1);
+    float lod = log2f(pixel / texel);
+    return scene->environment.width && lod > 0.0f ? lod : 0.0f;
+}
+
+float frame_view_near_plane(const struct scene *scene)
+{
+    float diagonal = box_diagonal(scene->box);
+    return diagonal > 0.0f ? diagonal * 1e-3f : 1e-3f;
+}
+
+struct background_push frame_view_push(const struct frame_view *view)
+{
+    const struct camera *camera = &view->camera;
+    const struct camera_basis basis = camera_basis(camera);
+    float width = (float)view->width;
+    float height = (float)view->height;
+    float up = tanf(radians(camera->fov_deg) / 2.0f);
+    float right = up * width / height;
+    /* a pixel to the right is 2 right / width; a pixel down is the other way than up */
+    vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * view->jitter.x * right / width),
+                                glms_vec3_scale(basis.up, 2.0f * view->jitter.y * up / height));
+    return (struct background_push){
+        .clip_from_world = camera_clip_from_world(camera, view->width, view->height,
+                                                  frame_view_near_plane(view->scene), view->jitter),
+        .eye = camera->eye,
+        .environment_lod = environment_lod(view->scene, 2.0f * up / height),
+        .right = glms_vec3_scale(basis.right, right),
+        .up = glms_vec3_scale(basis.up, up),
+        .forward = glms_vec3_add(basis.forward, shift),
+    };
+}
+
+struct background_push frame_view_face(const struct frame_view *view, uint32_t face)
+{
+    const struct camera_basis basis = camera_cube_basis(face);
+    vec3s center = box_center(view->scene->box);
+    return (struct background_push){
+        .clip_from_world =
+            camera_cube_clip_from_world(face, center, frame_view_near_plane(view->scene)),
+        .eye = center,
+        .environment_lod = environment_lod(view->scene, 2.0f / (float)env_cube_color.width),
+        .right = basis.right,
+        .up = basis.up,
+        .forward = basis.forward,
+    };
+}
+
+mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s center, float radius,
+                     vec2s *fitted)
+{
+    vec3s forward = camera_basis(camera).forward;
+    float middle = glms_vec3_dot(glms_vec3_sub(center, camera->eye), forward);
+    float far = fmaxf(middle + radius, 2e-3f * radius);
+    float near = fmaxf(middle - radius, 1e-3f * radius);
+    /* with w the distance along the axis: z = far / (far - near) (w - near) */
+    float scale = far / (far - near);
+    for (int column = 0; column < 4; column++)
+        clip_from_world.raw[column][2] = scale * clip_from_world.raw[column][3];
+    clip_from_world.raw[3][2] -= scale * near;
+    *fitted = (vec2s){ { near, far } };
+    return clip_from_world;
+}
+
+/* About the vertical axis through a point, `turn` radians. */
+static mat4s turned(vec3s center, float turn)
+{
+    mat4s there = glms_translate(glms_mat4_identity(), center);
+    mat4s turned = glms_rotate(there, turn, (vec3s){ { 0.0f, 1.0f, 0.0f } });
+    return glms_translate(turned, glms_vec3_negate(center));
+}
+
+static vec3s direction(float azimuth, float elevation)
+{
+    return (vec3s){ { sinf(azimuth) * cosf(elevation), sinf(elevation),
+                      cosf(azimuth) * cosf(elevation) } };
+}
+
+/* The lights stand evenly around the object and go around it together. */
+static void place_lights(const struct frame_view *view, struct globals *g)
+{
+    const struct light_params *light = settings_of(view->settings, &light_settings);
+    const struct motion_params *motion = settings_of(view->settings, &motion_settings);
+    g->light_count = light->count;
+    for (uint32_t i = 0; i < light->count; i++) {
+        float turn = (float)i / (float)light->count * 360.0f;
+        float azimuth = radians(light->azimuth + turn + motion->lights * view->time);
+        vec3s dir = direction(azimuth, radians(light->elevation));
+        vec3s at = glms_vec3_add(g->center, glms_vec3_scale(dir, light->distance * g->radius));
+        g->lights[i] = (vec4s){ { at.x, at.y, at.z, light->strength } };
+    }
+}
+
+struct globals frame_view_globals(const struct frame_view *view, const struct background_push *push)
+{
+    static const uint32_t kinds[] = {
+        [SCENE_SKY] = GLOBALS_SKY,
+        [SCENE_COLOR] = GLOBALS_COLOR,
+        [SCENE_ENVIRONMENT] = GLOBALS_ENVIRONMENT,
+    };
+    const struct sky_params *sky = settings_of(view->settings, &sky_settings);
+    const struct refract_params *refract = settings_of(view->settings, &refract_settings);
+    const struct motion_params *motion = settings_of(view->settings, &motion_settings);
+    vec3s center = box_center(view->scene->box);
+    struct globals g = {
+        .clip_from_world = push->clip_from_world,
+        .world_from_object = turned(center, radians(motion->ice * view->time)),
+        .world_from_movers = turned(center, radians(motion->objects * view->time)),
+        .eye = view->camera.eye,
+        .eta = REFRACT_IOR_AIR / refract->ior,
+        .forward = camera_basis(&view->camera).forward,
+        .background_kind = kinds[view->scene->background],
+        .background_color = view->scene->background_color,
+        .sky_strength = sky->strength,
+        .sun_dir = direction(radians(sky->sun_azimuth), radians(sky->sun_elevation)),
+        .sun_strength = sky->sun_strength,
+        .center = center,
+        .radius = box_diagonal(view->scene->box) / 2.0f,
+        .time = view->time,
+    };
+    g.fitted_clip_from_world = frame_view_fit(&view->camera, push->clip_from_world, center,
+                                              fmaxf(g.radius, 1e-6f), &g.fitted);
+    place_lights(view, &g);
+    return g;
+}

@@ -1,0 +1,37 @@
+/*
+ * frame_view.h: what a frame's shaders are told of camera, time and scene.
+ */
+#ifndef FIRN_FRAME_VIEW_H
+#define FIRN_FRAME_VIEW_H
+
+#include "src/frame.h"
+#include "src/scene/camera.h"
+#include "src/scene/scene.h"
+
+struct frame_view {
+    const struct scene *scene;
+    const struct settings *settings;
+    struct camera camera;
+    float time;             /* seconds */
+    uint32_t width, height; /* pixels */
+    vec2s jitter;           /* of the sample, pixels */
+};
+
+struct background_push frame_view_push(const struct frame_view *view);
+
+/* Of one face of the cube around the object. */
+struct background_push frame_view_face(const struct frame_view *view, uint32_t face);
+
+/* `push` is frame_view_push(). */
+struct globals frame_view_globals(const struct frame_view *view,
+                                  const struct background_push *push);
+
+/* Metres from the eye to the near plane of pictures of a scene; there is no far plane. */
+float frame_view_near_plane(const struct scene *scene);
+
+/* Depth 0 at the front and 1 at the back of a sphere, as seen along the camera's axis. Guarded
+ * where the eye is inside; *fitted gets the near and far plane's distances, metres. */
+mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s center, float radius,
+                     vec2s *fitted);
+
+#endif

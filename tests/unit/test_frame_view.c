@@ -1,0 +1,84 @@
+/* What shaders are told of camera and time, against closed forms. */
+#include <math.h>
+
+#include "src/frame_view.h"
+#include "tests/support/check.h"
+
+static const vec3s center = { { 0.0f, 0.0f, 0.0f } };
+
+static struct camera at_distance(float distance)
+{
+    return (struct camera){ .eye = { { 0.0f, 0.0f, distance } }, .fov_deg = 45.0f };
+}
+
+/* Depth of what lies `distance` metres before the eye. */
+static double depth_at(const struct camera *camera, mat4s clip_from_world, float distance)
+{
+    const vec4s point = { { 0.0f, 0.0f, camera->eye.z - distance, 1.0f } };
+    const vec4s clip = glms_mat4_mulv(clip_from_world, point);
+    return (double)clip.z / (double)clip.w;
+}
+
+static mat4s fitted(const struct camera *camera, float radius, vec2s *planes)
+{
+    const mat4s clip = camera_clip_from_world(camera, 64, 64, 0.1f, (vec2s){ { 0.0f, 0.0f } });
+    return frame_view_fit(camera, clip, center, radius, planes);
+}
+
+static void test_planes_touch_the_sphere(void **state)
+{
+    (void)state;
+    const struct camera camera = at_distance(5.0f);
+    vec2s planes;
+    const mat4s clip = fitted(&camera, 1.0f, &planes);
+    assert_float_equal(planes.x, 4.0f, 1e-6);
+    assert_float_equal(planes.y, 6.0f, 1e-6);
+    assert_float_equal(depth_at(&camera, clip, 4.0f), 0.0, 1e-6);
+    assert_float_equal(depth_at(&camera, clip, 6.0f), 1.0, 1e-6);
+}
+
+/* How far depth rises for each metre, 5 metres away: planes 0.1 and 100 m away against fitted ones
+ * (an object with a box of diagonal 2 m). */
+static void test_fitted_depth_is_finer(void **state)
+{
+    (void)state;
+    const struct camera camera = at_distance(5.0f);
+    vec2s planes;
+    const mat4s near_by = fitted(&camera, 1.0f, &planes);
+    const double step = 0.25;
+    const double fine =
+        (depth_at(&camera, near_by, 5.25f) - depth_at(&camera, near_by, 5.0f)) / step;
+    const double near = 0.1;
+    const double far = 100.0;
+    const double before = far / (far - near) * (1.0 - near / 5.0);
+    const double after = far / (far - near) * (1.0 - near / 5.25);
+    const double coarse = (after - before) / step;
+    print_message("%.1f times finer\n", fine / coarse);
+    assert_true(fine / coarse >= 100.0);
+}
+
+static void test_eye_inside(void **state)
+{
+    (void)state;
+    const struct camera camera = at_distance(0.25f);
+    vec2s planes;
+    const mat4s clip = fitted(&camera, 1.0f, &planes);
+    assert_true(planes.x > 0.0f && planes.x < 0.01f);
+    assert_float_equal(planes.y, 1.25f, 1e-6);
+    assert_float_equal(depth_at(&camera, clip, 1.25f), 1.0, 1e-5);
+    const struct camera behind = { .eye = { { 0.0f, 0.0f, -3.0f } }, /* and looks away from it */
+                                   .target = { { 0.0f, 0.0f, -9.0f } },
+                                   .fov_deg = 45.0f };
+    (void)fitted(&behind, 1.0f, &planes);
+    assert_true(planes.x > 0.0f && planes.y > planes.x);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_planes_touch_the_sphere),
+        cmocka_unit_test(test_fitted_depth_is_finer),
+        cmocka_unit_test(test_eye_inside),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
