@@ -50,4 +50,11 @@ struct refract_params {
     .color[REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR }, \
     .depth = { &background_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL
 
+/* What lies in or on the ice is drawn over the rung's picture, on the front faces that it drew:
+ * premultiplied colour. The vertex shader is refract.vert, or one as precise. */
+#define REFRACT_OVER_TARGETS \
+    .color[0] = { &background_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }, \
+    .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
+    .depth_compare = VK_COMPARE_OP_EQUAL
+
 #endif
