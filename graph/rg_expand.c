@@ -170,7 +170,8 @@ static void add_resolve(struct expansion *e, const struct rg_target *target)
     struct access access = {
         .resource = index,
         .access = RG_RESOLVE,
-        .flags = ACCESS_WRITES_CONTENT | (e->pass->rg->when ? 0 : ACCESS_OVERWRITES),
+        .flags =
+            ACCESS_WRITES_CONTENT | (e->pass->rg->when ? ACCESS_CONDITIONAL : ACCESS_OVERWRITES),
         .layout = info->layout,
         .stages = info->stages,
         .declared = target,
@@ -198,7 +199,7 @@ static void add_target(struct expansion *e, const struct rg_target *target)
         return;
     const struct resource *r = &e->c->resources[index];
     bool keeps = target->load == RG_LOAD_KEEP;
-    unsigned flags = 0;
+    unsigned flags = rg->when ? ACCESS_CONDITIONAL : 0;
     if (keeps || target->blend || kind != RG_COLOR)
         flags |= ACCESS_READS;
     if (keeps || kind == RG_DEPTH_READ)
@@ -268,7 +269,7 @@ static void add_use(struct expansion *e, const struct rg_use *use)
     if (index == RG_NONE)
         return;
     const struct resource *r = &e->c->resources[index];
-    unsigned flags = info->reads ? ACCESS_READS : 0;
+    unsigned flags = (info->reads ? ACCESS_READS : 0) | (rg->when ? ACCESS_CONDITIONAL : 0);
     if (info->reads_content)
         flags |= ACCESS_READS_CONTENT;
     if (info->writes_content)

@@ -62,6 +62,8 @@ struct cell {
     bool wanted;      /* by later passes or outputs, while culling */
     bool wanted_next; /* of a persistent resource: by the next frame */
     bool changed;     /* content or layout, by this frame */
+    bool certain;     /* the last write is of this frame, and of every frame */
+    bool awaited;     /* a read of every frame has waited for it */
     bool fresh;       /* shared memory that this frame has not used yet: who had it is not known */
 };
 
@@ -94,6 +96,7 @@ enum {
     ACCESS_OVERWRITES = 1 << 2,     /* nothing of the range's earlier content remains */
     ACCESS_READS = 1 << 3,          /* has the access mask for reading */
     ACCESS_NEEDED = 1 << 4,         /* somebody wants what it writes: STORE */
+    ACCESS_CONDITIONAL = 1 << 5,    /* does not happen in every frame */
 };
 
 struct access {

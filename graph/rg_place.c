@@ -111,8 +111,8 @@ static struct former left_by(const struct resource *r)
     struct former left = { 0 };
     for (uint32_t k = 0; k < r->cell_count; k++) {
         const struct cell *s = &r->cells[k];
-        left.stages |= s->read_stages ? s->read_stages : s->write_stages;
-        left.writes |= s->read_stages ? VK_ACCESS_2_NONE : s->write_access;
+        left.stages |= s->awaited ? s->read_stages : s->read_stages | s->write_stages;
+        left.writes |= s->awaited ? VK_ACCESS_2_NONE : s->write_access;
     }
     return left;
 }

@@ -28,8 +28,9 @@ bool rg_state_decide(const struct cell *s, const struct access *a, struct rg_bar
     *release = s->written;
     if (writes || moves) {
         *release = s->touched;
+        b->src_stages |= s->read_stages;
         /* who read it has waited for the write, and a barrier made the write available then */
-        if (s->read_stages) {
+        if (s->read_stages && s->awaited) {
             b->src_stages = s->read_stages;
             b->src_access = VK_ACCESS_2_NONE;
         }
@@ -48,6 +49,8 @@ void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass, bool 
         s->written = pass + 1;
         s->first_barrier = s->barrier_end = 0;
         s->visible = 0;
+        s->awaited = false;
+        s->certain = !(a->flags & ACCESS_CONDITIONAL);
         s->changed = true;
         s->layout = a->layout;
     }
@@ -55,6 +58,9 @@ void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass, bool 
     if (writes)
         return;
     s->read_stages |= a->stages;
+    /* the synchronization validation of some releases takes a read only for that in the frame of
+     * the write, and no barrier for one */
+    s->awaited = s->awaited || (s->certain && !(a->flags & ACCESS_CONDITIONAL));
     if (made_visible)
         s->visible |= a->visibility & RG_VISIBLE_TO_ALL;
 }
@@ -76,6 +82,7 @@ static struct cell import_state(const struct resource *r, enum rg_access access)
     if (info->writes_content || access == RG_ACCESS_NONE)
         return s;
     s.read_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    s.awaited = true;
     s.visible = rg_visibility(access, RG_ANY_SHADER);
     return s;
 }
@@ -127,7 +134,7 @@ static void keep_state(struct cell *s)
 {
     s->written = s->touched = 0;
     s->first_barrier = s->barrier_end = 0;
-    s->changed = false;
+    s->changed = s->certain = false;
 }
 
 void rg_state_begin(struct compiler *c)

@@ -5,8 +5,8 @@
 
 #define COLOR_FORMAT VK_FORMAT_R8G8B8A8_UNORM
 
-#define picture fault_case_picture
-#define other   fault_case_other
+#define PICTURE fault_case_picture
+#define OTHER   fault_case_other
 
 static const struct rg_image four = { "four", COLOR_FORMAT, .samples = 4 };
 static const struct rg_image three = { "three", COLOR_FORMAT, .samples = 3 };
@@ -45,10 +45,10 @@ static const struct fault_case sample_cases[] = {
     { AROUND(RG_ERROR_SAMPLES, "three", FILL(three)) },
     { AROUND(RG_ERROR_SAMPLES, "chained", FILL(chained)) },
     { ROW(RG_ERROR_SAMPLES, "deep",
-          DRAW("draw", .color[0] = { CLEARED(other) }, .depth = { CLEARED(deep) })) },
+          DRAW("draw", .color[0] = { CLEARED(OTHER) }, .depth = { CLEARED(deep) })) },
     { ROW(RG_ERROR_SAMPLES, "other",
-          DRAW("draw", .color = { { CLEARED(four) }, { CLEARED(other) } })) },
-    { ROW(RG_ERROR_SAMPLES, "picture", RESOLVE(other, picture)) },
+          DRAW("draw", .color = { { CLEARED(four) }, { CLEARED(OTHER) } })) },
+    { ROW(RG_ERROR_SAMPLES, "picture", RESOLVE(OTHER, PICTURE)) },
     { ROW(RG_ERROR_SAMPLES, "deep",
           DRAW("draw", .depth = { .image = &deep, .load = RG_LOAD_CLEAR, .resolve = &flat })) },
     { ROW(RG_ERROR_SAMPLES, "four", COPY("copy", { &four, .access = RG_COPY_DST })) },
@@ -62,7 +62,7 @@ static const struct fault_case sample_cases[] = {
     { .error = RG_ERROR_SAMPLES,
       .resource = "four",
       .row_count = 1,
-      .rows = { RESOLVE(four, picture) },
+      .rows = { RESOLVE(four, PICTURE) },
       .device = &plain_device },
 };
 
@@ -83,24 +83,24 @@ static bool rarely(const struct rg_frame *frame)
     return false;
 }
 
-#define MAYBE DRAW("maybe", .color[0] = { CLEARED(other) }, .when = sometimes)
+#define MAYBE DRAW("maybe", .color[0] = { CLEARED(OTHER) }, .when = sometimes)
 
 static const struct fault_case condition_cases[] = {
     { .error = RG_ERROR_READ_BEFORE_WRITE, /* if the first does not run */
       .resource = "other",
       .row = true,
       .row_count = 2,
-      .rows = { MAYBE, DRAW("draw", .color[0] = { &picture }, SAMPLING(other)) } },
+      .rows = { MAYBE, DRAW("draw", .color[0] = { &PICTURE }, SAMPLING(OTHER)) } },
     { .error = RG_ERROR_READ_BEFORE_WRITE,
       .resource = "other",
       .row = true,
       .row_count = 2,
-      .rows = { MAYBE, DRAW("draw", .color[0] = { &picture }, SAMPLING(other), .when = rarely) } },
+      .rows = { MAYBE, DRAW("draw", .color[0] = { &PICTURE }, SAMPLING(OTHER), .when = rarely) } },
     { .error = RG_ERROR_OUTPUT_NOT_WRITTEN,
       .resource = "other",
       .row_count = 1,
       .rows = { MAYBE },
-      .outputs = { { .image = &other, .access = RG_SAMPLED } } },
+      .outputs = { { .image = &OTHER, .access = RG_SAMPLED } } },
 };
 
 static const struct fault_case value_cases[] = {
@@ -109,12 +109,12 @@ static const struct fault_case value_cases[] = {
             .kind = (enum rg_kind)7,
             .record = small_graph_record,
             .uses = RG_USES({ WRITE_OTHER }) }) },
-    { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .color[0] = { &other, (enum rg_load)77 })) },
+    { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .color[0] = { &OTHER, (enum rg_load)77 })) },
     { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .depth = { &flat, (enum rg_load)INT32_MAX })) },
     { ROW(RG_ERROR_VALUE, NULL,
-          DRAW("draw", .color[0] = { CLEARED(other), .blend = (enum rg_blend)3 })) },
+          DRAW("draw", .color[0] = { CLEARED(OTHER), .blend = (enum rg_blend)3 })) },
     { ROW(RG_ERROR_VALUE, NULL,
-          DRAW("draw", .color[0] = { CLEARED(other) }, .repeat = (enum rg_repeat)3)) },
+          DRAW("draw", .color[0] = { CLEARED(OTHER) }, .repeat = (enum rg_repeat)3)) },
     { AROUND(RG_ERROR_VALUE, "nowhere",
              COPY("copy", { .buffer = &nowhere, .access = RG_COPY_DST })) },
 };
@@ -141,7 +141,7 @@ static void test_one_condition(void **state)
     const struct fault_case fc = {
         .row_count = 2,
         .rows = { MAYBE,
-                  DRAW("draw", .color[0] = { &picture }, SAMPLING(other), .when = sometimes) },
+                  DRAW("draw", .color[0] = { &PICTURE }, SAMPLING(OTHER), .when = sometimes) },
     };
     struct rg_plan *plan = fault_case_compile(&fc);
     assert_non_null(plan);

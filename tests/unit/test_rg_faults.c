@@ -12,8 +12,8 @@
 
 /* ---- resources, good ones first ---- */
 
-#define picture fault_case_picture
-#define other   fault_case_other
+#define PICTURE fault_case_picture
+#define OTHER   fault_case_other
 
 static const struct rg_image third = { .name = "third", .format = COLOR_FORMAT };
 static const struct rg_image small = { .name = "small", .format = COLOR_FORMAT, .scale = 0.5f };
@@ -73,35 +73,35 @@ static const struct fault_case params_cases[] = {
     { .error = RG_ERROR_NO_OUTPUT, .no_output = true },
     { .error = RG_ERROR_NO_SIZE, .no_view = true },
     { .error = RG_ERROR_NO_NAME, .nameless_technique = true },
-    { OUTPUT(RG_ERROR_OUTPUT_NOT_WRITTEN, "other", { .image = &other, .access = RG_SAMPLED }) },
+    { OUTPUT(RG_ERROR_OUTPUT_NOT_WRITTEN, "other", { .image = &OTHER, .access = RG_SAMPLED }) },
     { OUTPUT(RG_ERROR_OUTPUT_NOT_WRITTEN, "bytes", { .buffer = &bytes, .access = RG_COPY_SRC }) },
-    { OUTPUT(RG_ERROR_LISTED_TWICE, "picture", { .image = &picture, .access = RG_SAMPLED },
-             { .image = &picture, .access = RG_COPY_SRC }) },
-    { OUTPUT(RG_ERROR_NOT_ONE_RESOURCE, NULL, { .image = &picture, .buffer = &bytes }) },
+    { OUTPUT(RG_ERROR_LISTED_TWICE, "picture", { .image = &PICTURE, .access = RG_SAMPLED },
+             { .image = &PICTURE, .access = RG_COPY_SRC }) },
+    { OUTPUT(RG_ERROR_NOT_ONE_RESOURCE, NULL, { .image = &PICTURE, .buffer = &bytes }) },
     { OUTPUT(RG_ERROR_NOT_ONE_RESOURCE, NULL, { .access = RG_SAMPLED }) },
-    { OUTPUT(RG_ERROR_NOT_ONE_RESOURCE, NULL, { .image = &picture }) },
-    { OUTPUT(RG_ERROR_ACCESS, "picture", { .image = &picture, .access = RG_UNIFORM }) },
-    { OUTPUT(RG_ERROR_ACCESS, "picture", { .image = &picture, .access = RG_DEPTH_READ }) },
-    { OUTPUT(RG_ERROR_ACCESS, "picture", { .image = &picture, .access = RG_PRESENT }) },
-    { OUTPUT(RG_ERROR_ACCESS, "picture", { .image = &picture, .access = RG_HOST_READ }) },
-    { IMPORT(RG_ERROR_LISTED_TWICE, "other", { .image = &other, .access = RG_SAMPLED },
-             { .image = &other }) },
-    { IMPORT(RG_ERROR_NOT_ONE_RESOURCE, NULL, { .image = &other, .buffer = &bytes }) },
+    { OUTPUT(RG_ERROR_NOT_ONE_RESOURCE, NULL, { .image = &PICTURE }) },
+    { OUTPUT(RG_ERROR_ACCESS, "picture", { .image = &PICTURE, .access = RG_UNIFORM }) },
+    { OUTPUT(RG_ERROR_ACCESS, "picture", { .image = &PICTURE, .access = RG_DEPTH_READ }) },
+    { OUTPUT(RG_ERROR_ACCESS, "picture", { .image = &PICTURE, .access = RG_PRESENT }) },
+    { OUTPUT(RG_ERROR_ACCESS, "picture", { .image = &PICTURE, .access = RG_HOST_READ }) },
+    { IMPORT(RG_ERROR_LISTED_TWICE, "other", { .image = &OTHER, .access = RG_SAMPLED },
+             { .image = &OTHER }) },
+    { IMPORT(RG_ERROR_NOT_ONE_RESOURCE, NULL, { .image = &OTHER, .buffer = &bytes }) },
     { IMPORT(RG_ERROR_NOT_ONE_RESOURCE, NULL, { .access = RG_SAMPLED }) },
-    { IMPORT(RG_ERROR_NOT_ONE_RESOURCE, NULL, { .image = &other, .access = RG_ACCESS_COUNT }) },
-    { IMPORT(RG_ERROR_ACCESS, "other", { .image = &other, .access = RG_HOST_READ }) },
-    { IMPORT(RG_ERROR_ACCESS, "other", { .image = &other, .access = RG_VERTEX }) },
+    { IMPORT(RG_ERROR_NOT_ONE_RESOURCE, NULL, { .image = &OTHER, .access = RG_ACCESS_COUNT }) },
+    { IMPORT(RG_ERROR_ACCESS, "other", { .image = &OTHER, .access = RG_HOST_READ }) },
+    { IMPORT(RG_ERROR_ACCESS, "other", { .image = &OTHER, .access = RG_VERTEX }) },
     { IMPORT(RG_ERROR_ACCESS, "depth", { .image = &depth, .access = RG_COLOR }) },
     { IMPORT(RG_ERROR_ACCESS, "bytes", { .buffer = &bytes, .access = RG_PRESENT }) },
-    { IMPORT(RG_ERROR_RANGE, "other", { .image = &other, .access = RG_SAMPLED, .mips = WILD }) },
-    { IMPORT(RG_ERROR_TOO_LARGE, "other", { .image = &other, .extent = { WILD, WILD } }) },
+    { IMPORT(RG_ERROR_RANGE, "other", { .image = &OTHER, .access = RG_SAMPLED, .mips = WILD }) },
+    { IMPORT(RG_ERROR_TOO_LARGE, "other", { .image = &OTHER, .extent = { WILD, WILD } }) },
     { IMPORT(RG_ERROR_TOO_LARGE, "bytes", { .buffer = &bytes, .size = UINT64_MAX }) },
 };
 
 static const struct fault_case resource_cases[] = {
     { AROUND(RG_ERROR_NO_NAME, "?", FILL(nameless)) },
     { AROUND(RG_ERROR_DUPLICATE_NAME, "other",
-             DRAW("draw", .color = { { CLEARED(other) }, { CLEARED(twin) } })) },
+             DRAW("draw", .color = { { CLEARED(OTHER) }, { CLEARED(twin) } })) },
     { AROUND(RG_ERROR_FORMAT, "formatless", FILL(formatless)) },
     { AROUND(RG_ERROR_TOO_LARGE, "wide", FILL(wide)) },
     { AROUND(RG_ERROR_TOO_LARGE, "thick", FILL(thick)) },
@@ -124,53 +124,53 @@ static const struct fault_case resource_cases[] = {
 };
 
 static const struct fault_case row_cases[] = {
-    { ROW(RG_ERROR_NO_NAME, NULL, DRAW(NULL, .color[0] = { CLEARED(other) })) },
-    { ROW(RG_ERROR_DUPLICATE_NAME, NULL, DRAW("fill", .color[0] = { CLEARED(other) })) },
+    { ROW(RG_ERROR_NO_NAME, NULL, DRAW(NULL, .color[0] = { CLEARED(OTHER) })) },
+    { ROW(RG_ERROR_DUPLICATE_NAME, NULL, DRAW("fill", .color[0] = { CLEARED(OTHER) })) },
     { ROW(RG_ERROR_NO_RECORD, NULL,
           { .name = "draw",
             .vert = &small_graph_shader,
             .frag = &small_graph_shader,
-            .color[0] = { CLEARED(other) } }) },
+            .color[0] = { CLEARED(OTHER) } }) },
     { ROW(RG_ERROR_NO_SHADER, NULL,
           { .name = "draw",
             .frag = &small_graph_shader,
             .record = small_graph_record,
-            .color[0] = { CLEARED(other) } }) },
+            .color[0] = { CLEARED(OTHER) } }) },
     { ROW(RG_ERROR_NO_SHADER, NULL,
           { .name = "draw",
             .vert = &small_graph_shader,
             .record = small_graph_record,
-            .color[0] = { CLEARED(other) } }) },
+            .color[0] = { CLEARED(OTHER) } }) },
     { ROW(RG_ERROR_NO_SHADER, NULL,
           { "compute", RG_COMPUTE, .record = small_graph_record,
             .uses = RG_USES({ WRITE_OTHER }) }) },
     { ROW(RG_ERROR_PUSH_SIZE, NULL,
-          DRAW("draw", .color[0] = { CLEARED(other) }, .push_size = 132)) },
-    { ROW(RG_ERROR_PUSH_SIZE, NULL, DRAW("draw", .color[0] = { CLEARED(other) }, .push_size = 6)) },
+          DRAW("draw", .color[0] = { CLEARED(OTHER) }, .push_size = 132)) },
+    { ROW(RG_ERROR_PUSH_SIZE, NULL, DRAW("draw", .color[0] = { CLEARED(OTHER) }, .push_size = 6)) },
     { ROW(RG_ERROR_NO_TARGET, NULL, DRAW("draw", .uses = NULL)) },
     { ROW(RG_ERROR_NO_TARGET, "third",
-          DRAW("draw", .color = { { CLEARED(other) }, { 0 }, { &third } })) },
+          DRAW("draw", .color = { { CLEARED(OTHER) }, { 0 }, { &third } })) },
     { ROW(RG_ERROR_TARGET_SIZE, "small",
-          DRAW("draw", .color = { { CLEARED(other) }, { CLEARED(small) } })) },
+          DRAW("draw", .color = { { CLEARED(OTHER) }, { CLEARED(small) } })) },
     { ROW(RG_ERROR_TARGET_SIZE, "depth",
           DRAW("draw", .color[0] = { CLEARED(small) }, .depth = { CLEARED(depth) })) },
     { ROW(RG_ERROR_TARGET_SIZE, "chain",
-          DRAW("draw", .color = { { CLEARED(other) }, { &chain, RG_LOAD_CLEAR, .mip = 1 } })) },
-    { ROW(RG_ERROR_FORMAT, "other", DRAW("draw", .depth = { CLEARED(other) })) },
+          DRAW("draw", .color = { { CLEARED(OTHER) }, { &chain, RG_LOAD_CLEAR, .mip = 1 } })) },
+    { ROW(RG_ERROR_FORMAT, "other", DRAW("draw", .depth = { CLEARED(OTHER) })) },
     { ROW(RG_ERROR_FORMAT, "depth", FILL(depth)) },
     { ROW(RG_ERROR_WRITES_NOTHING, NULL,
-          COMPUTE("compute", { .image = &picture, .access = RG_SAMPLED })) },
+          COMPUTE("compute", { .image = &PICTURE, .access = RG_SAMPLED })) },
     { ROW(RG_ERROR_WRITES_NOTHING, NULL, { "copy", RG_TRANSFER, .record = small_graph_record }) },
     { ROW(RG_ERROR_REPEAT, NULL,
           { "compute", RG_COMPUTE, RG_PER_LAYER, .comp = &small_graph_shader,
             .record = small_graph_record,
             .uses = RG_USES({ .buffer = &bytes, .access = RG_STORAGE_WRITE }) }) },
     { ROW(RG_ERROR_READ_BEFORE_WRITE, "other",
-          COMPUTE("compute", { .image = &other, .access = RG_STORAGE_READ_WRITE })) },
+          COMPUTE("compute", { .image = &OTHER, .access = RG_STORAGE_READ_WRITE })) },
     { ROW(RG_ERROR_READ_BEFORE_WRITE, "bytes", ALSO(.buffer = &bytes, .access = RG_UNIFORM)) },
-    { ROW(RG_ERROR_READ_BEFORE_WRITE, "other", DRAW("draw", .color[0] = { &other })) },
+    { ROW(RG_ERROR_READ_BEFORE_WRITE, "other", DRAW("draw", .color[0] = { &OTHER })) },
     { ROW(RG_ERROR_READ_BEFORE_WRITE, "depth",
-          DRAW("draw", .color[0] = { CLEARED(other) }, .depth = { &depth },
+          DRAW("draw", .color[0] = { CLEARED(OTHER) }, .depth = { &depth },
                .depth_read_only = true)) },
     {
         .error = RG_ERROR_READ_BEFORE_WRITE, /* only the first mip is there */
@@ -181,28 +181,28 @@ static const struct fault_case row_cases[] = {
                   ALSO(&chain, .access = RG_SAMPLED) },
     },
     /* an import of undefined content */
-    { ROW(RG_ERROR_READ_BEFORE_WRITE, "other", DRAW("draw", .color[0] = { &other })),
-      .imports = { { .image = &other } } },
+    { ROW(RG_ERROR_READ_BEFORE_WRITE, "other", DRAW("draw", .color[0] = { &OTHER })),
+      .imports = { { .image = &OTHER } } },
 };
 
 static const struct fault_case use_cases[] = {
     { ROW(RG_ERROR_NOT_ONE_RESOURCE, "picture",
-          ALSO(&picture, .buffer = &bytes, .access = RG_SAMPLED)) },
+          ALSO(&PICTURE, .buffer = &bytes, .access = RG_SAMPLED)) },
     { ROW(RG_ERROR_NOT_ONE_RESOURCE, NULL, ALSO(.access = RG_SAMPLED)) },
-    { ROW(RG_ERROR_NOT_ONE_RESOURCE, "picture", ALSO(&picture)) },
-    { ROW(RG_ERROR_NOT_ONE_RESOURCE, "picture", ALSO(&picture, .access = WILD)) },
+    { ROW(RG_ERROR_NOT_ONE_RESOURCE, "picture", ALSO(&PICTURE)) },
+    { ROW(RG_ERROR_NOT_ONE_RESOURCE, "picture", ALSO(&PICTURE, .access = WILD)) },
     { ROW(RG_ERROR_DUPLICATE_BINDING, "picture",
-          ALSO(&picture, .access = RG_SAMPLED, .binding = 9)) },
+          ALSO(&PICTURE, .access = RG_SAMPLED, .binding = 9)) },
     { ROW(RG_ERROR_ACCESS, "picture",
-          COPY("copy", { &other, .access = RG_COPY_DST }, { &picture, .access = RG_SAMPLED })) },
-    { ROW(RG_ERROR_ACCESS, "picture", ALSO(&picture, .access = RG_COPY_SRC)) },
+          COPY("copy", { &OTHER, .access = RG_COPY_DST }, { &PICTURE, .access = RG_SAMPLED })) },
+    { ROW(RG_ERROR_ACCESS, "picture", ALSO(&PICTURE, .access = RG_COPY_SRC)) },
     { ROW(RG_ERROR_ACCESS, "upload", ALSO(.buffer = &upload, .access = RG_VERTEX)) },
     { ROW(RG_ERROR_ACCESS, "upload",
-          COPY("copy", { &other, .access = RG_COPY_DST },
+          COPY("copy", { &OTHER, .access = RG_COPY_DST },
                { .buffer = &upload, .access = RG_INDIRECT })) },
     { ROW(RG_ERROR_ACCESS, "third", ALSO(&third, .access = RG_COLOR)) },
-    { ROW(RG_ERROR_ACCESS, "picture", ALSO(&picture, .access = RG_HOST_READ)) },
-    { ROW(RG_ERROR_ACCESS, "picture", ALSO(&picture, .access = RG_UNIFORM)) },
+    { ROW(RG_ERROR_ACCESS, "picture", ALSO(&PICTURE, .access = RG_HOST_READ)) },
+    { ROW(RG_ERROR_ACCESS, "picture", ALSO(&PICTURE, .access = RG_UNIFORM)) },
     { ROW(RG_ERROR_ACCESS, "upload", ALSO(.buffer = &upload, .access = RG_SAMPLED)) },
     { ROW(RG_ERROR_ACCESS, "upload",
           COMPUTE("compute", { .buffer = &upload, .access = RG_STORAGE_WRITE })) },
@@ -215,20 +215,20 @@ static const struct fault_case use_cases[] = {
         .row = true,
         .row_count = 2,
         .rows = { DRAW("first", .depth = { CLEARED(depth) }),
-                  DRAW("second", .color[0] = { CLEARED(other) }, .depth = { CLEARED(depth) },
+                  DRAW("second", .color[0] = { CLEARED(OTHER) }, .depth = { CLEARED(depth) },
                        .depth_read_only = true) },
     },
     { ROW(RG_ERROR_CONFLICT, "other",
-          DRAW("draw", .color = { { CLEARED(other) }, { CLEARED(other) } })) },
+          DRAW("draw", .color = { { CLEARED(OTHER) }, { CLEARED(OTHER) } })) },
     { ROW(RG_ERROR_CONFLICT, "picture",
-          DRAW("draw", .color[0] = { &picture },
-               .uses = RG_USES({ &picture, .access = RG_SAMPLED }))) },
+          DRAW("draw", .color[0] = { &PICTURE },
+               .uses = RG_USES({ &PICTURE, .access = RG_SAMPLED }))) },
     { ROW(RG_ERROR_CONFLICT, "picture",
-          COMPUTE("compute", { &picture, .access = RG_STORAGE_READ },
-                  { &picture, .access = RG_STORAGE_WRITE, .binding = 1 })) },
+          COMPUTE("compute", { &PICTURE, .access = RG_STORAGE_READ },
+                  { &PICTURE, .access = RG_STORAGE_WRITE, .binding = 1 })) },
     { ROW(RG_ERROR_CONFLICT, "picture", /* two reads, but no layout for both */
-          COMPUTE("compute", { WRITE_OTHER }, { &picture, .access = RG_STORAGE_READ },
-                  { &picture, .access = RG_SAMPLED, .binding = 1 })) },
+          COMPUTE("compute", { WRITE_OTHER }, { &PICTURE, .access = RG_STORAGE_READ },
+                  { &PICTURE, .access = RG_SAMPLED, .binding = 1 })) },
     { ROW(
         RG_ERROR_CONFLICT, "bytes",
         COMPUTE("compute", { .buffer = &bytes, .access = RG_STORAGE_WRITE },
@@ -240,14 +240,14 @@ static const struct fault_case use_cases[] = {
 
 #define READ_PICTURE(...) \
     COMPUTE("compute", { WRITE_OTHER }, \
-            { &picture, .access = RG_SAMPLED, .range = { __VA_ARGS__ } })
+            { &PICTURE, .access = RG_SAMPLED, .range = { __VA_ARGS__ } })
 #define RANGE(name, ...) ROW(RG_ERROR_RANGE, name, __VA_ARGS__)
 
 static const struct fault_case range_cases[] = {
-    { RANGE("other", DRAW("draw", .color[0] = { &other, RG_LOAD_CLEAR, .mip = 1 })) },
-    { RANGE("other", DRAW("draw", .color[0] = { &other, RG_LOAD_CLEAR, .mip = WILD })) },
-    { RANGE("other", DRAW("draw", .color[0] = { &other, RG_LOAD_CLEAR, .layer = 1 })) },
-    { RANGE("other", DRAW("draw", .color[0] = { &other, RG_LOAD_CLEAR, .layer = WILD })) },
+    { RANGE("other", DRAW("draw", .color[0] = { &OTHER, RG_LOAD_CLEAR, .mip = 1 })) },
+    { RANGE("other", DRAW("draw", .color[0] = { &OTHER, RG_LOAD_CLEAR, .mip = WILD })) },
+    { RANGE("other", DRAW("draw", .color[0] = { &OTHER, RG_LOAD_CLEAR, .layer = 1 })) },
+    { RANGE("other", DRAW("draw", .color[0] = { &OTHER, RG_LOAD_CLEAR, .layer = WILD })) },
     { RANGE("pages", DRAW("draw", .color[0] = { &pages, RG_LOAD_CLEAR, .layer = 4 },
                           .repeat = RG_PER_LAYER)) },
     { RANGE("chain",
@@ -269,7 +269,7 @@ static const struct fault_case range_cases[] = {
             { "compute", RG_COMPUTE, RG_PER_LAYER, .comp = &small_graph_shader,
               .record = small_graph_record,
               .uses = RG_USES({ &pages, .access = RG_STORAGE_WRITE, .range = { .each = true } },
-                              { &picture, .access = RG_SAMPLED, .binding = 1,
+                              { &PICTURE, .access = RG_SAMPLED, .binding = 1,
                                 .range = { .layer = WILD, .each = true } }) }) },
     {
         .error = RG_ERROR_RANGE, /* a shader sees depth or stencil */
@@ -284,14 +284,14 @@ static const struct fault_case range_cases[] = {
 /* The device's word on formats counts for passes that run. */
 static const struct fault_case device_cases[] = {
     { ROW(RG_ERROR_FORMAT, "depth",
-          DRAW("draw", .color[0] = { &picture }, .depth = { CLEARED(depth) })),
+          DRAW("draw", .color[0] = { &PICTURE }, .depth = { CLEARED(depth) })),
       .device = &plain_device },
     { ROW(RG_ERROR_FORMAT, "other",
-          DRAW("draw", .color[0] = { &picture },
-               .uses = RG_USES({ &other, .access = RG_SAMPLED, .sampler = &linear }))),
-      .imports = { { .image = &other, .access = RG_SAMPLED } }, .device = &plain_device },
+          DRAW("draw", .color[0] = { &PICTURE },
+               .uses = RG_USES({ &OTHER, .access = RG_SAMPLED, .sampler = &linear }))),
+      .imports = { { .image = &OTHER, .access = RG_SAMPLED } }, .device = &plain_device },
     { ROW(RG_ERROR_FORMAT, "picture",
-          DRAW("draw", .color[0] = { &picture, .blend = RG_BLEND_ADD })),
+          DRAW("draw", .color[0] = { &PICTURE, .blend = RG_BLEND_ADD })),
       .device = &plain_device },
 };
 
@@ -368,7 +368,7 @@ static void test_repetitions_report_once(void **state)
     const struct fault_case fc = {
         .row_count = 1,
         .rows = { DRAW("draw", .repeat = RG_PER_LAYER, .color[0] = { &pages },
-                       .uses = RG_USES({ &other, .access = RG_SAMPLED })) },
+                       .uses = RG_USES({ &OTHER, .access = RG_SAMPLED })) },
     };
     struct rg_plan *plan = fault_case_compile(&fc);
     assert_non_null(plan);
@@ -384,8 +384,8 @@ static void test_faults_of_formats(void **state)
     (void)state;
     const struct fault_case fc = {
         .row_count = 2,
-        .rows = { DRAW("culled", .color[0] = { CLEARED(other) }),
-                  DRAW("draw", .color[0] = { &picture }) },
+        .rows = { DRAW("culled", .color[0] = { CLEARED(OTHER) }),
+                  DRAW("draw", .color[0] = { &PICTURE }) },
         .device = &sampling_device,
     };
     struct rg_plan *plan = fault_case_compile(&fc);
@@ -401,7 +401,7 @@ static void test_faults_of_formats(void **state)
 static void test_no_techniques(void **state)
 {
     (void)state;
-    const struct rg_output output = { .image = &picture, .access = RG_SAMPLED };
+    const struct rg_output output = { .image = &PICTURE, .access = RG_SAMPLED };
     struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
         .view = { FAULT_CASE_VIEW, FAULT_CASE_VIEW },
         .outputs = &output,

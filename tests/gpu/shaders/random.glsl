@@ -1,0 +1,82 @@
+/* random.glsl: folds everything that is bound into a sum. What is bound, the build defines. */
+#include "tests/gpu/shaders/random.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    random_push push;
+};
+
+#if SAMPLED > 0
+layout(binding = RANDOM_SAMPLED) uniform usampler2DArray sampled_0;
+#endif
+#if SAMPLED > 1
+layout(binding = RANDOM_SAMPLED + 1) uniform usampler2DArray sampled_1;
+#endif
+#ifdef LOADED
+layout(binding = RANDOM_LOADED, LOADED) uniform readonly uimage2DArray loaded;
+#endif
+#ifdef READ
+layout(binding = RANDOM_READ, scalar) readonly buffer Read
+{
+    uint read_words[];
+};
+#endif
+#ifdef UNIFORM
+layout(binding = RANDOM_UNIFORM, scalar) uniform Uniform
+{
+    uint uniform_words[RANDOM_UNIFORM_WORDS];
+};
+#endif
+
+uint fold(uint sum, uvec4 texel)
+{
+    for (int i = 0; i < 4; i++)
+        sum = random_mix(sum, texel[i]);
+    return sum;
+}
+
+/* Where a texel reads an image of this size: x, y, layer. */
+ivec3 place(uvec3 at, ivec3 size)
+{
+    return ivec3((at + push.shift * uvec3(1, 1, 0) + uvec3(0, 0, at.x + 2 * at.y)) % uvec3(size));
+}
+
+#if SAMPLED > 0
+/* A texel of each mip. */
+uint fetch(uint sum, usampler2DArray image, uvec3 at)
+{
+    for (int mip = 0; mip < textureQueryLevels(image); mip++)
+        sum = fold(sum, texelFetch(image, place(at, textureSize(image, mip)), mip));
+    return sum;
+}
+#endif
+
+uint inputs(uvec3 at)
+{
+    uint sum = fold(push.salt, uvec4(at, 0));
+#if SAMPLED > 0
+    sum = fetch(sum, sampled_0, at);
+#endif
+#if SAMPLED > 1
+    sum = fetch(sum, sampled_1, at);
+#endif
+#ifdef LOADED
+    sum = fold(sum, imageLoad(loaded, place(at, imageSize(loaded))));
+#endif
+#ifdef READ
+    uint index = random_word(at.x, at.y, at.z) + push.shift;
+    sum = random_mix(sum, read_words[index % read_words.length()]);
+#endif
+#ifdef UNIFORM
+    sum = random_mix(sum, uniform_words[(at.x + at.y) % RANDOM_UNIFORM_WORDS]);
+#endif
+    return sum;
+}
+
+uvec4 channels(uint sum, uint target)
+{
+    uvec4 texel;
+    for (uint i = 0; i < 4; i++)
+        texel[i] = random_mix(sum, 4 * target + i) & push.masks[target];
+    return texel;
+}
