@@ -149,8 +149,8 @@ struct rg_use {
     uint32_t binding; /* in descriptor set 0, if the access needs a descriptor */
     struct rg_range range;
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
-    VkPipelineStageFlags2 stages;     /* of the shaders; 0: fragment or compute, and vertex too for
-                                         RG_UNIFORM */
+    VkPipelineStageFlags2 stages;     /* of the pass's shaders; 0: fragment or compute, and vertex
+                                         too for RG_UNIFORM */
     bool partial;                     /* a write that leaves some of the range as it was */
 };
 
@@ -191,7 +191,8 @@ typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
  * Whether a conditional pass runs in this frame; asked once for each recording of each pass, and
  * to answer the same for the same frame. A pass that does not run leaves everything as it was, its
  * clears included; its barriers are recorded all the same. So what only conditional passes write
- * is there only for passes of the same condition, unless it is persistent or imported.
+ * is there only for passes of the same condition (of several, that of the last one that writes it),
+ * unless it is persistent or imported.
  */
 typedef bool rg_when_fn(const struct rg_frame *frame);
 
@@ -241,7 +242,7 @@ struct rg_import {
     const struct rg_image *image; /* this or: */
     const struct rg_buffer *buffer;
     enum rg_access access;
-    VkExtent2D extent;     /* of the image that comes, if not as declared: 0 means as declared */
+    VkExtent2D extent;     /* of the image that comes; as declared if either is 0 */
     uint32_t layers, mips; /* the same */
     VkDeviceSize size;     /* of the buffer; the same */
 };

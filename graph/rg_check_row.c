@@ -18,11 +18,20 @@ static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
     [RG_COPY_DST] = KIND_BIT(RG_TRANSFER),
 };
 
+/* The shader stages that it may name. */
+static const VkPipelineStageFlags2 stages_of_kind[] = {
+    [RG_RASTER] = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+    [RG_COMPUTE] = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+    [RG_TRANSFER] = VK_PIPELINE_STAGE_2_NONE,
+};
+
 static const char *use_trouble(enum rg_kind kind, const struct rg_use *use)
 {
     const struct rg_access_info *info = &rg_access_table[use->access];
     if (!(kinds_of_use[use->access] & KIND_BIT(kind)))
         return "this kind of pass cannot do that; targets go into .color and .depth";
+    if (use->stages & ~stages_of_kind[kind])
+        return "name only stages of the shaders that the pass has";
     if (use->image ? !info->image_usage : !info->buffer_usage)
         return use->image ? "an image cannot be used so" : "a buffer cannot be used so";
     if (use->buffer && use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)

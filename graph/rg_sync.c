@@ -186,7 +186,10 @@ static void join_rows(struct sync *sync, struct resource *r, uint32_t start)
 /* Whether a frame has left an import in another state than it came in. */
 static bool has_to_go_back(const struct cell *s, const struct access *arrival)
 {
-    return s->changed || ((arrival->flags & ACCESS_WRITES_CONTENT) && s->read_stages);
+    if (!(arrival->flags & ACCESS_WRITES_CONTENT))
+        return s->changed;
+    return s->layout != arrival->layout || s->write_stages != arrival->stages ||
+           s->write_access != rg_access_table[arrival->access].writes || s->read_stages;
 }
 
 /* Returns whether it has added a barrier. */

@@ -221,9 +221,8 @@ static uint32_t find_barrier(const struct rg_plan *plan, const struct damage_cas
 
 static size_t find_damage(const char *name)
 {
-    bool sometimes;
     for (size_t i = 0; i < damage_count(); i++) {
-        if (!strcmp(damage_name(i, &sometimes), name))
+        if (!strcmp(damage_name(i), name))
             return i;
     }
     fail_msg("no damage %s", name);
@@ -246,6 +245,7 @@ static bool is_old_layer(void)
 static void check_case(struct gpu *gpu, const struct damage_case *c)
 {
     struct damage_copy copy;
+    struct run_tables tables;
     struct run run;
     const uint32_t frames = c->frames ? c->frames : 1;
     run_compile(&run, gpu,
@@ -262,7 +262,8 @@ static void check_case(struct gpu *gpu, const struct damage_case *c)
 
     const uint32_t barrier = find_barrier(run.plan, c);
     uint32_t next = barrier;
-    assert_true(damage_init(&copy, run.plan, find_damage(c->damage), &next));
+    run_tables_init(&tables, &run.params, NULL);
+    assert_true(damage_init(&copy, run.plan, &tables.compile, find_damage(c->damage), &next));
     assert_int_equal(next, barrier + 1);
     messages = run_frames(&run, &copy.plan, frames);
     print_message("%s: %u hazards, %u others\n", c->what, messages.hazards, messages.others);

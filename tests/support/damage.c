@@ -4,9 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void *duplicate(const void *array, size_t count, size_t size)
+#include "tests/support/damage_proof.h"
+
+static void *duplicate(const void *array, size_t count, size_t room, size_t size)
 {
-    void *copy = calloc(count + 1, size);
+    void *copy = calloc(room, size);
     if (!copy)
         abort();
     if (count)
@@ -14,16 +16,20 @@ static void *duplicate(const void *array, size_t count, size_t size)
     return copy;
 }
 
-static struct damage_copy copy_of(const struct rg_plan *plan)
+/* With room for as many again, and one. */
+#define DUPLICATE(array, count) duplicate(array, count, 2 * (size_t)(count) + 1, sizeof(*(array)))
+
+static struct damage_copy copy_of(const struct rg_plan *plan,
+                                  const struct rg_compile_params *params)
 {
-    struct damage_copy c = { .plan = *plan };
-    c.plan.passes = c.passes = duplicate(plan->passes, plan->pass_count, sizeof(*c.passes));
-    c.plan.images = c.images = duplicate(plan->images, plan->image_count, sizeof(*c.images));
-    c.plan.buffers = c.buffers = duplicate(plan->buffers, plan->buffer_count, sizeof(*c.buffers));
+    struct damage_copy c = { .params = params, .plan = *plan };
+    c.plan.passes = c.passes = DUPLICATE(plan->passes, plan->pass_count);
+    c.plan.images = c.images = DUPLICATE(plan->images, plan->image_count);
+    c.plan.buffers = c.buffers = DUPLICATE(plan->buffers, plan->buffer_count);
     c.plan.barriers = c.barriers =
-        duplicate(plan->barriers, plan->barrier_count, sizeof(*c.barriers));
-    c.plan.uses = c.uses = duplicate(plan->uses, plan->use_count, sizeof(*c.uses));
-    c.plan.blocks = c.blocks = duplicate(plan->blocks, plan->block_count, sizeof(*c.blocks));
+        DUPLICATE(plan->barriers, plan->barrier_count + plan->initial_barrier_count);
+    c.plan.uses = c.uses = DUPLICATE(plan->uses, plan->use_count);
+    c.plan.blocks = c.blocks = DUPLICATE(plan->blocks, plan->block_count);
     return c;
 }
 
@@ -37,57 +43,83 @@ void damage_finish(struct damage_copy *c)
     free(c->blocks);
 }
 
-/* Brings a barrier to the end of its batch; returns the pass, or pass_count for the final one. */
-static uint32_t put_last(struct damage_copy *c, uint32_t *barrier)
+/* ---- ways to damage it: thing number `i`; false if that would not break it for certain ---- */
+
+static bool is_initial(const struct damage_copy *c, uint32_t i)
 {
-    uint32_t pass = 0;
-    uint32_t first = c->plan.first_final_barrier, count = c->plan.final_barrier_count;
-    for (; pass < c->plan.pass_count; pass++)
-        if (*barrier - c->passes[pass].first_barrier < c->passes[pass].barrier_count) {
-            first = c->passes[pass].first_barrier;
-            count = c->passes[pass].barrier_count;
-            break;
-        }
-    struct rg_barrier last = c->barriers[first + count - 1];
-    c->barriers[first + count - 1] = c->barriers[*barrier];
-    c->barriers[*barrier] = last;
-    *barrier = first + count - 1;
-    return pass;
+    return i - c->plan.first_initial_barrier < c->plan.initial_barrier_count;
 }
 
-/* ---- ways to damage it: thing number `i`; false if there is no such thing to damage ---- */
+static bool depends(const struct damage_copy *c, uint32_t i)
+{
+    return damage_proof_depends(&c->plan, c->params, i, false);
+}
+
+static bool orders(const struct damage_copy *c, uint32_t i)
+{
+    return damage_proof_orders(&c->plan, c->params, i);
+}
+
+/* The batch that barrier `i` is in: its first barrier, and where its count is kept. */
+static uint32_t *batch_of(struct damage_copy *c, uint32_t i, uint32_t *first)
+{
+    for (uint32_t p = 0; p < c->plan.pass_count; p++) {
+        *first = c->passes[p].first_barrier;
+        if (i - *first < c->passes[p].barrier_count)
+            return &c->passes[p].barrier_count;
+    }
+    bool initial = is_initial(c, i);
+    *first = initial ? c->plan.first_initial_barrier : c->plan.first_final_barrier;
+    return initial ? &c->plan.initial_barrier_count : &c->plan.final_barrier_count;
+}
+
+/* Takes it out of its batch; what only counts batches is told. */
+static void take_out(struct damage_copy *c, uint32_t i)
+{
+    bool initial = is_initial(c, i);
+    uint32_t first;
+    uint32_t *count = batch_of(c, i, &first);
+    c->barriers[i] = c->barriers[first + --*count];
+    c->plan.batch_count -= !initial && *count == 0;
+}
 
 static bool drop_barrier(struct damage_copy *c, uint32_t i)
 {
-    uint32_t pass = put_last(c, &i);
-    if (pass < c->plan.pass_count)
-        c->passes[pass].barrier_count--;
-    else
-        c->plan.final_barrier_count--;
+    if (!depends(c, i) && !orders(c, i) && !damage_proof_layout(&c->plan, c->params, i, false) &&
+        !damage_proof_initial(&c->plan, c->params, i))
+        return false;
+    take_out(c, i);
     return true;
 }
 
 /* To the end of the frame, after whatever waits for it. */
 static bool delay_barrier(struct damage_copy *c, uint32_t i)
 {
-    uint32_t pass = put_last(c, &i);
-    uint32_t last = c->plan.barrier_count - 1;
-    if (pass == c->plan.pass_count)
-        return false;
     const struct rg_barrier barrier = c->barriers[i];
-    memmove(&c->barriers[i], &c->barriers[i + 1], (last - i) * sizeof(barrier));
-    c->barriers[last] = barrier;
-    c->passes[pass].barrier_count--;
-    for (uint32_t p = 0; p < c->plan.pass_count; p++)
-        c->passes[p].first_barrier -= c->passes[p].first_barrier > i;
-    c->plan.final_barrier_count++;
-    c->plan.first_final_barrier = c->plan.barrier_count - c->plan.final_barrier_count;
+    uint32_t first, count = c->plan.final_barrier_count, initial = c->plan.initial_barrier_count;
+    if (batch_of(c, i, &first) == &c->plan.final_barrier_count ||
+        (!orders(c, i) && !damage_proof_depends(&c->plan, c->params, i, true) &&
+         !damage_proof_layout(&c->plan, c->params, i, true)))
+        return false;
+    take_out(c, i);
+    /* the final batch moves to the end of the array, which has room for one more, but for the
+     * initial ones */
+    struct rg_barrier *batch = &c->barriers[c->plan.barrier_count];
+    memmove(batch + count + 1, batch, initial * sizeof(barrier));
+    memmove(batch, &c->barriers[c->plan.first_final_barrier], count * sizeof(barrier));
+    batch[count] = barrier;
+    c->plan.first_final_barrier = c->plan.barrier_count;
+    c->plan.final_barrier_count = count + 1;
+    c->plan.barrier_count += count + 1;
+    c->plan.first_initial_barrier = c->plan.barrier_count;
+    c->plan.batch_count += count == 0;
     return true;
 }
 
 static bool wrong_new_layout(struct damage_copy *c, uint32_t i)
 {
-    if (c->barriers[i].image == RG_NONE)
+    if (c->barriers[i].image == RG_NONE ||
+        (is_initial(c, i) && !damage_proof_initial(&c->plan, c->params, i)))
         return false;
     c->barriers[i].new_layout = VK_IMAGE_LAYOUT_PREINITIALIZED;
     return true;
@@ -101,37 +133,30 @@ static bool wrong_old_layout(struct damage_copy *c, uint32_t i)
     return true;
 }
 
+/* Also what is needed only where a pass does not run. */
 static bool lose_content(struct damage_copy *c, uint32_t i)
 {
-    if (c->barriers[i].image == RG_NONE || c->barriers[i].old_layout == VK_IMAGE_LAYOUT_UNDEFINED)
+    if (!damage_proof_content(&c->plan, c->params, i))
         return false;
     c->barriers[i].old_layout = VK_IMAGE_LAYOUT_UNDEFINED;
     return true;
 }
 
+/* A transition comes after whatever was there, in this frame or the one before. */
 static bool no_source(struct damage_copy *c, uint32_t i)
 {
+    bool transition =
+        c->barriers[i].image != RG_NONE && c->barriers[i].old_layout != c->barriers[i].new_layout;
+    if (!transition && !depends(c, i) && !orders(c, i))
+        return false;
     c->barriers[i].src_stages = VK_PIPELINE_STAGE_2_NONE;
     c->barriers[i].src_access = VK_ACCESS_2_NONE;
     return true;
 }
 
-/* What a first barrier needs of the frame before: without it, one frame alone is right. */
-static bool no_last_frame(struct damage_copy *c, uint32_t i)
-{
-    const struct rg_barrier *barrier = &c->barriers[i];
-    if (barrier->image == RG_NONE || barrier->old_layout != VK_IMAGE_LAYOUT_UNDEFINED ||
-        c->images[barrier->image].imported)
-        return false;
-    uint32_t pass = put_last(c, &i);
-    if (c->images[c->barriers[i].image].first != pass)
-        return false;
-    return no_source(c, i);
-}
-
 static bool no_source_access(struct damage_copy *c, uint32_t i)
 {
-    if (!c->barriers[i].src_access)
+    if (!depends(c, i) && !damage_proof_initial(&c->plan, c->params, i))
         return false;
     c->barriers[i].src_access = VK_ACCESS_2_NONE;
     return true;
@@ -140,7 +165,7 @@ static bool no_source_access(struct damage_copy *c, uint32_t i)
 static bool weak_source(struct damage_copy *c, uint32_t i)
 {
     VkPipelineStageFlags2 stages = c->barriers[i].src_stages;
-    if (stages != VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT)
+    if (stages != VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT || !depends(c, i))
         return false;
     c->barriers[i].src_stages = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
     c->barriers[i].src_access = VK_ACCESS_2_NONE;
@@ -149,7 +174,7 @@ static bool weak_source(struct damage_copy *c, uint32_t i)
 
 static bool no_destination_access(struct damage_copy *c, uint32_t i)
 {
-    if (!c->barriers[i].dst_access)
+    if (!damage_proof_visible(&c->plan, c->params, i))
         return false;
     c->barriers[i].dst_access = VK_ACCESS_2_NONE;
     return true;
@@ -157,7 +182,7 @@ static bool no_destination_access(struct damage_copy *c, uint32_t i)
 
 static bool wrong_destination(struct damage_copy *c, uint32_t i)
 {
-    if (!c->barriers[i].dst_access)
+    if (!damage_proof_visible(&c->plan, c->params, i))
         return false;
     c->barriers[i].dst_stages = VK_PIPELINE_STAGE_2_CLEAR_BIT;
     c->barriers[i].dst_access = VK_ACCESS_2_TRANSFER_WRITE_BIT;
@@ -171,12 +196,29 @@ static bool impossible_access(struct damage_copy *c, uint32_t i)
     return true;
 }
 
+/* A batch more than are needed: one of a batch's barriers comes before another pass. */
+static bool add_batch(struct damage_copy *c, uint32_t i)
+{
+    struct rg_plan_pass *pass = &c->passes[i];
+    if (pass->barrier_count || c->params->sharing == RG_SHARE_LEAST_MEMORY)
+        return false;
+    for (uint32_t p = 0; p < c->plan.pass_count; p++)
+        if (c->passes[p].barrier_count > 1) {
+            pass->first_barrier = c->passes[p].first_barrier + --c->passes[p].barrier_count;
+            pass->barrier_count = 1;
+            c->plan.batch_count++;
+            return true;
+        }
+    return false;
+}
+
 static bool drop_store(struct damage_copy *c, uint32_t i)
 {
     struct rg_plan_target *target = &c->passes[i].depth;
     if (c->passes[i].color_count)
         target = &c->passes[i].color[c->passes[i].color_count - 1];
-    if (target->image == RG_NONE || target->store != VK_ATTACHMENT_STORE_OP_STORE)
+    if (target->image == RG_NONE || target->store != VK_ATTACHMENT_STORE_OP_STORE ||
+        !damage_proof_store(&c->plan, c->params, i, target))
         return false;
     target->store = VK_ATTACHMENT_STORE_OP_DONT_CARE;
     return true;
@@ -208,6 +250,28 @@ static bool swap_passes(struct damage_copy *c, uint32_t i)
     struct rg_plan_pass pass = c->passes[i];
     c->passes[i] = c->passes[i + 1];
     c->passes[i + 1] = pass;
+    return true;
+}
+
+static bool drop_resolve(struct damage_copy *c, uint32_t i)
+{
+    if (c->passes[i].color_count == 0 || c->passes[i].color[0].resolve == RG_NONE)
+        return false;
+    c->passes[i].color[0].resolve = RG_NONE;
+    return true;
+}
+
+static bool resolve_elsewhere(struct damage_copy *c, uint32_t i)
+{
+    if (c->passes[i].color_count == 0 || c->passes[i].color[0].resolve == RG_NONE)
+        return false;
+    c->passes[i].color[0].resolve_layer++;
+    return true;
+}
+
+static bool wrong_extent(struct damage_copy *c, uint32_t i)
+{
+    c->passes[i].extent.height++;
     return true;
 }
 
@@ -264,13 +328,82 @@ static bool wrong_memory_type(struct damage_copy *c, uint32_t i)
 
 static bool no_image_usage(struct damage_copy *c, uint32_t i)
 {
-    c->images[i].usage &= c->images[i].usage - 1; /* the lowest flag */
-    return true;
+    VkImageUsageFlags needed = damage_proof_image_usage(&c->plan, c->params, i);
+    c->images[i].usage &= ~needed | (needed - 1); /* without the lowest one that is needed */
+    return needed != 0;
 }
 
 static bool no_buffer_usage(struct damage_copy *c, uint32_t i)
 {
-    c->buffers[i].usage &= c->buffers[i].usage - 1;
+    VkBufferUsageFlags needed = damage_proof_buffer_usage(&c->plan, c->params, i);
+    c->buffers[i].usage &= ~needed | (needed - 1);
+    return needed != 0;
+}
+
+static bool wrong_shape(struct damage_copy *c, uint32_t i)
+{
+    if (c->images[i].imported)
+        c->images[i].layers++; /* perhaps what was declared */
+    else
+        c->images[i].extent.width++;
+    return true;
+}
+
+static bool wrong_size(struct damage_copy *c, uint32_t i)
+{
+    c->buffers[i].size += 16;
+    return true;
+}
+
+static bool wrong_samples(struct damage_copy *c, uint32_t i)
+{
+    c->images[i].samples ^= 3; /* one becomes two */
+    return true;
+}
+
+static bool wrong_persistence(struct damage_copy *c, uint32_t i)
+{
+    c->images[i].persistent = !c->images[i].persistent;
+    return true;
+}
+
+static bool wrong_buffer_persistence(struct damage_copy *c, uint32_t i)
+{
+    c->buffers[i].persistent = !c->buffers[i].persistent;
+    return true;
+}
+
+/* What keeps its content lies where others are. */
+static bool share_history(struct damage_copy *c, uint32_t i)
+{
+    if (!c->images[i].persistent || c->plan.block_count == 0)
+        return false;
+    c->images[i].block = 0;
+    c->images[i].offset = 0;
+    return true;
+}
+
+static bool share_buffer_history(struct damage_copy *c, uint32_t i)
+{
+    if (!c->buffers[i].persistent || c->plan.block_count == 0)
+        return false;
+    c->buffers[i].block = c->plan.block_count - 1;
+    c->buffers[i].offset = 0;
+    return true;
+}
+
+static bool wrong_count(struct damage_copy *c, uint32_t i)
+{
+    VkDeviceSize *const bytes[] = {
+        &c->plan.memory_used,
+        &c->plan.memory_least,
+        &c->plan.memory_bound,
+        &c->plan.memory_persistent,
+    };
+    if (i < sizeof(bytes) / sizeof(bytes[0]))
+        ++*bytes[i];
+    else
+        c->plan.batch_count++;
     return true;
 }
 
@@ -279,46 +412,58 @@ enum things {
     PASSES,
     IMAGES,
     BUFFERS,
+    COUNTS,
 };
 
 static const struct {
     const char *name;
     bool (*apply)(struct damage_copy *c, uint32_t i);
     enum things things;
-    bool sometimes; /* right: a plan may do more than it must */
 } damages[] = {
-    { "drop_barrier", drop_barrier, BARRIERS, true },
-    { "delay_barrier", delay_barrier, BARRIERS, true },
+    { "drop_barrier", drop_barrier, BARRIERS },
+    { "delay_barrier", delay_barrier, BARRIERS },
     { "wrong_new_layout", wrong_new_layout, BARRIERS },
     { "wrong_old_layout", wrong_old_layout, BARRIERS },
-    { "lose_content", lose_content, BARRIERS, true },
-    { "no_source", no_source, BARRIERS, true },
-    { "no_last_frame", no_last_frame, BARRIERS },
-    { "no_source_access", no_source_access, BARRIERS, true },
-    { "weak_source", weak_source, BARRIERS, true },
-    { "no_destination_access", no_destination_access, BARRIERS, true },
-    { "wrong_destination", wrong_destination, BARRIERS, true },
+    { "lose_content", lose_content, BARRIERS },
+    { "no_source", no_source, BARRIERS },
+    { "no_source_access", no_source_access, BARRIERS },
+    { "weak_source", weak_source, BARRIERS },
+    { "no_destination_access", no_destination_access, BARRIERS },
+    { "wrong_destination", wrong_destination, BARRIERS },
     { "impossible_access", impossible_access, BARRIERS },
+    { "add_batch", add_batch, PASSES },
     { "drop_store", drop_store, PASSES },
     { "drop_load", drop_load, PASSES },
     { "drop_pass", drop_pass, PASSES },
     { "swap_passes", swap_passes, PASSES },
+    { "drop_resolve", drop_resolve, PASSES },
+    { "resolve_elsewhere", resolve_elsewhere, PASSES },
+    { "wrong_extent", wrong_extent, PASSES },
     { "wrong_use_layout", wrong_use_layout, PASSES },
     { "overlap", overlap, IMAGES },
     { "misalign", misalign, IMAGES },
     { "outside_block", outside_block, IMAGES },
     { "wrong_memory_type", wrong_memory_type, IMAGES },
     { "no_image_usage", no_image_usage, IMAGES },
+    { "wrong_shape", wrong_shape, IMAGES },
+    { "wrong_samples", wrong_samples, IMAGES },
+    { "wrong_persistence", wrong_persistence, IMAGES },
+    { "share_history", share_history, IMAGES },
     { "no_buffer_usage", no_buffer_usage, BUFFERS },
+    { "wrong_size", wrong_size, BUFFERS },
+    { "wrong_buffer_persistence", wrong_buffer_persistence, BUFFERS },
+    { "share_buffer_history", share_buffer_history, BUFFERS },
+    { "wrong_count", wrong_count, COUNTS },
 };
 
 static uint32_t thing_count(const struct rg_plan *plan, enum things things)
 {
     const uint32_t counts[] = {
-        [BARRIERS] = plan->barrier_count,
+        [BARRIERS] = plan->barrier_count + plan->initial_barrier_count,
         [PASSES] = plan->pass_count,
         [IMAGES] = plan->image_count,
         [BUFFERS] = plan->buffer_count,
+        [COUNTS] = 5,
     };
     return counts[things];
 }
@@ -328,17 +473,17 @@ size_t damage_count(void)
     return sizeof(damages) / sizeof(damages[0]);
 }
 
-const char *damage_name(size_t damage, bool *sometimes)
+const char *damage_name(size_t damage)
 {
-    *sometimes = damages[damage].sometimes;
     return damages[damage].name;
 }
 
-bool damage_init(struct damage_copy *c, const struct rg_plan *plan, size_t damage, uint32_t *next)
+bool damage_init(struct damage_copy *c, const struct rg_plan *plan,
+                 const struct rg_compile_params *params, size_t damage, uint32_t *next)
 {
     uint32_t count = thing_count(plan, damages[damage].things);
     while (*next < count) {
-        *c = copy_of(plan);
+        *c = copy_of(plan, params);
         if (damages[damage].apply(c, (*next)++))
             return true;
         damage_finish(c);

@@ -4,6 +4,7 @@
 #ifndef TESTS_DAMAGE_H
 #define TESTS_DAMAGE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -11,6 +12,7 @@
 
 /* A plan whose arrays may be changed. */
 struct damage_copy {
+    const struct rg_compile_params *params;
     struct rg_plan plan;
     struct rg_plan_pass *passes;
     struct rg_plan_image *images;
@@ -21,15 +23,15 @@ struct damage_copy {
 };
 
 size_t damage_count(void); /* kinds of damage */
-
-/* `sometimes`: a plan may survive it, where it did more than it must. */
-const char *damage_name(size_t damage, bool *sometimes);
+const char *damage_name(size_t damage);
 
 /*
- * Copies a plan and damages it at the next place where this kind of damage can be done, from
- * *next on, which is 0 at first. Returns false, without a copy, when there is none left.
+ * Copies the plan of `params` and damages it at the next place where this kind of damage breaks
+ * something for certain, from *next on, which is 0 at first. Returns false, without a copy, when
+ * there is none left.
  */
-bool damage_init(struct damage_copy *c, const struct rg_plan *plan, size_t damage, uint32_t *next);
+bool damage_init(struct damage_copy *c, const struct rg_plan *plan,
+                 const struct rg_compile_params *params, size_t damage, uint32_t *next);
 
 void damage_finish(struct damage_copy *c);
 

@@ -1,4 +1,4 @@
-/* The checker from outside: what the plan must be before it can run, then two frames of it. */
+/* The checker from outside: what the plan must be before it can run, then some frames of it. */
 #include "tests/support/hazard.h"
 
 #include <stdarg.h>
@@ -14,14 +14,18 @@ enum {
 static void write_out(struct hazard *h, const char *format, va_list arguments)
 {
     const struct rg_plan *plan = h->plan;
-    uint32_t index = h->slot ? (h->slot - 1) % (plan->pass_count + 1) : 0;
-    if (h->slot && index < plan->pass_count)
-        fprintf(h->report, "hazard: slot %u (frame %u, %s[%u]): ", h->slot, h->frame + 1,
+    bool in_frame = h->slot >= HAZARD_FIRST_SLOT;
+    uint32_t index = in_frame ? (h->slot - HAZARD_FIRST_SLOT) % (plan->pass_count + 1) : 0;
+    fputs("hazard: ", h->report);
+    if (h->slot && h->condition_count)
+        fprintf(h->report, "scenario %u: ", h->scenario);
+    if (in_frame && index < plan->pass_count)
+        fprintf(h->report, "slot %u (frame %u, %s[%u]): ", h->slot, h->frame + 1,
                 plan->passes[index].pass->name, plan->passes[index].repetition);
-    else if (h->slot)
-        fprintf(h->report, "hazard: slot %u (end of frame %u): ", h->slot, h->frame + 1);
+    else if (in_frame)
+        fprintf(h->report, "slot %u (end of frame %u): ", h->slot, h->frame + 1);
     else
-        fputs("hazard: plan: ", h->report);
+        fputs(h->slot ? "before the first frame: " : "plan: ", h->report);
     vfprintf(h->report, format, arguments);
 }
 
@@ -134,6 +138,28 @@ static bool check_barrier(struct hazard *h, uint32_t index)
     return true;
 }
 
+/* Finds the tables' resource of each of the plan's; false if one has none, or they share one. */
+static bool map_resources(struct hazard *h)
+{
+    const struct rg_plan *plan = h->plan;
+    uint32_t image_room = 0, buffer_room = 0;
+    h->plan_images = hazard_grow(NULL, &image_room, plan->image_count + 1, sizeof(uint32_t));
+    h->plan_buffers = hazard_grow(NULL, &buffer_room, plan->buffer_count + 1, sizeof(uint32_t));
+    uint32_t mapped = 0;
+    for (uint32_t r = 0; r < h->resource_count; r++) {
+        const struct hazard_resource *resource = &h->resources[r];
+        if (resource->plan == RG_NONE)
+            continue;
+        (resource->image ? h->plan_images : h->plan_buffers)[resource->plan] = r;
+        mapped++;
+    }
+    if (mapped == plan->image_count + plan->buffer_count)
+        return true;
+    hazard_find(h, "%u images and buffers, but %u of the tables",
+                plan->image_count + plan->buffer_count, mapped);
+    return false;
+}
+
 static bool is_batch(const struct rg_plan *plan, uint32_t first, uint32_t count)
 {
     return first <= plan->barrier_count && count <= plan->barrier_count - first;
@@ -153,7 +179,7 @@ static uint32_t find_pass(const struct hazard *h, const struct rg_plan_pass *pas
 static bool check_passes(struct hazard *h)
 {
     const struct rg_plan *plan = h->plan;
-    uint32_t from = 0, needed = 0, room = 0;
+    uint32_t from = 0, room = 0;
     h->plan_passes =
         hazard_grow(h->plan_passes, &room, plan->pass_count + 1, sizeof(*h->plan_passes));
     for (uint32_t i = 0; i < plan->pass_count; i++) {
@@ -165,40 +191,79 @@ static bool check_passes(struct hazard *h)
             hazard_find(h, "pass %u '%s' is out of order or broken", i, pass->pass->name);
             return false;
         }
-        if (!h->passes[index].needed)
+        if (!h->passes[index].useful)
             hazard_find(h, "'%s'[%u] is not needed, but lives", pass->pass->name, pass->repetition);
+        h->passes[index].lives = true;
         h->plan_passes[i] = index;
         from = index + 1;
     }
-    for (uint32_t i = 0; i < h->pass_count; i++)
-        needed += h->passes[i].needed;
-    if (needed > plan->pass_count)
-        hazard_find(h, "%u passes needed, but %u live", needed, plan->pass_count);
+    for (uint32_t i = 0; !h->condition_count && i < h->pass_count; i++)
+        if (h->passes[i].useful && !h->passes[i].lives)
+            hazard_find(h, "'%s'[%u] is needed, but culled", h->passes[i].pass->name,
+                        h->passes[i].repetition);
     if (plan->culled_count != h->pass_count - plan->pass_count)
         hazard_find(h, "%u passes culled of %u", plan->culled_count, h->pass_count);
-    if (is_batch(plan, plan->first_final_barrier, plan->final_barrier_count))
+    if (is_batch(plan, plan->first_final_barrier, plan->final_barrier_count) &&
+        plan->first_initial_barrier == plan->barrier_count)
         return true;
-    hazard_find(h, "its final barriers are not among its barriers");
+    hazard_find(h, "its final barriers are not among its barriers, or the initial ones not behind");
     return false;
+}
+
+/* How many frames and scenarios show all there is, or are affordable. */
+static void choose_scenarios(struct hazard *h)
+{
+    uint32_t passes = h->plan->pass_count + 1;
+    h->frame_count = 2;
+    for (uint32_t i = 0; i < h->resource_count; i++)
+        if (h->resources[i].persistent)
+            h->frame_count = HAZARD_FRAMES;
+    uint32_t most = HAZARD_PASSES_RUN / (passes * h->frame_count);
+    if (most > HAZARD_SCENARIOS)
+        most = HAZARD_SCENARIOS;
+    if (most < HAZARD_SOME_SCENARIOS)
+        most = HAZARD_SOME_SCENARIOS;
+    uint32_t bits = h->condition_count * h->frame_count;
+    h->every_scenario = bits < 16 && UINT32_C(1) << bits <= most;
+    h->scenario_count = h->every_scenario ? UINT32_C(1) << bits : most;
+}
+
+static void run_scenario(struct hazard *h)
+{
+    h->time = 0;
+    h->node_count = 0;
+    h->slot = 0;
+    hazard_expect(h);
+    hazard_frame_before(h);
+    for (h->frame = 0; h->frame < h->frame_count; h->frame++)
+        hazard_frame(h);
 }
 
 static void run(struct hazard *h)
 {
     uint32_t room = 0;
     hazard_tables(h);
-    hazard_tables_expect(h);
-    if (!check_passes(h))
+    hazard_expect_useful(h);
+    if (!map_resources(h) || !check_passes(h))
         return;
     hazard_memory(h);
-    h->barriers = hazard_grow(NULL, &room, h->plan->barrier_count + 1, sizeof(*h->barriers));
-    for (uint32_t i = 0; i < h->plan->barrier_count; i++)
+    hazard_optimal(h);
+    uint32_t barrier_count = h->plan->barrier_count + h->plan->initial_barrier_count;
+    h->barriers = hazard_grow(NULL, &room, barrier_count + 1, sizeof(*h->barriers));
+    for (uint32_t i = 0; i < barrier_count; i++)
         if (!check_barrier(h, i))
             return;
-    h->slot_count = 1 + 2 * (h->plan->pass_count + 1);
+    choose_scenarios(h);
+    h->slot_count = HAZARD_FIRST_SLOT + h->frame_count * (h->plan->pass_count + 1);
     room = 0;
     h->reach = hazard_grow(NULL, &room, h->slot_count * HAZARD_STAGE_COUNT, sizeof(*h->reach));
-    for (h->frame = 0; h->frame < 2; h->frame++)
-        hazard_frame(h);
+    room = 0;
+    h->expected =
+        hazard_grow(NULL, &room, h->frame_count * h->expected_count + 1, sizeof(*h->expected));
+    room = 0;
+    h->ends = hazard_grow(NULL, &room, h->frame_count * h->cell_count + 1, sizeof(*h->ends));
+    for (h->scenario = 0; h->scenario < h->scenario_count; h->scenario++)
+        run_scenario(h);
 }
 
 static void finish(struct hazard *h)
@@ -206,8 +271,9 @@ static void finish(struct hazard *h)
     for (uint32_t i = 0; h->reach && i < h->slot_count * HAZARD_STAGE_COUNT; i++)
         free(h->reach[i]);
     void *const arrays[] = {
-        h->resources, h->passes,   h->uses,    h->cells,       h->barriers,
-        h->nodes,     h->expected, h->aliases, h->plan_passes, (void *)h->reach
+        h->resources,   h->passes,       h->uses,          h->cells,   h->barriers,
+        h->nodes,       h->expected,     h->ends,          h->aliases, h->plan_passes,
+        h->plan_images, h->plan_buffers, (void *)h->reach,
     };
     for (size_t i = 0; i < sizeof(arrays) / sizeof(arrays[0]); i++)
         free(arrays[i]);

@@ -1,10 +1,11 @@
 /*
  * hazard.h: an independent judge of compiled plans.
  *
- * Runs a plan twice in a row on a queue of paper, with nothing awaited in between, by the rules of
+ * Runs some frames of a plan on a queue of paper, with nothing awaited in between, by the rules of
  * Vulkan 1.3 ("Synchronization and Cache Control", "Memory Aliasing"): which access may race with
- * which, which layout and content every subresource has, what memory is shared. What passes should
- * do is derived anew from the tables; nothing here asks the compiler.
+ * which, which layout and content every subresource has, what memory is shared. It does so for many
+ * ways in which conditions may turn out. What passes should do, how many batches they need and how
+ * many bytes are taken at once is derived anew from the tables; nothing here asks the compiler.
  */
 #ifndef TESTS_HAZARD_H
 #define TESTS_HAZARD_H

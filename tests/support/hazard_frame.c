@@ -24,12 +24,14 @@ static void arrive(struct hazard *h, uint32_t cell, const struct hazard_resource
     h->cells[cell].content = HAZARD_UNDEFINED;
 }
 
-/* Contents do not outlive a frame; imports and buffers of the host's come anew. */
+/* Contents do not outlive a frame, but for history; imports and buffers of the host's come anew. */
 static void begin(struct hazard *h)
 {
     for (uint32_t i = 0; i < h->cell_count; i++) {
         struct hazard_cell *cell = &h->cells[i];
         const struct hazard_resource *resource = &h->resources[cell->resource];
+        if (resource->persistent)
+            continue;
         cell->content = HAZARD_UNDEFINED;
         if (resource->import) {
             arrive(h, i, resource);
@@ -47,13 +49,9 @@ static void run_barriers(struct hazard *h, uint32_t first, uint32_t count)
     for (uint32_t i = first; i < first + count; i++) {
         const struct rg_barrier *barrier = &h->plan->barriers[i];
         bool of_image = barrier->image != RG_NONE;
-        uint32_t plan = of_image ? barrier->image : barrier->buffer;
-        uint32_t r = 0;
-        while (r < h->resource_count &&
-               (h->resources[r].plan != plan || (h->resources[r].image != NULL) != of_image))
-            r++;
-        if (r == h->resource_count)
-            continue;
+        uint32_t r = of_image ? h->plan_images[barrier->image] : h->plan_buffers[barrier->buffer];
+        if (h->slot < HAZARD_FIRST_SLOT && !h->resources[r].persistent)
+            hazard_find(h, "initial barrier %u: of a resource without history", i);
         uint32_t cell;
         for (uint32_t c = 0;
              (cell = hazard_next_cell(&h->resources[r], of_image ? &barrier->range : &everything,
@@ -77,6 +75,19 @@ static bool same_range(const VkImageSubresourceRange *a, const VkImageSubresourc
            a->layerCount == b->layerCount;
 }
 
+static void act_on_resolve(struct hazard *h, const struct rg_plan_pass *pass,
+                           const struct rg_plan_target *planned, struct action *action)
+{
+    const struct hazard_use *use = action->use;
+    action->layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    action->event.writes = use->writes;
+    if (planned->resolve != h->resources[use->resource].plan ||
+        planned->resolve_mip != use->range.baseMipLevel ||
+        planned->resolve_layer != use->range.baseArrayLayer)
+        hazard_find(h, "'%s': resolve to '%s' is not what the row says", pass->pass->name,
+                    use->target->resolve->name);
+}
+
 static void act_on_target(struct hazard *h, const struct rg_plan_pass *pass, struct action *action)
 {
     const struct hazard_use *use = action->use;
@@ -84,8 +95,13 @@ static void act_on_target(struct hazard *h, const struct rg_plan_pass *pass, str
     const struct rg_plan_target *planned =
         target == &pass->pass->depth ? &pass->depth : &pass->color[target - pass->pass->color];
     const char *name = target->image->name;
+    if (use->resolve) {
+        act_on_resolve(h, pass, planned, action);
+        return;
+    }
     if (planned->image != h->resources[use->resource].plan ||
-        planned->mip != use->range.baseMipLevel || planned->layer != use->range.baseArrayLayer)
+        planned->mip != use->range.baseMipLevel || planned->layer != use->range.baseArrayLayer ||
+        (planned->resolve != RG_NONE) != (use->access == RG_COLOR && target->resolve))
         hazard_find(h, "'%s': target '%s' is not what the row says", pass->pass->name, name);
     if ((use->needs_content && planned->load != VK_ATTACHMENT_LOAD_OP_LOAD) ||
         (target->load == RG_LOAD_CLEAR && planned->load != VK_ATTACHMENT_LOAD_OP_CLEAR))
@@ -101,6 +117,7 @@ static void act_on_target(struct hazard *h, const struct rg_plan_pass *pass, str
             hazard_find(h, "'%s': '%s' is lost by its store op", pass->pass->name, name);
         return;
     }
+    /* a resolve reads what the pass itself has written: no earlier write need be visible to it */
     action->event.reads = planned->load == VK_ATTACHMENT_LOAD_OP_LOAD ? use->reads : 0;
     action->event.writes = use->writes;
     if (planned->store != VK_ATTACHMENT_STORE_OP_STORE)
@@ -144,7 +161,7 @@ static void check_action(struct hazard *h, const struct action *action)
 {
     const struct hazard_use *use = action->use;
     const struct hazard_resource *resource = &h->resources[use->resource];
-    const struct hazard_expected *expected = h->expected + use->first_expected;
+    const struct hazard_expected *expected = hazard_expected(h, use, h->frame);
     if (resource->image && !hazard_layout_fits(action->layout, use->access, resource->aspects))
         hazard_find(h, "'%s' is used in a layout that does not fit", resource->image->name);
     uint32_t cell;
@@ -170,17 +187,27 @@ static void perform(struct hazard *h, const struct action *action)
     }
 }
 
+/* Whether the pass has the extent of its targets, and they all have one number of samples. */
 static void check_extent(struct hazard *h, const struct rg_plan_pass *pass,
                          const struct hazard_pass *declared)
 {
     VkExtent2D extent = h->params->view;
-    const struct hazard_use *use = &h->uses[declared->first_use];
-    if (declared->use_count && use->target) {
-        extent = h->resources[use->resource].extent;
-        extent.width >>= use->range.baseMipLevel;
-        extent.height >>= use->range.baseMipLevel;
+    uint32_t samples = 0;
+    for (uint32_t u = declared->first_use; u < declared->first_use + declared->use_count; u++) {
+        const struct hazard_use *use = &h->uses[u];
+        const struct hazard_resource *resource = &h->resources[use->resource];
+        if (!use->target)
+            continue;
+        extent.width = resource->extent.width >> use->range.baseMipLevel;
+        extent.height = resource->extent.height >> use->range.baseMipLevel;
         extent.width += extent.width == 0;
         extent.height += extent.height == 0;
+        if (pass->extent.width != extent.width || pass->extent.height != extent.height)
+            hazard_find(h, "'%s' has the wrong extent", pass->pass->name);
+        if (use->resolve ? resource->samples != 1 : samples && resource->samples != samples)
+            hazard_find(h, "'%s' has a target with %u samples", pass->pass->name,
+                        resource->samples);
+        samples = use->resolve ? samples : resource->samples;
     }
     if (pass->extent.width != extent.width || pass->extent.height != extent.height)
         hazard_find(h, "'%s' has the wrong extent", pass->pass->name);
@@ -191,27 +218,28 @@ static void run_pass(struct hazard *h, uint32_t index)
     const struct rg_plan_pass *pass = &h->plan->passes[index];
     const struct hazard_pass *declared = &h->passes[h->plan_passes[index]];
     check_extent(h, pass, declared);
-    uint32_t targets = 0, room = 0;
+    uint32_t targets = 0, uses = 0, room = 0;
     struct action *actions = hazard_grow(NULL, &room, declared->use_count + 1, sizeof(*actions));
     for (uint32_t i = 0; i < declared->use_count; i++) {
         const struct hazard_use *use = &h->uses[declared->first_use + i];
         actions[i] = (struct action){
             .use = use,
             .event = { .slot = h->slot, .stages = use->stages },
-            .content = HAZARD_WRITTEN + h->plan_passes[index],
+            .content = HAZARD_WRITTEN + h->frame * h->pass_count + h->plan_passes[index],
         };
+        uses += use->use != NULL;
         if (use->target)
             act_on_target(h, pass, &actions[i]);
         else
             act_on_use(h, pass, &actions[i]);
-        targets += use->target != NULL;
+        targets += use->target && !use->resolve;
     }
-    if (targets != pass->color_count + (pass->depth.image != RG_NONE) ||
-        declared->use_count - targets != pass->use_count)
+    if (targets != pass->color_count + (pass->depth.image != RG_NONE) || uses != pass->use_count)
         hazard_find(h, "'%s' has not the targets and uses of its row", pass->pass->name);
-    for (uint32_t i = 0; i < declared->use_count; i++)
+    bool runs = hazard_runs(h, declared, h->frame);
+    for (uint32_t i = 0; runs && i < declared->use_count; i++)
         check_action(h, &actions[i]);
-    for (uint32_t i = 0; i < declared->use_count; i++)
+    for (uint32_t i = 0; runs && i < declared->use_count; i++)
         perform(h, &actions[i]);
     free(actions);
 }
@@ -224,9 +252,12 @@ static void leave(struct hazard *h, uint32_t index, enum rg_access access, bool 
     if (resource->image && cell->layout != rule->layout)
         hazard_find_cell(h, index, "leaves in layout %d instead of %d", (int)cell->layout,
                          (int)rule->layout);
-    if (cell->declared != HAZARD_UNDEFINED && !(handed_back && cell->declared != HAZARD_IMPORTED))
-        check_content(h, index, cell->declared);
-    if (access == RG_PRESENT || cell->declared == HAZARD_UNDEFINED)
+    uint32_t content = h->ends[h->frame * h->cell_count + index];
+    if (content == HAZARD_UNDEFINED && !resource->import)
+        hazard_find_cell(h, index, "put out, but nothing writes it");
+    if (content != HAZARD_UNDEFINED && !(handed_back && content != HAZARD_IMPORTED))
+        check_content(h, index, content);
+    if (access == RG_PRESENT || content == HAZARD_UNDEFINED)
         return;
     hazard_sync_event(h, index,
                       &(struct hazard_event){
@@ -251,10 +282,18 @@ static void end(struct hazard *h)
     }
 }
 
+void hazard_frame_before(struct hazard *h)
+{
+    for (uint32_t i = 0; i < h->cell_count; i++)
+        hazard_sync_forget(h, i);
+    h->slot = 1;
+    run_barriers(h, h->plan->first_initial_barrier, h->plan->initial_barrier_count);
+}
+
 void hazard_frame(struct hazard *h)
 {
     const struct rg_plan *plan = h->plan;
-    h->slot = 1 + h->frame * (plan->pass_count + 1);
+    h->slot = HAZARD_FIRST_SLOT + h->frame * (plan->pass_count + 1);
     begin(h);
     for (uint32_t i = 0; i < plan->pass_count; i++, h->slot++) {
         run_barriers(h, plan->passes[i].first_barrier, plan->passes[i].barrier_count);

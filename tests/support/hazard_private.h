@@ -2,8 +2,11 @@
  * hazard_private.h: what the files of the hazard checker share.
  *
  * A cell is what barriers can name alone: a mip, layer and aspect of an image, or a buffer.
- * Time is counted in slots: slot 0 is before the first frame; in each frame every pass has one,
- * and one more follows for what happens after the frame. A slot's barriers come before its pass.
+ * Time is counted in slots: slot 0 is before the first frame, slot 1 has the initial barriers; in
+ * each frame every pass has one, and one more follows for what happens after the frame. A slot's
+ * barriers come before its pass.
+ *
+ * The frames are run once for each scenario: which conditions are true in which frame.
  */
 #ifndef TESTS_HAZARD_PRIVATE_H
 #define TESTS_HAZARD_PRIVATE_H
@@ -37,12 +40,23 @@ enum {
     HAZARD_SHADERS = HAZARD_VERTEX | HAZARD_FRAGMENT | HAZARD_COMPUTE,
 };
 
-/* Content of a cell: one of these, or HAZARD_WRITTEN plus the index of the declared pass. */
+/* Content of a cell: one of these, or HAZARD_WRITTEN plus the declared pass, counted on from frame
+ * to frame. */
 enum {
     HAZARD_UNDEFINED,
+    HAZARD_ZERO,
     HAZARD_IMPORTED,
     HAZARD_UPLOADED,
     HAZARD_WRITTEN,
+};
+
+enum {
+    HAZARD_FRAMES = 3,         /* with history; else 2 */
+    HAZARD_FIRST_SLOT = 2,     /* of the first frame */
+    HAZARD_CONDITIONS = 16,    /* told apart */
+    HAZARD_SCENARIOS = 64,     /* at most */
+    HAZARD_SOME_SCENARIOS = 6, /* at least, if there are conditions */
+    HAZARD_PASSES_RUN = 4000,  /* over all scenarios, about */
 };
 
 /* What an access is to Vulkan. */
@@ -75,8 +89,10 @@ struct hazard_resource {
     uint32_t plan;                  /* index in the plan's images or buffers, or RG_NONE */
     const struct rg_import *import; /* may be NULL */
     const struct rg_output *output; /* may be NULL */
+    bool persistent;
     VkExtent2D extent;
-    uint32_t mips, layers;
+    uint32_t mips, layers, samples;
+    VkDeviceSize size; /* of a buffer */
     VkImageAspectFlags aspects;
     uint32_t first_cell, cell_count;
     uint32_t first, last;              /* plan passes that touch it */
@@ -96,6 +112,7 @@ struct hazard_use {
     bool keeps_content;             /* partial: what was there is needed only if the result is */
     const struct rg_target *target; /* or: */
     const struct rg_use *use;
+    bool resolve;            /* of the target */
     uint32_t first_expected; /* one for each of its cells */
 };
 
@@ -110,7 +127,10 @@ struct hazard_pass {
     const struct rg_technique *technique;
     uint32_t row, repetition;
     uint32_t first_use, use_count;
-    bool needed; /* for an output */
+    uint32_t condition; /* 0: none; else from 1 */
+    bool useful;        /* an output may need it in some scenario */
+    bool needed;        /* an output needs it in this one */
+    bool lives;         /* is in the plan */
 };
 
 /* A barrier with its masks expanded. */
@@ -141,8 +161,9 @@ struct hazard_cell {
     struct hazard_record write;
     uint32_t reads, barriers, last_barrier; /* nodes since the last write */
     uint32_t content;
-    uint32_t declared; /* content that the tables say it has at the end */
-    bool wanted;       /* while the tables are read backwards: someone needs its content */
+    uint32_t declared;    /* while the tables are read: the content that they say it has */
+    bool wanted, carried; /* while they are read backwards: someone needs its content; the next
+                             frame does */
     VkImageLayout layout;
     uint64_t touched; /* time of the last access or transition */
     uint64_t changed; /* time of the last write or transition */
@@ -154,20 +175,26 @@ struct hazard {
     const struct rg_compile_params *params;
     FILE *report;
     uint32_t findings;
-    uint32_t frame, slot, slot_count;
+    uint32_t frame_count, frame, slot, slot_count;
+    rg_when_fn *conditions[HAZARD_CONDITIONS];
+    uint32_t condition_count;
+    uint32_t scenario, scenario_count;
+    bool every_scenario; /* else a sample */
     uint64_t time;
     struct hazard_resource *resources;
     struct hazard_pass *passes; /* of the tables, in their order */
     struct hazard_use *uses;
     struct hazard_cell *cells;
-    struct hazard_barrier *barriers; /* as many as the plan's */
+    struct hazard_barrier *barriers; /* as many as the plan's, with the initial ones */
     struct hazard_node *nodes;
-    struct hazard_expected *expected;
-    uint32_t *aliases, *plan_passes; /* the latter: of the tables, for each of the plan */
+    struct hazard_expected *expected; /* `expected_count` for each frame */
+    uint32_t *ends;                   /* contents at the end of each frame, of all cells */
+    uint32_t *aliases;
+    uint32_t *plan_passes, *plan_images, *plan_buffers; /* of the tables, for each of the plan */
     uint16_t **reach; /* of slot and stage: for each slot, the stages ordered after them */
     uint32_t resource_count, pass_count, use_count, cell_count, node_count;
     uint32_t expected_count, alias_count;
-    uint32_t resource_room, pass_room, use_room, cell_room, node_room, expected_room, alias_room;
+    uint32_t resource_room, pass_room, use_room, cell_room, node_room, alias_room;
 };
 
 /* An access about to happen: by a pass or the outside, or (transition) by a barrier. */
@@ -188,20 +215,43 @@ void *hazard_grow(void *array, uint32_t *room, uint32_t count, size_t size);
 uint32_t hazard_next_cell(const struct hazard_resource *resource,
                           const VkImageSubresourceRange *range, uint32_t *index);
 
-/* hazard_tables.c: fills resources, passes, uses, cells and expected contents. */
+/* hazard_tables.c: fills resources, passes, uses and cells. */
 void hazard_tables(struct hazard *h);
-void hazard_tables_expect(struct hazard *h);
+
+/* hazard_expect.c: which passes are useful; what this scenario's passes find and frames leave. */
+void hazard_expect_useful(struct hazard *h);
+void hazard_expect(struct hazard *h);
+struct hazard_expected *hazard_expected(const struct hazard *h, const struct hazard_use *use,
+                                        uint32_t frame); /* of its first cell */
+bool hazard_runs(const struct hazard *h, const struct hazard_pass *pass, uint32_t frame);
+
+/* Where the plan puts a resource. */
+struct hazard_place {
+    uint32_t block;
+    VkDeviceSize offset, size;
+    bool persistent;
+};
 
 /* hazard_memory.c: sizes, flags, places and lifetimes; fills aliases. */
 void hazard_memory(struct hazard *h);
+struct hazard_place hazard_memory_place(const struct hazard *h,
+                                        const struct hazard_resource *resource);
+
+/* hazard_batches.c: how many batches are enough if no memory is shared. */
+uint32_t hazard_batches(const struct hazard *h);
+
+/* hazard_optimal.c: what the plan says of bytes and batches. */
+void hazard_optimal(struct hazard *h);
 
 /* hazard_sync.c: what happens to a cell. */
+void hazard_sync_forget(struct hazard *h, uint32_t cell); /* all of it; history is filled with 0 */
 void hazard_sync_event(struct hazard *h, uint32_t cell, const struct hazard_event *event);
 void hazard_sync_barrier(struct hazard *h, uint32_t cell, uint32_t barrier);
 void hazard_sync_arrive(struct hazard *h, uint32_t cell, uint32_t slot, enum rg_access access);
 bool hazard_sync_lost(const struct hazard *h, uint32_t cell); /* memory since used by others */
 
-/* hazard_frame.c: runs the frame h->frame. */
+/* hazard_frame.c: what comes before the first frame; runs the frame h->frame. */
+void hazard_frame_before(struct hazard *h);
 void hazard_frame(struct hazard *h);
 
 #endif

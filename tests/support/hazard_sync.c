@@ -5,7 +5,11 @@
 
 static const struct rg_barrier *batch_of(const struct rg_plan *plan, uint32_t slot, uint32_t *count)
 {
-    uint32_t pass = (slot - 1) % (plan->pass_count + 1);
+    if (slot < HAZARD_FIRST_SLOT) {
+        *count = slot ? plan->initial_barrier_count : 0;
+        return plan->barriers + plan->first_initial_barrier;
+    }
+    uint32_t pass = (slot - HAZARD_FIRST_SLOT) % (plan->pass_count + 1);
     if (pass == plan->pass_count) {
         *count = plan->final_barrier_count;
         return plan->barriers + plan->first_final_barrier;
@@ -292,4 +296,27 @@ void hazard_sync_arrive(struct hazard *h, uint32_t cell, uint32_t slot, enum rg_
         h->cells[cell].reads = add_node(h, write, RG_NONE);
     h->cells[cell].layout = rule->layout;
     h->cells[cell].content = HAZARD_IMPORTED;
+}
+
+void hazard_sync_forget(struct hazard *h, uint32_t cell)
+{
+    struct hazard_cell *c = &h->cells[cell];
+    struct hazard_resource *resource = &h->resources[c->resource];
+    resource->touched = resource->overwritten = 0;
+    *c = (struct hazard_cell){
+        .resource = c->resource,
+        .reads = RG_NONE,
+        .barriers = RG_NONE,
+        .last_barrier = RG_NONE,
+    };
+    if (!resource->persistent)
+        return;
+    /* images are cleared; filling a buffer is a transfer, no more is said */
+    struct hazard_record write = {
+        .stages = resource->image ? HAZARD_CLEAR : HAZARD_CLEAR | HAZARD_COPY,
+        .access = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+    };
+    set_write(c, write);
+    c->layout = resource->image ? VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL : VK_IMAGE_LAYOUT_UNDEFINED;
+    c->content = HAZARD_ZERO;
 }

@@ -1,30 +1,54 @@
-/* What the tables say: every row and repetition, its accesses, and who wrote what they read. */
+/* What the tables say: every row and repetition, and its accesses. */
 #include "tests/support/hazard_private.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-static uint32_t texels_of_view(float scale, uint32_t view)
+/* Each may be 0, to leave it to the next. */
+static uint32_t texels(uint32_t coming, uint32_t declared, float scale, uint32_t view)
 {
-    double texels = ceil((double)view * (scale > 0.0F ? (double)scale : 1.0));
-    return texels < 1.0 ? 1 : (uint32_t)texels;
+    if (coming || declared)
+        return coming ? coming : declared;
+    double scaled = ceil((double)view * (scale > 0.0F ? (double)scale : 1.0));
+    return scaled < 1.0 ? 1 : (uint32_t)scaled;
 }
 
+/* An import is what comes, not what was declared. */
 static void fill_image(const struct hazard *h, struct hazard_resource *resource)
 {
     const struct rg_image *image = resource->image;
+    const struct rg_import *import = resource->import;
     VkExtent2D view = h->params->view;
-    resource->extent.width = image->width ? image->width : texels_of_view(image->scale, view.width);
-    resource->extent.height =
-        image->height ? image->height : texels_of_view(image->scale, view.height);
+    VkExtent2D coming = { 0 };
+    if (import && import->extent.width && import->extent.height)
+        coming = import->extent;
+    resource->extent.width = texels(coming.width, image->width, image->scale, view.width);
+    resource->extent.height = texels(coming.height, image->height, image->scale, view.height);
     resource->layers = image->layers ? image->layers : (image->cube ? 6 : 1);
+    if (import && import->layers)
+        resource->layers = import->layers;
     resource->mips = image->mips ? image->mips : 1;
-    if (image->mips == RG_ALL_MIPS) {
+    if (import && import->mips) {
+        resource->mips = import->mips;
+    } else if (image->mips == RG_ALL_MIPS) {
         uint32_t size = resource->extent.width > resource->extent.height ? resource->extent.width
                                                                          : resource->extent.height;
         for (resource->mips = 1; size > 1; size /= 2)
             resource->mips++;
     }
+    resource->samples = image->samples ? image->samples : 1;
+    resource->persistent = image->persistent;
     resource->aspects = hazard_aspects(image->format);
+}
+
+static void fill_buffer(const struct hazard *h, struct hazard_resource *resource)
+{
+    const struct rg_buffer *buffer = resource->buffer;
+    VkExtent2D view = h->params->view;
+    resource->size = buffer->size + buffer->size_per_texel * view.width * view.height;
+    if (resource->import && resource->import->size)
+        resource->size = resource->import->size;
+    resource->persistent = buffer->persistent;
 }
 
 static void find_in_plan(const struct hazard *h, struct hazard_resource *resource)
@@ -47,15 +71,6 @@ static void find_in_plan(const struct hazard *h, struct hazard_resource *resourc
             resource->output = &params->outputs[i];
 }
 
-static uint32_t first_content(const struct hazard_resource *resource)
-{
-    if (resource->import && resource->import->access != RG_ACCESS_NONE)
-        return HAZARD_IMPORTED;
-    if (resource->buffer && resource->buffer->memory == RG_MEMORY_UPLOAD)
-        return HAZARD_UPLOADED;
-    return HAZARD_UNDEFINED;
-}
-
 static uint32_t add_resource(struct hazard *h, const struct rg_image *image,
                              const struct rg_buffer *buffer)
 {
@@ -76,7 +91,9 @@ static uint32_t add_resource(struct hazard *h, const struct rg_image *image,
     uint32_t aspect_count = 1;
     if (image) {
         fill_image(h, resource);
-        aspect_count = resource->aspects & VK_IMAGE_ASPECT_STENCIL_BIT ? 2 : 1;
+        aspect_count = resource->aspects & (resource->aspects - 1) ? 2 : 1;
+    } else {
+        fill_buffer(h, resource);
     }
     resource->first_cell = h->cell_count;
     resource->cell_count = resource->mips * resource->layers * aspect_count;
@@ -88,7 +105,6 @@ static uint32_t add_resource(struct hazard *h, const struct rg_image *image,
             .reads = RG_NONE,
             .barriers = RG_NONE,
             .last_barrier = RG_NONE,
-            .declared = first_content(resource),
         };
     return h->resource_count++;
 }
@@ -162,23 +178,36 @@ static struct hazard_use *add_use(struct hazard *h, struct hazard_pass *pass,
     return &h->uses[h->use_count++];
 }
 
-static void add_target(struct hazard *h, struct hazard_pass *pass, const struct rg_target *target,
-                       enum rg_access access)
+static struct hazard_use *add_attachment(struct hazard *h, struct hazard_pass *pass,
+                                         const struct rg_target *target, enum rg_access access)
 {
-    struct hazard_use *use = add_use(h, pass, target->image, NULL, access);
+    bool resolve = access == RG_RESOLVE;
+    const struct rg_image *image = resolve ? target->resolve : target->image;
+    struct hazard_use *use = add_use(h, pass, image, NULL, access);
     use->target = target;
-    use->needs_content = access == RG_DEPTH_READ || target->load == RG_LOAD_KEEP;
+    use->resolve = resolve;
     use->range = (VkImageSubresourceRange){
         .aspectMask = h->resources[use->resource].aspects,
-        .baseMipLevel = target->mip,
+        .baseMipLevel = resolve ? target->resolve_mip : target->mip,
         .levelCount = 1,
-        .baseArrayLayer = target->layer,
+        .baseArrayLayer = resolve ? target->resolve_layer : target->layer,
         .layerCount = 1,
     };
     if (pass->pass->repeat == RG_PER_LAYER && h->resources[use->resource].layers > 1)
         use->range.baseArrayLayer += pass->repetition;
     if (pass->pass->repeat == RG_PER_MIP && h->resources[use->resource].mips > 1)
         use->range.baseMipLevel += pass->repetition;
+    return use;
+}
+
+/* Its resolve writes every texel of what it resolves to, after all that the pass draws. */
+static void add_target(struct hazard *h, struct hazard_pass *pass, const struct rg_target *target,
+                       enum rg_access access)
+{
+    struct hazard_use *use = add_attachment(h, pass, target, access);
+    use->needs_content = access == RG_DEPTH_READ || target->load == RG_LOAD_KEEP;
+    if (target->resolve && access == RG_COLOR)
+        add_attachment(h, pass, target, RG_RESOLVE);
 }
 
 static void add_row_use(struct hazard *h, struct hazard_pass *pass, const struct rg_use *row)
@@ -199,9 +228,25 @@ static void add_row_use(struct hazard *h, struct hazard_pass *pass, const struct
         use->stages = HAZARD_FRAGMENT | (row->access == RG_UNIFORM ? HAZARD_VERTEX : 0U);
 }
 
+/* Its number, from 1; 0 for none. */
+static uint32_t condition_of(struct hazard *h, rg_when_fn *when)
+{
+    uint32_t i = 0;
+    if (!when)
+        return 0;
+    while (i < h->condition_count && h->conditions[i] != when)
+        i++;
+    if (i == HAZARD_CONDITIONS)
+        abort();
+    if (i == h->condition_count)
+        h->conditions[h->condition_count++] = when;
+    return i + 1;
+}
+
 static void add_repetition(struct hazard *h, struct hazard_pass pass)
 {
     const struct rg_pass *row = pass.pass;
+    pass.condition = condition_of(h, row->when);
     pass.first_use = h->use_count;
     for (uint32_t i = 0; i < RG_COLOR_COUNT && row->color[i].image; i++)
         add_target(h, &pass, &row->color[i], RG_COLOR);
@@ -211,6 +256,17 @@ static void add_repetition(struct hazard *h, struct hazard_pass pass)
         add_row_use(h, &pass, use);
     h->passes = hazard_grow(h->passes, &h->pass_room, h->pass_count + 1, sizeof(*h->passes));
     h->passes[h->pass_count++] = pass;
+}
+
+static void number_expected(struct hazard *h)
+{
+    for (uint32_t u = 0; u < h->use_count; u++) {
+        struct hazard_use *use = &h->uses[u];
+        const struct hazard_resource *resource = &h->resources[use->resource];
+        use->first_expected = h->expected_count;
+        for (uint32_t i = 0; hazard_next_cell(resource, &use->range, &i) != RG_NONE;)
+            h->expected_count++;
+    }
 }
 
 void hazard_tables(struct hazard *h)
@@ -233,74 +289,5 @@ void hazard_tables(struct hazard *h)
     }
     for (size_t i = 0; i < params->output_count; i++)
         add_resource(h, params->outputs[i].image, params->outputs[i].buffer);
-}
-
-static void expect(struct hazard *h, struct hazard_use *use)
-{
-    use->first_expected = h->expected_count;
-    uint32_t cell;
-    for (uint32_t i = 0;
-         (cell = hazard_next_cell(&h->resources[use->resource], &use->range, &i)) != RG_NONE;) {
-        h->expected = hazard_grow(h->expected, &h->expected_room, h->expected_count + 1,
-                                  sizeof(*h->expected));
-        h->expected[h->expected_count++] =
-            (struct hazard_expected){ h->cells[cell].declared, use->needs_content };
-    }
-}
-
-static void give(struct hazard *h, const struct hazard_use *use, uint32_t content)
-{
-    uint32_t cell;
-    for (uint32_t i = 0;
-         (cell = hazard_next_cell(&h->resources[use->resource], &use->range, &i)) != RG_NONE;)
-        h->cells[cell].declared = content;
-}
-
-static bool is_wanted(const struct hazard *h, const struct hazard_use *use)
-{
-    uint32_t cell;
-    for (uint32_t i = 0;
-         (cell = hazard_next_cell(&h->resources[use->resource], &use->range, &i)) != RG_NONE;)
-        if (use->gives_content && h->cells[cell].wanted)
-            return true;
-    return false;
-}
-
-/* Steps back over a needed pass's use: from what is wanted after it to what is wanted before. */
-static void want(struct hazard *h, const struct hazard_use *use)
-{
-    struct hazard_expected *expected = h->expected + use->first_expected;
-    uint32_t cell;
-    for (uint32_t i = 0;
-         (cell = hazard_next_cell(&h->resources[use->resource], &use->range, &i)) != RG_NONE;
-         expected++) {
-        struct hazard_cell *c = &h->cells[cell];
-        if (use->keeps_content)
-            expected->wanted = c->wanted;
-        if (use->needs_content)
-            c->wanted = true;
-        else if (use->gives_content && !use->keeps_content)
-            c->wanted = false;
-    }
-}
-
-void hazard_tables_expect(struct hazard *h)
-{
-    for (uint32_t p = 0; p < h->pass_count; p++) {
-        const struct hazard_pass *pass = &h->passes[p];
-        for (uint32_t u = 0; u < pass->use_count; u++)
-            expect(h, &h->uses[pass->first_use + u]);
-        for (uint32_t u = 0; u < pass->use_count; u++)
-            if (h->uses[pass->first_use + u].gives_content)
-                give(h, &h->uses[pass->first_use + u], HAZARD_WRITTEN + p);
-    }
-    for (uint32_t i = 0; i < h->cell_count; i++)
-        h->cells[i].wanted = h->resources[h->cells[i].resource].output != NULL;
-    for (uint32_t p = h->pass_count; p-- > 0;) {
-        struct hazard_pass *pass = &h->passes[p];
-        for (uint32_t u = 0; u < pass->use_count; u++)
-            pass->needed |= is_wanted(h, &h->uses[pass->first_use + u]);
-        for (uint32_t u = 0; pass->needed && u < pass->use_count; u++)
-            want(h, &h->uses[pass->first_use + u]);
-    }
+    number_expected(h);
 }

@@ -33,7 +33,7 @@ static dump_fn *find_format(const char *name)
 static int print_random(dump_fn *dump, const char *seed)
 {
     struct random_graph graph;
-    if (!random_graph_init(&graph, strtoull(seed, NULL, 10)))
+    if (!random_graph_init(&graph, strtoull(seed, NULL, 10), 0))
         return EXIT_FAILURE;
     struct rg_plan *plan = rg_compile(&graph.params);
     if (plan)

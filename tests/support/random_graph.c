@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "tests/support/random_graph_private.h"
 
@@ -74,8 +75,34 @@ static void draw_size(struct random_tables *t, struct rg_image *image, VkExtent2
     known->height = image->height ? image->height : texels(image->scale, view.height);
 }
 
+static void draw_samples(struct random_tables *t, struct rg_image *image,
+                         struct random_known *known)
+{
+    known->samples = image->samples = 2U << random_graph_below(t, 3);
+    known->storage = known->copies = false;
+    image->mips = 0;
+}
+
+/* What the image before can be resolved to. */
+static void draw_resolved(struct random_tables *t, uint32_t index)
+{
+    struct rg_image *image = &t->images[index];
+    *image = t->images[index - 1];
+    image->name = random_graph_name(t, 'i', index, index);
+    image->samples = 0;
+    image->persistent = t->history && random_graph_chance(t, 20);
+    t->known[index] = t->known[index - 1];
+    t->known[index].samples = 1;
+    t->known[index].copies = true;
+    memset(t->known[index].defined, image->persistent, sizeof(t->known[index].defined));
+}
+
 static void draw_image(struct random_tables *t, uint32_t index, VkExtent2D view)
 {
+    if (index > 0 && t->known[index - 1].samples > 1 && random_graph_chance(t, 70)) {
+        draw_resolved(t, index);
+        return;
+    }
     struct rg_image *image = &t->images[index];
     struct random_known *known = &t->known[index];
     uint32_t format = random_graph_below(t, sizeof(formats) / sizeof(formats[0]));
@@ -84,6 +111,9 @@ static void draw_image(struct random_tables *t, uint32_t index, VkExtent2D view)
     known->depth = formats[format].depth;
     known->stencil = formats[format].stencil;
     known->storage = formats[format].storage;
+    known->format = image->format;
+    known->samples = 1;
+    known->copies = true;
     image->cube = random_graph_chance(t, 15);
     draw_size(t, image, view);
     known->layers = image->cube ? 6 : 1;
@@ -102,6 +132,12 @@ static void draw_image(struct random_tables *t, uint32_t index, VkExtent2D view)
         known->mips = all;
         image->mips = RG_ALL_MIPS;
     }
+    if (index > 0 && t->multisampled && !image->cube && known->mips == 1 &&
+        random_graph_chance(t, 70))
+        draw_samples(t, image, known);
+    if (t->history && random_graph_chance(t, 20))
+        image->persistent = true;
+    memset(known->defined, image->persistent, sizeof(known->defined));
 }
 
 static void draw_buffer(struct random_tables *t, uint32_t index)
@@ -115,13 +151,17 @@ static void draw_buffer(struct random_tables *t, uint32_t index)
     buffer->memory = random_graph_chance(t, 60)   ? RG_MEMORY_DEVICE
                      : random_graph_chance(t, 50) ? RG_MEMORY_UPLOAD
                                                   : RG_MEMORY_READBACK;
-    known->layers = known->mips = 1;
-    known->defined[0] = buffer->memory == RG_MEMORY_UPLOAD;
+    if (buffer->memory == RG_MEMORY_DEVICE && t->history && random_graph_chance(t, 30))
+        buffer->persistent = true;
+    known->layers = known->mips = known->samples = 1;
+    known->copies = true;
+    known->defined[0] = buffer->memory == RG_MEMORY_UPLOAD || buffer->persistent;
 }
 
+/* the first three with several samples, too */
 static const enum rg_access image_imports[] = {
-    RG_ACCESS_NONE,        RG_SAMPLED, RG_COPY_SRC, RG_COPY_DST, RG_STORAGE_READ,
-    RG_STORAGE_READ_WRITE, RG_COLOR,   RG_PRESENT,
+    RG_ACCESS_NONE, RG_SAMPLED,      RG_COLOR,   RG_COPY_SRC,
+    RG_COPY_DST,    RG_STORAGE_READ, RG_PRESENT, RG_STORAGE_READ_WRITE,
 };
 
 static const enum rg_access depth_imports[] = { RG_ACCESS_NONE, RG_SAMPLED, RG_DEPTH,
@@ -132,18 +172,49 @@ static const enum rg_access buffer_imports[] = {
     RG_VERTEX,      RG_INDEX,        RG_COPY_SRC,      RG_COPY_DST,
 };
 
+/* The image that comes differs from the one declared. */
+static void draw_import_shape(struct random_tables *t, struct rg_import *import)
+{
+    static const uint32_t sizes[] = { 16, 32, 64 };
+    struct random_known *known = &t->known[import->image - t->images];
+    bool cube = import->image->cube;
+    if (random_graph_chance(t, 70)) {
+        import->extent.width = known->width = sizes[random_graph_below(t, 3)];
+        import->extent.height = known->height =
+            cube ? known->width : sizes[random_graph_below(t, 3)];
+        if (import->image->mips) /* there may be fewer now */
+            import->mips = known->mips = 1;
+    }
+    if (known->samples == 1 && random_graph_chance(t, 40))
+        import->mips = known->mips = 1 + random_graph_below(t, 4);
+    if (random_graph_chance(t, 40))
+        import->layers = known->layers =
+            cube ? 6 + 6 * random_graph_below(t, 2) : 1 + random_graph_below(t, 4);
+}
+
 static void draw_import(struct random_tables *t, struct rg_import *import, uint32_t resource)
 {
+    struct random_known *known = &t->known[resource];
     if (resource >= IMAGES) {
         import->buffer = &t->buffers[resource - IMAGES];
         import->access = buffer_imports[random_graph_below(t, 8)];
+        if (random_graph_chance(t, 30))
+            import->size = (VkDeviceSize)16 * (1 + random_graph_below(t, 2000));
     } else {
         import->image = &t->images[resource];
-        import->access = t->known[resource].depth ? depth_imports[random_graph_below(t, 4)]
-                                                  : image_imports[random_graph_below(t, 8)];
+        import->access = known->depth
+                             ? depth_imports[random_graph_below(t, 4)]
+                             : image_imports[random_graph_below(t, known->samples > 1 ? 3 : 8)];
+        if (random_graph_chance(t, 35))
+            draw_import_shape(t, import);
     }
-    for (uint32_t i = 0; import->access != RG_ACCESS_NONE && i < CELLS; i++)
-        t->known[resource].defined[i] = true;
+    memset(known->defined, import->access != RG_ACCESS_NONE, sizeof(known->defined));
+}
+
+static bool is_persistent(const struct random_tables *t, uint32_t resource)
+{
+    return resource < IMAGES ? t->images[resource].persistent
+                             : t->buffers[resource - IMAGES].persistent;
 }
 
 static void draw_imports(struct random_tables *t, struct rg_compile_params *params)
@@ -151,7 +222,8 @@ static void draw_imports(struct random_tables *t, struct rg_compile_params *para
     params->imports = t->imports;
     for (uint32_t r = 0; r < RESOURCES; r++) {
         bool device = r < IMAGES || t->buffers[r - IMAGES].memory == RG_MEMORY_DEVICE;
-        if (random_graph_exists(t, r) && device && random_graph_chance(t, 15))
+        if (random_graph_exists(t, r) && device && !is_persistent(t, r) &&
+            random_graph_chance(t, 15))
             draw_import(t, &t->imports[params->import_count++], r);
     }
 }
@@ -169,9 +241,10 @@ static enum rg_access draw_output(struct random_tables *t, uint32_t resource, bo
                    : buffers[random_graph_below(t, 5)];
     if (t->known[resource].depth)
         return random_graph_chance(t, 50) ? RG_SAMPLED : RG_DEPTH_READ;
-    if (imported && random_graph_chance(t, 30))
+    if (imported && t->known[resource].samples == 1 && random_graph_chance(t, 30))
         return RG_PRESENT;
-    return images[random_graph_below(t, t->known[resource].storage ? 3 : 2)];
+    uint32_t choices = t->known[resource].storage ? 3 : t->known[resource].copies ? 2 : 1;
+    return images[random_graph_below(t, choices)];
 }
 
 static bool is_imported(const struct rg_compile_params *params, const struct random_tables *t,
@@ -194,7 +267,7 @@ static void draw_outputs(struct random_tables *t, struct rg_compile_params *para
         struct random_known *known = &t->known[r];
         struct rg_range range = random_graph_whole(known);
         if (!random_graph_exists(t, r) || !known->written ||
-            !random_graph_is_defined(known, &range))
+            !random_graph_is_defined(known, &range, 0))
             continue;
         struct rg_output *output = &t->outputs[params->output_count++];
         if (r < IMAGES)
@@ -209,7 +282,7 @@ static struct rg_memory_need image_memory(const void *user, const VkImageCreateI
 {
     (void)user;
     VkDeviceSize size = (VkDeviceSize)info->extent.width * info->extent.height * info->arrayLayers *
-                        16 * (info->mipLevels > 1 ? 2 : 1);
+                        16 * (info->mipLevels > 1 ? 2 : 1) * (uint32_t)info->samples;
     bool attachment = info->usage & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                      VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
     VkDeviceSize alignment = info->extent.width > 40 ? 65536 : 1024;
@@ -239,6 +312,14 @@ static VkFormatFeatureFlags format_features(const void *user, VkFormat format)
     return UINT32_MAX;
 }
 
+static VkSampleCountFlags sample_counts(const void *user, const VkImageCreateInfo *info)
+{
+    (void)user;
+    (void)info;
+    return VK_SAMPLE_COUNT_1_BIT | VK_SAMPLE_COUNT_2_BIT | VK_SAMPLE_COUNT_4_BIT |
+           VK_SAMPLE_COUNT_8_BIT;
+}
+
 static void split(struct random_tables *t, struct rg_compile_params *params)
 {
     params->techniques = t->technique_list;
@@ -254,7 +335,21 @@ static void split(struct random_tables *t, struct rg_compile_params *params)
     }
 }
 
-bool random_graph_init(struct random_graph *graph, uint64_t seed)
+/* Most graphs are small, and have some of the features only. */
+static void draw_counts(struct random_tables *t)
+{
+    uint32_t size = random_graph_below(t, 200);
+    uint32_t most = size < 120 ? 10 : size < 190 ? 40 : size < 199 ? 120 : PASSES - 1;
+    t->wanted_count = most < PASSES - 1 ? 1 + random_graph_below(t, most) : most;
+    bool large = most > 40;
+    t->image_count = 2 + random_graph_below(t, large ? IMAGES - 1 : 13);
+    t->buffer_count = random_graph_below(t, large ? BUFFERS + 1 : 9);
+    t->condition_count = random_graph_chance(t, 50) ? random_graph_below(t, CONDITIONS + 1) : 0;
+    t->history = random_graph_chance(t, 40);
+    t->multisampled = random_graph_chance(t, 50);
+}
+
+bool random_graph_init(struct random_graph *graph, uint64_t seed, uint32_t most_passes)
 {
     static const VkExtent2D views[] = { { 64, 64 }, { 97, 61 }, { 32, 16 } };
     *graph = (struct random_graph){ 0 };
@@ -265,15 +360,15 @@ bool random_graph_init(struct random_graph *graph, uint64_t seed)
     t->state = seed;
     struct rg_compile_params *params = &graph->params;
     params->view = views[random_graph_below(t, 3)];
-    t->image_count = 2 + random_graph_below(t, IMAGES - 1);
-    t->buffer_count = random_graph_below(t, BUFFERS + 1);
+    draw_counts(t);
+    if (most_passes && t->wanted_count > most_passes)
+        t->wanted_count = 1 + t->wanted_count % most_passes;
     for (uint32_t i = 0; i < t->image_count; i++)
         draw_image(t, i, params->view);
     for (uint32_t i = 0; i < t->buffer_count; i++)
         draw_buffer(t, i);
     draw_imports(t, params);
     t->local = random_graph_chance(t, 60);
-    t->wanted_count = 1 + random_graph_below(t, PASSES - 1);
     for (uint32_t i = 0; i < 4 * t->wanted_count && t->pass_count < t->wanted_count; i++)
         random_graph_draw(t);
     draw_outputs(t, params);
@@ -285,7 +380,12 @@ bool random_graph_init(struct random_graph *graph, uint64_t seed)
     }
     split(t, params);
     params->sharing = (enum rg_sharing)random_graph_below(t, 3);
-    t->device = (struct rg_device){ NULL, image_memory, buffer_memory, format_features, 0, 0 };
+    t->device = (struct rg_device){
+        .image_memory = image_memory,
+        .buffer_memory = buffer_memory,
+        .format_features = format_features,
+        .sample_counts = sample_counts,
+    };
     if (random_graph_chance(t, 50))
         params->device = &t->device;
     return true;

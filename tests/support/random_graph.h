@@ -2,8 +2,9 @@
  * random_graph.h: tables made up from a seed, valid by construction.
  *
  * The same seed gives the same tables. They use all kinds of passes, loads, ranges, repeats,
- * formats, imports and outputs, and some passes that no output needs; no pass reads what was never
- * written or uses the same texels twice.
+ * formats, samples, resolves, conditions, history, imports and outputs, and some passes that no
+ * output needs; no pass reads what was never written or uses the same texels twice. Most have a
+ * handful of passes, a few hundreds.
  */
 #ifndef TESTS_RANDOM_GRAPH_H
 #define TESTS_RANDOM_GRAPH_H
@@ -13,12 +14,15 @@
 #include "graph/rg.h"
 
 struct random_graph {
-    struct rg_compile_params params; /* points into this object */
+    struct rg_compile_params params; /* points into `tables` */
     void *tables;
 };
 
-/* Returns false if memory is short. Not to be moved after it. */
-bool random_graph_init(struct random_graph *graph, uint64_t seed);
+/*
+ * Draws tables of at most so many passes (0: any number), not counting one more that puts something
+ * out where the others do not. Returns false if memory is short. Not to be moved after it.
+ */
+bool random_graph_init(struct random_graph *graph, uint64_t seed, uint32_t most_passes);
 
 void random_graph_finish(struct random_graph *graph);
 

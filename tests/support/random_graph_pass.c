@@ -9,21 +9,50 @@ static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 static const struct rg_shader shader = { .name = "none" };
 
-static void define(struct random_known *known, const struct rg_range *range)
+static bool is_dark(const struct rg_frame *frame)
+{
+    return frame == NULL;
+}
+
+static bool is_bright(const struct rg_frame *frame)
+{
+    return frame != NULL;
+}
+
+static bool is_never(const struct rg_frame *frame)
+{
+    (void)frame;
+    return false;
+}
+
+static rg_when_fn *const conditions[CONDITIONS] = { is_dark, is_bright, is_never };
+
+/* What two conditions write in turn is there for the later one only. */
+static void define(struct random_known *known, const struct rg_range *range, uint32_t condition)
 {
     for (uint32_t layer = range->layer; layer < range->layer + range->layer_count; layer++)
-        for (uint32_t mip = range->mip; mip < range->mip + range->mip_count; mip++)
-            known->defined[layer * known->mips + mip] = true;
+        for (uint32_t mip = range->mip; mip < range->mip + range->mip_count; mip++) {
+            uint8_t *defined = &known->defined[layer * known->mips + mip];
+            *defined = (uint8_t)((*defined & 1U) | 1U << condition);
+        }
     known->written = true;
 }
 
-bool random_graph_is_defined(const struct random_known *known, const struct rg_range *range)
+bool random_graph_is_defined(const struct random_known *known, const struct rg_range *range,
+                             uint32_t condition)
 {
     for (uint32_t layer = range->layer; layer < range->layer + range->layer_count; layer++)
         for (uint32_t mip = range->mip; mip < range->mip + range->mip_count; mip++)
-            if (!known->defined[layer * known->mips + mip])
+            if (!(known->defined[layer * known->mips + mip] & (1U | 1U << condition)))
                 return false;
     return true;
+}
+
+/* For the pass being drawn. */
+static bool is_defined(const struct random_tables *t, uint32_t resource,
+                       const struct rg_range *range)
+{
+    return random_graph_is_defined(&t->known[resource], range, t->condition);
 }
 
 struct rg_range random_graph_whole(const struct random_known *known)
@@ -41,7 +70,9 @@ static uint32_t pick_image(struct random_tables *t)
 
 static uint32_t pick(struct random_tables *t)
 {
-    return random_graph_chance(t, 65) ? pick_image(t) : IMAGES + random_graph_below(t, BUFFERS);
+    if (t->buffer_count == 0 || random_graph_chance(t, 65))
+        return pick_image(t);
+    return IMAGES + random_graph_below(t, t->buffer_count);
 }
 
 static bool overlaps(const struct rg_range *a, const struct rg_range *b)
@@ -130,11 +161,11 @@ static void draw_reads(struct random_tables *t, const struct rg_pass *pass)
     for (uint32_t tries = 0; tries < 12 && wanted && t->use_count < USES; tries++) {
         uint32_t resource = t->local && tries < 2 ? t->last_written : pick(t);
         struct random_known *known = &t->known[resource];
-        if (!random_graph_exists(t, resource) ||
-            (resource >= IMAGES && t->buffers[resource - IMAGES].memory == RG_MEMORY_READBACK))
+        if ((resource >= IMAGES && t->buffers[resource - IMAGES].memory == RG_MEMORY_READBACK) ||
+            (pass->kind == RG_TRANSFER && !known->copies))
             continue;
         struct rg_range range = draw_range(t, known);
-        if (!random_graph_is_defined(known, &range) || !claim(t, resource, range, false))
+        if (!is_defined(t, resource, &range) || !claim(t, resource, range, false))
             continue;
         struct rg_use *use = add_use(t, resource, draw_read(t, pass, resource));
         if (resource < IMAGES)
@@ -155,11 +186,10 @@ static enum rg_access draw_write(struct random_tables *t, const struct rg_pass *
 
 static bool can_write(const struct random_tables *t, const struct rg_pass *pass, uint32_t resource)
 {
-    if (!random_graph_exists(t, resource))
-        return false;
+    const struct random_known *known = &t->known[resource];
     if (resource >= IMAGES)
         return t->buffers[resource - IMAGES].memory != RG_MEMORY_UPLOAD;
-    return pass->kind == RG_TRANSFER ? !t->known[resource].depth : t->known[resource].storage;
+    return pass->kind == RG_TRANSFER ? !known->depth && known->copies : known->storage;
 }
 
 static bool add_write(struct random_tables *t, const struct rg_pass *pass, uint32_t resource)
@@ -168,7 +198,7 @@ static bool add_write(struct random_tables *t, const struct rg_pass *pass, uint3
     struct rg_range range = draw_range(t, known);
     if (!claim(t, resource, range, true))
         return false;
-    bool defined = random_graph_is_defined(known, &range);
+    bool defined = is_defined(t, resource, &range);
     struct rg_use *use = add_use(t, resource, draw_write(t, pass, defined));
     use->partial = defined && use->access != RG_STORAGE_READ_WRITE && random_graph_chance(t, 20);
     if (resource < IMAGES)
@@ -213,7 +243,7 @@ static bool claim_target(struct random_tables *t, const struct rg_pass *pass,
     const struct random_known *known = &t->known[resource];
     struct rg_range range = target_range(known, pass, target->mip, target->layer);
     bool read_only = target == &pass->depth && pass->depth_read_only;
-    bool defined = random_graph_is_defined(known, &range);
+    bool defined = is_defined(t, resource, &range);
     if ((read_only && !defined) || !claim(t, resource, range, !read_only))
         return false;
     target->image = &t->images[resource];
@@ -227,6 +257,44 @@ static bool claim_target(struct random_tables *t, const struct rg_pass *pass,
     return true;
 }
 
+/* Whether a mip and layer of `known` have the size, and over all repetitions the number, of the
+ * first target, which is of `main`. */
+static bool fits(const struct rg_pass *pass, const struct random_known *main,
+                 const struct rg_target *first, const struct random_known *known,
+                 const struct rg_target *target)
+{
+    if (mip_size(known->width, target->mip) != mip_size(main->width, first->mip) ||
+        mip_size(known->height, target->mip) != mip_size(main->height, first->mip))
+        return false;
+    if (pass->repeat == RG_PER_LAYER && known->layers > 1)
+        return known->layers - target->layer == main->layers - first->layer;
+    return pass->repeat != RG_PER_MIP || known->mips - target->mip == main->mips - first->mip;
+}
+
+/* Sometimes a colour target with several samples is resolved. */
+static void draw_resolve(struct random_tables *t, const struct rg_pass *pass,
+                         struct rg_target *target, uint32_t of)
+{
+    const struct random_known *from = &t->known[of];
+    const struct rg_target *first = pass->color[0].image ? &pass->color[0] : &pass->depth;
+    const struct random_known *main = &t->known[first->image - t->images];
+    for (uint32_t tries = 0; from->samples > 1 && !from->depth && tries < 4; tries++) {
+        /* the next image is often made for it */
+        uint32_t resource = tries == 0 && of + 1 < t->image_count ? of + 1 : pick_image(t);
+        const struct random_known *known = &t->known[resource];
+        struct rg_target to = { .mip = random_graph_below(t, known->mips),
+                                .layer = random_graph_below(t, known->layers) };
+        struct rg_range range = target_range(known, pass, to.mip, to.layer);
+        if (known->format != from->format || known->samples > 1 ||
+            !fits(pass, main, first, known, &to) || !claim(t, resource, range, true))
+            continue;
+        target->resolve = &t->images[resource];
+        target->resolve_mip = to.mip;
+        target->resolve_layer = to.layer;
+        return;
+    }
+}
+
 /* More targets of the size of the first, which is `of`. */
 static void draw_other_targets(struct random_tables *t, struct rg_pass *pass, uint32_t of,
                                const struct rg_target *first)
@@ -238,11 +306,7 @@ static void draw_other_targets(struct random_tables *t, struct rg_pass *pass, ui
         const struct random_known *known = &t->known[resource];
         struct rg_target target = { .mip = random_graph_below(t, known->mips),
                                     .layer = random_graph_below(t, known->layers) };
-        if (mip_size(known->width, target.mip) != mip_size(main->width, first->mip) ||
-            mip_size(known->height, target.mip) != mip_size(main->height, first->mip) ||
-            (pass->repeat == RG_PER_LAYER && known->layers > 1 &&
-             known->layers - target.layer != main->layers - first->layer) ||
-            (pass->repeat == RG_PER_MIP && known->mips - target.mip != main->mips - first->mip))
+        if (known->samples != main->samples || !fits(pass, main, first, known, &target))
             continue;
         struct rg_target *place = known->depth ? &pass->depth : &pass->color[colors % 8];
         if (place->image || (!known->depth && colors >= 4))
@@ -251,6 +315,7 @@ static void draw_other_targets(struct random_tables *t, struct rg_pass *pass, ui
         pass->depth_read_only |= known->depth && random_graph_chance(t, 30);
         if (claim_target(t, pass, place, resource)) {
             colors += !known->depth;
+            draw_resolve(t, pass, place, resource);
         } else {
             *place = (struct rg_target){ 0 };
             pass->depth_read_only &= pass->depth.image != NULL;
@@ -273,6 +338,7 @@ static bool draw_targets(struct random_tables *t, struct rg_pass *pass)
         pass->repeat == RG_PER_LAYER && from_start ? 0 : random_graph_below(t, known->layers);
     if (!claim_target(t, pass, target, resource))
         return false;
+    draw_resolve(t, pass, target, resource);
     draw_other_targets(t, pass, resource, target);
     return true;
 }
@@ -287,7 +353,7 @@ static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
     bool layered = pass->kind != RG_RASTER;
     if (!layered)
         top.layer_count = 1;
-    if (known->mips < 2 || known->depth || !random_graph_is_defined(known, &top))
+    if (known->mips < 2 || known->depth || !is_defined(t, resource, &top))
         return false;
     struct rg_range all = top;
     all.mip_count = known->mips;
@@ -313,7 +379,7 @@ static bool draw_layer_copy(struct random_tables *t, struct rg_pass *pass)
     struct random_known *source = &t->known[from], *target = &t->known[to];
     struct rg_range reads = random_graph_whole(source), writes = random_graph_whole(target);
     if (from == to || source->layers < target->layers || source->depth || !can_write(t, pass, to) ||
-        !random_graph_is_defined(source, &reads))
+        !is_defined(t, from, &reads) || (pass->kind == RG_TRANSFER && !source->copies))
         return false;
     if (!claim(t, from, reads, false) || !claim(t, to, writes, true))
         return false;
@@ -351,6 +417,11 @@ void random_graph_draw(struct random_tables *t)
         .record = record,
     };
     t->claim_count = t->use_count = 0;
+    t->condition = 0;
+    if (t->condition_count && random_graph_chance(t, 35)) {
+        t->condition = 1 + random_graph_below(t, t->condition_count);
+        pass->when = conditions[t->condition - 1];
+    }
     bool drawn = draw_body(t, pass);
     if (drawn && random_graph_chance(t, t->local ? 100 : 85))
         draw_reads(t, pass);
@@ -366,7 +437,7 @@ void random_graph_draw(struct random_tables *t)
     }
     for (uint32_t i = 0; i < t->claim_count; i++)
         if (t->claims[i].writes) {
-            define(&t->known[t->claims[i].resource], &t->claims[i].range);
+            define(&t->known[t->claims[i].resource], &t->claims[i].range, t->condition);
             t->last_written = t->claims[i].resource;
         }
     t->pass_count++;
@@ -385,6 +456,6 @@ void random_graph_draw_last(struct random_tables *t)
     t->use_count = 0;
     add_use(t, 0, RG_COPY_DST);
     t->uses[t->pass_count][1] = (struct rg_use){ 0 };
-    define(&t->known[0], &range);
+    define(&t->known[0], &range, 0);
     t->pass_count++;
 }

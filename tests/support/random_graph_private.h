@@ -10,21 +10,23 @@
 #include "graph/rg.h"
 
 enum {
-    IMAGES = 14,
-    BUFFERS = 8,
+    IMAGES = 48,
+    BUFFERS = 24,
     RESOURCES = IMAGES + BUFFERS, /* images first */
-    PASSES = 41,
+    PASSES = 301,
     USES = 6, /* of a pass */
     TECHNIQUES = 4,
     CELLS = 12 * 8, /* of an image: layers by mips */
-    CLAIMS = 2 * USES + RG_COLOR_COUNT,
+    CLAIMS = 2 * USES + 2 * RG_COLOR_COUNT,
+    CONDITIONS = 3,
 };
 
 /* What is known of an image or buffer; a buffer has one layer and mip. */
 struct random_known {
-    uint32_t layers, mips, width, height;
-    bool depth, stencil, storage, written;
-    bool defined[CELLS];
+    uint32_t layers, mips, samples, width, height;
+    VkFormat format;
+    bool depth, stencil, storage, copies, written;
+    uint8_t defined[CELLS]; /* bit 0: always; bit n: where condition n is true */
 };
 
 /* Part of a resource that the pass being drawn uses already. */
@@ -47,13 +49,15 @@ struct random_tables {
     struct rg_output outputs[RESOURCES];
     struct rg_device device;
     struct random_known known[RESOURCES];
-    uint32_t image_count, buffer_count, pass_count, wanted_count;
+    uint32_t image_count, buffer_count, pass_count, wanted_count, condition_count;
+    bool history, multisampled;
     bool local; /* passes use images near each other, so that lives are short, and read what the
                    pass before wrote, so that few are culled */
     uint32_t last_written;
     /* of the pass being drawn: */
     struct random_claim claims[CLAIMS];
     uint32_t claim_count, use_count;
+    uint32_t condition; /* 0: none */
 };
 
 /* random_graph.c */
@@ -68,7 +72,9 @@ void random_graph_draw(struct random_tables *t);
 /* Adds a pass that writes all of image 0, so that there is something to put out. */
 void random_graph_draw_last(struct random_tables *t);
 
-bool random_graph_is_defined(const struct random_known *known, const struct rg_range *range);
+/* Wherever the condition is true (0: always). */
+bool random_graph_is_defined(const struct random_known *known, const struct rg_range *range,
+                             uint32_t condition);
 struct rg_range random_graph_whole(const struct random_known *known);
 
 #endif

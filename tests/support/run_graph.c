@@ -33,29 +33,36 @@ static void print_faults(const struct rg_plan *plan)
     }
 }
 
-struct rg_plan *run_plan(const struct run_params *params, const struct rg_device *device)
+void run_tables_init(struct run_tables *tables, const struct run_params *params,
+                     const struct rg_device *device)
 {
-    struct rg_output outputs[RUN_OUTPUT_COUNT + RUN_KEPT_COUNT];
     size_t output_count = 0;
     for (size_t i = 0; params->outputs[i]; i++)
-        outputs[output_count++] = (struct rg_output){
+        tables->outputs[output_count++] = (struct rg_output){
             .buffer = params->outputs[i],
             .access = RG_HOST_READ,
         };
     for (size_t i = 0; params->kept[i].image || params->kept[i].buffer; i++)
-        outputs[output_count++] = params->kept[i];
-    const struct rg_technique *const technique = &params->technique;
-    struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
-        .techniques = &technique,
+        tables->outputs[output_count++] = params->kept[i];
+    tables->technique = &params->technique;
+    tables->compile = (struct rg_compile_params){
+        .techniques = &tables->technique,
         .technique_count = 1,
         .view = params->view.width ? params->view : (VkExtent2D){ 8, 8 },
-        .outputs = outputs,
+        .outputs = tables->outputs,
         .output_count = output_count,
         .imports = params->imports,
         .import_count = params->import_count,
         .device = device,
         .sharing = params->sharing,
-    });
+    };
+}
+
+struct rg_plan *run_plan(const struct run_params *params, const struct rg_device *device)
+{
+    struct run_tables tables;
+    run_tables_init(&tables, params, device);
+    struct rg_plan *plan = rg_compile(&tables.compile);
     assert_non_null(plan);
     print_faults(plan);
     assert_int_equal(plan->fault_count, 0);

@@ -39,6 +39,16 @@ struct run {
     uint32_t line_count;
 };
 
+/* What run_plan() compiles. Points into itself and into the params: must not move. */
+struct run_tables {
+    struct rg_compile_params compile;
+    struct rg_output outputs[RUN_OUTPUT_COUNT + RUN_KEPT_COUNT];
+    const struct rg_technique *technique;
+};
+
+void run_tables_init(struct run_tables *tables, const struct run_params *params,
+                     const struct rg_device *device);
+
 /* Compiles for a device; NULL: for none. The caller destroys the plan, which has no faults. */
 struct rg_plan *run_plan(const struct run_params *params, const struct rg_device *device);
 

@@ -103,6 +103,18 @@ static const struct fault_case condition_cases[] = {
       .outputs = { { .image = &OTHER, .access = RG_SAMPLED } } },
 };
 
+/* Stages that the pass has no shader for. */
+static const struct fault_case stage_cases[] = {
+    { ROW(RG_ERROR_ACCESS, "picture",
+          ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT)) },
+    { ROW(RG_ERROR_ACCESS, "picture",
+          COPY("copy", { &OTHER, .access = RG_COPY_DST },
+               { &PICTURE, .access = RG_COPY_SRC,
+                 .stages = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT })) },
+    { ROW(RG_ERROR_ACCESS, "picture",
+          ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_PIPELINE_STAGE_HOST_BIT)) },
+};
+
 static const struct fault_case value_cases[] = {
     { ROW(RG_ERROR_VALUE, NULL,
           { .name = "draw",
@@ -123,10 +135,8 @@ static void test_every_case(void **state)
 {
     (void)state;
     const struct fault_cases tables[] = {
-        FAULT_CASES(sample_cases),
-        FAULT_CASES(history_cases),
-        FAULT_CASES(condition_cases),
-        FAULT_CASES(value_cases),
+        FAULT_CASES(sample_cases), FAULT_CASES(history_cases), FAULT_CASES(condition_cases),
+        FAULT_CASES(stage_cases),  FAULT_CASES(value_cases),
     };
     bool provoked[RG_ERROR_COUNT] = { false };
     fault_case_check(tables, sizeof(tables) / sizeof(tables[0]), provoked);

@@ -1,0 +1,360 @@
+/*
+ * Bytes become tables: the tables of a random graph, with some of their fields changed. Whatever
+ * they say, rg_compile() finds faults or makes a plan that stands before the checker.
+ *
+ * The first byte chooses the graph; after it, six bytes change one field. Pointers stay NULL or
+ * valid: of other rows, so that things are shared, used twice or missing.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "graph/rg.h"
+#include "tests/support/hazard.h"
+#include "tests/support/random_graph.h"
+#include "tests/support/random_graph_private.h"
+
+/* libFuzzer's name NOLINTNEXTLINE(readability-identifier-naming) */
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum {
+    EDIT_SIZE = 6, /* bytes */
+    MOST_EDITS = 24,
+    MOST_PASSES = 8,
+    MAX_LAYERS = 64,
+    MAX_SIZE = 4096, /* texels */
+};
+
+enum kind {
+    BOOL,
+    U32, /* an enum, too */
+    U64,
+    FLOAT,
+    STAGES,
+    IMAGE,
+    BUFFER,
+    NAME,
+    SHADER,
+    RECORD,
+    WHEN,
+    VERTICES,
+    SAMPLER,
+    USES_OF,
+};
+
+struct field {
+    enum kind kind;
+    size_t offset;
+};
+
+#define FIELD(of, kind, name) \
+    { \
+        kind, offsetof(struct of, name) \
+    }
+
+static const struct field image_fields[] = {
+    FIELD(rg_image, NAME, name),   FIELD(rg_image, U32, format),      FIELD(rg_image, U32, width),
+    FIELD(rg_image, U32, height),  FIELD(rg_image, FLOAT, scale),     FIELD(rg_image, U32, layers),
+    FIELD(rg_image, U32, mips),    FIELD(rg_image, BOOL, cube),       FIELD(rg_image, BOOL, array),
+    FIELD(rg_image, U32, samples), FIELD(rg_image, BOOL, persistent),
+};
+
+static const struct field buffer_fields[] = {
+    FIELD(rg_buffer, NAME, name),          FIELD(rg_buffer, U64, size),
+    FIELD(rg_buffer, U64, size_per_texel), FIELD(rg_buffer, U32, memory),
+    FIELD(rg_buffer, BOOL, persistent),
+};
+
+static const struct field use_fields[] = {
+    FIELD(rg_use, IMAGE, image),
+    FIELD(rg_use, BUFFER, buffer),
+    FIELD(rg_use, U32, access),
+    FIELD(rg_use, U32, binding),
+    FIELD(rg_use, U32, range.aspect),
+    FIELD(rg_use, U32, range.mip),
+    FIELD(rg_use, U32, range.mip_count),
+    FIELD(rg_use, U32, range.layer),
+    FIELD(rg_use, U32, range.layer_count),
+    FIELD(rg_use, BOOL, range.each),
+    FIELD(rg_use, SAMPLER, sampler),
+    FIELD(rg_use, STAGES, stages),
+    FIELD(rg_use, BOOL, partial),
+};
+
+static const struct field target_fields[] = {
+    FIELD(rg_target, IMAGE, image),     FIELD(rg_target, U32, load),
+    FIELD(rg_target, U32, mip),         FIELD(rg_target, U32, layer),
+    FIELD(rg_target, U32, blend),       FIELD(rg_target, IMAGE, resolve),
+    FIELD(rg_target, U32, resolve_mip), FIELD(rg_target, U32, resolve_layer),
+};
+
+static const struct field pass_fields[] = {
+    FIELD(rg_pass, NAME, name),         FIELD(rg_pass, U32, kind),
+    FIELD(rg_pass, U32, repeat),        FIELD(rg_pass, BOOL, depth_read_only),
+    FIELD(rg_pass, U32, depth_compare), FIELD(rg_pass, USES_OF, uses),
+    FIELD(rg_pass, SHADER, vert),       FIELD(rg_pass, SHADER, frag),
+    FIELD(rg_pass, SHADER, comp),       FIELD(rg_pass, VERTICES, vertices),
+    FIELD(rg_pass, U32, topology),      FIELD(rg_pass, U32, cull),
+    FIELD(rg_pass, U32, front),         FIELD(rg_pass, U32, push_size),
+    FIELD(rg_pass, RECORD, record),     FIELD(rg_pass, WHEN, when),
+};
+
+static const struct field import_fields[] = {
+    FIELD(rg_import, IMAGE, image),       FIELD(rg_import, BUFFER, buffer),
+    FIELD(rg_import, U32, access),        FIELD(rg_import, U32, extent.width),
+    FIELD(rg_import, U32, extent.height), FIELD(rg_import, U32, layers),
+    FIELD(rg_import, U32, mips),          FIELD(rg_import, U64, size),
+};
+
+static const struct field output_fields[] = {
+    FIELD(rg_output, IMAGE, image),
+    FIELD(rg_output, BUFFER, buffer),
+    FIELD(rg_output, U32, access),
+};
+
+static const struct field params_fields[] = {
+    FIELD(rg_compile_params, U32, view.width),
+    FIELD(rg_compile_params, U32, view.height),
+    FIELD(rg_compile_params, U32, sharing),
+};
+
+static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)cmd;
+    (void)frame;
+}
+
+static bool when(const struct rg_frame *frame)
+{
+    return frame != NULL;
+}
+
+static const struct rg_shader shader = { .name = "fuzzed" };
+static const struct rg_vertex_layout vertices = { .stride = 12 };
+static const struct rg_sampler sampler = { .linear = true };
+
+/* A number: mostly small, sometimes a power of two or beside one. */
+static uint64_t number(const uint8_t *value)
+{
+    uint64_t power = UINT64_C(1) << (value[1] & 63);
+    switch (value[0] & 7) {
+    case 0:
+        return power;
+    case 1:
+        return power - 1;
+    case 2:
+        return 0 - power;
+    case 3:
+        return value[1];
+    default:
+        return value[1] & 15;
+    }
+}
+
+static float fraction(const uint8_t *value)
+{
+    static const float floats[] = { 0.0F, 0.5F, 1.0F, 2.0F, -1.0F, 1e-30F, 1e30F, 0.37F };
+    return value[0] & 128 ? (value[0] & 64 ? NAN : INFINITY) : floats[value[1] & 7];
+}
+
+/* Half of them of shaders, half anything. */
+static VkPipelineStageFlags2 stages(const uint8_t *value)
+{
+    static const VkPipelineStageFlags2 shaders[] = {
+        VK_PIPELINE_STAGE_2_NONE,
+        VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
+        VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+        VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+    };
+    if (value[0] & 128)
+        return (VkPipelineStageFlags2)value[1] << (value[0] & 63);
+    return shaders[value[0] & 3] | shaders[value[1] & 3];
+}
+
+static const char *name(const struct random_tables *t, const uint8_t *value)
+{
+    static const char *const names[] = { NULL, "", "name", "t0" };
+    return value[0] & 1 ? names[value[1] & 3] : t->names[value[1] % (RESOURCES + PASSES)];
+}
+
+static void copy(void *to, const void *from, size_t size)
+{
+    memcpy(to, from, size);
+}
+
+#define SET(type, is) \
+    do { \
+        type set = (is); \
+        copy(to, &set, sizeof(set)); \
+    } while (0)
+
+/* Gives a field of a row a value made of two bytes. */
+static void change(struct random_tables *t, void *row, const struct field *field,
+                   const uint8_t *value)
+{
+    char *to = (char *)row + field->offset;
+    bool none = (value[0] & 7) == 0;
+    switch (field->kind) {
+    case BOOL:
+        SET(bool, value[1] & 1);
+        break;
+    case U32:
+        SET(uint32_t, (uint32_t)number(value));
+        break;
+    case U64:
+        SET(uint64_t, number(value));
+        break;
+    case FLOAT:
+        SET(float, fraction(value));
+        break;
+    case STAGES:
+        SET(VkPipelineStageFlags2, stages(value));
+        break;
+    case IMAGE:
+        SET(const struct rg_image *, none ? NULL : &t->images[value[1] % t->image_count]);
+        break;
+    case BUFFER:
+        SET(const struct rg_buffer *, none ? NULL : &t->buffers[value[1] % BUFFERS]);
+        break;
+    case NAME:
+        SET(const char *, name(t, value));
+        break;
+    case SHADER:
+        SET(const struct rg_shader *, none ? NULL : &shader);
+        break;
+    case RECORD:
+        SET(rg_record_fn *, none ? NULL : record);
+        break;
+    case WHEN:
+        SET(rg_when_fn *, none ? NULL : when);
+        break;
+    case VERTICES:
+        SET(const struct rg_vertex_layout *, none ? NULL : &vertices);
+        break;
+    case SAMPLER:
+        SET(const struct rg_sampler *, none ? NULL : &sampler);
+        break;
+    case USES_OF:
+        SET(const struct rg_use *, none ? NULL : t->uses[value[1] % t->pass_count]);
+        break;
+    }
+}
+
+#define COUNT(array)        (sizeof(array) / sizeof((array)[0]))
+#define CHANGE(row, fields) change(t, row, &(fields)[edit[3] % COUNT(fields)], edit + 4)
+
+static void change_pass(struct random_tables *t, const uint8_t *edit)
+{
+    uint32_t index = edit[1] % t->pass_count;
+    struct rg_pass *pass = &t->passes[index];
+    struct rg_target *target = &pass->color[edit[2] % RG_COLOR_COUNT];
+    switch (edit[0] >> 4 & 3) {
+    case 0:
+        CHANGE(pass, pass_fields);
+        break;
+    case 1:
+        CHANGE(edit[2] & 8 ? &pass->depth : target, target_fields);
+        break;
+    default:
+        CHANGE(&t->uses[index][edit[2] % USES], use_fields);
+        break;
+    }
+}
+
+/* An import or output more, or less, or another one. */
+static void change_counts(struct random_tables *t, struct rg_compile_params *params,
+                          const uint8_t *edit)
+{
+    switch (edit[1] & 3) {
+    case 0:
+        params->import_count = edit[2] % (RESOURCES + 1);
+        break;
+    case 1:
+        params->output_count = edit[2] % (RESOURCES + 1);
+        break;
+    case 2:
+        t->techniques[edit[2] % TECHNIQUES] = t->techniques[edit[3] % TECHNIQUES];
+        break;
+    default:
+        params->technique_count = edit[2] % (TECHNIQUES + 1);
+        break;
+    }
+}
+
+static void change_tables(struct random_tables *t, struct rg_compile_params *params,
+                          const uint8_t *edit)
+{
+    uint32_t index = edit[1];
+    switch (edit[0] & 15) {
+    case 0:
+        CHANGE(&t->images[index % t->image_count], image_fields);
+        break;
+    case 1:
+        CHANGE(&t->buffers[index % BUFFERS], buffer_fields);
+        break;
+    case 2:
+        CHANGE(&t->imports[index % RESOURCES], import_fields);
+        break;
+    case 3:
+        CHANGE(&t->outputs[index % RESOURCES], output_fields);
+        break;
+    case 4:
+        CHANGE(params, params_fields);
+        break;
+    case 5:
+        change_counts(t, params, edit);
+        break;
+    default:
+        change_pass(t, edit);
+        break;
+    }
+}
+
+static void check(const struct rg_plan *plan, const struct rg_compile_params *params)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        abort();
+    for (uint32_t i = 0; i < plan->fault_count; i++) {
+        char line[64];
+        rg_fault_text(&plan->faults[i], line, sizeof(line));
+    }
+    rg_dump(plan, out);
+    rg_dump_dot(plan, out);
+    rg_dump_json(plan, out);
+    rg_dump_html(plan, out);
+    if (plan->fault_count == 0 && hazard_check(plan, params, stderr)) {
+        rg_dump(plan, stderr);
+        abort();
+    }
+    fclose(out);
+    free(text);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct random_graph graph;
+    if (!random_graph_init(&graph, size ? data[0] : 0, MOST_PASSES))
+        abort();
+    struct random_tables *t = graph.tables;
+    struct rg_compile_params *params = &graph.params;
+    /* without limits, sizes may be what no memory holds */
+    t->device.max_image_size = MAX_SIZE;
+    t->device.max_layers = MAX_LAYERS;
+    params->device = &t->device;
+    for (size_t i = 0; i < TECHNIQUES; i++) {
+        t->technique_list[i] = &t->techniques[i];
+        t->techniques[i].passes = t->techniques[i].passes ? t->techniques[i].passes : t->passes;
+    }
+    for (size_t at = 1, i = 0; i < MOST_EDITS && at + EDIT_SIZE <= size; i++, at += EDIT_SIZE)
+        change_tables(t, params, data + at);
+    struct rg_plan *plan = rg_compile(params);
+    if (!plan)
+        abort();
+    check(plan, params);
+    rg_plan_destroy(plan);
+    random_graph_finish(&graph);
+    return 0;
+}

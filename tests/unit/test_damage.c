@@ -1,0 +1,65 @@
+/* The checker of plans finds every damage done to plans of random graphs. */
+#include <stdio.h>
+
+#include "graph/rg.h"
+#include "tests/support/check.h"
+#include "tests/support/damage.h"
+#include "tests/support/hazard.h"
+#include "tests/support/random_graph.h"
+
+enum {
+    GRAPHS = 200,
+    MOST_PASSES = 20, /* rows of a graph that is damaged */
+    LEAST_DONE = 10,  /* places of each kind of damage */
+    MOST_DONE = 300,
+};
+
+/* Damages one plan at every place; adds how often, and how often that was found. */
+static void damage_plan(const struct rg_plan *plan, const struct rg_compile_params *params,
+                        size_t damage, uint32_t *done, uint32_t *found)
+{
+    struct damage_copy copy;
+    for (uint32_t next = 0; *done < MOST_DONE && damage_init(&copy, plan, params, damage, &next);
+         damage_finish(&copy)) {
+        bool is_found = hazard_check(&copy.plan, params, NULL) != 0;
+        if (!is_found && *found == *done)
+            printf("%s is not found at place %u of:\n", damage_name(damage), next - 1);
+        if (!is_found && *found == *done)
+            rg_dump(plan, stdout);
+        *found += is_found;
+        ++*done;
+    }
+}
+
+static void check_damage(size_t damage)
+{
+    uint32_t done = 0, found = 0;
+    for (uint64_t seed = 0; seed < GRAPHS; seed++) {
+        struct random_graph graph;
+        assert_true(random_graph_init(&graph, seed, MOST_PASSES));
+        struct rg_plan *plan = rg_compile(&graph.params);
+        assert_non_null(plan);
+        assert_int_equal(plan->fault_count, 0);
+        damage_plan(plan, &graph.params, damage, &done, &found);
+        rg_plan_destroy(plan);
+        random_graph_finish(&graph);
+    }
+    printf("%s: found %u of %u\n", damage_name(damage), found, done);
+    assert_true(done >= LEAST_DONE);
+    assert_int_equal(found, done);
+}
+
+static void test_damage_is_found(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < damage_count(); i++)
+        check_damage(i);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_damage_is_found),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
