@@ -29,6 +29,9 @@ struct globals {
     uint32_t light_count; /* of lights */
     vec2s fitted;         /* near and far plane of fitted_clip_from_world, metres */
     float time;           /* seconds */
+    float bump_strength;  /* factor on the slopes of the ice's bump map */
+    float bump_scale;     /* tiles of it a metre, or a unit of uv */
+    uint32_t bump_uv;     /* 1: it lies by uv; 0: along three planes */
 };
 
 #endif

@@ -1,15 +1,10 @@
-/* refract.glsl: what the rungs' fragment shaders share: inputs, environment, results. */
+/* refract.glsl: what the rungs' fragment shaders share: environment, results. */
 #ifndef REFRACT_GLSL
 #define REFRACT_GLSL
-#include "lib/globals.glsl"
 #include "lib/optics.glsl"
-#include "refract.h"
+#include "refract_front.glsl"
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube;
-
-layout(location = 0) in vec3 eye_to_point;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in float fresnel_paper; /* eq. 4, from the vertices */
 
 struct refract_result {
     vec3 exit;       /* direction in which refracted light leaves: indexes the environment */

@@ -6,6 +6,12 @@
 #define REFRACT_ENV_CUBE    1 /* radiance around the object */
 #define REFRACT_NORMAL_BACK 2 /* outward normals of the back faces; rungs that read them */
 
+/* what a vertex shader of the front faces hands on */
+#define REFRACT_EYE_TO_POINT 0
+#define REFRACT_NORMAL       1
+#define REFRACT_FRESNEL      2
+#define REFRACT_UV           3 /* refract_bump.vert alone */
+
 /* colour targets of the pass that writes a rung's layers */
 #define REFRACT_OUT_EXIT       0
 #define REFRACT_OUT_REFRACTION 1

@@ -13,7 +13,7 @@ layout(push_constant, scalar) uniform Push
 refract_result shade()
 {
     vec3 e = normalize(eye_to_point);
-    vec3 n_f = normalize(normal);
+    vec3 n_f = refract_front_normal();
     vec4 n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0);
     vec3 n_r = n_b.w > 0.5 ? optics_blend_normals(n_f, n_b.xyz, params.a) : n_f;
     return refract_lookup(e, n_f, optics_refract(e, n_r, frame.eta));

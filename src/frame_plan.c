@@ -5,6 +5,7 @@
 #include "src/frame.h"
 #include "src/log.h"
 #include "src/tech/background.h"
+#include "src/tech/bump.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/tonemap.h"
 
@@ -78,6 +79,19 @@ static void bring(struct frame_plan *p, const struct frame_request *request)
         .extent = { request->texture_size, request->texture_size },
         .layers = request->texture_count,
         .mips = request->texture_mips,
+    };
+    const VkExtent2D bump = { request->bump_size, request->bump_size };
+    p->imports[FRAME_IMPORT_BUMP_MAP] = (struct rg_import){
+        .image = &bump_map,
+        .access = RG_SAMPLED,
+        .extent = bump,
+        .mips = request->bump_mips,
+    };
+    p->imports[FRAME_IMPORT_BUMP_MASK] = (struct rg_import){
+        .image = &bump_mask,
+        .access = RG_SAMPLED,
+        .extent = bump,
+        .mips = request->bump_mips,
     };
     p->imports[FRAME_IMPORT_CUBE] =
         (struct rg_import){ .image = &env_cube_color, .access = RG_SAMPLED };

@@ -12,6 +12,8 @@
 enum {
     FRAME_IMPORT_ENVIRONMENT, /* indices into the plan's imports */
     FRAME_IMPORT_TEXTURES,
+    FRAME_IMPORT_BUMP_MAP,
+    FRAME_IMPORT_BUMP_MASK,
     FRAME_IMPORT_CUBE,
     FRAME_IMPORT_COUNT,
 };
@@ -32,6 +34,7 @@ struct frame_request {
     VkExtent2D environment;         /* texels of the picture; 0: none */
     uint32_t environment_mips;
     uint32_t texture_size, texture_count, texture_mips; /* of the surroundings; 0: none */
+    uint32_t bump_size, bump_mips;                      /* of the ice's surface; 0: none */
 };
 
 /* An image and the host buffer it is copied to. */

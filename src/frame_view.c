@@ -2,6 +2,7 @@
 #include "src/frame_view.h"
 #include <math.h>
 #include "src/scene_settings.h"
+#include "src/tech/bump.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/refract.h"
 
@@ -106,6 +107,14 @@ static void place_lights(const struct frame_view *view, struct globals *g)
     }
 }
 
+static void place_bumps(const struct frame_view *view, struct globals *g)
+{
+    const struct bump_params *bump = settings_of(view->settings, &bump_settings);
+    g->bump_strength = bump->strength;
+    g->bump_uv = bump->mapping == BUMP_UV;
+    g->bump_scale = g->bump_uv ? bump->scale : bump->scale / fmaxf(2.0f * g->radius, 1e-6f);
+}
+
 struct globals frame_view_globals(const struct frame_view *view, const struct background_push *push)
 {
     static const uint32_t kinds[] = {
@@ -136,5 +145,6 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
     g.fitted_clip_from_world = frame_view_fit(&view->camera, push->clip_from_world, center,
                                               fmaxf(g.radius, 1e-6f), &g.fitted);
     place_lights(view, &g);
+    place_bumps(view, &g);
     return g;
 }

@@ -2,8 +2,12 @@
 #include "src/frames.h"
 #include <assert.h>
 #include <string.h>
+#include "shaders/surface.h"
+#include "src/scene_settings.h"
 #include "src/tech/background.h"
+#include "src/tech/bump.h"
 #include "src/tech/env_cube.h"
+#include "src/tech/frost.h"
 #include "src/tech/gbuffer.h"
 #include "src/tech/ice_depth.h"
 #include "src/tech/ice_normal.h"
@@ -11,11 +15,12 @@
 #include "src/tech/refract_one_sided.h"
 #include "src/tech/refract_paper.h"
 #include "src/tech/resolve.h"
+#include "src/tech/surface.h"
 #include "src/tech/tonemap.h"
 
 const struct rung frame_rungs[] = {
-    { "paper", &refract_paper }, /* the first is the default */
-    { "one-sided", &refract_one_sided },
+    { "paper", &refract_paper, &refract_paper_bumped }, /* the first is the default */
+    { "one-sided", &refract_one_sided, &refract_one_sided_bumped },
     { 0 },
 };
 
@@ -43,6 +48,30 @@ bool frame_cube_is_dynamic(const struct settings *settings)
     return cube->dynamic;
 }
 
+static bool is_bumped(const struct settings *settings)
+{
+    const struct bump_params *bump = settings_of(settings, &bump_settings);
+    return bump->strength > 0.0f;
+}
+
+static bool is_lit(const struct settings *settings)
+{
+    const struct light_params *light = settings_of(settings, &light_settings);
+    const struct surface_params *params = settings_of(settings, &surface_settings);
+    return light->count > 0 && light->strength > 0.0f && params->strength > 0.0f;
+}
+
+static bool is_frosted(const struct settings *settings)
+{
+    const struct frost_params *params = settings_of(settings, &frost_settings);
+    return params->amount > 0.0f;
+}
+
+bool frame_reads_bump_maps(const struct settings *settings)
+{
+    return is_bumped(settings) || is_frosted(settings);
+}
+
 struct frame_list frame_with(const struct rung *rung, const struct settings *settings)
 {
     struct frame_list list = { { 0 } };
@@ -52,7 +81,11 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
     add(&list, &gbuffer);
     add(&list, &ice_depth);
     add(&list, &ice_normal);
-    add(&list, rung->technique);
+    add(&list, is_bumped(settings) && rung->bumped ? rung->bumped : rung->technique);
+    if (is_lit(settings))
+        add(&list, is_bumped(settings) ? &surface_bumped : &surface);
+    if (is_frosted(settings))
+        add(&list, &frost);
     add(&list, &tonemap);
     return list;
 }

@@ -11,6 +11,7 @@
 struct rung {
     const char *name;
     const struct technique *technique;
+    const struct technique *bumped; /* the same where the ice has bumps; NULL: it shows none */
 };
 
 extern const struct rung frame_rungs[]; /* ends at a row of zeros */
@@ -31,6 +32,9 @@ struct frame_list {
  * outside. */
 struct frame_list frame_with(const struct rung *rung, const struct settings *settings);
 bool frame_cube_is_dynamic(const struct settings *settings);
+
+/* Whether such a frame reads a map of the ice's surface. */
+bool frame_reads_bump_maps(const struct settings *settings);
 
 /* Only the environment cube. */
 struct frame_list frame_capture(void);

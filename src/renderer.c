@@ -111,6 +111,8 @@ static enum status stage_create(struct stage *stage, const struct renderer *rend
     const struct rg_exec_import imports[FRAME_IMPORT_COUNT] = {
         [FRAME_IMPORT_ENVIRONMENT].image = renderer->scene.environment.image,
         [FRAME_IMPORT_TEXTURES].image = renderer->scene.textures.image,
+        [FRAME_IMPORT_BUMP_MAP].image = renderer->scene.bump_map.image,
+        [FRAME_IMPORT_BUMP_MASK].image = renderer->scene.bump_mask.image,
         [FRAME_IMPORT_CUBE].image = renderer->capture.exec
                                         ? rg_exec_image(renderer->capture.exec, &env_cube_color)
                                         : VK_NULL_HANDLE,

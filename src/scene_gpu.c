@@ -1,6 +1,7 @@
 /* scene_gpu.c: a scene's meshes and pictures on the device. */
 #include "src/scene_gpu.h"
 #include "src/frame.h"
+#include "src/tech/bump.h"
 
 static uint32_t full_chain(uint32_t width, uint32_t height)
 {
@@ -23,6 +24,10 @@ void scene_gpu_describe(const struct scene *scene, struct frame_request *request
         request->texture_size = textures->size;
         request->texture_count = textures->count;
         request->texture_mips = full_chain(textures->size, textures->size);
+    }
+    if (scene->bump.size) {
+        request->bump_size = scene->bump.size;
+        request->bump_mips = full_chain(scene->bump.size, scene->bump.size);
     }
 }
 
@@ -78,6 +83,25 @@ static enum status upload_textures(struct scene_gpu *on_gpu, struct gpu *gpu,
                             });
 }
 
+/* One of the maps of the ice's surface; without texels as an even, smooth one. */
+static enum status upload_bump(struct gpu *gpu, struct gpu_image *image,
+                               const struct rg_image *declared, const void *texels, uint32_t size)
+{
+    static const uint8_t even[8] = { 0 };
+    uint32_t side = texels ? size : 1;
+    return gpu_image_create(
+        gpu, image,
+        &(struct gpu_image_params){
+            .name = declared->name,
+            .format = declared->format,
+            .width = side,
+            .height = side,
+            .mipmaps = texels,
+            .texels = texels ? texels : even,
+            .texels_size = (size_t)side * side * rg_format_info(declared->format)->size,
+        });
+}
+
 enum status scene_gpu_upload(struct scene_gpu *on_gpu, struct gpu *gpu, const struct scene *scene)
 {
     *on_gpu = (struct scene_gpu){ 0 };
@@ -90,6 +114,12 @@ enum status scene_gpu_upload(struct scene_gpu *on_gpu, struct gpu *gpu, const st
         status = upload_environment(on_gpu, gpu, &scene->environment);
     if (status == STATUS_OK)
         status = upload_textures(on_gpu, gpu, &scene->model.textures);
+    if (status == STATUS_OK)
+        status =
+            upload_bump(gpu, &on_gpu->bump_map, &bump_map, scene->bump.slopes, scene->bump.size);
+    if (status == STATUS_OK)
+        status =
+            upload_bump(gpu, &on_gpu->bump_mask, &bump_mask, scene->bump.mask, scene->bump.size);
     if (status != STATUS_OK)
         scene_gpu_finish(on_gpu, gpu);
     return status;
@@ -103,5 +133,7 @@ void scene_gpu_finish(struct scene_gpu *on_gpu, struct gpu *gpu)
     gpu_buffer_destroy(gpu, &on_gpu->surroundings_indices);
     gpu_image_destroy(gpu, &on_gpu->environment);
     gpu_image_destroy(gpu, &on_gpu->textures);
+    gpu_image_destroy(gpu, &on_gpu->bump_map);
+    gpu_image_destroy(gpu, &on_gpu->bump_mask);
     *on_gpu = (struct scene_gpu){ 0 };
 }

@@ -11,6 +11,8 @@ struct scene_gpu {
     struct gpu_buffer surroundings_vertices, surroundings_indices;
     struct gpu_image environment; /* 1x1 if the scene has none */
     struct gpu_image textures;    /* the same */
+    struct gpu_image bump_map;    /* the same */
+    struct gpu_image bump_mask;   /* the same */
 };
 
 /* Fills what a plan must know of the scene's pictures; needs no device. */

@@ -3,6 +3,7 @@
 #include "src/log.h"
 #include "src/scene/material.h"
 #include "src/scene_settings.h"
+#include "src/tech/bump.h"
 #include "src/tech/refract.h"
 
 static const float default_fov_deg = 45.0f;
@@ -26,6 +27,8 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
     const struct object_params *object = settings_of(&o->settings, &object_settings);
     const struct landscape_params *landscape = settings_of(&o->settings, &landscape_settings);
     const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
+    const struct bump_params *bump = settings_of(&o->settings, &bump_settings);
+    const struct bump_maps_params maps = { .smooth = bump->mask, .seed = bump->seed };
     if (!o->positional) {
         log_error("SCENE is missing: ice-cube, sphere, teapot or a model file (see --help)");
         return STATUS_USAGE;
@@ -43,6 +46,7 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
                               .object_triangles = object->triangles,
                               .landscape_triangles = landscape->triangles,
                               .mover_count = motion->count,
+                              .bump = frame_reads_bump_maps(&o->settings) ? &maps : NULL,
                           });
     if (status == STATUS_OK)
         settle_ior(o, &scene->model);

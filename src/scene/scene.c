@@ -120,6 +120,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
         status = add_landscape(scene, params);
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
+    if (status == STATUS_OK && params->bump && !bump_maps_init(&scene->bump, params->bump))
+        status = out_of_memory("maps of the surface");
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;
@@ -129,5 +131,6 @@ void scene_finish(struct scene *scene)
 {
     model_finish(&scene->model);
     environment_finish(&scene->environment);
+    bump_maps_finish(&scene->bump);
     *scene = (struct scene){ 0 };
 }

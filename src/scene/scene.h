@@ -6,6 +6,7 @@
 #ifndef FIRN_SCENE_SCENE_H
 #define FIRN_SCENE_SCENE_H
 
+#include "src/scene/bump_maps.h"
 #include "src/scene/environment.h"
 #include "src/scene/model.h"
 
@@ -20,7 +21,8 @@ struct scene {
     enum scene_background background;
     vec3s background_color; /* SCENE_COLOR; linear radiance */
     struct environment environment;
-    struct box box; /* of the object */
+    struct bump_maps bump; /* of the object's surface; {0}: none */
+    struct box box;        /* of the object */
 };
 
 struct scene_params {
@@ -31,6 +33,7 @@ struct scene_params {
     uint32_t object_triangles;    /* of a built-in object; 0: its default */
     uint32_t landscape_triangles; /* 0: default */
     uint32_t mover_count;         /* objects that move around it */
+    const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
 };
 
 /* A scene known by name. */

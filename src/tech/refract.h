@@ -2,7 +2,8 @@
  * refract.h: what the refraction rungs (refract_*.c) share: their layers and the index.
  *
  * A rung is a technique that draws the ice over the background. It may name what other techniques
- * make (env_cube, ice_normal); what the chosen rung does not name is culled.
+ * make (env_cube, ice_normal); what the chosen rung does not name is culled. A second technique of
+ * the same rows draws it with bumps: so smooth ice reads no map.
  */
 #ifndef TECH_REFRACT_H
 #define TECH_REFRACT_H
@@ -37,6 +38,10 @@ struct refract_params {
 #define REFRACT_FRONT_FACES \
     .vert = &refract_vert, .vertices = &frame_mesh_layout, .cull = VK_CULL_MODE_BACK_BIT
 
+/* The same with the mesh's uv for bumps (bump.h). */
+#define REFRACT_BUMPED_FACES \
+    .vert = &refract_bump_vert, .vertices = &frame_mesh_layout, .cull = VK_CULL_MODE_BACK_BIT
+
 /* The targets of a rung's row for the picture ... */
 #define REFRACT_COLOR_TARGETS \
     .color[0] = { &background_color, RG_LOAD_KEEP }, .depth = { &background_depth, RG_LOAD_KEEP }, \
@@ -48,7 +53,8 @@ struct refract_params {
     .color[REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR }, \
     .color[REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR }, \
     .color[REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR }, \
-    .depth = { &background_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL
+    .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
+    .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL
 
 /* What lies in or on the ice is drawn over the rung's picture, on the front faces that it drew:
  * premultiplied colour. The vertex shader is refract.vert, or one as precise. */

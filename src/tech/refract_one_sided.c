@@ -9,11 +9,19 @@
 #include "src/tech/refract_one_sided.h"
 #include "shaders/embedded.h"
 #include "src/frame.h"
+#include "src/tech/bump.h"
 #include "src/tech/refract.h"
 
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     REFRACT_USE_ENV_CUBE,
+    { 0 },
+};
+
+static const struct rg_use bumped_uses[] = {
+    FRAME_USE_GLOBALS,
+    REFRACT_USE_ENV_CUBE,
+    BUMP_USE_MAPS,
     { 0 },
 };
 
@@ -36,7 +44,31 @@ static const struct rg_pass passes[] = {
     },
 };
 
+static const struct rg_pass bumped_passes[] = {
+    {
+        .name = "refract_one_sided.color",
+        REFRACT_COLOR_TARGETS,
+        .uses = bumped_uses,
+        REFRACT_BUMPED_FACES,
+        .frag = &refract_one_sided_bump_frag,
+        .record = frame_draw_object,
+    },
+    {
+        .name = "refract_one_sided.layers",
+        REFRACT_LAYER_TARGETS,
+        .uses = bumped_uses,
+        REFRACT_BUMPED_FACES,
+        .frag = &refract_one_sided_bump_aov_frag,
+        .record = frame_draw_object,
+    },
+};
+
 const struct technique refract_one_sided = {
     .graph = RG_TECHNIQUE("refract_one_sided", passes),
     .help = "refraction at the front face alone",
+};
+
+const struct technique refract_one_sided_bumped = {
+    .graph = RG_TECHNIQUE("refract_one_sided", bumped_passes),
+    .help = "the same with bumps",
 };

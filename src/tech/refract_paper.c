@@ -14,6 +14,7 @@
 #include "shaders/embedded.h"
 #include "shaders/refract_paper.h"
 #include "src/frame.h"
+#include "src/tech/bump.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 
@@ -23,6 +24,14 @@ static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     REFRACT_USE_ENV_CUBE,
     { .image = &ice_normal_back, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_BACK },
+    { 0 },
+};
+
+static const struct rg_use bumped_uses[] = {
+    FRAME_USE_GLOBALS,
+    REFRACT_USE_ENV_CUBE,
+    { .image = &ice_normal_back, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_BACK },
+    BUMP_USE_MAPS,
     { 0 },
 };
 
@@ -42,6 +51,27 @@ static const struct rg_pass passes[] = {
         .uses = uses,
         REFRACT_FRONT_FACES,
         .frag = &refract_paper_aov_frag,
+        .push_size = sizeof(struct refract_paper_params),
+        .record = record_object,
+    },
+};
+
+static const struct rg_pass bumped_passes[] = {
+    {
+        .name = "refract_paper.color",
+        REFRACT_COLOR_TARGETS,
+        .uses = bumped_uses,
+        REFRACT_BUMPED_FACES,
+        .frag = &refract_paper_bump_frag,
+        .push_size = sizeof(struct refract_paper_params),
+        .record = record_object,
+    },
+    {
+        .name = "refract_paper.layers",
+        REFRACT_LAYER_TARGETS,
+        .uses = bumped_uses,
+        REFRACT_BUMPED_FACES,
+        .frag = &refract_paper_bump_aov_frag,
         .push_size = sizeof(struct refract_paper_params),
         .record = record_object,
     },
@@ -72,4 +102,10 @@ const struct technique refract_paper = {
     .graph = RG_TECHNIQUE("refract_paper", passes),
     .settings = &refract_paper_settings,
     .help = "front and back normals blended into one (Seipel and Nivfors 2006)",
+};
+
+const struct technique refract_paper_bumped = {
+    .graph = RG_TECHNIQUE("refract_paper", bumped_passes),
+    .settings = &refract_paper_settings,
+    .help = "the same with bumps",
 };

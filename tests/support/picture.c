@@ -14,13 +14,13 @@ static const double pi = 3.14159265358979323846;
 
 struct render_result picture_render(struct gpu *gpu, const struct picture_request *request)
 {
-    const struct settings defaults = settings_default();
+    const struct settings bare = picture_settings("light.count=0");
     struct renderer *renderer;
     struct render_result result;
     const struct renderer_params params = {
         .gpu = gpu,
         .scene = request->scene,
-        .settings = request->settings ? request->settings : &defaults,
+        .settings = request->settings ? request->settings : &bare,
         .rung = request->rung ? frame_find_rung(request->rung) : &frame_rungs[0],
         .width = request->width,
         .height = request->height,
@@ -42,6 +42,8 @@ struct render_result picture_render(struct gpu *gpu, const struct picture_reques
 struct settings picture_settings(const char *assignment)
 {
     struct settings settings = settings_default();
+    assert_int_equal(settings_set(&settings, "bump.strength=0"), STATUS_OK);
+    assert_int_equal(settings_set(&settings, "light.count=0"), STATUS_OK);
     assert_int_equal(settings_set(&settings, assignment), STATUS_OK);
     return settings;
 }

@@ -14,7 +14,7 @@
 
 struct picture_request {
     const struct scene *scene;
-    const struct settings *settings; /* NULL: the defaults */
+    const struct settings *settings; /* NULL: those of picture_settings() */
     const char *rung;                /* NULL: paper */
     struct camera camera;
     uint32_t width, height, samples, layers;
@@ -26,7 +26,7 @@ struct picture_request {
 /* One picture, linear always; any failure or validation message fails the test. */
 struct render_result picture_render(struct gpu *gpu, const struct picture_request *request);
 
-/* The defaults with one setting changed: "env_cube.dynamic=off". */
+/* The defaults but for smooth ice and no lights, with one setting changed: "refract.ior=1.5". */
 struct settings picture_settings(const char *assignment);
 
 /* Unit direction from the eye through a point of the picture; pixel i's centre is at i + 0.5. */

@@ -188,6 +188,50 @@ static void test_one_sided_draws_no_back_normals(void **state)
     frame_plan_finish(&plan);
 }
 
+static uint32_t count_images(const struct rg_plan *plan, const char *prefix)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < plan->image_count; i++)
+        count += !strncmp(plan->images[i].image->name, prefix, strlen(prefix));
+    return count;
+}
+
+/* What the settings switch on of the ice's surface is in the plan, and nothing else of it. */
+static void check_surface(const char *const *assignments, bool lights, bool frost, uint32_t maps)
+{
+    struct settings settings = settings_default();
+    for (; *assignments; assignments++)
+        assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
+    assert_int_equal(frame_reads_bump_maps(&settings), maps > 0);
+    for (const struct rung *rung = frame_rungs; rung->name; rung++) {
+        struct frame_request request = request_of(&(struct golden){ .rung = rung->name });
+        request.list = frame_with(rung, &settings);
+        struct frame_plan plan;
+        assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
+        assert_int_equal(has_pass_of(plan.plan, "surface"), lights);
+        assert_int_equal(has_pass_of(plan.plan, "frost"), frost);
+        assert_int_equal(count_images(plan.plan, "frost."), frost);
+        assert_int_equal(count_images(plan.plan, "refract."), frost ? 4 : 0);
+        assert_int_equal(count_images(plan.plan, "bump."), maps);
+        frame_plan_finish(&plan);
+    }
+}
+
+static void test_surface_is_switched_off(void **state)
+{
+    (void)state;
+    check_surface((const char *const[]){ NULL }, true, false, 2);
+    check_surface((const char *const[]){ "bump.strength=0", NULL }, true, false, 0);
+    check_surface((const char *const[]){ "light.count=0", NULL }, false, false, 2);
+    check_surface((const char *const[]){ "surface.strength=0", NULL }, false, false, 2);
+    check_surface((const char *const[]){ "frost.amount=0.5", NULL }, true, true, 2);
+    check_surface((const char *const[]){ "bump.strength=0", "light.strength=0", NULL }, false,
+                  false, 0);
+    check_surface(
+        (const char *const[]){ "bump.strength=0", "light.count=0", "frost.amount=1", NULL }, false,
+        true, 1);
+}
+
 static struct golden golden_of(const struct feature *feature)
 {
     return (struct golden){ .name = feature->name, .feature = feature };
@@ -196,7 +240,8 @@ static struct golden golden_of(const struct feature *feature)
 int main(int argc, char **argv)
 {
     struct golden states[GOLDEN_COUNT];
-    struct CMUnitTest tests[GOLDEN_COUNT + 1] = {
+    struct CMUnitTest tests[GOLDEN_COUNT + 2] = {
+        cmocka_unit_test(test_surface_is_switched_off),
         cmocka_unit_test(test_one_sided_draws_no_back_normals),
     };
     if (argc < 2) {
@@ -208,7 +253,7 @@ int main(int argc, char **argv)
         states[i].program = argv[0];
         states[i].folder = argv[1];
         states[i].update = argc > 2 && !strcmp(argv[2], "--update");
-        tests[i + 1] = (struct CMUnitTest){ states[i].name, test_golden, NULL, NULL, &states[i] };
+        tests[i + 2] = (struct CMUnitTest){ states[i].name, test_golden, NULL, NULL, &states[i] };
     }
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

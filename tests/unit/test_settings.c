@@ -292,7 +292,7 @@ static void test_values_that_are_none(void **state)
     for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
         snprintf(assignment, sizeof(assignment), "%s=%s", row_of(SETTING_SWITCH)->name, words[i]);
         check_refused(assignment, "on or off is wanted");
-        snprintf(assignment, sizeof(assignment), "%s=%s", row_of(SETTING_CHOICE)->name, words[i]);
+        snprintf(assignment, sizeof(assignment), "tonemap.curve=%s", words[i]);
         check_refused(assignment, "one of neutral, clip is wanted");
     }
 }

@@ -6,9 +6,11 @@
 #include <string.h>
 
 #include "shaders/background.h"
+#include "shaders/frost.h"
 #include "shaders/gbuffer.h"
 #include "shaders/globals.h"
 #include "shaders/refract_paper.h"
+#include "shaders/surface.h"
 #include "shaders/tonemap.h"
 #include "src/frames.h"
 #include "tests/support/check.h"
@@ -24,7 +26,7 @@ struct field {
 struct shared {
     const char *name;
     size_t size;
-    struct field fields[20];
+    struct field fields[24];
 };
 
 #define FIELD(type, member) \
@@ -44,6 +46,21 @@ static const struct shared shared_structs[] = {
             FIELD(background_push, up),
             FIELD(background_push, forward),
         },
+    },
+    {
+        "frost_cube_push",
+        sizeof(struct frost_cube_push),
+        {
+            FIELD(frost_cube_push, right),
+            FIELD(frost_cube_push, spread),
+            FIELD(frost_cube_push, up),
+            FIELD(frost_cube_push, forward),
+        },
+    },
+    {
+        "frost_push",
+        sizeof(struct frost_push),
+        { FIELD(frost_push, amount) },
     },
     {
         "gbuffer_push",
@@ -72,12 +89,20 @@ static const struct shared shared_structs[] = {
             FIELD(globals, light_count),
             FIELD(globals, fitted),
             FIELD(globals, time),
+            FIELD(globals, bump_strength),
+            FIELD(globals, bump_scale),
+            FIELD(globals, bump_uv),
         },
     },
     {
         "refract_paper_params",
         sizeof(struct refract_paper_params),
         { FIELD(refract_paper_params, a) },
+    },
+    {
+        "surface_params",
+        sizeof(struct surface_params),
+        { FIELD(surface_params, strength), FIELD(surface_params, shininess) },
     },
     {
         "tonemap_params",
@@ -303,12 +328,18 @@ static size_t check_list(const struct frame_list *list, struct seen *seen)
 static void test_rows_and_shaders_agree(void **state)
 {
     (void)state;
-    const struct settings settings = settings_default();
+    struct settings smooth = settings_default();
+    struct settings frosted = settings_default();
+    assert_int_equal(settings_set(&smooth, "bump.strength=0"), STATUS_OK);
+    assert_int_equal(settings_set(&frosted, "frost.amount=1"), STATUS_OK);
     struct seen seen = { 0 };
     size_t rows = 0;
     for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        const struct frame_list list = frame_with(rung, &settings);
-        rows += check_list(&list, &seen);
+        const struct frame_list lists[] = {
+            frame_with(rung, &smooth),
+            frame_with(rung, &frosted),
+        };
+        rows += check_list(&lists[0], &seen) + check_list(&lists[1], &seen);
     }
     const struct frame_list capture = frame_capture();
     const struct frame_list resolve = frame_resolve();

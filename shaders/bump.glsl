@@ -1,0 +1,55 @@
+/*
+ * bump.glsl: the normal of the ice's uneven surface.
+ *
+ * The gradient of a height bends a normal the same whichever way a map lies (Mikkelsen 2010, Bump
+ * Mapping Unparametrized Surfaces on the GPU), so that three planes' gradients can be added, and no
+ * tangents are needed.
+ */
+#ifndef BUMP_GLSL
+#define BUMP_GLSL
+#include "bump_mask.glsl"
+
+layout(set = 0, binding = BUMP_MAP) uniform sampler2D bump_map;
+
+/* How the height rises, in the world. */
+vec3 bump_gradient_on(bump_planes planes)
+{
+    vec2 x = texture(bump_map, planes.uv[0]).rg * planes.shares.x;
+    vec2 y = texture(bump_map, planes.uv[1]).rg * planes.shares.y;
+    vec2 z = texture(bump_map, planes.uv[2]).rg * planes.shares.z;
+    return mat3(frame.world_from_object) * vec3(y.y + z.x, z.y + x.x, x.y + y.x);
+}
+
+/* The same by the mesh's uv, of which only the directions count; none where it has no uv. */
+vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 uv)
+{
+    vec3 across = cross(dFdy(point), normal);
+    vec3 down = cross(normal, dFdx(point));
+    vec3 u = across * dFdx(uv.x) + down * dFdy(uv.x);
+    vec3 v = across * dFdx(uv.y) + down * dFdy(uv.y);
+    vec2 slope = texture(bump_map, uv * frame.bump_scale).rg;
+    float side = dot(dFdx(point), across) < 0.0 ? -1.0 : 1.0;
+    return side * (slope.x * u * inversesqrt(max(dot(u, u), 1e-30)) +
+                   slope.y * v * inversesqrt(max(dot(v, v), 1e-30)));
+}
+
+/* Normals that face the eye stay so; those that bumps would turn away are nearly square to e. */
+vec3 bump_normal(vec3 e, vec3 point, vec3 normal, vec2 uv)
+{
+    vec3 gradient;
+    float smoothness;
+    if (frame.bump_uv != 0u) {
+        gradient = bump_gradient_uv(point, normal, uv);
+        smoothness = bump_mask_at(point, normal, uv).r;
+    } else {
+        bump_planes planes = bump_find_planes(point, normal);
+        gradient = bump_gradient_on(planes);
+        smoothness = bump_mask_on(planes).r;
+    }
+    gradient *= frame.bump_strength * (1.0 - smoothness);
+    vec3 bumped = normalize(normal - gradient + normal * dot(normal, gradient));
+    float beyond = dot(bumped, e) - max(dot(normal, e), -0.02);
+    return beyond > 0.0 ? normalize(bumped - beyond * e) : bumped;
+}
+
+#endif

@@ -1,0 +1,39 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "bump_mask.glsl"
+#include "frost.h"
+#include "lib/globals.glsl"
+#include "lib/sky.glsl"
+#include "refract.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    frost_push push;
+};
+
+layout(set = 0, binding = FROST_CUBE) uniform samplerCube blurred;
+layout(set = 0, binding = FROST_EXIT) uniform sampler2D exit_dir;
+
+layout(location = REFRACT_EYE_TO_POINT) in vec3 eye_to_point;
+layout(location = REFRACT_NORMAL) in vec3 normal;
+layout(location = REFRACT_UV) in vec2 uv;
+
+layout(location = 0) out vec4 color; /* premultiplied */
+
+/* Light on the surface; from a picture or a colour, what comes from ahead stands for all. */
+vec3 light_on(vec3 n)
+{
+    if (frame.background_kind == GLOBALS_SKY)
+        return sky_light(n);
+    return texture(blurred, n).rgb;
+}
+
+/* Few crystals blur what is behind them; many are white. */
+void main()
+{
+    vec3 n = normalize(normal);
+    vec2 mask = bump_mask_at(frame.eye + eye_to_point, n, uv);
+    float share = push.amount * (1.0 - mask.r) * mask.g;
+    vec3 behind = texture(blurred, texelFetch(exit_dir, ivec2(gl_FragCoord.xy), 0).xyz).rgb;
+    color = vec4(share * mix(behind, light_on(n), share), share);
+}

@@ -1,0 +1,24 @@
+/* frost.h: what frost.c and frost*.frag agree on. */
+#ifndef SHADERS_FROST_H
+#define SHADERS_FROST_H
+#include "abi.h"
+
+#define FROST_ENV_CUBE 1 /* radiance around the object; frost_cube.frag */
+#define FROST_CUBE     1 /* the same, blurred; frost.frag */
+#define FROST_EXIT     2 /* the rung's direction in which light leaves */
+
+#define FROST_CUBE_SIZE 64 /* texels of a face's side */
+
+/* One face of the blurred cube. */
+struct frost_cube_push {
+    vec3s right;  /* from the middle of the face to its right edge, at distance 1 */
+    float spread; /* alpha of the crystals' slopes (GGX) */
+    vec3s up;
+    vec3s forward;
+};
+
+struct frost_push {
+    float amount; /* share of the light that the thickest frost takes */
+};
+
+#endif

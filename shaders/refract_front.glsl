@@ -1,0 +1,28 @@
+/* refract_front.glsl: the ice's front faces as refract*.vert hands them on, and their normal: with
+ * REFRACT_BUMP, that of the uneven surface. */
+#ifndef REFRACT_FRONT_GLSL
+#define REFRACT_FRONT_GLSL
+#include "lib/globals.glsl"
+#include "refract.h"
+
+layout(location = REFRACT_EYE_TO_POINT) in vec3 eye_to_point;
+layout(location = REFRACT_NORMAL) in vec3 normal;
+layout(location = REFRACT_FRESNEL) in float fresnel_paper; /* eq. 4, from the vertices */
+
+#ifdef REFRACT_BUMP
+#include "bump.glsl"
+
+layout(location = REFRACT_UV) in vec2 uv;
+
+vec3 refract_front_normal()
+{
+    return bump_normal(normalize(eye_to_point), frame.eye + eye_to_point, normalize(normal), uv);
+}
+#else
+vec3 refract_front_normal()
+{
+    return normalize(normal);
+}
+#endif
+
+#endif

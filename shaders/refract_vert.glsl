@@ -1,0 +1,30 @@
+/* refract_vert.glsl: the ice's front faces, with eq. 4 at the vertices. */
+#include "lib/optics.glsl"
+#include "lib/pose.glsl"
+#include "refract.h"
+
+layout(location = MESH_POSITION) in vec3 position;
+layout(location = MESH_NORMAL) in vec3 normal;
+
+layout(location = REFRACT_EYE_TO_POINT) out vec3 out_eye_to_point;
+layout(location = REFRACT_NORMAL) out vec3 out_normal;
+layout(location = REFRACT_FRESNEL) out float out_fresnel;
+
+#ifdef REFRACT_BUMP
+layout(location = MESH_UV) in vec2 uv;
+layout(location = REFRACT_UV) out vec2 out_uv;
+#endif
+
+void main()
+{
+    /* two passes must agree: the layers are tested against the depth that the picture wrote */
+    precise vec3 point = pose_object(position);
+    precise vec4 clip = frame.clip_from_world * vec4(point, 1.0);
+    gl_Position = clip;
+    out_eye_to_point = point - frame.eye;
+    out_normal = pose_object_normal(normal);
+    out_fresnel = optics_fresnel_paper(normalize(out_eye_to_point), out_normal);
+#ifdef REFRACT_BUMP
+    out_uv = uv;
+#endif
+}

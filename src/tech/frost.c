@@ -1,0 +1,110 @@
+/*
+ * frost.c: crystals on the ice's surface, which blur what is behind it and are white.
+ *
+ * Seipel and Nivfors 2006, section 3.1: in the cold the surface is populated with thousands of
+ * microscopically small crystals and reflects diffusely; they do not draw it. Here frost lies where
+ * the bump mask says that the surface is rough, over all else that the pixel shows. Thin frost lets
+ * light through that its slopes scatter, distributed as GGX says (Walter and others 2007); thick
+ * frost is a matt white surface.
+ *
+ * A slope of angle d tilts light that enters by (n - 1) d, where it would tilt a reflection by 2 d:
+ * a lobe (n - 1) / 2 as wide, 0.155 for ice. That is right for small angles and light square to the
+ * surface, and for one rough side. The environment is blurred with this lobe into a small cube,
+ * which the direction that the rung found looks up: the lobe is round, and light is scattered as it
+ * leaves though it was as it entered. What air and cracks lie behind the frost is covered, not
+ * blurred, and there is no rough reflection. The white is lit by sky and sun without shadow; by a
+ * picture or a colour through the same small cube, as if all light came from along the normal.
+ */
+#include "src/tech/frost.h"
+#include "shaders/embedded.h"
+#include "shaders/frost.h"
+#include "src/frame.h"
+#include "src/tech/bump.h"
+#include "src/tech/refract.h"
+
+static rg_record_fn record_cube, record_object;
+
+static const struct rg_image frost_blurred = {
+    .name = "frost.blurred",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .width = FROST_CUBE_SIZE,
+    .height = FROST_CUBE_SIZE,
+    .cube = true,
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "frost.cube",
+        .repeat = RG_PER_LAYER,
+        .color[0] = { &frost_blurred, RG_LOAD_DISCARD },
+        .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &env_cube_color,
+                                             .access = RG_SAMPLED,
+                                             .binding = FROST_ENV_CUBE,
+                                             .sampler = &frame_linear }),
+        .vert = &screen_vert,
+        .frag = &frost_cube_frag,
+        .push_size = sizeof(struct frost_cube_push),
+        .record = record_cube,
+    },
+    {
+        .name = "frost.over",
+        REFRACT_OVER_TARGETS,
+        .uses = RG_USES(FRAME_USE_GLOBALS, BUMP_USE_MASK,
+                        { .image = &frost_blurred,
+                          .access = RG_SAMPLED,
+                          .binding = FROST_CUBE,
+                          .sampler = &frame_linear },
+                        { .image = &refract_exit, .access = RG_SAMPLED, .binding = FROST_EXIT }),
+        REFRACT_BUMPED_FACES,
+        .frag = &frost_frag,
+        .push_size = sizeof(struct frost_push),
+        .record = record_object,
+    },
+};
+
+static void record_cube(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct frost_params *params = settings_of(frame->settings, &frost_settings);
+    const struct background_push *face = &frame->faces[rg_cmd_repetition(cmd)];
+    const struct frost_cube_push push = {
+        .right = face->right,
+        .spread = params->roughness * params->roughness,
+        .up = face->up,
+        .forward = face->forward,
+    };
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw(cmd, 3);
+}
+
+static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct frost_params *params = settings_of(frame->settings, &frost_settings);
+    rg_cmd_push(cmd, &(struct frost_push){ params->amount }, sizeof(struct frost_push));
+    rg_cmd_draw_mesh(cmd, &frame->object);
+}
+
+static const struct setting rows[] = {
+    {
+        .name = "frost.amount",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct frost_params, amount),
+        .max = 1,
+        .help = "how thick frost lies where the ice is not smooth (0: none)",
+    },
+    {
+        .name = "frost.roughness",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct frost_params, roughness),
+        .initial = 0.6,
+        .max = 1,
+        .help = "how much it blurs what is behind it",
+    },
+};
+
+const struct setting_group frost_settings = SETTING_GROUP("frost", rows, struct frost_params);
+
+const struct technique frost = {
+    .graph = RG_TECHNIQUE("frost", passes),
+    .settings = &frost_settings,
+    .help = "crystals on the ice's surface",
+};

@@ -1,0 +1,14 @@
+/* frost.h: crystals on the ice's surface. */
+#ifndef TECH_FROST_H
+#define TECH_FROST_H
+#include "src/technique.h"
+
+extern const struct technique frost;
+extern const struct setting_group frost_settings;
+
+struct frost_params {
+    float amount;    /* share of the light that the thickest frost takes; 0: none */
+    float roughness; /* of the crystals; its square is GGX's alpha */
+};
+
+#endif

@@ -1,0 +1,57 @@
+/* bumps.c: maps without a feature. */
+#include "tests/support/bumps.h"
+
+#include <stdlib.h>
+
+#include "tests/support/check.h"
+
+#include "src/image/half.h"
+
+void bumps_even(struct scene *scene, double slope_u, double slope_v, double mask_r, double mask_g)
+{
+    struct bump_maps *maps = &scene->bump;
+    const uint32_t size = 2;
+    bump_maps_finish(maps);
+    *maps = (struct bump_maps){
+        .slopes = malloc(2 * sizeof(*maps->slopes) * size * size),
+        .mask = malloc(2 * sizeof(*maps->mask) * size * size),
+        .size = size,
+    };
+    assert_true(maps->slopes && maps->mask);
+    for (uint32_t i = 0; i < size * size; i++) {
+        maps->slopes[2 * i + 0] = half_from_float((float)slope_u);
+        maps->slopes[2 * i + 1] = half_from_float((float)slope_v);
+        maps->mask[2 * i + 0] = (uint8_t)(mask_r * 255 + 0.5);
+        maps->mask[2 * i + 1] = (uint8_t)(mask_g * 255 + 0.5);
+    }
+}
+
+static struct vec turned(struct vec v, double turn)
+{
+    return (struct vec){ cos(turn) * v.x + sin(turn) * v.z, v.y,
+                         -sin(turn) * v.x + cos(turn) * v.z };
+}
+
+struct vec bumps_bend(struct vec gradient, struct vec n, struct vec e)
+{
+    const struct vec along = vec_add(gradient, -vec_dot(gradient, n), n);
+    const struct vec bent = vec_unit(vec_add(n, -1, along));
+    const double beyond = vec_dot(bent, e) - fmax(vec_dot(n, e), -0.02);
+    return beyond > 0 ? vec_unit(vec_add(bent, -beyond, e)) : bent;
+}
+
+struct vec bumps_normal(const struct bumps *bumps, struct vec n, struct vec e)
+{
+    const struct vec at = turned(n, -bumps->turn);
+    const struct vec p = { pow(at.x, 4), pow(at.y, 4), pow(at.z, 4) };
+    const double all = p.x + p.y + p.z;
+    const double u = bumps->slope_u;
+    const double v = bumps->slope_v;
+    /* u and v are y and z on the plane across x, z and x, x and y */
+    const struct vec gradient = {
+        (v * p.y + u * p.z) / all,
+        (u * p.x + v * p.z) / all,
+        (v * p.x + u * p.y) / all,
+    };
+    return bumps_bend(turned(gradient, bumps->turn), n, e);
+}

@@ -1,0 +1,24 @@
+/*
+ * bumps.h: even slopes all over an object, and in closed form what they make of a normal.
+ */
+#ifndef TESTS_BUMPS_H
+#define TESTS_BUMPS_H
+
+#include "src/scene/scene.h"
+#include "tests/support/vec.h"
+
+/* Gives a scene maps of one slope along u and v, and one mask (r, g). */
+void bumps_even(struct scene *scene, double slope_u, double slope_v, double mask_r, double mask_g);
+
+struct bumps {
+    double slope_u, slope_v; /* with strength and mask */
+    double turn;             /* of the object about +Y, radians */
+};
+
+/* The uneven normal seen along `e`, where the mesh's is `n`, the maps lying along three planes. */
+struct vec bumps_normal(const struct bumps *bumps, struct vec n, struct vec e);
+
+/* The same, of a gradient in the world. */
+struct vec bumps_bend(struct vec gradient, struct vec n, struct vec e);
+
+#endif
