@@ -5,6 +5,7 @@
 
 #define REFRACT_ENV_CUBE    1 /* radiance around the object */
 #define REFRACT_NORMAL_BACK 2 /* outward normals of the back faces; rungs that read them */
+#define REFRACT_OVER        1 /* of refract_over.frag: what is drawn over a rung's picture */
 
 /* what a vertex shader of the front faces hands on */
 #define REFRACT_EYE_TO_POINT 0

@@ -58,6 +58,14 @@ const struct rg_image frame_textures = {
     .array = true,
 };
 
+const struct rg_image frame_air = {
+    .name = "frame.air",
+    .format = VK_FORMAT_R8G8_UNORM,
+    .width = 1,
+    .height = 1,
+    .array = true,
+};
+
 const struct rg_sampler frame_linear = { .linear = true };
 
 const struct rg_sampler frame_environment_sampler = {

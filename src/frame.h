@@ -16,7 +16,7 @@ struct rg_frame {
     struct rg_mesh surroundings; /* may be empty */
     struct rg_mesh cracks;       /* in the object's space, as are these; may be empty */
     struct rg_mesh air;          /* planes */
-    struct rg_mesh bubbles;      /* squares that are to face the eye */
+    uint32_t bubble_count;       /* in bubbles_spheres */
     struct background_push view;
     struct background_push faces[6]; /* of the cube around the object, Vulkan's order */
 };
@@ -34,6 +34,7 @@ extern const struct rg_buffer frame_globals;
 /* Pictures that come from the scene, imported: */
 extern const struct rg_image frame_environment; /* equirectangular; 1x1 if there is none */
 extern const struct rg_image frame_textures;    /* of the surroundings, an array; the same */
+extern const struct rg_image frame_air;         /* struct air_layers, an array; the same */
 
 /* Samplers */
 extern const struct rg_sampler frame_linear;              /* clamped, one mip */

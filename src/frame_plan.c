@@ -45,12 +45,27 @@ static void want(struct frame_plan *p, const struct rg_image *image)
         (struct rg_output){ .buffer = &r->buffer, .access = RG_HOST_READ };
 }
 
+/* A technique that is switched off leaves its layers undrawn. */
+static bool is_drawn(const struct frame_plan *p, const struct rg_image *image)
+{
+    for (size_t t = 0; t < p->technique_count; t++) {
+        const struct rg_technique *technique = p->techniques[t];
+        for (size_t i = 0; i < technique->pass_count; i++) {
+            for (uint32_t c = 0; c < RG_COLOR_COUNT; c++) {
+                if (technique->passes[i].color[c].image == image)
+                    return true;
+            }
+        }
+    }
+    return false;
+}
+
 static void want_all(struct frame_plan *p, const struct frame_request *request)
 {
     if (request->beauty)
         want(p, frame_beauty.image);
     for (uint32_t i = 0; frame_layers[i].name; i++) {
-        if (request->layers & 1u << i)
+        if (request->layers & 1u << i && is_drawn(p, frame_layers[i].image))
             want(p, frame_layers[i].image);
     }
     if (request->display)
@@ -92,6 +107,13 @@ static void bring(struct frame_plan *p, const struct frame_request *request)
         .access = RG_SAMPLED,
         .extent = bump,
         .mips = request->bump_mips,
+    };
+    p->imports[FRAME_IMPORT_AIR] = (struct rg_import){
+        .image = &frame_air,
+        .access = RG_SAMPLED,
+        .extent = { request->air_size, request->air_size },
+        .layers = request->air_count,
+        .mips = request->air_mips,
     };
     p->imports[FRAME_IMPORT_CUBE] =
         (struct rg_import){ .image = &env_cube_color, .access = RG_SAMPLED };

@@ -14,6 +14,7 @@ enum {
     FRAME_IMPORT_TEXTURES,
     FRAME_IMPORT_BUMP_MAP,
     FRAME_IMPORT_BUMP_MASK,
+    FRAME_IMPORT_AIR,
     FRAME_IMPORT_CUBE,
     FRAME_IMPORT_COUNT,
 };
@@ -26,7 +27,7 @@ enum {
 struct frame_request {
     struct frame_list list;
     VkExtent2D view;
-    uint32_t layers;      /* bit i: frame_layers[i] */
+    uint32_t layers;      /* bit i: frame_layers[i], if it is drawn */
     bool beauty, display; /* the linear picture; the 8-bit one */
     bool keep_cube;       /* leave env_cube_color ready to be sampled elsewhere */
     enum rg_sharing sharing;
@@ -35,6 +36,7 @@ struct frame_request {
     uint32_t environment_mips;
     uint32_t texture_size, texture_count, texture_mips; /* of the surroundings; 0: none */
     uint32_t bump_size, bump_mips;                      /* of the ice's surface; 0: none */
+    uint32_t air_size, air_count, air_mips;             /* the same of the air's pictures */
 };
 
 /* An image and the host buffer it is copied to. */

@@ -1,6 +1,7 @@
 /* frame_view.c: camera, time and scene as shaders read them. */
 #include "src/frame_view.h"
 #include <math.h>
+#include <stdlib.h>
 #include "src/scene_settings.h"
 #include "src/tech/bump.h"
 #include "src/tech/env_cube.h"
@@ -147,4 +148,33 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
     place_lights(view, &g);
     place_bumps(view, &g);
     return g;
+}
+
+struct far_sphere {
+    struct bubbles_sphere sphere;
+    float power; /* squared length of the tangents from the eye */
+};
+
+static int compare_far(const void *a, const void *b)
+{
+    const struct far_sphere *x = a;
+    const struct far_sphere *y = b;
+    return (x->power < y->power) - (x->power > y->power);
+}
+
+/* Of spheres that do not overlap, the plane of points of equal power lies between each two. */
+void frame_view_bubbles(const struct frame_view *view, const struct globals *globals,
+                        struct bubbles_sphere *sorted)
+{
+    const struct bubbles *bubbles = &view->scene->bubbles;
+    struct far_sphere order[BUBBLES_COUNT_MAX];
+    for (uint32_t i = 0; i < bubbles->count; i++) {
+        struct bubbles_sphere s = bubbles->spheres[i];
+        s.center = glms_mat4_mulv3(globals->world_from_object, s.center, 1.0f);
+        float distance2 = glms_vec3_distance2(s.center, globals->eye);
+        order[i] = (struct far_sphere){ s, distance2 - s.radius * s.radius };
+    }
+    qsort(order, bubbles->count, sizeof(order[0]), compare_far);
+    for (uint32_t i = 0; i < bubbles->count; i++)
+        sorted[i] = order[i].sphere;
 }

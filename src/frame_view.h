@@ -4,6 +4,7 @@
 #ifndef FIRN_FRAME_VIEW_H
 #define FIRN_FRAME_VIEW_H
 
+#include "shaders/bubbles.h"
 #include "src/frame.h"
 #include "src/scene/camera.h"
 #include "src/scene/scene.h"
@@ -25,6 +26,10 @@ struct background_push frame_view_face(const struct frame_view *view, uint32_t f
 /* `push` is frame_view_push(). */
 struct globals frame_view_globals(const struct frame_view *view,
                                   const struct background_push *push);
+
+/* The scene's bubbles in the world, farthest first: none can hide one that comes after it. */
+void frame_view_bubbles(const struct frame_view *view, const struct globals *globals,
+                        struct bubbles_sphere *sorted);
 
 /* Metres from the eye to the near plane of pictures of a scene; there is no far plane. */
 float frame_view_near_plane(const struct scene *scene);

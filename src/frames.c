@@ -4,7 +4,9 @@
 #include <string.h>
 #include "shaders/surface.h"
 #include "src/scene_settings.h"
+#include "src/tech/air.h"
 #include "src/tech/background.h"
+#include "src/tech/bubbles.h"
 #include "src/tech/bump.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/frost.h"
@@ -74,6 +76,8 @@ bool frame_reads_bump_maps(const struct settings *settings)
 
 struct frame_list frame_with(const struct rung *rung, const struct settings *settings)
 {
+    const struct air_params *planes = settings_of(settings, &air_settings);
+    const struct bubbles_params *spheres = settings_of(settings, &bubbles_settings);
     struct frame_list list = { { 0 } };
     if (frame_cube_is_dynamic(settings))
         add(&list, &env_cube);
@@ -82,6 +86,10 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
     add(&list, &ice_depth);
     add(&list, &ice_normal);
     add(&list, is_bumped(settings) && rung->bumped ? rung->bumped : rung->technique);
+    if (planes->count)
+        add(&list, &air);
+    if (spheres->count)
+        add(&list, &bubbles);
     if (is_lit(settings))
         add(&list, is_bumped(settings) ? &surface_bumped : &surface);
     if (is_frosted(settings))
@@ -181,6 +189,20 @@ const struct frame_layer frame_layers[] = {
         .planes = { "fresnel.Z" },
         .mean = true,
         .help = "share of the reflection",
+    },
+    {
+        .name = "air",
+        .image = &air_color,
+        .planes = { "air.R", "air.G", "air.B", "air.A" },
+        .mean = true,
+        .help = "planes of air in the ice, premultiplied",
+    },
+    {
+        .name = "bubbles",
+        .image = &bubbles_color,
+        .planes = { "bubbles.R", "bubbles.G", "bubbles.B", "bubbles.A" },
+        .mean = true,
+        .help = "bubbles in the ice, premultiplied",
     },
     { 0 },
 };

@@ -12,6 +12,7 @@
 #include "src/image/half.h"
 #include "src/log.h"
 #include "src/scene_gpu.h"
+#include "src/tech/bubbles.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/resolve.h"
 #include "src/tech/tonemap.h"
@@ -113,6 +114,7 @@ static enum status stage_create(struct stage *stage, const struct renderer *rend
         [FRAME_IMPORT_TEXTURES].image = renderer->scene.textures.image,
         [FRAME_IMPORT_BUMP_MAP].image = renderer->scene.bump_map.image,
         [FRAME_IMPORT_BUMP_MASK].image = renderer->scene.bump_mask.image,
+        [FRAME_IMPORT_AIR].image = renderer->scene.air_layers.image,
         [FRAME_IMPORT_CUBE].image = renderer->capture.exec
                                         ? rg_exec_image(renderer->capture.exec, &env_cube_color)
                                         : VK_NULL_HANDLE,
@@ -212,6 +214,8 @@ static enum status run_stage(const struct renderer *r, struct stage *stage,
         .settings = r->params.settings,
         .object = draw_mesh(&s->object_vertices, &s->object_indices),
         .surroundings = draw_mesh(&s->surroundings_vertices, &s->surroundings_indices),
+        .air = draw_mesh(&s->air_vertices, &s->air_indices),
+        .bubble_count = r->params.scene->bubbles.count,
         .view = frame_view_push(&view),
     };
     for (uint32_t face = 0; face < 6; face++)
@@ -222,6 +226,9 @@ static enum status run_stage(const struct renderer *r, struct stage *stage,
         const struct globals globals = frame_view_globals(&view, &frame.view);
         if (mapped)
             memcpy(mapped, &globals, sizeof(globals));
+        void *spheres = rg_exec_mapped(stage->exec, &bubbles_spheres, *slot);
+        if (spheres)
+            frame_view_bubbles(&view, &globals, spheres);
         result = rg_exec_submit(stage->exec, &frame);
     }
     return exec_status(result);
@@ -250,9 +257,9 @@ static enum status fetch_sample(struct renderer *r, struct image *image, uint32_
     if (beauty)
         accumulate_sample(image, &frame_beauty, beauty, sample);
     for (uint32_t i = 0; frame_layers[i].name; i++) {
-        if (wants_layer(r, i))
-            accumulate_sample(image, &frame_layers[i],
-                              read_back(&r->picture, frame_layers[i].image, slot), sample);
+        const void *texels = read_back(&r->picture, frame_layers[i].image, slot);
+        if (wants_layer(r, i) && texels)
+            accumulate_sample(image, &frame_layers[i], texels, sample);
     }
     return STATUS_OK;
 }

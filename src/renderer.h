@@ -22,7 +22,7 @@ struct renderer_params {
     const struct rung *rung;
     uint32_t width, height;  /* pixels */
     uint32_t samples;        /* a pixel; 0 means 1 */
-    uint32_t layers;         /* bit i: frame_layers[i] */
+    uint32_t layers;         /* bit i: frame_layers[i]; 0 where the settings switch it off */
     bool linear;             /* the beauty, in render_result.image */
     bool display;            /* the tonemapped picture, in render_result.rgba */
     enum rg_sharing sharing; /* which transient images share memory */

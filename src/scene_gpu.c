@@ -29,6 +29,11 @@ void scene_gpu_describe(const struct scene *scene, struct frame_request *request
         request->bump_size = scene->bump.size;
         request->bump_mips = full_chain(scene->bump.size, scene->bump.size);
     }
+    if (scene->air_layers.texels) {
+        request->air_size = scene->air_layers.size;
+        request->air_count = scene->air_layers.count;
+        request->air_mips = full_chain(scene->air_layers.size, scene->air_layers.size);
+    }
 }
 
 static enum status upload_mesh(struct gpu *gpu, const struct mesh *mesh,
@@ -102,6 +107,26 @@ static enum status upload_bump(struct gpu *gpu, struct gpu_image *image,
         });
 }
 
+static enum status upload_air(struct scene_gpu *on_gpu, struct gpu *gpu,
+                              const struct air_layers *layers)
+{
+    static const uint8_t clear[2] = { 0 };
+    bool real = layers->texels;
+    uint32_t size = real ? layers->size : 1;
+    uint32_t count = real ? layers->count : 1;
+    return gpu_image_create(gpu, &on_gpu->air_layers,
+                            &(struct gpu_image_params){
+                                .name = frame_air.name,
+                                .format = frame_air.format,
+                                .width = size,
+                                .height = size,
+                                .layers = count,
+                                .mipmaps = real,
+                                .texels = real ? layers->texels : clear,
+                                .texels_size = (size_t)size * size * count * sizeof(clear),
+                            });
+}
+
 enum status scene_gpu_upload(struct scene_gpu *on_gpu, struct gpu *gpu, const struct scene *scene)
 {
     *on_gpu = (struct scene_gpu){ 0 };
@@ -120,6 +145,11 @@ enum status scene_gpu_upload(struct scene_gpu *on_gpu, struct gpu *gpu, const st
     if (status == STATUS_OK)
         status =
             upload_bump(gpu, &on_gpu->bump_mask, &bump_mask, scene->bump.mask, scene->bump.size);
+    if (status == STATUS_OK)
+        status =
+            upload_mesh(gpu, &scene->air, &on_gpu->air_vertices, &on_gpu->air_indices, "scene.air");
+    if (status == STATUS_OK)
+        status = upload_air(on_gpu, gpu, &scene->air_layers);
     if (status != STATUS_OK)
         scene_gpu_finish(on_gpu, gpu);
     return status;
@@ -135,5 +165,8 @@ void scene_gpu_finish(struct scene_gpu *on_gpu, struct gpu *gpu)
     gpu_image_destroy(gpu, &on_gpu->textures);
     gpu_image_destroy(gpu, &on_gpu->bump_map);
     gpu_image_destroy(gpu, &on_gpu->bump_mask);
+    gpu_buffer_destroy(gpu, &on_gpu->air_vertices);
+    gpu_buffer_destroy(gpu, &on_gpu->air_indices);
+    gpu_image_destroy(gpu, &on_gpu->air_layers);
     *on_gpu = (struct scene_gpu){ 0 };
 }

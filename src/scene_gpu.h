@@ -13,6 +13,8 @@ struct scene_gpu {
     struct gpu_image textures;    /* the same */
     struct gpu_image bump_map;    /* the same */
     struct gpu_image bump_mask;   /* the same */
+    struct gpu_buffer air_vertices, air_indices;
+    struct gpu_image air_layers; /* 1x1 if the scene has none */
 };
 
 /* Fills what a plan must know of the scene's pictures; needs no device. */

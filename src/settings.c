@@ -7,6 +7,8 @@
 #include <string.h>
 #include "src/log.h"
 #include "src/scene_settings.h"
+#include "src/tech/air.h"
+#include "src/tech/bubbles.h"
 #include "src/tech/bump.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/frost.h"
@@ -16,19 +18,11 @@
 #include "src/tech/tonemap.h"
 
 const struct setting_group *const setting_groups[] = {
-    &object_settings,
-    &landscape_settings,
-    &sky_settings,
-    &motion_settings,
-    &light_settings,
-    &env_cube_settings,
-    &refract_settings,
-    &refract_paper_settings,
-    &bump_settings,
-    &surface_settings,
-    &frost_settings,
-    &tonemap_settings,
-    NULL,
+    &object_settings,  &landscape_settings,     &sky_settings,
+    &motion_settings,  &light_settings,         &env_cube_settings,
+    &refract_settings, &refract_paper_settings, &air_settings,
+    &bubbles_settings, &bump_settings,          &surface_settings,
+    &frost_settings,   &tonemap_settings,       NULL,
 };
 
 /* Where a group's struct begins; groups lie one after another, 16 bytes aligned. */

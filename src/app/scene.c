@@ -3,6 +3,8 @@
 #include "src/log.h"
 #include "src/scene/material.h"
 #include "src/scene_settings.h"
+#include "src/tech/air.h"
+#include "src/tech/bubbles.h"
 #include "src/tech/bump.h"
 #include "src/tech/refract.h"
 
@@ -29,6 +31,8 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
     const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
     const struct bump_params *bump = settings_of(&o->settings, &bump_settings);
     const struct bump_maps_params maps = { .smooth = bump->mask, .seed = bump->seed };
+    const struct air_params *planes = settings_of(&o->settings, &air_settings);
+    const struct bubbles_params *spheres = settings_of(&o->settings, &bubbles_settings);
     if (!o->positional) {
         log_error("SCENE is missing: ice-cube, sphere, teapot or a model file (see --help)");
         return STATUS_USAGE;
@@ -37,17 +41,19 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
         o->width = default_width;
         o->height = default_height;
     }
-    enum status status =
-        scene_load(scene, &(struct scene_params){
-                              .name = o->positional,
-                              .surroundings = o->surroundings,
-                              .environment = o->environment,
-                              .background = o->has_background ? &o->background : NULL,
-                              .object_triangles = object->triangles,
-                              .landscape_triangles = landscape->triangles,
-                              .mover_count = motion->count,
-                              .bump = frame_reads_bump_maps(&o->settings) ? &maps : NULL,
-                          });
+    enum status status = scene_load(
+        scene, &(struct scene_params){
+                   .name = o->positional,
+                   .surroundings = o->surroundings,
+                   .environment = o->environment,
+                   .background = o->has_background ? &o->background : NULL,
+                   .object_triangles = object->triangles,
+                   .landscape_triangles = landscape->triangles,
+                   .mover_count = motion->count,
+                   .bump = frame_reads_bump_maps(&o->settings) ? &maps : NULL,
+                   .air = { planes->count, planes->seed, planes->size, planes->frequency },
+                   .bubbles = { spheres->count, spheres->seed, spheres->size },
+               });
     if (status == STATUS_OK)
         settle_ior(o, &scene->model);
     return status;

@@ -13,6 +13,7 @@
 #ifndef FIRN_SCENE_GENERATE_H
 #define FIRN_SCENE_GENERATE_H
 
+#include "shaders/bubbles.h"
 #include "src/scene/mesh.h"
 
 enum {
@@ -22,6 +23,7 @@ enum {
     GENERATE_LANDSCAPE_TRIANGLES = 2340,
     GENERATE_TRIANGLES_MAX = 1 << 20, /* some 200 MB */
     GENERATE_MOVERS_MAX = 64,
+    GENERATE_AIR_MAX = 64,
 };
 
 /* Sphere of longitudes and latitudes, of the unit sphere's volume: the vertices lie a little
@@ -49,5 +51,46 @@ bool generate_landscape(struct mesh *mesh, uint32_t triangles);
  * stay outside the sphere around the box wherever they turn about its vertical axis.
  */
 bool generate_movers(struct mesh *mesh, struct box box, uint32_t count);
+
+struct generate_air {
+    uint32_t count, seed; /* of planes, from 1 to GENERATE_AIR_MAX */
+    float size;           /* diameter of the largest bubbles, in diagonals of the object's box */
+    float frequency;      /* of the largest bubbles along that diagonal */
+};
+
+/* Square pictures, one after another, two bytes a texel: opacity of bubbles, opacity of haze. */
+struct air_layers {
+    uint8_t *texels;      /* size * size * 2 * count bytes; the caller frees it */
+    uint32_t size, count; /* size is a power of two; both 0 when there are none */
+};
+
+/*
+ * Squares as wide as the box's diagonal, turned in any way about points near its middle. Their
+ * pictures fill them (uv); material is the layer + 1.
+ */
+bool generate_air_planes(struct mesh *mesh, struct box box, const struct generate_air *air);
+
+/* Bubbles of three sizes, each half of the last and twice as frequent, and haze: dense in the
+ * middle, nothing at the edges. False when memory is short; *layers is then {0}. */
+bool generate_air_layers(struct air_layers *layers, const struct generate_air *air);
+
+struct generate_bubbles {
+    uint32_t count, seed; /* from 1 to BUBBLES_COUNT_MAX */
+    float size;           /* diameter of the largest, in diagonals of the object's box */
+};
+
+/* Spheres in the object's space that do not overlap. */
+struct bubbles {
+    struct bubbles_sphere *spheres; /* the caller frees it */
+    uint32_t count;
+};
+
+/*
+ * Many small spheres and few large ones within a closed mesh: whole if it is convex, else at least
+ * their centres. Those for which no room is found are left out. False when memory is short;
+ * *bubbles is then {0}.
+ */
+bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
+                      const struct generate_bubbles *params);
 
 #endif

@@ -1,5 +1,6 @@
 /* scene.c: built-in scenes, model files, and what lies around them. */
 #include "src/scene/scene.h"
+#include <stdlib.h>
 #include <string.h>
 #include "src/log.h"
 #include "src/scene/generate.h"
@@ -106,6 +107,19 @@ static enum status add_movers(struct scene *scene, uint32_t count)
     return done ? STATUS_OK : out_of_memory("moving objects");
 }
 
+static enum status add_air(struct scene *scene, const struct generate_air *air)
+{
+    bool done = generate_air_planes(&scene->air, scene->box, air) &&
+                generate_air_layers(&scene->air_layers, air);
+    return done ? STATUS_OK : out_of_memory("air");
+}
+
+static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
+{
+    bool done = generate_bubbles(&scene->bubbles, &scene->model.object, bubbles);
+    return done ? STATUS_OK : out_of_memory("bubbles");
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *params)
 {
     *scene = (struct scene){ 0 };
@@ -122,6 +136,10 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
         status = add_movers(scene, params->mover_count);
     if (status == STATUS_OK && params->bump && !bump_maps_init(&scene->bump, params->bump))
         status = out_of_memory("maps of the surface");
+    if (status == STATUS_OK && params->air.count)
+        status = add_air(scene, &params->air);
+    if (status == STATUS_OK && params->bubbles.count)
+        status = add_bubbles(scene, &params->bubbles);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;
@@ -132,5 +150,8 @@ void scene_finish(struct scene *scene)
     model_finish(&scene->model);
     environment_finish(&scene->environment);
     bump_maps_finish(&scene->bump);
+    mesh_finish(&scene->air);
+    free(scene->air_layers.texels);
+    free(scene->bubbles.spheres);
     *scene = (struct scene){ 0 };
 }

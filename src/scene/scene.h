@@ -8,6 +8,7 @@
 
 #include "src/scene/bump_maps.h"
 #include "src/scene/environment.h"
+#include "src/scene/generate.h"
 #include "src/scene/model.h"
 
 enum scene_background {
@@ -21,18 +22,23 @@ struct scene {
     enum scene_background background;
     vec3s background_color; /* SCENE_COLOR; linear radiance */
     struct environment environment;
-    struct bump_maps bump; /* of the object's surface; {0}: none */
-    struct box box;        /* of the object */
+    struct bump_maps bump;        /* of the object's surface; {0}: none */
+    struct box box;               /* of the object */
+    struct mesh air;              /* in the object's space, as are the bubbles; may be empty */
+    struct air_layers air_layers; /* on it */
+    struct bubbles bubbles;
 };
 
 struct scene_params {
-    const char *name;             /* of a built-in scene, or a model file */
-    const char *surroundings;     /* model file; NULL: the landscape, if the sky is there too */
-    const char *environment;      /* picture file; NULL: none */
-    const vec3s *background;      /* NULL: the sky */
-    uint32_t object_triangles;    /* of a built-in object; 0: its default */
-    uint32_t landscape_triangles; /* 0: default */
-    uint32_t mover_count;         /* objects that move around it */
+    const char *name;                /* of a built-in scene, or a model file */
+    const char *surroundings;        /* model file; NULL: the landscape, if the sky is there too */
+    const char *environment;         /* picture file; NULL: none */
+    const vec3s *background;         /* NULL: the sky */
+    uint32_t object_triangles;       /* of a built-in object; 0: its default */
+    uint32_t landscape_triangles;    /* 0: default */
+    uint32_t mover_count;            /* objects that move around it */
+    struct generate_air air;         /* count 0: none */
+    struct generate_bubbles bubbles; /* the same */
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
 };
 

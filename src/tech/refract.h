@@ -34,6 +34,12 @@ struct refract_params {
         .sampler = &frame_linear \
     }
 
+/* The use that refract_over.frag has: what is drawn over the picture, of the view's size. */
+#define REFRACT_USE_OVER(target) \
+    { \
+        .image = (target), .access = RG_SAMPLED, .binding = REFRACT_OVER \
+    }
+
 /* What is drawn: the front faces, with eq. 4 at the vertices. */
 #define REFRACT_FRONT_FACES \
     .vert = &refract_vert, .vertices = &frame_mesh_layout, .cull = VK_CULL_MODE_BACK_BIT

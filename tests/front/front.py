@@ -31,6 +31,7 @@ LAYERS = (
     'front.Z', 'back.Z', 'thickness.Z', 'exit.X', 'exit.Y', 'exit.Z',
     'refraction.R', 'refraction.G', 'refraction.B',
     'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z',
+    'air.R', 'air.G', 'air.B', 'air.A', 'bubbles.R', 'bubbles.G', 'bubbles.B', 'bubbles.A',
 )
 
 firn_path = ''  # set by main()

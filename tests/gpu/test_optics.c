@@ -1,6 +1,6 @@
 /*
- * test_optics.c: lib/optics.glsl, run on a device, against vectors worked out elsewhere in double
- * precision (tests/data/oracles.json) and against closed forms.
+ * test_optics.c: lib/optics.glsl and lib/bubble.glsl, run on a device, against vectors worked out
+ * elsewhere in double precision (tests/data/oracles.json) and against closed forms.
  *
  * Vectors: e goes towards the surface, the front normal against it; "inside" and "chord" are those
  * of a ray that enters a unit sphere of ice along -z, x being its impact parameter.
@@ -16,8 +16,8 @@
 #include "tests/support/lavapipe.h"
 #include "tests/support/run_graph.h"
 
-_Static_assert(sizeof(struct optics_question) == 44, "as tight as scalar layout");
-_Static_assert(sizeof(struct optics_answer) == 60, "as tight as scalar layout");
+_Static_assert(sizeof(struct optics_question) == 48, "as tight as scalar layout");
+_Static_assert(sizeof(struct optics_answer) == 76, "as tight as scalar layout");
 
 /* what floats on the device leave of the vectors' digits */
 static const double tolerance = 1e-5;
@@ -266,6 +266,64 @@ static void through_a_sphere(void **state)
     json_decref(oracles);
 }
 
+/* ---- bubbles ---- */
+
+static double turn_deg(vec2s turn)
+{
+    CHECK_NEAR(glms_vec2_norm(turn), 1, tolerance);
+    return atan2((double)turn.y, (double)turn.x) * 180 / acos(-1);
+}
+
+static void through_a_bubble(void **state)
+{
+    enum {
+        COUNT = 8
+    };
+    struct optics_question asked[COUNT];
+    struct optics_answer got[COUNT];
+    json_t *oracles = load();
+    const json_t *cases = get_cases(oracles, "bubble", COUNT);
+    const double eta = get_number(oracles, "ice") / get_number(oracles, "air");
+    int total = 0;
+    for (size_t i = 0; i < COUNT; i++) {
+        const double b = get_number(json_array_get(cases, i), "impact");
+        asked[i] = (struct optics_question){ .b = (float)b, .eta = (float)eta };
+    }
+    ask(*state, asked, got, COUNT);
+    for (size_t i = 0; i < COUNT; i++) {
+        const json_t *row = json_array_get(cases, i);
+        const bool tir = json_is_true(json_object_get(row, "total_internal_reflection"));
+        const vec2s turn = tir ? got[i].bubble_reflected : got[i].bubble_transmitted;
+        CHECK_NEAR(turn_deg(turn), get_number(row, "deviation_deg"), 1e-3);
+        assert_true(tir == (get_number(row, "impact") * eta > 1));
+        total += tir;
+    }
+    assert_int_equal(total, 3);
+    json_decref(oracles);
+}
+
+/* Straight through the middle and back from it; on both sides of total reflection alike. */
+static void ends_of_a_bubble(void **state)
+{
+    enum {
+        COUNT = 6
+    };
+
+    const double eta = 1.3091 / 1.0003;
+    const double at[COUNT] = { 0, 0.2, 0.4, 0.6, 1 / eta, 1 };
+    const double passed[COUNT - 1] = { 0, 7.2729, 15.9760, 29.7431, 2 * (90 - 49.8281) };
+    struct optics_question asked[COUNT];
+    struct optics_answer got[COUNT];
+    for (size_t i = 0; i < COUNT; i++)
+        asked[i] = (struct optics_question){ .b = (float)at[i], .eta = (float)eta };
+    ask(*state, asked, got, COUNT);
+    for (size_t i = 0; i < COUNT - 1; i++) /* near the limit, by the root of the rounding */
+        CHECK_NEAR(turn_deg(got[i].bubble_transmitted), passed[i], i < 4 ? 1e-3 : 0.1);
+    CHECK_NEAR(turn_deg(got[0].bubble_reflected), 180, 1e-3);
+    CHECK_NEAR(turn_deg(got[4].bubble_reflected), passed[4], 1e-3);
+    CHECK_NEAR(turn_deg(got[5].bubble_reflected), 0, 1e-3);
+}
+
 /* ---- closed forms ---- */
 
 /* Light that comes in at an angle to the normal, which is +y. */
@@ -323,10 +381,8 @@ static void closed_forms(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(blended_normals),
-        ON_DEVICE(refracted_or_reflected),
-        ON_DEVICE(through_a_sphere),
-        ON_DEVICE(closed_forms),
+        ON_DEVICE(blended_normals), ON_DEVICE(refracted_or_reflected), ON_DEVICE(through_a_sphere),
+        ON_DEVICE(closed_forms),    ON_DEVICE(through_a_bubble),       ON_DEVICE(ends_of_a_bubble),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

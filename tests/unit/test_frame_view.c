@@ -73,12 +73,40 @@ static void test_eye_inside(void **state)
     assert_true(planes.x > 0.0f && planes.y > planes.x);
 }
 
+/* The third is behind the second one's rim, though its centre is nearer to the eye. */
+static void test_bubbles_are_sorted(void **state)
+{
+    (void)state;
+    struct bubbles_sphere spheres[3] = {
+        { { { 0.0f, 0.0f, 0.9f } }, 0.05f },
+        { { { 0.0f, 0.0f, 0.0f } }, 0.8f },
+        { { { 0.9f, 0.0f, 0.15f } }, 0.1f },
+    };
+    const struct scene scene = { .bubbles = { spheres, 3 } };
+    const struct frame_view view = { .scene = &scene };
+    struct bubbles_sphere sorted[3];
+    struct globals globals = { .world_from_object = glms_mat4_identity(),
+                               .eye = { { 0.0f, 0.0f, 3.0f } } };
+    frame_view_bubbles(&view, &globals, sorted);
+    assert_memory_equal(&sorted[0], &spheres[2], sizeof(sorted[0]));
+    assert_memory_equal(&sorted[1], &spheres[1], sizeof(sorted[0]));
+    assert_memory_equal(&sorted[2], &spheres[0], sizeof(sorted[0]));
+    globals.world_from_object = glms_rotate_y(glms_mat4_identity(), 3.14159265f);
+    frame_view_bubbles(&view, &globals, sorted);
+    assert_float_equal(sorted[0].radius, 0.05f, 0.0f);
+    assert_float_equal(sorted[0].center.z, -0.9f, 1e-6);
+    assert_float_equal(sorted[1].radius, 0.1f, 0.0f);
+    assert_float_equal(sorted[1].center.x, -0.9f, 1e-6);
+    assert_float_equal(sorted[2].radius, 0.8f, 0.0f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_planes_touch_the_sphere),
         cmocka_unit_test(test_fitted_depth_is_finer),
         cmocka_unit_test(test_eye_inside),
+        cmocka_unit_test(test_bubbles_are_sorted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,6 +10,8 @@
 #include <string.h>
 
 #include "src/frame_plan.h"
+#include "src/tech/air.h"
+#include "src/tech/bubbles.h"
 #include "src/tech/ice_normal.h"
 #include "tests/support/check.h"
 #include "tests/support/feature.h"
@@ -44,6 +46,7 @@ static const struct golden goldens[] = {
 enum {
     LIST_COUNT = sizeof(goldens) / sizeof(goldens[0]),
     GOLDEN_COUNT = LIST_COUNT + FEATURE_COUNT,
+    OTHER_COUNT = 3, /* tests without a golden file */
 };
 
 static struct frame_request request_of(const struct golden *golden)
@@ -185,6 +188,8 @@ static void test_one_sided_draws_no_back_normals(void **state)
     assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
     assert_true(has_pass_of(plan.plan, "ice_normal"));
     assert_false(is_culled(plan.plan, pass));
+    assert_true(
+        is_culled(plan.plan, &frame_rungs[0].bumped->graph.passes[1])); /* no layer is asked for */
     frame_plan_finish(&plan);
 }
 
@@ -232,6 +237,50 @@ static void test_surface_is_switched_off(void **state)
         true, 1);
 }
 
+static bool has_image(const struct rg_plan *plan, const char *name)
+{
+    for (uint32_t i = 0; i < plan->image_count; i++) {
+        if (!strcmp(plan->images[i].image->name, name))
+            return true;
+    }
+    return false;
+}
+
+/* A picture with all layers has the passes and layers of what is on. Returns how many passes. */
+static uint32_t check_inside(const char *setting, bool air_is_on, bool bubbles_are_on)
+{
+    const struct golden paper = { .rung = "paper", .layers = true };
+    struct frame_request request = request_of(&paper);
+    struct settings settings = settings_default();
+    struct frame_plan plan;
+    assert_int_equal(settings_set(&settings, setting), STATUS_OK);
+    request.list = frame_with(&frame_rungs[0], &settings);
+    assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
+    assert_true(has_pass_of(plan.plan, "air") == air_is_on);
+    assert_true(has_image(plan.plan, "frame.air") == air_is_on);
+    assert_true(has_image(plan.plan, "air.color") == air_is_on);
+    assert_true(has_pass_of(plan.plan, "bubbles") == bubbles_are_on);
+    assert_true(has_image(plan.plan, "bubbles.color") == bubbles_are_on);
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        const struct rg_image *image = frame_layers[i].image;
+        const bool is_off =
+            (image == &air_color && !air_is_on) || (image == &bubbles_color && !bubbles_are_on);
+        assert_true(!frame_plan_buffer(&plan, image) == is_off);
+    }
+    const uint32_t count = plan.plan->pass_count;
+    frame_plan_finish(&plan);
+    return count;
+}
+
+/* Two passes and the copy of a layer less. */
+static void test_what_is_off_is_not_there(void **state)
+{
+    (void)state;
+    const uint32_t all = check_inside("air.count=1", true, true);
+    assert_int_equal(check_inside("air.count=0", false, true), all - 3);
+    assert_int_equal(check_inside("bubbles.count=0", true, false), all - 3);
+}
+
 static struct golden golden_of(const struct feature *feature)
 {
     return (struct golden){ .name = feature->name, .feature = feature };
@@ -240,9 +289,10 @@ static struct golden golden_of(const struct feature *feature)
 int main(int argc, char **argv)
 {
     struct golden states[GOLDEN_COUNT];
-    struct CMUnitTest tests[GOLDEN_COUNT + 2] = {
+    struct CMUnitTest tests[GOLDEN_COUNT + OTHER_COUNT] = {
         cmocka_unit_test(test_surface_is_switched_off),
         cmocka_unit_test(test_one_sided_draws_no_back_normals),
+        cmocka_unit_test(test_what_is_off_is_not_there),
     };
     if (argc < 2) {
         fprintf(stderr, "usage: %s FOLDER [--update]\n", argv[0]);
@@ -253,7 +303,8 @@ int main(int argc, char **argv)
         states[i].program = argv[0];
         states[i].folder = argv[1];
         states[i].update = argc > 2 && !strcmp(argv[2], "--update");
-        tests[i + 2] = (struct CMUnitTest){ states[i].name, test_golden, NULL, NULL, &states[i] };
+        tests[OTHER_COUNT + i] =
+            (struct CMUnitTest){ states[i].name, test_golden, NULL, NULL, &states[i] };
     }
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "shaders/air.h"
 #include "shaders/background.h"
 #include "shaders/frost.h"
 #include "shaders/gbuffer.h"
@@ -35,6 +36,11 @@ struct shared {
     }
 
 static const struct shared shared_structs[] = {
+    {
+        "air_push",
+        sizeof(struct air_push),
+        { FIELD(air_push, strength), FIELD(air_push, haze) },
+    },
     {
         "background_push",
         sizeof(struct background_push),

@@ -1,6 +1,7 @@
-/* optics.comp: asks everything that lib/optics.glsl knows. */
+/* optics.comp: asks everything that lib/optics.glsl and lib/bubble.glsl know. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/bubble.glsl"
 #include "shaders/lib/optics.glsl"
 #include "tests/gpu/shaders/optics.h"
 
@@ -25,5 +26,7 @@ void main()
     r.fresnel_paper = optics_fresnel_paper(q.e, q.front);
     r.fresnel = optics_fresnel(q.e, q.front, q.eta);
     r.composed = optics_compose(r.reflected, r.refracted, r.fresnel);
+    r.bubble_transmitted = bubble_transmitted(q.b, q.eta);
+    r.bubble_reflected = bubble_reflected(q.b);
     answers[gl_WorkGroupID.x] = r;
 }

@@ -11,6 +11,7 @@ struct optics_question {
     vec3s front, back; /* normals */
     float a;           /* share of the back one in the normal that refracts; 0: front alone */
     float eta;
+    float b; /* impact parameter */
 };
 
 struct optics_answer {
@@ -21,6 +22,7 @@ struct optics_answer {
     float k; /* at the blended normal */
     float fresnel_paper;
     float fresnel;
+    vec2s bubble_transmitted, bubble_reflected; /* turns */
 };
 
 #endif

@@ -1,0 +1,28 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "air.h"
+#include "lib/ice_clip.glsl"
+
+layout(set = 0, binding = AIR_LAYERS) uniform sampler2DArray layers;
+
+layout(push_constant, scalar) uniform Push
+{
+    air_push push;
+};
+
+layout(location = 0) in vec3 uv;
+layout(location = 1) in vec3 light;
+layout(location = 2) in vec3 eye_to_point;
+layout(location = 3) in vec3 normal;
+
+layout(location = 0) out vec4 air; /* premultiplied */
+
+void main()
+{
+    vec2 texel = texture(layers, uv).rg; /* before any discard: derivatives */
+    if (!ice_clip_keeps(gl_FragCoord.z))
+        discard;
+    texel *= smoothstep(0.0, AIR_EDGE, abs(dot(normalize(eye_to_point), normal)));
+    float clear = (1.0 - push.strength * texel.r) * (1.0 - push.haze * texel.g);
+    air = vec4(light, 1.0) * (1.0 - clear);
+}

@@ -1,0 +1,40 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "bubbles.h"
+#include "lib/bubble.glsl"
+#include "lib/globals.glsl"
+#include "lib/ice_clip.glsl"
+#include "lib/optics.glsl"
+
+layout(set = 0, binding = BUBBLES_ENV_CUBE) uniform samplerCube env_cube;
+
+layout(location = 0) in vec3 eye_to_point; /* of the square */
+layout(location = 1) flat in vec3 eye_to_center;
+layout(location = 2) flat in float radius;
+
+layout(location = 0) out vec4 bubble; /* premultiplied */
+
+void main()
+{
+    vec3 e = normalize(eye_to_point);
+    float along = dot(eye_to_center, e);
+    vec3 aside = along * e - eye_to_center; /* from the centre to the ray, square to it */
+    float b = length(aside) / radius;
+    if (b >= 1.0)
+        discard;
+    vec3 hit = (along - radius * sqrt(1.0 - b * b)) * e;
+    vec4 clip = frame.fitted_clip_from_world * vec4(frame.eye + hit, 1.0);
+    if (!ice_clip_keeps(clip.z / clip.w))
+        discard;
+
+    float eta = 1.0 / frame.eta; /* from the ice into the air */
+    vec3 outward = aside / max(length(aside), 1e-30);
+    float share = optics_fresnel(e, (hit - eye_to_center) / radius, eta);
+    vec3 reflected = bubble_turn(e, outward, bubble_reflected(b));
+    bubble = share * vec4(textureLod(env_cube, reflected, 0.0).rgb, 1.0);
+    if (share < 1.0) {
+        vec3 passed = bubble_turn(e, outward, bubble_transmitted(b, eta));
+        float cover = (1.0 - share) * bubble_cover(b, eta);
+        bubble += cover * vec4(textureLod(env_cube, passed, 0.0).rgb, 1.0);
+    }
+}

@@ -1,0 +1,34 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "bubbles.h"
+#include "lib/globals.glsl"
+
+layout(set = 0, binding = BUBBLES_SPHERES, scalar) readonly buffer Spheres
+{
+    bubbles_sphere spheres[];
+};
+
+layout(location = 0) out vec3 out_eye_to_point;
+layout(location = 1) flat out vec3 out_eye_to_center;
+layout(location = 2) flat out float out_radius;
+
+/* A square through the centre that faces the eye and holds the sphere's outline. An eye inside of
+ * the sphere sees nothing of it. */
+void main()
+{
+    const vec2 corners[] = { vec2(-1, -1), vec2(1, -1), vec2(-1, 1),
+                             vec2(-1, 1),  vec2(1, -1), vec2(1, 1) };
+    bubbles_sphere sphere = spheres[gl_VertexIndex / 6];
+    vec2 corner = corners[gl_VertexIndex % 6];
+    vec3 axis = sphere.center - frame.eye;
+    float d2 = dot(axis, axis);
+    float r2 = sphere.radius * sphere.radius;
+    float side = d2 > r2 ? sphere.radius * sqrt(d2 / (d2 - r2)) : 0.0;
+    vec3 other = axis.y * axis.y < 0.5 * d2 ? vec3(0, 1, 0) : vec3(1, 0, 0);
+    vec3 right = normalize(cross(axis, other));
+    vec3 up = normalize(cross(right, axis));
+    out_eye_to_point = axis + side * (corner.x * right + corner.y * up);
+    out_eye_to_center = axis;
+    out_radius = sphere.radius;
+    gl_Position = frame.clip_from_world * vec4(frame.eye + out_eye_to_point, 1.0);
+}

@@ -1,0 +1,145 @@
+/*
+ * air.c: the milky white of air enclosed in the ice: texture impostors.
+ *
+ * Seipel and Nivfors 2006, section 3.1: transparently textured polygons at random inside the ice,
+ * whose textures show bubbles of certain sizes and frequencies, drawn in a pass of their own and
+ * composited by alpha blending; section 4 draws 19. Clipped to the ice as section 3.3 clips cracks.
+ * Drawn at the view's size; the paper's target is 512 x 512.
+ *
+ * All planes scatter the same light, the mean of what comes from all sides. Colours that are alike
+ * blend to colour x (1 - product of (1 - alpha)) in whatever order, so nothing has to be sorted.
+ *
+ * Limits: the air is seen along the straight ray, not the refracted one. No light is lost on its
+ * way through the ice. Convex objects only, as ice_depth is. A plane seen edge on is none, for
+ * which it fades.
+ */
+#include "src/tech/air.h"
+#include "shaders/air.h"
+#include "shaders/embedded.h"
+#include "shaders/ice_depth.h"
+#include "src/frame.h"
+#include "src/tech/ice_depth.h"
+#include "src/tech/refract.h"
+
+static rg_record_fn record_planes;
+
+const struct rg_image air_color = {
+    .name = "air.color",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+static const struct rg_sampler layers_sampler = {
+    .linear = true,
+    .mips = true,
+    .anisotropy = 4.0f,
+};
+
+static const struct rg_use uses[] = {
+    FRAME_USE_GLOBALS,
+    { .image = &ice_depth_front, .access = RG_SAMPLED, .binding = ICE_DEPTH_FRONT },
+    { .image = &ice_depth_back, .access = RG_SAMPLED, .binding = ICE_DEPTH_BACK },
+    {
+        .image = &frame_air,
+        .access = RG_SAMPLED,
+        .binding = AIR_LAYERS,
+        .sampler = &layers_sampler,
+    },
+    {
+        .image = &frame_environment,
+        .access = RG_SAMPLED,
+        .binding = AIR_ENVIRONMENT,
+        .sampler = &frame_environment_sampler,
+        .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
+    },
+    { 0 },
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "air.planes",
+        .color[0] = { &air_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER },
+        .uses = uses,
+        .vert = &air_vert,
+        .frag = &air_frag,
+        .vertices = &frame_mesh_layout,
+        .push_size = sizeof(struct air_push),
+        .record = record_planes,
+    },
+    {
+        .name = "air.over",
+        REFRACT_OVER_TARGETS,
+        .uses = RG_USES(FRAME_USE_GLOBALS, REFRACT_USE_OVER(&air_color)),
+        REFRACT_FRONT_FACES,
+        .frag = &refract_over_frag,
+        .record = frame_draw_object,
+    },
+};
+
+static void record_planes(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct air_params *params = settings_of(frame->settings, &air_settings);
+    const struct air_push push = { params->strength, params->haze };
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw_mesh(cmd, &frame->air);
+}
+
+static const struct setting rows[] = {
+    {
+        .name = "air.count",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct air_params, count),
+        .initial = 19,
+        .max = 64,
+        .help = "planes of air in the ice; 0 for none",
+    },
+    {
+        .name = "air.seed",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct air_params, seed),
+        .initial = 1,
+        .max = 999999,
+        .help = "chooses how the planes of air lie and where their bubbles are",
+    },
+    {
+        .name = "air.size",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct air_params, size),
+        .initial = 0.01,
+        .min = 0.002,
+        .max = 0.1,
+        .help = "diameter of the air's largest bubbles, in the object's diagonals",
+    },
+    {
+        .name = "air.frequency",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct air_params, frequency),
+        .initial = 24,
+        .min = 1,
+        .max = 128,
+        .help = "the air's largest bubbles along the object's diagonal",
+    },
+    {
+        .name = "air.strength",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct air_params, strength),
+        .initial = 0.35,
+        .max = 1,
+        .help = "opacity of the bubbles on a plane of air",
+    },
+    {
+        .name = "air.haze",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct air_params, haze),
+        .initial = 0.04,
+        .max = 1,
+        .help = "opacity of the haze on a plane of air, where it is densest",
+    },
+};
+
+const struct setting_group air_settings = SETTING_GROUP("air", rows, struct air_params);
+
+const struct technique air = {
+    .graph = RG_TECHNIQUE("air", passes),
+    .settings = &air_settings,
+    .help = "milky planes of air in the ice (Seipel and Nivfors 2006)",
+};

@@ -1,0 +1,19 @@
+/* air.h: milky planes inside the ice. */
+#ifndef TECH_AIR_H
+#define TECH_AIR_H
+#include "src/technique.h"
+
+extern const struct rg_image air_color; /* premultiplied; 0 where there is none */
+
+extern const struct technique air;
+extern const struct setting_group air_settings;
+
+struct air_params {
+    uint32_t count, seed; /* of planes; of their poses and pictures */
+    float size;           /* diameter of the largest bubbles, in diagonals of the object's box */
+    float frequency;      /* of the largest bubbles along that diagonal */
+    float strength;       /* opacity of a plane's bubbles at most */
+    float haze;           /* the same of its haze */
+};
+
+#endif

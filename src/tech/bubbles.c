@@ -1,0 +1,116 @@
+/*
+ * bubbles.c: spheres of air in the ice, each a square on which its ray is followed.
+ *
+ * Closed forms of geometrical optics: with b the sine of the angle of incidence, light beyond
+ * b = 1.0003 / 1.3091 is totally reflected, 41.6 % of the disc; other light leaves turned outward
+ * by 2 (theta_t - theta_i). Shares by Fresnel's equations. Spheres do not overlap, and are drawn
+ * farthest first: by squared distance of the centre less squared radius, which is exact for such.
+ *
+ * Limits: what is seen in a bubble comes straight from the environment cube; the ice's surface
+ * bends neither the ray from the eye nor that from the bubble. Because the picture behind is bent,
+ * light that passes counts only by the squared sine of its angle inside (bubble_cover), so that the
+ * middle shows the picture behind, where a true bubble shows it smaller. Light reflected inside the
+ * bubble is taken to pass. The eye sees nothing of a bubble around it. Convex objects only, as
+ * ice_depth is.
+ */
+#include "src/tech/bubbles.h"
+#include "shaders/bubbles.h"
+#include "shaders/embedded.h"
+#include "shaders/ice_depth.h"
+#include "src/frame.h"
+#include "src/tech/env_cube.h"
+#include "src/tech/ice_depth.h"
+#include "src/tech/refract.h"
+
+static rg_record_fn record_spheres;
+
+const struct rg_image bubbles_color = {
+    .name = "bubbles.color",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_buffer bubbles_spheres = {
+    .name = "bubbles.spheres",
+    .size = BUBBLES_COUNT_MAX * sizeof(struct bubbles_sphere),
+    .memory = RG_MEMORY_UPLOAD,
+};
+
+static const struct rg_use uses[] = {
+    FRAME_USE_GLOBALS,
+    { .image = &ice_depth_front, .access = RG_SAMPLED, .binding = ICE_DEPTH_FRONT },
+    { .image = &ice_depth_back, .access = RG_SAMPLED, .binding = ICE_DEPTH_BACK },
+    {
+        .image = &env_cube_color,
+        .access = RG_SAMPLED,
+        .binding = BUBBLES_ENV_CUBE,
+        .sampler = &frame_linear,
+    },
+    {
+        .buffer = &bubbles_spheres,
+        .access = RG_STORAGE_READ,
+        .binding = BUBBLES_SPHERES,
+        .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
+    },
+    { 0 },
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "bubbles.spheres",
+        .color[0] = { &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER },
+        .uses = uses,
+        .vert = &bubbles_vert,
+        .frag = &bubbles_frag,
+        .record = record_spheres,
+    },
+    {
+        .name = "bubbles.over",
+        REFRACT_OVER_TARGETS,
+        .uses = RG_USES(FRAME_USE_GLOBALS, REFRACT_USE_OVER(&bubbles_color)),
+        REFRACT_FRONT_FACES,
+        .frag = &refract_over_frag,
+        .record = frame_draw_object,
+    },
+};
+
+static void record_spheres(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    if (frame->bubble_count)
+        rg_cmd_draw(cmd, 6 * frame->bubble_count);
+}
+
+static const struct setting rows[] = {
+    {
+        .name = "bubbles.count",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct bubbles_params, count),
+        .initial = 40,
+        .max = BUBBLES_COUNT_MAX,
+        .help = "bubbles in the ice, as far as there is room; 0 for none",
+    },
+    {
+        .name = "bubbles.seed",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct bubbles_params, seed),
+        .initial = 1,
+        .max = 999999,
+        .help = "chooses where the bubbles are and how large",
+    },
+    {
+        .name = "bubbles.size",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct bubbles_params, size),
+        .initial = 0.03,
+        .min = 0.001,
+        .max = 0.5,
+        .help = "diameter of the largest bubbles, in the object's diagonals",
+    },
+};
+
+const struct setting_group bubbles_settings = SETTING_GROUP("bubbles", rows, struct bubbles_params);
+
+const struct technique bubbles = {
+    .graph = RG_TECHNIQUE("bubbles", passes),
+    .settings = &bubbles_settings,
+    .help = "bubbles of air in the ice, which reflect totally at their rims",
+};
