@@ -6,5 +6,8 @@ layout(location = MESH_POSITION) in vec3 position;
 
 void main()
 {
-    gl_Position = frame.fitted_clip_from_world * vec4(pose_object(position), 1.0);
+    /* the layers of ice_interval must agree about it */
+    precise vec3 point = pose_object(position);
+    precise vec4 clip = frame.fitted_clip_from_world * vec4(point, 1.0);
+    gl_Position = clip;
 }

@@ -8,10 +8,12 @@
 #include "src/tech/background.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/bump.h"
+#include "src/tech/cracks.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/frost.h"
 #include "src/tech/gbuffer.h"
 #include "src/tech/ice_depth.h"
+#include "src/tech/ice_interval.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 #include "src/tech/refract_one_sided.h"
@@ -84,12 +86,16 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
     add(&list, &background);
     add(&list, &gbuffer);
     add(&list, &ice_depth);
+    add(&list, &ice_interval[ice_interval_index(settings)]);
     add(&list, &ice_normal);
+    if (cracks_find_normals(settings))
+        add(&list, cracks_find_normals(settings));
     add(&list, is_bumped(settings) && rung->bumped ? rung->bumped : rung->technique);
     if (planes->count)
         add(&list, &air);
     if (spheres->count)
         add(&list, &bubbles);
+    add(&list, cracks_find(settings));
     if (is_lit(settings))
         add(&list, is_bumped(settings) ? &surface_bumped : &surface);
     if (is_frosted(settings))
@@ -164,6 +170,12 @@ const struct frame_layer frame_layers[] = {
         .help = "from the ice's front to its back along the ray, metres",
     },
     {
+        .name = "intervals",
+        .image = &ice_interval_count,
+        .planes = { "intervals.Z" },
+        .help = "how often the ray is inside the ice",
+    },
+    {
         .name = "exit",
         .image = &refract_exit,
         .planes = { "exit.X", "exit.Y", "exit.Z" },
@@ -203,6 +215,13 @@ const struct frame_layer frame_layers[] = {
         .planes = { "bubbles.R", "bubbles.G", "bubbles.B", "bubbles.A" },
         .mean = true,
         .help = "bubbles in the ice, premultiplied",
+    },
+    {
+        .name = "cracks",
+        .image = &cracks_color,
+        .planes = { "cracks.R", "cracks.G", "cracks.B", "cracks.A" },
+        .mean = true,
+        .help = "what cracks inside the ice show, premultiplied",
     },
     { 0 },
 };

@@ -216,6 +216,7 @@ static enum status run_stage(const struct renderer *r, struct stage *stage,
         .surroundings = draw_mesh(&s->surroundings_vertices, &s->surroundings_indices),
         .air = draw_mesh(&s->air_vertices, &s->air_indices),
         .bubble_count = r->params.scene->bubbles.count,
+        .cracks = draw_mesh(&s->cracks_vertices, &s->cracks_indices),
         .view = frame_view_push(&view),
     };
     for (uint32_t face = 0; face < 6; face++)

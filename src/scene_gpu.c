@@ -136,6 +136,9 @@ enum status scene_gpu_upload(struct scene_gpu *on_gpu, struct gpu *gpu, const st
         status = upload_mesh(gpu, &scene->model.surroundings, &on_gpu->surroundings_vertices,
                              &on_gpu->surroundings_indices, "scene.surroundings");
     if (status == STATUS_OK)
+        status = upload_mesh(gpu, &scene->cracks, &on_gpu->cracks_vertices, &on_gpu->cracks_indices,
+                             "scene.cracks");
+    if (status == STATUS_OK)
         status = upload_environment(on_gpu, gpu, &scene->environment);
     if (status == STATUS_OK)
         status = upload_textures(on_gpu, gpu, &scene->model.textures);
@@ -161,6 +164,8 @@ void scene_gpu_finish(struct scene_gpu *on_gpu, struct gpu *gpu)
     gpu_buffer_destroy(gpu, &on_gpu->object_indices);
     gpu_buffer_destroy(gpu, &on_gpu->surroundings_vertices);
     gpu_buffer_destroy(gpu, &on_gpu->surroundings_indices);
+    gpu_buffer_destroy(gpu, &on_gpu->cracks_vertices);
+    gpu_buffer_destroy(gpu, &on_gpu->cracks_indices);
     gpu_image_destroy(gpu, &on_gpu->environment);
     gpu_image_destroy(gpu, &on_gpu->textures);
     gpu_image_destroy(gpu, &on_gpu->bump_map);

@@ -9,6 +9,7 @@
 struct scene_gpu {
     struct gpu_buffer object_vertices, object_indices;
     struct gpu_buffer surroundings_vertices, surroundings_indices;
+    struct gpu_buffer cracks_vertices, cracks_indices;
     struct gpu_image environment; /* 1x1 if the scene has none */
     struct gpu_image textures;    /* the same */
     struct gpu_image bump_map;    /* the same */

@@ -10,19 +10,33 @@
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/bump.h"
+#include "src/tech/cracks.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/frost.h"
+#include "src/tech/ice_interval.h"
 #include "src/tech/refract.h"
 #include "src/tech/refract_paper.h"
 #include "src/tech/surface.h"
 #include "src/tech/tonemap.h"
 
 const struct setting_group *const setting_groups[] = {
-    &object_settings,  &landscape_settings,     &sky_settings,
-    &motion_settings,  &light_settings,         &env_cube_settings,
-    &refract_settings, &refract_paper_settings, &air_settings,
-    &bubbles_settings, &bump_settings,          &surface_settings,
-    &frost_settings,   &tonemap_settings,       NULL,
+    &object_settings,
+    &landscape_settings,
+    &sky_settings,
+    &motion_settings,
+    &light_settings,
+    &env_cube_settings,
+    &refract_settings,
+    &refract_paper_settings,
+    &air_settings,
+    &bubbles_settings,
+    &cracks_settings,
+    &ice_interval_settings,
+    &bump_settings,
+    &surface_settings,
+    &frost_settings,
+    &tonemap_settings,
+    NULL,
 };
 
 /* Where a group's struct begins; groups lie one after another, 16 bytes aligned. */

@@ -65,4 +65,15 @@ float optics_fresnel(vec3 e, vec3 n, float eta)
     return 0.5 * (rs * rs + rp * rp);
 }
 
+/*
+ * Share that a thin gap with parallel sides reflects, both sides and all echoes between them: two
+ * in a row transmit (1 - R) / (1 + R). `eta` is that of the first side. What goes through keeps its
+ * direction. Interference is left out: the gap is wider than a wavelength.
+ */
+float optics_gap(vec3 e, vec3 n, float eta)
+{
+    float r = optics_fresnel(e, n, eta);
+    return 2.0 * r / (1.0 + r);
+}
+
 #endif

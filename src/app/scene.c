@@ -6,6 +6,7 @@
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/bump.h"
+#include "src/tech/cracks.h"
 #include "src/tech/refract.h"
 
 static const float default_fov_deg = 45.0f;
@@ -33,6 +34,7 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
     const struct bump_maps_params maps = { .smooth = bump->mask, .seed = bump->seed };
     const struct air_params *planes = settings_of(&o->settings, &air_settings);
     const struct bubbles_params *spheres = settings_of(&o->settings, &bubbles_settings);
+    const struct cracks_params *cracks = settings_of(&o->settings, &cracks_settings);
     if (!o->positional) {
         log_error("SCENE is missing: ice-cube, sphere, teapot or a model file (see --help)");
         return STATUS_USAGE;
@@ -53,6 +55,7 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
                    .bump = frame_reads_bump_maps(&o->settings) ? &maps : NULL,
                    .air = { planes->count, planes->seed, planes->size, planes->frequency },
                    .bubbles = { spheres->count, spheres->seed, spheres->size },
+                   .cracks = { cracks->count, cracks->seed, cracks->clip == CRACKS_CLIP_PRECUT },
                });
     if (status == STATUS_OK)
         settle_ior(o, &scene->model);

@@ -93,4 +93,11 @@ struct bubbles {
 bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
                       const struct generate_bubbles *params);
 
+/*
+ * Sheets that crack whatever fills a box: `count` of them (at most CRACKS_MAX), about as large as
+ * the box, near its centre, open, curved, irregular, reaching out of it. The seed says how they
+ * lie: of two counts the smaller is the beginning of the larger.
+ */
+bool generate_cracks(struct mesh *mesh, struct box box, uint32_t count, uint32_t seed);
+
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 
 /* An integer hash with good avalanche (Wellons, "Prospecting for Hash Functions", 2018). */
-static uint32_t scramble(uint32_t x)
+uint32_t noise_hash(uint32_t x)
 {
     x = (x ^ (x >> 16)) * 0x7feb352dU;
     x = (x ^ (x >> 15)) * 0x846ca68bU;
@@ -35,21 +35,21 @@ static float value(uint32_t hash)
 
 static float along_z(uint32_t hash, struct cell z)
 {
-    return glm_lerp(value(scramble(hash ^ z.at)), value(scramble(hash ^ (z.at + 1))), z.next);
+    return glm_lerp(value(noise_hash(hash ^ z.at)), value(noise_hash(hash ^ (z.at + 1))), z.next);
 }
 
 static float along_y(uint32_t hash, struct cell y, struct cell z)
 {
-    return glm_lerp(along_z(scramble(hash ^ y.at), z), along_z(scramble(hash ^ (y.at + 1)), z),
+    return glm_lerp(along_z(noise_hash(hash ^ y.at), z), along_z(noise_hash(hash ^ (y.at + 1)), z),
                     y.next);
 }
 
 float noise_value(vec3s p, uint32_t seed)
 {
     struct cell x = find_cell(p.x), y = find_cell(p.y), z = find_cell(p.z);
-    uint32_t hash = scramble(seed);
-    return glm_lerp(along_y(scramble(hash ^ x.at), y, z),
-                    along_y(scramble(hash ^ (x.at + 1)), y, z), x.next);
+    uint32_t hash = noise_hash(seed);
+    return glm_lerp(along_y(noise_hash(hash ^ x.at), y, z),
+                    along_y(noise_hash(hash ^ (x.at + 1)), y, z), x.next);
 }
 
 vec3s noise_vector(vec3s p, uint32_t seed)

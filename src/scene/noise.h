@@ -7,6 +7,9 @@
 #include <cglm/struct.h>
 #include <stdint.h>
 
+/* A number to look random beside those of other numbers. */
+uint32_t noise_hash(uint32_t x);
+
 /*
  * Value noise in [-1, 1] with two continuous derivatives: random values at the points with whole
  * coordinates, interpolated. Its slope stays below 4. Seeds give unrelated fields. Coordinates

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "src/log.h"
 #include "src/scene/generate.h"
+#include "src/scene/solid.h"
 
 const struct scene_builtin scene_builtins[] = {
     {
@@ -120,6 +121,20 @@ static enum status add_bubbles(struct scene *scene, const struct generate_bubble
     return done ? STATUS_OK : out_of_memory("bubbles");
 }
 
+enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cracks)
+{
+    const struct mesh *object = &scene->model.object;
+    struct solid solid = { 0 };
+    mesh_finish(&scene->cracks);
+    bool done = generate_cracks(&scene->cracks, scene->box, cracks->count, cracks->seed);
+    if (done && cracks->count && cracks->cut) {
+        done = solid_init(&solid, object) &&
+               solid_cut(&solid, &scene->cracks, box_diagonal(scene->box) / 128.0f);
+        solid_finish(&solid);
+    }
+    return done ? STATUS_OK : out_of_memory("cracks");
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *params)
 {
     *scene = (struct scene){ 0 };
@@ -140,6 +155,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
         status = add_air(scene, &params->air);
     if (status == STATUS_OK && params->bubbles.count)
         status = add_bubbles(scene, &params->bubbles);
+    if (status == STATUS_OK)
+        status = scene_make_cracks(scene, &params->cracks);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;
@@ -153,5 +170,6 @@ void scene_finish(struct scene *scene)
     mesh_finish(&scene->air);
     free(scene->air_layers.texels);
     free(scene->bubbles.spheres);
+    mesh_finish(&scene->cracks);
     *scene = (struct scene){ 0 };
 }

@@ -24,9 +24,17 @@ struct scene {
     struct environment environment;
     struct bump_maps bump;        /* of the object's surface; {0}: none */
     struct box box;               /* of the object */
+    struct mesh cracks;           /* in the object's space; may be empty */
     struct mesh air;              /* in the object's space, as are the bubbles; may be empty */
     struct air_layers air_layers; /* on it */
     struct bubbles bubbles;
+};
+
+/* Cracks inside the object. */
+struct scene_cracks {
+    uint32_t count; /* 0: none */
+    uint32_t seed;
+    bool cut; /* nothing of them reaches out of the object, which must be closed */
 };
 
 struct scene_params {
@@ -40,6 +48,7 @@ struct scene_params {
     struct generate_air air;         /* count 0: none */
     struct generate_bubbles bubbles; /* the same */
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
+    struct scene_cracks cracks;
 };
 
 /* A scene known by name. */
@@ -54,6 +63,10 @@ extern const struct scene_builtin scene_builtins[]; /* ends at a row of zeros */
 
 /* Logs and returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *scene is then {0}. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
+
+/* Replaces the cracks of a scene; done by scene_load() too. Logs and returns STATUS_TRY_AGAIN when
+ * memory is short. */
+MUST_USE enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cracks);
 
 void scene_finish(struct scene *scene);
 

@@ -28,10 +28,11 @@ COMMANDS = ('render', 'graph', 'list', 'help')
 # Layer by layer, what `--aov all` adds to the picture.
 LAYERS = (
     'Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z', 'back.N.X', 'back.N.Y', 'back.N.Z',
-    'front.Z', 'back.Z', 'thickness.Z', 'exit.X', 'exit.Y', 'exit.Z',
+    'front.Z', 'back.Z', 'thickness.Z', 'intervals.Z', 'exit.X', 'exit.Y', 'exit.Z',
     'refraction.R', 'refraction.G', 'refraction.B',
     'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z',
     'air.R', 'air.G', 'air.B', 'air.A', 'bubbles.R', 'bubbles.G', 'bubbles.B', 'bubbles.A',
+    'cracks.R', 'cracks.G', 'cracks.B', 'cracks.A',
 )
 
 firn_path = ''  # set by main()

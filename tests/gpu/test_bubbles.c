@@ -14,8 +14,6 @@
 
 enum {
     SIZE = 256,
-    BUBBLES = 1u << 12, /* the layer */
-    THICKNESS = 1u << 6,
 };
 
 static const double eta = 1.3091 / 1.0003; /* from the ice into the bubble */
@@ -40,7 +38,7 @@ static struct picture_request request_of(const struct scene *scene, float azimut
         .camera = camera_orbit(azimuth, 0, distance, box_center(scene->box), fov_deg),
         .width = SIZE,
         .height = SIZE,
-        .layers = BUBBLES | THICKNESS,
+        .layers = picture_layer_bit("bubbles") | picture_layer_bit("thickness"),
     };
 }
 

@@ -413,7 +413,7 @@ static void check_repeatable(struct gpu *gpu, const char *rung, uint32_t samples
     others[2].settings = &still;
     others[3].layers = 0;
     others[4].display = false;
-    others[4].layers = 1u << 4; /* exit, without most others */
+    others[4].layers = picture_layer_bit("exit");
     for (size_t k = 0; k < 5; k++) {
         struct render_result other = picture_render(gpu, &others[k]);
         check_same(&request, &first, &other);

@@ -39,6 +39,16 @@ struct render_result picture_render(struct gpu *gpu, const struct picture_reques
     return result;
 }
 
+uint32_t picture_layer_bit(const char *name)
+{
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        if (!strcmp(frame_layers[i].name, name))
+            return 1u << i;
+    }
+    fail_msg("no layer %s", name);
+    return 0;
+}
+
 struct settings picture_settings(const char *assignment)
 {
     struct settings settings = settings_default();

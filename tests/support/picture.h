@@ -24,6 +24,9 @@ struct picture_request {
 };
 
 /* One picture, linear always; any failure or validation message fails the test. */
+/* The bit of a layer in a request. */
+uint32_t picture_layer_bit(const char *name);
+
 struct render_result picture_render(struct gpu *gpu, const struct picture_request *request);
 
 /* The defaults but for smooth ice and no lights, with one setting changed: "refract.ior=1.5". */

@@ -46,7 +46,7 @@ static const struct golden goldens[] = {
 enum {
     LIST_COUNT = sizeof(goldens) / sizeof(goldens[0]),
     GOLDEN_COUNT = LIST_COUNT + FEATURE_COUNT,
-    OTHER_COUNT = 3, /* tests without a golden file */
+    OTHER_COUNT = 4, /* tests without a golden file */
 };
 
 static struct frame_request request_of(const struct golden *golden)
@@ -281,6 +281,27 @@ static void test_what_is_off_is_not_there(void **state)
     assert_int_equal(check_inside("bubbles.count=0", true, false), all - 3);
 }
 
+/* Without cracks nothing of them is drawn, and nothing looks for the inside of the ice. */
+static void test_no_cracks_no_passes(void **state)
+{
+    (void)state;
+    const char *const switches[] = { "cracks.count=0", "cracks.count=1" };
+    for (size_t i = 0; i < 2; i++) {
+        struct settings settings = settings_default();
+        struct frame_plan plan;
+        assert_int_equal(settings_set(&settings, switches[i]), STATUS_OK);
+        const struct frame_request request = {
+            .list = frame_with(&frame_rungs[0], &settings),
+            .view = { 64, 64 },
+            .display = true,
+        };
+        assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
+        assert_int_equal(has_pass_of(plan.plan, "cracks"), i);
+        assert_int_equal(has_pass_of(plan.plan, "ice_interval"), i);
+        frame_plan_finish(&plan);
+    }
+}
+
 static struct golden golden_of(const struct feature *feature)
 {
     return (struct golden){ .name = feature->name, .feature = feature };
@@ -293,6 +314,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_surface_is_switched_off),
         cmocka_unit_test(test_one_sided_draws_no_back_normals),
         cmocka_unit_test(test_what_is_off_is_not_there),
+        cmocka_unit_test(test_no_cracks_no_passes),
     };
     if (argc < 2) {
         fprintf(stderr, "usage: %s FOLDER [--update]\n", argv[0]);

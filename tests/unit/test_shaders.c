@@ -7,6 +7,7 @@
 
 #include "shaders/air.h"
 #include "shaders/background.h"
+#include "shaders/cracks.h"
 #include "shaders/frost.h"
 #include "shaders/gbuffer.h"
 #include "shaders/globals.h"
@@ -51,6 +52,15 @@ static const struct shared shared_structs[] = {
             FIELD(background_push, right),
             FIELD(background_push, up),
             FIELD(background_push, forward),
+        },
+    },
+    {
+        "cracks_look",
+        sizeof(struct cracks_look),
+        {
+            FIELD(cracks_look, strength),
+            FIELD(cracks_look, shininess),
+            FIELD(cracks_look, bump),
         },
     },
     {
@@ -331,21 +341,32 @@ static size_t check_list(const struct frame_list *list, struct seen *seen)
     return rows;
 }
 
+/* Settings with which a frame has other rows than with the defaults. */
+static const char *const variants[] = {
+    "bump.strength=0",        "frost.amount=1",     "cracks.count=0",
+    "cracks.clip=convex",     "cracks.clip=precut", "cracks.clip=none",
+    "cracks.refract=normals", "cracks.refract=gap", "ice_interval.count=8",
+};
+
+static size_t check_variants(const struct rung *rung, struct seen *seen)
+{
+    size_t rows = 0;
+    for (size_t i = 0; i < sizeof(variants) / sizeof(variants[0]); i++) {
+        struct settings settings = settings_default();
+        assert_int_equal(settings_set(&settings, variants[i]), STATUS_OK);
+        const struct frame_list list = frame_with(rung, &settings);
+        rows += check_list(&list, seen);
+    }
+    return rows;
+}
+
 static void test_rows_and_shaders_agree(void **state)
 {
     (void)state;
-    struct settings smooth = settings_default();
-    struct settings frosted = settings_default();
-    assert_int_equal(settings_set(&smooth, "bump.strength=0"), STATUS_OK);
-    assert_int_equal(settings_set(&frosted, "frost.amount=1"), STATUS_OK);
     struct seen seen = { 0 };
     size_t rows = 0;
     for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        const struct frame_list lists[] = {
-            frame_with(rung, &smooth),
-            frame_with(rung, &frosted),
-        };
-        rows += check_list(&lists[0], &seen) + check_list(&lists[1], &seen);
+        rows += check_variants(rung, &seen);
     }
     const struct frame_list capture = frame_capture();
     const struct frame_list resolve = frame_resolve();

@@ -25,6 +25,7 @@ void main()
     r.k = optics_refract_k(q.e, r.blended, q.eta);
     r.fresnel_paper = optics_fresnel_paper(q.e, q.front);
     r.fresnel = optics_fresnel(q.e, q.front, q.eta);
+    r.gap = optics_gap(q.e, q.front, q.eta);
     r.composed = optics_compose(r.reflected, r.refracted, r.fresnel);
     r.bubble_transmitted = bubble_transmitted(q.b, q.eta);
     r.bubble_reflected = bubble_reflected(q.b);

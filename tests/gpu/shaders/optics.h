@@ -23,6 +23,7 @@ struct optics_answer {
     float fresnel_paper;
     float fresnel;
     vec2s bubble_transmitted, bubble_reflected; /* turns */
+    float gap;
 };
 
 #endif

@@ -1,0 +1,23 @@
+/* cracks.h: what cracks.c and cracks*.{glsl,vert,frag} agree on. */
+#ifndef SHADERS_CRACKS_H
+#define SHADERS_CRACKS_H
+#include "abi.h"
+
+/* bindings of the rows that draw cracks: with the paper's clipping the first two, with intervals
+ * the third */
+#define CRACKS_FRONT     1
+#define CRACKS_BACK      2
+#define CRACKS_INTERVALS 3
+#define CRACKS_ENV_CUBE  4 /* if they reflect it */
+
+#define CRACKS_COLOR 1 /* binding of the row that draws them over the picture */
+
+#define CRACKS_MAX 64 /* cracks.count, at most */
+
+struct cracks_look {
+    float strength;  /* of the highlights */
+    float shininess; /* Blinn and Phong's exponent */
+    float bump;      /* slope of the roughness; 0: smooth */
+};
+
+#endif

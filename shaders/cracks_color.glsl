@@ -1,0 +1,12 @@
+/* cracks_color.glsl: main() of the highlights; crack_is_inside() is the clipping's. */
+#include "cracks.glsl"
+
+layout(location = 0) out vec4 color; /* premultiplied */
+
+void main()
+{
+    if (!crack_is_inside())
+        discard;
+    float shine = crack_highlight(crack_here());
+    color = vec4(vec3(shine), min(shine, 1.0));
+}

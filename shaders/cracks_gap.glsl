@@ -1,0 +1,19 @@
+/* cracks_gap.glsl: main() of cracks filled with air; crack_is_inside() is the clipping's. */
+#include "cracks.glsl"
+#include "lib/optics.glsl"
+
+layout(set = 0, binding = CRACKS_ENV_CUBE) uniform samplerCube env_cube;
+
+layout(location = 0) out vec4 color; /* premultiplied */
+
+void main()
+{
+    if (!crack_is_inside())
+        discard;
+    crack_point c = crack_here();
+    float share = optics_gap(c.e, c.n, 1.0 / frame.eta);
+    float shine = crack_highlight(c);
+    float over = min(shine, 1.0);
+    vec3 mirrored = share * texture(env_cube, optics_reflect(c.e, c.n)).rgb;
+    color = vec4(vec3(shine) + (1.0 - over) * mirrored, over + (1.0 - over) * share);
+}

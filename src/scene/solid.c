@@ -1,0 +1,161 @@
+/* solid.c: points inside a closed mesh, by columns of triangles. */
+#include "src/scene/solid.h"
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+    SIDE_MAX = 256,
+};
+
+/* Columns from a to b along one axis. */
+struct span {
+    uint32_t from, to;
+};
+
+static uint32_t column_of(const struct solid *s, float at, int axis)
+{
+    float width = s->box.max.raw[axis] - s->box.min.raw[axis];
+    float column = (at - s->box.min.raw[axis]) / width * (float)s->side;
+    if (!(column > 0.0F))
+        return 0;
+    return column < (float)s->side ? (uint32_t)column : s->side - 1;
+}
+
+static struct span span_of(const struct solid *s, struct box box, int axis)
+{
+    return (struct span){ column_of(s, box.min.raw[axis], axis),
+                          column_of(s, box.max.raw[axis], axis) };
+}
+
+static struct box triangle_box(const struct mesh *mesh, uint32_t index)
+{
+    const uint32_t *corners = &mesh->indices[index];
+    struct box box = { mesh->vertices[corners[0]].position, mesh->vertices[corners[0]].position };
+    for (int k = 1; k < 3; k++) {
+        box.min = glms_vec3_minv(box.min, mesh->vertices[corners[k]].position);
+        box.max = glms_vec3_maxv(box.max, mesh->vertices[corners[k]].position);
+    }
+    return box;
+}
+
+/* Counts each triangle in the columns of its box; with `triangles` also enters it, from the end. */
+static void enter_triangles(struct solid *s)
+{
+    for (uint32_t i = 0; i + 2 < s->mesh->index_count; i += 3) {
+        struct box box = triangle_box(s->mesh, i);
+        struct span x = span_of(s, box, 0);
+        struct span z = span_of(s, box, 2);
+        for (uint32_t row = z.from; row <= z.to; row++) {
+            for (uint32_t column = x.from; column <= x.to; column++) {
+                uint32_t *first = &s->first[row * s->side + column];
+                if (s->triangles)
+                    s->triangles[--*first] = i;
+                else
+                    ++*first;
+            }
+        }
+    }
+}
+
+bool solid_init(struct solid *solid, const struct mesh *mesh)
+{
+    float side = sqrtf((float)mesh->index_count / 3.0F);
+    *solid = (struct solid){ .mesh = mesh, .box = mesh_box(mesh) };
+    solid->side = side < 1.0F ? 1 : side < (float)SIDE_MAX ? (uint32_t)side : SIDE_MAX;
+    size_t columns = (size_t)solid->side * solid->side;
+    solid->first = calloc(columns + 1, sizeof(*solid->first));
+    if (!solid->first)
+        goto fail;
+    enter_triangles(solid);
+    for (size_t i = 1; i <= columns; i++)
+        solid->first[i] += solid->first[i - 1];
+    solid->triangles = calloc((size_t)solid->first[columns] + 1, sizeof(*solid->triangles));
+    if (!solid->triangles)
+        goto fail;
+    enter_triangles(solid);
+    return true;
+
+fail:
+    solid_finish(solid);
+    return false;
+}
+
+void solid_finish(struct solid *solid)
+{
+    free(solid->first);
+    free(solid->triangles);
+    *solid = (struct solid){ 0 };
+}
+
+/*
+ * Which side of the line from a to b, seen from above, p lies on: twice the area of the triangle.
+ * Both triangles at an edge get the same number with opposite signs, 0 included: it is worked out
+ * from the same end.
+ */
+static double side_of(vec3s a, vec3s b, vec3s p)
+{
+    bool swap = a.x > b.x || (a.x >= b.x && a.z > b.z);
+    vec3s from = swap ? b : a;
+    vec3s to = swap ? a : b;
+    double area = ((double)to.x - (double)from.x) * ((double)p.z - (double)from.z) -
+                  ((double)to.z - (double)from.z) * ((double)p.x - (double)from.x);
+    area = area == 0.0 ? 0x1p-500 : area;
+    return swap ? -area : area;
+}
+
+static bool is_above(const struct mesh *mesh, uint32_t index, vec3s p)
+{
+    vec3s v[3];
+    double w[3];
+    double sum = 0.0;
+    double y = 0.0;
+    for (uint32_t k = 0; k < 3; k++)
+        v[k] = mesh->vertices[mesh->indices[index + k]].position;
+    for (int k = 0; k < 3; k++) {
+        w[k] = side_of(v[(k + 1) % 3], v[(k + 2) % 3], p);
+        if (w[k] * w[0] < 0.0)
+            return false;
+        sum += w[k];
+    }
+    for (int k = 0; k < 3; k++)
+        y += w[k] / sum * (double)v[k].y;
+    return y > (double)p.y;
+}
+
+bool solid_contains(const struct solid *s, vec3s point)
+{
+    bool inside = false;
+    for (int axis = 0; axis < 3; axis++) {
+        if (!(point.raw[axis] >= s->box.min.raw[axis] && point.raw[axis] <= s->box.max.raw[axis]))
+            return false;
+    }
+    uint32_t at = column_of(s, point.z, 2) * s->side + column_of(s, point.x, 0);
+    for (uint32_t i = s->first[at]; i < s->first[at + 1]; i++)
+        inside ^= is_above(s->mesh, s->triangles[i], point);
+    return inside;
+}
+
+static bool boxes_meet(struct box a, struct box b)
+{
+    bool apart = false;
+    for (int axis = 0; axis < 3; axis++)
+        apart |= a.min.raw[axis] > b.max.raw[axis] || b.min.raw[axis] > a.max.raw[axis];
+    return !apart;
+}
+
+bool solid_is_near(const struct solid *s, struct box box)
+{
+    if (!boxes_meet(s->box, box))
+        return false;
+    struct span x = span_of(s, box, 0);
+    struct span z = span_of(s, box, 2);
+    for (uint32_t row = z.from; row <= z.to; row++) {
+        uint32_t from = s->first[row * s->side + x.from];
+        uint32_t to = s->first[row * s->side + x.to + 1];
+        for (uint32_t i = from; i < to; i++) {
+            if (boxes_meet(triangle_box(s->mesh, s->triangles[i]), box))
+                return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,23 @@
+/* ice_interval.h: where along each pixel's ray there is ice, for objects of any shape. */
+#ifndef TECH_ICE_INTERVAL_H
+#define TECH_ICE_INTERVAL_H
+#include "shaders/ice_interval.h"
+#include "src/technique.h"
+
+struct ice_interval_params {
+    uint32_t count; /* intervals of a pixel that are found: 1 to ICE_INTERVAL_MAX */
+};
+
+/* [k - 1] finds k intervals: the one to list, to read and to write is [ice_interval_index()]. */
+extern const struct technique ice_interval[ICE_INTERVAL_MAX];
+
+/* Two layers an interval, by fitted depth; shaders/ice_interval.glsl reads them. */
+extern const struct rg_image ice_interval_layers[ICE_INTERVAL_MAX];
+
+extern const struct rg_image ice_interval_count; /* how many there are */
+
+extern const struct setting_group ice_interval_settings;
+
+uint32_t ice_interval_index(const struct settings *settings);
+
+#endif
