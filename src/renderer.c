@@ -12,6 +12,7 @@
 #include "src/image/half.h"
 #include "src/log.h"
 #include "src/scene_gpu.h"
+#include "src/scene_settings.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/resolve.h"
@@ -270,8 +271,10 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
 {
     enum status status = STATUS_OK;
     if (r->capture.exec && !r->captured) {
+        const struct motion_params *motion = settings_of(r->params.settings, &motion_settings);
+        const struct renderer_shot first = { .camera = shot->camera, .time = motion->time };
         uint32_t slot;
-        status = run_stage(r, &r->capture, shot, (vec2s){ { 0.0f, 0.0f } }, &slot);
+        status = run_stage(r, &r->capture, &first, (vec2s){ { 0.0f, 0.0f } }, &slot);
         r->captured = status == STATUS_OK;
     }
     /* one sample is drawn while the one before is added up */

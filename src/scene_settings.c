@@ -77,7 +77,7 @@ const struct setting_group sky_settings = SETTING_GROUP("sky", sky_rows, struct 
     }
 
 static const struct setting motion_rows[] = {
-    MOTION(time, .max = 1e5, .unit = "seconds", .help = "time of frame 0"),
+    MOTION(time, .min = -1e5, .max = 1e5, .unit = "seconds", .help = "time of frame 0"),
     MOTION(fps, .initial = 25, .min = 0.01, .max = 1e4, .help = "frames a second"),
     MOTION(ice, .initial = 20, .min = -3600, .max = 3600, .unit = "degrees a second",
            .help = "how fast the ice turns"),

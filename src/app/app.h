@@ -34,8 +34,9 @@ struct app_options {
     bool has_background, has_eye, has_target, has_orbit, has_fov;
     float fov_deg;
     struct settings settings;
-    bool ior_is_set; /* by --set */
-    bool validate, quiet;
+    bool ior_is_set;    /* by --set */
+    const char *frames; /* --frames, not parsed; NULL: one picture */
+    bool validate, quiet, resume;
     enum app_format format;
     enum rg_sharing sharing;
 };

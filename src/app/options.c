@@ -122,6 +122,19 @@ static enum status set_aov(struct app_options *o, const char *value)
     return status;
 }
 
+static enum status set_frames(struct app_options *o, const char *value)
+{
+    o->frames = value;
+    return STATUS_OK;
+}
+
+static enum status set_resume(struct app_options *o, const char *value)
+{
+    (void)value;
+    o->resume = true;
+    return STATUS_OK;
+}
+
 static enum status set_refraction(struct app_options *o, const char *value)
 {
     o->rung = frame_find_rung(value);
@@ -273,6 +286,10 @@ static const struct option options[] = {
     { "Output", "samples", 'n', "N", PICTURES, set_samples, "samples a pixel (1)" },
     { "Output", "aov", 0, "LIST", PICTURES, set_aov,
       "extra layers of the EXR: Z,N,P,back.N,exit,refraction,reflection,fresnel or all" },
+    { "Sequence", "frames", 0, "LIST", APP_RENDER, set_frames,
+      "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
+    { "Sequence", "resume", 0, NULL, APP_RENDER, set_resume,
+      "draw only what is not there yet, whole and with the same options" },
     { "Picture", "refraction", 'r', "RUNG", PICTURES, set_refraction,
       "paper or one-sided (paper)" },
     { "Picture", "material", 'm', "NAME", PICTURES, set_material, "ice, water, glass, ... (ice)" },
@@ -308,7 +325,8 @@ enum {
 static const char *const examples[] = {
     [APP_RENDER] = "  firn render ice-cube -o ice.exr -o ice.png\n"
                    "  firn render statue.glb --env studio.hdr --samples 16 -o statue.png\n"
-                   "  firn render sphere --refraction one-sided --aov exit -o sphere.exr\n",
+                   "  firn render sphere --refraction one-sided --aov exit -o sphere.exr\n"
+                   "  firn render ice-cube --frames 0-99 --resume -o turn.####.png\n",
     [APP_GRAPH] = "  firn graph ice-cube\n"
                   "  firn graph ice-cube --html > plan.html\n"
                   "  firn graph ice-cube --refraction one-sided --dot | dot -Tsvg > plan.svg\n",

@@ -1,143 +1,85 @@
-/* render.c: firn render: a picture, to EXR and PNG. */
+/* render.c: firn render: a picture or a sequence of them, to EXR and PNG. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "src/app/app.h"
-#include "src/frame_view.h"
-#include "src/image/exr.h"
+#include "src/app/frame_name.h"
+#include "src/app/frame_range.h"
+#include "src/app/output.h"
+#include "src/app/progress.h"
+#include "src/app/stop.h"
 #include "src/image/file.h"
-#include "src/image/png.h"
 #include "src/log.h"
 #include "src/renderer.h"
 #include "src/scene_settings.h"
-#include "src/version.h"
-
-static bool is_png(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && !strcmp(dot, ".png");
-}
-
-static void print_vector(FILE *out, const char *name, vec3s v)
-{
-    fprintf(out, " %s=%.9g,%.9g,%.9g", name, (double)v.x, (double)v.y, (double)v.z);
-}
-
-/* What was drawn, so that it can be drawn again: options, then every setting. */
-static char *describe(const struct app_options *o, const struct camera *camera)
-{
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (!out)
-        return NULL;
-    fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", o->positional, o->rung->name,
-            o->width, o->height, o->samples);
-    if (o->environment)
-        fprintf(out, " env=%s", o->environment);
-    if (o->surroundings)
-        fprintf(out, " surroundings=%s", o->surroundings);
-    if (o->has_background)
-        print_vector(out, "background", o->background);
-    print_vector(out, "eye", camera->eye);
-    print_vector(out, "target", camera->target);
-    fprintf(out, " fov=%.9g", (double)camera->fov_deg);
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
-            const struct setting *row = &setting_groups[g]->rows[r];
-            fprintf(out, " %s=", row->name);
-            settings_print(&o->settings, row, out);
-        }
-    }
-    if (fclose(out)) {
-        free(text);
-        return NULL;
-    }
-    return text;
-}
 
 struct job {
     struct app_options o;
+    struct frame_range range; /* without --frames: frame 0 */
+    struct frame_name names[APP_OUTPUT_COUNT];
+    struct stop stop;
     struct scene scene;
     struct camera camera;
     struct gpu gpu;
-    struct renderer *renderer;
+    struct renderer *renderer; /* NULL until a frame needs it */
+    struct progress progress;
+};
+
+/* One frame of the job. */
+struct frame {
+    struct output output;
+    char *paths[APP_OUTPUT_COUNT];
+    bool is_current[APP_OUTPUT_COUNT]; /* has the frame already */
     struct render_result result;
 };
 
-static enum status encode_exr(const struct job *job, void **data, size_t *size)
+static enum status out_of_memory(void)
 {
-    const struct app_options *o = &job->o;
-    char *settings = describe(o, &job->camera);
-    if (!settings) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+    log_error("out of memory");
+    return STATUS_TRY_AGAIN;
+}
+
+/* ---- what is wrong with the words ---- */
+
+static enum status parse_frames(struct job *job)
+{
+    if (job->o.frames)
+        return frame_range_parse(&job->range, job->o.frames);
+    job->range.frames = calloc(1, sizeof(*job->range.frames));
+    job->range.count = 1;
+    return job->range.frames ? STATUS_OK : out_of_memory();
+}
+
+static enum status parse_name(struct job *job, uint32_t i)
+{
+    const char *path = job->o.outputs[i];
+    struct frame_name *name = &job->names[i];
+
+    *name = (struct frame_name){ .path = path };
+    if (!job->o.frames) {
+        if (!frame_name_is_pattern(path))
+            return STATUS_OK;
+        log_error("--output %s: a place for the frame's number needs --frames", path);
+        return STATUS_USAGE;
     }
-    const mat4s view = camera_view_from_world(&job->camera);
-    const mat4s ndc =
-        camera_clip_from_world(&job->camera, o->width, o->height,
-                               frame_view_near_plane(&job->scene), (vec2s){ { 0.0f, 0.0f } });
-    const struct exr_text texts[] = {
-        { "firn/version", FIRN_VERSION },
-        { "firn/device", job->gpu.properties.deviceName },
-        { "firn/settings", settings },
-    };
-    /* column-major matrices for column vectors are row-major ones for row vectors */
-    const struct exr_header header = {
-        .texts = texts,
-        .text_count = sizeof(texts) / sizeof(texts[0]),
-        .world_to_camera = &view.raw[0][0],
-        .world_to_ndc = &ndc.raw[0][0],
-    };
-    enum status status = exr_encode(&job->result.image, &header, data, size);
-    free(settings);
-    return status;
+    enum status status = frame_name_parse(name, path);
+    if (status != STATUS_OK || job->range.count == 1 || name->length)
+        return status;
+    if (!strcmp(path, "-"))
+        log_error("--output -: stdout takes one picture, --frames names %u", job->range.count);
+    else
+        log_error("--output %s: %u frames need a place for their number, such as #### or %%04d",
+                  path, job->range.count);
+    return STATUS_USAGE;
 }
 
-static enum status write_output(const struct job *job, const char *path)
+static enum status parse_names(struct job *job)
 {
-    void *data = NULL;
-    size_t size = 0;
-    enum status status =
-        is_png(path) ? png_encode(job->result.rgba, job->o.width, job->o.height, &data, &size)
-                     : encode_exr(job, &data, &size);
-    if (status == STATUS_OK)
-        status = file_write(path, data, size);
-    free(data);
-    if (status == STATUS_OK && !job->o.quiet)
-        fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout",
-                job->o.width, job->o.height, job->o.samples, job->o.samples > 1 ? "s" : "");
-    return status;
-}
-
-/* A bar that is drawn over itself, for terminals only. */
-static bool show_progress(void *user, uint32_t done, uint32_t all)
-{
-    const struct job *job = user;
-
-    enum {
-        BAR = 40
-    };
-
-    uint32_t filled = (uint32_t)((uint64_t)done * BAR / all);
-    if (job->o.quiet || all == 1 || !isatty(STDERR_FILENO))
-        return true;
-    fprintf(stderr, "\r[%.*s%.*s] %u/%u samples", (int)filled,
-            "########################################", (int)(BAR - filled),
-            "                                        ", done, all);
-    if (done == all)
-        fprintf(stderr, "\r%*s\r", BAR + 30, "");
-    fflush(stderr);
-    return true;
-}
-
-static enum status check_outputs(struct app_options *o)
-{
+    struct app_options *o = &job->o;
     enum status status = STATUS_OK;
     bool stdout_taken = false;
     if (!o->output_count)
-        o->outputs[o->output_count++] = "firn.exr";
+        o->outputs[o->output_count++] = o->frames ? "firn.####.exr" : "firn.exr";
     for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++) {
         bool is_stdout = !strcmp(o->outputs[i], "-");
         if (is_stdout && stdout_taken) {
@@ -145,13 +87,96 @@ static enum status check_outputs(struct app_options *o)
             return STATUS_USAGE;
         }
         stdout_taken = stdout_taken || is_stdout;
-        if (!is_stdout)
-            status = file_check(o->outputs[i]);
+        status = parse_name(job, i);
     }
     return status;
 }
 
-static enum status draw(struct job *job)
+static double frame_time(const struct job *job, int32_t frame)
+{
+    const struct motion_params *motion = settings_of(&job->o.settings, &motion_settings);
+    return (double)motion->time + frame / (double)motion->fps;
+}
+
+/* Every file can be created, and every time is one that --set motion.time takes. */
+static enum status check_frame(const struct job *job, int32_t frame)
+{
+    const struct setting *row = settings_find("motion.time");
+    double time = frame_time(job, frame);
+    enum status status = STATUS_OK;
+    if (time < row->min || time > row->max) {
+        log_error("--frames %s: frame %d would be at %.7g seconds, not within %.7g and %.7g "
+                  "(motion.time + frame / motion.fps)",
+                  job->o.frames, (int)frame, time, row->min, row->max);
+        return STATUS_USAGE;
+    }
+    for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++) {
+        char *path = frame_name_make(&job->names[i], frame);
+        status = path ? file_check(path) : out_of_memory();
+        free(path);
+    }
+    return status;
+}
+
+static enum status check(struct job *job)
+{
+    enum status status = parse_frames(job);
+    if (status == STATUS_OK)
+        status = parse_names(job);
+    for (uint32_t i = 0; i < job->range.count && status == STATUS_OK; i++)
+        status = check_frame(job, job->range.frames[i]);
+    return status;
+}
+
+/* ---- a frame ---- */
+
+static void frame_finish(struct frame *frame)
+{
+    for (uint32_t i = 0; i < APP_OUTPUT_COUNT; i++)
+        free(frame->paths[i]);
+    free(frame->output.settings);
+    render_result_finish(&frame->result);
+}
+
+/* Names and describes it, and sees which files have it already. */
+static enum status frame_init(struct frame *frame, const struct job *job, int32_t number)
+{
+    *frame = (struct frame){
+        .output = {
+            .options = &job->o,
+            .scene = &job->scene,
+            .shot = { .camera = job->camera, .time = (float)frame_time(job, number) },
+        },
+    };
+    enum status status = output_describe(&frame->output);
+    for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++) {
+        frame->paths[i] = frame_name_make(&job->names[i], number);
+        if (!frame->paths[i])
+            status = out_of_memory();
+        else if (job->o.resume)
+            frame->is_current[i] = output_is_current(&frame->output, frame->paths[i]);
+    }
+    return status;
+}
+
+static bool frame_is_current(const struct frame *frame, uint32_t output_count)
+{
+    uint32_t current = 0;
+    for (uint32_t i = 0; i < output_count; i++)
+        current += frame->is_current[i];
+    return current == output_count;
+}
+
+static bool show_progress(void *user, uint32_t done, uint32_t all)
+{
+    const struct job *job = user;
+    (void)all;
+    progress_show(&job->progress, done);
+    return true;
+}
+
+/* Opens the device with the first frame that has to be drawn. */
+static enum status open_renderer(struct job *job)
 {
     const struct app_options *o = &job->o;
     struct renderer_params params = {
@@ -165,7 +190,7 @@ static enum status draw(struct job *job)
         .sharing = o->sharing,
     };
     for (uint32_t i = 0; i < o->output_count; i++) {
-        if (is_png(o->outputs[i]))
+        if (output_is_png(o->outputs[i]))
             params.display = true;
         else
             params.linear = true;
@@ -174,31 +199,83 @@ static enum status draw(struct job *job)
         params.layers = o->layers;
     else if (o->layers)
         log_warning("--aov: PNG files have no layers; name an .exr file too");
-    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
-    const struct renderer_shot shot = { .camera = job->camera, .time = motion->time };
-    enum status status = renderer_create(&job->renderer, &params);
+    enum status status =
+        gpu_create(&job->gpu, &(struct gpu_params){ .device = o->device, .validate = o->validate });
     if (status == STATUS_OK)
-        status = renderer_render(job->renderer, &shot, &job->result, show_progress, job);
+        status = renderer_create(&job->renderer, &params);
     return status;
 }
 
-/* Everything that can be wrong with the words and files is found before the device is opened. */
+static enum status write_output(struct job *job, const struct frame *frame, const char *path)
+{
+    const struct app_options *o = &job->o;
+    const bool is_straight = file_is_straight(path); /* a pipe may wait for ever */
+    void *data = NULL;
+    size_t size = 0;
+    enum status status = output_encode(&frame->output, path, &frame->result,
+                                       job->gpu.properties.deviceName, &data, &size);
+    if (status == STATUS_OK) {
+        if (!is_straight)
+            stop_hold(&job->stop);
+        status = file_write(path, data, size);
+        if (!is_straight)
+            stop_release(&job->stop);
+    }
+    free(data);
+    if (status == STATUS_OK && !o->quiet)
+        fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout", o->width,
+                o->height, o->samples, o->samples > 1 ? "s" : "");
+    return status;
+}
+
+static enum status write_outputs(struct job *job, const struct frame *frame)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++) {
+        if (!frame->is_current[i])
+            status = write_output(job, frame, frame->paths[i]);
+        else if (!job->o.quiet)
+            fprintf(stderr, "%s: up to date\n", frame->paths[i]);
+    }
+    return status;
+}
+
+static enum status run_frame(struct job *job, int32_t number)
+{
+    struct frame frame;
+    enum status status = frame_init(&frame, job, number);
+    if (status == STATUS_OK && !frame_is_current(&frame, job->o.output_count)) {
+        if (!job->renderer)
+            status = open_renderer(job);
+        if (status == STATUS_OK) {
+            progress_show(&job->progress, 0);
+            status = renderer_render(job->renderer, &frame.output.shot, &frame.result,
+                                     show_progress, job);
+            progress_clear(&job->progress);
+        }
+    }
+    if (status == STATUS_OK)
+        status = write_outputs(job, &frame);
+    frame_finish(&frame);
+    return status;
+}
+
+/*
+ * Everything that can be wrong with the words and files is found before the device is opened. The
+ * first frame that fails is the last: what fails one (a full disk, a lost device) fails the next.
+ */
 static enum status run(struct job *job)
 {
-    enum status status = check_outputs(&job->o);
+    enum status status = check(job);
     if (status == STATUS_OK)
         status = app_load_scene(&job->scene, &job->o);
     if (status == STATUS_OK)
         status = app_camera(&job->camera, &job->scene, &job->o);
-    if (status == STATUS_OK)
-        status = gpu_create(&job->gpu, &(struct gpu_params){
-                                           .device = job->o.device,
-                                           .validate = job->o.validate,
-                                       });
-    if (status == STATUS_OK)
-        status = draw(job);
-    for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++)
-        status = write_output(job, job->o.outputs[i]);
+    progress_begin(&job->progress, job->range.count, job->o.samples, job->o.quiet);
+    for (uint32_t i = 0; i < job->range.count && status == STATUS_OK; i++) {
+        job->progress.frame = i;
+        status = run_frame(job, job->range.frames[i]);
+    }
     if (status == STATUS_OK && job->gpu.message_count)
         status = STATUS_FAILED; /* the validation layer has said why */
     return status;
@@ -207,18 +284,19 @@ static enum status run(struct job *job)
 enum status app_render(const struct app_options *options)
 {
     struct job *job = calloc(1, sizeof(*job));
-    if (!job) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
-    }
+    if (!job)
+        return out_of_memory();
     job->o = *options;
     if (!job->o.samples)
         job->o.samples = 1;
-    enum status status = run(job);
-    render_result_finish(&job->result);
+    enum status status = stop_begin(&job->stop);
+    if (status == STATUS_OK)
+        status = run(job);
+    stop_end(&job->stop);
     renderer_destroy(job->renderer);
     gpu_destroy(&job->gpu);
     scene_finish(&job->scene);
+    frame_range_finish(&job->range);
     free(job);
     return status;
 }

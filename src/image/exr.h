@@ -11,14 +11,8 @@
 #include "src/image/image.h"
 #include "src/status.h"
 
-/* A text attribute of the header, e.g. {"firn/settings", "..."}. */
-struct exr_text {
-    const char *name;
-    const char *value;
-};
-
 struct exr_header {
-    const struct exr_text *texts; /* may be NULL if text_count is 0 */
+    const struct image_text *texts; /* string attributes; may be NULL if text_count is 0 */
     uint32_t text_count;
     const float *world_to_camera; /* 16 floats, EXR's row-vector order; may be NULL */
     const float *world_to_ndc;    /* the same; may be NULL */
@@ -40,5 +34,12 @@ MUST_USE enum status exr_encode(const struct image *image, const struct exr_head
  * returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *image is then {0}.
  */
 MUST_USE enum status exr_read(const char *path, struct image *image);
+
+/*
+ * Whether a file is such as exr_encode() makes of an image of this size and these planes, with
+ * these texts in its header among others, and can be read to its end. Texels (which may be NULL)
+ * and matrices are not compared. Logs only when the file is missing or cannot be opened.
+ */
+bool exr_matches(const char *path, const struct image *image, const struct exr_header *header);
 
 #endif

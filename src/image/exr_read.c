@@ -213,19 +213,13 @@ static enum status report(const char *path, const struct source *source, exr_res
     return STATUS_DATA;
 }
 
-enum status exr_read(const char *path, struct image *image)
+static exr_result_t open_reader(struct reader *reader, const char *path)
 {
-    struct source source = { 0 };
-    struct reader reader = { .image = image, .source = &source };
     exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    enum status status = file_open(path, &source.file, &source.size);
-    exr_result_t result;
 
-    if (status != STATUS_OK)
-        return status;
     start.error_handler_fn = keep_message;
     start.alloc_fn = allocate;
-    start.user_data = &source;
+    start.user_data = reader->source;
     start.read_fn = source_read;
     start.size_fn = source_size;
     start.max_image_width = IMAGE_MAX_SIDE;
@@ -234,7 +228,19 @@ enum status exr_read(const char *path, struct image *image)
     start.max_tile_height = IMAGE_MAX_SIDE;
     /* a file with holes is refused below, so do not search it for the chunks it lost */
     start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
-    result = exr_start_read(&reader.context, path, &start);
+    return exr_start_read(&reader->context, path, &start);
+}
+
+enum status exr_read(const char *path, struct image *image)
+{
+    struct source source = { 0 };
+    struct reader reader = { .image = image, .source = &source };
+    enum status status = file_open(path, &source.file, &source.size);
+    exr_result_t result;
+
+    if (status != STATUS_OK)
+        return status;
+    result = open_reader(&reader, path);
     if (result == EXR_ERR_SUCCESS)
         result = read_part(&reader);
     exr_finish(&reader.context);
@@ -243,4 +249,54 @@ enum status exr_read(const char *path, struct image *image)
         image_finish(image);
     fclose(source.file);
     return status;
+}
+
+static bool has_texts(exr_const_context_t context, const struct exr_header *header)
+{
+    for (uint32_t i = 0; i < header->text_count; i++) {
+        const struct image_text *text = &header->texts[i];
+        const char *value;
+        int32_t length;
+        if (exr_attr_get_string(context, 0, text->name, &length, &value) != EXR_ERR_SUCCESS ||
+            (size_t)length != strlen(text->value) ||
+            memcmp(value, text->value, (size_t)length) != 0)
+            return false;
+    }
+    return true;
+}
+
+static bool has_plane(const struct image *image, const struct image_plane *wanted)
+{
+    for (uint32_t i = 0; i < image->plane_count; i++) {
+        const struct image_plane *plane = &image->planes[i];
+        if (strcmp(plane->name, wanted->name) == 0)
+            return plane->half == wanted->half;
+    }
+    return false;
+}
+
+static bool has_form(const struct image *image, const struct image *wanted)
+{
+    bool same = image->width == wanted->width && image->height == wanted->height &&
+                image->plane_count == wanted->plane_count;
+    for (uint32_t i = 0; i < wanted->plane_count && same; i++)
+        same = has_plane(image, &wanted->planes[i]);
+    return same;
+}
+
+bool exr_matches(const char *path, const struct image *image, const struct exr_header *header)
+{
+    struct source source = { 0 };
+    struct image found = { 0 };
+    struct reader reader = { .image = &found, .source = &source };
+    bool same;
+
+    if (file_open(path, &source.file, &source.size) != STATUS_OK)
+        return false;
+    same = open_reader(&reader, path) == EXR_ERR_SUCCESS && has_texts(reader.context, header) &&
+           read_part(&reader) == EXR_ERR_SUCCESS && has_form(&found, image);
+    exr_finish(&reader.context);
+    image_finish(&found);
+    fclose(source.file);
+    return same;
 }

@@ -95,7 +95,7 @@ static exr_result_t declare_attributes(exr_context_t context, const struct exr_h
     if (result == EXR_ERR_SUCCESS)
         result = declare_matrix(context, "worldToNDC", header->world_to_ndc);
     for (uint32_t i = 0; i < header->text_count && result == EXR_ERR_SUCCESS; i++) {
-        const struct exr_text *text = &header->texts[i];
+        const struct image_text *text = &header->texts[i];
         result = exr_attr_set_string(context, 0, text->name, text->value);
     }
     return result;

@@ -4,7 +4,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -192,6 +191,13 @@ enum status file_write(const char *path, const void *data, size_t size)
         status = replace(&target, path, data, size);
     target_finish(&target);
     return status;
+}
+
+bool file_is_straight(const char *path)
+{
+    struct stat info;
+    return strcmp(path, "-") == 0 ||
+           (stat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode));
 }
 
 enum status file_check(const char *path)

@@ -8,6 +8,7 @@
 #ifndef FIRN_IMAGE_FILE_H
 #define FIRN_IMAGE_FILE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -20,6 +21,9 @@
  * created) or STATUS_WRITE (short write, full disk, failed fsync, close or rename).
  */
 MUST_USE enum status file_write(const char *path, const void *data, size_t size);
+
+/* Whether file_write() writes `path` straight: stdout, a pipe, a device. */
+bool file_is_straight(const char *path);
 
 /*
  * Says in advance whether file_write() could create `path` (its folder exists and can be written

@@ -35,6 +35,12 @@ struct image {
     struct image_plane *planes;
 };
 
+/* Words about a picture, stored with it: {"firn/settings", "..."}. */
+struct image_text {
+    const char *name;
+    const char *value;
+};
+
 /* Empty image of a size. Sizes of 0 are allowed only for {0}. */
 void image_init(struct image *image, uint32_t width, uint32_t height);
 

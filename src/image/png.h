@@ -2,16 +2,32 @@
 #ifndef FIRN_IMAGE_PNG_H
 #define FIRN_IMAGE_PNG_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "src/image/image.h"
 #include "src/status.h"
 
+struct png_picture {
+    const uint8_t *rgba;            /* sRGB-encoded texels, rows from the top */
+    uint32_t width, height;         /* pixels */
+    const struct image_text *texts; /* may be NULL if text_count is 0 */
+    uint32_t text_count;
+};
+
 /*
- * Encodes width x height RGBA texels (sRGB-encoded, rows from the top) as opaque RGB into memory:
- * *data (malloc'd, the caller frees it), *size bytes. Writes an sRGB chunk, no time of day. Logs
- * and returns STATUS_TRY_AGAIN or STATUS_FAILED; *data is then NULL.
+ * Encodes a picture as opaque RGB into memory: *data (malloc'd, the caller frees it), *size bytes.
+ * Writes an sRGB chunk, the texts (tEXt where they are ASCII, else iTXt in UTF-8; names of at most
+ * 79 characters), no time of day. Logs and returns STATUS_TRY_AGAIN or STATUS_FAILED; *data is
+ * then NULL.
  */
-MUST_USE enum status png_encode(const uint8_t *rgba, uint32_t width, uint32_t height, void **data,
-                                size_t *size);
+MUST_USE enum status png_encode(const struct png_picture *picture, void **data, size_t *size);
+
+/*
+ * Whether a file is such as png_encode() makes of a picture of this size with these texts, whole,
+ * and with the check sums of all its chunks right. Texels (which may be NULL) are not compared.
+ * Logs only when the file is missing or cannot be opened.
+ */
+bool png_matches(const char *path, const struct png_picture *picture);
 
 #endif

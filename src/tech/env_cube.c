@@ -76,7 +76,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct env_cube_params, dynamic),
         .initial = 1,
         .max = 1,
-        .help = "draw the environment cube in every frame (off: once)",
+        .help = "draw the environment cube in every frame (off: once, at motion.time)",
     },
 };
 

@@ -8,7 +8,7 @@ extern const struct technique env_cube;
 extern const struct setting_group env_cube_settings;
 
 struct env_cube_params {
-    uint32_t dynamic; /* captured in every frame, else once */
+    uint32_t dynamic; /* captured in every frame, else once, at motion.time */
 };
 
 #endif

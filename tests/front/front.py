@@ -1,28 +1,18 @@
-"""front.py: the program `firn` as a user runs it.
-
-Usage: front.py FIRN [TEST...]   FIRN: the program; TEST: as unittest names them
-Every run gets a folder of its own and an environment with next to nothing in it. Where lavapipe
-is installed it is the device, so that the tests mean the same everywhere.
-"""
-import glob
+"""front.py: the program `firn` as a user runs it. Usage: see case.py."""
 import itertools
 import json
-import os
 import pathlib
 import re
 import subprocess
 import sys
-import tempfile
-import unittest
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
+from case import (  # noqa: E402
+    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, WRITE, Case, main)
 from exr_file import Exr  # noqa: E402
 import plan_dumps  # noqa: E402
 
-USAGE, DATA, NO_INPUT, NO_DEVICE, CANT_CREATE, WRITE = 2, 65, 66, 69, 73, 74
-SMALL = ('--size', '64x48')
-NO_DRIVER = {'VK_DRIVER_FILES': '/nonexistent.json'}
 COMMANDS = ('render', 'graph', 'list', 'help')
 
 # Layer by layer, what `--aov all` adds to the picture.
@@ -34,56 +24,6 @@ LAYERS = (
     'air.R', 'air.G', 'air.B', 'air.A', 'bubbles.R', 'bubbles.G', 'bubbles.B', 'bubbles.A',
     'cracks.R', 'cracks.G', 'cracks.B', 'cracks.A',
 )
-
-firn_path = ''  # set by main()
-
-
-def environment(extra):
-    """PATH, the test device and what sanitizers are told; no HOME, no DISPLAY."""
-    env = {'PATH': os.environ.get('PATH', '/usr/bin:/bin')}
-    env.update({name: value for name, value in os.environ.items() if name.endswith('SAN_OPTIONS')})
-    drivers = [file for folder in ('/usr/share', '/usr/local/share', '/etc')
-               for file in glob.glob(f'{folder}/vulkan/icd.d/lvp_icd*.json')]
-    if drivers:
-        env['VK_DRIVER_FILES'] = drivers[0]
-    return {**env, **extra}
-
-
-class Case(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory(prefix='firn ')  # the space is on purpose
-        self.addCleanup(temporary.cleanup)
-        self.folder = pathlib.Path(temporary.name)
-
-    def firn(self, *arguments, env=(), cwd=None, stdout=subprocess.PIPE):
-        return subprocess.run([firn_path, *map(str, arguments)], env=environment(dict(env)),
-                              cwd=cwd or self.folder, stdin=subprocess.DEVNULL, stdout=stdout,
-                              stderr=subprocess.PIPE, timeout=240, check=False)
-
-    def succeed(self, *arguments, **how):
-        done = self.firn(*arguments, **how)
-        self.assertEqual(done.returncode, 0, f'{arguments}: {done.stderr.decode()}')
-        return done
-
-    def render(self, output, *arguments, **how):
-        """The bytes of the file."""
-        self.succeed('render', 'sphere', *SMALL, '-o', output, *arguments, **how)
-        return (self.folder / output).read_bytes()
-
-    def refuse(self, code, *arguments, names=(), **how):
-        """Exits with the code, prints nothing, and says why in one line that has these names."""
-        with self.subTest(arguments=arguments):
-            done = self.firn(*arguments, **how)
-            words = done.stderr.decode()
-            self.assertEqual(done.returncode, code, words)
-            self.assertFalse(done.stdout)
-            self.assertEqual(len(words.splitlines()), 1, words)
-            self.assertTrue(words.startswith('firn: ') and words.endswith('\n'), words)
-            for name in names:
-                self.assertIn(name, words)
-
-    def files(self):
-        return sorted(path.name for path in self.folder.iterdir())
 
 
 class CommandLine(Case):
@@ -245,7 +185,8 @@ class Device(Case):
             self.assertEqual(done.returncode, WRITE, done.stderr.decode())
 
     def test_links_no_window_system(self):
-        libraries = subprocess.run(['ldd', firn_path], capture_output=True, text=True, check=True)
+        libraries = subprocess.run(['ldd', Case.program], capture_output=True, text=True,
+                                   check=True)
         self.assertNotRegex(libraries.stdout, r'(?i)libX11|libxcb|wayland|glfw')
         self.assertIn('libc.so', libraries.stdout)
 
@@ -348,14 +289,6 @@ class Same(Case):
     def test_a_setting_changes_the_picture(self):
         other = self.render('other.exr', '--aov', 'all', '--set', 'refract_paper.a=0.5')
         self.assertFalse(Exr(self.first).pixels == Exr(other).pixels)
-
-
-def main():
-    global firn_path
-    if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
-        sys.exit(f'front.py: no program to test: {sys.argv[1:2] or "(none given)"}')
-    firn_path = os.path.abspath(sys.argv.pop(1))
-    unittest.main()
 
 
 if __name__ == '__main__':

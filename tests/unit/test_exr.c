@@ -286,7 +286,7 @@ static void test_header(void **state)
 {
     static const char *const names[] = { "Z", "B", "G", "R" };
     static const char *const sorted[] = { "B", "G", "R", "Z" };
-    static const struct exr_text texts[] = {
+    static const struct image_text texts[] = {
         { "firn/settings", "ior = 1.31\n\"quoted\"" },
         { "comments", "" },
         { "firn/a-name-longer-than-thirty-one-characters", "x" },
@@ -330,7 +330,7 @@ static void test_header(void **state)
 static void test_same_bytes_twice(void **state)
 {
     static const char *const names[] = { "R", "G", "B" };
-    static const struct exr_text texts[] = { { "firn/settings", "a" } };
+    static const struct image_text texts[] = { { "firn/settings", "a" } };
     const struct exr_header header = { .texts = texts, .text_count = 1 };
     struct image image = { 0 };
 
@@ -349,7 +349,7 @@ static void test_same_bytes_twice(void **state)
 static void test_refused_header(void **state)
 {
     static const char *const names[] = { "R" };
-    static const struct exr_text texts[] = { { "channels", "of another type" } };
+    static const struct image_text texts[] = { { "channels", "of another type" } };
     const struct exr_header header = { .texts = texts, .text_count = 1 };
     struct image image = { 0 };
     void *data = &image;
@@ -449,6 +449,95 @@ static void test_bit_flips(void **state)
     free(bytes.data);
 }
 
+/* -- is it the same? -- */
+
+static const struct image_text matching_texts[] = {
+    { "firn/version", "1" },
+    { "firn/settings", "a=1 b=2" },
+    { "firn/device", "any" },
+};
+static const char *const matching_names[] = { "R", "G", "B" };
+
+/* Saves a small picture with these texts, and leaves its form without its texels. */
+static struct bytes save_matching(struct image *image)
+{
+    const struct exr_header header = { .texts = matching_texts, .text_count = 3 };
+    make_image(image, 19, 37, matching_names, 3);
+    const struct bytes bytes = encode(image, &header);
+    save(bytes.data, bytes.size);
+    for (uint32_t p = 0; p < 3; p++) {
+        free(image->planes[p].texels);
+        image->planes[p].texels = NULL;
+    }
+    return bytes;
+}
+
+static void test_matches_form(void **state)
+{
+    const struct exr_header header = { .texts = matching_texts, .text_count = 2 };
+    struct image image = { 0 };
+
+    (void)state;
+    free(save_matching(&image).data);
+    assert_true(exr_matches(path, &image, &header));
+    image.width = 18;
+    assert_false(exr_matches(path, &image, &header));
+    image.width = 19;
+    image.height = 38;
+    assert_false(exr_matches(path, &image, &header));
+    image.height = 37;
+    image.plane_count = 2; /* the file has one more */
+    assert_false(exr_matches(path, &image, &header));
+    image.plane_count = 3;
+    image.planes[1].half = !image.planes[1].half;
+    assert_false(exr_matches(path, &image, &header));
+    image.planes[1].half = !image.planes[1].half;
+    image.planes[1].name[0] = 'A';
+    assert_false(exr_matches(path, &image, &header));
+    image.planes[1].name[0] = 'G';
+    assert_true(exr_matches(path, &image, &header));
+    image_finish(&image);
+}
+
+static void test_matches_texts(void **state)
+{
+    static const struct image_text others[] = {
+        { "firn/settings", "a=1 b=3" }, { "firn/settings", "a=1 b=" }, { "firn/version", "1 " },
+        { "firn/settings", "" },        { "firn/else", "1" },          { "channels", "R" },
+    };
+    struct exr_header header = { .text_count = 1 };
+    struct image image = { 0 };
+
+    (void)state;
+    free(save_matching(&image).data);
+    for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); i++) {
+        header.texts = &others[i];
+        assert_false(exr_matches(path, &image, &header));
+    }
+    header.texts = &matching_texts[1];
+    assert_true(exr_matches(path, &image, &header));
+    image_finish(&image);
+}
+
+static void test_matches_whole_files(void **state)
+{
+    const struct exr_header header = { .texts = matching_texts, .text_count = 2 };
+    struct image image = { 0 };
+    const struct bytes bytes = save_matching(&image);
+
+    (void)state;
+    for (size_t size = 0; size < bytes.size; size += 37) {
+        save(bytes.data, size);
+        assert_false(exr_matches(path, &image, &header));
+    }
+    save(bytes.data, bytes.size - 1);
+    assert_false(exr_matches(path, &image, &header));
+    save(bytes.data, bytes.size);
+    assert_true(exr_matches(path, &image, &header));
+    image_finish(&image);
+    free(bytes.data);
+}
+
 static int remove_file(void **state)
 {
     (void)state;
@@ -459,12 +548,21 @@ static int remove_file(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trips),      cmocka_unit_test(test_long_names),
-        cmocka_unit_test(test_special_values),   cmocka_unit_test(test_packed_as_long_as_unpacked),
-        cmocka_unit_test(test_incompressible),   cmocka_unit_test(test_header),
-        cmocka_unit_test(test_same_bytes_twice), cmocka_unit_test(test_refused_header),
-        cmocka_unit_test(test_no_input),         cmocka_unit_test(test_truncated),
-        cmocka_unit_test(test_missing_chunk),    cmocka_unit_test(test_bit_flips),
+        cmocka_unit_test(test_round_trips),
+        cmocka_unit_test(test_long_names),
+        cmocka_unit_test(test_special_values),
+        cmocka_unit_test(test_packed_as_long_as_unpacked),
+        cmocka_unit_test(test_incompressible),
+        cmocka_unit_test(test_header),
+        cmocka_unit_test(test_same_bytes_twice),
+        cmocka_unit_test(test_refused_header),
+        cmocka_unit_test(test_no_input),
+        cmocka_unit_test(test_truncated),
+        cmocka_unit_test(test_missing_chunk),
+        cmocka_unit_test(test_bit_flips),
+        cmocka_unit_test(test_matches_form),
+        cmocka_unit_test(test_matches_texts),
+        cmocka_unit_test(test_matches_whole_files),
     };
     snprintf(path, sizeof(path), "/tmp/firn-test-exr-%ld.exr", (long)getpid());
     return cmocka_run_group_tests(tests, NULL, remove_file);

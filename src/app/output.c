@@ -1,0 +1,179 @@
+/* output.c: EXR and PNG files, and the words in them. */
+#include "src/app/output.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "src/frame_view.h"
+#include "src/image/exr.h"
+#include "src/image/file.h"
+#include "src/image/png.h"
+#include "src/log.h"
+#include "src/scene_settings.h"
+#include "src/version.h"
+
+/* In the order of the files; the device comes last, for it does not count in comparisons. */
+enum {
+    TEXT_VERSION,
+    TEXT_SETTINGS,
+    TEXT_DEVICE,
+    TEXT_COUNT,
+};
+
+bool output_is_png(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && !strcmp(dot, ".png");
+}
+
+/* ---- words ---- */
+
+static void print_vector(FILE *out, const char *name, vec3s v)
+{
+    fprintf(out, " %s=%.9g,%.9g,%.9g", name, (double)v.x, (double)v.y, (double)v.z);
+}
+
+static void print_settings(FILE *out, const struct settings *settings)
+{
+    for (size_t g = 0; setting_groups[g]; g++) {
+        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
+            const struct setting *row = &setting_groups[g]->rows[r];
+            fprintf(out, " %s=", row->name);
+            settings_print(settings, row, out);
+        }
+    }
+}
+
+/* The time at which an environment cube that stays the same is drawn. */
+static void print_cube_time(FILE *out, const struct settings *settings)
+{
+    const struct motion_params *motion = settings_of(settings, &motion_settings);
+    if (!frame_cube_is_dynamic(settings))
+        fprintf(out, " cube_time=%.9g", (double)motion->time);
+}
+
+enum status output_describe(struct output *output)
+{
+    const struct app_options *o = output->options;
+    const struct camera *camera = &output->shot.camera;
+    struct settings settings = o->settings;
+    size_t size;
+    FILE *out = open_memstream(&output->settings, &size);
+    bool ok = out != NULL;
+
+    settings_put(&settings, settings_find("motion.time"), (double)output->shot.time);
+    if (out) {
+        fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", o->positional, o->rung->name,
+                o->width, o->height, o->samples);
+        if (o->environment)
+            fprintf(out, " env=%s", o->environment);
+        if (o->surroundings)
+            fprintf(out, " surroundings=%s", o->surroundings);
+        if (o->has_background)
+            print_vector(out, "background", o->background);
+        print_vector(out, "eye", camera->eye);
+        print_vector(out, "target", camera->target);
+        fprintf(out, " fov=%.9g", (double)camera->fov_deg);
+        print_settings(out, &settings);
+        print_cube_time(out, &o->settings);
+        ok = !ferror(out);
+        ok = !fclose(out) && ok;
+    }
+    if (!ok)
+        log_error("out of memory");
+    return ok ? STATUS_OK : STATUS_TRY_AGAIN;
+}
+
+static void fill_texts(struct image_text texts[static TEXT_COUNT], const struct output *output,
+                       const char *device)
+{
+    texts[TEXT_VERSION] = (struct image_text){ "firn/version", FIRN_VERSION };
+    texts[TEXT_SETTINGS] = (struct image_text){ "firn/settings", output->settings };
+    texts[TEXT_DEVICE] = (struct image_text){ "firn/device", device };
+}
+
+/* ---- files that are there ---- */
+
+enum {
+    PLANE_COUNT_MAX = 4 * (FRAME_LAYER_COUNT + 1)
+};
+
+static void add_layer(struct image *image, const struct frame_layer *layer)
+{
+    for (size_t p = 0; p < 4 && layer->planes[p]; p++) {
+        struct image_plane *plane = &image->planes[image->plane_count++];
+        plane->half = layer->half;
+        snprintf(plane->name, sizeof(plane->name), "%s", layer->planes[p]);
+    }
+}
+
+static bool exr_is_current(const struct output *output, const char *path,
+                           const struct image_text *texts)
+{
+    const struct app_options *o = output->options;
+    struct image_plane planes[PLANE_COUNT_MAX] = { 0 };
+    struct image image = { .width = o->width, .height = o->height, .planes = planes };
+    const struct exr_header header = { .texts = texts, .text_count = TEXT_DEVICE };
+
+    add_layer(&image, &frame_beauty);
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        if (o->layers & 1u << i)
+            add_layer(&image, &frame_layers[i]);
+    }
+    return exr_matches(path, &image, &header);
+}
+
+bool output_is_current(const struct output *output, const char *path)
+{
+    struct image_text texts[TEXT_COUNT];
+    const struct png_picture picture = {
+        .width = output->options->width,
+        .height = output->options->height,
+        .texts = texts,
+        .text_count = TEXT_DEVICE,
+    };
+
+    if (file_is_straight(path) || access(path, R_OK) != 0)
+        return false;
+    fill_texts(texts, output, "");
+    return output_is_png(path) ? png_matches(path, &picture) : exr_is_current(output, path, texts);
+}
+
+/* ---- new files ---- */
+
+static enum status encode_exr(const struct output *output, const struct render_result *result,
+                              const struct image_text *texts, void **data, size_t *size)
+{
+    const struct app_options *o = output->options;
+    const struct camera *camera = &output->shot.camera;
+    const mat4s view = camera_view_from_world(camera);
+    const mat4s ndc =
+        camera_clip_from_world(camera, o->width, o->height, frame_view_near_plane(output->scene),
+                               (vec2s){ { 0.0f, 0.0f } });
+    /* column-major matrices for column vectors are row-major ones for row vectors */
+    const struct exr_header header = {
+        .texts = texts,
+        .text_count = TEXT_COUNT,
+        .world_to_camera = &view.raw[0][0],
+        .world_to_ndc = &ndc.raw[0][0],
+    };
+    return exr_encode(&result->image, &header, data, size);
+}
+
+enum status output_encode(const struct output *output, const char *path,
+                          const struct render_result *result, const char *device, void **data,
+                          size_t *size)
+{
+    struct image_text texts[TEXT_COUNT];
+    const struct png_picture picture = {
+        .rgba = result->rgba,
+        .width = output->options->width,
+        .height = output->options->height,
+        .texts = texts,
+        .text_count = TEXT_COUNT,
+    };
+
+    fill_texts(texts, output, device);
+    return output_is_png(path) ? png_encode(&picture, data, size)
+                               : encode_exr(output, result, texts, data, size);
+}

@@ -1,0 +1,38 @@
+/*
+ * output.h: from a picture to files: what is stored with it, and which files have it already.
+ */
+#ifndef FIRN_APP_OUTPUT_H
+#define FIRN_APP_OUTPUT_H
+
+#include "src/app/app.h"
+#include "src/renderer.h"
+
+/* A frame, before and after it is drawn. */
+struct output {
+    const struct app_options *options; /* as app_load_scene() left them */
+    const struct scene *scene;
+    struct renderer_shot shot;
+    char *settings; /* how to draw it again, made by output_describe(); the caller frees it */
+};
+
+bool output_is_png(const char *path);
+
+/*
+ * Fills output->settings: options, camera, every setting. A frame is described as the single
+ * picture of its time (motion.time), so that both give the same bytes. Logs: STATUS_TRY_AGAIN.
+ */
+MUST_USE enum status output_describe(struct output *output);
+
+/*
+ * Whether the file is there, whole, and what output_write() would write, as far as size, layers,
+ * firn/settings and firn/version tell: input files that have changed since go unnoticed, and the
+ * device may be another one.
+ */
+bool output_is_current(const struct output *output, const char *path);
+
+/* Encodes it for file_write(); the caller frees *data. Logs. */
+MUST_USE enum status output_encode(const struct output *output, const char *path,
+                                   const struct render_result *result, const char *device,
+                                   void **data, size_t *size);
+
+#endif

@@ -1,0 +1,34 @@
+/*
+ * stop.h: SIGHUP, SIGINT and SIGTERM end the program at once, whatever the device is doing, but
+ * not while a file is being written: exit code 129, 130 or 143. A signal that was ignored when the
+ * program began (nohup, a shell's background job) stays ignored.
+ */
+#ifndef FIRN_APP_STOP_H
+#define FIRN_APP_STOP_H
+
+#include <pthread.h>
+#include <signal.h>
+#include <stdbool.h>
+#include "src/status.h"
+
+struct stop {
+    pthread_t thread; /* waits for the signals, which all other threads block */
+    pthread_mutex_t writing;
+    sigset_t signals;
+    bool begun;
+};
+
+/*
+ * Before any other thread exists, for it must inherit what is blocked. *stop must not move
+ * afterwards. Logs: STATUS_TRY_AGAIN.
+ */
+MUST_USE enum status stop_begin(struct stop *stop);
+
+/* From here on the signals are blocked and do nothing. {0} is fine. */
+void stop_end(struct stop *stop);
+
+/* Around the writing of a file. */
+void stop_hold(struct stop *stop);
+void stop_release(struct stop *stop);
+
+#endif

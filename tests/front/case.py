@@ -1,0 +1,74 @@
+"""case.py: what the tests of the program `firn` share.
+
+Usage: TEST.py FIRN [TEST...]   FIRN: the program; TEST: as unittest names them
+Every run gets a folder of its own and an environment with next to nothing in it. Where lavapipe
+is installed it is the device, so that the tests mean the same everywhere.
+"""
+import glob
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+USAGE, DATA, NO_INPUT, NO_DEVICE, CANT_CREATE, WRITE = 2, 65, 66, 69, 73, 74
+SMALL = ('--size', '64x48')
+NO_DRIVER = {'VK_DRIVER_FILES': '/nonexistent.json'}
+
+
+def environment(extra):
+    """PATH, the test device and what sanitizers are told; no HOME, no DISPLAY."""
+    env = {'PATH': os.environ.get('PATH', '/usr/bin:/bin')}
+    env.update({name: value for name, value in os.environ.items() if name.endswith('SAN_OPTIONS')})
+    drivers = [file for folder in ('/usr/share', '/usr/local/share', '/etc')
+               for file in glob.glob(f'{folder}/vulkan/icd.d/lvp_icd*.json')]
+    if drivers:
+        env['VK_DRIVER_FILES'] = drivers[0]
+    return {**env, **extra}
+
+
+class Case(unittest.TestCase):
+    program = ''  # set by main()
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix='firn ')  # the space is on purpose
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def firn(self, *arguments, env=(), cwd=None, stdout=subprocess.PIPE):
+        return subprocess.run([Case.program, *map(str, arguments)], env=environment(dict(env)),
+                              cwd=cwd or self.folder, stdin=subprocess.DEVNULL, stdout=stdout,
+                              stderr=subprocess.PIPE, timeout=240, check=False)
+
+    def succeed(self, *arguments, **how):
+        done = self.firn(*arguments, **how)
+        self.assertEqual(done.returncode, 0, f'{arguments}: {done.stderr.decode()}')
+        return done
+
+    def render(self, output, *arguments, **how):
+        """The bytes of the file."""
+        self.succeed('render', 'sphere', *SMALL, '-o', output, *arguments, **how)
+        return (self.folder / output).read_bytes()
+
+    def refuse(self, code, *arguments, names=(), **how):
+        """Exits with the code, prints nothing, and says why in one line that has these names."""
+        with self.subTest(arguments=arguments):
+            done = self.firn(*arguments, **how)
+            words = done.stderr.decode()
+            self.assertEqual(done.returncode, code, words)
+            self.assertFalse(done.stdout)
+            self.assertEqual(len(words.splitlines()), 1, words)
+            self.assertTrue(words.startswith('firn: ') and words.endswith('\n'), words)
+            for name in names:
+                self.assertIn(name, words)
+
+    def files(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+
+def main():
+    if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
+        sys.exit(f'{sys.argv[0]}: no program to test: {sys.argv[1:2] or "(none given)"}')
+    Case.program = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

@@ -1,0 +1,154 @@
+/* Signals that end a program, but not at any time. Each is tried in a child process. */
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+#include "src/app/stop.h"
+#include "tests/support/check.h"
+
+enum {
+    UNTOUCHED = 7 /* exit code of a child that no signal ends */
+};
+
+typedef void child_fn(struct stop *stop, int number, int out);
+
+/*
+ * Runs it after stop_begin(), with the signal's first action: its exit code, and what it has
+ * written to `out`.
+ */
+static int run(child_fn *child, void (*action)(int), int number, char words[static 64])
+{
+    struct stop stop = { 0 };
+    int pipes[2], result;
+
+    assert_int_equal(pipe(pipes), 0);
+    const pid_t process = fork();
+    assert_true(process >= 0);
+    if (process == 0) {
+        close(pipes[0]);
+        signal(number, action);
+        if (stop_begin(&stop) != STATUS_OK)
+            _exit(1);
+        child(&stop, number, pipes[1]);
+        stop_end(&stop);
+        _exit(UNTOUCHED);
+    }
+    close(pipes[1]);
+    const ssize_t count = read(pipes[0], words, 63);
+    words[count > 0 ? count : 0] = '\0';
+    close(pipes[0]);
+    assert_int_equal(waitpid(process, &result, 0), process);
+    assert_true(WIFEXITED(result));
+    return WEXITSTATUS(result);
+}
+
+static void say(int out, const char *word)
+{
+    if (write(out, word, strlen(word)) < 0)
+        _exit(1);
+}
+
+/* So that a signal that should not be heeded yet has time to be. */
+static void linger(void)
+{
+    const struct timespec time = { .tv_nsec = 50000000 };
+    nanosleep(&time, NULL);
+}
+
+static void wait_for_end(struct stop *stop, int number, int out)
+{
+    (void)stop;
+    (void)out;
+    kill(getpid(), number);
+    for (;;)
+        pause();
+}
+
+static void write_first(struct stop *stop, int number, int out)
+{
+    stop_hold(stop);
+    kill(getpid(), number);
+    linger();
+    say(out, "written");
+    stop_release(stop);
+    for (;;)
+        pause();
+}
+
+static void end_first(struct stop *stop, int number, int out)
+{
+    stop_end(stop);
+    kill(getpid(), number);
+    linger();
+    say(out, "ended");
+}
+
+static void outlive(struct stop *stop, int number, int out)
+{
+    (void)stop;
+    kill(getpid(), number);
+    linger();
+    say(out, "alive");
+}
+
+static const int numbers[] = { SIGHUP, SIGINT, SIGTERM };
+
+enum {
+    NUMBER_COUNT = sizeof(numbers) / sizeof(numbers[0])
+};
+
+static void test_exit_codes(void **state)
+{
+    char words[64];
+    (void)state;
+    for (size_t i = 0; i < NUMBER_COUNT; i++)
+        assert_int_equal(run(wait_for_end, SIG_DFL, numbers[i], words), 128 + numbers[i]);
+}
+
+static void test_not_while_held(void **state)
+{
+    char words[64];
+    (void)state;
+    for (size_t i = 0; i < NUMBER_COUNT; i++) {
+        assert_int_equal(run(write_first, SIG_DFL, numbers[i], words), 128 + numbers[i]);
+        assert_string_equal(words, "written");
+    }
+}
+
+static void test_not_after_the_end(void **state)
+{
+    char words[64];
+    (void)state;
+    assert_int_equal(run(end_first, SIG_DFL, SIGTERM, words), UNTOUCHED);
+    assert_string_equal(words, "ended");
+}
+
+static void test_ignored_ones_stay_ignored(void **state)
+{
+    char words[64];
+    (void)state;
+    for (size_t i = 0; i < NUMBER_COUNT; i++) {
+        assert_int_equal(run(outlive, SIG_IGN, numbers[i], words), UNTOUCHED);
+        assert_string_equal(words, "alive");
+    }
+}
+
+static void test_end_without_begin(void **state)
+{
+    struct stop stop = { 0 };
+    (void)state;
+    stop_end(&stop);
+    assert_false(stop.begun);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_exit_codes),        cmocka_unit_test(test_not_while_held),
+        cmocka_unit_test(test_not_after_the_end), cmocka_unit_test(test_ignored_ones_stay_ignored),
+        cmocka_unit_test(test_end_without_begin),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
