@@ -256,7 +256,7 @@ struct rg_output {
 
 /* Memory that a resource needs, as Vulkan says it. */
 struct rg_memory_need {
-    VkDeviceSize size, alignment;
+    VkDeviceSize size, alignment; /* a power of two; 0 means 1 */
     uint32_t type_bits;
 };
 

@@ -189,11 +189,66 @@ uint32_t rg_visibility(enum rg_access access, VkPipelineStageFlags2 stages)
     if (access > RG_UNIFORM || access < RG_SAMPLED)
         return bit;
     uint32_t visibility = stages & ~RG_ANY_SHADER ? ~RG_VISIBLE_TO_ALL : 0;
-    if (stages & VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
-        visibility |= bit;
-    if (stages & VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
-        visibility |= bit << 1;
-    if (stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
-        visibility |= bit << 2;
+    visibility |= stages & VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT ? bit : 0;
+    visibility |= stages & VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT ? bit << 1 : 0;
+    visibility |= stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT ? bit << 2 : 0;
     return visibility;
+}
+
+#define KIND_BIT(kind) (1u << (kind))
+
+/* The kinds of pass that may have such a use. */
+static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
+    [RG_SAMPLED] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
+    [RG_STORAGE_READ] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
+    [RG_STORAGE_WRITE] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
+    [RG_STORAGE_READ_WRITE] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
+    [RG_UNIFORM] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
+    [RG_VERTEX] = KIND_BIT(RG_RASTER),
+    [RG_INDEX] = KIND_BIT(RG_RASTER),
+    [RG_INDIRECT] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
+    [RG_COPY_SRC] = KIND_BIT(RG_TRANSFER),
+    [RG_COPY_DST] = KIND_BIT(RG_TRANSFER),
+};
+
+static VkPipelineStageFlags2 stages_of_use(enum rg_kind kind, enum rg_access access)
+{
+    if (rg_access_table[access].stages)
+        return rg_access_table[access].stages;
+    if (kind == RG_RASTER)
+        return VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
+               (access == RG_UNIFORM ? VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT : 0);
+    return kind == RG_COMPUTE ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_2_NONE;
+}
+
+/* Those of the shaders that a kind of pass has. */
+static const VkPipelineStageFlags2 shaders_of_kind[] = {
+    [RG_RASTER] = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+    [RG_COMPUTE] = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+    [RG_TRANSFER] = VK_PIPELINE_STAGE_2_NONE,
+};
+
+void rg_meaning_learn(struct meaning *m, enum rg_kind kind, enum rg_access access)
+{
+    const struct rg_access_info *info = &rg_access_table[access];
+    bool fits = kinds_of_use[access] & KIND_BIT(kind);
+    unsigned flags = info->reads ? ACCESS_READS : 0;
+    if (info->reads_content)
+        flags |= ACCESS_READS_CONTENT;
+    if (info->writes_content)
+        flags |= ACCESS_WRITES_CONTENT | (info->reads_content ? 0 : ACCESS_OVERWRITES);
+    *m = (struct meaning){
+        .access = {
+            .access = (uint16_t)access,
+            .flags = (uint16_t)flags,
+            .layout = info->layout,
+            .stages = stages_of_use(kind, access),
+        },
+        .fits = fits,
+        .image = fits && info->image_usage,
+        .buffer = fits && info->buffer_usage,
+        .stages = shaders_of_kind[kind],
+    };
+    if (!info->writes_content)
+        m->access.visibility = rg_visibility(access, m->access.stages);
 }

@@ -70,17 +70,17 @@ void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size)
     return data;
 }
 
-void *rg_arena_grow(struct arena *arena, const void *array, uint32_t *room, uint32_t least,
+void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t least,
                     size_t element_size)
 {
     if (*room > UINT32_MAX / 2) {
         arena->failed = true;
-        return NULL;
+        return array;
     }
     uint32_t grown = *room < least / 2 ? least : *room * 2;
     void *copy = rg_arena_alloc(arena, grown, element_size);
     if (!copy)
-        return NULL;
+        return array;
     if (*room)
         memcpy(copy, array, *room * element_size);
     *room = grown;

@@ -90,7 +90,7 @@ static const char *samples_trouble(const struct resource *r)
         return NULL;
     if (samples > 64 || (samples & (samples - 1)))
         return "a texel has 1, 2, 4, 8, 16, 32 or 64 samples";
-    if (r->mips > 1 || r->image->cube)
+    if (r->all.levelCount > 1 || r->image->cube)
         return "an image of several samples has one mip and is no cube";
     return NULL;
 }
@@ -105,7 +105,8 @@ static const char *size_trouble(const struct compiler *c, const struct resource 
         *error = RG_ERROR_NO_SIZE;
         return "a scale is a positive number";
     }
-    if (r->extent.width > max_size || r->extent.height > max_size || r->layers > max_layers) {
+    if (r->extent.width > max_size || r->extent.height > max_size ||
+        r->all.layerCount > max_layers) {
         *error = RG_ERROR_TOO_LARGE;
         return "make it smaller: the device has no images of this size";
     }
@@ -115,19 +116,19 @@ static const char *size_trouble(const struct compiler *c, const struct resource 
 static const char *image_trouble(const struct compiler *c, const struct resource *r,
                                  enum rg_error *error)
 {
-    if (!rg_format_info(r->image->format)) {
+    if (!r->format) {
         *error = RG_ERROR_FORMAT;
         return "name a format that the graph knows (rg_format.c)";
     }
     const char *trouble = size_trouble(c, r, error);
     if (trouble)
         return trouble;
-    if (r->image->cube && (r->layers % 6 || r->extent.width != r->extent.height)) {
+    if (r->image->cube && (r->all.layerCount % 6 || r->extent.width != r->extent.height)) {
         *error = RG_ERROR_CUBE;
         return "a cube is square and has a multiple of 6 layers";
     }
     uint32_t side = r->extent.width > r->extent.height ? r->extent.width : r->extent.height;
-    if (r->mips > 1 && (r->mips > 32 || side >> (r->mips - 1) == 0)) {
+    if (r->all.levelCount > 1 && (r->all.levelCount > 32 || side >> (r->all.levelCount - 1) == 0)) {
         *error = RG_ERROR_RANGE;
         return "it has fewer mips: the last one is 1x1 (use RG_ALL_MIPS)";
     }
@@ -160,15 +161,15 @@ void rg_check_resource(struct compiler *c, struct resource *r)
 {
     const char *name = r->image ? r->image->name : r->buffer->name;
     const struct place place = { .row = RG_NONE, .resource = name ? name : "?" };
-    if (name)
-        rg_name_add(c, NAME_RESOURCE, name, place);
-    else
+    if (!name)
         rg_fault_add(c, RG_ERROR_NO_NAME, place, "give the resource a name");
+    else if (!rg_name_is_new(c, NAME_RESOURCE, name))
+        rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, place, RG_HINT_NAME);
 
     enum rg_error error = RG_ERROR_NONE;
     const char *hint = r->image ? image_trouble(c, r, &error) : buffer_trouble(r, &error);
     if (hint) {
         rg_fault_add(c, error, place, hint);
-        r->layers = r->mips = 1;
+        r->all.layerCount = r->all.levelCount = r->image ? 1 : 0;
     }
 }

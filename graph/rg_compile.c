@@ -14,16 +14,17 @@ static void place_and_sync(struct compiler *c)
     bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
     if (place_first) {
         rg_place(c);
-        rg_place_formers(c, false);
+        if (!c->arena->failed)
+            rg_place_ends(c);
     }
     if (!c->arena->failed)
         rg_emit(c, &sync);
     if (!place_first && !c->arena->failed)
         rg_place(c);
-    if (c->arena->failed)
-        return;
-    rg_place_formers(c, true);
-    rg_sync_takeovers(&sync);
+    if (!c->arena->failed)
+        rg_place_left(c);
+    if (!c->arena->failed)
+        rg_sync_takeovers(&sync);
 }
 
 /* Room for what the tables are likely to hold, so that nothing has to be copied as it grows. */
@@ -37,6 +38,7 @@ static void expect(struct compiler *c)
     c->passes = ARENA_ARRAY(c->arena, struct pass, count);
     c->access_room = count * 4;
     c->accesses = ARENA_ARRAY(c->arena, struct access, c->access_room);
+    c->meanings = rg_arena_alloc(c->arena, RG_TRANSFER + 1, sizeof(*c->meanings));
     rg_resource_expect(c, count * 2);
     rg_name_expect(c, count * 3);
 }

@@ -13,7 +13,8 @@ enum {
 
 static void begin_round(struct compiler *c, uint32_t round)
 {
-    for (uint32_t i = 0; i < c->resource_count; i++) {
+    uint32_t count = c->persistent_count ? c->resource_count : c->end_count;
+    for (uint32_t i = 0; i < count; i++) {
         const struct resource *r = &c->resources[i];
         bool output = r->output != RG_NONE;
         if (!output && !r->persistent)
@@ -27,55 +28,52 @@ static void begin_round(struct compiler *c, uint32_t round)
 }
 
 /* Whether later passes or outputs want any of what this access leaves. */
-static bool is_wanted(const struct resource *r, const struct access *access)
+static bool is_wanted(const struct compiler *c, const struct access *access)
 {
-    if (access->whole)
-        return r->cells->wanted;
+    if (access->cell)
+        return access->cell->wanted;
     bool any = false;
-    for (struct cell_walk w = rg_walk(r, access); rg_walk_next(&w);)
+    for (struct cell_walk w = rg_walk(&c->resources[access->resource], access); rg_walk_next(&w);)
         any = any || w.cell->wanted;
     return any;
 }
 
-static void mark(const struct resource *r, const struct access *access, bool value)
+static void mark(const struct compiler *c, const struct access *access, bool value)
 {
-    if (access->whole) {
-        r->cells->wanted = value;
+    if (access->cell) {
+        access->cell->wanted = value;
         return;
     }
-    for (struct cell_walk w = rg_walk(r, access); rg_walk_next(&w);)
+    for (struct cell_walk w = rg_walk(&c->resources[access->resource], access); rg_walk_next(&w);)
         w.cell->wanted = value;
 }
 
 static bool is_alive(struct compiler *c, const struct pass *pass)
 {
     bool alive = false;
-    for (uint32_t i = 0; i < pass->access_count; i++) {
-        struct access *a = &c->accesses[pass->first_access + i];
+    struct access *end = &c->accesses[pass->first_access + pass->access_count];
+    for (struct access *a = &c->accesses[pass->first_access]; a < end; a++) {
         if (!(a->flags & ACCESS_WRITES_CONTENT))
             continue;
-        bool needed = is_wanted(&c->resources[a->resource], a);
-        a->flags = (uint8_t)(needed ? a->flags | ACCESS_NEEDED : a->flags & ~ACCESS_NEEDED);
+        bool needed = is_wanted(c, a);
+        a->flags = (uint16_t)(needed ? a->flags | ACCESS_NEEDED : a->flags & ~ACCESS_NEEDED);
         alive = alive || needed;
     }
     return alive;
 }
 
+/* What one access of a pass overwrites no other one of it reads. */
 static void cull_pass(struct compiler *c, struct pass *pass)
 {
-    const struct access *accesses = &c->accesses[pass->first_access];
     pass->alive = is_alive(c, pass);
     if (!pass->alive)
         return;
     c->alive_access_count += pass->access_count;
     c->plan->pass_count++;
-    for (uint32_t i = 0; i < pass->access_count; i++) {
-        if (accesses[i].flags & ACCESS_OVERWRITES)
-            mark(&c->resources[accesses[i].resource], &accesses[i], false);
-    }
-    for (uint32_t i = 0; i < pass->access_count; i++) {
-        if (accesses[i].flags & ACCESS_READS_CONTENT)
-            mark(&c->resources[accesses[i].resource], &accesses[i], true);
+    const struct access *end = &c->accesses[pass->first_access + pass->access_count];
+    for (const struct access *a = &c->accesses[pass->first_access]; a < end; a++) {
+        if (a->flags & (ACCESS_OVERWRITES | ACCESS_READS_CONTENT))
+            mark(c, a, a->flags & ACCESS_READS_CONTENT);
     }
 }
 

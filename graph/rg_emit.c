@@ -58,39 +58,18 @@ static void begin_pass(const struct compiler *c, const struct pass *pass, struct
     out->first_use = c->plan->use_count;
 }
 
-/*
- * Barriers of memory that is used for the first time come last: if the pass needs a new batch
- * anyway, they lie in it, and the memory changes hands as late as it can.
- */
-static void sync_pass(struct sync *sync, const struct pass *pass, uint32_t index)
-{
-    struct compiler *c = sync->c;
-    uint32_t first_uses = 0;
-    for (uint32_t i = 0; i < pass->access_count; i++) {
-        const struct access *a = &c->accesses[pass->first_access + i];
-        if (c->resources[a->resource].first == index)
-            first_uses++;
-        else
-            rg_sync_access(sync, a, index);
-    }
-    for (uint32_t i = 0; i < pass->access_count && first_uses; i++) {
-        const struct access *a = &c->accesses[pass->first_access + i];
-        if (c->resources[a->resource].first == index)
-            rg_sync_access(sync, a, index);
-    }
-}
-
 static void emit_pass(struct sync *sync, const struct pass *pass, struct rg_plan_use *uses,
                       uint32_t index)
 {
     struct compiler *c = sync->c;
     struct rg_plan_pass *out = &sync->passes[index];
+    struct rg_plan_use *use = &uses[c->plan->use_count];
+    const struct access *a = &c->accesses[pass->first_access];
     begin_pass(c, pass, out);
-    sync_pass(sync, pass, index);
-    for (uint32_t i = 0; i < pass->access_count; i++) {
-        const struct access *a = &c->accesses[pass->first_access + i];
+    rg_sync_pass(sync, pass, index);
+    for (const struct access *end = a + pass->access_count; a < end; a++) {
         if (a->access > RG_RESOLVE)
-            add_use(c, a, &uses[c->plan->use_count++]);
+            add_use(c, a, use++);
         else if (a->access == RG_COLOR)
             out->color[out->color_count++] = plan_target(c, a);
         else if (a->access == RG_RESOLVE)
@@ -98,7 +77,8 @@ static void emit_pass(struct sync *sync, const struct pass *pass, struct rg_plan
         else
             out->depth = plan_target(c, a);
     }
-    out->use_count = c->plan->use_count - out->first_use;
+    out->use_count = (uint32_t)(use - uses) - out->first_use;
+    c->plan->use_count += out->use_count;
 }
 
 static void list_culled(struct compiler *c)

@@ -14,17 +14,12 @@ struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg
         flags |= ACCESS_WRITES_CONTENT;
     return (struct access){
         .resource = resource,
-        .access = (uint8_t)access,
-        .flags = (uint8_t)flags,
-        .whole = r->cell_count == 1,
+        .access = (uint16_t)access,
+        .flags = (uint16_t)flags,
+        .cell = r->cell_count == 1 ? r->cells : NULL,
         .visibility = rg_visibility(access, stages),
         .layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED,
         .stages = stages,
-        .range = { r->aspects, 0, r->mips, 0, r->layers },
+        .range = r->all,
     };
-}
-
-VkAccessFlags2 rg_access_reads(const struct access *a)
-{
-    return a->flags & ACCESS_READS ? rg_access_table[a->access].reads : VK_ACCESS_2_NONE;
 }

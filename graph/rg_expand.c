@@ -4,24 +4,18 @@
  */
 #include "graph/rg_internal.h"
 
-static const VkPipelineStageFlags2 shader_stages[] = {
-    [RG_RASTER] = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-    [RG_COMPUTE] = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-    [RG_TRANSFER] = VK_PIPELINE_STAGE_2_NONE,
-};
-
 /* The pass being made. */
 struct expansion {
     struct compiler *c;
     struct pass *pass;
-    struct place place;
+    const struct place *place;
     uint32_t target_samples; /* 0: no target yet */
 };
 
 static void fault(const struct expansion *e, enum rg_error error, const struct resource *r,
                   const char *hint)
 {
-    struct place place = e->place;
+    struct place place = *e->place;
     place.resource = rg_resource_name(r);
     rg_fault_add(e->c, error, place, hint);
 }
@@ -41,8 +35,8 @@ enum {
 };
 
 /* The access is c->accesses[c->access_count]. Returns what is wrong. */
-static unsigned enter_cell(struct compiler *c, const struct pass *pass, struct cell *cell,
-                           const struct access *a)
+static inline unsigned enter_cell(struct compiler *c, const struct pass *pass, struct cell *cell,
+                                  const struct access *a)
 {
     unsigned found = 0;
     uint32_t last = cell->last_access;
@@ -75,39 +69,49 @@ static void report(const struct expansion *e, const struct resource *r, unsigned
 
 static bool in_range(const struct resource *r, const VkImageSubresourceRange *range)
 {
-    return range->aspectMask && !(range->aspectMask & ~r->aspects) && range->levelCount &&
-           range->layerCount && range->baseMipLevel < r->mips &&
-           range->levelCount <= r->mips - range->baseMipLevel &&
-           range->baseArrayLayer < r->layers &&
-           range->layerCount <= r->layers - range->baseArrayLayer;
+    return range->aspectMask && !(range->aspectMask & ~r->all.aspectMask) && range->levelCount &&
+           range->layerCount && range->baseMipLevel < r->all.levelCount &&
+           range->levelCount <= r->all.levelCount - range->baseMipLevel &&
+           range->baseArrayLayer < r->all.layerCount &&
+           range->layerCount <= r->all.layerCount - range->baseArrayLayer;
 }
 
-/* Appends an access to the pass, unless its range is a fault. */
+/* The next access, which does not count before keep_access(); NULL: memory is short. */
+static struct access *next_access(struct compiler *c)
+{
+    return ARENA_ROOM(c->arena, c->accesses, c->access_count, c->access_room, 256)
+               ? &c->accesses[c->access_count]
+               : NULL;
+}
+
+static inline void keep_access(struct expansion *e, const struct resource *r, unsigned found,
+                               const char *unfilled_hint)
+{
+    if (found)
+        report(e, r, found, unfilled_hint);
+    e->c->access_count++;
+    e->pass->access_count++;
+}
+
+/* Appends the access to the pass, unless its range is a fault. */
 static void add_access(struct expansion *e, struct access *a, const char *unfilled_hint)
 {
-    struct compiler *c = e->c;
-    const struct resource *r = &c->resources[a->resource];
-    a->whole = r->cell_count == 1;
+    const struct resource *r = &e->c->resources[a->resource];
+    VkImageAspectFlags aspects = a->range.aspectMask;
+    unsigned found = 0;
     if (r->image && !in_range(r, &a->range)) {
         fault(e, RG_ERROR_RANGE, r, "name a mip, layer and aspect that the image has");
         return;
     }
-    VkImageAspectFlags aspects = a->range.aspectMask;
     if ((aspects & (aspects - 1)) && rg_is_shader_access(a->access))
         fault(e, RG_ERROR_RANGE, r, "a shader sees one aspect: name depth or stencil");
-    if (!ARENA_ROOM(c->arena, c->accesses, c->access_count, c->access_room, 256))
-        return;
-    unsigned found = 0;
-    if (a->whole) {
-        found = enter_cell(c, e->pass, r->cells, a);
-    } else {
+    a->cell = r->cell_count == 1 ? r->cells : NULL;
+    if (a->cell)
+        found = enter_cell(e->c, e->pass, a->cell, a);
+    else
         for (struct cell_walk w = rg_walk(r, a); rg_walk_next(&w);)
-            found |= enter_cell(c, e->pass, w.cell, a);
-    }
-    if (found)
-        report(e, r, found, unfilled_hint);
-    c->accesses[c->access_count++] = *a;
-    e->pass->access_count++;
+            found |= enter_cell(e->c, e->pass, w.cell, a);
+    keep_access(e, r, found, unfilled_hint);
 }
 
 /* ---- targets ---- */
@@ -134,9 +138,9 @@ static void check_target(struct expansion *e, const struct rg_target *target,
     const struct rg_pass *rg = e->pass->rg;
     bool is_depth = target == &rg->depth;
     uint32_t samples = r->image->samples ? r->image->samples : 1;
-    if (mip < r->mips)
+    if (mip < r->all.levelCount)
         check_extent(e, r, mip);
-    if (!(r->aspects & VK_IMAGE_ASPECT_COLOR_BIT) != is_depth)
+    if (!(r->all.aspectMask & VK_IMAGE_ASPECT_COLOR_BIT) != is_depth)
         fault(e, RG_ERROR_FORMAT, r,
               is_depth ? "a depth target needs a depth format"
                        : "a colour target needs a colour format");
@@ -153,21 +157,22 @@ static void check_target(struct expansion *e, const struct rg_target *target,
 static VkImageSubresourceRange target_range(const struct pass *pass, const struct resource *r,
                                             uint32_t mip, uint32_t layer)
 {
-    if (pass->rg->repeat == RG_PER_LAYER && r->layers > 1)
+    if (pass->rg->repeat == RG_PER_LAYER && r->all.layerCount > 1)
         layer += pass->repetition;
-    if (pass->rg->repeat == RG_PER_MIP && r->mips > 1)
+    if (pass->rg->repeat == RG_PER_MIP && r->all.levelCount > 1)
         mip += pass->repetition;
-    return (VkImageSubresourceRange){ r->aspects, mip, 1, layer, 1 };
+    return (VkImageSubresourceRange){ r->all.aspectMask, mip, 1, layer, 1 };
 }
 
 static void add_resolve(struct expansion *e, const struct rg_target *target)
 {
     const struct rg_access_info *info = &rg_access_table[RG_RESOLVE];
     uint32_t index = rg_resource_of(e->c, target->resolve, NULL);
-    if (index == RG_NONE)
+    struct access *a = next_access(e->c);
+    if (index == RG_NONE || !a)
         return;
     const struct resource *r = &e->c->resources[index];
-    struct access access = {
+    *a = (struct access){
         .resource = index,
         .access = RG_RESOLVE,
         .flags =
@@ -183,8 +188,8 @@ static void add_resolve(struct expansion *e, const struct rg_target *target)
         fault(e, RG_ERROR_SAMPLES, r, "resolve from an image of several samples a texel");
     if (r->image->format != target->image->format)
         fault(e, RG_ERROR_FORMAT, r, "resolve to an image of the same format");
-    check_extent(e, r, access.range.baseMipLevel);
-    add_access(e, &access, NULL);
+    check_extent(e, r, a->range.baseMipLevel);
+    add_access(e, a, NULL);
 }
 
 static void add_target(struct expansion *e, const struct rg_target *target)
@@ -195,7 +200,8 @@ static void add_target(struct expansion *e, const struct rg_target *target)
                                                 : RG_DEPTH;
     const struct rg_access_info *info = &rg_access_table[kind];
     uint32_t index = rg_resource_of(e->c, target->image, NULL);
-    if (index == RG_NONE)
+    struct access *a = next_access(e->c);
+    if (index == RG_NONE || !a)
         return;
     const struct resource *r = &e->c->resources[index];
     bool keeps = target->load == RG_LOAD_KEEP;
@@ -206,18 +212,18 @@ static void add_target(struct expansion *e, const struct rg_target *target)
         flags |= ACCESS_READS_CONTENT;
     if (info->writes_content)
         flags |= ACCESS_WRITES_CONTENT | (keeps || rg->when ? 0 : ACCESS_OVERWRITES);
-    struct access access = {
+    *a = (struct access){
         .resource = index,
-        .access = (uint8_t)kind,
-        .flags = (uint8_t)flags,
+        .access = (uint16_t)kind,
+        .flags = (uint16_t)flags,
         .visibility = kind == RG_DEPTH_READ ? rg_visibility(kind, info->stages) : 0,
         .layout = info->layout,
         .stages = info->stages,
         .declared = target,
         .range = target_range(e->pass, r, target->mip, target->layer),
     };
-    check_target(e, target, r, access.range.baseMipLevel);
-    add_access(e, &access, "clear it, or put the pass that fills it before this one");
+    check_target(e, target, r, a->range.baseMipLevel);
+    add_access(e, a, "clear it, or put the pass that fills it before this one");
     if (target->resolve && target != &rg->depth)
         add_resolve(e, target);
 }
@@ -228,7 +234,7 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
                                          const struct pass *pass)
 {
     VkImageSubresourceRange out = {
-        .aspectMask = range->aspect ? range->aspect : r->aspects,
+        .aspectMask = range->aspect ? range->aspect : r->all.aspectMask,
         .baseMipLevel = range->mip,
         .levelCount = range->mip_count,
         .baseArrayLayer = range->layer,
@@ -241,83 +247,110 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
         out.baseMipLevel += pass->repetition;
         out.levelCount = 1;
     }
-    if (!out.levelCount && out.baseMipLevel < r->mips)
-        out.levelCount = r->mips - out.baseMipLevel;
-    if (!out.layerCount && out.baseArrayLayer < r->layers)
-        out.layerCount = r->layers - out.baseArrayLayer;
+    if (!out.levelCount && out.baseMipLevel < r->all.levelCount)
+        out.levelCount = r->all.levelCount - out.baseMipLevel;
+    if (!out.layerCount && out.baseArrayLayer < r->all.layerCount)
+        out.layerCount = r->all.layerCount - out.baseArrayLayer;
     return out;
 }
 
-static VkPipelineStageFlags2 use_stages(const struct rg_pass *rg, const struct rg_use *use,
-                                        const struct rg_access_info *info)
+static bool is_all(const struct rg_range *range)
 {
-    if (info->stages)
-        return info->stages;
-    if (use->stages)
-        return use->stages;
-    VkPipelineStageFlags2 stages = shader_stages[rg_kind_of(rg)];
-    if (use->access == RG_UNIFORM && rg->kind == RG_RASTER)
-        stages |= VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT;
-    return stages;
+    return !(range->aspect | range->mip | range->mip_count | range->layer | range->layer_count) &&
+           !range->each;
 }
 
-static void add_use(struct expansion *e, const struct rg_use *use)
+/* What a use says beyond its image or buffer, access and binding. */
+static void refine_use(const struct expansion *e, const struct rg_use *use, struct access *a)
 {
-    const struct rg_pass *rg = e->pass->rg;
-    const struct rg_access_info *info = &rg_access_table[use->access];
-    uint32_t index = rg_resource_of(e->c, use->image, use->buffer);
-    if (index == RG_NONE)
-        return;
-    const struct resource *r = &e->c->resources[index];
-    unsigned flags = (info->reads ? ACCESS_READS : 0) | (rg->when ? ACCESS_CONDITIONAL : 0);
-    if (info->reads_content)
-        flags |= ACCESS_READS_CONTENT;
-    if (info->writes_content)
-        flags |= ACCESS_WRITES_CONTENT;
-    if (info->writes_content && !info->reads_content && !use->partial && !rg->when)
-        flags |= ACCESS_OVERWRITES;
-    struct access access = {
-        .resource = index,
-        .access = (uint8_t)use->access,
-        .flags = (uint8_t)flags,
-        .stages = use_stages(rg, use, info),
-        .declared = use,
-    };
-    if (!info->writes_content)
-        access.visibility = rg_visibility(use->access, access.stages);
-    if (r->image) {
-        access.layout = info->layout;
-        access.range = use_range(r, &use->range, e->pass);
+    if (use->stages && !rg_access_table[use->access].stages) {
+        a->stages = use->stages;
+        if (!(a->flags & ACCESS_WRITES_CONTENT))
+            a->visibility = rg_visibility(use->access, use->stages);
     }
-    add_access(e, &access, "put the pass that writes it before this one, or import it");
+    if (use->partial || e->pass->rg->when)
+        a->flags &= (uint16_t)~ACCESS_OVERWRITES;
+    if (e->pass->rg->when)
+        a->flags |= ACCESS_CONDITIONAL;
+}
+
+static void add_use(struct expansion *e, const struct meaning *m, const struct rg_use *use)
+{
+    static const char hint[] = "put the pass that writes it before this one, or import it";
+    struct compiler *c = e->c;
+    uint32_t index = rg_resource_of(c, use->image, use->buffer);
+    struct access *a = next_access(c);
+    if (index == RG_NONE || !a)
+        return;
+    const struct resource *r = &c->resources[index];
+    bool all = is_all(&use->range);
+    *a = m->access;
+    a->resource = index;
+    a->range = r->all;
+    a->declared = use;
+    a->cell = r->cells;
+    if (!r->image)
+        a->layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    else if (!all)
+        a->range = use_range(r, &use->range, e->pass);
+    refine_use(e, use, a);
+    if (all && r->cell_count == 1) /* nothing can be wrong with its range */
+        keep_access(e, r, enter_cell(c, e->pass, a->cell, a), hint);
+    else
+        add_access(e, a, hint);
 }
 
 /* ---- rows ---- */
 
-static void add_pass(struct compiler *c, struct place place, uint32_t technique,
+/* Returns false if rg_check_uses() has to look at them. */
+static bool add_uses(struct expansion *e)
+{
+    struct compiler *c = e->c;
+    const struct rg_pass *rg = e->pass->rg;
+    enum rg_kind kind = rg_kind_of(rg);
+    unsigned flags = rg_draws(rg) ? ACCESS_WRITES_CONTENT : 0;
+    uint64_t bindings = 0; /* a bit each; of those beyond 63 nothing is known */
+    bool fine = true;
+    for (const struct rg_use *use = rg->uses; use && rg_is_use(use); use++) {
+        if (!rg_is_good_use(use)) {
+            fine = false;
+            continue;
+        }
+        const struct meaning *m = rg_meaning(c, kind, use->access);
+        if (rg_is_shader_access(use->access)) {
+            fine = fine && use->binding < 64 && !(bindings >> use->binding & 1);
+            bindings |= UINT64_C(1) << (use->binding & 63);
+        }
+        fine = fine && rg_is_fine_use(use, m);
+        flags |= m->access.flags;
+        add_use(e, m, use);
+    }
+    return fine && (flags & ACCESS_WRITES_CONTENT);
+}
+
+/* The same. */
+static bool add_pass(struct compiler *c, const struct place *place, uint32_t technique,
                      uint32_t repetition)
 {
-    const struct rg_pass *rg = &place.technique->passes[place.row];
+    const struct rg_pass *rg = &place->technique->passes[place->row];
     if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, 64))
-        return;
-    c->passes[c->pass_count] = (struct pass){
+        return false;
+    struct expansion e = { .c = c, .pass = &c->passes[c->pass_count], .place = place };
+    *e.pass = (struct pass){
         .technique = technique,
-        .row = place.row,
+        .row = place->row,
         .repetition = repetition,
         .rg = rg,
         .extent = c->params->view,
         .first_access = c->access_count,
     };
-    struct expansion e = { .c = c, .pass = &c->passes[c->pass_count], .place = place };
     for (size_t i = 0; i < RG_COLOR_COUNT && rg->color[i].image; i++)
         add_target(&e, &rg->color[i]);
     if (rg->depth.image)
         add_target(&e, &rg->depth);
-    for (const struct rg_use *use = rg->uses; use && rg_is_use(use); use++) {
-        if (rg_is_good_use(use))
-            add_use(&e, use);
-    }
+    bool fine = add_uses(&e);
     c->pass_count++;
+    return fine;
 }
 
 /* The layers or mips of a row's first image written, from the first one named; at least 1, so that
@@ -340,38 +373,49 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
         return 0;
     const struct resource *r = &c->resources[index];
     if (pass->repeat == RG_PER_LAYER)
-        return r->layers > layer ? r->layers - layer : 1;
-    return r->mips > mip ? r->mips - mip : 1;
+        return r->all.layerCount > layer ? r->all.layerCount - layer : 1;
+    return r->all.levelCount > mip ? r->all.levelCount - mip : 1;
 }
 
-static void expand_row(struct compiler *c, struct place place, uint32_t technique)
+/* Faults of uses by themselves come before those of what they do together with others. */
+static void expand_row(struct compiler *c, const struct place *place, uint32_t technique)
 {
-    const struct rg_pass *rg = &place.technique->passes[place.row];
+    const struct rg_pass *rg = &place->technique->passes[place->row];
+    uint32_t first_fault = c->fault_count;
     uint32_t count = rg->repeat == RG_ONCE ? 1 : repetition_count(c, rg);
+    bool fine = count;
     if (!count)
-        rg_fault_add(c, RG_ERROR_REPEAT, place,
+        rg_fault_add(c, RG_ERROR_REPEAT, *place,
                      "a repeated row writes an image, whose layers or mips it counts");
     for (uint32_t i = 0; i < count && !c->arena->failed; i++)
-        add_pass(c, place, technique, i);
+        fine = add_pass(c, place, technique, i) && fine;
+    uint32_t later_fault = c->fault_count;
+    if (!fine) {
+        rg_check_uses(c, rg, place);
+        rg_fault_reorder(c, first_fault, later_fault);
+    }
+}
+
+static void expand_technique(struct compiler *c, const struct rg_technique *technique,
+                             uint32_t index)
+{
+    if (!technique->name)
+        rg_fault_add(c, RG_ERROR_NO_NAME, (struct place){ technique, RG_NONE, NULL },
+                     "give the technique a name");
+    for (uint32_t p = 0; p < technique->pass_count && !c->arena->failed; p++) {
+        const struct place place = { technique, p, NULL };
+        c->row_first_fault = c->fault_count;
+        rg_check_row(c, &technique->passes[p], &place);
+        expand_row(c, &place, index);
+    }
 }
 
 void rg_expand(struct compiler *c)
 {
-    const struct rg_compile_params *params = c->params;
-    for (uint32_t t = 0; t < params->technique_count; t++) {
-        const struct rg_technique *technique = params->techniques[t];
-        if (!technique->name)
-            rg_fault_add(c, RG_ERROR_NO_NAME, (struct place){ technique, RG_NONE, NULL },
-                         "give the technique a name");
-        for (uint32_t p = 0; p < technique->pass_count && !c->arena->failed; p++) {
-            const struct place place = { technique, p, NULL };
-            c->row_first_fault = c->fault_count;
-            rg_check_row(c, &technique->passes[p], place);
-            expand_row(c, place, t);
-        }
-    }
+    for (uint32_t t = 0; t < c->params->technique_count; t++)
+        expand_technique(c, c->params->techniques[t], t);
     c->row_first_fault = c->fault_count;
-    for (uint32_t i = 0; i < c->resource_count; i++) {
+    for (uint32_t i = 0; i < c->end_count; i++) {
         const struct resource *r = &c->resources[i];
         bool complete = true;
         for (uint32_t k = 0; k < r->cell_count && r->output != RG_NONE; k++)

@@ -1,4 +1,5 @@
 /* rg_fault.c: the list of faults, and a fault as one line of text. */
+#include <string.h>
 #include "graph/rg_internal.h"
 
 static const char *const messages[RG_ERROR_COUNT] = {
@@ -79,4 +80,15 @@ void rg_fault_add(struct compiler *c, enum rg_error error, struct place place, c
         .row = place.row,
         .hint = hint,
     };
+}
+
+void rg_fault_reorder(struct compiler *c, uint32_t first, uint32_t later)
+{
+    uint32_t count = later - first;
+    struct rg_fault *moved = ARENA_ARRAY(c->arena, struct rg_fault, count);
+    if (!moved || !count)
+        return;
+    memcpy(moved, &c->faults[first], count * sizeof(*moved));
+    memmove(&c->faults[first], &c->faults[later], (c->fault_count - later) * sizeof(*moved));
+    memcpy(&c->faults[c->fault_count - count], moved, count * sizeof(*moved));
 }

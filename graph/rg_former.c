@@ -1,116 +1,183 @@
 /*
  * rg_former.c: who used a resource's memory before it.
  *
- * A list of the block's bytes says who has them at some time of the frame, and who had them last.
- * Everybody there came before in the frame before, the resource itself among them. That somebody
- * in between has waited for them does not count: a barrier is about the memory of its image.
+ * Whoever has some of an item's bytes in a frame came before it in the frame before, the item
+ * itself among them. That somebody in between has waited for them does not count: a barrier is
+ * about the memory of its image.
  */
 #include <string.h>
 #include "graph/rg_internal.h"
 
-/* With more of either, barriers wait for more than they must, and the cost stays linear. */
+/* With more of any, barriers wait for more than they must, or as early as they may not need to; the
+ * cost stays linear. */
 enum {
-    SEGMENTS = 256, /* resources count as lying on whole segments that they only touch */
-    CLASSES = 32,   /* all further classes are one */
+    SEGMENTS = 256, /* items count as lying on whole segments that they only touch */
+    CLASSES = 16,   /* all further classes are one */
+    SPANS = 64,     /* of a class: it counts as having what lies between two of them */
 };
 
-/* Bytes from `begin` up to where the next segment begins. */
-struct segment {
-    VkDeviceSize begin;
-    uint32_t classes; /* of all who have them, a bit each */
-    uint32_t end;     /* the first pass after whoever had them last */
+struct span {
+    VkDeviceSize begin, end;
+};
+
+/* ---- what they leave ---- */
+
+/* Items that leave the same behind. */
+struct class
+{
+    struct former left;
+    uint32_t count;
+    struct span spans[SPANS]; /* of bytes that they have, rising; none touches the next */
 };
 
 struct owners {
-    struct segment segments[SEGMENTS]; /* rising; the first one begins at 0 */
+    struct class classes[CLASSES];
     uint32_t count;
-    struct former classes[CLASSES]; /* of items that leave the same behind */
-    uint32_t class_count;
 };
 
-/* The last segment that begins at or before an offset. */
-static uint32_t segment_at(const struct owners *o, VkDeviceSize offset)
+static struct class *find_class(struct owners *o, const struct former *left)
 {
-    const struct segment *base = o->segments;
-    for (uint32_t count = o->count; count > 1;) {
-        uint32_t half = count / 2;
-        base = base[half].begin <= offset ? base + half : base;
-        count -= half;
+    for (uint32_t i = 0; i < o->count; i++) {
+        if (o->classes[i].left.stages == left->stages && o->classes[i].left.writes == left->writes)
+            return &o->classes[i];
     }
-    return (uint32_t)(base - o->segments);
+    if (o->count == CLASSES) {
+        struct class *last = &o->classes[CLASSES - 1];
+        last->left.stages |= left->stages;
+        last->left.writes |= left->writes;
+        return last;
+    }
+    struct class *new = &o->classes[o->count++];
+    new->left = *left;
+    new->count = 0;
+    return new;
 }
 
-/* Index of the segment that begins at an offset; if there is no room for it, of the one that holds
- * it. */
-static uint32_t split(struct owners *o, VkDeviceSize offset)
+static void add_span(struct class *c, struct span span)
 {
-    uint32_t i = segment_at(o, offset);
-    if (o->segments[i].begin == offset || o->count == SEGMENTS)
-        return i;
-    memmove(&o->segments[i + 1], &o->segments[i], (o->count - i) * sizeof(*o->segments));
-    o->count++;
-    o->segments[i + 1].begin = offset;
-    return i + 1;
+    uint32_t first = 0;
+    while (first < c->count && c->spans[first].end < span.begin)
+        first++;
+    uint32_t end = first;
+    while (end < c->count && c->spans[end].begin <= span.end)
+        end++;
+    if (first == end && c->count == SPANS) {
+        first -= first == SPANS;
+        end = first + 1;
+    }
+    if (first == end) {
+        memmove(&c->spans[first + 1], &c->spans[first], (c->count - first) * sizeof(span));
+        c->spans[first] = span;
+        c->count++;
+        return;
+    }
+    struct span *joined = &c->spans[first];
+    joined->end = c->spans[end - 1].end < span.end ? span.end : c->spans[end - 1].end;
+    joined->begin = span.begin < joined->begin ? span.begin : joined->begin;
+    if (first + 1 < end)
+        memmove(joined + 1, &c->spans[end], (c->count - end) * sizeof(span));
+    c->count -= end - first - 1;
 }
 
-static uint32_t class_bit(struct owners *o, const struct former *left)
+static bool has_any(const struct class *c, struct span span)
 {
     uint32_t i = 0;
-    while (i < o->class_count &&
-           (o->classes[i].stages != left->stages || o->classes[i].writes != left->writes))
+    while (i < c->count && c->spans[i].end <= span.begin)
         i++;
-    if (i == CLASSES) {
-        o->classes[--i].stages |= left->stages;
-        o->classes[i].writes |= left->writes;
-    } else if (i == o->class_count) {
-        o->classes[o->class_count++] = *left;
-    }
-    return UINT32_C(1) << i;
+    return i < c->count && c->spans[i].begin < span.end;
 }
 
-/* Puts an item on its bytes; notes which pass of this frame they were used in before. */
-static void put(struct owners *o, struct pack_item *item, const struct former *left)
-{
-    uint32_t first = split(o, item->offset);
-    uint32_t bit = class_bit(o, left);
-    uint32_t last = item->last + 1;
-    uint32_t end = 0;
-    VkDeviceSize stop = item->offset + item->size;
-    split(o, stop);
-    for (struct segment *s = &o->segments[first]; s < &o->segments[o->count] && s->begin < stop;
-         s++) {
-        end = end < s->end ? s->end : end;
-        s->end = s->end < last ? last : s->end;
-        s->classes |= bit;
-    }
-    item->former_end = end < item->first ? end : item->first; /* a neighbour may live longer */
-}
-
-static void get(const struct owners *o, struct pack_item *item)
-{
-    uint32_t classes = 0;
-    VkDeviceSize stop = item->offset + item->size;
-    for (const struct segment *s = &o->segments[segment_at(o, item->offset)];
-         s < &o->segments[o->count] && s->begin < stop; s++)
-        classes |= s->classes;
-    item->former_stages = item->former_writes = 0;
-    for (uint32_t i = 0; classes; i++, classes >>= 1) {
-        item->former_stages |= classes & 1 ? o->classes[i].stages : 0;
-        item->former_writes |= classes & 1 ? o->classes[i].writes : 0;
-    }
-}
-
-void rg_former(struct arena *arena, struct pack_item *items, const struct former *left,
-               uint32_t count)
+void rg_former_left(struct arena *arena, const struct pack_item *items, struct former *formers,
+                    uint32_t count)
 {
     struct owners *owners = ARENA_ARRAY(arena, struct owners, 1);
     if (!owners)
         return;
-    owners->segments[0] = (struct segment){ 0 };
-    owners->count = 1;
-    owners->class_count = 0;
+    owners->count = 0;
     for (uint32_t i = 0; i < count; i++)
-        put(owners, &items[i], &left[i]);
+        add_span(find_class(owners, &formers[i]),
+                 (struct span){ items[i].offset, items[i].offset + items[i].size });
+    for (uint32_t i = 0; i < count && owners->count > 1; i++) {
+        const struct span span = { items[i].offset, items[i].offset + items[i].size };
+        formers[i].stages = formers[i].writes = 0;
+        for (uint32_t k = 0; k < owners->count; k++) {
+            const struct class *c = &owners->classes[k];
+            bool any = has_any(c, span);
+            formers[i].stages |= any ? c->left.stages : 0;
+            formers[i].writes |= any ? c->left.writes : 0;
+        }
+    }
+}
+
+/* ---- when they are over ---- */
+
+/* Bytes from `begin` up to where the next segment begins. */
+struct segment {
+    VkDeviceSize begin;
+    uint32_t end;  /* the first pass after whoever had them last */
+    uint32_t next; /* 0: none */
+};
+
+struct segments {
+    struct segment items[SEGMENTS];
+    uint8_t rising[SEGMENTS]; /* of their indices; the first one begins at 0 */
+    uint32_t count;
+};
+
+/* Where in `rising` the last segment is that begins at or before an offset. */
+static uint32_t find(const struct segments *s, VkDeviceSize offset)
+{
+    const uint8_t *base = s->rising;
+    for (uint32_t count = s->count; count > 1;) {
+        uint32_t half = count / 2;
+        base = s->items[base[half]].begin <= offset ? base + half : base;
+        count -= half;
+    }
+    return (uint32_t)(base - s->rising);
+}
+
+/* Makes another segment of what lies behind an offset in that of `rising[i]`. */
+static void split(struct segments *s, uint32_t i, VkDeviceSize offset)
+{
+    struct segment *split = &s->items[s->rising[i]];
+    memmove(&s->rising[i + 2], &s->rising[i + 1], s->count - i - 1);
+    s->items[s->count] = *split;
+    s->items[s->count].begin = offset;
+    split->next = s->count;
+    s->rising[i + 1] = (uint8_t)s->count++;
+}
+
+/* Puts an item on its bytes; returns from when on nobody has had them. */
+static uint32_t put(struct segments *s, const struct pack_item *item)
+{
+    uint32_t i = find(s, item->offset);
+    if (s->items[s->rising[i]].begin != item->offset && s->count < SEGMENTS)
+        split(s, i++, item->offset);
+    uint32_t last = item->last + 1;
+    uint32_t end = 0;
+    VkDeviceSize stop = item->offset + item->size;
+    for (uint32_t next = s->rising[i];; i++) {
+        struct segment *at = &s->items[next];
+        if ((!at->next || s->items[at->next].begin > stop) && s->count < SEGMENTS)
+            split(s, i, stop);
+        end = end < at->end ? at->end : end;
+        at->end = at->end < last ? last : at->end;
+        next = at->next;
+        if (!next || s->items[next].begin >= stop)
+            break;
+    }
+    return end < item->first ? end : item->first; /* a neighbour may live longer */
+}
+
+void rg_former_ends(struct arena *arena, const struct pack_item *items, struct former *formers,
+                    uint32_t count)
+{
+    struct segments *segments = ARENA_ARRAY(arena, struct segments, 1);
+    if (!segments)
+        return;
+    segments->items[0] = (struct segment){ 0 };
+    segments->rising[0] = 0;
+    segments->count = 1;
     for (uint32_t i = 0; i < count; i++)
-        get(owners, &items[i]);
+        formers[i].end = put(segments, &items[i]);
 }

@@ -31,14 +31,16 @@ void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size);
 #define ARENA_ARRAY(arena, type, count)  ((type *)rg_arena_alloc((arena), (count), sizeof(type)))
 #define ARENA_ZEROED(arena, type, count) ((type *)rg_arena_zeroed((arena), (count), sizeof(type)))
 
-/* A larger copy of a full array of *room elements: doubled, at least `least`. */
-void *rg_arena_grow(struct arena *arena, const void *array, uint32_t *room, uint32_t least,
+/* A larger copy of a full array of *room elements: doubled, at least `least`. The array itself when
+ * memory is short. */
+void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t least,
                     size_t element_size);
 
 /* Room for one more element at array[count]; false when memory is short. */
 #define ARENA_ROOM(arena, array, count, room, least) \
     ((count) < (room) || \
-     ((array) = rg_arena_grow((arena), (array), &(room), (least), sizeof(*(array)))) != NULL)
+     ((array) = rg_arena_grow((arena), (array), &(room), (least), sizeof(*(array))), \
+      !(arena)->failed))
 
 /* ---- what the tables say ---- */
 
@@ -75,13 +77,14 @@ struct resource {
     const struct rg_buffer *buffer;
     struct cell *cells;
     uint32_t cell_count;
-    uint32_t layers, mips;
-    VkImageAspectFlags aspects; /* 0 for buffers */
+    VkImageSubresourceRange all; /* of an image */
     VkExtent2D extent;
-    VkDeviceSize size; /* of a buffer, as declared; or RG_SIZE_OVERFLOW */
-    uint32_t import;   /* index into the params' imports, or RG_NONE */
-    uint32_t output;   /* index into the params' outputs, or RG_NONE */
+    const struct rg_format_info *format; /* NULL: unknown, or a buffer */
+    VkDeviceSize size;                   /* of a buffer, as declared; or RG_SIZE_OVERFLOW */
+    uint32_t import;                     /* index into the params' imports, or RG_NONE */
+    uint32_t output;                     /* index into the params' outputs, or RG_NONE */
     bool persistent;
+    bool shared; /* transient, in a block */
     /* of the living passes: */
     uint32_t first, last;  /* plan passes; first RG_NONE: unused */
     VkFlags usage;         /* VkImageUsageFlags or VkBufferUsageFlags */
@@ -101,14 +104,14 @@ enum {
 
 struct access {
     uint32_t resource;
-    uint8_t access; /* enum rg_access */
-    uint8_t flags;
-    bool whole;          /* its range is all of a resource of one cell */
+    uint16_t access; /* enum rg_access; no character type, which might alias everything */
+    uint16_t flags;
     uint32_t visibility; /* that it needs (rg_visibility) */
     VkImageLayout layout;
-    VkPipelineStageFlags2 stages;
-    const void *declared;          /* const struct rg_use or rg_target */
     VkImageSubresourceRange range; /* images */
+    VkPipelineStageFlags2 stages;
+    const void *declared; /* const struct rg_use or rg_target */
+    struct cell *cell;    /* the only one; NULL: the resource has several (rg_walk) */
 };
 
 struct pass {
@@ -141,18 +144,30 @@ struct name_map {
     uint32_t count, room;
 };
 
+/* What an access means as a use of a kind of pass, as long as the use says nothing special. */
+struct meaning {
+    struct access access;         /* of no resource yet */
+    bool fits;                    /* the kind of pass */
+    bool image, buffer;           /* fits, and either can be used so */
+    VkPipelineStageFlags2 stages; /* that a use may name */
+};
+
 /* A transient resource that shares memory; in the order of first use. */
 struct pack_item {
-    VkDeviceSize size, alignment;
-    uint32_t first, last; /* passes between which the memory is taken; both included */
+    VkDeviceSize size, alignment; /* a power of two */
     VkDeviceSize offset;
+    uint32_t first, last; /* passes between which the memory is taken; both included */
+    uint32_t first_use;   /* pass; not before `first` */
     uint32_t resource;
     uint32_t type_bits;
     bool buffer;
-    /* who used the memory before it, in this frame or the one before: */
-    VkPipelineStageFlags2 former_stages;
-    VkAccessFlags2 former_writes; /* not yet available */
-    uint32_t former_end;          /* the first pass of this frame after them; 0: none in this one */
+};
+
+/* Who had the memory of an item before it, in this frame or the one before. */
+struct former {
+    VkPipelineStageFlags2 stages;
+    VkAccessFlags2 writes; /* not yet available */
+    uint32_t end;          /* the first pass of this frame after them; 0: none in this one */
 };
 
 /* A barrier that waits for whoever had the memory before. */
@@ -166,6 +181,9 @@ struct compiler {
     struct arena *arena;
     struct resource *resources;
     uint32_t resource_count, resource_room;
+    uint32_t end_count; /* of the first resources: imports and outputs are among them */
+    struct cell *spare; /* for resources of one cell */
+    uint32_t spare_count;
     uint32_t persistent_count;
     struct resource_map map;
     struct name_map names;
@@ -177,10 +195,13 @@ struct compiler {
     struct rg_plan_image *images;   /* the plan's, still to be written */
     struct rg_plan_buffer *buffers; /* the same */
     struct pack_item *items;
+    struct former *formers; /* of the items */
     uint32_t item_count;
     struct rg_fault *faults;
     uint32_t fault_count, fault_room;
-    uint32_t row_first_fault; /* of the row being looked at */
+    uint32_t row_first_fault;                    /* of the row being looked at */
+    struct meaning (*meanings)[RG_ACCESS_COUNT]; /* by enum rg_kind */
+    uint32_t known[RG_TRANSFER + 1];             /* a bit each, of those filled in so far */
 };
 
 /* ---- rg_fault.c ---- */
@@ -188,7 +209,10 @@ struct compiler {
 /* Faults of one row that are told already are left out. */
 void rg_fault_add(struct compiler *c, enum rg_error error, struct place place, const char *hint);
 
-/* ---- rg_name.c: faults of names that come twice, among resources and among passes ---- */
+/* Brings the faults from `later` on before those from `first` on. */
+void rg_fault_reorder(struct compiler *c, uint32_t first, uint32_t later);
+
+/* ---- rg_name.c: names that come twice, among resources and among passes ---- */
 
 enum name_kind {
     NAME_RESOURCE,
@@ -198,7 +222,10 @@ enum name_kind {
 /* Room for about so many. */
 void rg_name_expect(struct compiler *c, uint32_t count);
 
-void rg_name_add(struct compiler *c, enum name_kind kind, const char *name, struct place place);
+/* False if there was one of this name; else adds it. */
+bool rg_name_is_new(struct compiler *c, enum name_kind kind, const char *name);
+
+#define RG_HINT_NAME "give each a name of its own"
 
 /* ---- rg_resource.c ---- */
 
@@ -208,10 +235,29 @@ void rg_resource_expect(struct compiler *c, uint32_t count);
 /* The import and output lists; faults of them. */
 void rg_add_ends(struct compiler *c);
 
-/* Index of the resource, which is added, checked and sized when it is new. Not to be kept across
- * calls as a pointer. RG_NONE: memory is short. */
-uint32_t rg_resource_of(struct compiler *c, const struct rg_image *image,
-                        const struct rg_buffer *buffer);
+/* Adds a resource, which is checked and sized; RG_NONE: memory is short. `slot` is its own. */
+uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
+                         const struct rg_buffer *buffer, const struct rg_import *import,
+                         uint32_t *slot);
+
+/* Where in the map a resource is, or would be. */
+static inline uint32_t *rg_resource_slot(const struct compiler *c, const void *address)
+{
+    uint64_t hash = (uint64_t)(uintptr_t)address * UINT64_C(0x9e3779b97f4a7c15);
+    uint32_t i = (uint32_t)(hash >> 32) & c->map.mask;
+    while (c->map.slots[i] && c->resources[c->map.slots[i] - 1].address != address)
+        i = (i + 1) & c->map.mask;
+    return &c->map.slots[i];
+}
+
+/* Index of the resource, which is added when it is new. Not to be kept across calls as a pointer.
+ * RG_NONE: memory is short. */
+static inline uint32_t rg_resource_of(struct compiler *c, const struct rg_image *image,
+                                      const struct rg_buffer *buffer)
+{
+    uint32_t *slot = rg_resource_slot(c, image ? (const void *)image : (const void *)buffer);
+    return *slot ? *slot - 1 : rg_resource_add(c, image, buffer, NULL, slot);
+}
 
 const char *rg_resource_name(const struct resource *r); /* "?" if it has none */
 
@@ -227,9 +273,6 @@ static inline bool rg_is_good_use(const struct rg_use *use)
     return !use->image != !use->buffer && use->access > RG_ACCESS_NONE &&
            use->access < RG_ACCESS_COUNT;
 }
-
-/* Whether it is transient and lies in a block. */
-bool rg_is_shared(const struct resource *r);
 
 /* ---- rg_walk.c: the cells of an access ---- */
 
@@ -250,7 +293,29 @@ bool rg_walk_next(struct cell_walk *walk);
 void rg_check_params(struct compiler *c);
 void rg_check_output_memory(struct compiler *c, const struct resource *r);
 void rg_check_resource(struct compiler *c, struct resource *r);
-void rg_check_row(struct compiler *c, const struct rg_pass *pass, struct place place);
+void rg_check_row(struct compiler *c, const struct rg_pass *pass, const struct place *place);
+
+/* The rest of it: faults of its uses, and that neither these nor its targets write. Not needed if
+ * rg_is_fine_use() holds for all of them, their bindings differ and something is written. */
+void rg_check_uses(struct compiler *c, const struct rg_pass *pass, const struct place *place);
+
+/* Whether a good use cannot have faults, as the most cannot. */
+static inline bool rg_is_fine_use(const struct rg_use *use, const struct meaning *m)
+{
+    if (use->stages & ~m->stages)
+        return false;
+    if (use->image)
+        return m->image && use->image->samples <= 1;
+    return m->buffer &&
+           (use->buffer->memory != RG_MEMORY_UPLOAD || !(m->access.flags & ACCESS_WRITES_CONTENT));
+}
+
+/* Whether targets are written, or the lack of them is another fault. */
+static inline bool rg_draws(const struct rg_pass *pass)
+{
+    return pass->kind == RG_RASTER &&
+           (pass->color[0].image || !pass->depth.image || !pass->depth_read_only);
+}
 
 /* The row's kind; a wild value counts as compute. */
 static inline enum rg_kind rg_kind_of(const struct rg_pass *pass)
@@ -277,6 +342,20 @@ uint32_t rg_visibility(enum rg_access access, VkPipelineStageFlags2 stages);
 
 #define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
 
+/* Of a valid access. */
+void rg_meaning_learn(struct meaning *m, enum rg_kind kind, enum rg_access access);
+
+static inline const struct meaning *rg_meaning(struct compiler *c, enum rg_kind kind,
+                                               enum rg_access access)
+{
+    struct meaning *m = &c->meanings[kind][access];
+    if (!(c->known[kind] >> access & 1)) {
+        rg_meaning_learn(m, kind, access);
+        c->known[kind] |= UINT32_C(1) << access;
+    }
+    return m;
+}
+
 /* ---- rg_cull.c: which passes live ---- */
 
 void rg_cull(struct compiler *c);
@@ -300,8 +379,8 @@ struct sync {
 
 void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes);
 
-/* Adds the barriers that an access of the plan's pass `pass` needs. */
-void rg_sync_access(struct sync *sync, const struct access *access, uint32_t pass);
+/* Adds the barriers that the plan's pass `index` needs. */
+void rg_sync_pass(struct sync *sync, const struct pass *pass, uint32_t index);
 
 /* The barriers after the last pass, and before the first frame. */
 void rg_sync_end(struct sync *sync);
@@ -309,13 +388,7 @@ void rg_sync_end(struct sync *sync);
 /* Once it is known who had which memory before: what the first barriers wait for. */
 void rg_sync_takeovers(struct sync *sync);
 
-/* ---- rg_state.c: what a cell needs before an access, and what it leaves ---- */
-
-/* Fills `b` but for resource and range, and *release: the first pass before which it may lie.
- * False if nothing is needed. */
-bool rg_state_decide(const struct cell *s, const struct access *a, struct rg_barrier *b,
-                     uint32_t *release);
-void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass, bool made_visible);
+/* ---- rg_state.c; rg_state.h has the rest of it ---- */
 
 /* Every cell as the frame finds it. */
 void rg_state_begin(struct compiler *c);
@@ -323,7 +396,11 @@ void rg_state_begin(struct compiler *c);
 /* ---- rg_end.c: what is done to a whole resource outside the frame ---- */
 
 struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg_access access);
-VkAccessFlags2 rg_access_reads(const struct access *a);
+
+static inline VkAccessFlags2 rg_access_reads(const struct access *a)
+{
+    return a->flags & ACCESS_READS ? rg_access_table[a->access].reads : VK_ACCESS_2_NONE;
+}
 
 /* All shader stages that the graph knows: those of imports and outputs. */
 #define RG_ANY_SHADER \
@@ -339,8 +416,11 @@ void rg_emit(struct compiler *c, struct sync *sync);
 /* Before or after the barriers are known (enum rg_sharing). */
 void rg_place(struct compiler *c);
 
-/* Who had the memory before, after rg_place(). `stages`: also what they did last in a frame. */
-void rg_place_formers(struct compiler *c, bool stages);
+/* After rg_place(): when those who had the memory before are over. */
+void rg_place_ends(struct compiler *c);
+
+/* After rg_place(), and when what cells are left in is known: what those leave behind. */
+void rg_place_left(struct compiler *c);
 
 /* ---- rg_pack.c ---- */
 
@@ -348,25 +428,21 @@ struct pack_result {
     VkDeviceSize size;  /* bytes of the block */
     VkDeviceSize apart; /* if nothing were shared */
     VkDeviceSize bound; /* no packing can be smaller */
+    VkDeviceSize least; /* the same if items took their memory at the first use */
 };
 
 /* Fills the items' offsets. */
 struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
                            bool apart);
 
-/* Most bytes that lie between `first` and `last` of some items at once. */
-VkDeviceSize rg_pack_bound(struct arena *arena, const struct pack_item *items, uint32_t count);
+/* ---- rg_former.c: who had the memory of the items of a block, in the order of first use ---- */
 
-/* ---- rg_former.c ---- */
+/* `end` of each former. */
+void rg_former_ends(struct arena *arena, const struct pack_item *items, struct former *formers,
+                    uint32_t count);
 
-/* What an item leaves behind when the frame is over. */
-struct former {
-    VkPipelineStageFlags2 stages;
-    VkAccessFlags2 writes;
-};
-
-/* Fills former_* of the placed items of a block, given in the order of first use. */
-void rg_former(struct arena *arena, struct pack_item *items, const struct former *left,
-               uint32_t count);
+/* Replaces what each item leaves behind when the frame is over by what it finds. */
+void rg_former_left(struct arena *arena, const struct pack_item *items, struct former *formers,
+                    uint32_t count);
 
 #endif

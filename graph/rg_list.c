@@ -50,13 +50,13 @@ static void check_format(struct compiler *c, const struct pass *pass, const stru
 }
 
 /* Numbers a resource when the first living pass names it. */
-static void meet(struct compiler *c, struct resource *r, uint32_t pass)
+static inline void meet(struct compiler *c, struct resource *r, uint32_t pass)
 {
     r->first = pass;
     r->plan_index = r->image ? c->plan->image_count++ : c->plan->buffer_count++;
     if (r->persistent)
         r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    else if (rg_is_shared(r))
+    else if (r->shared)
         r->item = c->item_count++;
 }
 
@@ -64,17 +64,18 @@ static void follow_pass(struct compiler *c, const struct pass *pass, uint32_t in
 {
     const struct rg_device *device = c->params->device;
     bool asks = device && device->format_features;
+    struct resource *resources = c->resources;
+    const struct access *a = &c->accesses[pass->first_access];
     if (!pass->repetition)
         c->row_first_fault = c->fault_count;
-    for (uint32_t i = 0; i < pass->access_count; i++) {
-        const struct access *access = &c->accesses[pass->first_access + i];
-        struct resource *r = &c->resources[access->resource];
+    for (const struct access *end = a + pass->access_count; a < end; a++) {
+        struct resource *r = &resources[a->resource];
         if (r->first == RG_NONE)
             meet(c, r, index);
         r->last = index;
-        r->usage |= usage_of(r, access->access);
+        r->usage |= usage_of(r, a->access);
         if (asks && r->image)
-            check_format(c, pass, access);
+            check_format(c, pass, a);
     }
 }
 
@@ -94,24 +95,24 @@ static void follow_outputs(struct compiler *c)
 /* ---- the lists ---- */
 
 /* Without a device: tight sizes, so that plans are the same everywhere. */
-static struct rg_memory_need estimate_image(const struct rg_plan_image *image)
+static struct rg_memory_need estimate_image(const struct rg_plan_image *image, uint32_t texel_size)
 {
-    const struct rg_format_info *format = rg_format_info(image->image->format);
-    VkDeviceSize texels = 0;
-    for (uint32_t mip = 0; mip < image->mips; mip++) {
+    VkDeviceSize texels = (VkDeviceSize)image->extent.width * image->extent.height;
+    for (uint32_t mip = 1; mip < image->mips; mip++) {
         VkDeviceSize width = image->extent.width >> mip;
         VkDeviceSize height = image->extent.height >> mip;
         texels += (width ? width : 1) * (height ? height : 1);
     }
     texels *= (VkDeviceSize)image->layers * image->samples;
-    return (struct rg_memory_need){ texels * format->size, 256, 1 };
+    return (struct rg_memory_need){ texels * texel_size, 256, 1 };
 }
 
-static struct rg_memory_need image_need(const struct compiler *c, const struct rg_plan_image *image)
+static struct rg_memory_need image_need(const struct compiler *c, const struct resource *r,
+                                        const struct rg_plan_image *image)
 {
     const struct rg_device *device = c->params->device;
     if (!device || !device->image_memory)
-        return estimate_image(image);
+        return estimate_image(image, r->format->size);
     const VkImageCreateInfo info = rg_image_create_info(image);
     return device->image_memory(device->user, &info);
 }
@@ -144,7 +145,7 @@ static void check_samples(struct compiler *c, const struct rg_plan_image *image)
 }
 
 /* An item to be placed, or memory of its own. */
-static void need_memory(struct compiler *c, uint32_t resource, struct rg_memory_need need)
+static inline void need_memory(struct compiler *c, uint32_t resource, struct rg_memory_need need)
 {
     const struct resource *r = &c->resources[resource];
     if (r->item == RG_NONE) {
@@ -156,6 +157,7 @@ static void need_memory(struct compiler *c, uint32_t resource, struct rg_memory_
         .alignment = need.alignment ? need.alignment : 1,
         .first = r->first,
         .last = r->last,
+        .first_use = r->first,
         .resource = resource,
         .type_bits = need.type_bits,
         .buffer = !r->image,
@@ -168,9 +170,9 @@ static void list_image(struct compiler *c, uint32_t resource, struct rg_plan_ima
     *image = (struct rg_plan_image){
         .image = r->image,
         .extent = r->extent,
-        .layers = r->layers,
-        .mips = r->mips,
-        .aspects = r->aspects,
+        .layers = r->all.layerCount,
+        .mips = r->all.levelCount,
+        .aspects = r->all.aspectMask,
         .usage = r->usage,
         .flags = r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
         .samples = r->image->samples ? r->image->samples : 1,
@@ -184,7 +186,7 @@ static void list_image(struct compiler *c, uint32_t resource, struct rg_plan_ima
     if (image->imported)
         return;
     check_samples(c, image);
-    const struct rg_memory_need need = image_need(c, image);
+    const struct rg_memory_need need = image_need(c, r, image);
     image->size = need.size;
     need_memory(c, resource, need);
 }

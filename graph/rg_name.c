@@ -11,13 +11,13 @@ struct name_slot {
 static uint32_t hash_of(enum name_kind kind, const char *text)
 {
     uint32_t hash = UINT32_C(2166136261) ^ (uint32_t)kind;
-    for (; *text; text++)
-        hash = (hash ^ (unsigned char)*text) * UINT32_C(16777619);
+    for (unsigned char c = (unsigned char)*text; c; c = (unsigned char)*++text)
+        hash = (hash ^ c) * UINT32_C(16777619);
     return hash;
 }
 
 /* Where a name is, or would be. */
-static struct name_slot *slot_of(const struct name_map *map, uint32_t hash, const char *text)
+static inline struct name_slot *slot_of(const struct name_map *map, uint32_t hash, const char *text)
 {
     uint32_t i = (hash ^ hash >> 15) & map->mask;
     while (map->slots[i].index &&
@@ -49,18 +49,17 @@ void rg_name_expect(struct compiler *c, uint32_t count)
     grow(c->arena, &c->names, count);
 }
 
-void rg_name_add(struct compiler *c, enum name_kind kind, const char *name, struct place place)
+bool rg_name_is_new(struct compiler *c, enum name_kind kind, const char *name)
 {
     struct name_map *map = &c->names;
     if ((map->count >= map->mask / 2 && !grow(c->arena, map, map->count)) ||
         !ARENA_ROOM(c->arena, map->names, map->count, map->room, 64))
-        return;
+        return true;
     uint32_t hash = hash_of(kind, name);
     struct name_slot *slot = slot_of(map, hash, name);
-    if (slot->index) {
-        rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, place, "give each a name of its own");
-        return;
-    }
+    if (slot->index)
+        return false;
     map->names[map->count++] = name;
     *slot = (struct name_slot){ hash, map->count };
+    return true;
 }

@@ -2,117 +2,281 @@
  * rg_pack.c: where resources lie in a block, those that live at the same time apart.
  *
  * An instance of dynamic storage allocation, which is NP-hard; several greedy rules are tried and
- * the smallest block wins. Each puts resources one after another, in some order, into a gap that
- * is free for their whole life: the lowest that fits, or the tightest.
+ * the smallest block wins. Each puts resources one after another, in some order, into the lowest
+ * gap that is free for their whole life, until it has met the bound or lost.
  */
-#include <stdlib.h>
 #include <string.h>
 #include "graph/rg_internal.h"
 
-/* Beyond this many resources only time order is tried: the others look at every pair. */
 enum {
-    MANY = 512
+    MANY = 512,        /* resources beyond which only the first rules are tried, */
+    RULES_OF_MANY = 2, /* so many, */
+    LONG_LIFE = 32,    /* and only time order if they live longer, in moments and on average */
 };
 
-typedef int compare_fn(const void *a, const void *b);
-
-static int by_time(const struct pack_item *a, const struct pack_item *b)
-{
-    if (a->first != b->first)
-        return a->first < b->first ? -1 : 1;
-    return a < b ? -1 : a > b; /* as listed */
-}
-
-static int compare_size(const void *a, const void *b)
-{
-    const struct pack_item *x = *(const struct pack_item *const *)a;
-    const struct pack_item *y = *(const struct pack_item *const *)b;
-    if (x->size != y->size)
-        return x->size > y->size ? -1 : 1;
-    return by_time(x, y);
-}
-
-static int compare_life(const void *a, const void *b)
-{
-    const struct pack_item *x = *(const struct pack_item *const *)a;
-    const struct pack_item *y = *(const struct pack_item *const *)b;
-    if (x->last - x->first != y->last - y->first)
-        return x->last - x->first > y->last - y->first ? -1 : 1;
-    return compare_size(a, b);
-}
-
-static int compare_area(const void *a, const void *b)
-{
-    const struct pack_item *x = *(const struct pack_item *const *)a;
-    const struct pack_item *y = *(const struct pack_item *const *)b;
-    double p = (double)x->size * (double)(x->last - x->first + 1);
-    double q = (double)y->size * (double)(y->last - y->first + 1);
-    if (p != q)
-        return p > q ? -1 : 1;
-    return by_time(x, y);
-}
-
+/* In falling order of size and life, each to a power, multiplied. */
 static const struct rule {
-    compare_fn *order;
-    bool tightest; /* gap; else the lowest */
+    unsigned size_power, life_power;
 } rules[] = {
-    { compare_size, true },
-    { compare_area, false },
-    { compare_life, false },
-    { compare_size, false },
+    { 4, 1 },
+    { 1, 0 },
+    { 1, 1 },
+    { 0, 1 },
+};
+
+enum {
+    RULE_COUNT = sizeof(rules) / sizeof(rules[0])
+};
+
+/* Bytes that are taken. */
+struct span {
+    VkDeviceSize begin, end;
+};
+
+/*
+ * A moment is a pass at which some item begins. What lives together lives together at the moment
+ * when the later one begins, so no other passes count.
+ */
+struct moment {
+    VkDeviceSize floor; /* all below is taken */
+    struct span *spans; /* that are taken above, rising; none touches another or the floor */
+    uint32_t count;
+    uint32_t alive; /* items: no more spans than these */
+};
+
+struct packing {
+    const struct pack_item *items; /* in the order of first use */
+    uint32_t count;
+    uint32_t end;             /* the last pass of all */
+    struct moment *moments;   /* in the order of time */
+    uint32_t *first, *last;   /* of each item: moments of its life */
+    VkDeviceSize *offsets;    /* of each item, by the rule at work */
+    uint64_t *order, *merged; /* scratch */
 };
 
 static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)
 {
-    return alignment ? (value + alignment - 1) / alignment * alignment : value;
+    return (value + alignment - 1) & ~(alignment - 1);
 }
 
-static bool live_together(const struct pack_item *a, const struct pack_item *b)
-{
-    return a->first <= b->last && b->first <= a->last;
-}
+/* ---- moments ---- */
 
-/* A free offset for an item among those placed, which are sorted by offset. */
-static VkDeviceSize find_gap(const struct pack_item *item, struct pack_item *const *placed,
-                             uint32_t count, bool tightest)
+/* Returns how many moments the items live, all together. */
+static uint64_t find_moments(struct packing *p, uint32_t *begun)
 {
-    VkDeviceSize end = 0; /* of everything so far that lives with the item */
-    VkDeviceSize best = 0;
-    VkDeviceSize best_room = UINT64_MAX;
-    for (size_t i = 0; i < count; i++) {
-        if (!live_together(item, placed[i]))
-            continue;
-        VkDeviceSize start = align_up(end, item->alignment);
-        if (placed[i]->offset >= start && placed[i]->offset - start >= item->size &&
-            placed[i]->offset - end < best_room) {
-            best = start;
-            best_room = placed[i]->offset - end;
-            if (!tightest)
-                return best;
-        }
-        if (end < placed[i]->offset + placed[i]->size)
-            end = placed[i]->offset + placed[i]->size;
+    uint32_t moment = RG_NONE;
+    uint64_t lived = 0;
+    for (uint32_t i = 0; i < p->count; i++) {
+        uint32_t first = p->items[i].first;
+        if (!begun[first])
+            p->moments[++moment] = (struct moment){ 0 };
+        begun[first] = moment + 1;
+        p->first[i] = moment;
     }
-    return best_room < UINT64_MAX ? best : align_up(end, item->alignment);
+    for (uint32_t pass = 1; pass <= p->end; pass++)
+        begun[pass] = begun[pass] ? begun[pass] : begun[pass - 1];
+    for (uint32_t i = 0; i < p->count; i++) {
+        p->last[i] = begun[p->items[i].last] - 1;
+        lived += p->last[i] - p->first[i] + 1;
+    }
+    return lived;
 }
 
-/* Places all items by a rule; returns the size of the block. */
-static VkDeviceSize apply_rule(const struct rule *rule, struct pack_item **order,
-                               struct pack_item **placed, uint32_t count)
+/* Room for the spans of each moment. */
+static void share_spans(const struct packing *p, struct span *spans)
+{
+    for (uint32_t i = 0; i < p->count; i++) {
+        for (uint32_t m = p->first[i]; m <= p->last[i]; m++)
+            p->moments[m].alive++;
+    }
+    for (uint32_t m = 0; m <= p->first[p->count - 1]; m++) {
+        p->moments[m].spans = spans;
+        spans += p->moments[m].alive;
+    }
+}
+
+/* False: too much lives too long to look at every moment of it, or memory is short. */
+static bool begin_rules(struct arena *arena, struct packing *p)
+{
+    uint32_t *begun = ARENA_ZEROED(arena, uint32_t, (size_t)p->end + 1); /* moments, to a pass */
+    p->moments = ARENA_ARRAY(arena, struct moment, p->count);
+    p->first = ARENA_ARRAY(arena, uint32_t, p->count);
+    p->last = ARENA_ARRAY(arena, uint32_t, p->count);
+    if (arena->failed)
+        return false;
+    uint64_t lived = find_moments(p, begun);
+    if (lived > MANY * MANY / 2 + (uint64_t)p->count * LONG_LIFE)
+        return false;
+    struct span *spans = ARENA_ARRAY(arena, struct span, lived);
+    p->offsets = ARENA_ARRAY(arena, VkDeviceSize, p->count);
+    p->order = ARENA_ARRAY(arena, uint64_t, p->count + 3); /* a multiple of four */
+    p->merged = ARENA_ARRAY(arena, uint64_t, p->count + 3);
+    if (!arena->failed)
+        share_spans(p, spans);
+    return !arena->failed;
+}
+
+/* ---- the order of a rule; without branches that nobody could foresee ---- */
+
+/* The upper half of the product as a double, whose bits rise with it, and the item, inverted. */
+static uint64_t sort_key(const struct rule *rule, const struct pack_item *item, uint32_t index)
+{
+    double product = rule->life_power ? (double)(item->last - item->first + 1) : 1;
+    uint64_t bits;
+    for (unsigned i = 0; i < rule->size_power; i++)
+        product *= (double)item->size;
+    memcpy(&bits, &product, sizeof(bits));
+    return (bits & ~(uint64_t)UINT32_MAX) | (UINT32_MAX - index);
+}
+
+/* The larger one first. */
+static void sort_two(uint64_t *a, uint64_t *b)
+{
+    uint64_t x = *a;
+    uint64_t y = *b;
+    *a = x > y ? x : y;
+    *b = x > y ? y : x;
+}
+
+static void sort_four(uint64_t keys[4])
+{
+    sort_two(&keys[0], &keys[1]);
+    sort_two(&keys[2], &keys[3]);
+    sort_two(&keys[0], &keys[2]);
+    sort_two(&keys[1], &keys[3]);
+    sort_two(&keys[1], &keys[2]);
+}
+
+static void merge(const uint64_t *a, uint32_t a_count, const uint64_t *b, uint32_t b_count,
+                  uint64_t *out)
+{
+    const uint64_t *a_end = a + a_count;
+    const uint64_t *b_end = b + b_count;
+    while (a < a_end && b < b_end) {
+        bool left = *a > *b;
+        *out++ = left ? *a : *b;
+        a += left;
+        b += !left;
+    }
+    memcpy(out, a, (size_t)(a_end - a) * sizeof(*a));
+    memcpy(out + (a_end - a), b, (size_t)(b_end - b) * sizeof(*b));
+}
+
+/* Fills p->order. */
+static void sort(struct packing *p, const struct rule *rule)
+{
+    uint32_t count = p->count;
+    for (uint32_t i = 0; i < count; i++)
+        p->order[i] = sort_key(rule, &p->items[i], i);
+    for (uint32_t i = count; i % 4; i++)
+        p->order[i] = 0; /* the last ones, so that all are fours */
+    for (uint32_t i = 0; i < count; i += 4)
+        sort_four(&p->order[i]);
+    for (uint32_t width = 4; width < count; width *= 2) {
+        uint64_t *from = p->order;
+        for (uint32_t i = 0; i < count; i += 2 * width) {
+            uint32_t left = count - i < width ? count - i : width;
+            uint32_t right = count - i - left < width ? count - i - left : width;
+            merge(from + i, left, from + i + left, right, p->merged + i);
+        }
+        p->order = p->merged;
+        p->merged = from;
+    }
+}
+
+/* ---- rules ---- */
+
+static void remove_span(struct moment *m, struct span *span)
+{
+    m->count--;
+    for (const struct span *end = m->spans + m->count; span < end; span++)
+        *span = span[1];
+}
+
+static void add_span(struct moment *m, struct span span)
+{
+    struct span *s = m->spans;
+    struct span *end = m->spans + m->count;
+    while (s < end && s->end < span.begin)
+        s++;
+    if (s < end && s->end == span.begin) {
+        s->end = span.end;
+        if (s + 1 < end && s[1].begin == span.end) {
+            s->end = s[1].end;
+            remove_span(m, s + 1);
+        }
+    } else if (s < end && s->begin == span.end) {
+        s->begin = span.begin;
+    } else {
+        for (; end > s; end--)
+            *end = end[-1];
+        *s = span;
+        m->count++;
+    }
+}
+
+static inline void take(struct moment *m, struct span span)
+{
+    if (span.begin != m->floor) {
+        add_span(m, span);
+        return;
+    }
+    m->floor = span.end;
+    if (m->count && m->spans->begin == span.end) {
+        m->floor = m->spans->end;
+        remove_span(m, m->spans);
+    }
+}
+
+/* The lowest offset from `begin` on that is free at a moment. */
+static inline VkDeviceSize rise(const struct moment *m, const struct pack_item *item,
+                                VkDeviceSize begin)
+{
+    const struct span *end = m->spans + m->count;
+    for (const struct span *s = m->spans; s < end && s->begin < begin + item->size; s++) {
+        if (s->end > begin)
+            begin = align_up(s->end, item->alignment);
+    }
+    return begin;
+}
+
+/* Returns the lowest offset that is free in the life of an item, which it takes. */
+static VkDeviceSize place(const struct packing *p, uint32_t index)
+{
+    const struct pack_item *item = &p->items[index];
+    struct moment *first = &p->moments[p->first[index]];
+    struct moment *last = &p->moments[p->last[index]];
+    uint32_t life = p->last[index] - p->first[index] + 1;
+    VkDeviceSize begin = 0;
+    for (const struct moment *m = first; m <= last; m++)
+        begin = begin < m->floor ? m->floor : begin;
+    begin = align_up(begin, item->alignment);
+    const struct moment *m = first; /* in circles, until no other one raises it */
+    for (uint32_t left = life; left > 0; left--) {
+        VkDeviceSize before = begin;
+        begin = rise(m, item, begin);
+        left = begin == before ? left : life;
+        m = m == last ? first : m + 1;
+    }
+    for (struct moment *taken = first; taken <= last; taken++)
+        take(taken, (struct span){ begin, begin + item->size });
+    return begin;
+}
+
+/* Returns the size of the block, or UINT64_MAX if it is not below `limit`. */
+static VkDeviceSize apply_rule(struct packing *p, const struct rule *rule, VkDeviceSize limit)
 {
     VkDeviceSize size = 0;
-    qsort(order, count, sizeof(struct pack_item *), rule->order);
-    for (uint32_t i = 0; i < count; i++) {
-        struct pack_item *item = order[i];
-        item->offset = find_gap(item, placed, i, rule->tightest);
-        uint32_t k = i;
-        for (; k > 0 && placed[k - 1]->offset > item->offset; k--)
-            placed[k] = placed[k - 1];
-        placed[k] = item;
-        if (size < item->offset + item->size)
-            size = item->offset + item->size;
+    sort(p, rule);
+    for (uint32_t m = 0; m <= p->first[p->count - 1]; m++)
+        p->moments[m].floor = p->moments[m].count = 0;
+    for (uint32_t i = 0; i < p->count && size < limit; i++) {
+        uint32_t index = UINT32_MAX - (uint32_t)p->order[i];
+        p->offsets[index] = place(p, index);
+        if (size < p->offsets[index] + p->items[index].size)
+            size = p->offsets[index] + p->items[index].size;
     }
-    return size;
+    return size < limit ? size : UINT64_MAX;
 }
 
 /* ---- time order, with the holes that are free at the moment ---- */
@@ -140,7 +304,7 @@ static void insert_hole(struct holes *holes, size_t i, struct hole hole)
 }
 
 /* The lowest fit. Splits the hole in what lies before and what lies after. */
-static VkDeviceSize take(struct holes *holes, const struct pack_item *item)
+static VkDeviceSize take_hole(struct holes *holes, const struct pack_item *item)
 {
     size_t i = 0;
     VkDeviceSize start;
@@ -197,7 +361,7 @@ static VkDeviceSize apply_time_order(struct arena *arena, struct pack_item *item
             for (uint32_t dead = dying[now]; dead; dead = next[dead - 1])
                 give_back(&holes, &items[dead - 1]);
         }
-        item->offset = take(&holes, item);
+        item->offset = take_hole(&holes, item);
         next[i] = dying[item->last];
         dying[item->last] = i + 1;
         if (size < item->offset + item->size)
@@ -208,64 +372,65 @@ static VkDeviceSize apply_time_order(struct arena *arena, struct pack_item *item
 
 /* ---- the best of all ---- */
 
-static VkDeviceSize pack_apart(struct pack_item *items, uint32_t count)
+/* More bytes than in the pass before; less may wrap. */
+struct growth {
+    VkDeviceSize taken, used;
+};
+
+/* The most bytes that are taken at once, now and if items took them at their first use. */
+static void find_bounds(struct arena *arena, const struct packing *p, struct pack_result *result)
 {
-    VkDeviceSize size = 0;
-    for (size_t i = 0; i < count; i++) {
-        items[i].offset = align_up(size, items[i].alignment);
-        size = items[i].offset + items[i].size;
+    struct growth *growth = ARENA_ZEROED(arena, struct growth, (size_t)p->end + 2);
+    struct growth live = { 0 };
+    if (!growth)
+        return;
+    for (uint32_t i = 0; i < p->count; i++) {
+        const struct pack_item *item = &p->items[i];
+        growth[item->first].taken += item->size;
+        growth[item->first_use].used += item->size;
+        growth[item->last + 1].taken -= item->size;
+        growth[item->last + 1].used -= item->size;
+    }
+    for (uint32_t pass = 0; pass <= p->end; pass++) {
+        live.taken += growth[pass].taken;
+        live.used += growth[pass].used;
+        result->bound = result->bound < live.taken ? live.taken : result->bound;
+        result->least = result->least < live.used ? live.used : result->least;
+    }
+}
+
+/* Returns the size of the smallest block, below `size`, whose places it fills in; or `size`. */
+static VkDeviceSize apply_rules(struct packing *p, struct pack_item *items, VkDeviceSize size,
+                                VkDeviceSize bound)
+{
+    uint32_t rule_count = p->count > MANY ? RULES_OF_MANY : RULE_COUNT;
+    for (uint32_t r = 0; r < rule_count && size > bound; r++) {
+        VkDeviceSize found = apply_rule(p, &rules[r], size);
+        if (found >= size)
+            continue;
+        size = found;
+        for (uint32_t i = 0; i < p->count; i++)
+            items[i].offset = p->offsets[i];
     }
     return size;
 }
 
-VkDeviceSize rg_pack_bound(struct arena *arena, const struct pack_item *items, uint32_t count)
-{
-    uint32_t end = 0;
-    for (uint32_t i = 0; i < count; i++)
-        end = end < items[i].last ? items[i].last : end;
-    VkDeviceSize *more = ARENA_ZEROED(arena, VkDeviceSize, (size_t)end + 2); /* less may wrap */
-    VkDeviceSize live = 0;
-    VkDeviceSize bound = 0;
-    if (!more)
-        return 0;
-    for (uint32_t i = 0; i < count; i++) {
-        more[items[i].first] += items[i].size;
-        more[items[i].last + 1] -= items[i].size;
-    }
-    for (uint32_t p = 0; p <= end; p++) {
-        live += more[p];
-        bound = bound < live ? live : bound;
-    }
-    return bound;
-}
-
 struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count, bool apart)
 {
-    struct pack_item **order = ARENA_ARRAY(arena, struct pack_item *, count);
-    struct pack_item **placed = ARENA_ARRAY(arena, struct pack_item *, count);
-    VkDeviceSize *best = ARENA_ARRAY(arena, VkDeviceSize, count);
-    struct pack_result result = {
-        .apart = pack_apart(items, count),
-        .bound = rg_pack_bound(arena, items, count),
-    };
+    struct packing p = { .items = items, .count = count };
+    struct pack_result result = { 0 };
+    for (uint32_t i = 0; i < count; i++) {
+        items[i].offset = align_up(result.apart, items[i].alignment);
+        result.apart = items[i].offset + items[i].size;
+        p.end = p.end < items[i].last ? items[i].last : p.end;
+    }
+    find_bounds(arena, &p, &result);
     result.size = result.apart;
-    if (arena->failed || apart)
+    if (arena->failed || apart || result.apart == result.bound)
         return result;
-    for (size_t i = 0; i < count; i++) {
-        order[i] = &items[i];
-        best[i] = items[i].offset;
-    }
-    size_t rule_count = count > MANY ? 0 : sizeof(rules) / sizeof(rules[0]);
-    for (size_t r = 0; r <= rule_count && result.size > result.bound; r++) {
-        VkDeviceSize size = r ? apply_rule(&rules[r - 1], order, placed, count)
-                              : apply_time_order(arena, items, count);
-        if (size >= result.size)
-            continue;
-        result.size = size;
-        for (size_t i = 0; i < count; i++)
-            best[i] = items[i].offset;
-    }
-    for (size_t i = 0; i < count; i++)
-        items[i].offset = best[i];
+    if (begin_rules(arena, &p))
+        result.size = apply_rules(&p, items, result.apart, result.bound);
+    else if (!arena->failed)
+        result.size = apply_time_order(arena, items, count);
     return result;
 }

@@ -55,52 +55,39 @@ static void place_block(struct compiler *c, struct pack_item *items, uint32_t co
     struct rg_plan *plan = c->plan;
     struct pack_result packed =
         rg_pack(c->arena, items, count, c->params->sharing == RG_SHARE_NOTHING);
+    VkDeviceSize alignments = 0; /* powers of two: the highest bit is the largest one */
+    for (uint32_t i = 0; i < count; i++)
+        alignments |= items[i].alignment;
+    while (alignments & (alignments - 1))
+        alignments &= alignments - 1;
     *block = (struct rg_block){
         .size = packed.size,
+        .alignment = alignments,
         .type_bits = items->type_bits,
         .buffers = items->buffer,
     };
-    for (uint32_t i = 0; i < count; i++) {
-        if (block->alignment < items[i].alignment)
-            block->alignment = items[i].alignment;
-    }
     plan->memory_used += packed.size;
     plan->memory_without_aliasing += packed.apart;
     plan->memory_bound += packed.bound;
+    plan->memory_least += packed.least;
     set_places(c, items, count, plan->block_count++);
-}
-
-/* What the bound would be if memory could change hands anywhere. */
-static VkDeviceSize least(struct compiler *c, struct pack_item *items, uint32_t count)
-{
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t first = items[i].first;
-        items[i].first = c->resources[items[i].resource].first;
-        c->resources[items[i].resource].first = first;
-    }
-    VkDeviceSize bound = rg_pack_bound(c->arena, items, count);
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t first = items[i].first;
-        items[i].first = c->resources[items[i].resource].first;
-        c->resources[items[i].resource].first = first;
-    }
-    return bound;
 }
 
 void rg_place(struct compiler *c)
 {
     uint32_t block_room = 0;
     struct rg_block *blocks = NULL;
+    bool moved = false;
     for (uint32_t done = 0; done < c->item_count && !c->arena->failed;) {
         struct pack_item *items = &c->items[done];
         uint32_t count = gather(c, items, c->item_count - done);
         if (!ARENA_ROOM(c->arena, blocks, c->plan->block_count, block_room, 4))
             return;
         place_block(c, items, count, &blocks[c->plan->block_count]);
-        c->plan->memory_least += least(c, items, count);
+        moved = moved || count < c->item_count;
         done += count;
     }
-    for (uint32_t i = 0; i < c->item_count; i++)
+    for (uint32_t i = 0; i < c->item_count && moved; i++)
         c->resources[c->items[i].resource].item = i;
     c->plan->blocks = blocks;
 }
@@ -117,17 +104,36 @@ static struct former left_by(const struct resource *r)
     return left;
 }
 
-void rg_place_formers(struct compiler *c, bool stages)
+typedef void former_fn(struct arena *arena, const struct pack_item *items, struct former *formers,
+                       uint32_t count);
+
+static void each_block(struct compiler *c, former_fn *find)
 {
-    struct former *left = ARENA_ZEROED(c->arena, struct former, c->item_count);
-    for (uint32_t i = 0; i < c->item_count && stages && left; i++)
-        left[i] = left_by(&c->resources[c->items[i].resource]);
     uint32_t done = 0;
-    while (left && done < c->item_count) {
+    while (done < c->item_count) {
         uint32_t count = 1;
         while (done + count < c->item_count && same_kind(&c->items[done], &c->items[done + count]))
             count++;
-        rg_former(c->arena, &c->items[done], &left[done], count);
+        find(c->arena, &c->items[done], &c->formers[done], count);
         done += count;
     }
+}
+
+void rg_place_ends(struct compiler *c)
+{
+    c->formers = ARENA_ARRAY(c->arena, struct former, c->item_count);
+    if (!c->arena->failed)
+        each_block(c, rg_former_ends);
+}
+
+void rg_place_left(struct compiler *c)
+{
+    if (!c->formers)
+        c->formers = ARENA_ARRAY(c->arena, struct former, c->item_count);
+    if (c->arena->failed)
+        return;
+    for (uint32_t i = 0; i < c->item_count; i++)
+        c->formers[i] = left_by(&c->resources[c->items[i].resource]);
+    if (c->params->sharing != RG_SHARE_NOTHING) /* else each follows itself */
+        each_block(c, rg_former_left);
 }

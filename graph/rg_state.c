@@ -10,60 +10,7 @@
  * A frame follows itself on one queue without a pause, so the first use of any memory waits for
  * whoever used it last in the frame before, and for those it is shared with.
  */
-#include "graph/rg_internal.h"
-
-bool rg_state_decide(const struct cell *s, const struct access *a, struct rg_barrier *b,
-                     uint32_t *release)
-{
-    bool moves = s->layout != a->layout;
-    bool writes = a->flags & ACCESS_WRITES_CONTENT;
-    if (!writes && !moves && !(a->visibility & ~s->visible))
-        return false;
-    b->src_stages = s->write_stages;
-    b->src_access = s->write_access;
-    b->dst_stages = a->stages;
-    b->dst_access = rg_access_reads(a) | rg_access_table[a->access].writes;
-    b->old_layout = a->flags & ACCESS_OVERWRITES ? VK_IMAGE_LAYOUT_UNDEFINED : s->layout;
-    b->new_layout = a->layout;
-    *release = s->written;
-    if (writes || moves) {
-        *release = s->touched;
-        b->src_stages |= s->read_stages;
-        /* who read it has waited for the write, and a barrier made the write available then */
-        if (s->read_stages && s->awaited) {
-            b->src_stages = s->read_stages;
-            b->src_access = VK_ACCESS_2_NONE;
-        }
-    }
-    return moves || b->src_stages || s->fresh;
-}
-
-void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass, bool made_visible)
-{
-    bool writes = a->flags & ACCESS_WRITES_CONTENT;
-    s->touched = pass + 1;
-    if (writes || s->layout != a->layout) {
-        s->write_stages = a->stages;
-        s->write_access = rg_access_table[a->access].writes;
-        s->read_stages = VK_PIPELINE_STAGE_2_NONE;
-        s->written = pass + 1;
-        s->first_barrier = s->barrier_end = 0;
-        s->visible = 0;
-        s->awaited = false;
-        s->certain = !(a->flags & ACCESS_CONDITIONAL);
-        s->changed = true;
-        s->layout = a->layout;
-    }
-    s->fresh = false;
-    if (writes)
-        return;
-    s->read_stages |= a->stages;
-    /* the synchronization validation of some releases takes a read only for that in the frame of
-     * the write, and no barrier for one */
-    s->awaited = s->awaited || (s->certain && !(a->flags & ACCESS_CONDITIONAL));
-    if (made_visible)
-        s->visible |= a->visibility & RG_VISIBLE_TO_ALL;
-}
+#include "graph/rg_state.h"
 
 /* As struct rg_import says; nobody knows who else reads it, so a write waits for everything. */
 static struct cell import_state(const struct resource *r, enum rg_access access)
@@ -92,9 +39,9 @@ static struct cell initial_state(const struct compiler *c, const struct resource
 {
     if (r->import != RG_NONE)
         return import_state(r, c->params->imports[r->import].access);
-    struct cell s = { .fresh = rg_is_shared(r) };
+    struct cell s = { .fresh = r->shared };
     if (s.fresh)
-        s.written = s.touched = c->items[r->item].former_end;
+        s.written = s.touched = c->formers ? c->formers[r->item].end : 0;
     if (r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD) /* a submit shows all of it to all */
         s.visible = RG_VISIBLE_TO_ALL;
     return s;

@@ -7,7 +7,7 @@
  * batch if that is not before its release, or else opens one at its deadline. No set of batches
  * for the same order of passes is smaller, and none waits earlier than it has to.
  */
-#include "graph/rg_internal.h"
+#include "graph/rg_state.h"
 
 static void close_batch(struct sync *sync)
 {
@@ -66,33 +66,47 @@ static bool join(struct sync *sync, uint32_t before)
 }
 
 /* Room for the next barrier, which is not there before put() says so. */
-static struct rg_barrier *next_barrier(struct sync *sync)
+static inline struct rg_barrier *next_barrier(struct sync *sync)
 {
     return ARENA_ROOM(sync->c->arena, sync->barriers, sync->barrier_count, sync->barrier_room, 64)
                ? &sync->barriers[sync->barrier_count]
                : NULL;
 }
 
-static void put(struct sync *sync, struct resource *r, const struct cell *cell, uint32_t release,
-                uint32_t deadline)
+/* Notes that the next barrier takes over a resource's memory. */
+static void take_over(struct sync *sync, const struct resource *r)
 {
     struct compiler *c = sync->c;
-    if (sync->batch_position == RG_NONE || release > sync->batch_position) {
-        close_batch(sync);
-        sync->batch_first = sync->barrier_count;
-        sync->batch_position = deadline;
-    }
-    if (cell->fresh) {
-        struct pack_item *item = &c->items[r->item];
-        bool earlier = c->params->sharing == RG_SHARE_FEWEST_BATCHES;
-        if (earlier && item->first > sync->batch_position)
-            item->first = sync->batch_position; /* its memory changes hands here */
-        if (!ARENA_ROOM(c->arena, sync->takeovers, sync->takeover_count, sync->takeover_room, 64))
-            return;
+    struct pack_item *item = &c->items[r->item];
+    bool earlier = c->params->sharing == RG_SHARE_FEWEST_BATCHES;
+    if (earlier && item->first > sync->batch_position)
+        item->first = sync->batch_position; /* its memory changes hands here */
+    if (ARENA_ROOM(c->arena, sync->takeovers, sync->takeover_count, sync->takeover_room, 64))
         sync->takeovers[sync->takeover_count++] =
             (struct takeover){ sync->barrier_count, (uint32_t)(r - c->resources) };
-    }
+}
+
+static void open_batch(struct sync *sync, uint32_t position)
+{
+    close_batch(sync);
+    sync->batch_first = sync->barrier_count;
+    sync->batch_position = position;
+}
+
+static inline void put(struct sync *sync, struct resource *r, const struct cell *cell,
+                       uint32_t release, uint32_t deadline)
+{
+    if (sync->batch_position == RG_NONE || release > sync->batch_position)
+        open_batch(sync, deadline);
+    if (cell->fresh)
+        take_over(sync, r);
     r->last_barrier = sync->barrier_count++;
+}
+
+/* Whether an access could use what an earlier barrier has made visible. */
+static inline bool can_widen(const struct cell *s, const struct access *a)
+{
+    return !(a->flags & ACCESS_WRITES_CONTENT) && s->layout == a->layout;
 }
 
 /*
@@ -102,8 +116,6 @@ static void put(struct sync *sync, struct resource *r, const struct cell *cell, 
 static bool widen(struct sync *sync, const struct cell *s, const struct access *a,
                   const struct rg_barrier *next)
 {
-    if ((a->flags & ACCESS_WRITES_CONTENT) || s->layout != a->layout)
-        return false;
     for (uint32_t i = s->first_barrier; i < s->barrier_end && i < sync->barrier_count; i++) {
         struct rg_barrier *b = &sync->barriers[i];
         const VkImageSubresourceRange *all = &b->range;
@@ -121,13 +133,14 @@ static bool widen(struct sync *sync, const struct cell *s, const struct access *
     return false;
 }
 
-static void name_barrier(struct rg_barrier *b, const struct resource *r)
+static inline void name_barrier(struct rg_barrier *b, const struct resource *r)
 {
     b->image = r->image ? r->plan_index : RG_NONE;
     b->buffer = r->image ? RG_NONE : r->plan_index;
 }
 
-static void sync_whole(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass)
+static inline void sync_whole(struct sync *sync, struct resource *r, const struct access *a,
+                              uint32_t pass)
 {
     struct cell *cell = r->cells;
     struct rg_barrier *b = next_barrier(sync);
@@ -139,7 +152,7 @@ static void sync_whole(struct sync *sync, struct resource *r, const struct acces
     if (needed) {
         name_barrier(b, r);
         b->range = a->range;
-        added = !widen(sync, cell, a, b);
+        added = !can_widen(cell, a) || !widen(sync, cell, a, b);
         if (added)
             put(sync, r, cell, release, pass);
     }
@@ -162,7 +175,7 @@ static VkImageSubresourceRange cell_range(const struct resource *r, const struct
     if (!r->image)
         return (VkImageSubresourceRange){ 0 };
     return (VkImageSubresourceRange){
-        aspect_bit(r->aspects, w->aspect), w->mip, 1, w->layer, 1,
+        aspect_bit(r->all.aspectMask, w->aspect), w->mip, 1, w->layer, 1,
     };
 }
 
@@ -205,7 +218,7 @@ static bool sync_cell(struct sync *sync, struct resource *r, const struct cell_w
     if (needed) {
         name_barrier(b, r);
         b->range = cell_range(r, w);
-        added = !widen(sync, w->cell, a, b);
+        added = !can_widen(w->cell, a) || !widen(sync, w->cell, a, b);
         if (added)
             put_cell(sync, r, w, release, pass);
     }
@@ -241,13 +254,26 @@ static void sync_cells(struct sync *sync, struct resource *r, const struct acces
     }
 }
 
-void rg_sync_access(struct sync *sync, const struct access *access, uint32_t pass)
+/*
+ * Barriers of memory that is used for the first time come last: if the pass needs a new batch
+ * anyway, they lie in it, and the memory changes hands as late as it can.
+ */
+void rg_sync_pass(struct sync *sync, const struct pass *pass, uint32_t index)
 {
-    struct resource *r = &sync->c->resources[access->resource];
-    if (access->whole)
-        sync_whole(sync, r, access, pass);
-    else
-        sync_cells(sync, r, access, pass, false);
+    struct resource *resources = sync->c->resources;
+    const struct access *accesses = &sync->c->accesses[pass->first_access];
+    const struct access *end = accesses + pass->access_count;
+    for (unsigned first_use = 0; first_use < 2; first_use++) {
+        for (const struct access *a = accesses; a < end; a++) {
+            struct resource *r = &resources[a->resource];
+            if ((r->first == index) != first_use)
+                continue;
+            if (a->cell)
+                sync_whole(sync, r, a, index);
+            else
+                sync_cells(sync, r, a, index, false);
+        }
+    }
 }
 
 void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes)
@@ -280,7 +306,7 @@ static void end_resource(struct sync *sync, uint32_t index)
 /* From the zeros of the very first frame to what every frame finds: what every frame leaves. */
 static void begin_history(struct sync *sync, struct resource *r)
 {
-    const struct access all = { .range = { r->aspects, 0, r->mips, 0, r->layers } };
+    const struct access all = { .range = r->all };
     uint32_t start = sync->barrier_count;
     uint32_t mip = RG_NONE;
     for (struct cell_walk w = rg_walk(r, &all); rg_walk_next(&w);) {
@@ -314,7 +340,7 @@ void rg_sync_end(struct sync *sync)
 {
     struct compiler *c = sync->c;
     struct rg_plan *plan = c->plan;
-    for (uint32_t i = 0; i < c->resource_count; i++) {
+    for (uint32_t i = 0; i < c->end_count; i++) {
         if (c->resources[i].first != RG_NONE)
             end_resource(sync, i);
     }
@@ -333,9 +359,9 @@ void rg_sync_takeovers(struct sync *sync)
 {
     for (uint32_t i = 0; i < sync->takeover_count; i++) {
         const struct resource *r = &sync->c->resources[sync->takeovers[i].resource];
-        const struct pack_item *item = &sync->c->items[r->item];
+        const struct former *former = &sync->c->formers[r->item];
         struct rg_barrier *b = &sync->barriers[sync->takeovers[i].barrier];
-        b->src_stages = item->former_stages;
-        b->src_access = item->former_writes;
+        b->src_stages = former->stages;
+        b->src_access = former->writes;
     }
 }

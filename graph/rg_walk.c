@@ -9,7 +9,7 @@ struct cell_walk rg_walk(const struct resource *r, const struct access *access)
 /* Moves on to the next aspect of the range. Aspects count from the resource's lowest bit. */
 static bool next_aspect(struct cell_walk *w, uint32_t from)
 {
-    VkImageAspectFlags left = w->resource->aspects;
+    VkImageAspectFlags left = w->resource->all.aspectMask;
     for (uint32_t index = 0; left; index++, left &= left - 1) {
         if (index >= from && (left & (~left + 1) & w->range.aspectMask)) {
             w->aspect = index;
@@ -43,6 +43,7 @@ bool rg_walk_next(struct cell_walk *w)
                 return false;
         }
     }
-    w->cell = &r->cells[((size_t)w->aspect * r->mips + w->mip) * r->layers + w->layer];
+    w->cell =
+        &r->cells[((size_t)w->aspect * r->all.levelCount + w->mip) * r->all.layerCount + w->layer];
     return true;
 }
