@@ -408,10 +408,10 @@ struct rg_plan_pass {
     uint32_t repetition;                   /* from 0 */
     VkExtent2D extent;                     /* of the targets; the view's without targets */
     uint32_t first_barrier, barrier_count; /* one batch, before the pass */
-    uint32_t color_count;
-    struct rg_plan_target color[RG_COLOR_COUNT]; /* color_count of them are set */
-    struct rg_plan_target depth;                 /* image RG_NONE: none */
     uint32_t first_use, use_count;
+    uint32_t color_count;
+    struct rg_plan_target depth;                 /* image RG_NONE: none */
+    struct rg_plan_target color[RG_COLOR_COUNT]; /* color_count of them are set */
 };
 
 struct rg_culled {

@@ -211,22 +211,21 @@ static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
     [RG_COPY_DST] = KIND_BIT(RG_TRANSFER),
 };
 
-static VkPipelineStageFlags2 stages_of_use(enum rg_kind kind, enum rg_access access)
-{
-    if (rg_access_table[access].stages)
-        return rg_access_table[access].stages;
-    if (kind == RG_RASTER)
-        return VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
-               (access == RG_UNIFORM ? VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT : 0);
-    return kind == RG_COMPUTE ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_2_NONE;
-}
-
-/* Those of the shaders that a kind of pass has. */
-static const VkPipelineStageFlags2 shaders_of_kind[] = {
+static const VkPipelineStageFlags2 stages_of_kind[] = {
     [RG_RASTER] = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
     [RG_COMPUTE] = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
     [RG_TRANSFER] = VK_PIPELINE_STAGE_2_NONE,
 };
+
+/* Of a use that names none. */
+static VkPipelineStageFlags2 stages_of_use(enum rg_kind kind, enum rg_access access)
+{
+    if (rg_access_table[access].stages)
+        return rg_access_table[access].stages;
+    if (kind == RG_RASTER && access != RG_UNIFORM)
+        return VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    return stages_of_kind[kind];
+}
 
 void rg_meaning_learn(struct meaning *m, enum rg_kind kind, enum rg_access access)
 {
@@ -244,10 +243,10 @@ void rg_meaning_learn(struct meaning *m, enum rg_kind kind, enum rg_access acces
             .layout = info->layout,
             .stages = stages_of_use(kind, access),
         },
+        .shaders = stages_of_kind[kind],
         .fits = fits,
         .image = fits && info->image_usage,
         .buffer = fits && info->buffer_usage,
-        .stages = shaders_of_kind[kind],
     };
     if (!info->writes_content)
         m->access.visibility = rg_visibility(access, m->access.stages);

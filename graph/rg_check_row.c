@@ -4,13 +4,12 @@
 
 static const char *use_trouble(const struct rg_use *use, const struct meaning *m)
 {
-    if (!(use->image ? m->image : m->buffer)) {
-        if (!m->fits)
-            return "this kind of pass cannot do that; targets go into .color and .depth";
-        return use->image ? "an image cannot be used so" : "a buffer cannot be used so";
-    }
-    if (use->stages & ~m->stages)
+    if (!m->fits)
+        return "this kind of pass cannot do that; targets go into .color and .depth";
+    if (use->stages & ~m->shaders)
         return "name only stages of the shaders that the pass has";
+    if (!(use->image ? m->image : m->buffer))
+        return use->image ? "an image cannot be used so" : "a buffer cannot be used so";
     if (use->buffer && use->buffer->memory == RG_MEMORY_UPLOAD &&
         (m->access.flags & ACCESS_WRITES_CONTENT))
         return "the CPU writes this buffer; a pass may only read it";

@@ -146,10 +146,10 @@ struct name_map {
 
 /* What an access means as a use of a kind of pass, as long as the use says nothing special. */
 struct meaning {
-    struct access access;         /* of no resource yet */
-    bool fits;                    /* the kind of pass */
-    bool image, buffer;           /* fits, and either can be used so */
-    VkPipelineStageFlags2 stages; /* that a use may name */
+    struct access access;          /* of no resource yet */
+    VkPipelineStageFlags2 shaders; /* that such a pass has */
+    bool fits;                     /* the kind of pass */
+    bool image, buffer;            /* fits, and either can be used so */
 };
 
 /* A transient resource that shares memory; in the order of first use. */
@@ -302,7 +302,7 @@ void rg_check_uses(struct compiler *c, const struct rg_pass *pass, const struct 
 /* Whether a good use cannot have faults, as the most cannot. */
 static inline bool rg_is_fine_use(const struct rg_use *use, const struct meaning *m)
 {
-    if (use->stages & ~m->stages)
+    if (use->stages & ~m->shaders)
         return false;
     if (use->image)
         return m->image && use->image->samples <= 1;

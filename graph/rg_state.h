@@ -16,12 +16,11 @@ static inline bool rg_state_decide(const struct cell *cell, const struct access 
     bool writes = a->flags & ACCESS_WRITES_CONTENT;
     if (!writes && !moves && !(a->visibility & ~s.visible))
         return false;
+    VkPipelineStageFlags2 readers = writes || moves ? s.read_stages : VK_PIPELINE_STAGE_2_NONE;
     /* who read it has waited for the write, and a barrier made the write available then */
-    bool after_reads = writes || moves;
-    bool waited = after_reads && s.read_stages && s.awaited;
-    b->src_stages = waited ? VK_PIPELINE_STAGE_2_NONE : s.write_stages;
-    b->src_stages |= after_reads ? s.read_stages : VK_PIPELINE_STAGE_2_NONE;
-    b->src_access = waited ? VK_ACCESS_2_NONE : s.write_access;
+    bool awaited = readers && s.awaited;
+    b->src_stages = awaited ? readers : readers | s.write_stages;
+    b->src_access = awaited ? VK_ACCESS_2_NONE : s.write_access;
     b->dst_stages = a->stages;
     b->dst_access = rg_access_reads(a) | rg_access_table[a->access].writes;
     b->old_layout = a->flags & ACCESS_OVERWRITES ? VK_IMAGE_LAYOUT_UNDEFINED : s.layout;

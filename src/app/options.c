@@ -285,7 +285,7 @@ static const struct option options[] = {
     { "Output", "size", 's', "WxH", PICTURES, set_size, "pixels (1024x768)" },
     { "Output", "samples", 'n', "N", PICTURES, set_samples, "samples a pixel (1)" },
     { "Output", "aov", 0, "LIST", PICTURES, set_aov,
-      "extra layers of the EXR: Z,N,P,back.N,exit,refraction,reflection,fresnel or all" },
+      "extra layers of the EXR: names with commas between (firn list layers), or all" },
     { "Sequence", "frames", 0, "LIST", APP_RENDER, set_frames,
       "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, set_resume,

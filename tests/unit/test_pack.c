@@ -90,6 +90,22 @@ static void test_without_aliasing_nothing_is_shared(void **state)
     rg_arena_finish(&scratch);
 }
 
+/* Too much to look at every moment of every life. */
+static void test_many_long_lives(void **state)
+{
+    (void)state;
+    struct arena scratch = { 0 };
+    struct pack_item items[MOST];
+    make_items(items, MOST, 3);
+    for (uint32_t i = 0; i < MOST; i++)
+        items[i].first = i, items[i].last = i + 400;
+    const struct pack_result r = rg_pack(&scratch, items, MOST, false);
+    check_places(items, MOST, r.size);
+    assert_int_equal(r.bound, slow_bound(items, MOST));
+    assert_true(r.bound <= r.size && r.size < r.apart);
+    rg_arena_finish(&scratch);
+}
+
 /* Time order leaves a hole of 2 under the 3: only an order that begins with it meets the bound. */
 static void test_the_best_rule_wins(void **state)
 {
@@ -112,6 +128,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_lives),
         cmocka_unit_test(test_without_aliasing_nothing_is_shared),
+        cmocka_unit_test(test_many_long_lives),
         cmocka_unit_test(test_the_best_rule_wins),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
