@@ -234,7 +234,7 @@ class Stop(Frames):
 
     def start(self, *arguments, handlers=(), stderr=subprocess.PIPE):
         def prepare():
-            for number in (signal.SIGINT, signal.SIGTERM):
+            for number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):
                 signal.signal(number, dict(handlers).get(number, signal.SIG_DFL))
         process = subprocess.Popen(
             [Case.program, 'render', 'sphere', *arguments], env=environment({}), cwd=self.folder,
