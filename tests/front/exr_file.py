@@ -1,8 +1,11 @@
-"""exr_file.py: just enough of the OpenEXR format (version 2, one part) to look into a header."""
+"""exr_file.py: just enough of the OpenEXR format (version 2, one part) to read what firn writes."""
 import struct
+import zlib
 
 MAGIC = b'\x76\x2f\x31\x01'
 LINES_PER_CHUNK = {0: 1, 1: 1, 2: 1, 3: 16}  # compression NONE, RLE, ZIPS, ZIP
+ZIP = 3
+FORMATS = {'uint': 'I', 'half': 'e', 'float': 'f'}
 
 
 class Damaged(Exception):
@@ -39,6 +42,20 @@ def read_channels(value):
     return channels
 
 
+def unzip(data, size):
+    """Undoes ZIP: bytes as differences, even ones before odd ones. No smaller: as they are."""
+    if len(data) == size:
+        return data
+    differences = zlib.decompress(data)
+    if len(differences) != size:
+        raise Damaged(f'a chunk of {len(differences)} bytes, not {size}')
+    result, value, half = bytearray(size), 128, (size + 1) // 2
+    for i, difference in enumerate(differences):
+        value = value + difference - 128 & 255
+        result[2 * i if i < half else 2 * (i - half) + 1] = value
+    return bytes(result)
+
+
 class Exr:
     def __init__(self, data):
         self.attributes, table = read_attributes(data)
@@ -47,6 +64,7 @@ class Exr:
         self.size = right - left + 1, bottom - top + 1
         lines = LINES_PER_CHUNK[self.attributes['compression'][1][0]]
         chunks = struct.unpack_from(f'<{-(-self.size[1] // lines)}Q', data, table)
+        self.data, self.chunks, self.lines_per_chunk, self.top = data, chunks, lines, top
         last = max(chunks)
         self.end = last + 8 + struct.unpack_from('<i', data, last + 4)[0]  # of all chunks
         self.pixels = data[min(chunks):self.end]  # compressed
@@ -62,3 +80,20 @@ class Exr:
         if kind != 'm44f':
             raise Damaged(f'{name} is a {kind}')
         return struct.unpack('<16f', value)
+
+    def read_planes(self, names):
+        """{name: the values of this channel, row by row}; of a file with ZIP"""
+        if self.attributes['compression'][1][0] != ZIP:
+            raise Damaged('not compressed with ZIP')
+        width, height = self.size
+        planes = {name: [] for name in names}
+        for chunk in self.chunks:
+            y, size = struct.unpack_from('<2i', self.data, chunk)
+            lines = min(self.lines_per_chunk, self.top + height - y)
+            row = ''.join(f'{width}{FORMATS[kind]}' for kind in self.channels.values())
+            raw = unzip(self.data[chunk + 8:chunk + 8 + size], lines * struct.calcsize(f'<{row}'))
+            for values in struct.iter_unpack(f'<{row}', raw):
+                for index, name in enumerate(self.channels):
+                    if name in planes:
+                        planes[name] += values[index * width:(index + 1) * width]
+        return planes

@@ -1,0 +1,28 @@
+# shellcheck shell=sh
+# draw.sh: what objects.sh and environment.sh share; they read it.
+set -eu
+if [ $# -gt 2 ] || case ${1-} in -*) true ;; *) false ;; esac; then
+    printf 'usage: %s [FIRN [FOLDER]]\n' "$0" >&2
+    exit 2
+fi
+root=$(dirname -- "$0")/../..
+firn=${1:-$root/build/firn}
+out=${2:-$root/out/experiments}
+
+# heading: begins the table
+heading() {
+    mkdir -p "$out"
+    printf 'Wall seconds of each run of firn, with its start-up: no benchmark.\n\n'
+    printf '%-46s %8s\n' 'picture' 'seconds'
+}
+
+# draw NAME SCENE [OPTION...]: renders it to NAME.png, and prints its row
+draw() {
+    picture=$1.png
+    shift
+    start=$(date +%s.%N)
+    "$firn" render "$@" --size 1024x768 --quiet -o "$out/$picture"
+    end=$(date +%s.%N)
+    LC_ALL=C awk -v name="$picture" -v start="$start" -v end="$end" \
+        'BEGIN { printf "%-46s %8.2f\n", name, end - start }'
+}
