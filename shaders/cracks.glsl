@@ -16,6 +16,8 @@ layout(push_constant, scalar) uniform Push
 layout(location = 0) in vec3 position; /* in the object's space, as is: */
 layout(location = 1) in vec3 normal;
 
+const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* what look.surface shows */
+
 struct crack_point {
     vec3 position; /* world */
     vec3 e;        /* from the eye to it */

@@ -15,9 +15,10 @@
 #define CRACKS_MAX 64 /* cracks.count, at most */
 
 struct cracks_look {
-    float strength;  /* of the highlights */
-    float shininess; /* Blinn and Phong's exponent */
-    float bump;      /* slope of the roughness; 0: smooth */
+    float strength;   /* of the highlights */
+    float shininess;  /* Blinn and Phong's exponent */
+    float bump;       /* slope of the roughness; 0: smooth */
+    uint32_t surface; /* 1: flat opaque red in place of what they show */
 };
 
 #endif

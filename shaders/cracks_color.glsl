@@ -7,6 +7,10 @@ void main()
 {
     if (!crack_is_inside())
         discard;
+    if (look.surface != 0u) {
+        color = crack_red;
+        return;
+    }
     float shine = crack_highlight(crack_here());
     color = vec4(vec3(shine), min(shine, 1.0));
 }

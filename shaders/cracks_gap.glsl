@@ -10,6 +10,10 @@ void main()
 {
     if (!crack_is_inside())
         discard;
+    if (look.surface != 0u) {
+        color = crack_red;
+        return;
+    }
     crack_point c = crack_here();
     float share = optics_gap(c.e, c.n, 1.0 / frame.eta);
     float shine = crack_highlight(c);

@@ -129,30 +129,35 @@ const struct frame_layer frame_layers[] = {
         .image = &gbuffer_position,
         .planes = { "Z" },
         .first_channel = 3,
+        .shown = FRAME_SHOWN_DISTANCE,
         .help = "distance along the view's axis, metres; 1e10: no surface",
     },
     {
         .name = "N",
         .image = &gbuffer_normal,
         .planes = { "N.X", "N.Y", "N.Z" },
+        .shown = FRAME_SHOWN_DIRECTION,
         .help = "world normal of the first surface",
     },
     {
         .name = "P",
         .image = &gbuffer_position,
         .planes = { "P.X", "P.Y", "P.Z" },
+        .shown = FRAME_SHOWN_POSITION,
         .help = "world position of the first surface, metres",
     },
     {
         .name = "back.N",
         .image = &ice_normal_back,
         .planes = { "back.N.X", "back.N.Y", "back.N.Z" },
+        .shown = FRAME_SHOWN_DIRECTION,
         .help = "outward world normal of the ice's back face",
     },
     {
         .name = "front.Z",
         .image = &ice_depth_layers,
         .planes = { "front.Z" },
+        .shown = FRAME_SHOWN_DISTANCE,
         .help = "distance of the ice's front along the view's axis, metres; 0: no ice",
     },
     {
@@ -160,6 +165,7 @@ const struct frame_layer frame_layers[] = {
         .image = &ice_depth_layers,
         .planes = { "back.Z" },
         .first_channel = 1,
+        .shown = FRAME_SHOWN_DISTANCE,
         .help = "distance of the ice's back along the view's axis, metres; 0: no ice",
     },
     {
@@ -167,18 +173,21 @@ const struct frame_layer frame_layers[] = {
         .image = &ice_depth_layers,
         .planes = { "thickness.Z" },
         .first_channel = 2,
+        .shown = FRAME_SHOWN_AMOUNT,
         .help = "from the ice's front to its back along the ray, metres",
     },
     {
         .name = "intervals",
         .image = &ice_interval_count,
         .planes = { "intervals.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
         .help = "how often the ray is inside the ice",
     },
     {
         .name = "exit",
         .image = &refract_exit,
         .planes = { "exit.X", "exit.Y", "exit.Z" },
+        .shown = FRAME_SHOWN_DIRECTION,
         .help = "direction in which refracted light leaves: looks up the environment",
     },
     {
@@ -200,6 +209,7 @@ const struct frame_layer frame_layers[] = {
         .image = &refract_fresnel,
         .planes = { "fresnel.Z" },
         .mean = true,
+        .shown = FRAME_SHOWN_AMOUNT,
         .help = "share of the reflection",
     },
     {

@@ -42,6 +42,15 @@ struct frame_list frame_capture(void);
 /* The mean of many samples, tonemapped. */
 struct frame_list frame_resolve(void);
 
+/* What a layer's numbers are to the eye. */
+enum frame_shown {
+    FRAME_SHOWN_COLOR,
+    FRAME_SHOWN_AMOUNT,   /* one plane; 0: nothing there */
+    FRAME_SHOWN_DISTANCE, /* the same */
+    FRAME_SHOWN_DIRECTION,
+    FRAME_SHOWN_POSITION,
+};
+
 /* A layer of a picture, as --aov names it, and the planes it becomes in an EXR file. */
 struct frame_layer {
     const char *name;
@@ -50,6 +59,7 @@ struct frame_layer {
     uint32_t first_channel; /* of the image, that the first plane takes */
     bool half;              /* stored as half; else as float */
     bool mean;              /* many samples are averaged; else the pixel's centre counts */
+    enum frame_shown shown;
     const char *help;
 };
 

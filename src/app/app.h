@@ -27,7 +27,8 @@ struct app_options {
     const char *outputs[APP_OUTPUT_COUNT];
     uint32_t output_count;
     uint32_t width, height, samples;
-    uint32_t layers; /* bit i: frame_layers[i] */
+    uint32_t layers;                /* bit i: frame_layers[i] */
+    const struct frame_layer *show; /* what PNG files show; NULL: the tonemapped picture */
     const struct rung *rung;
     const char *material, *environment, *surroundings, *device;
     vec3s background, eye, target, orbit; /* orbit: azimuth, elevation (degrees), distance */

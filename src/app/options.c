@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/app/show.h"
 #include "src/log.h"
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
@@ -120,6 +121,12 @@ static enum status set_aov(struct app_options *o, const char *value)
         name += length + 1;
     }
     return status;
+}
+
+static enum status set_show(struct app_options *o, const char *value)
+{
+    o->show = show_find(value);
+    return o->show ? STATUS_OK : STATUS_USAGE;
 }
 
 static enum status set_frames(struct app_options *o, const char *value)
@@ -286,6 +293,8 @@ static const struct option options[] = {
     { "Output", "samples", 'n', "N", PICTURES, set_samples, "samples a pixel (1)" },
     { "Output", "aov", 0, "LIST", PICTURES, set_aov,
       "extra layers of the EXR: names with commas between (firn list layers), or all" },
+    { "Output", "show", 0, "LAYER", APP_RENDER, set_show,
+      "what PNG files show in place of the picture: one layer (firn list layers)" },
     { "Sequence", "frames", 0, "LIST", APP_RENDER, set_frames,
       "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, set_resume,

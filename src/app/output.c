@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "src/app/show.h"
 #include "src/frame_view.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
@@ -52,19 +53,21 @@ static void print_cube_time(FILE *out, const struct settings *settings)
         fprintf(out, " cube_time=%.9g", (double)motion->time);
 }
 
-enum status output_describe(struct output *output)
+static bool describe(const struct output *output, const struct frame_layer *show, char **text)
 {
     const struct app_options *o = output->options;
     const struct camera *camera = &output->shot.camera;
     struct settings settings = o->settings;
     size_t size;
-    FILE *out = open_memstream(&output->settings, &size);
+    FILE *out = open_memstream(text, &size);
     bool ok = out != NULL;
 
     settings_put(&settings, settings_find("motion.time"), (double)output->shot.time);
     if (out) {
         fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", o->positional, o->rung->name,
                 o->width, o->height, o->samples);
+        if (show)
+            fprintf(out, " show=%s", show->name);
         if (o->environment)
             fprintf(out, " env=%s", o->environment);
         if (o->surroundings)
@@ -79,16 +82,32 @@ enum status output_describe(struct output *output)
         ok = !ferror(out);
         ok = !fclose(out) && ok;
     }
+    return ok;
+}
+
+enum status output_describe(struct output *output)
+{
+    bool ok = describe(output, NULL, &output->settings) &&
+              describe(output, output->options->show, &output->png_settings);
     if (!ok)
         log_error("out of memory");
     return ok ? STATUS_OK : STATUS_TRY_AGAIN;
 }
 
+void output_finish(struct output *output)
+{
+    free(output->settings);
+    free(output->png_settings);
+}
+
 static void fill_texts(struct image_text texts[static TEXT_COUNT], const struct output *output,
-                       const char *device)
+                       bool is_png, const char *device)
 {
     texts[TEXT_VERSION] = (struct image_text){ "firn/version", FIRN_VERSION };
-    texts[TEXT_SETTINGS] = (struct image_text){ "firn/settings", output->settings };
+    texts[TEXT_SETTINGS] = (struct image_text){
+        "firn/settings",
+        is_png ? output->png_settings : output->settings,
+    };
     texts[TEXT_DEVICE] = (struct image_text){ "firn/device", device };
 }
 
@@ -135,11 +154,26 @@ bool output_is_current(const struct output *output, const char *path)
 
     if (file_is_straight(path) || access(path, R_OK) != 0)
         return false;
-    fill_texts(texts, output, "");
-    return output_is_png(path) ? png_matches(path, &picture) : exr_is_current(output, path, texts);
+    const bool is_png = output_is_png(path);
+    fill_texts(texts, output, is_png, "");
+    return is_png ? png_matches(path, &picture) : exr_is_current(output, path, texts);
 }
 
 /* ---- new files ---- */
+
+/* The planes of what is drawn only to be shown are left out. */
+static void select_planes(struct image *image, const struct image *drawn,
+                          const struct app_options *o)
+{
+    const bool leave_out = o->show && !(o->layers & show_bit(o->show));
+    for (uint32_t i = 0; i < drawn->plane_count; i++) {
+        bool keep = true;
+        for (size_t p = 0; leave_out && p < 4 && o->show->planes[p]; p++)
+            keep = keep && strcmp(drawn->planes[i].name, o->show->planes[p]) != 0;
+        if (keep)
+            image->planes[image->plane_count++] = drawn->planes[i];
+    }
+}
 
 static enum status encode_exr(const struct output *output, const struct render_result *result,
                               const struct image_text *texts, void **data, size_t *size)
@@ -157,7 +191,10 @@ static enum status encode_exr(const struct output *output, const struct render_r
         .world_to_camera = &view.raw[0][0],
         .world_to_ndc = &ndc.raw[0][0],
     };
-    return exr_encode(&result->image, &header, data, size);
+    struct image_plane planes[PLANE_COUNT_MAX];
+    struct image image = { .width = o->width, .height = o->height, .planes = planes };
+    select_planes(&image, &result->image, o);
+    return exr_encode(&image, &header, data, size);
 }
 
 enum status output_encode(const struct output *output, const char *path,
@@ -173,7 +210,8 @@ enum status output_encode(const struct output *output, const char *path,
         .text_count = TEXT_COUNT,
     };
 
-    fill_texts(texts, output, device);
-    return output_is_png(path) ? png_encode(&picture, data, size)
-                               : encode_exr(output, result, texts, data, size);
+    const bool is_png = output_is_png(path);
+    fill_texts(texts, output, is_png, device);
+    return is_png ? png_encode(&picture, data, size)
+                  : encode_exr(output, result, texts, data, size);
 }

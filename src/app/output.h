@@ -12,16 +12,21 @@ struct output {
     const struct app_options *options; /* as app_load_scene() left them */
     const struct scene *scene;
     struct renderer_shot shot;
-    char *settings; /* how to draw it again, made by output_describe(); the caller frees it */
+    char *settings;     /* how to draw it again, made by output_describe() */
+    char *png_settings; /* the same of PNG files, which --show changes */
 };
 
 bool output_is_png(const char *path);
 
 /*
- * Fills output->settings: options, camera, every setting. A frame is described as the single
- * picture of its time (motion.time), so that both give the same bytes. Logs: STATUS_TRY_AGAIN.
+ * Fills output->settings and png_settings: options, camera, every setting. A frame is described as
+ * the single picture of its time (motion.time), so that both give the same bytes. Logs:
+ * STATUS_TRY_AGAIN.
  */
 MUST_USE enum status output_describe(struct output *output);
+
+/* Frees what output_describe() made. */
+void output_finish(struct output *output);
 
 /*
  * Whether the file is there, whole, and what output_write() would write, as far as size, layers,

@@ -7,6 +7,7 @@
 #include "src/app/frame_range.h"
 #include "src/app/output.h"
 #include "src/app/progress.h"
+#include "src/app/show.h"
 #include "src/app/stop.h"
 #include "src/image/file.h"
 #include "src/log.h"
@@ -78,6 +79,7 @@ static enum status parse_names(struct job *job)
     struct app_options *o = &job->o;
     enum status status = STATUS_OK;
     bool stdout_taken = false;
+    bool has_png = false;
     if (!o->output_count)
         o->outputs[o->output_count++] = o->frames ? "firn.####.exr" : "firn.exr";
     for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++) {
@@ -87,7 +89,12 @@ static enum status parse_names(struct job *job)
             return STATUS_USAGE;
         }
         stdout_taken = stdout_taken || is_stdout;
+        has_png = has_png || output_is_png(o->outputs[i]);
         status = parse_name(job, i);
+    }
+    if (status == STATUS_OK && o->show && !has_png) {
+        log_error("--show %s: only PNG files show a layer; name one (-o FILE.png)", o->show->name);
+        return STATUS_USAGE;
     }
     return status;
 }
@@ -134,7 +141,7 @@ static void frame_finish(struct frame *frame)
 {
     for (uint32_t i = 0; i < APP_OUTPUT_COUNT; i++)
         free(frame->paths[i]);
-    free(frame->output.settings);
+    output_finish(&frame->output);
     render_result_finish(&frame->result);
 }
 
@@ -175,6 +182,21 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return true;
 }
 
+static enum status draw(struct job *job, struct frame *frame)
+{
+    const struct frame_layer *show = job->o.show;
+    struct render_result *result = &frame->result;
+    progress_show(&job->progress, 0);
+    enum status status =
+        renderer_render(job->renderer, &frame->output.shot, result, show_progress, job);
+    progress_clear(&job->progress);
+    if (status == STATUS_OK && show) {
+        result->rgba = show_rgba(&result->image, show);
+        status = result->rgba ? STATUS_OK : STATUS_TRY_AGAIN;
+    }
+    return status;
+}
+
 /* Opens the device with the first frame that has to be drawn. */
 static enum status open_renderer(struct job *job)
 {
@@ -191,7 +213,7 @@ static enum status open_renderer(struct job *job)
     };
     for (uint32_t i = 0; i < o->output_count; i++) {
         if (output_is_png(o->outputs[i]))
-            params.display = true;
+            params.display = !o->show;
         else
             params.linear = true;
     }
@@ -199,6 +221,7 @@ static enum status open_renderer(struct job *job)
         params.layers = o->layers;
     else if (o->layers)
         log_warning("--aov: PNG files have no layers; name an .exr file too");
+    params.layers |= show_bit(o->show);
     enum status status =
         gpu_create(&job->gpu, &(struct gpu_params){ .device = o->device, .validate = o->validate });
     if (status == STATUS_OK)
@@ -247,12 +270,8 @@ static enum status run_frame(struct job *job, int32_t number)
     if (status == STATUS_OK && !frame_is_current(&frame, job->o.output_count)) {
         if (!job->renderer)
             status = open_renderer(job);
-        if (status == STATUS_OK) {
-            progress_show(&job->progress, 0);
-            status = renderer_render(job->renderer, &frame.output.shot, &frame.result,
-                                     show_progress, job);
-            progress_clear(&job->progress);
-        }
+        if (status == STATUS_OK)
+            status = draw(job, &frame);
     }
     if (status == STATUS_OK)
         status = write_outputs(job, &frame);

@@ -10,7 +10,8 @@
  *
  * cracks.refract=normals is the experiment of the paper's section 5, too strong as it says: light
  * leaves a crack on the other side in the direction in which it came. =gap is that law: what a thin
- * parallel gap filled with air does not reflect goes straight through.
+ * parallel gap filled with air does not reflect goes straight through. cracks.surface paints the
+ * sheets red and opaque, as the paper's figures 5c and 5d do to show them.
  *
  * Error: cracks are seen along the straight ray, not the refracted one, and light comes and goes as
  * if there were no surface above them. Where cracks lie behind each other they are blended in the
@@ -217,6 +218,13 @@ static const struct setting rows[] = {
         .initial = 0.35,
         .max = 4,
         .help = "roughness of their surface; 0 is smooth",
+    },
+    {
+        .name = "cracks.surface",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct cracks_params, look.surface),
+        .max = 1,
+        .help = "flat red on all that is kept of them, to see where they lie",
     },
 };
 

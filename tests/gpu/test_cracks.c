@@ -395,6 +395,39 @@ static void test_nothing_but_highlights(void **state)
     scene_finish(&scene);
 }
 
+/* Red and opaque on every fragment that is kept, and on nothing else. */
+static void test_surface(void **state)
+{
+    static const char *const kinds[] = { "cracks.refract=off", "cracks.refract=gap" };
+    static const char *const clips[] = { "cracks.clip=interval", "cracks.clip=none" };
+    struct scene scene = open_scene("torus");
+    crack(&scene, 2, 3, false);
+    for (size_t k = 0; k < 2; k++) {
+        size_t shown[2];
+        for (size_t c = 0; c < 2; c++) {
+            const struct settings gap = SETTINGS(clips[c], GAPS);
+            const struct settings red = SETTINGS(clips[c], kinds[k], "cracks.surface=on");
+            struct render_result a = render(*state, &scene, &gap);
+            struct render_result b = render(*state, &scene, &red);
+            const float *kept = image_find(&a.image, "cracks.A");
+            shown[c] = 0;
+            for (size_t i = 0; i < PIXELS; i++) {
+                const float whole = kept[i] > 0.0f ? 1.0f : 0.0f;
+                shown[c] += kept[i] > 0.0f;
+                assert_true(image_find(&b.image, "cracks.A")[i] == whole);
+                assert_true(image_find(&b.image, "cracks.R")[i] == whole);
+                assert_true(image_find(&b.image, "cracks.G")[i] == 0.0f);
+                assert_true(image_find(&b.image, "cracks.B")[i] == 0.0f);
+            }
+            render_result_finish(&a);
+            render_result_finish(&b);
+        }
+        print_message("%s: %zu pixels red, %zu without clipping\n", kinds[k], shown[0], shown[1]);
+        assert_true(shown[0] > 2000 && shown[1] * 4 > shown[0] * 5);
+    }
+    scene_finish(&scene);
+}
+
 /* ---- one flat crack ---- */
 
 /* Through the sphere's centre, its normal at an angle to the axis towards the viewer. */
@@ -519,6 +552,7 @@ int main(void)
         ON_DEVICE(test_cracks_turn_with_the_ice),
         ON_DEVICE(test_seeds_and_counts),
         ON_DEVICE(test_nothing_but_highlights),
+        ON_DEVICE(test_surface),
         ON_DEVICE(test_gap_reflects),
         ON_DEVICE(test_gaps_lose_no_light),
         ON_DEVICE(test_normals),

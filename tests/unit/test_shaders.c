@@ -61,6 +61,7 @@ static const struct shared shared_structs[] = {
             FIELD(cracks_look, strength),
             FIELD(cracks_look, shininess),
             FIELD(cracks_look, bump),
+            FIELD(cracks_look, surface),
         },
     },
     {
