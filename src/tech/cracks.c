@@ -173,7 +173,7 @@ static const struct setting rows[] = {
         .type = SETTING_COUNT,
         .offset = offsetof(struct cracks_params, seed),
         .initial = 1,
-        .max = UINT32_MAX,
+        .max = 999999,
         .help = "how they lie: another number, other cracks",
     },
     {
