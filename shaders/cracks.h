@@ -10,8 +10,6 @@
 #define CRACKS_INTERVALS 3
 #define CRACKS_ENV_CUBE  4 /* if they reflect it */
 
-#define CRACKS_COLOR 1 /* binding of the row that draws them over the picture */
-
 #define CRACKS_MAX 64 /* cracks.count, at most */
 
 struct cracks_look {

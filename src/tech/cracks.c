@@ -81,16 +81,16 @@ enum clipping {
 #define OVER_ICE \
     { \
         .name = "cracks.over", REFRACT_OVER_TARGETS, \
-        .uses = RG_USES(FRAME_USE_GLOBALS, USE(cracks_color, CRACKS_COLOR)), REFRACT_FRONT_FACES, \
-        .frag = &cracks_over_frag, .record = frame_draw_object \
+        .uses = RG_USES(FRAME_USE_GLOBALS, REFRACT_USE_OVER(&cracks_color)), REFRACT_FRONT_FACES, \
+        .frag = &refract_over_frag, .record = frame_draw_object \
     }
 
 #define OVER_ALL \
     { \
         .name = "cracks.over", \
         .color[0] = { &background_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }, \
-        .uses = RG_USES(USE(cracks_color, CRACKS_COLOR)), .vert = &screen_vert, \
-        .frag = &cracks_over_frag, .record = record_screen \
+        .uses = RG_USES(REFRACT_USE_OVER(&cracks_color)), .vert = &screen_vert, \
+        .frag = &refract_over_frag, .record = record_screen \
     }
 
 #define NORMAL(...) \
