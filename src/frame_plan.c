@@ -60,6 +60,11 @@ static bool is_drawn(const struct frame_plan *p, const struct rg_image *image)
     return false;
 }
 
+static void keep(struct frame_plan *p, const struct rg_image *image)
+{
+    p->outputs[p->output_count++] = (struct rg_output){ .image = image, .access = RG_SAMPLED };
+}
+
 static void want_all(struct frame_plan *p, const struct frame_request *request)
 {
     if (request->beauty)
@@ -71,8 +76,9 @@ static void want_all(struct frame_plan *p, const struct frame_request *request)
     if (request->display)
         want(p, &tonemap_color);
     if (request->keep_cube)
-        p->outputs[p->output_count++] =
-            (struct rg_output){ .image = &env_cube_color, .access = RG_SAMPLED };
+        keep(p, &env_cube_color);
+    if (request->keep_display)
+        keep(p, &tonemap_color);
 }
 
 static bool makes_cube(const struct frame_request *request)

@@ -30,6 +30,7 @@ struct frame_request {
     uint32_t layers;      /* bit i: frame_layers[i], if it is drawn */
     bool beauty, display; /* the linear picture; the 8-bit one */
     bool keep_cube;       /* leave env_cube_color ready to be sampled elsewhere */
+    bool keep_display;    /* the same of the 8-bit picture */
     enum rg_sharing sharing;
     const struct rg_device *device; /* may be NULL */
     VkExtent2D environment;         /* texels of the picture; 0: none */
@@ -56,7 +57,7 @@ struct frame_plan {
     struct rg_pass readback_passes[FRAME_READBACK_COUNT];
     struct frame_readback readbacks[FRAME_READBACK_COUNT];
     uint32_t readback_count;
-    struct rg_output outputs[FRAME_READBACK_COUNT + 1];
+    struct rg_output outputs[FRAME_READBACK_COUNT + 2];
     size_t output_count;
     struct rg_import imports[FRAME_IMPORT_COUNT];
     size_t import_count;

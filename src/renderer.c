@@ -45,6 +45,7 @@ static struct frame_request picture_request(const struct renderer_params *params
         .layers = params->layers,
         .beauty = params->linear || (params->display && many),
         .display = params->display && !many,
+        .keep_display = params->keep,
         .sharing = params->sharing,
     };
     scene_gpu_describe(params->scene, &request);
@@ -266,17 +267,41 @@ static enum status fetch_sample(struct renderer *r, struct image *image, uint32_
     return STATUS_OK;
 }
 
+/* Before the first sample of a renderer whose cube is not dynamic. */
+static enum status capture_cube(struct renderer *r, const struct renderer_shot *shot)
+{
+    const struct motion_params *motion = settings_of(r->params.settings, &motion_settings);
+    const struct renderer_shot first = { .camera = shot->camera, .time = motion->time };
+    uint32_t slot;
+    if (!r->capture.exec || r->captured)
+        return STATUS_OK;
+    enum status status = run_stage(r, &r->capture, &first, renderer_jitter(0), &slot);
+    r->captured = status == STATUS_OK;
+    return status;
+}
+
+enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
+{
+    enum status status = capture_cube(r, shot);
+    if (status == STATUS_OK)
+        status = run_stage(r, &r->picture, shot, renderer_jitter(0), &r->last_slot);
+    return status;
+}
+
+enum status renderer_wait(struct renderer *r)
+{
+    return exec_status(rg_exec_wait(r->picture.exec, r->last_slot));
+}
+
+VkImage renderer_picture(const struct renderer *r)
+{
+    return rg_exec_image(r->picture.exec, &tonemap_color);
+}
+
 static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,
                                 struct image *image, renderer_progress_fn *progress, void *user)
 {
-    enum status status = STATUS_OK;
-    if (r->capture.exec && !r->captured) {
-        const struct motion_params *motion = settings_of(r->params.settings, &motion_settings);
-        const struct renderer_shot first = { .camera = shot->camera, .time = motion->time };
-        uint32_t slot;
-        status = run_stage(r, &r->capture, &first, (vec2s){ { 0.0f, 0.0f } }, &slot);
-        r->captured = status == STATUS_OK;
-    }
+    enum status status = capture_cube(r, shot);
     /* one sample is drawn while the one before is added up */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
         uint32_t slot_before = r->last_slot;

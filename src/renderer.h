@@ -3,6 +3,7 @@
  *
  *     renderer_create()   uploads the scene, compiles the plan, realises it
  *     renderer_render()   draws all samples and brings the picture back
+ *     renderer_draw()     or draws a sample and leaves the picture on the device
  *
  * Ownership: gpu, scene and settings are borrowed and outlive the renderer.
  * Errors:    logged once where found; STATUS_NO_DEVICE, STATUS_TRY_AGAIN or STATUS_FAILED.
@@ -25,6 +26,7 @@ struct renderer_params {
     uint32_t layers;         /* bit i: frame_layers[i]; 0 where the settings switch it off */
     bool linear;             /* the beauty, in render_result.image */
     bool display;            /* the tonemapped picture, in render_result.rgba */
+    bool keep;               /* the same on the device, of the last sample: renderer_picture() */
     enum rg_sharing sharing; /* which transient images share memory */
 };
 
@@ -52,6 +54,18 @@ MUST_USE enum status renderer_render(struct renderer *renderer, const struct ren
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);
 
+/*
+ * Draws the shot's sample 0 and returns without waiting for it; at most two frames are on their way
+ * at once. For renderers that keep the picture.
+ */
+MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
+
+/* Waits for the frame drawn last. */
+MUST_USE enum status renderer_wait(struct renderer *renderer);
+
+/* The kept picture (tonemap_color), which every frame leaves ready to be sampled by shaders. */
+VkImage renderer_picture(const struct renderer *renderer);
+
 void renderer_destroy(struct renderer *renderer); /* may be NULL */
 
 void render_result_finish(struct render_result *result);
@@ -63,7 +77,7 @@ void render_result_finish(struct render_result *result);
 vec2s renderer_jitter(uint32_t sample);
 
 /* The plan of a frame as the renderer would compile it, without a device: for `firn graph`.
- * Only rung, size, layers, linear, display, sharing, scene and settings of params count. */
+ * Only rung, size, layers, linear, display, keep, sharing, scene and settings of params count. */
 struct frame_plan;
 MUST_USE enum status renderer_plan(struct frame_plan *plan, const struct renderer_params *params);
 
