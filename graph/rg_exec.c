@@ -85,7 +85,7 @@ static VkResult make_all(struct rg_exec *exec)
 {
     VkResult (*const steps[])(struct rg_exec *) = {
         rg_exec_make_memory,    rg_exec_make_targets, rg_exec_make_descriptors,
-        rg_exec_make_pipelines, make_slots,
+        rg_exec_make_pipelines, make_slots,           rg_exec_make_time,
     };
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
     if (!make_arrays(exec))
@@ -138,6 +138,7 @@ void rg_exec_destroy(struct rg_exec *exec)
     }
     rg_exec_free_descriptors(exec);
     rg_exec_free_memory(exec);
+    rg_exec_free_time(exec);
     free(exec->blocks);
     free(exec->images);
     free(exec->image_memory);
@@ -153,12 +154,17 @@ void rg_exec_destroy(struct rg_exec *exec)
 
 VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
 {
+    const uint64_t start = rg_time_now();
     exec->slot = (exec->slot + 1) % exec->slot_count;
     *slot = exec->slot;
-    return rg_exec_wait(exec, exec->slot);
+    VkResult result = rg_exec_wait(exec, exec->slot);
+    rg_time_begin(exec, start);
+    return result;
 }
 
-VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
+/* Records some passes into the slot taken last and submits them. */
+static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
+                       uint32_t count)
 {
     VkResult result;
     struct exec_slot *slot = &exec->slots[exec->slot];
@@ -166,16 +172,57 @@ VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
         .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
         .commandBuffer = slot->commands,
     };
-    const VkSubmitInfo2 submit = {
+    const VkSubmitInfo2 info = {
         .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
         .commandBufferInfoCount = 1,
         .pCommandBufferInfos = &commands,
     };
-    RG_PASS(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
-    RG_PASS(rg_exec_record(exec, frame));
+    const uint64_t start = rg_time_now();
+    RG_PASS(rg_exec_record(exec, frame, first, count));
     RG_TRY(exec, exec->vk.ResetFences(exec->device, 1, &slot->fence));
-    RG_TRY(exec, exec->vk.QueueSubmit2(exec->params.queue, 1, &submit, slot->fence));
+    const uint64_t recorded = rg_time_now();
+    RG_TRY(exec, exec->vk.QueueSubmit2(exec->params.queue, 1, &info, slot->fence));
     slot->submitted = true;
+    slot->times.record += recorded - start;
+    slot->times.submit += rg_time_now() - recorded;
+fail:
+    return result;
+}
+
+static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
+{
+    return rg_exec_check(exec,
+                         exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX),
+                         "vkWaitForFences");
+}
+
+/* Each pass alone, between two looks at the host's clock. */
+static VkResult submit_alone(struct rg_exec *exec, const struct rg_frame *frame)
+{
+    VkResult result = VK_SUCCESS;
+    struct exec_slot *slot = &exec->slots[exec->slot];
+    uint64_t begin = 0;
+    for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
+        RG_PASS(submit(exec, frame, p, 1));
+        const uint64_t submitted = rg_time_now();
+        RG_PASS(wait_fence(exec, slot));
+        slot->passes[p].begin = begin;
+        begin += slot->times.submit + rg_time_now() - submitted;
+        slot->passes[p].end = begin;
+        slot->times.submit = 0; /* it is the pass's */
+    }
+fail:
+    return result;
+}
+
+VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
+{
+    VkResult result;
+    RG_PASS(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
+    if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_SUBMITS)
+        RG_PASS(submit_alone(exec, frame));
+    else
+        RG_PASS(submit(exec, frame, 0, exec->plan->pass_count));
     exec->filled = true;
 fail:
     return result;
@@ -184,12 +231,13 @@ fail:
 VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
 {
     VkResult result;
+    const uint64_t start = rg_time_now();
     if (!exec->slots[slot].submitted)
         return VK_SUCCESS;
-    RG_TRY(exec,
-           exec->vk.WaitForFences(exec->device, 1, &exec->slots[slot].fence, VK_TRUE, UINT64_MAX));
+    RG_PASS(wait_fence(exec, &exec->slots[slot]));
     exec->slots[slot].submitted = false;
     RG_PASS(rg_exec_sync_host(exec, slot, RG_MEMORY_READBACK));
+    RG_PASS(rg_time_finish(exec, slot, start));
 fail:
     return result;
 }

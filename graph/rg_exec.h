@@ -52,6 +52,8 @@ struct rg_exec_params {
     /* Record through VkRenderPass objects: some releases of the synchronization validation do not
      * look into dynamic rendering. */
     bool render_passes;
+    bool measured;   /* rg_time.h */
+    bool statistics; /* the same: pipelineStatisticsQuery and occlusionQueryPrecise are enabled */
     void (*log)(void *user, const char *line); /* NULL: silent */
     void *user;
 };

@@ -4,6 +4,7 @@
 
 #include "graph/rg_exec.h"
 #include "graph/rg_functions.h"
+#include "graph/rg_time.h"
 
 /* Buffers of host memory have one object a slot, others one in all. */
 struct exec_buffer {
@@ -33,6 +34,8 @@ struct exec_slot {
     VkCommandBuffer commands;
     VkFence fence;
     bool submitted;
+    struct rg_times times;       /* of its frame, so far */
+    struct rg_pass_time *passes; /* the same; NULL: not measured */
 };
 
 struct exec_sampler {
@@ -58,6 +61,7 @@ struct rg_exec {
     VkDescriptorPool descriptor_pool;
     VkCommandPool command_pool;
     struct exec_slot *slots;
+    struct exec_time *time; /* NULL: not made to measure */
     bool filled;                        /* the persistent resources are */
     VkImageMemoryBarrier2 *image_batch; /* room to record any batch from */
     VkBufferMemoryBarrier2 *buffer_batch;
@@ -122,6 +126,18 @@ void rg_exec_record_fill(struct rg_exec *exec, VkCommandBuffer commands);
 /* rg_record.c */
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
                           uint32_t count);
-VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame);
+/* Passes `first` to `first + count - 1`; with the last one what ends the frame. */
+VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
+                        uint32_t count);
+
+/* rg_time.c: */
+VkResult rg_exec_make_time(struct rg_exec *exec);
+void rg_exec_free_time(struct rg_exec *exec);
+uint64_t rg_time_now(void); /* nanoseconds, CLOCK_MONOTONIC */
+void rg_time_begin(struct rg_exec *exec, uint64_t start);
+void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands);
+void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass);
+void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass);
+VkResult rg_time_finish(struct rg_exec *exec, uint32_t slot, uint64_t wait_start);
 
 #endif

@@ -18,6 +18,7 @@
     row(BeginCommandBuffer) \
     row(BindBufferMemory) \
     row(BindImageMemory) \
+    row(CmdBeginQuery) \
     row(CmdBeginRenderPass) \
     row(CmdBeginRendering) \
     row(CmdBindDescriptorSets) \
@@ -34,13 +35,16 @@
     row(CmdDrawIndexed) \
     row(CmdDrawIndexedIndirect) \
     row(CmdDrawIndirect) \
+    row(CmdEndQuery) \
     row(CmdEndRenderPass) \
     row(CmdEndRendering) \
     row(CmdFillBuffer) \
     row(CmdPipelineBarrier2) \
     row(CmdPushConstants) \
+    row(CmdResetQueryPool) \
     row(CmdSetScissor) \
     row(CmdSetViewport) \
+    row(CmdWriteTimestamp2) \
     row(CreateBuffer) \
     row(CreateCommandPool) \
     row(CreateComputePipelines) \
@@ -52,6 +56,7 @@
     row(CreateImage) \
     row(CreateImageView) \
     row(CreatePipelineLayout) \
+    row(CreateQueryPool) \
     row(CreateRenderPass) \
     row(CreateSampler) \
     row(CreateShaderModule) \
@@ -65,6 +70,7 @@
     row(DestroyImageView) \
     row(DestroyPipeline) \
     row(DestroyPipelineLayout) \
+    row(DestroyQueryPool) \
     row(DestroyRenderPass) \
     row(DestroySampler) \
     row(DestroyShaderModule) \
@@ -74,6 +80,9 @@
     row(GetBufferMemoryRequirements) \
     row(GetImageMemoryRequirements) \
     row(GetPhysicalDeviceMemoryProperties) \
+    row(GetPhysicalDeviceProperties) \
+    row(GetPhysicalDeviceQueueFamilyProperties) \
+    row(GetQueryPoolResults) \
     row(InvalidateMappedMemoryRanges) \
     row(MapMemory) \
     row(QueueSubmit2) \

@@ -188,15 +188,18 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
                                                 .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT,
                                                 .pLabelName = row->name,
                                             });
+    rg_time_begin_pass(exec, commands, index);
     rg_exec_record_batch(exec, commands, cmd.plan_pass->first_barrier,
                          cmd.plan_pass->barrier_count);
     if (!row->when || row->when(frame))
         record_work(&cmd, frame);
+    rg_time_end_pass(exec, commands, index);
     if (exec->vk.CmdEndDebugUtilsLabelEXT)
         exec->vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 
-VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame)
+VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
+                        uint32_t count)
 {
     VkCommandBuffer commands = exec->slots[exec->slot].commands;
     const struct rg_plan *plan = exec->plan;
@@ -206,11 +209,14 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame)
                                    .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                    .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
                                }));
-    if (!exec->filled)
+    if (first == 0 && !exec->filled)
         rg_exec_record_fill(exec, commands);
-    for (uint32_t p = 0; p < plan->pass_count; p++)
+    if (first == 0)
+        rg_time_begin_frame(exec, commands);
+    for (uint32_t p = first; p < first + count; p++)
         record_pass(exec, p, commands, frame);
-    rg_exec_record_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
+    if (first + count == plan->pass_count)
+        rg_exec_record_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
     RG_TRY(exec, exec->vk.EndCommandBuffer(commands));
 fail:
     return result;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include "graph/rg_exec.h"
 #include "shaders/globals.h"
 #include "src/accumulate.h"
@@ -31,7 +32,8 @@ struct renderer {
     struct stage picture; /* a sample */
     struct stage resolve; /* the mean of many samples, tonemapped */
     bool captured;
-    uint32_t last_slot; /* of the picture's executor, where the last sample is */
+    struct renderer_costs costs; /* of the picture's */
+    uint32_t last_slot;          /* of the picture's executor, where the last sample is */
 };
 
 /* ---- plans ---- */
@@ -100,7 +102,14 @@ static enum status exec_status(VkResult result)
     }
 }
 
-static enum status stage_create(struct stage *stage, const struct renderer *renderer,
+static double now_ms(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+static enum status stage_create(struct stage *stage, struct renderer *renderer,
                                 struct frame_request request)
 {
     struct gpu *gpu = renderer->params.gpu;
@@ -122,10 +131,12 @@ static enum status stage_create(struct stage *stage, const struct renderer *rend
                                         : VK_NULL_HANDLE,
     };
     request.device = &device;
+    const double start = now_ms();
     enum status status = frame_plan_init(&stage->frame, &request);
     if (status != STATUS_OK)
         return status;
     VkResult result;
+    const double compiled = now_ms();
     stage->exec = rg_exec_create(
         &(struct rg_exec_params){
             .plan = stage->frame.plan,
@@ -140,9 +151,13 @@ static enum status stage_create(struct stage *stage, const struct renderer *rend
             .import_count = stage->frame.import_count,
             .max_anisotropy = gpu->max_anisotropy,
             .render_passes = gpu->validated, /* see rg_exec.h */
+            .measured = renderer->params.measured,
+            .statistics = gpu->has_statistics,
             .log = log_exec,
         },
         &result);
+    renderer->costs.compile = compiled - start;
+    renderer->costs.realise = now_ms() - compiled;
     return exec_status(result);
 }
 
@@ -163,13 +178,15 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     }
     r->params = *params;
     r->params.samples = params->samples ? params->samples : 1;
+    const double start = now_ms();
     status = scene_gpu_upload(&r->scene, params->gpu, params->scene);
+    r->costs.upload = now_ms() - start;
     if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings))
         status = stage_create(&r->capture, r, capture_request(params));
-    if (status == STATUS_OK)
-        status = stage_create(&r->picture, r, picture_request(&r->params));
     if (status == STATUS_OK && params->display && r->params.samples > 1)
         status = stage_create(&r->resolve, r, resolve_request(params));
+    if (status == STATUS_OK) /* last: its costs stay */
+        status = stage_create(&r->picture, r, picture_request(&r->params));
     if (status == STATUS_OK)
         *renderer = r;
     else
@@ -296,6 +313,31 @@ enum status renderer_wait(struct renderer *r)
 VkImage renderer_picture(const struct renderer *r)
 {
     return rg_exec_image(r->picture.exec, &tonemap_color);
+}
+
+struct renderer_costs renderer_costs(const struct renderer *r)
+{
+    return r->costs;
+}
+
+void renderer_measure(struct renderer *r, const struct rg_measure *measure)
+{
+    rg_exec_measure(r->picture.exec, measure);
+}
+
+struct rg_times renderer_times(const struct renderer *r)
+{
+    return rg_exec_times(r->picture.exec);
+}
+
+bool renderer_has_clock(const struct renderer *r, enum rg_clock clock)
+{
+    return rg_exec_has_clock(r->picture.exec, clock);
+}
+
+const struct rg_plan *renderer_frame(const struct renderer *r)
+{
+    return r->picture.frame.plan;
 }
 
 static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,

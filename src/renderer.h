@@ -11,6 +11,7 @@
 #ifndef FIRN_RENDERER_H
 #define FIRN_RENDERER_H
 
+#include "graph/rg_time.h"
 #include "src/frames.h"
 #include "src/gpu/gpu.h"
 #include "src/image/image.h"
@@ -27,6 +28,7 @@ struct renderer_params {
     bool linear;             /* the beauty, in render_result.image */
     bool display;            /* the tonemapped picture, in render_result.rgba */
     bool keep;               /* the same on the device, of the last sample: renderer_picture() */
+    bool measured;           /* renderer_measure() may be called */
     enum rg_sharing sharing; /* which transient images share memory */
 };
 
@@ -65,6 +67,20 @@ MUST_USE enum status renderer_wait(struct renderer *renderer);
 
 /* The kept picture (tonemap_color), which every frame leaves ready to be sampled by shaders. */
 VkImage renderer_picture(const struct renderer *renderer);
+
+/* What a renderer took to make, milliseconds of the host. */
+struct renderer_costs {
+    double upload;  /* of the scene */
+    double compile; /* the frame's tables to a plan */
+    double realise; /* the plan's memory, images, descriptors and pipelines */
+};
+struct renderer_costs renderer_costs(const struct renderer *renderer);
+
+/* What each pass of a frame costs: graph/rg_time.h. The plan's passes are those of the times. */
+void renderer_measure(struct renderer *renderer, const struct rg_measure *measure);
+struct rg_times renderer_times(const struct renderer *renderer);
+bool renderer_has_clock(const struct renderer *renderer, enum rg_clock clock);
+const struct rg_plan *renderer_frame(const struct renderer *renderer);
 
 void renderer_destroy(struct renderer *renderer); /* may be NULL */
 

@@ -37,6 +37,7 @@ struct gpu {
     VkPipelineCache pipeline_cache;
     VkCommandPool pool;   /* for uploads */
     float max_anisotropy; /* of samplers; 0: not to be had */
+    bool has_statistics;  /* pipeline statistics and exact occlusion queries */
     bool validated;       /* the layer is really on */
     VkDebugUtilsMessengerEXT messenger;
     uint32_t message_count; /* warnings and errors of the validation layer so far */

@@ -56,9 +56,8 @@ static const struct feature needed[] = {
 };
 
 static const struct feature welcome[] = {
-    { CORE(samplerAnisotropy) },
-    { V12(hostQueryReset) },
-    { V12(timelineSemaphore) },
+    { CORE(samplerAnisotropy) }, { CORE(pipelineStatisticsQuery) }, { CORE(occlusionQueryPrecise) },
+    { V12(hostQueryReset) },     { V12(timelineSemaphore) },
 };
 
 static void chain(struct gpu_features *features)

@@ -106,6 +106,8 @@ static enum status open_device(struct gpu *gpu)
     vkGetDeviceQueue(gpu->device, gpu->queue_family, 0, &gpu->queue);
     if (features.core.features.samplerAnisotropy)
         gpu->max_anisotropy = gpu->properties.limits.maxSamplerAnisotropy;
+    gpu->has_statistics = features.core.features.pipelineStatisticsQuery &&
+                          features.core.features.occlusionQueryPrecise;
     const VkCommandPoolCreateInfo pool = {
         .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
         .flags =

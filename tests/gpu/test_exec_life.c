@@ -78,6 +78,7 @@ void *__wrap_realloc(void *memory, size_t size)
     CREATE(row, Image) \
     CREATE(row, ImageView) \
     CREATE(row, PipelineLayout) \
+    CREATE(row, QueryPool) \
     CREATE(row, RenderPass) \
     CREATE(row, Sampler) \
     CREATE(row, ShaderModule) \
@@ -85,6 +86,10 @@ void *__wrap_realloc(void *memory, size_t size)
     CREATE_PIPELINES(row, Graphics) \
     MAPPED_RANGES(row, vkFlushMappedMemoryRanges) \
     MAPPED_RANGES(row, vkInvalidateMappedMemoryRanges) \
+    row(vkGetQueryPoolResults, \
+        (VkDevice device, VkQueryPool pool, uint32_t first, uint32_t n, size_t size, void *out, \
+         VkDeviceSize stride, VkQueryResultFlags flags), \
+        (device, pool, first, n, size, out, stride, flags)) \
     row(vkAllocateCommandBuffers, \
         (VkDevice device, const VkCommandBufferAllocateInfo *info, VkCommandBuffer *out), \
         (device, info, out)) \
@@ -186,6 +191,7 @@ static const struct rg_pass rows[] = {
 static const struct run_params params = {
     .technique = RG_TECHNIQUE("test", rows),
     .outputs = { &drawn_out, &kept_out },
+    .measure = { RG_CLOCK_EXACT, true },
 };
 
 static VkResult try_frame(struct run *run)

@@ -98,10 +98,14 @@ VkResult run_create(struct run *run, const struct rg_plan *plan)
             .import_count = run->params.import_count,
             .max_anisotropy = run->gpu->max_anisotropy,
             .render_passes = run->params.render_passes,
+            .measured = run->params.measure.clock || run->params.measure.statistics,
+            .statistics = run->gpu->has_statistics,
             .log = log_line,
             .user = run,
         },
         &result);
+    if (run->exec)
+        rg_exec_measure(run->exec, &run->params.measure);
     assert_int_equal(!run->exec, result != VK_SUCCESS);
     return result;
 }

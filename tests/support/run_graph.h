@@ -5,7 +5,7 @@
 #define TESTS_RUN_GRAPH_H
 
 #include "graph/rg_cmd.h"
-#include "graph/rg_exec.h"
+#include "graph/rg_time.h"
 #include "src/gpu/gpu.h"
 
 enum {
@@ -26,6 +26,7 @@ struct run_params {
     bool render_passes;
     enum rg_sharing sharing;
     bool no_device; /* to compile for */
+    struct rg_measure measure;
 };
 
 struct run {
