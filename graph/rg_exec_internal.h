@@ -61,7 +61,7 @@ struct rg_exec {
     VkDescriptorPool descriptor_pool;
     VkCommandPool command_pool;
     struct exec_slot *slots;
-    struct exec_time *time; /* NULL: not made to measure */
+    struct exec_time *time;             /* NULL: not made to measure */
     bool filled;                        /* the persistent resources are */
     VkImageMemoryBarrier2 *image_batch; /* room to record any batch from */
     VkBufferMemoryBarrier2 *buffer_batch;

@@ -90,18 +90,19 @@ void *__wrap_realloc(void *memory, size_t size)
         (VkDevice device, VkQueryPool pool, uint32_t first, uint32_t n, size_t size, void *out, \
          VkDeviceSize stride, VkQueryResultFlags flags), \
         (device, pool, first, n, size, out, stride, flags)) \
-    row(vkAllocateCommandBuffers, \
-        (VkDevice device, const VkCommandBufferAllocateInfo *info, VkCommandBuffer *out), \
-        (device, info, out)) \
-        row(vkAllocateDescriptorSets, \
-            (VkDevice device, const VkDescriptorSetAllocateInfo *info, VkDescriptorSet *out), \
-            (device, info, out)) row(vkAllocateMemory, \
-                                     (VkDevice device, const VkMemoryAllocateInfo *info, \
-                                      const VkAllocationCallbacks *a, VkDeviceMemory *out), \
-                                     (device, info, a, out)) \
-            row(vkBindBufferMemory, \
-                (VkDevice device, VkBuffer buffer, VkDeviceMemory memory, VkDeviceSize offset), \
-                (device, buffer, memory, offset)) \
+        row(vkAllocateCommandBuffers, \
+            (VkDevice device, const VkCommandBufferAllocateInfo *info, VkCommandBuffer *out), \
+            (device, info, out)) \
+            row(vkAllocateDescriptorSets, \
+                (VkDevice device, const VkDescriptorSetAllocateInfo *info, VkDescriptorSet *out), \
+                (device, info, out)) row(vkAllocateMemory, \
+                                         (VkDevice device, const VkMemoryAllocateInfo *info, \
+                                          const VkAllocationCallbacks *a, VkDeviceMemory *out), \
+                                         (device, info, a, \
+                                          out)) row(vkBindBufferMemory, \
+                                                    (VkDevice device, VkBuffer buffer, \
+                                                     VkDeviceMemory memory, VkDeviceSize offset), \
+                                                    (device, buffer, memory, offset)) \
                 row(vkBindImageMemory, \
                     (VkDevice device, VkImage image, VkDeviceMemory memory, VkDeviceSize offset), \
                     (device, image, memory, offset)) \
