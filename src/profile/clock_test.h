@@ -1,0 +1,42 @@
+/*
+ * clock_test.h: which clock tells the truth about passes on a device, found out by trying.
+ *
+ * A driver may finish a pass long after its timestamp, or bill it to the next one, and says nothing
+ * of it. So passes of several kinds (heavy and light, fragments and compute, into the same target
+ * and another one, a copy) are drawn in one frame with timestamps, and each alone between two looks
+ * at the host's clock. Where both agree, timestamps are truthful; else passes are submitted alone.
+ */
+#ifndef FIRN_PROFILE_CLOCK_TEST_H
+#define FIRN_PROFILE_CLOCK_TEST_H
+
+#include "graph/rg_time.h"
+#include "src/gpu/gpu.h"
+
+struct profile_clock {
+    enum rg_clock clock;      /* RG_CLOCK_EXACT or RG_CLOCK_SUBMITS */
+    char reason[256];         /* in words */
+    double submit_cost;       /* milliseconds of a submit that does nothing, waited for */
+    bool fragments_are_exact; /* the device counts as many as were covered */
+};
+
+enum {
+    CLOCK_TEST_PASS_COUNT = 7
+};
+
+/* Of the passes of the test, milliseconds; the last one does nothing. */
+struct clock_test_times {
+    double stamped[CLOCK_TEST_PASS_COUNT]; /* by timestamps, in one frame */
+    double alone[CLOCK_TEST_PASS_COUNT];   /* submitted alone */
+};
+
+/* The largest difference of the two for any pass but the last, relative to the time alone less the
+ * submit (but to no less than a tenth of all passes' time). */
+double clock_test_error(const struct clock_test_times *times);
+
+/* Timestamps that err more are not used. */
+#define CLOCK_TEST_TOLERANCE 0.1
+
+/* Takes about a second on two cores. A device without timestamps is no failure. */
+MUST_USE enum status clock_test_run(struct gpu *gpu, struct profile_clock *clock);
+
+#endif
