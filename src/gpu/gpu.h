@@ -61,6 +61,9 @@ struct gpu_device {
     char version[64];  /* of Vulkan and driver: "1.3.230, Mesa 22.3.6 (LLVM 15.0.6)" */
 };
 
+/* The device that is open, as gpu_list() would say it. */
+void gpu_describe(const struct gpu *gpu, struct gpu_device *device);
+
 /*
  * The devices there are, in the order of --device numbers, into *devices (malloc'd, the caller
  * frees it). No loader or no device is an empty list and STATUS_OK.

@@ -153,6 +153,11 @@ void gpu_destroy(struct gpu *gpu)
     *gpu = (struct gpu){ .message_count = gpu->message_count };
 }
 
+void gpu_describe(const struct gpu *gpu, struct gpu_device *device)
+{
+    gpu_choose_describe(gpu->physical, device);
+}
+
 enum status gpu_list(struct gpu_device **devices, uint32_t *count)
 {
     VkPhysicalDevice physical[DEVICES_MAX];

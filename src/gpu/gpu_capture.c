@@ -1,0 +1,51 @@
+/* gpu_capture.c: asks RenderDoc, if its library is in the program, to capture. */
+#include "src/gpu/gpu_capture.h"
+
+#include <dlfcn.h>
+#include <renderdoc_app.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "src/log.h"
+
+/* NULL: it is not loaded. */
+static RENDERDOC_API_1_4_0 *find_renderdoc(void)
+{
+    RENDERDOC_API_1_4_0 *api = NULL;
+    pRENDERDOC_GetAPI get_api = NULL;
+    void *library = dlopen("librenderdoc.so", RTLD_NOW | RTLD_NOLOAD);
+    void *symbol = library ? dlsym(library, "RENDERDOC_GetAPI") : NULL;
+    memcpy(&get_api, &symbol, sizeof(get_api)); /* ISO C knows no cast from object to function */
+    if (!get_api || get_api(eRENDERDOC_API_Version_1_4_0, (void **)&api) != 1)
+        api = NULL;
+    if (library)
+        dlclose(library); /* whoever loaded it keeps it */
+    return api;
+}
+
+bool gpu_capture_is_there(void)
+{
+    return find_renderdoc() != NULL;
+}
+
+void gpu_capture_begin(const struct gpu *gpu)
+{
+    RENDERDOC_API_1_4_0 *api = find_renderdoc();
+    if (api)
+        api->StartFrameCapture(RENDERDOC_DEVICEPOINTER_FROM_VKINSTANCE(gpu->instance), NULL);
+}
+
+enum status gpu_capture_end(const struct gpu *gpu, char *path, size_t size)
+{
+    RENDERDOC_API_1_4_0 *api = find_renderdoc();
+    uint32_t length = (uint32_t)size;
+    path[0] = '\0';
+    if (api &&
+        api->EndFrameCapture(RENDERDOC_DEVICEPOINTER_FROM_VKINSTANCE(gpu->instance), NULL) == 1 &&
+        api->GetNumCaptures() > 0 &&
+        api->GetCapture(api->GetNumCaptures() - 1, NULL, &length, NULL) == 1 && length <= size &&
+        api->GetCapture(api->GetNumCaptures() - 1, path, &length, NULL) == 1)
+        return STATUS_OK;
+    log_error("RenderDoc wrote no capture: see its own log, in the folder of temporary files");
+    return STATUS_WRITE;
+}

@@ -1,0 +1,276 @@
+/* sweep.c: parameters and their values, and how cost grows. */
+#include "src/profile/sweep.h"
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/log.h"
+#include "src/profile/lines.h"
+
+static const double least_share = 0.02; /* of a frame, for a fit */
+
+static enum status usage(const char *text, const char *what)
+{
+    log_error("--sweep %s: %s; say it as in --sweep cracks.count=0,8,64", text, what);
+    return STATUS_USAGE;
+}
+
+static enum status no_memory(void)
+{
+    log_error("out of memory");
+    return STATUS_TRY_AGAIN;
+}
+
+/* What is wrong with a part of the text of this length, or NULL. */
+static const char *find_fault(size_t length)
+{
+    if (length == 0)
+        return "a name or value is empty";
+    return length < PROFILE_NAME_SIZE ? NULL : "a name or value is too long";
+}
+
+static void copy_part(char to[static PROFILE_NAME_SIZE], const char *from, size_t length)
+{
+    memcpy(to, from, length);
+    to[length] = '\0';
+}
+
+/* All values, of which there are as many as commas and one. */
+static const char *split_values(struct profile_parameter *parameter, const char *text)
+{
+    for (uint32_t i = 0; i < parameter->value_count; i++) {
+        const size_t length = strcspn(text, ",");
+        const char *what = find_fault(length);
+        if (what)
+            return what;
+        copy_part(parameter->values[i], text, length);
+        text += length + 1;
+    }
+    return NULL;
+}
+
+static uint32_t count_values(const char *text)
+{
+    uint32_t count = 1;
+    for (; *text && count <= PROFILE_SWEEP_POINTS; text++)
+        count += *text == ',';
+    return count;
+}
+
+static const char *read_name(const struct profile_sweep *sweep, const char *text,
+                             struct profile_parameter *parameter)
+{
+    const size_t length = strcspn(text, "=");
+    const char *what = text[length] ? find_fault(length) : "there is no \"=\"";
+    if (what)
+        return what;
+    copy_part(parameter->name, text, length);
+    for (uint32_t i = 0; i < sweep->parameter_count; i++)
+        if (strcmp(sweep->parameters[i].name, parameter->name) == 0)
+            return "the parameter is there twice";
+    return NULL;
+}
+
+enum status profile_sweep_add(struct profile_sweep *sweep, const char *text)
+{
+    const uint32_t before = sweep->parameter_count ? sweep->point_count : 1;
+    struct profile_parameter *parameter = &sweep->parameters[sweep->parameter_count];
+    if (sweep->parameter_count == PROFILE_SWEEP_PARAMETERS)
+        return usage(text, "4 parameters at most");
+    const char *what = read_name(sweep, text, parameter);
+    if (what)
+        return usage(text, what);
+
+    const char *values = strchr(text, '=') + 1;
+    const uint32_t count = count_values(values);
+    if (count > PROFILE_SWEEP_POINTS / before)
+        return usage(text, "1000 points at most, the numbers of values multiplied");
+    parameter->values = calloc(count, sizeof(*parameter->values));
+    parameter->value_count = count;
+    sweep->parameter_count++; /* finish() frees it from here on */
+    free(sweep->points);
+    sweep->points = calloc((size_t)before * count, sizeof(*sweep->points));
+    sweep->point_count = sweep->points ? before * count : 0;
+    if (!parameter->values || !sweep->points)
+        return no_memory();
+    what = split_values(parameter, values);
+    return what ? usage(text, what) : STATUS_OK;
+}
+
+void profile_sweep_finish(struct profile_sweep *sweep)
+{
+    for (uint32_t i = 0; i < sweep->point_count; i++)
+        profile_finish(&sweep->points[i]);
+    for (uint32_t i = 0; i < sweep->parameter_count; i++)
+        free(sweep->parameters[i].values);
+    free(sweep->points);
+    *sweep = (struct profile_sweep){ 0 };
+}
+
+const char *profile_sweep_value(const struct profile_sweep *sweep, uint32_t point,
+                                uint32_t parameter)
+{
+    for (uint32_t i = sweep->parameter_count - 1; i > parameter; i--)
+        point /= sweep->parameters[i].value_count;
+    const struct profile_parameter *p = &sweep->parameters[parameter];
+    return p->values[point % p->value_count];
+}
+
+static bool read_size(const char *text, double *pixels)
+{
+    char *at = NULL;
+    if (!isdigit((unsigned char)text[0]))
+        return false;
+    *pixels = (double)strtoul(text, &at, 10);
+    if (*at != 'x' || !isdigit((unsigned char)at[1]))
+        return false;
+    *pixels *= (double)strtoul(at + 1, &at, 10);
+    return *at == '\0';
+}
+
+static bool read_number(const char *text, double *number)
+{
+    char *end = NULL;
+    if (text[strspn(text, "+-.0123456789eE")]) /* strtod() knows more: "inf", "0x10" */
+        return false;
+    *number = strtod(text, &end);
+    return end > text && *end == '\0' && isfinite(*number);
+}
+
+bool profile_sweep_number(const struct profile_sweep *sweep, uint32_t point, uint32_t parameter,
+                          double *number)
+{
+    const char *value = profile_sweep_value(sweep, point, parameter);
+    return strcmp(sweep->parameters[parameter].name, "size") == 0 ? read_size(value, number)
+                                                                  : read_number(value, number);
+}
+
+/* Of a sweep of one parameter, all numbers. */
+struct fitting {
+    struct profile_lines *lines;    /* one a point */
+    double *x, *used_x, *y;         /* one a point */
+    struct profile_growth *growths; /* the frame's first */
+    uint32_t count;
+};
+
+static bool has_growth(const struct fitting *fitting, const char *name)
+{
+    for (uint32_t i = 1; i < fitting->count; i++)
+        if (strcmp(fitting->growths[i].name, name) == 0)
+            return true;
+    return false;
+}
+
+/* Everything that is worth a fit, in the order in which the points have it. */
+static bool name_growths(struct fitting *fitting, uint32_t point_count)
+{
+    size_t room = 1;
+    for (uint32_t i = 0; i < point_count; i++)
+        room += fitting->lines[i].count;
+    fitting->growths = calloc(room, sizeof(*fitting->growths));
+    if (!fitting->growths)
+        return false;
+    snprintf(fitting->growths[0].name, PROFILE_NAME_SIZE, "frame");
+    fitting->count = 1;
+    for (uint32_t i = 0; i < point_count; i++) {
+        for (uint32_t k = 0; k < fitting->lines[i].count; k++) {
+            const struct profile_line *line = &fitting->lines[i].lines[k];
+            if (line->share > least_share && line->row->kind != PROFILE_REST &&
+                !has_growth(fitting, line->row->name))
+                snprintf(fitting->growths[fitting->count++].name, PROFILE_NAME_SIZE, "%s",
+                         line->row->name);
+        }
+    }
+    return true;
+}
+
+/* The median at a point, or NULL: a point does not have it. */
+static const double *find_median(const struct profile_lines *lines, const char *name)
+{
+    for (uint32_t i = 0; i < lines->count; i++)
+        if (strcmp(lines->lines[i].row->name, name) == 0)
+            return &lines->lines[i].summary.median;
+    return NULL;
+}
+
+static void fit_growth(const struct fitting *fitting, uint32_t index, uint32_t point_count)
+{
+    struct profile_growth *growth = &fitting->growths[index];
+    uint32_t used = 0;
+    for (uint32_t i = 0; i < point_count; i++) {
+        const double *median = index == 0 ? &fitting->lines[i].frame.median
+                                          : find_median(&fitting->lines[i], growth->name);
+        if (!median)
+            continue;
+        fitting->used_x[used] = fitting->x[i];
+        fitting->y[used] = *median;
+        used++;
+    }
+    growth->fit = profile_fit(fitting->used_x, fitting->y, used);
+}
+
+/* Leaves out what cannot be fitted. */
+static void fit_all(struct fitting *fitting, uint32_t point_count)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < fitting->count; i++) {
+        fit_growth(fitting, i, point_count);
+        if (fitting->growths[i].fit.point_count > 0)
+            fitting->growths[kept++] = fitting->growths[i];
+    }
+    fitting->count = kept;
+}
+
+static enum status fitting_init(struct fitting *fitting, const struct profile_sweep *sweep)
+{
+    enum status status = STATUS_OK;
+    *fitting = (struct fitting){
+        .lines = calloc(sweep->point_count, sizeof(*fitting->lines)),
+        .x = calloc(3 * (size_t)sweep->point_count, sizeof(*fitting->x)),
+    };
+    if (!fitting->lines || !fitting->x)
+        return no_memory();
+    fitting->used_x = fitting->x + sweep->point_count;
+    fitting->y = fitting->used_x + sweep->point_count;
+    for (uint32_t i = 0; i < sweep->point_count && status == STATUS_OK; i++)
+        status = profile_lines_init(&fitting->lines[i], &sweep->points[i], false);
+    return status;
+}
+
+static void fitting_finish(struct fitting *fitting, uint32_t point_count)
+{
+    for (uint32_t i = 0; i < point_count && fitting->lines; i++)
+        profile_lines_finish(&fitting->lines[i]);
+    free(fitting->lines);
+    free(fitting->x);
+    free(fitting->growths);
+}
+
+enum status profile_sweep_fit(const struct profile_sweep *sweep, struct profile_growth **growths,
+                              uint32_t *count)
+{
+    struct fitting fitting;
+    double number;
+    *growths = NULL;
+    *count = 0;
+    if (sweep->parameter_count != 1 || sweep->point_count == 0)
+        return STATUS_OK;
+    for (uint32_t i = 0; i < sweep->point_count; i++)
+        if (!profile_sweep_number(sweep, i, 0, &number))
+            return STATUS_OK;
+
+    enum status status = fitting_init(&fitting, sweep);
+    for (uint32_t i = 0; i < sweep->point_count && status == STATUS_OK; i++)
+        (void)profile_sweep_number(sweep, i, 0, &fitting.x[i]);
+    if (status == STATUS_OK && !name_growths(&fitting, sweep->point_count))
+        status = no_memory();
+    if (status == STATUS_OK)
+        fit_all(&fitting, sweep->point_count);
+    if (status == STATUS_OK && fitting.count > 0) {
+        *growths = fitting.growths;
+        *count = fitting.count;
+        fitting.growths = NULL;
+    }
+    fitting_finish(&fitting, sweep->point_count);
+    return status;
+}

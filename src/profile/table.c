@@ -1,0 +1,214 @@
+/* table.c: a profile as a table. */
+#include "src/profile/table.h"
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+#include "src/profile/lines.h"
+#include "src/profile/text.h"
+
+enum {
+    NAME_COLUMNS = 32,
+    MAX_OUTLIERS = 8,
+    WORDS_SIZE = 1024
+};
+
+int profile_decimals(double greatest)
+{
+    if (greatest >= 1000)
+        return greatest >= 10000 ? 0 : 1;
+    if (greatest >= 100)
+        return 2;
+    return greatest >= 10 ? 3 : 4;
+}
+
+static void print_heading(const struct profile *p, FILE *out)
+{
+    char words[WORDS_SIZE];
+    snprintf(words, sizeof(words), "%s, %s, %s, %" PRIu32 "x%" PRIu32 ", on %s", p->scene, p->rung,
+             p->material, p->width, p->height, p->device);
+    profile_print_words(words, 2, out);
+    snprintf(words, sizeof(words), "%" PRIu32 " run%s after %" PRIu32 " to warm up; milliseconds",
+             p->run_count, p->run_count == 1 ? "" : "s", p->warmup);
+    profile_print_words(words, 2, out);
+}
+
+static void print_summary(const char *name, const struct profile_summary *s, double share,
+                          int decimals, FILE *out)
+{
+    profile_print_name(name, NAME_COLUMNS, out);
+    fprintf(out, " %8.*f %8.*f ± %7.*f %8.*f %8.*f %8.*f %6.1f %%\n", decimals, s->median, decimals,
+            s->mean, decimals, s->sigma, decimals, s->min, decimals, s->p95, decimals, s->max,
+            share * 100);
+}
+
+static void print_times(const struct profile_lines *lines, FILE *out)
+{
+    const int decimals = profile_decimals(lines->frame.max);
+    char name[PROFILE_LINE_NAME_SIZE];
+    profile_print_name("pass", NAME_COLUMNS, out);
+    fprintf(out, " %8s %8s ± %7s %8s %8s %8s %8s\n", "median", "mean", "sigma", "min", "p95", "max",
+            "share");
+    for (uint32_t i = 0; i < lines->count; i++) {
+        const struct profile_line *line = &lines->lines[i];
+        profile_line_name(line, name);
+        print_summary(name, &line->summary, line->share, decimals, out);
+    }
+    print_summary("frame", &lines->frame, lines->frame.mean > 0 ? 1 : 0, decimals, out);
+}
+
+/* 0 is shown as "-": there was nothing to count. */
+static void print_count(uint64_t count, int columns, FILE *out)
+{
+    static const char units[] = { 'M', 'G', 'T', 'P', 'E' };
+    size_t unit = 0;
+    double scaled = (double)count / 1e6;
+    if (count == 0) {
+        fprintf(out, " %*s", columns, "-");
+    } else if (count < 10000000) {
+        fprintf(out, " %*" PRIu64, columns, count);
+    } else {
+        for (; scaled >= 1000 && unit + 1 < sizeof(units); unit++)
+            scaled /= 1000;
+        fprintf(out, " %*.2f %c", columns - 2, scaled, units[unit]);
+    }
+}
+
+static void print_work_of(const struct profile_line *line, const struct profile *p, FILE *out)
+{
+    char name[PROFILE_LINE_NAME_SIZE], size[32] = "-";
+    profile_line_name(line, name);
+    profile_print_name(name, NAME_COLUMNS, out);
+    if (line->row->width > 0)
+        snprintf(size, sizeof(size), "%" PRIu32 "x%" PRIu32, line->row->width, line->row->height);
+    fprintf(out, " %11s", size);
+    print_count(line->target_bytes, 9, out);
+    if (p->has_statistics) {
+        const bool computes = line->row->kind == PROFILE_COMPUTE;
+        print_count(line->covered, 10, out);
+        print_count(line->vertices, 9, out);
+        print_count(line->triangles, 9, out);
+        print_count(computes ? line->invocations : line->fragments, 10, out);
+    }
+    fputc('\n', out);
+}
+
+static void print_work(const struct profile_lines *lines, const struct profile *p, FILE *out)
+{
+    fputc('\n', out);
+    profile_print_name("pass", NAME_COLUMNS, out);
+    fprintf(out, " %11s %9s", "targets", "bytes");
+    if (p->has_statistics)
+        fprintf(out, " %10s %9s %9s %10s", "covered", "vertices", "triangles", "shaded");
+    fputc('\n', out);
+    for (uint32_t i = 0; i < lines->pass_count; i++)
+        print_work_of(&lines->lines[i], p, out);
+    if (p->has_statistics)
+        profile_print_words(
+            p->fragments_are_exact
+                ? "covered: samples that passed the depth test; shaded: fragments or invocations"
+                : "covered: samples that passed the depth test; shaded: fragments (this driver "
+                  "counts whole blocks of them) or invocations",
+            2, out);
+}
+
+/* A sample that is far from the others of its line. */
+struct outlier {
+    const struct profile_line *line;
+    uint32_t run;
+};
+
+static double excess(const struct outlier *outlier)
+{
+    return fabs(outlier->line->ms[outlier->run] - outlier->line->summary.median);
+}
+
+/* Keeps the worst in descending order; returns how many have come. */
+static uint32_t add_outlier(struct outlier *worst, uint32_t count, struct outlier outlier)
+{
+    uint32_t at = count < MAX_OUTLIERS ? count : MAX_OUTLIERS;
+    while (at > 0 && excess(&worst[at - 1]) < excess(&outlier)) {
+        if (at < MAX_OUTLIERS)
+            worst[at] = worst[at - 1];
+        at--;
+    }
+    if (at < MAX_OUTLIERS)
+        worst[at] = outlier;
+    return count + 1;
+}
+
+static void print_outlier(const struct outlier *outlier, FILE *out)
+{
+    const double ms = outlier->line->ms[outlier->run], median = outlier->line->summary.median;
+    char name[PROFILE_LINE_NAME_SIZE], words[WORDS_SIZE], times[32] = "";
+    profile_line_name(outlier->line, name);
+    if (median > 0)
+        snprintf(times, sizeof(times), ", %.1fx its median", ms / median);
+    snprintf(words, sizeof(words), "run %" PRIu32 ": %s %.*f ms%s", outlier->run, name,
+             profile_decimals(ms), ms, times);
+    profile_print_words(words, 2, out);
+}
+
+/* Those that matter: farther from the median than a hundredth of the frame. */
+static void print_outliers(const struct profile_lines *lines, uint32_t run_count, FILE *out)
+{
+    struct outlier worst[MAX_OUTLIERS];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < lines->count; i++) {
+        const struct profile_line *line = &lines->lines[i];
+        const struct profile_fences fences = profile_fences(line->ms, run_count);
+        for (uint32_t run = 0; run < run_count; run++) {
+            const struct outlier outlier = { line, run };
+            const bool is_outside = line->ms[run] < fences.low || line->ms[run] > fences.high;
+            if (is_outside && excess(&outlier) > 0.01 * lines->frame.median)
+                count = add_outlier(worst, count, outlier);
+        }
+    }
+    fprintf(out, "outliers (runs count from 0):%s\n", count ? "" : " none");
+    for (uint32_t i = 0; i < count && i < MAX_OUTLIERS; i++)
+        print_outlier(&worst[i], out);
+    if (count > MAX_OUTLIERS)
+        fprintf(out, "and %" PRIu32 " smaller ones\n", count - MAX_OUTLIERS);
+}
+
+static void print_rest(const struct profile_lines *lines, const struct profile *p, FILE *out)
+{
+    const double frame = lines->frame.median, plain = lines->plain.median;
+    char words[WORDS_SIZE];
+
+    snprintf(words, sizeof(words), "clock: %s: %s", p->clock, p->clock_reason);
+    profile_print_words(words, 2, out);
+    if (strcmp(p->clock, "submits") == 0)
+        fprintf(out, "an empty submit takes %.4f ms: that is part of every pass\n", p->submit_cost);
+    fprintf(out, "measuring: %+.1f %% (median of the frame %.*f ms, of one not measured %.*f ms)\n",
+            profile_overhead(p) * 100, profile_decimals(frame), frame, profile_decimals(plain),
+            plain);
+    snprintf(
+        words, sizeof(words),
+        "once: scene to the device %.*f ms, plan %.*f ms, objects and pipelines %.*f ms, first "
+        "frame %.*f ms",
+        profile_decimals(p->upload), p->upload, profile_decimals(p->compile), p->compile,
+        profile_decimals(p->realise), p->realise, profile_decimals(p->first_frame), p->first_frame);
+    profile_print_words(words, 2, out);
+    snprintf(words, sizeof(words),
+             "memory: %" PRIu64 " bytes transient (%" PRIu64 " without sharing, %" PRIu64
+             " at least), %" PRIu64 " persistent",
+             p->memory_used, p->memory_without_aliasing, p->memory_bound, p->memory_persistent);
+    profile_print_words(words, 2, out);
+    print_outliers(lines, p->run_count, out);
+}
+
+enum status profile_table(const struct profile *p, bool each, FILE *out)
+{
+    struct profile_lines lines;
+    const enum status status = profile_lines_init(&lines, p, each);
+    if (status != STATUS_OK)
+        return status;
+    print_heading(p, out);
+    fputc('\n', out);
+    print_times(&lines, out);
+    print_work(&lines, p, out);
+    fputc('\n', out);
+    print_rest(&lines, p, out);
+    profile_lines_finish(&lines);
+    return STATUS_OK;
+}

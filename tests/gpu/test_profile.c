@@ -1,0 +1,221 @@
+/*
+ * test_profile.c: what a profile says of a frame, and what is made of the clocks' answers. How long
+ * anything takes is no test's business.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "tests/support/check.h"
+
+#include "src/profile/measure.h"
+#include "tests/support/lavapipe.h"
+#include "tests/support/picture.h"
+
+enum {
+    RUNS = 4,
+    WARMUP = 2,
+    SIDE = 64,
+};
+
+/* ---- clocks ---- */
+
+/* Times of a driver that bills each pass to the one before, as some do. */
+static void billing_another_pass_is_an_error(void **state)
+{
+    (void)state;
+    const struct clock_test_times right = {
+        .alone = { 8.01, 0.51, 4.01, 0.51, 8.01, 0.11, 0.01 },
+        .stamped = { 8, 0.5, 4, 0.5, 8, 0.1, 0.001 },
+    };
+    const struct clock_test_times shifted = {
+        .alone = { 8.01, 0.51, 4.01, 0.51, 8.01, 0.11, 0.01 },
+        .stamped = { 0.5, 4, 0.5, 8, 0.1, 0.001, 8 },
+    };
+    struct clock_test_times slow = right;
+    assert_true(clock_test_error(&right) < 1e-9);
+    assert_true(clock_test_error(&shifted) > 1);
+    slow.stamped[2] = 4.4; /* a tenth too much */
+    assert_float_equal((float)clock_test_error(&slow), 0.1F, 1e-6F);
+    slow.stamped[2] = 4;
+    slow.stamped[1] = 0.7; /* a light pass: in parts of a tenth of all */
+    assert_float_equal((float)clock_test_error(&slow), 0.2F / 2.11F, 1e-3F);
+}
+
+static void a_clock_is_found(void **state)
+{
+    struct profile_clock clock;
+    assert_int_equal(clock_test_run(*state, &clock), STATUS_OK);
+    assert_true(clock.clock == RG_CLOCK_EXACT || clock.clock == RG_CLOCK_SUBMITS);
+    assert_true(strlen(clock.reason) > 0);
+    assert_true(clock.submit_cost > 0);
+}
+
+/* ---- a profile ---- */
+
+struct progress {
+    uint32_t calls, stop_at; /* 0: never */
+};
+
+static bool count_runs(void *user, uint32_t done, uint32_t all)
+{
+    struct progress *progress = user;
+    progress->calls++;
+    assert_int_equal(done, progress->calls);
+    assert_int_equal(all, RUNS + WARMUP);
+    return done != progress->stop_at;
+}
+
+static enum status measure(struct gpu *gpu, enum rg_clock clock, struct progress *progress,
+                           struct profile *profile)
+{
+    const struct settings settings = picture_settings("motion.ice=20");
+    const struct profile_clock by = { .clock = clock, .reason = "it is said so" };
+    struct scene scene = { 0 };
+    assert_int_equal(scene_load(&scene, &(struct scene_params){ .name = "sphere" }), STATUS_OK);
+    const enum status status =
+        profile_measure(profile,
+                        &(struct profile_request){
+                            .renderer = { .gpu = gpu,
+                                          .scene = &scene,
+                                          .settings = &settings,
+                                          .rung = &frame_rungs[0],
+                                          .width = SIDE,
+                                          .height = SIDE },
+                            .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
+                            .clock = &by,
+                            .warmup = WARMUP,
+                            .run_count = RUNS,
+                            .time = 1,
+                            .time_step = 0.5,
+                        },
+                        count_runs, progress);
+    scene_finish(&scene);
+    return status;
+}
+
+/* In every run the rows are the frame, and passes lie one behind the other. */
+static void check_runs(const struct profile *p, bool by_one_clock)
+{
+    for (uint32_t run = 0; run < RUNS; run++) {
+        double sum = 0;
+        double end = 0;
+        for (uint32_t i = 0; i < p->row_count; i++) {
+            const struct profile_row *row = &p->rows[i];
+            sum += row->ms[run];
+            if (i >= p->pass_count)
+                continue;
+            assert_true(row->ms[run] > 0);
+            assert_true(row->begin_ms[run] >= end - 1e-9);
+            assert_true(row->record_ms[run] > 0);
+            end = row->begin_ms[run] + row->ms[run];
+        }
+        assert_float_equal((float)(sum / p->frame[run]), 1, 1e-6F);
+        assert_true(end < p->frame[run] && p->wait[run] < p->frame[run] && p->plain[run] > 0);
+        assert_true(!by_one_clock || p->rows[p->row_count - 1].ms[run] > 0);
+    }
+}
+
+static const struct profile_row *find_row(const struct profile *p, const char *name)
+{
+    for (uint32_t i = 0; i < p->row_count; i++) {
+        if (!strcmp(p->rows[i].name, name))
+            return &p->rows[i];
+    }
+    fail_msg("no row %s", name);
+    return NULL;
+}
+
+static void check_frame(const struct profile *p)
+{
+    const struct profile_row *screen = find_row(p, "tonemap.screen");
+    const struct profile_row *sky = find_row(p, "env_cube.sky");
+    const struct profile_row *back = find_row(p, "ice_normal.back");
+    assert_string_equal(screen->technique, "tonemap");
+    assert_int_equal(screen->kind, PROFILE_RASTER);
+    assert_int_equal(screen->covered, SIDE * SIDE);
+    assert_int_equal(screen->triangles, 1);
+    assert_int_equal(screen->target_bytes, SIDE * SIDE * 4);
+    assert_int_equal(screen->width, SIDE);
+    assert_int_equal(sky->repetition_count, 6);
+    assert_int_equal(sky[1].repetition, 1);
+    assert_int_equal(back->triangles, 960);
+    assert_true(back->covered > 0 && back->covered < SIDE * SIDE);
+    assert_int_equal(p->rows[p->row_count - 1].kind, PROFILE_REST);
+    for (uint32_t i = 0; i < p->resident_count; i++) {
+        assert_true(p->residents[i].first_pass <= p->residents[i].last_pass);
+        assert_true(p->residents[i].last_pass < p->pass_count);
+        assert_true(p->residents[i].offset + p->residents[i].size <= p->memory_used);
+    }
+    assert_true(p->resident_count > 0);
+}
+
+static void rows_are_the_frame(void **state)
+{
+    static const enum rg_clock clocks[] = { RG_CLOCK_EXACT, RG_CLOCK_SUBMITS };
+
+    for (size_t i = 0; i < 2; i++) {
+        struct progress progress = { 0 };
+        struct profile profile;
+        assert_int_equal(measure(*state, clocks[i], &progress, &profile), STATUS_OK);
+        assert_int_equal(progress.calls, RUNS + WARMUP);
+        check_runs(&profile, clocks[i] == RG_CLOCK_SUBMITS);
+        check_frame(&profile);
+        profile_finish(&profile);
+    }
+}
+
+static void it_can_be_stopped(void **state)
+{
+    struct progress progress = { .stop_at = 3 };
+    struct profile profile;
+    assert_int_equal(measure(*state, RG_CLOCK_EXACT, &progress, &profile), STATUS_FAILED);
+    assert_int_equal(progress.calls, 3);
+    assert_null(profile.rows);
+}
+
+/* Frames left on the device are those that come back. */
+static void a_kept_frame_is_the_picture(void **state)
+{
+    const struct settings settings = picture_settings("motion.ice=20");
+    struct scene scene = { 0 };
+    struct renderer *renderer;
+    struct render_result first;
+    struct render_result again;
+    assert_int_equal(scene_load(&scene, &(struct scene_params){ .name = "sphere" }), STATUS_OK);
+    const struct renderer_shot shot = {
+        .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
+    };
+    assert_int_equal(renderer_create(&renderer, &(struct renderer_params){ .gpu = *state,
+                                                                           .scene = &scene,
+                                                                           .settings = &settings,
+                                                                           .rung = &frame_rungs[0],
+                                                                           .width = SIDE,
+                                                                           .height = SIDE,
+                                                                           .display = true,
+                                                                           .keep = true }),
+                     STATUS_OK);
+    assert_true(renderer_picture(renderer) != VK_NULL_HANDLE);
+    assert_int_equal(renderer_render(renderer, &shot, &first, NULL, NULL), STATUS_OK);
+    for (uint32_t i = 0; i < 3; i++)
+        assert_int_equal(renderer_draw(renderer, &(struct renderer_shot){ shot.camera, (float)i }),
+                         STATUS_OK);
+    assert_int_equal(renderer_wait(renderer), STATUS_OK);
+    assert_int_equal(renderer_render(renderer, &shot, &again, NULL, NULL), STATUS_OK);
+    assert_memory_equal(first.rgba, again.rgba, (size_t)SIDE * SIDE * 4);
+    render_result_finish(&first);
+    render_result_finish(&again);
+    renderer_destroy(renderer);
+    scene_finish(&scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(billing_another_pass_is_an_error),
+        ON_DEVICE(a_clock_is_found),
+        ON_DEVICE(rows_are_the_frame),
+        ON_DEVICE(it_can_be_stopped),
+        ON_DEVICE(a_kept_frame_is_the_picture),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
