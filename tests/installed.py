@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-HEADERS = {'rg': ['rg.h'], 'rg-exec': ['rg_exec.h', 'rg_cmd.h']}  # of each library
+HEADERS = {'rg': ['rg.h'], 'rg-exec': ['rg_exec.h', 'rg_cmd.h', 'rg_time.h']}  # of each library
 WARNINGS = '-Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers'
 CPLUSPLUS = '''\
 #include "graph/rg_cmd.h"

@@ -19,7 +19,7 @@ MAX_FILE, MAX_FUNCTION, MAX_COLUMN, MAX_SUBJECT = 600, 60, 100, 72
 FOLDERS = ('.ci', 'assets', 'docs', 'graph', 'shaders', 'src', 'tests')
 C = ('.c', '.h')
 GLSL = ('.vert', '.frag', '.comp', '.glsl')
-CODE = (*C, *GLSL, '.py', '.sh', '.build')
+CODE = (*C, *GLSL, '.css', '.js', '.py', '.sh', '.build')
 TEXT = (*CODE, '.md', '.txt', '.json', '.html', '.supp')
 SHELL_NAMES = ('run',)  # files without a suffix
 TEXT_NAMES = (*SHELL_NAMES, 'LICENSE', '.clang-format', '.clang-tidy', '.gitignore')
@@ -225,6 +225,7 @@ SAMPLES = (
     ('src/a.c', 'int x;', 'no newline'),
     ('src/a.c', 'x' * 101 + '\n', '101 columns'),
     ('run', 'x' * 101 + '\n', '101 columns'),
+    ('src/a.js', 'x' * 101 + '\n', '101 columns'),
     ('docs/a.md', 'x' * 101 + '\n', None),
     ('src/a.c', LONG * 601, '601 lines'),
     ('src/a.c', LONG * 600, None),

@@ -3,14 +3,16 @@
 #define FIRN_APP_APP_H
 
 #include <stdbool.h>
+#include "graph/rg_time.h"
 #include "src/frames.h"
 #include "src/scene/scene.h"
 #include "src/settings.h"
 #include "src/status.h"
 
 enum {
-    APP_OUTPUT_COUNT = 16
-}; /* -o options at most */
+    APP_OUTPUT_COUNT = 16, /* -o options at most */
+    APP_SWEEP_COUNT = 4,   /* --sweep */
+};
 
 /* How firn graph prints a plan. */
 enum app_format {
@@ -19,6 +21,11 @@ enum app_format {
     APP_FORMAT_JSON,
     APP_FORMAT_HTML,
     APP_FORMAT_COUNT,
+};
+
+/* Files of firn profile; NULL: not wanted. */
+struct app_reports {
+    const char *json, *csv, *trace, *html;
 };
 
 /* What the command line says; zero is the default everywhere. */
@@ -38,7 +45,16 @@ struct app_options {
     bool ior_is_set;    /* by --set */
     const char *frames; /* --frames, not parsed; NULL: one picture */
     bool validate, quiet, resume;
+    char *const *words; /* of the command line, from the command on; ends at NULL */
     enum app_format format;
+    enum rg_clock clock;        /* to measure by; RG_CLOCK_NONE: what a test of the device finds */
+    uint32_t warmup, run_count; /* of firn profile, as are: */
+    double time_step;           /* seconds from run to run */
+    struct app_reports reports;
+    const char *baseline;                /* file */
+    const char *sweeps[APP_SWEEP_COUNT]; /* "name=a,b,c" */
+    uint32_t sweep_count;
+    bool each, capture;
     enum rg_sharing sharing;
 };
 
@@ -46,6 +62,7 @@ enum app_command {
     APP_RENDER = 1,
     APP_GRAPH = 2,
     APP_LIST = 4,
+    APP_PROFILE = 16,
 };
 
 /*
@@ -61,6 +78,13 @@ void app_help(enum app_command command);
 enum status app_render(const struct app_options *options);
 enum status app_graph(const struct app_options *given);
 enum status app_list(const struct app_options *options);
+enum status app_profile(const struct app_options *options);
+
+/*
+ * Sets what `name` means, an option that says what is drawn ("size", "material") or a setting
+ * ("cracks.count"), as the command line would. Logs: STATUS_USAGE.
+ */
+MUST_USE enum status app_set(struct app_options *options, const char *name, const char *value);
 
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);

@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/app/option_profile.h"
+#include "src/app/option_values.h"
 #include "src/app/show.h"
 #include "src/log.h"
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
-
-typedef enum status option_fn(struct app_options *o, const char *value);
 
 struct option {
     const char *group; /* heading in the help */
@@ -25,52 +25,14 @@ struct option {
 
 /* ---- values ---- */
 
-static enum status refuse(const char *option, const char *value, const char *wanted)
-{
-    log_error("--%s %s: %s", option, value, wanted);
-    return STATUS_USAGE;
-}
-
-/* Numbers with a separator between; true if there are exactly `count`, all finite. */
-static bool parse_numbers(const char *text, char separator, float *numbers, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        char *end;
-        if (isspace((unsigned char)*text))
-            return false;
-        double value = strtod(text, &end);
-        bool last = i + 1 == count;
-        if (end == text || !(fabs(value) <= 1e30) || *end != (last ? '\0' : separator))
-            return false;
-        numbers[i] = (float)value;
-        text = end + !last;
-    }
-    return true;
-}
-
-static bool parse_count(const char *text, uint32_t min, uint32_t max, uint32_t *count,
-                        const char **rest)
-{
-    char *end;
-    if (!isdigit((unsigned char)*text))
-        return false;
-    errno = 0;
-    unsigned long value = strtoul(text, &end, 10);
-    if (errno || value < min || value > max)
-        return false;
-    *count = (uint32_t)value;
-    *rest = end;
-    return true;
-}
-
 static enum status set_output(struct app_options *o, const char *value)
 {
     const char *dot = strrchr(value, '.');
     bool known = !strcmp(value, "-") || (dot && (!strcmp(dot, ".exr") || !strcmp(dot, ".png")));
     if (!known)
-        return refuse("output", value, "a name that ends in .exr or .png, or - is wanted");
+        return option_refuse("output", value, "a name that ends in .exr or .png, or - is wanted");
     if (o->output_count == APP_OUTPUT_COUNT)
-        return refuse("output", value, "at most 16 files can be written at once");
+        return option_refuse("output", value, "at most 16 files can be written at once");
     o->outputs[o->output_count++] = value;
     return STATUS_OK;
 }
@@ -78,17 +40,17 @@ static enum status set_output(struct app_options *o, const char *value)
 static enum status set_size(struct app_options *o, const char *value)
 {
     const char *rest;
-    if (!parse_count(value, 1, 16384, &o->width, &rest) || *rest != 'x' ||
-        !parse_count(rest + 1, 1, 16384, &o->height, &rest) || *rest)
-        return refuse("size", value, "WIDTHxHEIGHT in pixels is wanted, 1x1 to 16384x16384");
+    if (!option_parse_count(value, 1, 16384, &o->width, &rest) || *rest != 'x' ||
+        !option_parse_count(rest + 1, 1, 16384, &o->height, &rest) || *rest)
+        return option_refuse("size", value, "WIDTHxHEIGHT in pixels is wanted, 1x1 to 16384x16384");
     return STATUS_OK;
 }
 
 static enum status set_samples(struct app_options *o, const char *value)
 {
     const char *rest;
-    if (!parse_count(value, 1, 65536, &o->samples, &rest) || *rest)
-        return refuse("samples", value, "a number from 1 to 65536 is wanted");
+    if (!option_parse_count(value, 1, 65536, &o->samples, &rest) || *rest)
+        return option_refuse("samples", value, "a number from 1 to 65536 is wanted");
     return STATUS_OK;
 }
 
@@ -106,8 +68,8 @@ static enum status add_layer(struct app_options *o, const char *name, size_t len
             return STATUS_OK;
         }
     }
-    return refuse("aov", value,
-                  "layers separated by commas, or all, are wanted (firn list layers)");
+    return option_refuse("aov", value,
+                         "layers separated by commas, or all, are wanted (firn list layers)");
 }
 
 static enum status set_aov(struct app_options *o, const char *value)
@@ -145,7 +107,8 @@ static enum status set_resume(struct app_options *o, const char *value)
 static enum status set_refraction(struct app_options *o, const char *value)
 {
     o->rung = frame_find_rung(value);
-    return o->rung ? STATUS_OK : refuse("refraction", value, "no such rung (firn list rungs)");
+    return o->rung ? STATUS_OK
+                   : option_refuse("refraction", value, "no such rung (firn list rungs)");
 }
 
 static enum status set_material(struct app_options *o, const char *value)
@@ -153,7 +116,7 @@ static enum status set_material(struct app_options *o, const char *value)
     o->material = value;
     return material_find(value)
                ? STATUS_OK
-               : refuse("material", value, "no such material (firn list materials)");
+               : option_refuse("material", value, "no such material (firn list materials)");
 }
 
 static enum status set_set(struct app_options *o, const char *value)
@@ -177,38 +140,40 @@ static enum status set_surroundings(struct app_options *o, const char *value)
 
 static enum status set_background(struct app_options *o, const char *value)
 {
-    o->has_background = parse_numbers(value, ',', o->background.raw, 3) &&
+    o->has_background = option_parse_numbers(value, ',', o->background.raw, 3) &&
                         o->background.x >= 0.0f && o->background.y >= 0.0f &&
                         o->background.z >= 0.0f;
-    return o->has_background ? STATUS_OK
-                             : refuse("background", value, "R,G,B is wanted, linear, from 0 up");
+    return o->has_background
+               ? STATUS_OK
+               : option_refuse("background", value, "R,G,B is wanted, linear, from 0 up");
 }
 
 static enum status set_orbit(struct app_options *o, const char *value)
 {
-    o->has_orbit = parse_numbers(value, ',', o->orbit.raw, 3) && o->orbit.z > 0.0f;
-    return o->has_orbit ? STATUS_OK
-                        : refuse("orbit", value,
-                                 "AZIMUTH,ELEVATION,DISTANCE is wanted, in degrees and metres");
+    o->has_orbit = option_parse_numbers(value, ',', o->orbit.raw, 3) && o->orbit.z > 0.0f;
+    return o->has_orbit
+               ? STATUS_OK
+               : option_refuse("orbit", value,
+                               "AZIMUTH,ELEVATION,DISTANCE is wanted, in degrees and metres");
 }
 
 static enum status set_eye(struct app_options *o, const char *value)
 {
-    o->has_eye = parse_numbers(value, ',', o->eye.raw, 3);
-    return o->has_eye ? STATUS_OK : refuse("eye", value, "X,Y,Z is wanted");
+    o->has_eye = option_parse_numbers(value, ',', o->eye.raw, 3);
+    return o->has_eye ? STATUS_OK : option_refuse("eye", value, "X,Y,Z is wanted");
 }
 
 static enum status set_target(struct app_options *o, const char *value)
 {
-    o->has_target = parse_numbers(value, ',', o->target.raw, 3);
-    return o->has_target ? STATUS_OK : refuse("target", value, "X,Y,Z is wanted");
+    o->has_target = option_parse_numbers(value, ',', o->target.raw, 3);
+    return o->has_target ? STATUS_OK : option_refuse("target", value, "X,Y,Z is wanted");
 }
 
 static enum status set_fov(struct app_options *o, const char *value)
 {
-    o->has_fov =
-        parse_numbers(value, ',', &o->fov_deg, 1) && o->fov_deg >= 1.0f && o->fov_deg <= 170.0f;
-    return o->has_fov ? STATUS_OK : refuse("fov", value, "1 to 170 degrees are wanted");
+    o->has_fov = option_parse_numbers(value, ',', &o->fov_deg, 1) && o->fov_deg >= 1.0f &&
+                 o->fov_deg <= 170.0f;
+    return o->has_fov ? STATUS_OK : option_refuse("fov", value, "1 to 170 degrees are wanted");
 }
 
 static enum status set_device(struct app_options *o, const char *value)
@@ -237,7 +202,7 @@ static enum status set_sharing(struct app_options *o, const char *value)
             return STATUS_OK;
         }
     }
-    return refuse("sharing", value, "batches, memory or nothing is wanted");
+    return option_refuse("sharing", value, "batches, memory or nothing is wanted");
 }
 
 static enum status set_quiet(struct app_options *o, const char *value)
@@ -284,14 +249,15 @@ static enum status set_html(struct app_options *o, const char *value)
 
 /* ---- the table ---- */
 
-#define PICTURES (APP_RENDER | APP_GRAPH)
+#define PICTURES (APP_RENDER | APP_GRAPH | APP_PROFILE)
+#define DEVICES  (APP_RENDER | APP_PROFILE)
 
 static const struct option options[] = {
     { "Output", "output", 'o', "FILE", APP_RENDER, set_output,
       "write FILE.exr or FILE.png, may be repeated; - is an EXR on stdout (firn.exr)" },
     { "Output", "size", 's', "WxH", PICTURES, set_size, "pixels (1024x768)" },
-    { "Output", "samples", 'n', "N", PICTURES, set_samples, "samples a pixel (1)" },
-    { "Output", "aov", 0, "LIST", PICTURES, set_aov,
+    { "Output", "samples", 'n', "N", APP_RENDER | APP_GRAPH, set_samples, "samples a pixel (1)" },
+    { "Output", "aov", 0, "LIST", APP_RENDER | APP_GRAPH, set_aov,
       "extra layers of the EXR: names with commas between (firn list layers), or all" },
     { "Output", "show", 0, "LAYER", APP_RENDER, set_show,
       "what PNG files show in place of the picture: one layer (firn list layers)" },
@@ -299,6 +265,26 @@ static const struct option options[] = {
       "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, set_resume,
       "draw only what is not there yet, whole and with the same options" },
+    { "Runs", "runs", 'n', "N", APP_PROFILE, option_runs, "runs that count (30)" },
+    { "Runs", "warmup", 0, "N", APP_PROFILE, option_warmup, "runs before them (5)" },
+    { "Runs", "time-step", 0, "SECONDS", APP_PROFILE, option_time_step,
+      "of the scene, from run to run (0: every run draws the same)" },
+    { "Runs", "clock", 0, "CLOCK", APP_PROFILE, option_clock,
+      "timestamps, submits (each pass alone), auto: what is truthful (auto)" },
+    { "Runs", "sweep", 0, "NAME=A,B,...", APP_PROFILE, option_sweep,
+      "profile each value of a setting, size, ...; of several all products" },
+    { "Runs", "baseline", 0, "FILE", APP_PROFILE, option_baseline,
+      "compare with what --json wrote; exit code 1 if anything is slower" },
+    { "Reports", "each", 0, NULL, APP_PROFILE, option_each,
+      "a line for each repetition of a pass, such as cube faces" },
+    { "Reports", "json", 0, "FILE", APP_PROFILE, option_json,
+      "write everything, with all samples; - is stdout in place of the table" },
+    { "Reports", "csv", 0, "FILE", APP_PROFILE, option_csv, "write a line for each run and pass" },
+    { "Reports", "trace", 0, "FILE", APP_PROFILE, option_trace,
+      "write a Chrome trace, for Perfetto, Tracy or speedscope" },
+    { "Reports", "html", 0, "FILE", APP_PROFILE, option_html, "write a page with plots" },
+    { "Reports", "capture", 0, NULL, APP_PROFILE, option_capture,
+      "let RenderDoc capture a frame; start firn from it" },
     { "Picture", "refraction", 'r', "RUNG", PICTURES, set_refraction,
       "paper or one-sided (paper)" },
     { "Picture", "material", 'm', "NAME", PICTURES, set_material, "ice, water, glass, ... (ice)" },
@@ -315,9 +301,9 @@ static const struct option options[] = {
     { "Camera", "target", 0, "X,Y,Z", PICTURES, set_target,
       "what it looks at (the object's centre)" },
     { "Camera", "fov", 0, "DEGREES", PICTURES, set_fov, "vertical angle of view (45)" },
-    { "Device", "device", 'd', "N|NAME", APP_RENDER, set_device,
+    { "Device", "device", 'd', "N|NAME", DEVICES, set_device,
       "number or part of the name (firn list devices)" },
-    { "Device", "validate", 0, NULL, APP_RENDER, set_validate,
+    { "Device", "validate", 0, NULL, DEVICES, set_validate,
       "Vulkan validation and synchronization validation" },
     { "Device", "sharing", 0, "HOW", PICTURES, set_sharing,
       "share memory: batches (where it costs none), memory, nothing (batches)" },
@@ -339,6 +325,11 @@ static const char *const examples[] = {
     [APP_GRAPH] = "  firn graph ice-cube\n"
                   "  firn graph ice-cube --html > plan.html\n"
                   "  firn graph ice-cube --refraction one-sided --dot | dot -Tsvg > plan.svg\n",
+    [APP_PROFILE] = "  firn profile ice-cube\n"
+                    "  firn profile ice-cube --json before.json --html before.html\n"
+                    "  firn profile ice-cube --baseline before.json\n"
+                    "  firn profile ice-cube --sweep cracks.count=1,4,16,64\n"
+                    "  firn profile paper\n",
     [APP_LIST] = "  firn list\n"
                  "  firn list settings\n",
 };
@@ -346,6 +337,7 @@ static const char *const examples[] = {
 static const char *const usages[] = {
     [APP_RENDER] = "firn render [options] SCENE: draw a picture, to EXR and PNG",
     [APP_GRAPH] = "firn graph [options] SCENE: print the compiled plan of a frame; needs no device",
+    [APP_PROFILE] = "firn profile [options] SCENE: measure what each pass of a frame costs",
     [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
 };
 
@@ -355,6 +347,8 @@ void app_help(enum app_command command)
     printf("%s\n\nExamples:\n%s", usages[command], examples[command]);
     if (command & PICTURES)
         printf("\nSCENE is ice-cube, sphere, teapot, or a model file (.gltf .glb .obj .ply).\n");
+    if (command == APP_PROFILE)
+        printf("firn profile paper repeats the measurements of the paper.\n");
     for (size_t i = 0; i < OPTION_COUNT; i++) {
         const struct option *option = &options[i];
         char left[64];
@@ -438,7 +432,12 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
 {
     bool only_words = false;
     *done = false;
-    *o = (struct app_options){ .settings = settings_default(), .rung = &frame_rungs[0] };
+    *o = (struct app_options){
+        .settings = settings_default(),
+        .rung = &frame_rungs[0],
+        .warmup = 5,
+        .run_count = 30,
+    };
     for (int i = 0; i < argc; i++) {
         enum status status = STATUS_OK;
         const char *word = argv[i];
@@ -461,4 +460,15 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
             return status;
     }
     return STATUS_OK;
+}
+
+/* Options that say what is drawn. */
+enum status app_set(struct app_options *o, const char *name, const char *value)
+{
+    const struct option *option = find_long(name, strlen(name), APP_GRAPH);
+    char assignment[256];
+    if (option && option->value && strcmp(name, "set") != 0)
+        return option->set(o, value);
+    snprintf(assignment, sizeof(assignment), "%s=%s", name, value);
+    return set_set(o, assignment);
 }

@@ -13,6 +13,8 @@ void progress_begin(struct progress *progress, uint32_t frames, uint32_t samples
     *progress = (struct progress){
         .frames = frames,
         .samples = samples,
+        .frame_name = "frame",
+        .sample_name = "samples",
         .visible = !quiet && (frames > 1 || samples > 1) && isatty(STDERR_FILENO),
     };
 }
@@ -25,9 +27,10 @@ void progress_show(const struct progress *p, uint32_t samples)
         return;
     fprintf(stderr, "\r[%.*s%*s]", filled, "##############################", BAR - filled, "");
     if (p->frames > 1)
-        fprintf(stderr, " frame %u/%u", p->frame + 1, p->frames);
+        fprintf(stderr, " %s %u/%u", p->frame_name, p->frame + 1, p->frames);
     if (p->samples > 1)
-        fprintf(stderr, "%s %u/%u samples", p->frames > 1 ? "," : "", samples, p->samples);
+        fprintf(stderr, "%s %u/%u %s", p->frames > 1 ? "," : "", samples, p->samples,
+                p->sample_name);
     fflush(stderr);
 }
 

@@ -6,8 +6,9 @@
 #include <stdint.h>
 
 struct progress {
-    uint32_t frames, samples; /* there are, and of each frame */
-    uint32_t frame;           /* index of the one at work */
+    uint32_t frames, samples;             /* there are, and of each frame */
+    uint32_t frame;                       /* index of the one at work */
+    const char *frame_name, *sample_name; /* "frame", "samples" */
     bool visible;
 };
 

@@ -1,0 +1,14 @@
+/* option_profile.h: what the options of firn profile set. */
+#ifndef FIRN_APP_OPTION_PROFILE_H
+#define FIRN_APP_OPTION_PROFILE_H
+
+#include "src/app/app.h"
+
+/* Sets an option; `value` is NULL if it takes none. Logs: STATUS_USAGE. */
+typedef enum status option_fn(struct app_options *o, const char *value);
+
+option_fn option_runs, option_warmup, option_time_step, option_clock, option_sweep;
+option_fn option_baseline, option_each, option_json, option_csv, option_trace, option_html;
+option_fn option_capture;
+
+#endif

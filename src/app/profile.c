@@ -1,0 +1,255 @@
+/* profile.c: firn profile: what each pass of a frame costs, on the device at hand. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/profile_job.h"
+#include "src/image/file.h"
+#include "src/log.h"
+#include "src/profile/compare.h"
+#include "src/profile/csv.h"
+#include "src/profile/html.h"
+#include "src/profile/json.h"
+#include "src/profile/table.h"
+#include "src/profile/trace.h"
+
+/* ---- before the device ---- */
+
+static enum status check_reports(const struct app_options *o)
+{
+    const char *const paths[] = { o->reports.json, o->reports.csv, o->reports.trace,
+                                  o->reports.html };
+    uint32_t stdout_count = 0;
+    enum status status = STATUS_OK;
+    for (size_t i = 0; i < sizeof(paths) / sizeof(paths[0]) && status == STATUS_OK; i++) {
+        if (!paths[i])
+            continue;
+        stdout_count += !strcmp(paths[i], "-");
+        status = file_check(paths[i]);
+    }
+    if (status == STATUS_OK && stdout_count > 1) {
+        log_error("- for several reports: stdout takes one of them");
+        status = STATUS_USAGE;
+    }
+    return status;
+}
+
+/* ---- reports ---- */
+
+static bool is_stdout(const char *path)
+{
+    return path && !strcmp(path, "-");
+}
+
+/* Tables go to stdout unless a file does. */
+static bool has_table(const struct app_options *o)
+{
+    const struct app_reports *r = &o->reports;
+    return !is_stdout(r->json) && !is_stdout(r->csv) && !is_stdout(r->trace) && !is_stdout(r->html);
+}
+
+/* Writes a text, which it frees, where one is wanted. */
+static enum status write_text(const char *path, enum status made, char *text, size_t size)
+{
+    enum status status = made == STATUS_OK ? file_write(path, text, size) : made;
+    free(text);
+    return status;
+}
+
+static enum status write_csv(const char *path, const struct profile *profile)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (out) {
+        profile_csv(profile, out);
+        if (!fclose(out))
+            return write_text(path, STATUS_OK, text, size);
+        free(text);
+    }
+    log_error("out of memory");
+    return STATUS_TRY_AGAIN;
+}
+
+static enum status write_reports(const struct profile_job *job, const struct profile *profile)
+{
+    const struct app_reports *to = &job->o.reports;
+    enum status status = STATUS_OK;
+    char *text;
+    size_t size;
+    if (to->json) {
+        enum status made = profile_write_json(profile, &text, &size);
+        status = write_text(to->json, made, text, size);
+    }
+    if (to->csv && status == STATUS_OK)
+        status = write_csv(to->csv, profile);
+    if (to->trace && status == STATUS_OK) {
+        enum status made = profile_write_trace(profile, &text, &size);
+        status = write_text(to->trace, made, text, size);
+    }
+    if (to->html && status == STATUS_OK) {
+        enum status made = profile_write_html(profile, NULL, &text, &size);
+        status = write_text(to->html, made, text, size);
+    }
+    return status;
+}
+
+/* What stdout has taken, or not. */
+static enum status flush(void)
+{
+    if (!fflush(stdout) && !ferror(stdout))
+        return STATUS_OK;
+    log_error("stdout: cannot be written");
+    return STATUS_WRITE;
+}
+
+/* ---- one frame ---- */
+
+static enum status run_frame(struct profile_job *job)
+{
+    struct profile profile = { 0 };
+    bool is_slower = false;
+    enum status status = profile_job_measure(job, &job->o, &profile);
+    if (status == STATUS_OK)
+        status = write_reports(job, &profile);
+    if (status == STATUS_OK && has_table(&job->o))
+        status = profile_table(&profile, job->o.each, stdout);
+    if (status == STATUS_OK && job->o.baseline) {
+        FILE *out = has_table(&job->o) ? stdout : stderr;
+        putc('\n', out);
+        status = profile_compare(&job->baseline, &profile, job->o.each, out, &is_slower);
+    }
+    if (status == STATUS_OK && job->capture[0] && !job->o.quiet)
+        fprintf(stderr, "RenderDoc has captured a frame: %s\n", job->capture);
+    if (status == STATUS_OK)
+        status = flush();
+    profile_finish(&profile);
+    return status == STATUS_OK && is_slower ? STATUS_FAILED : status;
+}
+
+/* ---- a sweep ---- */
+
+static enum status parse_sweeps(struct profile_job *job)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < job->o.sweep_count && status == STATUS_OK; i++)
+        status = profile_sweep_add(&job->sweep, job->o.sweeps[i]);
+    return status;
+}
+
+/* Reports of one frame, where there will be many. */
+static enum status refuse_reports(const struct app_options *o, const char *many)
+{
+    if (!o->baseline && !o->reports.csv && !o->reports.trace && !o->capture)
+        return STATUS_OK;
+    log_error("%s: has --json and --html, but no --csv, --trace, --baseline or --capture", many);
+    return STATUS_USAGE;
+}
+
+static enum status point_options(const struct profile_job *job, uint32_t point,
+                                 struct app_options *o)
+{
+    enum status status = STATUS_OK;
+    *o = job->o;
+    for (uint32_t i = 0; i < job->sweep.parameter_count && status == STATUS_OK; i++)
+        status =
+            app_set(o, job->sweep.parameters[i].name, profile_sweep_value(&job->sweep, point, i));
+    return status;
+}
+
+static enum status check_points(const struct profile_job *job)
+{
+    struct app_options o;
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < job->sweep.point_count && status == STATUS_OK; i++)
+        status = point_options(job, i, &o);
+    return status;
+}
+
+enum status profile_job_write_sweep(const struct profile_job *job)
+{
+    const struct app_reports *to = &job->o.reports;
+    enum status status = STATUS_OK;
+    char *text;
+    size_t size;
+    if (to->json) {
+        enum status made = profile_write_sweep_json(&job->sweep, &text, &size);
+        status = write_text(to->json, made, text, size);
+    }
+    if (to->html && status == STATUS_OK) {
+        const struct profile *last = &job->sweep.points[job->sweep.point_count - 1];
+        enum status made = profile_write_html(last, &job->sweep, &text, &size);
+        status = write_text(to->html, made, text, size);
+    }
+    return status == STATUS_OK ? flush() : status;
+}
+
+static enum status run_sweep(struct profile_job *job)
+{
+    struct app_options o;
+    enum status status = STATUS_OK;
+    job->progress.frame_name = "point";
+    for (uint32_t i = 0; i < job->sweep.point_count && status == STATUS_OK; i++) {
+        job->progress.frame = i;
+        status = point_options(job, i, &o);
+        if (status == STATUS_OK)
+            status = profile_job_measure(job, &o, &job->sweep.points[i]);
+    }
+    if (status == STATUS_OK && has_table(&job->o))
+        status = profile_sweep_table(&job->sweep, stdout);
+    return status == STATUS_OK ? profile_job_write_sweep(job) : status;
+}
+
+/* ---- all ---- */
+
+/* What can be wrong with the words and files is found before the device is opened. */
+static enum status check(struct profile_job *job, bool is_paper)
+{
+    const struct app_options *o = &job->o;
+    enum status status = check_reports(o);
+    if (status == STATUS_OK && is_paper && o->sweep_count) {
+        log_error("--sweep: the paper's experiments have no parameters");
+        status = STATUS_USAGE;
+    }
+    if (status == STATUS_OK && (is_paper || o->sweep_count))
+        status = refuse_reports(o, is_paper ? "paper" : "--sweep");
+    if (status == STATUS_OK)
+        status = parse_sweeps(job);
+    if (status == STATUS_OK)
+        status = check_points(job);
+    if (status == STATUS_OK && o->baseline)
+        status = profile_read_json(o->baseline, &job->baseline);
+    return status;
+}
+
+static enum status run(struct profile_job *job)
+{
+    const struct app_options *o = &job->o;
+    const bool is_paper = o->positional && !strcmp(o->positional, "paper");
+    enum status status = check(job, is_paper);
+    const uint32_t points = job->sweep.point_count;
+    progress_begin(&job->progress, points ? points : 1, o->warmup + o->run_count, o->quiet);
+    job->progress.sample_name = "runs";
+    if (status != STATUS_OK)
+        return status;
+    if (is_paper)
+        return profile_paper(job);
+    return points ? run_sweep(job) : run_frame(job);
+}
+
+enum status app_profile(const struct app_options *options)
+{
+    struct profile_job *job = calloc(1, sizeof(*job));
+    if (!job) {
+        log_error("out of memory");
+        return STATUS_TRY_AGAIN;
+    }
+    job->o = *options;
+    enum status status = run(job);
+    if (status == STATUS_OK && job->gpu.message_count)
+        status = STATUS_FAILED; /* the validation layer has said why */
+    profile_sweep_finish(&job->sweep);
+    profile_finish(&job->baseline);
+    gpu_destroy(&job->gpu);
+    free(job);
+    return status;
+}

@@ -1,0 +1,153 @@
+/* profile_job.c: the device behind a profile, and what options measure on it. */
+#include "src/app/profile_job.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/gpu/gpu_capture.h"
+#include "src/log.h"
+#include "src/scene/material.h"
+#include "src/scene_settings.h"
+
+/* ---- the device and its clock ---- */
+
+static enum status open_device(struct profile_job *job)
+{
+    const struct app_options *o = &job->o;
+    enum status status =
+        gpu_create(&job->gpu, &(struct gpu_params){ .device = o->device, .validate = o->validate });
+    if (status == STATUS_OK && o->capture && !gpu_capture_is_there()) {
+        log_error("--capture: RenderDoc is not there; start firn from it, or with "
+                  "ENABLE_VULKAN_RENDERDOC_CAPTURE=1");
+        status = STATUS_USAGE;
+    }
+    if (status == STATUS_OK)
+        status = clock_test_run(&job->gpu, &job->clock);
+    if (status != STATUS_OK || o->clock == RG_CLOCK_NONE || o->clock == job->clock.clock)
+        return status;
+    job->clock.clock = o->clock;
+    log_warning("--clock: %s", job->clock.reason);
+    return status;
+}
+
+/* ---- a profile ---- */
+
+static bool show_progress(void *user, uint32_t done, uint32_t all)
+{
+    struct profile_job *job = user;
+    job->progress.samples = all;
+    progress_show(&job->progress, done);
+    return true;
+}
+
+static bool describe_settings(struct profile *p, const struct settings *settings)
+{
+    size_t count = 0;
+    for (size_t g = 0; setting_groups[g]; g++)
+        count += setting_groups[g]->row_count;
+    p->settings = calloc(count, sizeof(*p->settings));
+    if (!p->settings)
+        return false;
+    for (size_t g = 0; setting_groups[g]; g++) {
+        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
+            const struct setting *row = &setting_groups[g]->rows[r];
+            struct profile_setting *setting = &p->settings[p->setting_count++];
+            FILE *out = fmemopen(setting->value, sizeof(setting->value), "w");
+            if (!out)
+                return false;
+            snprintf(setting->name, sizeof(setting->name), "%s", row->name);
+            settings_print(settings, row, out);
+            fclose(out);
+        }
+    }
+    return true;
+}
+
+/* Quoted as a shell takes it; NULL when memory is short. */
+static char *join(char *const *words)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                "-_=+.,/:@%#";
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return NULL;
+    fputs("firn", out);
+    for (; *words; words++) {
+        bool is_plain = **words && strspn(*words, plain) == strlen(*words);
+        fputs(is_plain ? " " : " '", out);
+        for (const char *c = *words; *c; c++)
+            fputs(*c == '\'' ? "'\\''" : (const char[]){ *c, '\0' }, out);
+        fputs(is_plain ? "" : "'", out);
+    }
+    if (fclose(out)) {
+        free(text);
+        text = NULL;
+    }
+    return text;
+}
+
+/* By its name if the index is the material's. */
+static void describe_material(struct profile *p, const struct app_options *o)
+{
+    const double ior = settings_get(&o->settings, settings_find("refract.ior"));
+    const struct material *named = o->material ? material_find(o->material) : &materials[0];
+    for (; named->name && fabs((double)named->ior - ior) > 1e-6; named++)
+        continue;
+    if (named->name)
+        snprintf(p->material, sizeof(p->material), "%s", named->name);
+    else
+        snprintf(p->material, sizeof(p->material), "refractive index %g", ior);
+}
+
+static enum status describe(struct profile *p, const struct app_options *o)
+{
+    p->scene = strdup(o->positional);
+    p->command = join(o->words);
+    describe_material(p, o);
+    if (p->scene && p->command && describe_settings(p, &o->settings))
+        return STATUS_OK;
+    log_error("out of memory");
+    profile_finish(p);
+    return STATUS_TRY_AGAIN;
+}
+
+enum status profile_job_measure(struct profile_job *job, const struct app_options *options,
+                                struct profile *profile)
+{
+    struct app_options o = *options;
+    struct scene scene = { 0 };
+    struct profile_request request = {
+        .clock = &job->clock,
+        .warmup = o.warmup,
+        .run_count = o.run_count,
+        .capture = o.capture ? job->capture : NULL,
+        .time_step = o.time_step,
+    };
+    *profile = (struct profile){ 0 };
+    enum status status = app_load_scene(&scene, &o);
+    if (status == STATUS_OK)
+        status = app_camera(&request.camera, &scene, &o);
+    if (status == STATUS_OK && !job->gpu.device)
+        status = open_device(job);
+    if (status == STATUS_OK) {
+        const struct motion_params *motion = settings_of(&o.settings, &motion_settings);
+        request.time = (double)motion->time;
+        request.renderer = (struct renderer_params){
+            .gpu = &job->gpu,
+            .scene = &scene,
+            .settings = &o.settings,
+            .rung = o.rung,
+            .width = o.width,
+            .height = o.height,
+            .sharing = o.sharing,
+        };
+        status = profile_measure(profile, &request, show_progress, job);
+        progress_clear(&job->progress);
+    }
+    if (status == STATUS_OK)
+        status = describe(profile, &o);
+    scene_finish(&scene);
+    return status;
+}

@@ -1,0 +1,115 @@
+/* page.js: the head of the page, and the start of everything. */
+
+function addFact(word, text) {
+    const fact = add($('facts'), 'div');
+    add(fact, 'dt', {}, word);
+    add(fact, 'dd', {}, text);
+}
+
+function startFacts() {
+    const p = profile, { median, sigma } = p.frame.summary, summary = $('summary');
+    document.title = `firn profile: ${p.scene}`;
+    $('title').textContent = document.title;
+    add(summary, 'b', {}, ms(median));
+    summary.append(` a frame (median of ${plural(p.run_count, 'run')}, \u03c3 ${ms(sigma)}); ` +
+        `${ms(p.plain.summary.median)} when nothing is measured`);
+    addFact('picture', `${p.width}\u00d7${p.height}, ${p.rung}, ${p.material}`);
+    addFact('device', p.device);
+    addFact('driver', p.driver);
+    addFact('host', p.host);
+    addFact('clock', `${p.clock}: ${p.clock_reason}`);
+    if (p.clock === 'submits')
+        addFact('submit', `${ms(p.submit_cost)} when empty: part of every pass`);
+    addFact('runs', `${p.run_count}, after ${p.warmup} that were not kept`);
+    addFact('scene time', `${p.time} s, and ${p.time_step} s more from run to run`);
+    addFact('once', `upload ${ms(p.upload)}, plan ${ms(p.compile)}, objects ${ms(p.realise)}, ` +
+        `first frame ${ms(p.first_frame)}`);
+    $('command').textContent = p.command;
+}
+
+function startSettings() {
+    const box = $('settings'), body = box.querySelector('tbody');
+    box.querySelector('summary').textContent = `Settings (${profile.settings.length})`;
+    for (const { name, value } of profile.settings) {
+        const line = add(body, 'tr');
+        add(line, 'th', { scope: 'row' }, name);
+        add(line, 'td', {}, value);
+    }
+}
+
+async function copyCommand() {
+    let words = 'Copied';
+    try {
+        await navigator.clipboard.writeText(profile.command);
+    } catch { /* not allowed: the reader's own keys are */
+        getSelection().selectAllChildren($('command'));
+        words = 'Selected: copy it with Ctrl+C';
+    }
+    $('copied').textContent = words;
+}
+
+/* The system's choice, until the reader makes another one. */
+function startDark() {
+    const system = matchMedia('(prefers-color-scheme: dark)'), button = $('dark');
+    let chosen = null;
+    const show = () => {
+        const dark = chosen ?? system.matches;
+        document.documentElement.style.colorScheme = dark ? 'dark' : 'light';
+        button.setAttribute('aria-pressed', dark);
+    };
+    button.addEventListener('click', () => {
+        chosen = !(chosen ?? system.matches);
+        show();
+    });
+    system.addEventListener('change', show);
+    show();
+}
+
+/* Everything whose size depends on the window's. */
+function drawAll() {
+    drawFrames();
+    drawTimeline(focusedBlock());
+    drawMemory();
+    drawSweep();
+}
+
+function startPrinting() {
+    let wasOpen, zoom;
+    addEventListener('beforeprint', () => {
+        wasOpen = $('settings').open;
+        zoom = view.zoom;
+        $('settings').open = view.printing = true;
+        view.zoom = 1;
+        drawAll();
+    });
+    addEventListener('afterprint', () => {
+        $('settings').open = wasOpen;
+        view.printing = false;
+        view.zoom = zoom;
+        drawAll();
+    });
+}
+
+function startResizing() {
+    let width = innerWidth;
+    addEventListener('resize', () => {
+        if (innerWidth !== width)
+            drawAll();
+        width = innerWidth;
+    });
+}
+
+startDark();
+startFacts();
+startSettings();
+$('copy').addEventListener('click', copyCommand);
+startRows();
+startFrames();
+startTimeline();
+startMemory();
+startSweep();
+drawRows();
+drawAll();
+listenForTips();
+startPrinting();
+startResizing();
