@@ -12,7 +12,7 @@ enum {
     HEAVY = 16, /* times the light passes */
     GROUP_COUNT = 256,
     FRAME_COUNT = 12, /* by each clock */
-    TRY_COUNT = 3,
+    TRY_COUNT = 5,
     FIRST_ROUNDS = 16,
     MOST_ROUNDS = 1 << 22,
     ENOUGH_MS = 6, /* of a heavy pass: far more than a submit costs */

@@ -9,7 +9,8 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, main  # noqa: E402
 
-QUICK = ('--size', '64x48', '--runs', '4', '--warmup', '1')
+QUICK = ('--size', '64x48', '--runs', '4', '--warmup', '1', '--set', 'env_cube.dynamic=off')
+CUBE = ('--set', 'env_cube.dynamic=on')
 TIMED = ('--clock', 'timestamps')
 
 
@@ -23,16 +24,16 @@ class Profile(Case):
 
 class OneFrame(Profile):
     def test_table(self):
-        lines = self.profile().stdout.decode().splitlines()
+        lines = self.profile(*CUBE).stdout.decode().splitlines()
         self.assertLessEqual(max(map(len, lines)), 100)
         for word in ('pass', 'refract_paper.color', 'env_cube.sky x6', 'record', 'submit',
                      'unattributed', 'frame', 'clock:', 'measuring:'):
             self.assertTrue(any(line.startswith(word) for line in lines), word)
 
     def test_each(self):
-        text = self.profile('--each').stdout.decode()
+        text = self.profile('--each', *CUBE).stdout.decode()
         for face in range(6):
-            self.assertEqual(text.count(f'\nenv_cube.sky[{face}] '), 2)  # times, then counts
+            self.assertEqual(text.count(f'\nenv_cube.sky [{face}] '), 2)  # times, then counts
 
     def check_sums(self, found):
         for run, frame in enumerate(found['frame']['ms']):
