@@ -163,6 +163,8 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
     },
     [RG_PRESENT] = {
         .name = "present",
+        /* so that a semaphore signalled after all commands comes after the change of layout */
+        .stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
         .layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR,
         .reads_content = true,
         NO_DESCRIPTOR,

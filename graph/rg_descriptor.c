@@ -39,6 +39,7 @@ static VkImageViewType view_type(const struct rg_plan_image *image, const struct
 static VkResult make_use_view(struct rg_exec *exec, uint32_t index)
 {
     const struct rg_plan_use *use = &exec->plan->uses[index];
+    VkImageView *view = rg_exec_use_view(exec, index);
     VkResult result = VK_SUCCESS;
     if (use->image == RG_NONE || !has_descriptor(use))
         return VK_SUCCESS;
@@ -51,9 +52,8 @@ static VkResult make_use_view(struct rg_exec *exec, uint32_t index)
                                               .format = image->image->format,
                                               .subresourceRange = use->range,
                                           },
-                                          NULL, &exec->use_views[index]));
-    rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE_VIEW, (uint64_t)exec->use_views[index],
-                 image->image->name);
+                                          NULL, view));
+    rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE_VIEW, (uint64_t)*view, image->image->name);
 fail:
     return result;
 }
@@ -152,23 +152,24 @@ static VkResult make_pool(struct rg_exec *exec)
     };
 
     VkDescriptorPoolSize sizes[TYPE_COUNT];
+    uint32_t set_count = exec->slot_count * exec->choice_count; /* of a pass */
     VkResult result;
     for (uint32_t t = 0; t < TYPE_COUNT; t++) {
-        sizes[t] = (VkDescriptorPoolSize){ types[t], exec->slot_count }; /* never 0 */
+        sizes[t] = (VkDescriptorPoolSize){ types[t], set_count }; /* never 0 */
         for (uint32_t i = 0; i < exec->plan->use_count; i++) {
             if (descriptor_type(&exec->plan->uses[i]) == types[t])
-                sizes[t].descriptorCount += exec->slot_count;
+                sizes[t].descriptorCount += set_count;
         }
     }
-    RG_TRY(exec, exec->vk.CreateDescriptorPool(
-                     exec->device,
-                     &(VkDescriptorPoolCreateInfo){
-                         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
-                         .maxSets = exec->slot_count * exec->plan->pass_count + 1,
-                         .poolSizeCount = TYPE_COUNT,
-                         .pPoolSizes = sizes,
-                     },
-                     NULL, &exec->descriptor_pool));
+    RG_TRY(exec,
+           exec->vk.CreateDescriptorPool(exec->device,
+                                         &(VkDescriptorPoolCreateInfo){
+                                             .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                             .maxSets = set_count * exec->plan->pass_count + 1,
+                                             .poolSizeCount = TYPE_COUNT,
+                                             .pPoolSizes = sizes,
+                                         },
+                                         NULL, &exec->descriptor_pool));
 fail:
     return result;
 }
@@ -177,7 +178,7 @@ static VkResult write_use(struct rg_exec *exec, uint32_t index, uint32_t slot, V
 {
     const struct rg_plan_use *use = &exec->plan->uses[index];
     VkDescriptorImageInfo image = {
-        .imageView = exec->use_views[index],
+        .imageView = *rg_exec_use_view(exec, index),
         .imageLayout = use->layout,
     };
     VkDescriptorBufferInfo buffer = { .range = VK_WHOLE_SIZE };
@@ -207,11 +208,9 @@ static VkResult write_use(struct rg_exec *exec, uint32_t index, uint32_t slot, V
 static VkResult make_sets(struct rg_exec *exec, const struct rg_plan_pass *plan,
                           struct exec_pass *pass)
 {
-    VkResult result = VK_ERROR_OUT_OF_HOST_MEMORY;
-    pass->sets = calloc(exec->slot_count, sizeof(VkDescriptorSet));
-    if (!pass->sets)
-        return rg_exec_check(exec, result, "calloc");
+    VkResult result = VK_SUCCESS;
     for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
+        VkDescriptorSet *set = rg_exec_set(exec, pass, slot);
         RG_TRY(exec, exec->vk.AllocateDescriptorSets(
                          exec->device,
                          &(VkDescriptorSetAllocateInfo){
@@ -220,20 +219,18 @@ static VkResult make_sets(struct rg_exec *exec, const struct rg_plan_pass *plan,
                              .descriptorSetCount = 1,
                              .pSetLayouts = &pass->set_layout,
                          },
-                         &pass->sets[slot]));
+                         set));
         for (uint32_t i = 0; i < plan->use_count; i++)
-            RG_PASS(write_use(exec, plan->first_use + i, slot, pass->sets[slot]));
+            RG_PASS(write_use(exec, plan->first_use + i, slot, *set));
     }
 fail:
     return result;
 }
 
-VkResult rg_exec_make_descriptors(struct rg_exec *exec)
+static VkResult make_set_layouts(struct rg_exec *exec)
 {
     const struct rg_plan *plan = exec->plan;
-    VkResult result = make_pool(exec);
-    for (uint32_t i = 0; i < plan->use_count && result == VK_SUCCESS; i++)
-        result = make_use_view(exec, i);
+    VkResult result = VK_SUCCESS;
     for (uint32_t p = 0; p < plan->pass_count && result == VK_SUCCESS; p++) {
         struct exec_pass *pass = &exec->passes[p];
         pass->owner = p == 0 || plan->passes[p - 1].pass != plan->passes[p].pass;
@@ -241,8 +238,25 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec)
             result = make_set_layout(exec, &plan->passes[p], &pass->set_layout);
         else
             pass->set_layout = exec->passes[p - 1].set_layout;
-        if (result == VK_SUCCESS)
-            result = make_sets(exec, &plan->passes[p], pass);
+        pass->sets = calloc((size_t)exec->slot_count * exec->choice_count, sizeof(VkDescriptorSet));
+        if (!pass->sets)
+            result = rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc");
+    }
+    return result;
+}
+
+VkResult rg_exec_make_descriptors(struct rg_exec *exec)
+{
+    const struct rg_plan *plan = exec->plan;
+    VkResult result = make_pool(exec);
+    if (result == VK_SUCCESS)
+        result = make_set_layouts(exec);
+    for (uint32_t c = 0; c < exec->choice_count; c++) {
+        rg_exec_choose(exec, c);
+        for (uint32_t i = 0; i < plan->use_count && result == VK_SUCCESS; i++)
+            result = make_use_view(exec, i);
+        for (uint32_t p = 0; p < plan->pass_count && result == VK_SUCCESS; p++)
+            result = make_sets(exec, &plan->passes[p], &exec->passes[p]);
     }
     return result;
 }
@@ -254,7 +268,7 @@ void rg_exec_free_descriptors(struct rg_exec *exec)
             exec->vk.DestroyDescriptorSetLayout(exec->device, exec->passes[p].set_layout, NULL);
         free(exec->passes[p].sets);
     }
-    for (uint32_t i = 0; exec->use_views && i < exec->plan->use_count; i++)
+    for (uint32_t i = 0; exec->use_views && i < exec->plan->use_count * exec->choice_count; i++)
         exec->vk.DestroyImageView(exec->device, exec->use_views[i], NULL);
     for (uint32_t i = 0; i < exec->sampler_count; i++)
         exec->vk.DestroySampler(exec->device, exec->samplers[i].sampler, NULL);

@@ -69,16 +69,20 @@ static bool make_arrays(struct rg_exec *exec)
     size_t barrier_count = (size_t)plan->barrier_count + plan->initial_barrier_count;
     exec->blocks = make_array(plan->block_count, sizeof(*exec->blocks));
     exec->images = make_array(plan->image_count, sizeof(*exec->images));
+    exec->choices = make_array((size_t)plan->image_count * exec->choice_count, sizeof(VkImage));
     exec->image_memory = make_array(plan->image_count, sizeof(*exec->image_memory));
     exec->buffers = make_array(plan->buffer_count, sizeof(*exec->buffers));
-    exec->use_views = make_array(plan->use_count, sizeof(VkImageView));
+    exec->use_views = make_array((size_t)plan->use_count * exec->choice_count, sizeof(VkImageView));
     exec->samplers = make_array(plan->use_count, sizeof(*exec->samplers));
     exec->passes = make_array(plan->pass_count, sizeof(*exec->passes));
+    exec->targets =
+        make_array((size_t)plan->pass_count * exec->choice_count, sizeof(*exec->targets));
     exec->slots = make_array(exec->slot_count, sizeof(*exec->slots));
     exec->image_batch = make_array(barrier_count, sizeof(*exec->image_batch));
     exec->buffer_batch = make_array(barrier_count, sizeof(*exec->buffer_batch));
-    return exec->blocks && exec->images && exec->image_memory && exec->buffers && exec->use_views &&
-           exec->samplers && exec->passes && exec->slots && exec->image_batch && exec->buffer_batch;
+    return exec->blocks && exec->images && exec->choices && exec->image_memory && exec->buffers &&
+           exec->use_views && exec->samplers && exec->passes && exec->targets && exec->slots &&
+           exec->image_batch && exec->buffer_batch;
 }
 
 static VkResult make_all(struct rg_exec *exec)
@@ -87,6 +91,9 @@ static VkResult make_all(struct rg_exec *exec)
         rg_exec_make_memory,    rg_exec_make_targets, rg_exec_make_descriptors,
         rg_exec_make_pipelines, make_slots,           rg_exec_make_time,
     };
+    VkResult counted = rg_exec_count_choices(exec);
+    if (counted != VK_SUCCESS)
+        return counted;
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
     if (!make_arrays(exec))
         return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc");
@@ -141,11 +148,13 @@ void rg_exec_destroy(struct rg_exec *exec)
     rg_exec_free_time(exec);
     free(exec->blocks);
     free(exec->images);
+    free(exec->choices);
     free(exec->image_memory);
     free(exec->buffers);
     free(exec->use_views);
     free(exec->samplers);
     free(exec->passes);
+    free(exec->targets);
     free(exec->slots);
     free(exec->image_batch);
     free(exec->buffer_batch);
@@ -162,20 +171,37 @@ VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
     return result;
 }
 
+static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineStageFlags2 stages)
+{
+    return (VkSemaphoreSubmitInfo){
+        .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+        .semaphore = semaphore,
+        .stageMask = stages ? stages : VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+    };
+}
+
 /* Records some passes into the slot taken last and submits them. */
 static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                        uint32_t count)
 {
+    const struct rg_exec_ties *ties = &exec->ties;
     VkResult result;
     struct exec_slot *slot = &exec->slots[exec->slot];
     const VkCommandBufferSubmitInfo commands = {
         .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
         .commandBuffer = slot->commands,
     };
+    const VkSemaphoreSubmitInfo wait = semaphore_info(ties->wait, ties->wait_stages);
+    const VkSemaphoreSubmitInfo signal = semaphore_info(ties->signal, 0);
+    const bool is_last = first + count == exec->plan->pass_count;
     const VkSubmitInfo2 info = {
         .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+        .waitSemaphoreInfoCount = first == 0 && ties->wait,
+        .pWaitSemaphoreInfos = &wait,
         .commandBufferInfoCount = 1,
         .pCommandBufferInfos = &commands,
+        .signalSemaphoreInfoCount = is_last && ties->signal,
+        .pSignalSemaphoreInfos = &signal,
     };
     const uint64_t start = rg_time_now();
     RG_PASS(rg_exec_record(exec, frame, first, count));
@@ -217,7 +243,15 @@ fail:
 
 VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
 {
+    return rg_exec_submit_tied(exec, frame, &(struct rg_exec_ties){ 0 });
+}
+
+VkResult rg_exec_submit_tied(struct rg_exec *exec, const struct rg_frame *frame,
+                             const struct rg_exec_ties *ties)
+{
     VkResult result;
+    exec->ties = *ties;
+    rg_exec_choose(exec, ties->image);
     RG_PASS(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
     if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_SUBMITS)
         RG_PASS(submit_alone(exec, frame));

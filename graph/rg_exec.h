@@ -34,6 +34,10 @@ extern "C" {
 struct rg_exec_import {
     VkImage image;
     VkBuffer buffer;
+    /* Instead of `image`: several, of which each frame uses one, as those of a swapchain. Imports
+     * that come so have equally many, and the same choice counts for all of them. */
+    const VkImage *images;
+    uint32_t image_count;
 };
 
 struct rg_exec_params {
@@ -71,6 +75,18 @@ RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 
 /* Records the plan into the slot taken last and submits it. */
 RG_API VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
+
+/* What ties a frame to what is outside its queue; {0}: nothing. */
+struct rg_exec_ties {
+    uint32_t image;                    /* which of an import's several images */
+    VkSemaphore wait;                  /* binary; VK_NULL_HANDLE: none */
+    VkPipelineStageFlags2 wait_stages; /* that wait for it; 0 means all */
+    VkSemaphore signal;                /* binary, when all is done; VK_NULL_HANDLE: none */
+};
+
+/* The same with ties. */
+RG_API VkResult rg_exec_submit_tied(struct rg_exec *exec, const struct rg_frame *frame,
+                                    const struct rg_exec_ties *ties);
 
 /* Waits for the frame submitted in a slot; readback buffers are then up to date. */
 RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);

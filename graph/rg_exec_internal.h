@@ -19,15 +19,18 @@ enum {
     RG_VIEW_COUNT = 2 * RG_COLOR_COUNT + 1 /* of a pass: colours, depth, what they resolve to */
 };
 
-struct exec_pass {
+struct exec_targets {
     VkImageView views[RG_VIEW_COUNT]; /* colours, depth, resolves; without gaps */
-    VkPipelineLayout layout;          /* shared by the repetitions of a row, as are: */
+    VkFramebuffer framebuffer;
+};
+
+struct exec_pass {
+    VkPipelineLayout layout; /* shared by the repetitions of a row, as are: */
     VkDescriptorSetLayout set_layout;
     VkPipeline pipeline;
     bool owner; /* of the three above */
     VkRenderPass render_pass;
-    VkFramebuffer framebuffer;
-    VkDescriptorSet *sets; /* one a slot; NULL without descriptors */
+    VkDescriptorSet *sets; /* of each choice, one a slot */
 };
 
 struct exec_slot {
@@ -48,19 +51,23 @@ struct rg_exec {
     struct rg_functions vk;
     const struct rg_plan *plan;
     VkDevice device;
-    uint32_t slot_count, slot; /* the slot taken last */
+    uint32_t slot_count, slot;     /* the slot taken last */
+    uint32_t choice_count, choice; /* of imports' images; 1 and 0 unless one comes as several */
     VkPhysicalDeviceMemoryProperties memory_properties;
     VkDeviceMemory *blocks;
-    VkImage *images;
+    VkImage *images;  /* of an import that comes as several: that of the choice */
+    VkImage *choices; /* for each choice, one a plan image: null unless it comes as several */
     VkDeviceMemory *image_memory; /* of persistent images */
     struct exec_buffer *buffers;
-    VkImageView *use_views; /* one a plan use; null for buffers */
+    VkImageView *use_views; /* of each choice, one a plan use; null for buffers */
     struct exec_sampler *samplers;
     uint32_t sampler_count;
     struct exec_pass *passes;
+    struct exec_targets *targets; /* of each choice, one a pass */
     VkDescriptorPool descriptor_pool;
     VkCommandPool command_pool;
     struct exec_slot *slots;
+    struct rg_exec_ties ties;           /* of the frame submitted last */
     struct exec_time *time;             /* NULL: not made to measure */
     bool filled;                        /* the persistent resources are */
     VkImageMemoryBarrier2 *image_batch; /* room to record any batch from */
@@ -96,6 +103,16 @@ VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *
 
 /* Names an object for captures and messages, where the instance has debug utils. */
 void rg_exec_name(const struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name);
+
+/* rg_choice.c: imports that come as several images, of which each frame uses one */
+VkResult rg_exec_count_choices(struct rg_exec *exec);
+void rg_exec_keep_choices(struct rg_exec *exec, uint32_t image,
+                          const struct rg_exec_import *import);
+void rg_exec_choose(struct rg_exec *exec, uint32_t choice);
+struct exec_targets *rg_exec_targets(const struct rg_exec *exec, const struct exec_pass *pass);
+VkDescriptorSet *rg_exec_set(const struct rg_exec *exec, const struct exec_pass *pass,
+                             uint32_t slot);
+VkImageView *rg_exec_use_view(const struct rg_exec *exec, uint32_t use);
 
 /* rg_functions.c: fills exec->vk */
 VkResult rg_exec_find_functions(struct rg_exec *exec);

@@ -75,6 +75,7 @@ static VkResult make_image(struct rg_exec *exec, uint32_t index)
             RG_PASS(
                 rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "an import without object"));
         exec->images[index] = exec->params.imports[image->import].image;
+        rg_exec_keep_choices(exec, index, &exec->params.imports[image->import]);
         return VK_SUCCESS;
     }
     RG_TRY(exec, exec->vk.CreateImage(exec->device, &info, NULL, &exec->images[index]));

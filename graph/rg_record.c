@@ -90,10 +90,11 @@ static void begin_rendering(const struct rg_cmd *cmd)
     VkRenderingAttachmentInfo attachments[RG_COLOR_COUNT + 1];
     bool has_depth = plan->depth.image != RG_NONE;
     uint32_t count = plan->color_count;
-    const VkImageView *resolve_view = &cmd->pass->views[count + has_depth];
+    const VkImageView *views = rg_exec_targets(cmd->exec, cmd->pass)->views;
+    const VkImageView *resolve_view = &views[count + has_depth];
     for (uint32_t i = 0; i < count; i++) {
         const struct rg_plan_target *target = &plan->color[i];
-        attachments[i] = attachment(target, &plan->pass->color[i], cmd->pass->views[i]);
+        attachments[i] = attachment(target, &plan->pass->color[i], views[i]);
         if (target->resolve == RG_NONE)
             continue;
         attachments[i].resolveMode = resolve_mode(&cmd->exec->plan->images[target->resolve]);
@@ -101,7 +102,7 @@ static void begin_rendering(const struct rg_cmd *cmd)
         attachments[i].resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     }
     if (has_depth)
-        attachments[count] = attachment(&plan->depth, &plan->pass->depth, cmd->pass->views[count]);
+        attachments[count] = attachment(&plan->depth, &plan->pass->depth, views[count]);
     bool has_stencil = has_depth && cmd->exec->plan->images[plan->depth.image].aspects &
                                         VK_IMAGE_ASPECT_STENCIL_BIT;
     const VkRenderingInfo info = {
@@ -126,7 +127,7 @@ static void begin_render_pass(const struct rg_cmd *cmd)
     const VkRenderPassBeginInfo info = {
         .sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
         .renderPass = cmd->pass->render_pass,
-        .framebuffer = cmd->pass->framebuffer,
+        .framebuffer = rg_exec_targets(cmd->exec, cmd->pass)->framebuffer,
         .renderArea = { .extent = plan->extent },
         .clearValueCount = plan->color_count + 1,
         .pClearValues = clears,
@@ -145,7 +146,8 @@ static void bind(const struct rg_cmd *cmd)
         return;
     cmd->exec->vk.CmdBindPipeline(cmd->commands, point, cmd->pass->pipeline);
     cmd->exec->vk.CmdBindDescriptorSets(cmd->commands, point, cmd->pass->layout, 0, 1,
-                                        &cmd->pass->sets[cmd->exec->slot], 0, NULL);
+                                        rg_exec_set(cmd->exec, cmd->pass, cmd->exec->slot), 0,
+                                        NULL);
     if (plan->pass->kind != RG_RASTER)
         return;
     const VkViewport viewport = {

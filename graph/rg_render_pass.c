@@ -120,18 +120,42 @@ static VkResult make_render_pass(struct rg_exec *exec, const struct rg_plan_pass
                                                .pSubpasses = &subpass,
                                            },
                                            NULL, &pass->render_pass));
+fail:
+    return result;
+}
+
+static VkResult make_framebuffer(struct rg_exec *exec, const struct rg_plan_pass *plan,
+                                 const struct exec_pass *pass, uint32_t count)
+{
+    struct exec_targets *targets = rg_exec_targets(exec, pass);
+    VkResult result;
     RG_TRY(exec, exec->vk.CreateFramebuffer(exec->device,
                                             &(VkFramebufferCreateInfo){
                                                 .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
                                                 .renderPass = pass->render_pass,
                                                 .attachmentCount = count,
-                                                .pAttachments = pass->views,
+                                                .pAttachments = targets->views,
                                                 .width = plan->extent.width,
                                                 .height = plan->extent.height,
                                                 .layers = 1,
                                             },
-                                            NULL, &pass->framebuffer));
+                                            NULL, &targets->framebuffer));
 fail:
+    return result;
+}
+
+/* Of the choice. */
+static VkResult make_targets(struct rg_exec *exec, const struct rg_plan_pass *plan,
+                             struct exec_pass *pass)
+{
+    struct part parts[RG_VIEW_COUNT];
+    struct exec_targets *targets = rg_exec_targets(exec, pass);
+    uint32_t count = list_parts(plan, parts);
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < count && result == VK_SUCCESS; i++)
+        result = make_view(exec, &parts[i], &targets->views[i]);
+    if (result == VK_SUCCESS && pass->render_pass)
+        result = make_framebuffer(exec, plan, pass, count);
     return result;
 }
 
@@ -140,12 +164,15 @@ VkResult rg_exec_make_targets(struct rg_exec *exec)
     VkResult result = VK_SUCCESS;
     for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
         const struct rg_plan_pass *plan = &exec->plan->passes[p];
-        struct part parts[RG_VIEW_COUNT];
-        uint32_t count = list_parts(plan, parts);
-        for (uint32_t i = 0; i < count && result == VK_SUCCESS; i++)
-            result = make_view(exec, &parts[i], &exec->passes[p].views[i]);
-        if (result == VK_SUCCESS && exec->params.render_passes && plan->pass->kind == RG_RASTER)
-            result = make_render_pass(exec, plan, &exec->passes[p]);
+        struct exec_pass *pass = &exec->passes[p];
+        if (exec->params.render_passes && plan->pass->kind == RG_RASTER)
+            result = make_render_pass(exec, plan, pass);
+        for (uint32_t c = 0; c < exec->choice_count && result == VK_SUCCESS; c++) {
+            rg_exec_choose(exec, c);
+            result = make_targets(exec, plan, pass);
+        }
+        if (result != VK_SUCCESS)
+            return result;
     }
     return result;
 }
@@ -153,10 +180,11 @@ VkResult rg_exec_make_targets(struct rg_exec *exec)
 void rg_exec_free_targets(struct rg_exec *exec)
 {
     for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
-        struct exec_pass *pass = &exec->passes[p];
-        exec->vk.DestroyFramebuffer(exec->device, pass->framebuffer, NULL);
-        exec->vk.DestroyRenderPass(exec->device, pass->render_pass, NULL);
+        exec->vk.DestroyRenderPass(exec->device, exec->passes[p].render_pass, NULL);
+    }
+    for (uint32_t t = 0; exec->targets && t < exec->plan->pass_count * exec->choice_count; t++) {
+        exec->vk.DestroyFramebuffer(exec->device, exec->targets[t].framebuffer, NULL);
         for (uint32_t i = 0; i < RG_VIEW_COUNT; i++)
-            exec->vk.DestroyImageView(exec->device, pass->views[i], NULL);
+            exec->vk.DestroyImageView(exec->device, exec->targets[t].views[i], NULL);
     }
 }

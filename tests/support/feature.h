@@ -16,7 +16,7 @@ struct feature {
 };
 
 enum {
-    FEATURE_COUNT = 10,
+    FEATURE_COUNT = 11,
 };
 
 extern const struct feature *const feature_list[FEATURE_COUNT];
@@ -225,6 +225,19 @@ enum {
 
     IMPORTS_SEEN_OUT = 0,
     IMPORTS_TOTALS_OUT,
+};
+
+/* Draws to an image whose content does not count and that is shown afterwards. */
+extern const struct feature feature_present;
+extern const struct rg_image feature_present_picture;
+
+enum {
+    PRESENT_PAINT, /* rows to paint, then outputs */
+    PRESENT_LOOK,
+    PRESENT_PAINT_COUNT,
+
+    PRESENT_PICTURE_OUT = 0,
+    PRESENT_SEEN_OUT,
 };
 
 #endif

@@ -186,3 +186,37 @@ const struct feature feature_imports = {
         .import_count = sizeof(imports) / sizeof(imports[0]),
     },
 };
+
+/* ---- shown ---- */
+
+const struct rg_image feature_present_picture = COLOR_IMAGE("picture");
+static const struct rg_buffer picture_out = COLOR_BUFFER("picture out");
+
+static const struct rg_pass present_rows[] = {
+    [PRESENT_PAINT] = {
+        .name = "paint",
+        .color[0] = { &feature_present_picture, RG_LOAD_CLEAR },
+        PAINTED,
+    },
+    [PRESENT_LOOK] = PAINTED_FETCH("look", feature_present_picture, seen),
+    RUN_READ("read picture", feature_present_picture, picture_out),
+    RUN_READ("read seen", seen, seen_out),
+};
+
+static const struct rg_import shown[] = {
+    { .image = &feature_present_picture },
+};
+
+const struct feature feature_present = {
+    .name = "feature_present",
+    .params = {
+        .technique = RG_TECHNIQUE("present", present_rows),
+        .outputs = {
+            [PRESENT_PICTURE_OUT] = &picture_out,
+            [PRESENT_SEEN_OUT] = &seen_out,
+        },
+        .kept = { { .image = &feature_present_picture, .access = RG_PRESENT } },
+        .imports = shown,
+        .import_count = 1,
+    },
+};
