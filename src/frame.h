@@ -7,6 +7,7 @@
 #include "graph/rg_cmd.h"
 #include "shaders/background.h"
 #include "shaders/globals.h"
+#include "shaders/present.h"
 #include "src/settings.h"
 
 /* The tag that graph/rg.h leaves to the program. */
@@ -19,6 +20,7 @@ struct rg_frame {
     uint32_t bubble_count;       /* in bubbles_spheres */
     struct background_push view;
     struct background_push faces[6]; /* of the cube around the object, Vulkan's order */
+    struct present_push present;
 };
 
 /* struct mesh_vertex as shaders/mesh.h has it. */

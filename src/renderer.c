@@ -88,20 +88,6 @@ static void log_exec(void *user, const char *line)
     log_error("%s", line);
 }
 
-static enum status exec_status(VkResult result)
-{
-    switch ((int)result) {
-    case VK_SUCCESS:
-        return STATUS_OK;
-    case VK_ERROR_DEVICE_LOST:
-    case VK_ERROR_OUT_OF_HOST_MEMORY:
-    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-        return STATUS_TRY_AGAIN;
-    default:
-        return STATUS_FAILED;
-    }
-}
-
 static double now_ms(void)
 {
     struct timespec t;
@@ -158,7 +144,7 @@ static enum status stage_create(struct stage *stage, struct renderer *renderer,
         &result);
     renderer->costs.compile = compiled - start;
     renderer->costs.realise = now_ms() - compiled;
-    return exec_status(result);
+    return gpu_status(result);
 }
 
 static void stage_destroy(struct stage *stage)
@@ -251,7 +237,7 @@ static enum status run_stage(const struct renderer *r, struct stage *stage,
             frame_view_bubbles(&view, &globals, spheres);
         result = rg_exec_submit(stage->exec, &frame);
     }
-    return exec_status(result);
+    return gpu_status(result);
 }
 
 /* ---- a picture ---- */
@@ -270,7 +256,7 @@ static bool wants_layer(const struct renderer *r, uint32_t layer)
 static enum status fetch_sample(struct renderer *r, struct image *image, uint32_t sample,
                                 uint32_t slot)
 {
-    enum status status = exec_status(rg_exec_wait(r->picture.exec, slot));
+    enum status status = gpu_status(rg_exec_wait(r->picture.exec, slot));
     if (status != STATUS_OK)
         return status;
     const void *beauty = read_back(&r->picture, frame_beauty.image, slot);
@@ -307,7 +293,7 @@ enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
 
 enum status renderer_wait(struct renderer *r)
 {
-    return exec_status(rg_exec_wait(r->picture.exec, r->last_slot));
+    return gpu_status(rg_exec_wait(r->picture.exec, r->last_slot));
 }
 
 VkImage renderer_picture(const struct renderer *r)
@@ -374,7 +360,7 @@ static uint8_t *copy_display(struct renderer *r, struct stage *stage, uint32_t s
 static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
 {
     uint32_t slot;
-    enum status status = exec_status(rg_exec_begin(r->resolve.exec, &slot));
+    enum status status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
     uint16_t *texels =
         status == STATUS_OK ? rg_exec_mapped(r->resolve.exec, &resolve_samples, slot) : NULL;
     size_t count = (size_t)image->width * image->height;
@@ -385,9 +371,9 @@ static enum status resolve_display(struct renderer *r, const struct image *image
     }
     const struct rg_frame frame = { .settings = r->params.settings };
     if (status == STATUS_OK)
-        status = exec_status(rg_exec_submit(r->resolve.exec, &frame));
+        status = gpu_status(rg_exec_submit(r->resolve.exec, &frame));
     if (status == STATUS_OK)
-        status = exec_status(rg_exec_wait(r->resolve.exec, slot));
+        status = gpu_status(rg_exec_wait(r->resolve.exec, slot));
     if (status == STATUS_OK) {
         *rgba = copy_display(r, &r->resolve, slot);
         status = *rgba ? STATUS_OK : STATUS_TRY_AGAIN;

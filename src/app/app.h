@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include "graph/rg_time.h"
 #include "src/frames.h"
+#include "src/gpu/gpu_swapchain.h"
 #include "src/scene/scene.h"
 #include "src/settings.h"
 #include "src/status.h"
@@ -49,12 +50,15 @@ struct app_options {
     enum app_format format;
     enum rg_clock clock;        /* to measure by; RG_CLOCK_NONE: what a test of the device finds */
     uint32_t warmup, run_count; /* of firn profile, as are: */
-    double time_step;           /* seconds from run to run */
+    double time_step;           /* seconds from run to run; in a window 0: as time passes */
     struct app_reports reports;
     const char *baseline;                /* file */
     const char *sweeps[APP_SWEEP_COUNT]; /* "name=a,b,c" */
     uint32_t sweep_count;
     bool each, capture;
+    uint32_t frame_count;     /* of firn view: ends after so many; 0: when it is closed */
+    uint32_t fps_limit;       /* frames a second; 0: none */
+    VkPresentModeKHR present; /* 0 means FIFO */
     enum rg_sharing sharing;
 };
 
@@ -62,6 +66,7 @@ enum app_command {
     APP_RENDER = 1,
     APP_GRAPH = 2,
     APP_LIST = 4,
+    APP_VIEW = 8,
     APP_PROFILE = 16,
 };
 
@@ -79,6 +84,7 @@ enum status app_render(const struct app_options *options);
 enum status app_graph(const struct app_options *given);
 enum status app_list(const struct app_options *options);
 enum status app_profile(const struct app_options *options);
+enum status app_view(const struct app_options *options); /* becomes firn-view if it can */
 
 /*
  * Sets what `name` means, an option that says what is drawn ("size", "material") or a setting
@@ -86,8 +92,14 @@ enum status app_profile(const struct app_options *options);
  */
 MUST_USE enum status app_set(struct app_options *options, const char *name, const char *value);
 
+/* Whether they name one. Logs: STATUS_USAGE. */
+MUST_USE enum status app_need_scene(const struct app_options *options);
+
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);
+
+/* Whether both sets of options, of the same words, load the same scene. */
+bool app_same_scene(const struct app_options *a, const struct app_options *b);
 
 /* The camera of the options, else the model's, else one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,

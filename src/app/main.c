@@ -13,6 +13,7 @@ static const struct {
     const char *help;
 } commands[] = {
     { "render", APP_RENDER, app_render, "draw a picture, to EXR and PNG" },
+    { "view", APP_VIEW, app_view, "show a scene in a window and move around it" },
     { "profile", APP_PROFILE, app_profile, "measure what each pass of a frame costs" },
     { "graph", APP_GRAPH, app_graph, "print the compiled plan of a frame; needs no device" },
     { "list", APP_LIST, app_list, "scenes, rungs, materials, layers, settings, devices" },
@@ -45,7 +46,8 @@ static size_t find_command(const char *name)
 
 static enum status unknown(const char *word)
 {
-    log_error("unknown command %s: render, profile, graph or list is wanted (see --help)", word);
+    log_error("unknown command %s: render, view, profile, graph or list is wanted (see --help)",
+              word);
     return STATUS_USAGE;
 }
 
@@ -67,7 +69,7 @@ int main(int argc, char **argv)
     bool done;
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
     if (argc < 2) {
-        log_error("a command is missing: render, profile, graph or list (see --help)");
+        log_error("a command is missing: render, view, profile, graph or list (see --help)");
         return STATUS_USAGE;
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))

@@ -8,6 +8,7 @@
 #include "src/app/app.h"
 #include "src/app/option_profile.h"
 #include "src/app/option_values.h"
+#include "src/app/option_view.h"
 #include "src/app/show.h"
 #include "src/log.h"
 #include "src/scene/material.h"
@@ -25,16 +26,26 @@ struct option {
 
 /* ---- values ---- */
 
-static enum status set_output(struct app_options *o, const char *value)
+static enum status add_output(struct app_options *o, const char *option, const char *value)
 {
     const char *dot = strrchr(value, '.');
     bool known = !strcmp(value, "-") || (dot && (!strcmp(dot, ".exr") || !strcmp(dot, ".png")));
     if (!known)
-        return option_refuse("output", value, "a name that ends in .exr or .png, or - is wanted");
+        return option_refuse(option, value, "a name that ends in .exr or .png, or - is wanted");
     if (o->output_count == APP_OUTPUT_COUNT)
-        return option_refuse("output", value, "at most 16 files can be written at once");
+        return option_refuse(option, value, "at most 16 files can be written at once");
     o->outputs[o->output_count++] = value;
     return STATUS_OK;
+}
+
+static enum status set_output(struct app_options *o, const char *value)
+{
+    return add_output(o, "output", value);
+}
+
+static enum status set_screenshot(struct app_options *o, const char *value)
+{
+    return add_output(o, "screenshot", value);
 }
 
 static enum status set_size(struct app_options *o, const char *value)
@@ -249,18 +260,29 @@ static enum status set_html(struct app_options *o, const char *value)
 
 /* ---- the table ---- */
 
-#define PICTURES (APP_RENDER | APP_GRAPH | APP_PROFILE)
-#define DEVICES  (APP_RENDER | APP_PROFILE)
+#define PICTURES (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW)
+#define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW)
+#define DEVICES  (APP_RENDER | APP_PROFILE | APP_VIEW)
 
 static const struct option options[] = {
     { "Output", "output", 'o', "FILE", APP_RENDER, set_output,
       "write FILE.exr or FILE.png, may be repeated; - is an EXR on stdout (firn.exr)" },
     { "Output", "size", 's', "WxH", PICTURES, set_size, "pixels (1024x768)" },
-    { "Output", "samples", 'n', "N", APP_RENDER | APP_GRAPH, set_samples, "samples a pixel (1)" },
-    { "Output", "aov", 0, "LIST", APP_RENDER | APP_GRAPH, set_aov,
+    { "Output", "samples", 'n', "N", FILES, set_samples,
+      "samples a pixel (1); a window shows one, its screenshots have all" },
+    { "Output", "aov", 0, "LIST", FILES, set_aov,
       "extra layers of the EXR: names with commas between (firn list layers), or all" },
     { "Output", "show", 0, "LAYER", APP_RENDER, set_show,
       "what PNG files show in place of the picture: one layer (firn list layers)" },
+    { "Window", "frames", 0, "N", APP_VIEW, option_frame_count, "end after so many frames" },
+    { "Window", "time-step", 0, "SECONDS", APP_VIEW, option_time_step,
+      "so much time between frames, however long they take" },
+    { "Window", "screenshot", 0, "FILE", APP_VIEW, set_screenshot,
+      "at the end write the last frame to FILE.png or FILE.exr, may be repeated" },
+    { "Window", "present", 0, "MODE", APP_VIEW, option_present,
+      "fifo (no tearing), mailbox (the newest, too), immediate (fifo)" },
+    { "Window", "fps-limit", 0, "N", APP_VIEW, option_fps_limit,
+      "at most so many frames a second" },
     { "Sequence", "frames", 0, "LIST", APP_RENDER, set_frames,
       "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, set_resume,
@@ -325,6 +347,9 @@ static const char *const examples[] = {
     [APP_GRAPH] = "  firn graph ice-cube\n"
                   "  firn graph ice-cube --html > plan.html\n"
                   "  firn graph ice-cube --refraction one-sided --dot | dot -Tsvg > plan.svg\n",
+    [APP_VIEW] = "  firn view ice-cube\n"
+                 "  firn view statue.glb --env studio.hdr --set motion.ice=0\n"
+                 "  firn view sphere --frames 100 --time-step 0.04 --screenshot last.png\n",
     [APP_PROFILE] = "  firn profile ice-cube\n"
                     "  firn profile ice-cube --json before.json --html before.html\n"
                     "  firn profile ice-cube --baseline before.json\n"
@@ -337,6 +362,7 @@ static const char *const examples[] = {
 static const char *const usages[] = {
     [APP_RENDER] = "firn render [options] SCENE: draw a picture, to EXR and PNG",
     [APP_GRAPH] = "firn graph [options] SCENE: print the compiled plan of a frame; needs no device",
+    [APP_VIEW] = "firn view [options] SCENE: show it in a window; F1 prints what keys do there",
     [APP_PROFILE] = "firn profile [options] SCENE: measure what each pass of a frame costs",
     [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
 };

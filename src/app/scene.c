@@ -25,6 +25,14 @@ static void settle_ior(struct app_options *o, const struct model *model)
         settings_put(&o->settings, ior, (double)model->ior);
 }
 
+enum status app_need_scene(const struct app_options *o)
+{
+    if (o->positional)
+        return STATUS_OK;
+    log_error("SCENE is missing: ice-cube, sphere, teapot or a model file (see --help)");
+    return STATUS_USAGE;
+}
+
 enum status app_load_scene(struct scene *scene, struct app_options *o)
 {
     const struct object_params *object = settings_of(&o->settings, &object_settings);
@@ -35,10 +43,8 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
     const struct air_params *planes = settings_of(&o->settings, &air_settings);
     const struct bubbles_params *spheres = settings_of(&o->settings, &bubbles_settings);
     const struct cracks_params *cracks = settings_of(&o->settings, &cracks_settings);
-    if (!o->positional) {
-        log_error("SCENE is missing: ice-cube, sphere, teapot or a model file (see --help)");
+    if (app_need_scene(o) != STATUS_OK)
         return STATUS_USAGE;
-    }
     if (!o->width) {
         o->width = default_width;
         o->height = default_height;
@@ -60,6 +66,33 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
     if (status == STATUS_OK)
         settle_ior(o, &scene->model);
     return status;
+}
+
+static bool is_precut(const struct settings *settings)
+{
+    const struct cracks_params *cracks = settings_of(settings, &cracks_settings);
+    return cracks->clip == CRACKS_CLIP_PRECUT;
+}
+
+bool app_same_scene(const struct app_options *a, const struct app_options *b)
+{
+    /* what app_load_scene() reads */
+    static const char *const rows[] = {
+        "object.triangles", "landscape.triangles", "motion.count", "bump.mask",
+        "bump.seed",        "air.count",           "air.seed",     "air.size",
+        "air.frequency",    "bubbles.count",       "bubbles.seed", "bubbles.size",
+        "cracks.count",     "cracks.seed",
+    };
+    const struct settings *before = &a->settings;
+    const struct settings *after = &b->settings;
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        const struct setting *row = settings_find(rows[i]);
+        const double change = settings_get(after, row) - settings_get(before, row);
+        if (change < 0 || change > 0)
+            return false;
+    }
+    return is_precut(before) == is_precut(after) &&
+           frame_reads_bump_maps(before) == frame_reads_bump_maps(after);
 }
 
 static enum status explicit_camera(struct camera *camera, const struct app_options *o, vec3s center)

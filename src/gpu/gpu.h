@@ -20,17 +20,26 @@
 #include <volk.h>
 #include "src/status.h"
 
+/* What lets a device show pictures in windows. */
+struct gpu_window_system {
+    const char *const *instance_extensions;
+    uint32_t instance_extension_count;
+    bool (*can_present)(VkInstance instance, VkPhysicalDevice physical, uint32_t queue_family);
+};
+
 struct gpu_params {
     /* number as listed, from 0, or part of the name in any case; NULL: the best */
     const char *device;
     bool validate; /* validation and synchronization validation, if the layer is there */
+    const struct gpu_window_system *windows; /* outlives the gpu; NULL: no windows */
 };
 
 struct gpu {
     VkInstance instance;
     VkPhysicalDevice physical;
     VkDevice device;
-    VkQueue queue; /* graphics, compute and transfer */
+    const struct gpu_window_system *windows; /* of the params */
+    VkQueue queue; /* graphics, compute and transfer; with windows, presentation too */
     uint32_t queue_family;
     VkPhysicalDeviceProperties properties;
     VkPhysicalDeviceMemoryProperties memory;
@@ -72,6 +81,8 @@ MUST_USE enum status gpu_list(struct gpu_device **devices, uint32_t *count);
 
 /* The VkResult's name, "VK_ERROR_DEVICE_LOST". */
 const char *gpu_result_name(VkResult result);
+
+enum status gpu_status(VkResult result); /* as above; STATUS_OK for VK_SUCCESS alone */
 
 /* Logs "<what>: <result's name>" and gives the status for it. */
 enum status gpu_failed(const char *what, VkResult result);

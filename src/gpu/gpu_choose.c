@@ -96,21 +96,46 @@ const char *gpu_features_choose(VkPhysicalDevice physical, struct gpu_features *
     return missing;
 }
 
-uint32_t gpu_choose_queue_family(VkPhysicalDevice physical)
+VkResult gpu_offer_find(VkPhysicalDevice physical, struct gpu_offer *offer)
 {
+    uint32_t count = 0;
+    *offer = (struct gpu_offer){ 0 };
+    VkResult result = vkEnumerateDeviceExtensionProperties(physical, NULL, &count, NULL);
+    if (result != VK_SUCCESS || count == 0)
+        return result;
+    VkExtensionProperties *list = calloc(count, sizeof(*list));
+    if (!list)
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    result = vkEnumerateDeviceExtensionProperties(physical, NULL, &count, list);
+    offer->portability_subset = gpu_has_extension(list, count, "VK_KHR_portability_subset");
+    offer->swapchain = gpu_has_extension(list, count, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    free(list);
+    return result == VK_INCOMPLETE ? VK_SUCCESS : result;
+}
+
+static bool has_swapchain(VkPhysicalDevice physical)
+{
+    struct gpu_offer offer;
+    return gpu_offer_find(physical, &offer) == VK_SUCCESS && offer.swapchain;
+}
+
+uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physical)
+{
+    const struct gpu_window_system *windows = gpu->windows;
     VkQueueFamilyProperties families[32];
     const VkQueueFlags both = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
     uint32_t count = sizeof(families) / sizeof(families[0]);
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families);
     for (uint32_t i = 0; i < count; i++) {
-        if ((families[i].queueFlags & both) == both)
+        if ((families[i].queueFlags & both) == both &&
+            (!windows || windows->can_present(gpu->instance, physical, i)))
             return i;
     }
     return UINT32_MAX;
 }
 
-static void find_refusal(VkPhysicalDevice physical, const VkPhysicalDeviceProperties *properties,
-                         char *refused, size_t size)
+static void find_refusal(const struct gpu *gpu, VkPhysicalDevice physical,
+                         const VkPhysicalDeviceProperties *properties, char *refused, size_t size)
 {
     const VkPhysicalDeviceLimits *limits = &properties->limits;
     const uint32_t version = properties->apiVersion;
@@ -123,8 +148,11 @@ static void find_refusal(VkPhysicalDevice physical, const VkPhysicalDeviceProper
                  VK_API_VERSION_MINOR(version));
     else if ((missing = gpu_features_choose(physical, &wanted)))
         snprintf(refused, size, "no %s", missing);
-    else if (gpu_choose_queue_family(physical) == UINT32_MAX)
-        snprintf(refused, size, "no queue with graphics and compute");
+    else if (gpu->windows && !has_swapchain(physical))
+        snprintf(refused, size, "no %s for windows", VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    else if (gpu_choose_queue_family(gpu, physical) == UINT32_MAX)
+        snprintf(refused, size, "no queue with graphics and compute%s",
+                 gpu->windows ? " that can show windows" : "");
     else if (limits->maxPushConstantsSize < PUSH_CONSTANTS_SIZE)
         snprintf(refused, size, "maxPushConstantsSize is %u, %d is needed",
                  limits->maxPushConstantsSize, PUSH_CONSTANTS_SIZE);
@@ -136,7 +164,8 @@ static void find_refusal(VkPhysicalDevice physical, const VkPhysicalDeviceProper
                  limits->maxFragmentOutputAttachments, COLOR_ATTACHMENT_COUNT);
 }
 
-void gpu_choose_describe(VkPhysicalDevice physical, struct gpu_device *device)
+void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
+                         struct gpu_device *device)
 {
     VkPhysicalDeviceDriverProperties driver = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
@@ -158,7 +187,7 @@ void gpu_choose_describe(VkPhysicalDevice physical, struct gpu_device *device)
     snprintf(device->version, sizeof(device->version), "%u.%u.%u%s%.40s",
              VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
              VK_API_VERSION_PATCH(version), driver.driverInfo[0] ? ", " : "", driver.driverInfo);
-    find_refusal(physical, properties, device->refused, sizeof(device->refused));
+    find_refusal(gpu, physical, properties, device->refused, sizeof(device->refused));
 }
 
 /* Is `part` in `name`, in any case? */

@@ -46,43 +46,32 @@ static enum status choose(struct gpu *gpu, const char *wanted)
     if (result != VK_SUCCESS)
         return gpu_failed("vkEnumeratePhysicalDevices", result);
     for (uint32_t i = 0; i < count; i++)
-        gpu_choose_describe(physical[i], &devices[i]);
+        gpu_choose_describe(gpu, physical[i], &devices[i]);
     const enum status status = gpu_choose(devices, count, wanted, &index);
     if (status != STATUS_OK)
         return status;
     gpu->physical = physical[index];
     vkGetPhysicalDeviceProperties(gpu->physical, &gpu->properties);
     vkGetPhysicalDeviceMemoryProperties(gpu->physical, &gpu->memory);
-    gpu->queue_family = gpu_choose_queue_family(gpu->physical);
+    gpu->queue_family = gpu_choose_queue_family(gpu, gpu->physical);
     return STATUS_OK;
-}
-
-/* A device that offers VK_KHR_portability_subset must have it enabled. */
-static VkResult find_portability(VkPhysicalDevice physical, bool *there)
-{
-    uint32_t count = 0;
-    VkResult result = vkEnumerateDeviceExtensionProperties(physical, NULL, &count, NULL);
-    if (result != VK_SUCCESS || count == 0)
-        return result;
-    VkExtensionProperties *list = calloc(count, sizeof(*list));
-    if (!list)
-        return VK_ERROR_OUT_OF_HOST_MEMORY;
-    result = vkEnumerateDeviceExtensionProperties(physical, NULL, &count, list);
-    *there = gpu_has_extension(list, count, "VK_KHR_portability_subset");
-    free(list);
-    return result == VK_INCOMPLETE ? VK_SUCCESS : result;
 }
 
 static enum status open_device(struct gpu *gpu)
 {
     const float priority = 1.0F;
-    const char *const extensions[] = { "VK_KHR_portability_subset" };
+    const char *extensions[2];
+    uint32_t extension_count = 0;
     struct gpu_features features;
-    bool portability = false;
+    struct gpu_offer offer;
 
-    VkResult result = find_portability(gpu->physical, &portability);
+    VkResult result = gpu_offer_find(gpu->physical, &offer);
     if (result != VK_SUCCESS)
         return gpu_failed("vkEnumerateDeviceExtensionProperties", result);
+    if (offer.portability_subset) /* who offers it must have it enabled */
+        extensions[extension_count++] = "VK_KHR_portability_subset";
+    if (gpu->windows)
+        extensions[extension_count++] = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
     (void)gpu_features_choose(gpu->physical, &features); /* has all, or it was not chosen */
     const VkDeviceQueueCreateInfo queue = {
         .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
@@ -95,7 +84,7 @@ static enum status open_device(struct gpu *gpu)
         .pNext = &features.core,
         .queueCreateInfoCount = 1,
         .pQueueCreateInfos = &queue,
-        .enabledExtensionCount = portability ? 1 : 0,
+        .enabledExtensionCount = extension_count,
         .ppEnabledExtensionNames = extensions,
     };
     result = vkCreateDevice(gpu->physical, &info, NULL, &gpu->device);
@@ -122,7 +111,7 @@ static enum status open_device(struct gpu *gpu)
 
 enum status gpu_create(struct gpu *gpu, const struct gpu_params *params)
 {
-    *gpu = (struct gpu){ 0 };
+    *gpu = (struct gpu){ .windows = params->windows };
     enum status status = open_instance(gpu, params->validate);
     if (status == STATUS_OK)
         status = choose(gpu, params->device);
@@ -155,7 +144,7 @@ void gpu_destroy(struct gpu *gpu)
 
 void gpu_describe(const struct gpu *gpu, struct gpu_device *device)
 {
-    gpu_choose_describe(gpu->physical, device);
+    gpu_choose_describe(gpu, gpu->physical, device);
 }
 
 enum status gpu_list(struct gpu_device **devices, uint32_t *count)
@@ -178,7 +167,7 @@ enum status gpu_list(struct gpu_device **devices, uint32_t *count)
     }
     if (result == VK_SUCCESS) {
         for (uint32_t i = 0; i < *count; i++)
-            gpu_choose_describe(physical[i], &(*devices)[i]);
+            gpu_choose_describe(&gpu, physical[i], &(*devices)[i]);
     } else {
         *count = 0;
         if (result != VK_ERROR_INCOMPATIBLE_DRIVER)

@@ -7,6 +7,12 @@
 
 static const char layer[] = "VK_LAYER_KHRONOS_validation";
 
+/* at most */
+enum {
+    OWN_EXTENSION_COUNT = 3,
+    WINDOW_EXTENSION_COUNT = 8,
+};
+
 /* What of the optional there is. */
 struct offer {
     bool layer, validation_features, debug_utils, portability;
@@ -78,7 +84,8 @@ static VkResult create(struct gpu *gpu, const struct offer *offer)
         .apiVersion = VK_API_VERSION_1_3,
     };
     const char *const layers[] = { layer };
-    const char *extensions[3];
+    const uint32_t window_count = gpu->windows ? gpu->windows->instance_extension_count : 0;
+    const char *extensions[OWN_EXTENSION_COUNT + WINDOW_EXTENSION_COUNT];
     VkInstanceCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
         .pApplicationInfo = &application,
@@ -86,6 +93,8 @@ static VkResult create(struct gpu *gpu, const struct offer *offer)
         .enabledLayerCount = offer->layer ? 1 : 0,
         .ppEnabledExtensionNames = extensions,
     };
+    for (uint32_t i = 0; i < window_count && i < WINDOW_EXTENSION_COUNT; i++)
+        extensions[info.enabledExtensionCount++] = gpu->windows->instance_extensions[i];
     if (offer->debug_utils)
         extensions[info.enabledExtensionCount++] = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
     if (offer->portability) {

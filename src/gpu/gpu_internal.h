@@ -13,8 +13,8 @@ enum {
     GPU_STAGING_SIZE = 16 << 20,
 };
 
-/* Makes gpu->instance and, with validation, gpu->messenger. Wants volkInitialize() done; logs
- * nothing but that there is no validation layer. */
+/* Makes gpu->instance, for gpu->windows, and with validation gpu->messenger. Wants
+ * volkInitialize() done; logs nothing but that there is no validation layer. */
 MUST_USE VkResult gpu_instance_create(struct gpu *gpu, bool validate);
 
 bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const char *name);
@@ -27,7 +27,8 @@ VkDebugUtilsMessengerCreateInfoEXT gpu_debug_messenger(struct gpu *gpu);
 void gpu_debug_name(const struct gpu *gpu, VkObjectType type, uint64_t handle, const char *name);
 
 /* Says what a device is and whether firn can use it. */
-void gpu_choose_describe(VkPhysicalDevice physical, struct gpu_device *device);
+void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
+                         struct gpu_device *device);
 
 /*
  * Picks from a list as --device says: the one with that number if `wanted` is all digits, else the
@@ -37,8 +38,16 @@ void gpu_choose_describe(VkPhysicalDevice physical, struct gpu_device *device);
 MUST_USE enum status gpu_choose(const struct gpu_device *devices, uint32_t count,
                                 const char *wanted, uint32_t *index);
 
-/* The first queue family with graphics and compute (and thereby transfer); UINT32_MAX: none. */
-uint32_t gpu_choose_queue_family(VkPhysicalDevice physical);
+/* The first queue family with graphics and compute (and thereby transfer), that can also present
+ * where there are windows; UINT32_MAX: none. */
+uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physical);
+
+/* Which of the extensions that firn may enable a device has. */
+struct gpu_offer {
+    bool portability_subset, swapchain;
+};
+
+MUST_USE VkResult gpu_offer_find(VkPhysicalDevice physical, struct gpu_offer *offer);
 
 /* `core` is the head of the chain; must not move once chosen. */
 struct gpu_features {

@@ -51,13 +51,20 @@ const char *gpu_result_name(VkResult result)
     return "a VkResult without a name";
 }
 
-enum status gpu_failed(const char *what, VkResult result)
+enum status gpu_status(VkResult result)
 {
-    log_error("%s: %s", what, gpu_result_name(result));
+    if (result == VK_SUCCESS)
+        return STATUS_OK;
     if (result == VK_ERROR_DEVICE_LOST || result == VK_ERROR_OUT_OF_HOST_MEMORY ||
         result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
         return STATUS_TRY_AGAIN;
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_INITIALIZATION_FAILED)
         return STATUS_NO_DEVICE;
     return STATUS_FAILED;
+}
+
+enum status gpu_failed(const char *what, VkResult result)
+{
+    log_error("%s: %s", what, gpu_result_name(result));
+    return gpu_status(result);
 }

@@ -11,10 +11,12 @@
 #include "shaders/frost.h"
 #include "shaders/gbuffer.h"
 #include "shaders/globals.h"
+#include "shaders/present.h"
 #include "shaders/refract_paper.h"
 #include "shaders/surface.h"
 #include "shaders/tonemap.h"
 #include "src/frames.h"
+#include "src/tech/present.h"
 #include "tests/support/check.h"
 #include "tests/support/spirv.h"
 
@@ -111,6 +113,7 @@ static const struct shared shared_structs[] = {
             FIELD(globals, bump_uv),
         },
     },
+    { "present_push", sizeof(struct present_push), { FIELD(present_push, encodes) } },
     {
         "refract_paper_params",
         sizeof(struct refract_paper_params),
@@ -371,7 +374,8 @@ static void test_rows_and_shaders_agree(void **state)
     }
     const struct frame_list capture = frame_capture();
     const struct frame_list resolve = frame_resolve();
-    rows += check_list(&capture, &seen) + check_list(&resolve, &seen);
+    const struct frame_list window = { { &present } };
+    rows += check_list(&capture, &seen) + check_list(&resolve, &seen) + check_list(&window, &seen);
     print_message("%zu rows\n", rows);
     assert_true(rows > 0);
     for (size_t i = 0; i < SHARED_COUNT; i++)

@@ -1,0 +1,26 @@
+/* option_view.c: what the options of firn view set. */
+#include "src/app/option_view.h"
+#include "src/app/option_values.h"
+
+enum status option_frame_count(struct app_options *o, const char *value)
+{
+    const char *rest;
+    if (!option_parse_count(value, 1, 1000000000, &o->frame_count, &rest) || *rest)
+        return option_refuse("frames", value, "a number from 1 to 1000000000 is wanted");
+    return STATUS_OK;
+}
+
+enum status option_fps_limit(struct app_options *o, const char *value)
+{
+    const char *rest;
+    if (!option_parse_count(value, 1, 1000, &o->fps_limit, &rest) || *rest)
+        return option_refuse("fps-limit", value, "a number from 1 to 1000 is wanted");
+    return STATUS_OK;
+}
+
+enum status option_present(struct app_options *o, const char *value)
+{
+    return gpu_swapchain_mode_find(value, &o->present)
+               ? STATUS_OK
+               : option_refuse("present", value, "fifo, mailbox or immediate is wanted");
+}

@@ -1,0 +1,9 @@
+/* option_view.h: what the options of firn view set. */
+#ifndef FIRN_APP_OPTION_VIEW_H
+#define FIRN_APP_OPTION_VIEW_H
+
+#include "src/app/option_profile.h"
+
+option_fn option_frame_count, option_fps_limit, option_present;
+
+#endif

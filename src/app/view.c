@@ -1,0 +1,46 @@
+/* view.c: firn view: starts firn-view, which alone links a window system. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "src/app/app.h"
+#include "src/log.h"
+#include "src/version.h"
+
+enum {
+    PATH_SIZE = 4096
+};
+
+static const char name[] = "/firn-view";
+
+/* Beside the program that runs; false if nobody knows where that is. */
+static bool find_beside(char path[static PATH_SIZE])
+{
+    const ssize_t length = readlink("/proc/self/exe", path, PATH_SIZE - sizeof(name));
+    if (length <= 0 || length >= (ssize_t)(PATH_SIZE - sizeof(name)))
+        return false;
+    path[length] = '\0';
+    char *slash = strrchr(path, '/');
+    if (!slash)
+        return false;
+    memcpy(slash, name, sizeof(name));
+    return true;
+}
+
+enum status app_view(const struct app_options *o)
+{
+    static const char installed[] = FIRN_BINDIR "/firn-view";
+    char path[PATH_SIZE];
+    if (find_beside(path))
+        execv(path, o->words);
+    if (errno == ENOENT)
+        execv(installed, o->words);
+    if (errno == ENOENT)
+        log_error(
+            "there is no firn-view: this firn was built without windows (meson -Dview=enabled "
+            "needs GLFW)");
+    else
+        log_error("firn-view: %s", strerror(errno));
+    return STATUS_NO_DEVICE;
+}

@@ -1,0 +1,76 @@
+/* keys.c: the table of keys. */
+#define GLFW_INCLUDE_NONE
+#include "src/view/keys.h"
+#include <GLFW/glfw3.h>
+#include <stddef.h>
+#include <string.h>
+
+enum {
+    KEYS_MAX = 2, /* of an action */
+};
+
+/* Letters and signs are found by what is typed: where they lie depends on the keyboard. */
+static const struct {
+    int keys[KEYS_MAX]; /* 0: none */
+    const char *characters;
+    bool repeats;
+    const char *name, *help;
+} actions[VIEW_ACTION_COUNT] = {
+    [VIEW_NOTHING] = { .characters = "" },
+    [VIEW_LEFT] = { { GLFW_KEY_LEFT }, "", true, "Left", "turn to the left around the object" },
+    [VIEW_RIGHT] = { { GLFW_KEY_RIGHT }, "", true, "Right", "turn to the right" },
+    [VIEW_UP] = { { GLFW_KEY_UP }, "", true, "Up", "turn upwards" },
+    [VIEW_DOWN] = { { GLFW_KEY_DOWN }, "", true, "Down", "turn downwards" },
+    [VIEW_NEARER] = { { GLFW_KEY_PAGE_UP }, "+=", true, "+, Page Up", "go nearer" },
+    [VIEW_FARTHER] = { { GLFW_KEY_PAGE_DOWN }, "-", true, "-, Page Down", "go away" },
+    [VIEW_RESET] = { { GLFW_KEY_HOME }, "rR", false, "R, Home", "the camera as it was at first" },
+    [VIEW_PAUSE] = { { 0 }, " ", false, "Space", "stop time, or let it go on" },
+    [VIEW_SCREENSHOT] = { { GLFW_KEY_F12 },
+                          "pP",
+                          false,
+                          "P, F12",
+                          "write the picture: firn-0001.png and firn-0001.exr" },
+    [VIEW_FULLSCREEN] = { { GLFW_KEY_F11 }, "fF", false, "F, F11", "fill the screen, or do not" },
+    [VIEW_HIDE] = { { 0 }, "", false, NULL, NULL },
+    [VIEW_HELP] = { { GLFW_KEY_F1 }, "?", false, "F1, ?", "print these keys" },
+    [VIEW_QUIT] = { { GLFW_KEY_ESCAPE }, "qQ", false, "Esc, Q", "end" },
+};
+
+static const struct {
+    const char *name, *help;
+} gestures[] = {
+    { "left drag", "turn around the object" },
+    { "right drag", "move sideways; so does a left one with Shift" },
+    { "wheel", "go nearer or away" },
+    { "drop a file", "a model to look at, or an .exr or .hdr to put around it" },
+};
+
+static bool has_key(enum view_action action, int key)
+{
+    for (size_t k = 0; k < KEYS_MAX && key; k++) {
+        if (actions[action].keys[k] == key)
+            return true;
+    }
+    return false;
+}
+
+enum view_action keys_find(int key, unsigned character, bool repeated)
+{
+    for (enum view_action a = VIEW_NOTHING; a < VIEW_ACTION_COUNT; a++) {
+        const bool typed =
+            character && character < 128 && strchr(actions[a].characters, (int)character);
+        if (typed || has_key(a, key))
+            return repeated && !actions[a].repeats ? VIEW_NOTHING : a;
+    }
+    return VIEW_NOTHING;
+}
+
+void keys_print(FILE *out)
+{
+    for (size_t a = 0; a < VIEW_ACTION_COUNT; a++) {
+        if (actions[a].name)
+            fprintf(out, "  %-14s %s\n", actions[a].name, actions[a].help);
+    }
+    for (size_t i = 0; i < sizeof(gestures) / sizeof(gestures[0]); i++)
+        fprintf(out, "  %-14s %s\n", gestures[i].name, gestures[i].help);
+}

@@ -1,0 +1,35 @@
+/*
+ * keys.h: what keys do; the table behind F1.
+ */
+#ifndef FIRN_VIEW_KEYS_H
+#define FIRN_VIEW_KEYS_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+enum view_action {
+    VIEW_NOTHING,
+    VIEW_LEFT,
+    VIEW_RIGHT,
+    VIEW_UP,
+    VIEW_DOWN,
+    VIEW_NEARER,
+    VIEW_FARTHER,
+    VIEW_RESET,
+    VIEW_PAUSE,
+    VIEW_SCREENSHOT,
+    VIEW_FULLSCREEN,
+    VIEW_HIDE, /* reserved for what will lie over the picture */
+    VIEW_HELP,
+    VIEW_QUIT,
+    VIEW_ACTION_COUNT,
+};
+
+/* What a key does, as GLFW names keys, or a character that is typed; 0: none. `repeated`: it is
+ * held down; only camera movements are done again then. */
+enum view_action keys_find(int key, unsigned character, bool repeated);
+
+/* One line an action, and what the mouse does. */
+void keys_print(FILE *out);
+
+#endif

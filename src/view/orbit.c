@@ -1,0 +1,39 @@
+/* orbit.c: turns, pans and zooms. */
+#include "src/view/orbit.h"
+#include <math.h>
+
+static const float steepest_deg = 89.0f;
+static const float step_factor = 0.9f;
+
+void orbit_turn(struct camera *camera, float azimuth_deg, float elevation_deg)
+{
+    const vec3s away = glms_vec3_sub(camera->eye, camera->target);
+    const float distance = glms_vec3_norm(away);
+    const float azimuth = glm_deg(atan2f(away.x, away.z)) + azimuth_deg;
+    const float elevation = glm_deg(asinf(glm_clamp(away.y / distance, -1.0f, 1.0f)));
+    /* from beyond the limits one can only come back */
+    const float limit = fmaxf(steepest_deg, fabsf(elevation));
+    *camera = camera_orbit(azimuth, glm_clamp(elevation + elevation_deg, -limit, limit), distance,
+                           camera->target, camera->fov_deg);
+}
+
+void orbit_pan(struct camera *camera, float right, float up)
+{
+    const struct camera_basis basis = camera_basis(camera);
+    const float distance = glms_vec3_distance(camera->eye, camera->target);
+    const float height = 2.0f * distance * tanf(glm_rad(camera->fov_deg) / 2.0f);
+    const vec3s move = glms_vec3_add(glms_vec3_scale(basis.right, right * height),
+                                     glms_vec3_scale(basis.up, up * height));
+    camera->eye = glms_vec3_add(camera->eye, move);
+    camera->target = glms_vec3_add(camera->target, move);
+}
+
+void orbit_zoom(struct camera *camera, float steps, float nearest, float farthest)
+{
+    const vec3s away = glms_vec3_sub(camera->eye, camera->target);
+    const float distance = glms_vec3_norm(away);
+    const float wanted = distance * powf(step_factor, steps);
+    /* from beyond the limits one can only come back */
+    const float clamped = glm_clamp(wanted, fminf(nearest, distance), fmaxf(farthest, distance));
+    camera->eye = glms_vec3_muladds(away, clamped / distance, camera->target);
+}

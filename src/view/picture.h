@@ -1,0 +1,59 @@
+/*
+ * picture.h: what the window shows: options, scene, camera and the renderer for them.
+ *
+ * A change makes anew only what it needs: nothing (the settings of shaders), the renderer (another
+ * list of techniques, another size), or the scene.
+ *
+ * Errors: logged once where found; a picture that cannot be made or changed leaves what was there.
+ */
+#ifndef FIRN_VIEW_PICTURE_H
+#define FIRN_VIEW_PICTURE_H
+
+#include "src/app/app.h"
+#include "src/renderer.h"
+
+struct picture {
+    struct gpu *gpu;
+    struct app_options o;   /* width and height are those of the renderer; settings in use */
+    char *scene_name;       /* of the options; own */
+    char *environment_name; /* the same; may be NULL */
+    struct scene scene;
+    struct camera camera;       /* where a hand has put it */
+    struct camera first_camera; /* where it was */
+    struct renderer *renderer;  /* NULL until picture_resize() */
+};
+
+/* Loads the scene; the strings of the options are copied or outlive the picture. */
+MUST_USE enum status picture_create(struct picture **picture, struct gpu *gpu,
+                                    const struct app_options *options);
+void picture_destroy(struct picture *picture); /* may be NULL; waits for its frames */
+
+/* Makes a renderer of this size, if there is none. */
+MUST_USE enum status picture_resize(struct picture *picture, VkExtent2D size);
+
+/*
+ * Takes other settings and another rung. *remade: the renderer is another one, and so is
+ * renderer_picture(). A new scene keeps the camera.
+ */
+MUST_USE enum status picture_change(struct picture **picture, const struct settings *settings,
+                                    const struct rung *rung, bool *remade);
+
+/*
+ * Another object (a model file) or, by its ending, another environment (.exr, .hdr). If that fails
+ * *picture stays; else it is another one, of the same size, and *remade. An environment keeps the
+ * camera.
+ */
+MUST_USE enum status picture_open(struct picture **picture, const char *path, bool *remade);
+
+/* Metres between which the camera may stand off its target. */
+void picture_range(const struct picture *picture, float *nearest, float *farthest);
+
+/*
+ * Draws the picture as `firn render` does, with all samples and layers that the options name, and
+ * writes it with the same words in it, each to a file that its ending names.
+ */
+struct stop;
+MUST_USE enum status picture_write(struct picture *picture, float time, const char *const *paths,
+                                   uint32_t path_count, struct stop *stop);
+
+#endif

@@ -1,0 +1,48 @@
+/*
+ * screen.h: brings a picture of the device into a window: swapchain, plan, frames in flight.
+ *
+ *     screen_fit()      when a frame begins: the swapchain fits the window
+ *     screen_connect()  after that, and when the picture is another image
+ *     screen_begin()    waits for room
+ *     ... draw the picture ...
+ *     screen_end()      copies it and shows it
+ *
+ * Errors: logged once where found.
+ */
+#ifndef FIRN_VIEW_SCREEN_H
+#define FIRN_VIEW_SCREEN_H
+
+#include "graph/rg_time.h"
+#include "src/gpu/gpu_swapchain.h"
+#include "src/tech/present.h"
+
+struct screen {
+    struct gpu *gpu;
+    struct gpu_swapchain swapchain;
+    VkExtent2D size; /* of the window, that it was made for */
+    struct present_tables tables;
+    struct rg_plan *plan;
+    struct rg_exec *exec; /* NULL: not connected */
+    uint32_t slot, index; /* of the frame and image taken by screen_begin() */
+};
+
+/* Must not move afterwards. The surface is the caller's. */
+MUST_USE enum status screen_init(struct screen *screen, struct gpu *gpu, VkSurfaceKHR surface,
+                                 VkPresentModeKHR mode);
+void screen_finish(struct screen *screen); /* {0} and half-built are fine */
+
+/* Makes the swapchain anew if it does not fit a window of this size; *remade says so. Afterwards
+ * the screen is not connected. If swapchain.stale is still true, nothing can be shown. */
+MUST_USE enum status screen_fit(struct screen *screen, VkExtent2D size, bool *remade);
+
+/* Shows this image, of the swapchain's size and ready to be sampled, from now on. */
+MUST_USE enum status screen_connect(struct screen *screen, VkImage picture);
+
+/* Waits for its frames and forgets the picture. */
+void screen_disconnect(struct screen *screen);
+
+/* *ready is false if there is no image: fit it and begin again. */
+MUST_USE enum status screen_begin(struct screen *screen, bool *ready);
+MUST_USE enum status screen_end(struct screen *screen);
+
+#endif

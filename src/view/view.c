@@ -1,0 +1,394 @@
+/* view.c: the loop around a window. */
+#include "src/view/view.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+#include "src/app/stop.h"
+#include "src/log.h"
+#include "src/scene_settings.h"
+#include "src/view/orbit.h"
+#include "src/view/picture.h"
+#include "src/view/screen.h"
+#include "src/view/window.h"
+
+static const float key_turn_deg = 5.0f;
+static const float drag_turn_deg = 180.0f; /* over the window's height */
+static const double idle_seconds = 0.1;    /* between looks, while there is nothing to draw */
+
+/* What frames cost, but for the first one, which compiles shaders. */
+struct costs {
+    uint32_t frame_count;
+    double start;  /* seconds; end of the first frame */
+    double rest;   /* seconds in which nothing was to be done: limits, pauses, files */
+    double graphs; /* seconds of passes on the device */
+};
+
+struct view {
+    const struct app_options *options;
+    struct stop stop;
+    struct window window;
+    struct gpu_window_system system;
+    struct gpu gpu;
+    VkSurfaceKHR surface;
+    struct screen screen;
+    struct picture *picture;
+    double now;     /* of the loop, seconds */
+    double elapsed; /* of the scene's time, seconds, from motion.time */
+    float shown;    /* time of the frame drawn last, seconds */
+    double next;    /* the earliest moment for the next frame, seconds */
+    bool paused, changed, quit;
+    bool shoot;           /* the next frame, to files */
+    uint32_t shot_number; /* of the screenshot written last */
+    struct costs costs;
+};
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+/* ---- start and end ---- */
+
+static void say(struct view *v, const char *what)
+{
+    char title[256];
+    snprintf(title, sizeof(title), "firn: %s", what);
+    window_title(&v->window, title);
+}
+
+static enum status open_window(struct view *v)
+{
+    const struct app_options *o = v->options;
+    const uint32_t width = o->width ? o->width : 1024;
+    const uint32_t height = o->height ? o->height : 768;
+    enum status status = window_init(&v->window, width, height, "firn: loading");
+    if (status == STATUS_OK)
+        status = window_system(&v->window, &v->system);
+    return status;
+}
+
+static enum status open_device(struct view *v)
+{
+    const struct app_options *o = v->options;
+    const struct gpu_params params = {
+        .device = o->device,
+        .validate = o->validate,
+        .windows = &v->system,
+    };
+    const VkPresentModeKHR mode = o->present ? o->present : VK_PRESENT_MODE_FIFO_KHR;
+    say(v, "loading the device");
+    enum status status = gpu_create(&v->gpu, &params);
+    if (status == STATUS_OK)
+        status = window_surface(&v->window, &v->gpu, &v->surface);
+    if (status == STATUS_OK)
+        status = screen_init(&v->screen, &v->gpu, v->surface, mode);
+    return status;
+}
+
+static void show_name(struct view *v)
+{
+    char words[200];
+    snprintf(words, sizeof(words), "%s%s", v->picture->o.positional, v->paused ? ", paused" : "");
+    say(v, words);
+}
+
+static enum status load(struct view *v)
+{
+    char words[200];
+    snprintf(words, sizeof(words), "loading %s", v->options->positional);
+    say(v, words);
+    enum status status = picture_create(&v->picture, &v->gpu, v->options);
+    if (status == STATUS_OK)
+        say(v, "loading shaders");
+    return status;
+}
+
+static void finish(struct view *v)
+{
+    screen_finish(&v->screen);
+    picture_destroy(v->picture);
+    if (v->surface)
+        vkDestroySurfaceKHR(v->gpu.instance, v->surface, NULL);
+    gpu_destroy(&v->gpu);
+    window_finish(&v->window);
+}
+
+static void report(const struct view *v)
+{
+    const struct costs *c = &v->costs;
+    const uint32_t count = c->frame_count;
+    if (v->options->quiet)
+        return;
+    if (count < 2) {
+        fprintf(stderr, "%u frame%s\n", count, count == 1 ? "" : "s");
+        return;
+    }
+    const double frame = (now() - c->start - c->rest) / (count - 1);
+    const double graph = c->graphs / (count - 1);
+    fprintf(stderr, "%u frames, %.2f ms each: %.2f ms of passes, %.2f ms beside them\n", count,
+            frame * 1e3, graph * 1e3, (frame - graph) * 1e3);
+}
+
+/* ---- what hands do ---- */
+
+/* Anything the user waits for that is no frame. */
+static void rest_since(struct view *v, double start)
+{
+    v->costs.rest += now() - start;
+}
+
+/* Nothing that is there is written over. A failure has been logged and ends nothing. */
+static void take_screenshot(struct view *v)
+{
+    char png[32];
+    char exr[32];
+    const char *const paths[] = { png, exr };
+    const double start = now();
+    v->shoot = false;
+    do {
+        v->shot_number++;
+        snprintf(png, sizeof(png), "firn-%04u.png", v->shot_number);
+        snprintf(exr, sizeof(exr), "firn-%04u.exr", v->shot_number);
+    } while (access(png, F_OK) == 0 || access(exr, F_OK) == 0);
+    (void)!picture_write(v->picture, v->shown, paths, 2, &v->stop);
+    rest_since(v, start);
+}
+
+static void zoom(struct view *v, float steps)
+{
+    float nearest;
+    float farthest;
+    picture_range(v->picture, &nearest, &farthest);
+    orbit_zoom(&v->picture->camera, steps, nearest, farthest);
+}
+
+static void act(struct view *v, enum view_action action)
+{
+    struct camera *camera = &v->picture->camera;
+    v->changed = true;
+    switch (action) {
+    case VIEW_LEFT:
+        orbit_turn(camera, -key_turn_deg, 0.0f);
+        break;
+    case VIEW_RIGHT:
+        orbit_turn(camera, key_turn_deg, 0.0f);
+        break;
+    case VIEW_UP:
+        orbit_turn(camera, 0.0f, key_turn_deg);
+        break;
+    case VIEW_DOWN:
+        orbit_turn(camera, 0.0f, -key_turn_deg);
+        break;
+    case VIEW_NEARER:
+        zoom(v, 1.0f);
+        break;
+    case VIEW_FARTHER:
+        zoom(v, -1.0f);
+        break;
+    case VIEW_RESET:
+        *camera = v->picture->first_camera;
+        break;
+    case VIEW_PAUSE:
+        v->paused = !v->paused;
+        show_name(v);
+        break;
+    case VIEW_SCREENSHOT:
+        v->shoot = true;
+        break;
+    case VIEW_FULLSCREEN:
+        window_fill_screen(&v->window);
+        break;
+    case VIEW_HELP:
+        keys_print(stdout);
+        fflush(stdout);
+        break;
+    case VIEW_QUIT:
+        v->quit = true;
+        break;
+    case VIEW_NOTHING:
+    case VIEW_HIDE:
+    case VIEW_ACTION_COUNT:
+        break;
+    }
+}
+
+/* The picture follows the hand. */
+static void drag(struct view *v, const struct window_input *input)
+{
+    struct camera *camera = &v->picture->camera;
+    if (input->turn_x != 0.0 || input->turn_y != 0.0)
+        orbit_turn(camera, (float)-input->turn_x * drag_turn_deg,
+                   (float)input->turn_y * drag_turn_deg);
+    if (input->pan_x != 0.0 || input->pan_y != 0.0)
+        orbit_pan(camera, (float)-input->pan_x, (float)input->pan_y);
+    if (input->wheel != 0.0)
+        zoom(v, (float)input->wheel);
+    v->changed = v->changed || input->redraw || input->turn_x != 0.0 || input->turn_y != 0.0 ||
+                 input->pan_x != 0.0 || input->pan_y != 0.0 || input->wheel != 0.0;
+}
+
+/* A file that cannot be used has been logged; what was there stays. */
+static void open_dropped(struct view *v)
+{
+    char *path = window_take_dropped(&v->window);
+    const double start = now();
+    bool remade;
+    if (!path)
+        return;
+    say(v, "loading");
+    if (picture_open(&v->picture, path, &remade) == STATUS_OK && remade)
+        screen_disconnect(&v->screen);
+    free(path);
+    v->changed = true;
+    show_name(v);
+    rest_since(v, start);
+}
+
+static void handle(struct view *v)
+{
+    const struct window_input input = window_take(&v->window);
+    drag(v, &input);
+    for (uint32_t i = 0; i < input.action_count; i++)
+        act(v, input.actions[i]);
+    open_dropped(v);
+    v->quit = v->quit || window_is_closed(&v->window);
+}
+
+/* ---- frames ---- */
+
+/* Lets the scene's time pass, and the program's until a frame is due. False: there is none. */
+static bool wait_for_turn(struct view *v, VkExtent2D size)
+{
+    const struct app_options *o = v->options;
+    const double before = v->now;
+    const bool counted = o->frame_count != 0;
+    v->now = now();
+    if (!v->paused && o->time_step <= 0.0 && v->costs.frame_count)
+        v->elapsed += v->now - before;
+    const bool idle = v->paused && !v->changed && !counted;
+    if (size.width != 0 && !idle && v->now >= v->next)
+        return true;
+    const double wait = size.width == 0 || idle ? idle_seconds : v->next - v->now;
+    window_wait(&v->window, wait);
+    rest_since(v, v->now);
+    return false;
+}
+
+/* Window, swapchain, renderer and the plan between them fit each other, or *ready is false. */
+static enum status fit(struct view *v, VkExtent2D size, bool *ready)
+{
+    bool remade;
+    const double start = now();
+    enum status status = screen_fit(&v->screen, size, &remade);
+    *ready = status == STATUS_OK && !v->screen.swapchain.stale;
+    if (!*ready || v->screen.exec)
+        return status;
+    status = picture_resize(v->picture, v->screen.swapchain.extent);
+    if (status == STATUS_OK)
+        status = screen_connect(&v->screen, renderer_picture(v->picture->renderer));
+    rest_since(v, start);
+    return status;
+}
+
+/* Of the frame that was seen finished last. */
+static double passes_of(struct rg_times times)
+{
+    uint64_t end = 0;
+    for (uint32_t i = 0; i < times.pass_count && times.passes; i++)
+        end = times.passes[i].end > end ? times.passes[i].end : end;
+    return (double)end * 1e-9;
+}
+
+static void count_frame(struct view *v)
+{
+    struct costs *c = &v->costs;
+    const struct app_options *o = v->options;
+    if (c->frame_count++ == 0) {
+        show_name(v);
+        c->start = v->now = now();
+        c->rest = 0.0;
+    } else {
+        c->graphs += passes_of(renderer_times(v->picture->renderer)) +
+                     passes_of(rg_exec_times(v->screen.exec));
+    }
+    if (o->time_step > 0.0 && !v->paused)
+        v->elapsed += o->time_step;
+    if (o->fps_limit)
+        v->next = v->now + 1.0 / o->fps_limit;
+    v->quit = v->quit || (o->frame_count && c->frame_count >= o->frame_count);
+}
+
+static enum status draw(struct view *v)
+{
+    bool ready;
+    const struct motion_params *motion = settings_of(&v->picture->o.settings, &motion_settings);
+    v->shown = (float)((double)motion->time + v->elapsed);
+    const struct renderer_shot shot = { .camera = v->picture->camera, .time = v->shown };
+    enum status status = screen_begin(&v->screen, &ready);
+    if (status != STATUS_OK || !ready)
+        return status;
+    status = renderer_draw(v->picture->renderer, &shot);
+    if (status == STATUS_OK)
+        status = screen_end(&v->screen);
+    v->changed = false;
+    return status;
+}
+
+static enum status run_frame(struct view *v)
+{
+    bool ready;
+    window_poll(&v->window);
+    handle(v);
+    const VkExtent2D size = window_size(&v->window);
+    if (v->quit || !wait_for_turn(v, size))
+        return STATUS_OK;
+    enum status status = fit(v, size, &ready);
+    if (status == STATUS_OK && ready)
+        status = draw(v);
+    if (status != STATUS_OK || !ready)
+        return status;
+    if (v->shoot)
+        take_screenshot(v);
+    count_frame(v);
+    return STATUS_OK;
+}
+
+static enum status run(struct view *v)
+{
+    const struct app_options *o = v->options;
+    enum status status = open_window(v);
+    if (status == STATUS_OK)
+        status = open_device(v);
+    if (status == STATUS_OK)
+        status = load(v);
+    v->now = now();
+    while (status == STATUS_OK && !v->quit)
+        status = run_frame(v);
+    if (status == STATUS_OK && o->output_count && v->costs.frame_count)
+        status = picture_write(v->picture, v->shown, o->outputs, o->output_count, &v->stop);
+    return status;
+}
+
+enum status view_run(const struct app_options *options)
+{
+    struct view *v = calloc(1, sizeof(*v));
+    if (!v) {
+        log_error("out of memory");
+        return STATUS_TRY_AGAIN;
+    }
+    v->options = options;
+    enum status status = stop_begin(&v->stop);
+    if (status == STATUS_OK)
+        status = run(v);
+    if (status == STATUS_OK)
+        report(v);
+    finish(v);
+    if (status == STATUS_OK && v->gpu.message_count)
+        status = STATUS_FAILED; /* the validation layer has said why */
+    stop_end(&v->stop);
+    free(v);
+    return status;
+}

@@ -1,0 +1,246 @@
+/* window.c: GLFW. */
+#define GLFW_INCLUDE_NONE
+#include "src/view/window.h"
+#include <GLFW/glfw3.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/log.h"
+
+static enum status failed(const char *what)
+{
+    const char *why = NULL;
+    glfwGetError(&why);
+    log_error("%s: %s (firn render needs no window)", what, why ? why : "unknown reason");
+    return STATUS_NO_DEVICE;
+}
+
+/* ---- what hands do ---- */
+
+static void add_action(struct window *w, enum view_action action)
+{
+    if (action != VIEW_NOTHING && w->input.action_count < WINDOW_ACTION_COUNT)
+        w->input.actions[w->input.action_count++] = action;
+}
+
+static void on_key(GLFWwindow *handle, int key, int code, int event, int modifiers)
+{
+    struct window *w = glfwGetWindowUserPointer(handle);
+    (void)code;
+    (void)modifiers;
+    w->repeated = event == GLFW_REPEAT;
+    if (event != GLFW_RELEASE && key != GLFW_KEY_UNKNOWN)
+        add_action(w, keys_find(key, 0, w->repeated));
+}
+
+static void on_character(GLFWwindow *handle, unsigned character)
+{
+    struct window *w = glfwGetWindowUserPointer(handle);
+    add_action(w, keys_find(0, character, w->repeated));
+}
+
+static bool is_down(GLFWwindow *handle, int button)
+{
+    return glfwGetMouseButton(handle, button) == GLFW_PRESS;
+}
+
+static bool has_shift(GLFWwindow *handle)
+{
+    return glfwGetKey(handle, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
+           glfwGetKey(handle, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+}
+
+static void on_cursor(GLFWwindow *handle, double x, double y)
+{
+    struct window *w = glfwGetWindowUserPointer(handle);
+    int width;
+    int height;
+    glfwGetWindowSize(handle, &width, &height);
+    const double scale = height > 0 ? 1.0 / height : 0.0;
+    const double dx = (x - w->cursor_x) * scale;
+    const double dy = (y - w->cursor_y) * scale;
+    const bool left = is_down(handle, GLFW_MOUSE_BUTTON_LEFT);
+    w->cursor_x = x; /* as the events come: where it is now is later already */
+    w->cursor_y = y;
+    if (is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) || (left && has_shift(handle))) {
+        w->input.pan_x += dx;
+        w->input.pan_y += dy;
+    } else if (left) {
+        w->input.turn_x += dx;
+        w->input.turn_y += dy;
+    }
+}
+
+static void on_wheel(GLFWwindow *handle, double x, double y)
+{
+    struct window *w = glfwGetWindowUserPointer(handle);
+    (void)x;
+    w->input.wheel += y;
+}
+
+/* Of several files the first one counts. */
+static void on_drop(GLFWwindow *handle, int count, const char **paths)
+{
+    struct window *w = glfwGetWindowUserPointer(handle);
+    if (count < 1)
+        return;
+    free(w->dropped);
+    w->dropped = strdup(paths[0]);
+    if (!w->dropped)
+        log_error("out of memory");
+    if (count > 1)
+        log_warning("%d files were dropped: %s is taken, the first", count, paths[0]);
+}
+
+static void on_refresh(GLFWwindow *handle)
+{
+    struct window *w = glfwGetWindowUserPointer(handle);
+    w->input.redraw = true;
+}
+
+static void on_resize(GLFWwindow *handle, int width, int height)
+{
+    (void)width;
+    (void)height;
+    on_refresh(handle);
+}
+
+static void listen(struct window *w)
+{
+    glfwSetWindowUserPointer(w->handle, w);
+    glfwSetKeyCallback(w->handle, on_key);
+    glfwSetCharCallback(w->handle, on_character);
+    glfwSetCursorPosCallback(w->handle, on_cursor);
+    glfwSetScrollCallback(w->handle, on_wheel);
+    glfwSetDropCallback(w->handle, on_drop);
+    glfwSetFramebufferSizeCallback(w->handle, on_resize);
+    glfwSetWindowRefreshCallback(w->handle, on_refresh);
+}
+
+/* ---- the window ---- */
+
+/* Windows are made in screen coordinates, which may be coarser than pixels. */
+static void fit_framebuffer(struct window *w, uint32_t width, uint32_t height)
+{
+    const VkExtent2D size = window_size(w);
+    if (size.width == 0 || size.height == 0 || (size.width == width && size.height == height))
+        return;
+    int window_width;
+    int window_height;
+    glfwGetWindowSize(w->handle, &window_width, &window_height);
+    glfwSetWindowSize(w->handle, (int)((double)width * window_width / size.width + 0.5),
+                      (int)((double)height * window_height / size.height + 0.5));
+}
+
+enum status window_init(struct window *w, uint32_t width, uint32_t height, const char *title)
+{
+    *w = (struct window){ 0 };
+    if (!glfwInit())
+        return failed("no window system");
+    w->has_library = true;
+    if (!glfwVulkanSupported())
+        return failed("no Vulkan for windows");
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    w->handle = glfwCreateWindow((int)width, (int)height, title, NULL, NULL);
+    if (!w->handle)
+        return failed("no window");
+    listen(w);
+    fit_framebuffer(w, width, height);
+    glfwPollEvents();
+    return STATUS_OK;
+}
+
+void window_finish(struct window *w)
+{
+    if (w->handle)
+        glfwDestroyWindow(w->handle);
+    if (w->has_library)
+        glfwTerminate();
+    free(w->dropped);
+    *w = (struct window){ 0 };
+}
+
+void window_title(struct window *w, const char *title)
+{
+    glfwSetWindowTitle(w->handle, title);
+    glfwPollEvents();
+}
+
+void window_poll(struct window *w)
+{
+    (void)w;
+    glfwPollEvents();
+}
+
+void window_wait(struct window *w, double seconds)
+{
+    (void)w;
+    glfwWaitEventsTimeout(seconds);
+}
+
+struct window_input window_take(struct window *w)
+{
+    const struct window_input input = w->input;
+    w->input = (struct window_input){ 0 };
+    return input;
+}
+
+char *window_take_dropped(struct window *w)
+{
+    char *path = w->dropped;
+    w->dropped = NULL;
+    return path;
+}
+
+bool window_is_closed(const struct window *w)
+{
+    return glfwWindowShouldClose(w->handle);
+}
+
+VkExtent2D window_size(const struct window *w)
+{
+    int width;
+    int height;
+    glfwGetFramebufferSize(w->handle, &width, &height);
+    if (width <= 0 || height <= 0 || glfwGetWindowAttrib(w->handle, GLFW_ICONIFIED))
+        return (VkExtent2D){ 0, 0 };
+    return (VkExtent2D){ (uint32_t)width, (uint32_t)height };
+}
+
+void window_fill_screen(struct window *w)
+{
+    GLFWmonitor *monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode *mode = monitor ? glfwGetVideoMode(monitor) : NULL;
+    if (glfwGetWindowMonitor(w->handle)) {
+        glfwSetWindowMonitor(w->handle, NULL, w->left, w->top, w->width, w->height, GLFW_DONT_CARE);
+    } else if (mode) {
+        glfwGetWindowPos(w->handle, &w->left, &w->top);
+        glfwGetWindowSize(w->handle, &w->width, &w->height);
+        glfwSetWindowMonitor(w->handle, monitor, 0, 0, mode->width, mode->height,
+                             mode->refreshRate);
+    }
+}
+
+/* ---- Vulkan ---- */
+
+static bool can_present(VkInstance instance, VkPhysicalDevice physical, uint32_t queue_family)
+{
+    return glfwGetPhysicalDevicePresentationSupport(instance, physical, queue_family);
+}
+
+enum status window_system(const struct window *w, struct gpu_window_system *system)
+{
+    (void)w;
+    uint32_t count = 0;
+    const char **extensions = glfwGetRequiredInstanceExtensions(&count);
+    *system = (struct gpu_window_system){ (const char *const *)extensions, count, can_present };
+    return extensions ? STATUS_OK : failed("no Vulkan for windows");
+}
+
+enum status window_surface(const struct window *w, const struct gpu *gpu, VkSurfaceKHR *surface)
+{
+    const VkResult result = glfwCreateWindowSurface(gpu->instance, w->handle, NULL, surface);
+    if (result == VK_SUCCESS)
+        return STATUS_OK;
+    *surface = VK_NULL_HANDLE;
+    return failed("no surface for the window");
+}

@@ -1,0 +1,70 @@
+/*
+ * window.h: a window of the desktop, and what hands do in it. The one place that knows GLFW.
+ *
+ * Errors: logged, one line, with GLFW's words: STATUS_NO_DEVICE.
+ */
+#ifndef FIRN_VIEW_WINDOW_H
+#define FIRN_VIEW_WINDOW_H
+
+#include "src/gpu/gpu.h"
+#include "src/view/keys.h"
+
+struct GLFWwindow;
+
+enum {
+    WINDOW_ACTION_COUNT = 32, /* between two looks; more are lost */
+};
+
+/* What happened since it was looked at last. Drags are in heights of the window, right and down. */
+struct window_input {
+    double turn_x, turn_y;
+    double pan_x, pan_y;
+    double wheel; /* steps, away from the hand */
+    enum view_action actions[WINDOW_ACTION_COUNT];
+    uint32_t action_count;
+    bool redraw; /* what is shown may be gone */
+};
+
+struct window {
+    struct GLFWwindow *handle;
+    bool has_library; /* GLFW is up */
+    struct window_input input;
+    char *dropped;                /* path of a file, malloc'd; NULL: none */
+    double cursor_x, cursor_y;    /* where it was seen last, screen coordinates */
+    bool repeated;                /* the key that is being handled is held down */
+    int left, top, width, height; /* before it filled the screen */
+};
+
+/* Shows it at once, black, with a framebuffer of this size if the desktop allows it. It must not
+ * move afterwards. */
+MUST_USE enum status window_init(struct window *window, uint32_t width, uint32_t height,
+                                 const char *title);
+
+/* {0} and half-built are fine. */
+void window_finish(struct window *window);
+
+void window_title(struct window *window, const char *title);
+
+/* Handles what has happened; or waits until something happens, at most so many seconds. */
+void window_poll(struct window *window);
+void window_wait(struct window *window, double seconds);
+
+/* Returns what has happened, and forgets it. */
+struct window_input window_take(struct window *window);
+
+/* The file dropped last, which the caller frees; NULL: none. Forgets it. */
+char *window_take_dropped(struct window *window);
+
+bool window_is_closed(const struct window *window); /* the user wants it so */
+
+/* Pixels; 0x0 while it is minimised. */
+VkExtent2D window_size(const struct window *window);
+
+void window_fill_screen(struct window *window); /* or not any more */
+
+/* For gpu_create(), as long as the window is there. */
+MUST_USE enum status window_system(const struct window *window, struct gpu_window_system *system);
+MUST_USE enum status window_surface(const struct window *window, const struct gpu *gpu,
+                                    VkSurfaceKHR *surface);
+
+#endif

@@ -1,0 +1,73 @@
+"""desktop.py: a screen of its own for tests of windows: Xvfb, a window manager, hands."""
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+XDND = pathlib.Path(__file__).with_name('xdnd.py')
+PATIENCE = 120  # seconds until something that should happen is taken for missing
+
+
+def wait_until(what, happens):
+    """The first true value of happens()."""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        value = happens()
+        if value:
+            return value
+        time.sleep(0.05)
+    raise AssertionError(f'{what}: not after {PATIENCE} seconds')
+
+
+class Desktop:
+    """Ends what it has started, by its process, in close()."""
+    def __init__(self, width=800, height=600):
+        self.processes = []
+        read, write = os.pipe()
+        self.start('Xvfb', '-displayfd', str(write), '-nolisten', 'tcp',
+                   '-screen', '0', f'{width}x{height}x24', pass_fds=[write])
+        os.close(write)
+        with os.fdopen(read) as numbers:
+            number = numbers.readline().strip()
+        if not number:
+            self.close()
+            raise AssertionError('Xvfb does not start')
+        self.env = {**os.environ, 'DISPLAY': f':{number}'}
+        self.start('openbox', '--sm-disable', env=self.env)
+        wait_until('a window manager', lambda: 'window id' in self.ask(
+            'xprop', '-root', '_NET_SUPPORTING_WM_CHECK'))
+
+    def start(self, *command, **how):
+        self.processes.append(subprocess.Popen(command, stdin=subprocess.DEVNULL,
+                                               stdout=subprocess.DEVNULL,
+                                               stderr=subprocess.DEVNULL, **how))
+
+    def close(self):
+        for process in reversed(self.processes):
+            process.terminate()
+            process.wait(timeout=PATIENCE)
+
+    def ask(self, *command):
+        return subprocess.run(command, env=self.env, capture_output=True, text=True,
+                              timeout=PATIENCE, check=False).stdout
+
+    def do(self, *words):
+        """xdotool"""
+        subprocess.run(['xdotool', *map(str, words)], env=self.env, timeout=PATIENCE, check=True,
+                       stdout=subprocess.DEVNULL)
+
+    def find(self, title):
+        """The number of the window of this title, when it is there."""
+        return wait_until(f'a window called {title!r}', lambda: self.ask(
+            'xdotool', 'search', '--onlyvisible', '--name', f'^{title}$').split()[:1])[0]
+
+    def pixels(self, window):
+        """RGB bytes of what the screen shows of it."""
+        return subprocess.run(['import', '-window', window, '-depth', '8', 'rgb:-'], env=self.env,
+                              capture_output=True, timeout=PATIENCE, check=True).stdout
+
+    def drop(self, window, *files):
+        """Whether it takes the files."""
+        return subprocess.run([sys.executable, XDND, window, *map(str, files)], env=self.env,
+                              timeout=2 * PATIENCE, check=False).returncode == 0

@@ -1,0 +1,270 @@
+"""test_view.py: the window, `firn view`, on a screen of its own. Usage: see case.py."""
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import time
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import NO_DEVICE, NO_INPUT, USAGE, Case, environment, main  # noqa: E402
+from desktop import PATIENCE, Desktop, wait_until  # noqa: E402
+
+SIZE = '200x150'
+CHECKED = ('--validate', '--size', SIZE, '--set', 'motion.count=2')
+PARITY = (
+    ('ice-cube', 'paper'), ('ice-cube', 'one-sided'), ('sphere', 'paper'),
+    ('sphere', 'one-sided'), ('teapot', 'paper'),
+)
+SUBMITS = {'VK_LAYER_ENABLES': 'VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT'}
+TRIANGLES = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n'
+
+
+def png_size(path):
+    return struct.unpack('>II', path.read_bytes()[16:24])
+
+
+def png_pixels(path):
+    return subprocess.run(['convert', path, '-depth', '8', 'rgb:-'], capture_output=True,
+                          check=True).stdout
+
+
+class WindowCase(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.desktop = Desktop()
+        cls.addClassCleanup(cls.desktop.close)
+
+    def env(self):
+        return {'DISPLAY': self.desktop.env['DISPLAY'], **SUBMITS}
+
+    def view(self, *arguments):
+        return self.succeed('view', *arguments, env=self.env())
+
+    def start(self, scene, *arguments):
+        """Runs on; the number of its window, once it shows the scene."""
+        words = [Case.program, 'view', scene, *CHECKED, *map(str, arguments)]
+        self.log = open(self.folder / 'stderr', 'wb')
+        self.addCleanup(self.log.close)
+        self.process = subprocess.Popen(words, env=environment(self.env()), cwd=self.folder,
+                                        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                        stderr=self.log)
+        self.addCleanup(self.end)
+        return self.find(scene)
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate(timeout=PATIENCE)
+
+    def find(self, scene):
+        def look():
+            self.assertIsNone(self.process.poll(), self.words())
+            return self.desktop.ask('xdotool', 'search', '--onlyvisible', '--name',
+                                    f'^firn: {scene}$').split()
+        window = wait_until(f'a window with {scene}', look)[0]
+        self.desktop.do('windowfocus', '--sync', window)
+        return window
+
+    def words(self):
+        return (self.folder / 'stderr').read_text()
+
+    def press(self, window, key):
+        self.desktop.do('windowfocus', '--sync', window, 'key', key)
+
+    def shoot(self, window, number):
+        """Presses the key; what it writes."""
+        paths = [self.folder / f'firn-{number:04}.{kind}' for kind in ('png', 'exr')]
+        self.press(window, 'p')
+        wait_until(f'screenshot {number}', lambda: all(path.exists() for path in paths))
+        return paths[0]
+
+    def close(self, window):
+        """As the window manager does it."""
+        self.desktop.do('windowfocus', '--sync', window, 'key', 'alt+F4')
+        self.assertEqual(self.process.wait(timeout=PATIENCE), 0, self.words())
+        self.assertNotIn('firn: ', self.words())  # nothing went wrong
+        self.assertRegex(self.words(), r'\d+ frames')
+
+
+class Hands(WindowCase):
+    def drag(self, window, button, *more):
+        self.desktop.do('mousemove', '--window', window, 60, 70, *more, 'mousedown', button,
+                        'mousemove', '--window', window, 90, 75, 'mouseup', button)
+
+    def test_mouse_and_keys_move_the_camera(self):
+        window = self.start('ice-cube')
+        self.press(window, 'space')
+        self.find('ice-cube, paused')
+        first = self.shoot(window, 1)
+        shown = self.desktop.pixels(window)
+        self.assertEqual(png_size(first), (200, 150))
+        self.assertEqual(shown, png_pixels(first))  # the window shows the screenshot's pixels
+        moves = (
+            lambda: self.drag(window, 1), lambda: self.drag(window, 3),
+            lambda: self.drag(window, 1, 'keydown', 'shift'),
+            lambda: self.desktop.do('keyup', 'shift', 'click', 4),
+            lambda: self.press(window, 'Left'), lambda: self.press(window, 'minus'),
+        )
+        pictures = {png_pixels(first)}
+        for number, move in enumerate(moves, 2):
+            move()
+            pictures.add(png_pixels(self.shoot(window, number)))
+            self.assertEqual(len(pictures), number)
+        self.press(window, 'r')
+        last = self.shoot(window, len(moves) + 2)
+        self.assertEqual(last.read_bytes(), first.read_bytes())
+        self.close(window)
+
+    def test_no_screenshot_is_written_over(self):
+        (self.folder / 'firn-0001.exr').write_text('mine')
+        window = self.start('sphere')
+        self.shoot(window, 2)
+        self.shoot(window, 3)
+        self.close(window)
+        self.assertEqual((self.folder / 'firn-0001.exr').read_text(), 'mine')
+        self.assertNotIn('firn-0001.png', self.files())
+
+    def test_help_and_quit(self):
+        window = self.start('sphere')
+        self.press(window, 'F1')
+        self.press(window, 'q')
+        text = self.process.communicate(timeout=PATIENCE)[0].decode()
+        self.assertEqual(self.process.returncode, 0, self.words())
+        for word in ('Space', 'Esc, Q', 'drop a file'):
+            self.assertIn(word, text)
+
+    def test_resize_to_one_pixel_and_back(self):
+        window = self.start('sphere')
+        for number, (width, height) in enumerate(((1, 1), (220, 180), (317, 33)), 1):
+            self.desktop.do('windowsize', '--sync', window, width, height)
+            self.assertEqual(png_size(self.shoot(window, number)), (width, height))
+        self.close(window)
+
+    def test_minimise_and_restore(self):
+        window = self.start('sphere')
+        self.desktop.do('windowminimize', '--sync', window)
+        time.sleep(0.5)  # frames would be drawn now
+        self.assertIsNone(self.process.poll(), self.words())
+        self.desktop.do('windowmap', '--sync', window)
+        self.assertEqual(png_size(self.shoot(window, 1)), (200, 150))
+        self.close(window)
+
+    def test_fullscreen_and_back(self):
+        window = self.start('sphere')
+        self.press(window, 'f')
+        wait_until('the whole screen', lambda: len(self.desktop.pixels(window)) == 800 * 600 * 3)
+        self.assertEqual(png_size(self.shoot(window, 1)), (800, 600))
+        self.press(window, 'f')
+        wait_until('the window', lambda: len(self.desktop.pixels(window)) == 200 * 150 * 3)
+        self.close(window)
+
+
+class Drop(WindowCase):
+    def test_a_model_and_what_is_none(self):
+        model = self.folder / 'shape one.obj'
+        model.write_text(TRIANGLES)
+        broken = self.folder / 'broken.obj'
+        broken.write_bytes(b'\0\1\2 no model')
+        window = self.start('sphere')
+        self.assertTrue(self.desktop.drop(window, model))
+        self.find(str(model))
+        self.shoot(window, 1)
+        self.assertTrue(self.desktop.drop(window, broken))
+        wait_until('a line about it', lambda: 'broken.obj' in self.words())
+        self.find(str(model))
+        self.shoot(window, 2)
+        self.press(window, 'Escape')
+        self.assertEqual(self.process.wait(timeout=PATIENCE), 0, self.words())
+        self.assertEqual(self.words().count('firn: '), 1, self.words())
+
+    def test_an_environment(self):
+        self.succeed('render', 'sphere', '--size', '64x32', '-o', 'around.exr')
+        window = self.start('sphere')
+        self.press(window, 'space')
+        self.find('sphere, paused')
+        before = self.desktop.pixels(window)
+        self.assertTrue(self.desktop.drop(window, self.folder / 'around.exr'))
+        wait_until('another picture', lambda: self.desktop.pixels(window) != before)
+        self.close(window)
+
+
+class Automatic(WindowCase):
+    def test_the_pixels_are_those_of_render(self):
+        for scene, rung in PARITY:
+            with self.subTest(scene=scene, rung=rung):
+                words = (scene, '--refraction', rung, '--size', SIZE)
+                self.view(*words, '--frames', 1, '--screenshot', 'a.png', '--screenshot', 'a.exr')
+                self.succeed('render', *words, '-o', 'b.png', '-o', 'b.exr')
+                for kind in ('png', 'exr'):
+                    self.assertEqual((self.folder / f'a.{kind}').read_bytes(),
+                                     (self.folder / f'b.{kind}').read_bytes())
+
+    def test_locked_time_is_that_of_a_sequence(self):
+        self.view('ice-cube', '--size', SIZE, '--frames', 5, '--time-step', 0.25,
+                  '--screenshot', 'a.png', '--samples', 4)
+        self.succeed('render', 'ice-cube', '--size', SIZE, '--set', 'motion.time=1',
+                     '-o', 'b.png', '--samples', 4)
+        self.assertEqual((self.folder / 'a.png').read_bytes(),
+                         (self.folder / 'b.png').read_bytes())
+
+    def test_every_present_mode(self):
+        for mode in ('fifo', 'mailbox', 'immediate'):
+            done = self.view('sphere', *CHECKED, '--frames', 20, '--present', mode,
+                             '--fps-limit', 200)
+            self.assertRegex(done.stderr.decode(), r'\A20 frames, .* beside them\n\Z')
+
+    def test_quiet(self):
+        self.assertEqual(self.view('sphere', '--size', SIZE, '--frames', 3, '-q').stderr, b'')
+
+    def test_wrong_input(self):
+        for code, *words in ((NO_INPUT, 'gone.obj'), (NO_INPUT, 'sphere', '--env', 'gone.hdr'),
+                             (NO_DEVICE, 'sphere', '--device', 'none such')):
+            self.refuse(code, 'view', *words, env=self.env())
+
+    def test_memory_stays_the_same(self):
+        words = [Case.program, 'view', 'sphere', '--size', '64x48', '--frames', '2000', '-q',
+                 '--time-step', '0.04']
+        with subprocess.Popen(words, env=environment(self.env()), cwd=self.folder) as process:
+            status = pathlib.Path(f'/proc/{process.pid}/status')
+            sizes = []
+            while process.poll() is None:
+                lines = status.read_text().splitlines()
+                sizes += [int(line.split()[1]) for line in lines if line.startswith('VmRSS')]
+                time.sleep(0.05)
+        self.assertEqual(process.returncode, 0)
+        early, late = max(sizes[:len(sizes) // 4]), max(sizes[len(sizes) * 3 // 4:])
+        print(f'2000 frames: {early} KiB in the first quarter, {late} KiB in the last')
+        self.assertLess(late, early + 2048)
+
+
+class NoWindow(Case):
+    def test_without_display(self):
+        self.refuse(NO_DEVICE, 'view', 'sphere', names=['firn render'])
+        self.render('a.png')  # needs none
+
+    def test_without_the_program_for_windows(self):
+        alone = self.folder / 'firn'
+        shutil.copy(Case.program, alone)
+        done = subprocess.run([alone, 'view', 'sphere'], env=environment({}), cwd=self.folder,
+                              capture_output=True, timeout=PATIENCE, check=False)
+        self.assertEqual(done.returncode, NO_DEVICE)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+
+    def test_help_needs_no_display(self):
+        text = self.succeed('view', '--help').stdout.decode()
+        for option in ('--frames', '--time-step', '--screenshot', '--present', '--fps-limit'):
+            self.assertIn(option, text)
+        self.assertNotIn('--resume', text)
+        self.assertEqual(self.succeed('help', 'view').stdout.decode(), text)
+
+    def test_wrong_words(self):
+        self.refuse(USAGE, 'view')
+        for option, value in (('--frames', '0'), ('--frames', '1-5'), ('--time-step', '-1'),
+                              ('--time-step', 'nan'), ('--present', 'relaxed'),
+                              ('--fps-limit', '0'), ('--screenshot', 'a.gif')):
+            self.refuse(USAGE, 'view', 'sphere', option, value, names=[option, value])
+
+
+if __name__ == '__main__':
+    main()
