@@ -244,6 +244,7 @@ void rg_meaning_learn(struct meaning *m, enum rg_kind kind, enum rg_access acces
             .flags = (uint16_t)flags,
             .layout = info->layout,
             .stages = stages_of_use(kind, access),
+            .usage = info->image_usage,
         },
         .shaders = stages_of_kind[kind],
         .fits = fits,

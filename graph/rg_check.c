@@ -98,15 +98,12 @@ static const char *samples_trouble(const struct resource *r)
 static const char *size_trouble(const struct compiler *c, const struct resource *r,
                                 enum rg_error *error)
 {
-    const struct rg_device *device = c->params->device;
-    uint32_t max_size = device && device->max_image_size ? device->max_image_size : 1u << 16;
-    uint32_t max_layers = device && device->max_layers ? device->max_layers : 1u << 11;
     if (!(r->image->scale >= 0.0f)) {
         *error = RG_ERROR_NO_SIZE;
         return "a scale is a positive number";
     }
-    if (r->extent.width > max_size || r->extent.height > max_size ||
-        r->all.layerCount > max_layers) {
+    if (r->extent.width > c->max_image_size || r->extent.height > c->max_image_size ||
+        r->all.layerCount > c->max_layers) {
         *error = RG_ERROR_TOO_LARGE;
         return "make it smaller: the device has no images of this size";
     }
@@ -156,20 +153,26 @@ static const char *buffer_trouble(const struct resource *r, enum rg_error *error
                : NULL;
 }
 
+static void tell(struct compiler *c, const struct resource *r, enum rg_error error,
+                 const char *hint)
+{
+    const struct place place = { .row = RG_NONE, .resource = rg_resource_name(r) };
+    rg_fault_add(c, error, place, hint);
+}
+
 /* Leaves faulty resources with a size that later steps can work with. */
 void rg_check_resource(struct compiler *c, struct resource *r)
 {
     const char *name = r->image ? r->image->name : r->buffer->name;
-    const struct place place = { .row = RG_NONE, .resource = name ? name : "?" };
     if (!name)
-        rg_fault_add(c, RG_ERROR_NO_NAME, place, "give the resource a name");
+        tell(c, r, RG_ERROR_NO_NAME, "give the resource a name");
     else if (!rg_name_is_new(c, NAME_RESOURCE, name))
-        rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, place, RG_HINT_NAME);
+        tell(c, r, RG_ERROR_DUPLICATE_NAME, RG_HINT_NAME);
 
     enum rg_error error = RG_ERROR_NONE;
     const char *hint = r->image ? image_trouble(c, r, &error) : buffer_trouble(r, &error);
     if (hint) {
-        rg_fault_add(c, error, place, hint);
+        tell(c, r, error, hint);
         r->all.layerCount = r->all.levelCount = r->image ? 1 : 0;
     }
 }

@@ -86,12 +86,23 @@ void rg_check_uses(struct compiler *c, const struct rg_pass *pass, const struct 
         rg_fault_add(c, RG_ERROR_WRITES_NOTHING, *place, "a pass without a result is never needed");
 }
 
+_Static_assert(RG_COLOR_COUNT == 8, "has_gap() writes them out");
+
+static uintptr_t names_any(const struct rg_target *target)
+{
+    return (uintptr_t)target->image | (uintptr_t)target->resolve;
+}
+
 /* Whether anything follows the colour targets, of which there are `count`. */
 static bool has_gap(const struct rg_pass *pass, uint32_t count)
 {
+    const struct rg_target *t = pass->color;
+    if (!count) /* as of the most rows: nothing at all */
+        return names_any(&t[0]) | names_any(&t[1]) | names_any(&t[2]) | names_any(&t[3]) |
+               names_any(&t[4]) | names_any(&t[5]) | names_any(&t[6]) | names_any(&t[7]);
     uintptr_t any = 0;
     for (uint32_t i = count; i < RG_COLOR_COUNT; i++)
-        any |= (uintptr_t)pass->color[i].image | (uintptr_t)pass->color[i].resolve;
+        any |= names_any(&t[i]);
     return any;
 }
 

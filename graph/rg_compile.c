@@ -7,22 +7,36 @@ struct owned_plan {
     struct arena arena;
 };
 
-/* Barriers need memory's places, or places the barriers, as enum rg_sharing has it. */
+/* Lists what the plan needs memory for, and places it. */
+static void place(struct compiler *c)
+{
+    rg_list(c);
+    if (!c->arena->failed && !c->fault_count)
+        rg_place(c);
+}
+
+/* Barriers need memory's places, or places the barriers, as enum rg_sharing has it. What the device
+ * cannot do is found on the way. */
 static void place_and_sync(struct compiler *c)
 {
     struct sync sync = { .c = c };
     bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
-    if (place_first) {
-        rg_place(c);
-        if (!c->arena->failed)
+    rg_check_formats(c);
+    rg_follow_begin(c);
+    if (place_first && !c->arena->failed) {
+        rg_follow_passes(c);
+        rg_follow_outputs(c);
+        place(c);
+        if (!c->arena->failed && !c->fault_count)
             rg_place_ends(c);
     }
     if (!c->arena->failed)
         rg_emit(c, &sync);
     if (!place_first && !c->arena->failed)
-        rg_place(c);
-    if (!c->arena->failed)
-        rg_place_left(c);
+        place(c);
+    if (c->arena->failed || c->fault_count)
+        return;
+    rg_place_left(c);
     if (!c->arena->failed)
         rg_sync_takeovers(&sync);
 }
@@ -55,9 +69,7 @@ static void run(struct compiler *c)
     if (c->arena->failed || c->fault_count)
         return;
     rg_cull(c);
-    rg_list(c);
-    if (!c->arena->failed && !c->fault_count)
-        place_and_sync(c);
+    place_and_sync(c);
 }
 
 struct rg_plan *rg_compile(const struct rg_compile_params *params)
@@ -67,10 +79,13 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
     struct owned_plan *owned = rg_arena_zeroed(&arena, 1, sizeof(*owned));
     if (!owned)
         return NULL;
+    const struct rg_device *device = params->device;
     struct compiler c = {
         .params = params,
         .plan = &owned->plan,
         .arena = &arena,
+        .max_image_size = device && device->max_image_size ? device->max_image_size : 1u << 16,
+        .max_layers = device && device->max_layers ? device->max_layers : 1u << 11,
     };
     owned->plan.view = params->view;
     run(&c);

@@ -28,23 +28,25 @@ static void begin_round(struct compiler *c, uint32_t round)
 }
 
 /* Whether later passes or outputs want any of what this access leaves. */
-static bool is_wanted(const struct compiler *c, const struct access *access)
+static inline bool is_wanted(const struct compiler *c, const struct access *access)
 {
-    if (access->cell)
-        return access->cell->wanted;
+    const struct resource *r = &c->resources[access->resource];
     bool any = false;
-    for (struct cell_walk w = rg_walk(&c->resources[access->resource], access); rg_walk_next(&w);)
+    if (r->cell_count == 1)
+        return r->cell.wanted;
+    for (struct cell_walk w = rg_walk(r, rg_range_of(c, access)); rg_walk_next(&w);)
         any = any || w.cell->wanted;
     return any;
 }
 
-static void mark(const struct compiler *c, const struct access *access, bool value)
+static inline void mark(const struct compiler *c, const struct access *access, bool value)
 {
-    if (access->cell) {
-        access->cell->wanted = value;
+    struct resource *r = &c->resources[access->resource];
+    if (r->cell_count == 1) {
+        r->cell.wanted = value;
         return;
     }
-    for (struct cell_walk w = rg_walk(&c->resources[access->resource], access); rg_walk_next(&w);)
+    for (struct cell_walk w = rg_walk(r, rg_range_of(c, access)); rg_walk_next(&w);)
         w.cell->wanted = value;
 }
 

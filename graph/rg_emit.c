@@ -14,9 +14,9 @@ static struct rg_plan_target plan_target(const struct compiler *c, const struct 
     VkAttachmentStoreOp store =
         a->flags & ACCESS_NEEDED ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
     return (struct rg_plan_target){
-        .image = c->resources[a->resource].plan_index,
-        .mip = a->range.baseMipLevel,
-        .layer = a->range.baseArrayLayer,
+        .image = c->resources[a->resource].plan_image,
+        .mip = rg_range_of(c, a)->baseMipLevel,
+        .layer = rg_range_of(c, a)->baseArrayLayer,
         .load = writes ? load_ops[target->load] : VK_ATTACHMENT_LOAD_OP_LOAD,
         .store = writes ? store : VK_ATTACHMENT_STORE_OP_NONE,
         .layout = a->layout,
@@ -27,21 +27,9 @@ static struct rg_plan_target plan_target(const struct compiler *c, const struct 
 static void add_resolve(const struct compiler *c, const struct access *a,
                         struct rg_plan_target *target)
 {
-    target->resolve = c->resources[a->resource].plan_index;
-    target->resolve_mip = a->range.baseMipLevel;
-    target->resolve_layer = a->range.baseArrayLayer;
-}
-
-static void add_use(const struct compiler *c, const struct access *a, struct rg_plan_use *out)
-{
-    const struct resource *r = &c->resources[a->resource];
-    *out = (struct rg_plan_use){
-        .use = a->declared,
-        .image = r->image ? r->plan_index : RG_NONE,
-        .buffer = r->image ? RG_NONE : r->plan_index,
-        .range = a->range,
-        .layout = a->layout,
-    };
+    target->resolve = c->resources[a->resource].plan_image;
+    target->resolve_mip = rg_range_of(c, a)->baseMipLevel;
+    target->resolve_layer = rg_range_of(c, a)->baseArrayLayer;
 }
 
 /* Colours that the pass does not have are left alone: they are most of the struct. */
@@ -58,27 +46,54 @@ static void begin_pass(const struct compiler *c, const struct pass *pass, struct
     out->first_use = c->plan->use_count;
 }
 
+static void emit_target(const struct compiler *c, const struct access *a, struct rg_plan_pass *out)
+{
+    if (a->access == RG_COLOR)
+        out->color[out->color_count++] = plan_target(c, a);
+    else if (a->access == RG_RESOLVE)
+        add_resolve(c, a, &out->color[out->color_count - 1]);
+    else
+        out->depth = plan_target(c, a);
+}
+
+/* Field by field: a copy of the whole takes twice as long. */
+static inline void emit_use(const struct compiler *c, const struct resource *r,
+                            const struct access *a, struct rg_plan_use *use)
+{
+    const VkImageSubresourceRange *range = a->range ? &c->ranges[a->range - 1] : &r->all;
+    use->use = a->declared;
+    use->image = r->plan_image;
+    use->buffer = r->plan_buffer;
+    use->range = *range;
+    use->layout = a->layout;
+}
+
 static void emit_pass(struct sync *sync, const struct pass *pass, struct rg_plan_use *uses,
                       uint32_t index)
 {
     struct compiler *c = sync->c;
     struct rg_plan_pass *out = &sync->passes[index];
     struct rg_plan_use *use = &uses[c->plan->use_count];
+    struct resource *resources = c->resources;
     const struct access *a = &c->accesses[pass->first_access];
+    const struct access **early = sync->early;
+    const struct access **late = sync->late;
     begin_pass(c, pass, out);
-    rg_sync_pass(sync, pass, index);
     for (const struct access *end = a + pass->access_count; a < end; a++) {
+        struct resource *r = &resources[a->resource];
+        rg_follow(c, r, a->usage, index);
         if (a->access > RG_RESOLVE)
-            add_use(c, a, use++);
-        else if (a->access == RG_COLOR)
-            out->color[out->color_count++] = plan_target(c, a);
-        else if (a->access == RG_RESOLVE)
-            add_resolve(c, a, &out->color[out->color_count - 1]);
+            emit_use(c, r, a, use++);
         else
-            out->depth = plan_target(c, a);
+            emit_target(c, a, out);
+        bool is_late = r->first == index;
+        *early = *late = a;
+        early += !is_late;
+        late += is_late;
     }
     out->use_count = (uint32_t)(use - uses) - out->first_use;
     c->plan->use_count += out->use_count;
+    rg_sync_pass(sync, early, late, index);
 }
 
 static void list_culled(struct compiler *c)
@@ -108,6 +123,7 @@ void rg_emit(struct compiler *c, struct sync *sync)
         if (c->passes[p].alive)
             emit_pass(sync, &c->passes[p], uses, index++);
     }
+    rg_follow_outputs(c);
     rg_sync_end(sync);
     list_culled(c);
 }

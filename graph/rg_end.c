@@ -16,10 +16,8 @@ struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg
         .resource = resource,
         .access = (uint16_t)access,
         .flags = (uint16_t)flags,
-        .cell = r->cell_count == 1 ? r->cells : NULL,
         .visibility = rg_visibility(access, stages),
         .layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED,
         .stages = stages,
-        .range = r->all,
     };
 }

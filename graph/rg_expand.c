@@ -8,14 +8,17 @@
 struct expansion {
     struct compiler *c;
     struct pass *pass;
-    const struct place *place;
+    struct place place;
+    uint32_t technique;
     uint32_t target_samples; /* 0: no target yet */
+    unsigned flags;          /* of all uses */
+    uint64_t bindings;       /* that uses have, a bit each; all of them for one beyond 63 */
 };
 
 static void fault(const struct expansion *e, enum rg_error error, const struct resource *r,
                   const char *hint)
 {
-    struct place place = *e->place;
+    struct place place = e->place;
     place.resource = rg_resource_name(r);
     rg_fault_add(e->c, error, place, hint);
 }
@@ -90,27 +93,41 @@ static inline void keep_access(struct expansion *e, const struct resource *r, un
     if (found)
         report(e, r, found, unfilled_hint);
     e->c->access_count++;
-    e->pass->access_count++;
+}
+
+static bool is_same_range(const VkImageSubresourceRange *a, const VkImageSubresourceRange *b)
+{
+    return a->aspectMask == b->aspectMask && a->baseMipLevel == b->baseMipLevel &&
+           a->levelCount == b->levelCount && a->baseArrayLayer == b->baseArrayLayer &&
+           a->layerCount == b->layerCount;
+}
+
+static void set_range(struct compiler *c, struct access *a, const VkImageSubresourceRange *range)
+{
+    if (is_same_range(range, &c->resources[a->resource].all) ||
+        !ARENA_ROOM(c->arena, c->ranges, c->range_count, c->range_room, 64))
+        return;
+    c->ranges[c->range_count++] = *range;
+    a->range = c->range_count;
 }
 
 /* Appends the access to the pass, unless its range is a fault. */
-static void add_access(struct expansion *e, struct access *a, const char *unfilled_hint)
+static void add_access(struct expansion *e, struct access *a, const VkImageSubresourceRange *range,
+                       const char *unfilled_hint)
 {
-    const struct resource *r = &e->c->resources[a->resource];
-    VkImageAspectFlags aspects = a->range.aspectMask;
+    struct resource *r = &e->c->resources[a->resource];
+    VkImageAspectFlags aspects = range->aspectMask;
     unsigned found = 0;
-    if (r->image && !in_range(r, &a->range)) {
+    if (r->image && !in_range(r, range)) {
         fault(e, RG_ERROR_RANGE, r, "name a mip, layer and aspect that the image has");
         return;
     }
     if ((aspects & (aspects - 1)) && rg_is_shader_access(a->access))
         fault(e, RG_ERROR_RANGE, r, "a shader sees one aspect: name depth or stencil");
-    a->cell = r->cell_count == 1 ? r->cells : NULL;
-    if (a->cell)
-        found = enter_cell(e->c, e->pass, a->cell, a);
-    else
-        for (struct cell_walk w = rg_walk(r, a); rg_walk_next(&w);)
-            found |= enter_cell(e->c, e->pass, w.cell, a);
+    if (r->cell_count > 1)
+        set_range(e->c, a, range);
+    for (struct cell_walk w = rg_walk(r, range); rg_walk_next(&w);)
+        found |= enter_cell(e->c, e->pass, w.cell, a);
     keep_access(e, r, found, unfilled_hint);
 }
 
@@ -126,7 +143,7 @@ static VkExtent2D mip_extent(const struct resource *r, uint32_t mip)
 static void check_extent(struct expansion *e, const struct resource *r, uint32_t mip)
 {
     VkExtent2D extent = mip_extent(r, mip);
-    if (e->pass->access_count == 0 && !e->target_samples)
+    if (e->c->access_count == e->pass->first_access && !e->target_samples)
         e->pass->extent = extent;
     else if (extent.width != e->pass->extent.width || extent.height != e->pass->extent.height)
         fault(e, RG_ERROR_TARGET_SIZE, r, "all targets of a pass are of one size");
@@ -179,17 +196,19 @@ static void add_resolve(struct expansion *e, const struct rg_target *target)
             ACCESS_WRITES_CONTENT | (e->pass->rg->when ? ACCESS_CONDITIONAL : ACCESS_OVERWRITES),
         .layout = info->layout,
         .stages = info->stages,
+        .usage = info->image_usage,
         .declared = target,
-        .range = target_range(e->pass, r, target->resolve_mip, target->resolve_layer),
     };
+    const VkImageSubresourceRange range =
+        target_range(e->pass, r, target->resolve_mip, target->resolve_layer);
     if (r->image->samples > 1)
         fault(e, RG_ERROR_SAMPLES, r, "resolve to an image of one sample a texel");
     if (target->image->samples <= 1)
         fault(e, RG_ERROR_SAMPLES, r, "resolve from an image of several samples a texel");
     if (r->image->format != target->image->format)
         fault(e, RG_ERROR_FORMAT, r, "resolve to an image of the same format");
-    check_extent(e, r, a->range.baseMipLevel);
-    add_access(e, a, NULL);
+    check_extent(e, r, range.baseMipLevel);
+    add_access(e, a, &range, NULL);
 }
 
 static void add_target(struct expansion *e, const struct rg_target *target)
@@ -219,16 +238,19 @@ static void add_target(struct expansion *e, const struct rg_target *target)
         .visibility = kind == RG_DEPTH_READ ? rg_visibility(kind, info->stages) : 0,
         .layout = info->layout,
         .stages = info->stages,
+        .usage = info->image_usage,
         .declared = target,
-        .range = target_range(e->pass, r, target->mip, target->layer),
     };
-    check_target(e, target, r, a->range.baseMipLevel);
-    add_access(e, a, "clear it, or put the pass that fills it before this one");
+    const VkImageSubresourceRange range = target_range(e->pass, r, target->mip, target->layer);
+    check_target(e, target, r, range.baseMipLevel);
+    add_access(e, a, &range, "clear it, or put the pass that fills it before this one");
     if (target->resolve && target != &rg->depth)
         add_resolve(e, target);
 }
 
 /* ---- uses ---- */
+
+static const char unwritten_hint[] = "put the pass that writes it before this one, or import it";
 
 static VkImageSubresourceRange use_range(const struct resource *r, const struct rg_range *range,
                                          const struct pass *pass)
@@ -254,15 +276,20 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
     return out;
 }
 
-static bool is_all(const struct rg_range *range)
+/* Whether a use says nothing beyond its image or buffer, access, binding and sampler. */
+static bool is_plain(const struct rg_use *use)
 {
-    return !(range->aspect | range->mip | range->mip_count | range->layer | range->layer_count) &&
-           !range->each;
+    const struct rg_range *range = &use->range;
+    return !(range->aspect | range->mip | range->mip_count | range->layer | range->layer_count |
+             range->each | use->stages | use->partial);
 }
 
-/* What a use says beyond its image or buffer, access and binding. */
-static void refine_use(const struct expansion *e, const struct rg_use *use, struct access *a)
+/* An access that begins as what it means by itself. */
+static void refine_use(struct expansion *e, const struct rg_use *use, struct access *a)
 {
+    static const VkImageSubresourceRange none = { 0 };
+    const struct resource *r = &e->c->resources[a->resource];
+    const VkImageSubresourceRange range = r->image ? use_range(r, &use->range, e->pass) : none;
     if (use->stages && !rg_access_table[use->access].stages) {
         a->stages = use->stages;
         if (!(a->flags & ACCESS_WRITES_CONTENT))
@@ -272,32 +299,79 @@ static void refine_use(const struct expansion *e, const struct rg_use *use, stru
         a->flags &= (uint16_t)~ACCESS_OVERWRITES;
     if (e->pass->rg->when)
         a->flags |= ACCESS_CONDITIONAL;
+    add_access(e, a, &range, unwritten_hint);
 }
 
-static void add_use(struct expansion *e, const struct meaning *m, const struct rg_use *use)
+/* Returns false if rg_check_uses() has to look at it. */
+static bool add_use(struct expansion *e, const struct rg_use *use)
 {
-    static const char hint[] = "put the pass that writes it before this one, or import it";
     struct compiler *c = e->c;
+    if (!rg_is_good_use(use))
+        return false;
+    const struct meaning *m = rg_meaning(c, rg_kind_of(e->pass->rg), use->access);
+    uint64_t binding = use->binding < 64 ? UINT64_C(1) << use->binding : UINT64_MAX;
+    bool fine = rg_is_fine_use(use, m);
+    if (rg_is_shader_access(use->access)) {
+        fine = fine && !(e->bindings & binding);
+        e->bindings |= binding;
+    }
+    e->flags |= m->access.flags;
     uint32_t index = rg_resource_of(c, use->image, use->buffer);
     struct access *a = next_access(c);
     if (index == RG_NONE || !a)
-        return;
-    const struct resource *r = &c->resources[index];
-    bool all = is_all(&use->range);
+        return fine;
     *a = m->access;
     a->resource = index;
-    a->range = r->all;
     a->declared = use;
-    a->cell = r->cells;
-    if (!r->image)
+    if (use->buffer) {
         a->layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    else if (!all)
-        a->range = use_range(r, &use->range, e->pass);
+        a->usage = rg_access_table[use->access].buffer_usage;
+    }
     refine_use(e, use, a);
-    if (all && r->cell_count == 1) /* nothing can be wrong with its range */
-        keep_access(e, r, enter_cell(c, e->pass, a->cell, a), hint);
-    else
-        add_access(e, a, hint);
+    return fine;
+}
+
+/*
+ * Adds uses while nothing can be wrong with them, which is nearly always: shaders read or write all
+ * of an image of one cell, each at its own binding. Returns the first other one, or the end.
+ */
+static const struct rg_use *add_plain_uses(struct expansion *e, const struct rg_pass *rg,
+                                           const struct rg_use *use)
+{
+    struct compiler *c = e->c;
+    const enum rg_kind kind = rg_kind_of(rg);
+    const struct meaning *meanings = c->meanings[kind];
+    const uint32_t known = c->known_shader[kind];
+    const uint32_t first = e->pass->first_access;
+    uint32_t count = c->access_count;
+    uint64_t bindings = e->bindings;
+    unsigned flags = e->flags;
+    for (; use->image && !use->buffer && count < c->access_room; use++) {
+        if ((unsigned)use->access > 31 || !(known >> use->access & 1) || use->binding > 63 ||
+            (bindings >> use->binding & 1) || !is_plain(use))
+            break;
+        uint32_t index = rg_resource_of(c, use->image, NULL);
+        if (index == RG_NONE)
+            break;
+        const struct meaning *m = &meanings[use->access];
+        struct resource *r = &c->resources[index];
+        bool unfilled = m->access.flags & ACCESS_READS_CONTENT && r->cell.filled != CELL_FILLED;
+        if (!r->plain || r->cell.last_access > first || unfilled)
+            break;
+        struct access *a = &c->accesses[count++];
+        *a = m->access;
+        a->resource = index;
+        a->declared = use;
+        r->cell.last_access = count;
+        if (m->access.flags & ACCESS_WRITES_CONTENT)
+            r->cell.filled = CELL_FILLED;
+        bindings |= UINT64_C(1) << use->binding;
+        flags |= m->access.flags;
+    }
+    c->access_count = count;
+    e->bindings = bindings;
+    e->flags = flags;
+    return use;
 }
 
 /* ---- rows ---- */
@@ -305,50 +379,43 @@ static void add_use(struct expansion *e, const struct meaning *m, const struct r
 /* Returns false if rg_check_uses() has to look at them. */
 static bool add_uses(struct expansion *e)
 {
-    struct compiler *c = e->c;
     const struct rg_pass *rg = e->pass->rg;
-    enum rg_kind kind = rg_kind_of(rg);
-    unsigned flags = rg_draws(rg) ? ACCESS_WRITES_CONTENT : 0;
-    uint64_t bindings = 0; /* a bit each; of those beyond 63 nothing is known */
     bool fine = true;
-    for (const struct rg_use *use = rg->uses; use && rg_is_use(use); use++) {
-        if (!rg_is_good_use(use)) {
-            fine = false;
-            continue;
-        }
-        const struct meaning *m = rg_meaning(c, kind, use->access);
-        if (rg_is_shader_access(use->access)) {
-            fine = fine && use->binding < 64 && !(bindings >> use->binding & 1);
-            bindings |= UINT64_C(1) << (use->binding & 63);
-        }
-        fine = fine && rg_is_fine_use(use, m);
-        flags |= m->access.flags;
-        add_use(e, m, use);
+    e->bindings = 0;
+    e->flags = rg_draws(rg) ? ACCESS_WRITES_CONTENT : 0;
+    for (const struct rg_use *use = rg->uses; use; use++) {
+        if (!rg->when)
+            use = add_plain_uses(e, rg, use);
+        if (!rg_is_use(use))
+            break;
+        fine = add_use(e, use) && fine;
     }
-    return fine && (flags & ACCESS_WRITES_CONTENT);
+    return fine && (e->flags & ACCESS_WRITES_CONTENT);
 }
 
 /* The same. */
-static bool add_pass(struct compiler *c, const struct place *place, uint32_t technique,
-                     uint32_t repetition)
+static bool add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t repetition)
 {
-    const struct rg_pass *rg = &place->technique->passes[place->row];
+    struct compiler *c = e->c;
     if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, 64))
         return false;
-    struct expansion e = { .c = c, .pass = &c->passes[c->pass_count], .place = place };
-    *e.pass = (struct pass){
-        .technique = technique,
-        .row = place->row,
-        .repetition = repetition,
-        .rg = rg,
-        .extent = c->params->view,
-        .first_access = c->access_count,
-    };
+    struct pass *pass = &c->passes[c->pass_count];
+    pass->technique = e->technique;
+    pass->row = e->place.row;
+    pass->repetition = repetition;
+    pass->rg = rg;
+    pass->extent = c->params->view;
+    pass->first_access = c->access_count;
+    e->pass = pass;
+    e->target_samples = 0;
     for (size_t i = 0; i < RG_COLOR_COUNT && rg->color[i].image; i++)
-        add_target(&e, &rg->color[i]);
+        add_target(e, &rg->color[i]);
     if (rg->depth.image)
-        add_target(&e, &rg->depth);
-    bool fine = add_uses(&e);
+        add_target(e, &rg->depth);
+    bool fine = add_uses(e);
+    pass->access_count = c->access_count - pass->first_access;
+    if (c->most_accesses < pass->access_count)
+        c->most_accesses = pass->access_count;
     c->pass_count++;
     return fine;
 }
@@ -377,36 +444,43 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
     return r->all.levelCount > mip ? r->all.levelCount - mip : 1;
 }
 
-/* Faults of uses by themselves come before those of what they do together with others. */
-static void expand_row(struct compiler *c, const struct place *place, uint32_t technique)
+/* Returns false if rg_check_uses() has to look at it. */
+static bool repeat_row(struct expansion *e, const struct rg_pass *rg)
 {
-    const struct rg_pass *rg = &place->technique->passes[place->row];
-    uint32_t first_fault = c->fault_count;
-    uint32_t count = rg->repeat == RG_ONCE ? 1 : repetition_count(c, rg);
+    uint32_t count = repetition_count(e->c, rg);
     bool fine = count;
     if (!count)
-        rg_fault_add(c, RG_ERROR_REPEAT, *place,
+        rg_fault_add(e->c, RG_ERROR_REPEAT, e->place,
                      "a repeated row writes an image, whose layers or mips it counts");
-    for (uint32_t i = 0; i < count && !c->arena->failed; i++)
-        fine = add_pass(c, place, technique, i) && fine;
+    for (uint32_t i = 0; i < count && !e->c->arena->failed; i++)
+        fine = add_pass(e, rg, i) && fine;
+    return fine;
+}
+
+/* Faults of uses by themselves come before those of what they do together with others. */
+static void expand_row(struct expansion *e, const struct rg_pass *rg)
+{
+    struct compiler *c = e->c;
+    c->row_first_fault = c->fault_count;
+    rg_check_row(c, rg, &e->place);
+    uint32_t first_fault = c->fault_count;
+    bool fine = rg->repeat == RG_ONCE ? add_pass(e, rg, 0) : repeat_row(e, rg);
+    if (fine)
+        return;
     uint32_t later_fault = c->fault_count;
-    if (!fine) {
-        rg_check_uses(c, rg, place);
-        rg_fault_reorder(c, first_fault, later_fault);
-    }
+    rg_check_uses(c, rg, &e->place);
+    rg_fault_reorder(c, first_fault, later_fault);
 }
 
 static void expand_technique(struct compiler *c, const struct rg_technique *technique,
                              uint32_t index)
 {
+    struct expansion e = { .c = c, .technique = index, .place = { technique, RG_NONE, NULL } };
     if (!technique->name)
-        rg_fault_add(c, RG_ERROR_NO_NAME, (struct place){ technique, RG_NONE, NULL },
-                     "give the technique a name");
+        rg_fault_add(c, RG_ERROR_NO_NAME, e.place, "give the technique a name");
     for (uint32_t p = 0; p < technique->pass_count && !c->arena->failed; p++) {
-        const struct place place = { technique, p, NULL };
-        c->row_first_fault = c->fault_count;
-        rg_check_row(c, &technique->passes[p], &place);
-        expand_row(c, &place, index);
+        e.place.row = p;
+        expand_row(&e, &technique->passes[p]);
     }
 }
 

@@ -35,10 +35,15 @@ struct owners {
     uint32_t count;
 };
 
+static bool is_same(const struct former *a, const struct former *b)
+{
+    return a->stages == b->stages && a->writes == b->writes;
+}
+
 static struct class *find_class(struct owners *o, const struct former *left)
 {
     for (uint32_t i = 0; i < o->count; i++) {
-        if (o->classes[i].left.stages == left->stages && o->classes[i].left.writes == left->writes)
+        if (is_same(&o->classes[i].left, left))
             return &o->classes[i];
     }
     if (o->count == CLASSES) {
@@ -87,22 +92,39 @@ static bool has_any(const struct class *c, struct span span)
     return i < c->count && c->spans[i].begin < span.end;
 }
 
+static struct span span_of(const struct pack_item *item)
+{
+    return (struct span){ item->offset, item->offset + item->size };
+}
+
+/* What everybody leaves is left everywhere; only who leaves more is looked for. */
 void rg_former_left(struct arena *arena, const struct pack_item *items, struct former *formers,
                     uint32_t count)
 {
+    struct former everybody = *formers;
+    struct former anybody = *formers;
+    for (uint32_t i = 1; i < count; i++) {
+        everybody.stages &= formers[i].stages;
+        everybody.writes &= formers[i].writes;
+        anybody.stages |= formers[i].stages;
+        anybody.writes |= formers[i].writes;
+    }
+    if (is_same(&everybody, &anybody))
+        return;
     struct owners *owners = ARENA_ARRAY(arena, struct owners, 1);
     if (!owners)
         return;
     owners->count = 0;
-    for (uint32_t i = 0; i < count; i++)
-        add_span(find_class(owners, &formers[i]),
-                 (struct span){ items[i].offset, items[i].offset + items[i].size });
-    for (uint32_t i = 0; i < count && owners->count > 1; i++) {
-        const struct span span = { items[i].offset, items[i].offset + items[i].size };
-        formers[i].stages = formers[i].writes = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        if (!is_same(&formers[i], &everybody))
+            add_span(find_class(owners, &formers[i]), span_of(&items[i]));
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (is_same(&formers[i], &anybody))
+            continue;
         for (uint32_t k = 0; k < owners->count; k++) {
             const struct class *c = &owners->classes[k];
-            bool any = has_any(c, span);
+            bool any = has_any(c, span_of(&items[i]));
             formers[i].stages |= any ? c->left.stages : 0;
             formers[i].writes |= any ? c->left.writes : 0;
         }

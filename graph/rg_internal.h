@@ -75,22 +75,25 @@ struct resource {
     const void *address;          /* of: */
     const struct rg_image *image; /* this or: */
     const struct rg_buffer *buffer;
-    struct cell *cells;
+    struct cell *cells; /* of a single one: &cell */
     uint32_t cell_count;
+    bool persistent;
+    bool shared; /* transient, in a block */
+    bool plain;  /* one cell, and nothing but its access can be wrong with a use of all of it */
     VkImageSubresourceRange all; /* of an image */
     VkExtent2D extent;
     const struct rg_format_info *format; /* NULL: unknown, or a buffer */
     VkDeviceSize size;                   /* of a buffer, as declared; or RG_SIZE_OVERFLOW */
     uint32_t import;                     /* index into the params' imports, or RG_NONE */
     uint32_t output;                     /* index into the params' outputs, or RG_NONE */
-    bool persistent;
-    bool shared; /* transient, in a block */
     /* of the living passes: */
     uint32_t first, last;  /* plan passes; first RG_NONE: unused */
     VkFlags usage;         /* VkImageUsageFlags or VkBufferUsageFlags */
-    uint32_t plan_index;   /* in the plan's images or buffers */
+    uint32_t plan_image;   /* index into the plan's images, or RG_NONE */
+    uint32_t plan_buffer;  /* the same of its buffers */
     uint32_t item;         /* in compiler.items, or RG_NONE: it shares no memory */
     uint32_t last_barrier; /* index of the newest one, or RG_NONE */
+    struct cell cell;
 };
 
 enum {
@@ -108,10 +111,10 @@ struct access {
     uint16_t flags;
     uint32_t visibility; /* that it needs (rg_visibility) */
     VkImageLayout layout;
-    VkImageSubresourceRange range; /* images */
     VkPipelineStageFlags2 stages;
     const void *declared; /* const struct rg_use or rg_target */
-    struct cell *cell;    /* the only one; NULL: the resource has several (rg_walk) */
+    uint32_t range;       /* one more than its index in compiler.ranges; 0: all (rg_range_of) */
+    VkFlags usage;        /* VkImageUsageFlags or VkBufferUsageFlags */
 };
 
 struct pass {
@@ -140,8 +143,8 @@ struct name_slot;
 struct name_map {
     struct name_slot *slots;
     uint32_t mask; /* one less than how many */
-    const char **names;
     uint32_t count, room;
+    const char **names;
 };
 
 /* What an access means as a use of a kind of pass, as long as the use says nothing special. */
@@ -159,6 +162,7 @@ struct pack_item {
     uint32_t first, last; /* passes between which the memory is taken; both included */
     uint32_t first_use;   /* pass; not before `first` */
     uint32_t resource;
+    uint32_t plan_index; /* in the plan's images or buffers */
     uint32_t type_bits;
     bool buffer;
 };
@@ -172,18 +176,18 @@ struct former {
 
 /* A barrier that waits for whoever had the memory before. */
 struct takeover {
-    uint32_t barrier, resource;
+    uint32_t barrier;
+    uint32_t item; /* as numbered when the barrier was made */
 };
 
 struct compiler {
     const struct rg_compile_params *params;
     struct rg_plan *plan;
     struct arena *arena;
+    uint32_t max_image_size, max_layers; /* the device's, or Vulkan's where it has no limit */
     struct resource *resources;
     uint32_t resource_count, resource_room;
     uint32_t end_count; /* of the first resources: imports and outputs are among them */
-    struct cell *spare; /* for resources of one cell */
-    uint32_t spare_count;
     uint32_t persistent_count;
     struct resource_map map;
     struct name_map names;
@@ -191,17 +195,22 @@ struct compiler {
     uint32_t pass_count, pass_room;
     struct access *accesses;
     uint32_t access_count, access_room;
+    VkImageSubresourceRange *ranges; /* of accesses to some cells of several */
+    uint32_t range_count, range_room;
     uint32_t alive_access_count;
+    uint32_t most_accesses;         /* of one pass */
     struct rg_plan_image *images;   /* the plan's, still to be written */
     struct rg_plan_buffer *buffers; /* the same */
     struct pack_item *items;
-    struct former *formers; /* of the items */
     uint32_t item_count;
+    uint32_t *item_places;  /* where each has gone, if rg_place() has moved them; or NULL */
+    struct former *formers; /* of the items */
     struct rg_fault *faults;
     uint32_t fault_count, fault_room;
     uint32_t row_first_fault;                    /* of the row being looked at */
     struct meaning (*meanings)[RG_ACCESS_COUNT]; /* by enum rg_kind */
     uint32_t known[RG_TRANSFER + 1];             /* a bit each, of those filled in so far */
+    uint32_t known_shader[RG_TRANSFER + 1];      /* of these: what shaders do to images */
 };
 
 /* ---- rg_fault.c ---- */
@@ -276,7 +285,14 @@ static inline bool rg_is_good_use(const struct rg_use *use)
 
 /* ---- rg_walk.c: the cells of an access ---- */
 
-/* for (struct cell_walk w = rg_walk(r, a); rg_walk_next(&w);) */
+/* Of a buffer: zeros. */
+static inline const VkImageSubresourceRange *rg_range_of(const struct compiler *c,
+                                                         const struct access *a)
+{
+    return a->range ? &c->ranges[a->range - 1] : &c->resources[a->resource].all;
+}
+
+/* for (struct cell_walk w = rg_walk(r, range); rg_walk_next(&w);) */
 struct cell_walk {
     const struct resource *resource;
     VkImageSubresourceRange range;
@@ -285,7 +301,7 @@ struct cell_walk {
     struct cell *cell;
     bool started;
 };
-struct cell_walk rg_walk(const struct resource *r, const struct access *access);
+struct cell_walk rg_walk(const struct resource *r, const VkImageSubresourceRange *range);
 bool rg_walk_next(struct cell_walk *walk);
 
 /* ---- rg_check.c, rg_check_row.c ---- */
@@ -352,6 +368,7 @@ static inline const struct meaning *rg_meaning(struct compiler *c, enum rg_kind 
     if (!(c->known[kind] >> access & 1)) {
         rg_meaning_learn(m, kind, access);
         c->known[kind] |= UINT32_C(1) << access;
+        c->known_shader[kind] |= (uint32_t)(m->image && rg_is_shader_access(access)) << access;
     }
     return m;
 }
@@ -362,6 +379,29 @@ void rg_cull(struct compiler *c);
 
 /* ---- rg_list.c: the plan's images and buffers in order of first use, and their memory ---- */
 
+/* Faults of what the device cannot do with formats. */
+void rg_check_formats(struct compiler *c);
+
+/* Room for what is numbered; before the first rg_follow(). */
+void rg_follow_begin(struct compiler *c);
+
+/* Numbers a resource: a living pass is the first to name it. */
+void rg_meet(struct compiler *c, struct resource *r, uint32_t pass);
+
+static inline void rg_follow(struct compiler *c, struct resource *r, VkFlags usage, uint32_t pass)
+{
+    if (r->first == RG_NONE)
+        rg_meet(c, r, pass);
+    r->last = pass;
+    r->usage |= usage;
+}
+
+void rg_follow_passes(struct compiler *c);
+
+/* After the last pass. */
+void rg_follow_outputs(struct compiler *c);
+
+/* Of all that was followed. */
 void rg_list(struct compiler *c);
 
 /* ---- rg_sync.c: barriers, in batches ---- */
@@ -375,12 +415,14 @@ struct sync {
     uint32_t batch_position; /* the pass it lies before; RG_NONE: there is none yet */
     struct takeover *takeovers;
     uint32_t takeover_count, takeover_room;
+    const struct access **early, **late; /* of a pass: its first uses of resources are late */
 };
 
 void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes);
 
-/* Adds the barriers that the plan's pass `index` needs. */
-void rg_sync_pass(struct sync *sync, const struct pass *pass, uint32_t index);
+/* Adds the barriers that the plan's pass `index` needs for its accesses, which end there. */
+void rg_sync_pass(struct sync *sync, const struct access *const *early_end,
+                  const struct access *const *late_end, uint32_t index);
 
 /* The barriers after the last pass, and before the first frame. */
 void rg_sync_end(struct sync *sync);
@@ -397,9 +439,20 @@ void rg_state_begin(struct compiler *c);
 
 struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg_access access);
 
+static inline VkFlags rg_usage(const struct resource *r, enum rg_access access)
+{
+    const struct rg_access_info *info = &rg_access_table[access];
+    return r->image ? info->image_usage : info->buffer_usage;
+}
+
 static inline VkAccessFlags2 rg_access_reads(const struct access *a)
 {
     return a->flags & ACCESS_READS ? rg_access_table[a->access].reads : VK_ACCESS_2_NONE;
+}
+
+static inline VkAccessFlags2 rg_access_mask(const struct access *a)
+{
+    return rg_access_reads(a) | rg_access_table[a->access].writes;
 }
 
 /* All shader stages that the graph knows: those of imports and outputs. */

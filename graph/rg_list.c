@@ -21,12 +21,6 @@ VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
 
 /* ---- what living passes do ---- */
 
-static VkFlags usage_of(const struct resource *r, enum rg_access access)
-{
-    const struct rg_access_info *info = &rg_access_table[access];
-    return r->image ? info->image_usage : info->buffer_usage;
-}
-
 static void check_format(struct compiler *c, const struct pass *pass, const struct access *access)
 {
     const struct rg_device *device = c->params->device;
@@ -49,46 +43,68 @@ static void check_format(struct compiler *c, const struct pass *pass, const stru
                      "this device cannot use the format so; choose another format or device");
 }
 
-/* Numbers a resource when the first living pass names it. */
-static inline void meet(struct compiler *c, struct resource *r, uint32_t pass)
-{
-    r->first = pass;
-    r->plan_index = r->image ? c->plan->image_count++ : c->plan->buffer_count++;
-    if (r->persistent)
-        r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    else if (r->shared)
-        r->item = c->item_count++;
-}
-
-static void follow_pass(struct compiler *c, const struct pass *pass, uint32_t index)
+void rg_check_formats(struct compiler *c)
 {
     const struct rg_device *device = c->params->device;
-    bool asks = device && device->format_features;
-    struct resource *resources = c->resources;
-    const struct access *a = &c->accesses[pass->first_access];
-    if (!pass->repetition)
-        c->row_first_fault = c->fault_count;
-    for (const struct access *end = a + pass->access_count; a < end; a++) {
-        struct resource *r = &resources[a->resource];
-        if (r->first == RG_NONE)
-            meet(c, r, index);
-        r->last = index;
-        r->usage |= usage_of(r, a->access);
-        if (asks && r->image)
-            check_format(c, pass, a);
+    if (!device || !device->format_features)
+        return;
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        if (!pass->alive)
+            continue;
+        if (!pass->repetition)
+            c->row_first_fault = c->fault_count;
+        for (uint32_t i = 0; i < pass->access_count; i++) {
+            const struct access *a = &c->accesses[pass->first_access + i];
+            if (c->resources[a->resource].image)
+                check_format(c, pass, a);
+        }
     }
 }
 
-static void follow_outputs(struct compiler *c)
+void rg_follow_begin(struct compiler *c)
 {
-    uint32_t end = c->plan->pass_count;
+    c->items = ARENA_ARRAY(c->arena, struct pack_item, c->resource_count);
+}
+
+void rg_meet(struct compiler *c, struct resource *r, uint32_t pass)
+{
+    r->first = pass;
+    if (r->image)
+        r->plan_image = c->plan->image_count++;
+    else
+        r->plan_buffer = c->plan->buffer_count++;
+    if (r->persistent)
+        r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    if (!r->shared)
+        return;
+    r->item = c->item_count++;
+    struct pack_item *item = &c->items[r->item];
+    item->first = item->first_use = pass;
+    item->resource = (uint32_t)(r - c->resources);
+    item->plan_index = r->image ? r->plan_image : r->plan_buffer;
+    item->buffer = !r->image;
+}
+
+void rg_follow_passes(struct compiler *c)
+{
+    uint32_t index = 0;
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
+            const struct access *a = &c->accesses[pass->first_access + i];
+            rg_follow(c, &c->resources[a->resource], a->usage, index);
+        }
+        index += pass->alive;
+    }
+}
+
+void rg_follow_outputs(struct compiler *c)
+{
     for (size_t i = 0; i < c->params->output_count; i++) {
         const struct rg_output *output = &c->params->outputs[i];
         struct resource *r = &c->resources[rg_resource_of(c, output->image, output->buffer)];
-        if (r->first == RG_NONE) /* that no pass touches, handed through */
-            meet(c, r, end);
-        r->last = end;
-        r->usage |= usage_of(r, output->access);
+        rg_follow(c, r, rg_usage(r, output->access), c->plan->pass_count);
     }
 }
 
@@ -144,29 +160,23 @@ static void check_samples(struct compiler *c, const struct rg_plan_image *image)
                      "this device has no such images of so many samples; ask for fewer");
 }
 
-/* An item to be placed, or memory of its own. */
-static inline void need_memory(struct compiler *c, uint32_t resource, struct rg_memory_need need)
+/* As an item to be placed, or memory of its own. */
+static inline void need_memory(struct compiler *c, const struct resource *r,
+                               struct rg_memory_need need)
 {
-    const struct resource *r = &c->resources[resource];
     if (r->item == RG_NONE) {
         c->plan->memory_persistent += need.size;
         return;
     }
-    c->items[r->item] = (struct pack_item){
-        .size = need.size,
-        .alignment = need.alignment ? need.alignment : 1,
-        .first = r->first,
-        .last = r->last,
-        .first_use = r->first,
-        .resource = resource,
-        .type_bits = need.type_bits,
-        .buffer = !r->image,
-    };
+    struct pack_item *item = &c->items[r->item];
+    item->size = need.size;
+    item->alignment = need.alignment ? need.alignment : 1;
+    item->last = r->last;
+    item->type_bits = need.type_bits;
 }
 
-static void list_image(struct compiler *c, uint32_t resource, struct rg_plan_image *image)
+static void list_image(struct compiler *c, const struct resource *r, struct rg_plan_image *image)
 {
-    const struct resource *r = &c->resources[resource];
     *image = (struct rg_plan_image){
         .image = r->image,
         .extent = r->extent,
@@ -188,12 +198,11 @@ static void list_image(struct compiler *c, uint32_t resource, struct rg_plan_ima
     check_samples(c, image);
     const struct rg_memory_need need = image_need(c, r, image);
     image->size = need.size;
-    need_memory(c, resource, need);
+    need_memory(c, r, need);
 }
 
-static void list_buffer(struct compiler *c, uint32_t resource, struct rg_plan_buffer *buffer)
+static void list_buffer(struct compiler *c, const struct resource *r, struct rg_plan_buffer *buffer)
 {
-    const struct resource *r = &c->resources[resource];
     *buffer = (struct rg_plan_buffer){
         .buffer = r->buffer,
         .size = r->size,
@@ -209,28 +218,21 @@ static void list_buffer(struct compiler *c, uint32_t resource, struct rg_plan_bu
         return;
     const struct rg_memory_need need = buffer_need(c, buffer);
     buffer->memory_size = need.size;
-    need_memory(c, resource, need);
+    need_memory(c, r, need);
 }
 
 void rg_list(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
-    uint32_t index = 0;
-    for (uint32_t p = 0; p < c->pass_count; p++) {
-        if (c->passes[p].alive)
-            follow_pass(c, &c->passes[p], index++);
-    }
-    follow_outputs(c);
     plan->images = c->images = ARENA_ARRAY(c->arena, struct rg_plan_image, plan->image_count);
     plan->buffers = c->buffers = ARENA_ARRAY(c->arena, struct rg_plan_buffer, plan->buffer_count);
-    c->items = ARENA_ARRAY(c->arena, struct pack_item, c->item_count);
     for (uint32_t i = 0; i < c->resource_count && !c->arena->failed; i++) {
         const struct resource *r = &c->resources[i];
         if (r->first == RG_NONE)
             continue;
         if (r->image)
-            list_image(c, i, &c->images[r->plan_index]);
+            list_image(c, r, &c->images[r->plan_image]);
         else
-            list_buffer(c, i, &c->buffers[r->plan_index]);
+            list_buffer(c, r, &c->buffers[r->plan_buffer]);
     }
 }

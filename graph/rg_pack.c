@@ -38,10 +38,12 @@ struct span {
  * when the later one begins, so no other passes count.
  */
 struct moment {
-    VkDeviceSize floor; /* all below is taken */
-    struct span *spans; /* that are taken above, rising; none touches another or the floor */
+    VkDeviceSize floor;   /* all below is taken */
+    VkDeviceSize ceiling; /* nothing is between the floor and this, where the first span begins */
+    struct span *spans;   /* that are taken above, rising; none touches another or the floor */
     uint32_t count;
     uint32_t alive; /* items: no more spans than these */
+    uint32_t gap;   /* index of the span above the gap in which the item at work fits */
 };
 
 struct packing {
@@ -51,7 +53,7 @@ struct packing {
     struct moment *moments;   /* in the order of time */
     uint32_t *first, *last;   /* of each item: moments of its life */
     VkDeviceSize *offsets;    /* of each item, by the rule at work */
-    uint64_t *order, *merged; /* scratch */
+    uint64_t *order, *sorted; /* scratch */
 };
 
 static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)
@@ -65,19 +67,27 @@ static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)
 static uint64_t find_moments(struct packing *p, uint32_t *begun)
 {
     uint32_t moment = RG_NONE;
+    uint32_t alive = 0;
     uint64_t lived = 0;
+    p->moments[0].alive = 0;
     for (uint32_t i = 0; i < p->count; i++) {
         uint32_t first = p->items[i].first;
         if (!begun[first])
-            p->moments[++moment] = (struct moment){ 0 };
+            p->moments[++moment + 1].alive = 0; /* that of the one after: the last has one, too */
         begun[first] = moment + 1;
         p->first[i] = moment;
+        p->moments[moment].alive++;
     }
     for (uint32_t pass = 1; pass <= p->end; pass++)
         begun[pass] = begun[pass] ? begun[pass] : begun[pass - 1];
     for (uint32_t i = 0; i < p->count; i++) {
         p->last[i] = begun[p->items[i].last] - 1;
-        lived += p->last[i] - p->first[i] + 1;
+        p->moments[p->last[i] + 1].alive--;
+    }
+    for (uint32_t m = 0; m <= moment; m++) {
+        alive += p->moments[m].alive;
+        p->moments[m].alive = alive;
+        lived += alive;
     }
     return lived;
 }
@@ -85,10 +95,6 @@ static uint64_t find_moments(struct packing *p, uint32_t *begun)
 /* Room for the spans of each moment. */
 static void share_spans(const struct packing *p, struct span *spans)
 {
-    for (uint32_t i = 0; i < p->count; i++) {
-        for (uint32_t m = p->first[i]; m <= p->last[i]; m++)
-            p->moments[m].alive++;
-    }
     for (uint32_t m = 0; m <= p->first[p->count - 1]; m++) {
         p->moments[m].spans = spans;
         spans += p->moments[m].alive;
@@ -99,7 +105,7 @@ static void share_spans(const struct packing *p, struct span *spans)
 static bool begin_rules(struct arena *arena, struct packing *p)
 {
     uint32_t *begun = ARENA_ZEROED(arena, uint32_t, (size_t)p->end + 1); /* moments, to a pass */
-    p->moments = ARENA_ARRAY(arena, struct moment, p->count);
+    p->moments = ARENA_ARRAY(arena, struct moment, (size_t)p->count + 1);
     p->first = ARENA_ARRAY(arena, uint32_t, p->count);
     p->last = ARENA_ARRAY(arena, uint32_t, p->count);
     if (arena->failed)
@@ -109,79 +115,87 @@ static bool begin_rules(struct arena *arena, struct packing *p)
         return false;
     struct span *spans = ARENA_ARRAY(arena, struct span, lived);
     p->offsets = ARENA_ARRAY(arena, VkDeviceSize, p->count);
-    p->order = ARENA_ARRAY(arena, uint64_t, p->count + 3); /* a multiple of four */
-    p->merged = ARENA_ARRAY(arena, uint64_t, p->count + 3);
+    p->order = ARENA_ARRAY(arena, uint64_t, p->count);
+    p->sorted = ARENA_ARRAY(arena, uint64_t, p->count);
     if (!arena->failed)
         share_spans(p, spans);
     return !arena->failed;
 }
 
-/* ---- the order of a rule; without branches that nobody could foresee ---- */
+/* ---- the order of a rule: sorted by digits, since nobody could foresee comparisons ---- */
 
-/* The upper half of the product as a double, whose bits rise with it, and the item, inverted. */
-static uint64_t sort_key(const struct rule *rule, const struct pack_item *item, uint32_t index)
+enum {
+    KEY_BITS = 32,
+    MAX_DIGIT_BITS = 11,
+    FEW = 64, /* items, of which one digit is sorted, and the rest by comparing */
+};
+
+/* The upper half of the product as a double, whose bits rise with it. */
+static uint32_t product_of(const struct rule *rule, const struct pack_item *item)
 {
     double product = rule->life_power ? (double)(item->last - item->first + 1) : 1;
+    double size = (double)(int64_t)item->size;
     uint64_t bits;
     for (unsigned i = 0; i < rule->size_power; i++)
-        product *= (double)item->size;
+        product *= size;
     memcpy(&bits, &product, sizeof(bits));
-    return (bits & ~(uint64_t)UINT32_MAX) | (UINT32_MAX - index);
+    return (uint32_t)(bits >> 32);
 }
 
-/* The larger one first. */
-static void sort_two(uint64_t *a, uint64_t *b)
+/* Sorts by the digit from bit `shift` on; what is equal keeps its order. */
+static void sort_digit(struct packing *p, uint32_t shift, uint32_t digit_bits)
 {
-    uint64_t x = *a;
-    uint64_t y = *b;
-    *a = x > y ? x : y;
-    *b = x > y ? y : x;
-}
-
-static void sort_four(uint64_t keys[4])
-{
-    sort_two(&keys[0], &keys[1]);
-    sort_two(&keys[2], &keys[3]);
-    sort_two(&keys[0], &keys[2]);
-    sort_two(&keys[1], &keys[3]);
-    sort_two(&keys[1], &keys[2]);
-}
-
-static void merge(const uint64_t *a, uint32_t a_count, const uint64_t *b, uint32_t b_count,
-                  uint64_t *out)
-{
-    const uint64_t *a_end = a + a_count;
-    const uint64_t *b_end = b + b_count;
-    while (a < a_end && b < b_end) {
-        bool left = *a > *b;
-        *out++ = left ? *a : *b;
-        a += left;
-        b += !left;
+    uint32_t starts[1 << MAX_DIGIT_BITS];
+    uint32_t mask = (UINT32_C(1) << digit_bits) - 1;
+    uint32_t start = 0;
+    memset(starts, 0, (mask + 1) * sizeof(*starts));
+    for (uint32_t i = 0; i < p->count; i++)
+        starts[p->order[i] >> shift & mask]++;
+    for (uint32_t digit = 0; digit <= mask; digit++) {
+        uint32_t count = starts[digit];
+        starts[digit] = start;
+        start += count;
     }
-    memcpy(out, a, (size_t)(a_end - a) * sizeof(*a));
-    memcpy(out + (a_end - a), b, (size_t)(b_end - b) * sizeof(*b));
+    for (uint32_t i = 0; i < p->count; i++)
+        p->sorted[starts[p->order[i] >> shift & mask]++] = p->order[i];
+    uint64_t *sorted = p->sorted;
+    p->sorted = p->order;
+    p->order = sorted;
 }
 
-/* Fills p->order. */
+/* Quick where little is out of order. */
+static void insert_each(uint64_t *order, uint32_t count)
+{
+    for (uint32_t i = 1; i < count; i++) {
+        uint64_t key = order[i];
+        uint32_t at = i;
+        for (; at && order[at - 1] > key; at--)
+            order[at] = order[at - 1];
+        order[at] = key;
+    }
+}
+
+/* Fills p->order: items in the lower half, by falling products. */
 static void sort(struct packing *p, const struct rule *rule)
 {
-    uint32_t count = p->count;
-    for (uint32_t i = 0; i < count; i++)
-        p->order[i] = sort_key(rule, &p->items[i], i);
-    for (uint32_t i = count; i % 4; i++)
-        p->order[i] = 0; /* the last ones, so that all are fours */
-    for (uint32_t i = 0; i < count; i += 4)
-        sort_four(&p->order[i]);
-    for (uint32_t width = 4; width < count; width *= 2) {
-        uint64_t *from = p->order;
-        for (uint32_t i = 0; i < count; i += 2 * width) {
-            uint32_t left = count - i < width ? count - i : width;
-            uint32_t right = count - i - left < width ? count - i - left : width;
-            merge(from + i, left, from + i + left, right, p->merged + i);
-        }
-        p->order = p->merged;
-        p->merged = from;
+    bool few = p->count < FEW;
+    uint32_t digit_bits = few ? 6 : p->count < 2048 ? 8 : MAX_DIGIT_BITS;
+    uint32_t common = UINT32_MAX;
+    uint32_t any = 0;
+    for (uint32_t i = 0; i < p->count; i++) {
+        uint32_t product = product_of(rule, &p->items[i]);
+        p->order[i] = (uint64_t)~product << KEY_BITS | i;
+        common &= product;
+        any |= product;
     }
+    uint32_t differing = any & ~common;
+    uint32_t shift = 0;
+    while (few && differing >> shift >> digit_bits)
+        shift++; /* to the highest digit */
+    for (; shift < KEY_BITS && differing >> shift; shift += digit_bits)
+        sort_digit(p, KEY_BITS + shift, digit_bits);
+    if (few)
+        insert_each(p->order, p->count);
 }
 
 /* ---- rules ---- */
@@ -193,26 +207,27 @@ static void remove_span(struct moment *m, struct span *span)
         *span = span[1];
 }
 
+/* Where m->gap says. */
 static void add_span(struct moment *m, struct span span)
 {
-    struct span *s = m->spans;
+    struct span *next = m->spans + m->gap;
     struct span *end = m->spans + m->count;
-    while (s < end && s->end < span.begin)
-        s++;
-    if (s < end && s->end == span.begin) {
-        s->end = span.end;
-        if (s + 1 < end && s[1].begin == span.end) {
-            s->end = s[1].end;
-            remove_span(m, s + 1);
-        }
-    } else if (s < end && s->begin == span.end) {
-        s->begin = span.begin;
+    bool joins_last = next > m->spans && next[-1].end == span.begin;
+    bool joins_next = next < end && next->begin == span.end;
+    if (joins_last && joins_next) {
+        next[-1].end = next->end;
+        remove_span(m, next);
+    } else if (joins_last) {
+        next[-1].end = span.end;
+    } else if (joins_next) {
+        next->begin = span.begin;
     } else {
-        for (; end > s; end--)
+        for (; end > next; end--)
             *end = end[-1];
-        *s = span;
+        *next = span;
         m->count++;
     }
+    m->ceiling = m->spans->begin;
 }
 
 static inline void take(struct moment *m, struct span span)
@@ -222,21 +237,22 @@ static inline void take(struct moment *m, struct span span)
         return;
     }
     m->floor = span.end;
-    if (m->count && m->spans->begin == span.end) {
+    if (m->ceiling == span.end) {
         m->floor = m->spans->end;
         remove_span(m, m->spans);
+        m->ceiling = m->count ? m->spans->begin : UINT64_MAX;
     }
 }
 
-/* The lowest offset from `begin` on that is free at a moment. */
-static inline VkDeviceSize rise(const struct moment *m, const struct pack_item *item,
-                                VkDeviceSize begin)
+/* The lowest offset from `begin` on that is free at a moment, in the gap before m->gap. */
+static inline VkDeviceSize rise(struct moment *m, const struct pack_item *item, VkDeviceSize begin)
 {
-    const struct span *end = m->spans + m->count;
-    for (const struct span *s = m->spans; s < end && s->begin < begin + item->size; s++) {
-        if (s->end > begin)
-            begin = align_up(s->end, item->alignment);
+    uint32_t gap = 0;
+    for (; gap < m->count && m->spans[gap].begin < begin + item->size; gap++) {
+        if (m->spans[gap].end > begin)
+            begin = align_up(m->spans[gap].end, item->alignment);
     }
+    m->gap = gap;
     return begin;
 }
 
@@ -248,11 +264,16 @@ static VkDeviceSize place(const struct packing *p, uint32_t index)
     struct moment *last = &p->moments[p->last[index]];
     uint32_t life = p->last[index] - p->first[index] + 1;
     VkDeviceSize begin = 0;
-    for (const struct moment *m = first; m <= last; m++)
+    VkDeviceSize ceiling = UINT64_MAX;
+    for (struct moment *m = first; m <= last; m++) {
         begin = begin < m->floor ? m->floor : begin;
+        ceiling = ceiling > m->ceiling ? m->ceiling : ceiling;
+        m->gap = 0;
+    }
     begin = align_up(begin, item->alignment);
-    const struct moment *m = first; /* in circles, until no other one raises it */
-    for (uint32_t left = life; left > 0; left--) {
+    bool fits = ceiling >= begin + item->size;
+    struct moment *m = first; /* in circles, until no other one raises it */
+    for (uint32_t left = fits ? 0 : life; left > 0; left--) {
         VkDeviceSize before = begin;
         begin = rise(m, item, begin);
         left = begin == before ? left : life;
@@ -268,10 +289,12 @@ static VkDeviceSize apply_rule(struct packing *p, const struct rule *rule, VkDev
 {
     VkDeviceSize size = 0;
     sort(p, rule);
-    for (uint32_t m = 0; m <= p->first[p->count - 1]; m++)
+    for (uint32_t m = 0; m <= p->first[p->count - 1]; m++) {
         p->moments[m].floor = p->moments[m].count = 0;
+        p->moments[m].ceiling = UINT64_MAX;
+    }
     for (uint32_t i = 0; i < p->count && size < limit; i++) {
-        uint32_t index = UINT32_MAX - (uint32_t)p->order[i];
+        uint32_t index = (uint32_t)p->order[i];
         p->offsets[index] = place(p, index);
         if (size < p->offsets[index] + p->items[index].size)
             size = p->offsets[index] + p->items[index].size;

@@ -38,7 +38,7 @@ static void set_places(struct compiler *c, const struct pack_item *items, uint32
                        uint32_t block)
 {
     for (uint32_t i = 0; i < count; i++) {
-        uint32_t index = c->resources[items[i].resource].plan_index;
+        uint32_t index = items[i].plan_index;
         if (items[i].buffer) {
             c->buffers[index].block = block;
             c->buffers[index].offset = items[i].offset;
@@ -73,6 +73,16 @@ static void place_block(struct compiler *c, struct pack_item *items, uint32_t co
     set_places(c, items, count, plan->block_count++);
 }
 
+static void find_moved(struct compiler *c)
+{
+    c->item_places = ARENA_ARRAY(c->arena, uint32_t, c->item_count);
+    for (uint32_t i = 0; i < c->item_count && c->item_places; i++) {
+        struct resource *r = &c->resources[c->items[i].resource];
+        c->item_places[r->item] = i;
+        r->item = i;
+    }
+}
+
 void rg_place(struct compiler *c)
 {
     uint32_t block_room = 0;
@@ -87,9 +97,9 @@ void rg_place(struct compiler *c)
         moved = moved || count < c->item_count;
         done += count;
     }
-    for (uint32_t i = 0; i < c->item_count && moved; i++)
-        c->resources[c->items[i].resource].item = i;
     c->plan->blocks = blocks;
+    if (moved)
+        find_moved(c);
 }
 
 /* What its last users do, and what of it is not yet available when the frame is over. */

@@ -75,16 +75,6 @@ static bool arrives_filled(const struct compiler *c, const struct resource *r)
            (r->import != RG_NONE && c->params->imports[r->import].access != RG_ACCESS_NONE);
 }
 
-static struct cell *take_cells(struct compiler *c, uint64_t count)
-{
-    if (count > c->spare_count)
-        return ARENA_ARRAY(c->arena, struct cell, count);
-    struct cell *cells = c->spare;
-    c->spare += count;
-    c->spare_count -= (uint32_t)count;
-    return cells;
-}
-
 static uint64_t count_cells(const struct resource *r)
 {
     VkImageAspectFlags aspects = r->all.aspectMask;
@@ -92,15 +82,25 @@ static uint64_t count_cells(const struct resource *r)
     return aspects & (aspects - 1) ? count * (uint32_t)__builtin_popcount(aspects) : count;
 }
 
-static bool add_cells(struct compiler *c, struct resource *r)
+/* All as r->cell, which a single one is. */
+static bool add_cells(struct compiler *c, struct resource *r, uint64_t count)
 {
-    const struct cell cell = { .filled = arrives_filled(c, r) ? CELL_FILLED : CELL_EMPTY };
-    uint64_t count = count_cells(r);
-    r->cell_count = (uint32_t)count;
-    r->cells = take_cells(c, count);
+    r->cells = ARENA_ARRAY(c->arena, struct cell, count);
     for (uint32_t i = 0; r->cells && i < count; i++)
-        r->cells[i] = cell;
+        r->cells[i] = r->cell;
     return r->cells != NULL;
+}
+
+/* Room for one more; single cells lie in the array. */
+static bool grow_resources(struct compiler *c)
+{
+    if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room, 64))
+        return false;
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        struct resource *r = &c->resources[i];
+        r->cells = r->cell_count == 1 ? &r->cell : r->cells;
+    }
+    return true;
 }
 
 /* ---- the map ---- */
@@ -121,11 +121,20 @@ static bool grow_map(struct compiler *c, uint32_t count)
 
 void rg_resource_expect(struct compiler *c, uint32_t count)
 {
-    c->resource_room = c->spare_count = count;
+    c->resource_room = count;
     c->resources = ARENA_ARRAY(c->arena, struct resource, count);
-    c->spare = ARENA_ARRAY(c->arena, struct cell, count);
     grow_map(c, count);
 }
+
+static const struct resource blank = {
+    .import = RG_NONE,
+    .output = RG_NONE,
+    .first = RG_NONE,
+    .plan_image = RG_NONE,
+    .plan_buffer = RG_NONE,
+    .item = RG_NONE,
+    .last_barrier = RG_NONE,
+};
 
 uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
                          const struct rg_buffer *buffer, const struct rg_import *import,
@@ -137,20 +146,15 @@ uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
             return RG_NONE;
         slot = rg_resource_slot(c, address);
     }
-    if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room, 64))
+    if (c->resource_count == c->resource_room && !grow_resources(c))
         return RG_NONE;
     struct resource *r = &c->resources[c->resource_count];
-    *r = (struct resource){
-        .address = address,
-        .image = image,
-        .buffer = image ? NULL : buffer,
-        .import = import ? (uint32_t)(import - c->params->imports) : RG_NONE,
-        .output = RG_NONE,
-        .first = RG_NONE,
-        .plan_index = RG_NONE,
-        .item = RG_NONE,
-        .last_barrier = RG_NONE,
-    };
+    *r = blank;
+    r->address = address;
+    r->image = image;
+    r->buffer = image ? NULL : buffer;
+    if (import)
+        r->import = (uint32_t)(import - c->params->imports);
     if (image)
         resolve_image(r, c->params->view);
     else
@@ -159,8 +163,17 @@ uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
         resolve_import(r, import);
     r->shared = !import && !r->persistent && (image || buffer->memory == RG_MEMORY_DEVICE);
     rg_check_resource(c, r);
-    if (!add_cells(c, r))
+    /* as a frame finds it, unless it is imported, persistent or takes over memory (rg_state.c) */
+    r->cell.filled = arrives_filled(c, r) ? CELL_FILLED : CELL_EMPTY;
+    r->cell.fresh = r->shared;
+    if (r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD)
+        r->cell.visible = RG_VISIBLE_TO_ALL; /* a submit shows all of it to all */
+    uint64_t cells = count_cells(r);
+    r->cell_count = (uint32_t)cells;
+    r->cells = &r->cell;
+    if (cells != 1 && !add_cells(c, r, cells))
         return RG_NONE;
+    r->plain = cells == 1 && (image ? image->samples <= 1 : buffer->memory != RG_MEMORY_UPLOAD);
     c->persistent_count += r->persistent;
     *slot = ++c->resource_count;
     return *slot - 1;

@@ -13,8 +13,9 @@
 #include "graph/rg_state.h"
 
 /* As struct rg_import says; nobody knows who else reads it, so a write waits for everything. */
-static struct cell import_state(const struct resource *r, enum rg_access access)
+static struct cell import_state(const struct compiler *c, const struct resource *r)
 {
+    enum rg_access access = c->params->imports[r->import].access;
     const struct rg_access_info *info = &rg_access_table[access];
     bool shader = !info->stages && (info->reads || info->writes);
     struct cell s = {
@@ -34,22 +35,10 @@ static struct cell import_state(const struct resource *r, enum rg_access access)
     return s;
 }
 
-/* What memory is like when a frame begins; persistent resources' comes from keep_state(). */
-static struct cell initial_state(const struct compiler *c, const struct resource *r)
+static void rehearse_access(const struct resource *r, const struct access *a,
+                            const VkImageSubresourceRange *range)
 {
-    if (r->import != RG_NONE)
-        return import_state(r, c->params->imports[r->import].access);
-    struct cell s = { .fresh = r->shared };
-    if (s.fresh)
-        s.written = s.touched = c->formers ? c->formers[r->item].end : 0;
-    if (r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD) /* a submit shows all of it to all */
-        s.visible = RG_VISIBLE_TO_ALL;
-    return s;
-}
-
-static void rehearse_access(const struct resource *r, const struct access *a)
-{
-    for (struct cell_walk w = rg_walk(r, a); rg_walk_next(&w);) {
+    for (struct cell_walk w = rg_walk(r, range); rg_walk_next(&w);) {
         struct rg_barrier unused;
         uint32_t release;
         bool needed = rg_state_decide(w.cell, a, &unused, &release);
@@ -65,7 +54,7 @@ static void rehearse(struct compiler *c)
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
             const struct access *a = &c->accesses[pass->first_access + i];
             if (c->resources[a->resource].persistent)
-                rehearse_access(&c->resources[a->resource], a);
+                rehearse_access(&c->resources[a->resource], a, rg_range_of(c, a));
         }
     }
     for (uint32_t i = 0; i < c->resource_count; i++) {
@@ -73,7 +62,7 @@ static void rehearse(struct compiler *c)
         if (!r->persistent || r->output == RG_NONE)
             continue;
         const struct access a = rg_end_access(c, i, c->params->outputs[r->output].access);
-        rehearse_access(r, &a);
+        rehearse_access(r, &a, &r->all);
     }
 }
 
@@ -84,21 +73,31 @@ static void keep_state(struct cell *s)
     s->changed = s->certain = false;
 }
 
+/* Of shared memory, when those who had it before are known. */
+static void wait_for_formers(struct compiler *c)
+{
+    for (uint32_t i = 0; i < c->item_count; i++) {
+        const struct resource *r = &c->resources[c->items[i].resource];
+        for (uint32_t k = 0; k < r->cell_count; k++)
+            r->cells[k].written = r->cells[k].touched = c->formers[i].end;
+    }
+}
+
 void rg_state_begin(struct compiler *c)
 {
-    if (c->persistent_count)
-        rehearse(c);
+    if (c->formers)
+        wait_for_formers(c);
+    for (uint32_t i = 0; i < c->end_count; i++) {
+        const struct resource *r = &c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count && r->import != RG_NONE; k++)
+            r->cells[k] = import_state(c, r);
+    }
+    if (!c->persistent_count)
+        return;
+    rehearse(c);
     for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = &c->resources[i];
-        if (r->first == RG_NONE)
-            continue;
-        if (r->persistent) {
-            for (uint32_t k = 0; k < r->cell_count; k++)
-                keep_state(&r->cells[k]);
-            continue;
-        }
-        struct cell s = initial_state(c, r);
-        for (uint32_t k = 0; k < r->cell_count; k++)
-            r->cells[k] = s;
+        for (uint32_t k = 0; k < r->cell_count && r->persistent; k++)
+            keep_state(&r->cells[k]);
     }
 }

@@ -8,47 +8,51 @@
 
 /* Fills `b` but for resource and range, and *release: the first pass before which it may lie.
  * False if nothing is needed. */
-static inline bool rg_state_decide(const struct cell *cell, const struct access *a,
-                                   struct rg_barrier *b, uint32_t *release)
+static inline bool rg_state_decide(const struct cell *restrict s, const struct access *restrict a,
+                                   struct rg_barrier *restrict b, uint32_t *restrict release)
 {
-    const struct cell s = *cell; /* so that writing to *b does not touch it */
-    bool moves = s.layout != a->layout;
+    bool moves = s->layout != a->layout;
     bool writes = a->flags & ACCESS_WRITES_CONTENT;
-    if (!writes && !moves && !(a->visibility & ~s.visible))
+    if (!writes && !moves && !(a->visibility & ~s->visible))
         return false;
-    VkPipelineStageFlags2 readers = writes || moves ? s.read_stages : VK_PIPELINE_STAGE_2_NONE;
+    VkPipelineStageFlags2 readers = writes || moves ? s->read_stages : VK_PIPELINE_STAGE_2_NONE;
     /* who read it has waited for the write, and a barrier made the write available then */
-    bool awaited = readers && s.awaited;
-    b->src_stages = awaited ? readers : readers | s.write_stages;
-    b->src_access = awaited ? VK_ACCESS_2_NONE : s.write_access;
+    bool awaited = readers && s->awaited;
+    b->src_stages = awaited ? readers : readers | s->write_stages;
+    b->src_access = awaited ? VK_ACCESS_2_NONE : s->write_access;
     b->dst_stages = a->stages;
-    b->dst_access = rg_access_reads(a) | rg_access_table[a->access].writes;
-    b->old_layout = a->flags & ACCESS_OVERWRITES ? VK_IMAGE_LAYOUT_UNDEFINED : s.layout;
+    b->dst_access = rg_access_mask(a);
+    b->old_layout = a->flags & ACCESS_OVERWRITES ? VK_IMAGE_LAYOUT_UNDEFINED : s->layout;
     b->new_layout = a->layout;
-    *release = writes || moves ? s.touched : s.written;
-    return moves || b->src_stages || s.fresh;
+    *release = writes || moves ? s->touched : s->written;
+    return moves || b->src_stages || s->fresh;
+}
+
+/* A write, or a change of layout, which is one. */
+static inline void rg_state_write(struct cell *s, const struct access *a, uint32_t pass)
+{
+    s->write_stages = a->stages;
+    s->write_access = rg_access_table[a->access].writes;
+    s->read_stages = VK_PIPELINE_STAGE_2_NONE;
+    s->layout = a->layout;
+    s->written = s->touched = pass + 1;
+    s->first_barrier = s->barrier_end = 0;
+    s->visible = 0;
+    s->changed = true;
+    s->certain = !(a->flags & ACCESS_CONDITIONAL);
+    s->awaited = s->fresh = false;
 }
 
 static inline void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass,
                                   bool made_visible)
 {
     bool writes = a->flags & ACCESS_WRITES_CONTENT;
-    s->touched = pass + 1;
-    s->fresh = false;
-    if (writes || s->layout != a->layout) {
-        s->write_stages = a->stages;
-        s->write_access = rg_access_table[a->access].writes;
-        s->read_stages = VK_PIPELINE_STAGE_2_NONE;
-        s->written = pass + 1;
-        s->first_barrier = s->barrier_end = 0;
-        s->visible = 0;
-        s->awaited = false;
-        s->certain = !(a->flags & ACCESS_CONDITIONAL);
-        s->changed = true;
-        s->layout = a->layout;
-    }
+    if (writes || s->layout != a->layout)
+        rg_state_write(s, a, pass);
     if (writes)
         return;
+    s->touched = pass + 1;
+    s->fresh = false;
     s->read_stages |= a->stages;
     /* the synchronization validation of some releases takes a read only for that in the frame of
      * the write, and no barrier for one */

@@ -74,7 +74,7 @@ static inline struct rg_barrier *next_barrier(struct sync *sync)
 }
 
 /* Notes that the next barrier takes over a resource's memory. */
-static void take_over(struct sync *sync, const struct resource *r)
+static inline void take_over(struct sync *sync, const struct resource *r)
 {
     struct compiler *c = sync->c;
     struct pack_item *item = &c->items[r->item];
@@ -82,8 +82,7 @@ static void take_over(struct sync *sync, const struct resource *r)
     if (earlier && item->first > sync->batch_position)
         item->first = sync->batch_position; /* its memory changes hands here */
     if (ARENA_ROOM(c->arena, sync->takeovers, sync->takeover_count, sync->takeover_room, 64))
-        sync->takeovers[sync->takeover_count++] =
-            (struct takeover){ sync->barrier_count, (uint32_t)(r - c->resources) };
+        sync->takeovers[sync->takeover_count++] = (struct takeover){ sync->barrier_count, r->item };
 }
 
 static void open_batch(struct sync *sync, uint32_t position)
@@ -135,14 +134,14 @@ static bool widen(struct sync *sync, const struct cell *s, const struct access *
 
 static inline void name_barrier(struct rg_barrier *b, const struct resource *r)
 {
-    b->image = r->image ? r->plan_index : RG_NONE;
-    b->buffer = r->image ? RG_NONE : r->plan_index;
+    b->image = r->plan_image;
+    b->buffer = r->plan_buffer;
 }
 
 static inline void sync_whole(struct sync *sync, struct resource *r, const struct access *a,
                               uint32_t pass)
 {
-    struct cell *cell = r->cells;
+    struct cell *cell = &r->cell;
     struct rg_barrier *b = next_barrier(sync);
     uint32_t release;
     if (!b)
@@ -151,7 +150,7 @@ static inline void sync_whole(struct sync *sync, struct resource *r, const struc
     bool added = false;
     if (needed) {
         name_barrier(b, r);
-        b->range = a->range;
+        b->range = r->all;
         added = !can_widen(cell, a) || !widen(sync, cell, a, b);
         if (added)
             put(sync, r, cell, release, pass);
@@ -161,6 +160,25 @@ static inline void sync_whole(struct sync *sync, struct resource *r, const struc
         cell->first_barrier = r->last_barrier;
         cell->barrier_end = r->last_barrier + 1;
     }
+}
+
+/* The first use of a single cell in shared memory is a write, else it would be a fault. */
+static inline void sync_fresh(struct sync *sync, struct resource *r, const struct access *a,
+                              uint32_t pass)
+{
+    struct rg_barrier *b = next_barrier(sync);
+    if (!b)
+        return;
+    name_barrier(b, r);
+    b->src_stages = VK_PIPELINE_STAGE_2_NONE; /* not yet known (rg_sync_takeovers) */
+    b->src_access = VK_ACCESS_2_NONE;
+    b->dst_stages = a->stages;
+    b->dst_access = rg_access_mask(a);
+    b->old_layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    b->new_layout = a->layout;
+    b->range = r->all;
+    put(sync, r, &r->cell, r->cell.touched, pass);
+    rg_state_write(&r->cell, a, pass);
 }
 
 static VkImageAspectFlags aspect_bit(VkImageAspectFlags aspects, uint32_t index)
@@ -232,7 +250,8 @@ static void sync_cells(struct sync *sync, struct resource *r, const struct acces
     bool writes = a->flags & ACCESS_WRITES_CONTENT;
     uint32_t start = sync->barrier_count;
     uint32_t mip = RG_NONE;
-    for (struct cell_walk w = rg_walk(r, a); rg_walk_next(&w);) {
+    const VkImageSubresourceRange *range = rg_range_of(sync->c, a);
+    for (struct cell_walk w = rg_walk(r, range); rg_walk_next(&w);) {
         if (hand_back && !has_to_go_back(w.cell, a))
             continue;
         if (w.mip != mip)
@@ -246,7 +265,7 @@ static void sync_cells(struct sync *sync, struct resource *r, const struct acces
     join_rows(sync, r, start);
     if (writes || sync->barrier_count == start)
         return;
-    for (struct cell_walk w = rg_walk(r, a); rg_walk_next(&w);) {
+    for (struct cell_walk w = rg_walk(r, range); rg_walk_next(&w);) {
         if (w.cell->barrier_end)
             continue;
         w.cell->first_barrier = start;
@@ -254,25 +273,31 @@ static void sync_cells(struct sync *sync, struct resource *r, const struct acces
     }
 }
 
+static inline void sync_access(struct sync *sync, struct resource *r, const struct access *a,
+                               uint32_t pass)
+{
+    if (r->cell_count == 1)
+        sync_whole(sync, r, a, pass);
+    else
+        sync_cells(sync, r, a, pass, false);
+}
+
 /*
  * Barriers of memory that is used for the first time come last: if the pass needs a new batch
  * anyway, they lie in it, and the memory changes hands as late as it can.
  */
-void rg_sync_pass(struct sync *sync, const struct pass *pass, uint32_t index)
+void rg_sync_pass(struct sync *sync, const struct access *const *early_end,
+                  const struct access *const *late_end, uint32_t index)
 {
     struct resource *resources = sync->c->resources;
-    const struct access *accesses = &sync->c->accesses[pass->first_access];
-    const struct access *end = accesses + pass->access_count;
-    for (unsigned first_use = 0; first_use < 2; first_use++) {
-        for (const struct access *a = accesses; a < end; a++) {
-            struct resource *r = &resources[a->resource];
-            if ((r->first == index) != first_use)
-                continue;
-            if (a->cell)
-                sync_whole(sync, r, a, index);
-            else
-                sync_cells(sync, r, a, index, false);
-        }
+    for (const struct access *const *a = sync->early; a < early_end; a++)
+        sync_access(sync, &resources[(*a)->resource], *a, index);
+    for (const struct access *const *a = sync->late; a < late_end; a++) {
+        struct resource *r = &resources[(*a)->resource];
+        if (r->cell_count == 1 && r->cell.fresh)
+            sync_fresh(sync, r, *a, index);
+        else
+            sync_access(sync, r, *a, index);
     }
 }
 
@@ -281,6 +306,10 @@ void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes)
     struct compiler *c = sync->c;
     sync->passes = passes;
     sync->batch_position = RG_NONE;
+    sync->early = ARENA_ARRAY(c->arena, const struct access *, c->most_accesses);
+    sync->late = ARENA_ARRAY(c->arena, const struct access *, c->most_accesses);
+    sync->takeover_room = c->resource_count;
+    sync->takeovers = ARENA_ARRAY(c->arena, struct takeover, sync->takeover_room);
     sync->barrier_room = c->alive_access_count;
     sync->barriers = ARENA_ARRAY(c->arena, struct rg_barrier, sync->barrier_room);
     rg_state_begin(c);
@@ -306,10 +335,9 @@ static void end_resource(struct sync *sync, uint32_t index)
 /* From the zeros of the very first frame to what every frame finds: what every frame leaves. */
 static void begin_history(struct sync *sync, struct resource *r)
 {
-    const struct access all = { .range = r->all };
     uint32_t start = sync->barrier_count;
     uint32_t mip = RG_NONE;
-    for (struct cell_walk w = rg_walk(r, &all); rg_walk_next(&w);) {
+    for (struct cell_walk w = rg_walk(r, &r->all); rg_walk_next(&w);) {
         if (w.mip != mip)
             join_rows(sync, r, start);
         mip = w.mip;
@@ -357,9 +385,12 @@ void rg_sync_end(struct sync *sync)
 
 void rg_sync_takeovers(struct sync *sync)
 {
+    const struct compiler *c = sync->c;
+    bool placed_before = c->params->sharing == RG_SHARE_LEAST_MEMORY;
+    const uint32_t *places = placed_before ? NULL : c->item_places;
     for (uint32_t i = 0; i < sync->takeover_count; i++) {
-        const struct resource *r = &sync->c->resources[sync->takeovers[i].resource];
-        const struct former *former = &sync->c->formers[r->item];
+        uint32_t item = sync->takeovers[i].item;
+        const struct former *former = &c->formers[places ? places[item] : item];
         struct rg_barrier *b = &sync->barriers[sync->takeovers[i].barrier];
         b->src_stages = former->stages;
         b->src_access = former->writes;

@@ -1,9 +1,9 @@
 /* rg_walk.c: the cells of an access, one by one. */
 #include "graph/rg_internal.h"
 
-struct cell_walk rg_walk(const struct resource *r, const struct access *access)
+struct cell_walk rg_walk(const struct resource *r, const VkImageSubresourceRange *range)
 {
-    return (struct cell_walk){ .resource = r, .range = access->range };
+    return (struct cell_walk){ .resource = r, .range = *range };
 }
 
 /* Moves on to the next aspect of the range. Aspects count from the resource's lowest bit. */

@@ -461,9 +461,42 @@ static void test_arrays_of_any_length(void **state)
     free(m);
 }
 
+/* Tables grow while their rows are read, and what is known of the first image moves with them. */
+static void test_one_row_names_many_images(void **state)
+{
+    enum {
+        COUNT = 64
+    };
+
+    char names[COUNT][4];
+    struct rg_image images[COUNT];
+    struct rg_use uses[COUNT + 1] = { 0 };
+    const struct rg_pass passes[] = {
+        { "fill", RG_COMPUTE, .comp = &small_graph_shader, .record = small_graph_record,
+          .uses = uses },
+    };
+    (void)state;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        snprintf(names[i], sizeof(names[i]), "i%u", i);
+        images[i] = (struct rg_image)IMAGE(.name = names[i]);
+        uses[i] = (struct rg_use){ &images[i], .access = RG_STORAGE_WRITE, .binding = i };
+    }
+    struct rg_plan *plan = small_graph_compile(&(struct small_graph){
+        PASSES(passes),
+        WANTS(images[0]),
+    });
+    const struct rg_barrier *last = &plan->barriers[plan->first_final_barrier];
+    assert_int_equal(plan->image_count, COUNT);
+    assert_int_equal(plan->final_barrier_count, 1);
+    assert_int_equal(last->old_layout, VK_IMAGE_LAYOUT_GENERAL);
+    assert_int_equal(last->src_stages, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT);
+    rg_plan_destroy(plan);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_one_row_names_many_images),
         cmocka_unit_test(test_culling_is_transitive),
         cmocka_unit_test(test_culling_of_repetitions),
         cmocka_unit_test(test_overwritten_content_is_not_wanted),
