@@ -155,6 +155,6 @@ void rg_time_begin(struct rg_exec *exec, uint64_t start);
 void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands);
 void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass);
 void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass);
-VkResult rg_time_finish(struct rg_exec *exec, uint32_t slot, uint64_t wait_start);
+VkResult rg_time_finish(struct rg_exec *exec, uint32_t index, uint64_t wait_start);
 
 #endif

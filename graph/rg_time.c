@@ -258,10 +258,11 @@ static VkResult read_statistics(struct rg_exec *exec, uint32_t slot)
     VkResult result;
     RG_PASS(read_pool(exec, exec->time->counts, slot * pass_count, pass_count, COUNTED_COUNT));
     for (uint32_t p = 0; p < pass_count; p++) {
-        passes[p].vertices = results[p * COUNTED_COUNT];
-        passes[p].triangles = results[p * COUNTED_COUNT + 1];
-        passes[p].fragments = results[p * COUNTED_COUNT + 2];
-        passes[p].invocations = results[p * COUNTED_COUNT + 3];
+        const uint64_t *counts = &results[(size_t)p * COUNTED_COUNT];
+        passes[p].vertices = counts[0];
+        passes[p].triangles = counts[1];
+        passes[p].fragments = counts[2];
+        passes[p].invocations = counts[3];
     }
     RG_PASS(read_pool(exec, exec->time->samples, slot * pass_count, pass_count, 1));
     for (uint32_t p = 0; p < pass_count; p++)

@@ -45,7 +45,7 @@ static bool describe_settings(struct profile *p, const struct settings *settings
     size_t count = 0;
     for (size_t g = 0; setting_groups[g]; g++)
         count += setting_groups[g]->row_count;
-    p->settings = calloc(count, sizeof(*p->settings));
+    p->settings = calloc(count + 1, sizeof(*p->settings));
     if (!p->settings)
         return false;
     for (size_t g = 0; setting_groups[g]; g++) {

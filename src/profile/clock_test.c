@@ -32,7 +32,7 @@ static const struct rg_image second = {
 };
 static const struct rg_buffer numbers = {
     .name = "clock_test.numbers",
-    .size = GROUP_COUNT * CLOCK_TEST_GROUP * sizeof(float),
+    .size = sizeof(float) * GROUP_COUNT * CLOCK_TEST_GROUP,
 };
 static const struct rg_buffer copied = {
     .name = "clock_test.copied",
@@ -252,7 +252,7 @@ double clock_test_error(const struct clock_test_times *times)
 /* What else runs on the machine passes, what a driver does wrong stays: the best try counts. */
 static VkResult judge(struct test *test, struct profile_clock *clock)
 {
-    struct clock_test_times times;
+    struct clock_test_times times = { 0 };
     const bool is_stamped = rg_exec_has_clock(test->exec, RG_CLOCK_EXACT);
     double error = INFINITY;
     VkResult result = VK_SUCCESS;

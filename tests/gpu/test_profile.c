@@ -134,7 +134,7 @@ static void check_frame(const struct profile *p)
     assert_int_equal(screen->kind, PROFILE_RASTER);
     assert_int_equal(screen->covered, SIDE * SIDE);
     assert_int_equal(screen->triangles, 1);
-    assert_int_equal(screen->target_bytes, SIDE * SIDE * 4);
+    assert_int_equal(screen->target_bytes, 4 * (size_t)SIDE * SIDE);
     assert_int_equal(screen->width, SIDE);
     assert_int_equal(sky->repetition_count, 6);
     assert_int_equal(sky[1].repetition, 1);

@@ -25,7 +25,8 @@ static uint32_t count(void)
     return 1;
 }
 
-static uint32_t get(uint32_t index, char *path, uint32_t *length, uint64_t *time)
+static uint32_t get(uint32_t index, char *path, uint32_t *length,
+                    uint64_t *time) /* NOLINT(readability-non-const-parameter): RenderDoc's */
 {
     static const char name[] = "/captures/frame 1.rdc";
     (void)time;
@@ -35,6 +36,7 @@ static uint32_t get(uint32_t index, char *path, uint32_t *length, uint64_t *time
     return index == 0;
 }
 
+/* the name that programs look for NOLINTBEGIN(readability-identifier-naming) */
 int RENDERDOC_CC RENDERDOC_GetAPI(RENDERDOC_Version version, void **api);
 
 int RENDERDOC_CC RENDERDOC_GetAPI(RENDERDOC_Version version, void **api)
@@ -48,3 +50,5 @@ int RENDERDOC_CC RENDERDOC_GetAPI(RENDERDOC_Version version, void **api)
     *api = &functions;
     return version == eRENDERDOC_API_Version_1_4_0;
 }
+
+/* NOLINTEND(readability-identifier-naming) */
