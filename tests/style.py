@@ -32,6 +32,7 @@ MAY_INCLUDE = {
                   'graph/rg.h', 'graph/rg_cmd.h'),
     'src/gpu/': ('src/gpu/', 'src/log.h', 'src/status.h'),
     'src/image/': ('src/image/', 'src/log.h', 'src/status.h'),
+    'src/metric/': ('src/metric/', 'src/image/', 'src/log.h', 'src/status.h'),
     'src/scene/': ('src/scene/', 'src/image/', 'shaders/', 'src/log.h', 'src/status.h'),
     'tests/': ('tests/', 'src/', 'graph/', 'shaders/'),
 }
@@ -244,6 +245,7 @@ SAMPLES = (
     ('src/scene/a.c', '#include "src/renderer.h"\n', 'may not include "src/renderer.h"'),
     ('src/scene/a.c', '#include "src/image/image.h"\n', None),
     ('src/image/a.c', '#include "src/scene/mesh.h"\n', 'may not include "src/scene/mesh.h"'),
+    ('src/metric/a.c', '#include "src/frames.h"\n', 'may not include "src/frames.h"'),
     ('src/gpu/a.c', '#include "src/tech/a.h"\n', 'may not include "src/tech/a.h"'),
     ('src/renderer.c', '#include "src/app/app.h"\n', 'nothing includes a front end'),
     ('src/app/a.c', '#include "src/app/app.h"\n#include "src/renderer.h"\n', None),

@@ -6,13 +6,15 @@
 #include "graph/rg_time.h"
 #include "src/frames.h"
 #include "src/gpu/gpu_swapchain.h"
+#include "src/metric/comparison.h"
 #include "src/scene/scene.h"
 #include "src/settings.h"
 #include "src/status.h"
 
 enum {
-    APP_OUTPUT_COUNT = 16, /* -o options at most */
-    APP_SWEEP_COUNT = 4,   /* --sweep */
+    APP_OUTPUT_COUNT = 16,    /* -o options at most */
+    APP_POSITIONAL_COUNT = 2, /* words that are no options */
+    APP_SWEEP_COUNT = 4,      /* --sweep */
 };
 
 /* How firn graph prints a plan. */
@@ -29,9 +31,20 @@ struct app_reports {
     const char *json, *csv, *trace, *html;
 };
 
+/* Of firn diff. */
+struct app_diff {
+    const char *mask, *mask_channel; /* file and plane; NULL: all pixels, "A" */
+    bool has_exposure;
+    float exposure; /* stops */
+    float ppd;      /* pixels per degree; 0: FLIP_PPD */
+    enum flip_curve curve;
+    bool has_limit[COMPARISON_METRIC_COUNT];
+    double limits[COMPARISON_METRIC_COUNT];
+};
+
 /* What the command line says; zero is the default everywhere. */
 struct app_options {
-    const char *positional; /* SCENE, or what to list */
+    const char *positionals[APP_POSITIONAL_COUNT]; /* SCENE, what to list, two files */
     const char *outputs[APP_OUTPUT_COUNT];
     uint32_t output_count;
     uint32_t width, height, samples;
@@ -60,6 +73,7 @@ struct app_options {
     uint32_t fps_limit;       /* frames a second; 0: none */
     VkPresentModeKHR present; /* 0 means FIFO */
     enum rg_sharing sharing;
+    struct app_diff diff;
 };
 
 enum app_command {
@@ -68,6 +82,7 @@ enum app_command {
     APP_LIST = 4,
     APP_VIEW = 8,
     APP_PROFILE = 16,
+    APP_DIFF = 32,
 };
 
 /*
@@ -94,6 +109,7 @@ MUST_USE enum status app_set(struct app_options *options, const char *name, cons
 
 /* Whether they name one. Logs: STATUS_USAGE. */
 MUST_USE enum status app_need_scene(const struct app_options *options);
+enum status app_diff(const struct app_options *options);
 
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);

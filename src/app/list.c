@@ -83,7 +83,7 @@ enum status app_list(const struct app_options *o)
     bool found = false;
     enum status status = STATUS_OK;
     for (size_t i = 0; i < sizeof(lists) / sizeof(lists[0]) && status == STATUS_OK; i++) {
-        if (o->positional && strcmp(o->positional, lists[i].name) != 0)
+        if (o->positionals[0] && strcmp(o->positionals[0], lists[i].name) != 0)
             continue;
         found = true;
         printf("%s:\n", lists[i].name);
@@ -91,7 +91,7 @@ enum status app_list(const struct app_options *o)
     }
     if (!found) {
         log_error("list %s: one of scenes, rungs, materials, layers, settings, devices is wanted",
-                  o->positional);
+                  o->positionals[0]);
         return STATUS_USAGE;
     }
     if (status == STATUS_OK && (fflush(stdout) || ferror(stdout))) {

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/app/option_diff.h"
 #include "src/app/option_profile.h"
 #include "src/app/option_values.h"
 #include "src/app/option_view.h"
@@ -329,9 +330,23 @@ static const struct option options[] = {
       "Vulkan validation and synchronization validation" },
     { "Device", "sharing", 0, "HOW", PICTURES, set_sharing,
       "share memory: batches (where it costs none), memory, nothing (batches)" },
+    { "Comparison", "mask", 0, "FILE", APP_DIFF, option_mask,
+      "only pixels count where its A (of an EXR or PNG) is above 0" },
+    { "Comparison", "mask-channel", 0, "NAME", APP_DIFF, option_mask_channel,
+      "another channel of the mask" },
+    { "Comparison", "exposure", 0, "STOPS", APP_DIFF, option_exposure,
+      "LDR-FLIP of EXR and HDR files too, exposed so and clamped; else HDR-FLIP" },
+    { "Comparison", "curve", 0, "NAME", APP_DIFF, option_curve,
+      "that HDR-FLIP shows pictures by: aces, hable or reinhard (aces)" },
+    { "Comparison", "ppd", 0, "N", APP_DIFF, option_ppd,
+      "pixels per degree that the viewer sees, 1 to 400 (67)" },
+    { "Result", "output", 'o', "FILE", APP_DIFF, option_error_picture,
+      "write the errors: FILE.png in colours, FILE.exr as numbers; may be repeated" },
+    { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, option_fail_above,
+      "exit code 1 if flip, rmse, relmse or angle (degrees) is above; may be repeated" },
     { "Format", "dot", 0, NULL, APP_GRAPH, set_dot, "print a Graphviz digraph, not text" },
     { "Format", "html", 0, NULL, APP_GRAPH, set_html, "print a page that shows passes and memory" },
-    { "Format", "json", 0, NULL, APP_GRAPH, set_json, "print JSON, with everything" },
+    { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF, set_json, "print JSON, with everything" },
     { "Other", "quiet", 'q', NULL, PICTURES, set_quiet, "no progress" },
 };
 
@@ -340,23 +355,27 @@ enum {
 };
 
 static const char *const examples[] = {
-    [APP_RENDER] = "  firn render ice-cube -o ice.exr -o ice.png\n"
-                   "  firn render statue.glb --env studio.hdr --samples 16 -o statue.png\n"
-                   "  firn render sphere --refraction one-sided --aov exit -o sphere.exr\n"
-                   "  firn render ice-cube --frames 0-99 --resume -o turn.####.png\n",
-    [APP_GRAPH] = "  firn graph ice-cube\n"
-                  "  firn graph ice-cube --html > plan.html\n"
-                  "  firn graph ice-cube --refraction one-sided --dot | dot -Tsvg > plan.svg\n",
-    [APP_VIEW] = "  firn view ice-cube\n"
-                 "  firn view statue.glb --env studio.hdr --set motion.ice=0\n"
-                 "  firn view sphere --frames 100 --time-step 0.04 --screenshot last.png\n",
-    [APP_PROFILE] = "  firn profile ice-cube\n"
-                    "  firn profile ice-cube --json before.json --html before.html\n"
-                    "  firn profile ice-cube --baseline before.json\n"
-                    "  firn profile ice-cube --sweep cracks.count=1,4,16,64\n"
-                    "  firn profile paper\n",
-    [APP_LIST] = "  firn list\n"
-                 "  firn list settings\n",
+    [APP_RENDER] = ("  firn render ice-cube -o ice.exr -o ice.png\n"
+                    "  firn render statue.glb --env studio.hdr --samples 16 -o statue.png\n"
+                    "  firn render sphere --refraction one-sided --aov exit -o sphere.exr\n"
+                    "  firn render ice-cube --frames 0-99 --resume -o turn.####.png\n"),
+    [APP_GRAPH] = ("  firn graph ice-cube\n"
+                   "  firn graph ice-cube --html > plan.html\n"
+                   "  firn graph ice-cube --refraction one-sided --dot | dot -Tsvg > plan.svg\n"),
+    [APP_VIEW] = ("  firn view ice-cube\n"
+                  "  firn view statue.glb --env studio.hdr --set motion.ice=0\n"
+                  "  firn view sphere --frames 100 --time-step 0.04 --screenshot last.png\n"),
+    [APP_PROFILE] = ("  firn profile ice-cube\n"
+                     "  firn profile ice-cube --json before.json --html before.html\n"
+                     "  firn profile ice-cube --baseline before.json\n"
+                     "  firn profile ice-cube --sweep cracks.count=1,4,16,64\n"
+                     "  firn profile paper\n"),
+    [APP_DIFF] = ("  firn diff reference.exr test.exr\n"
+                  "  firn diff before.png after.png -o errors.png\n"
+                  "  firn diff a.exr b.exr --mask a.exr --mask-channel thickness.Z --json\n"
+                  "  firn diff golden.exr new.exr --fail-above flip=0.01 --fail-above angle=0.1\n"),
+    [APP_LIST] = ("  firn list\n"
+                  "  firn list settings\n"),
 };
 
 static const char *const usages[] = {
@@ -364,6 +383,7 @@ static const char *const usages[] = {
     [APP_GRAPH] = "firn graph [options] SCENE: print the compiled plan of a frame; needs no device",
     [APP_VIEW] = "firn view [options] SCENE: show it in a window; F1 prints what keys do there",
     [APP_PROFILE] = "firn profile [options] SCENE: measure what each pass of a frame costs",
+    [APP_DIFF] = "firn diff [options] REFERENCE TEST: how far two pictures are apart",
     [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
 };
 
@@ -375,6 +395,8 @@ void app_help(enum app_command command)
         printf("\nSCENE is ice-cube, sphere, teapot, or a model file (.gltf .glb .obj .ply).\n");
     if (command == APP_PROFILE)
         printf("firn profile paper repeats the measurements of the paper.\n");
+    if (command == APP_DIFF)
+        printf("\nREFERENCE and TEST are both .exr or .hdr, or both .png, and of one size.\n");
     for (size_t i = 0; i < OPTION_COUNT; i++) {
         const struct option *option = &options[i];
         char left[64];
@@ -453,6 +475,23 @@ static enum status parse_option(struct app_options *o, enum app_command command,
     return option->set(o, value);
 }
 
+static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
+{
+    const uint32_t most = command == APP_DIFF ? 2 : 1;
+    uint32_t count = 0;
+    while (count < most && o->positionals[count])
+        count++;
+    if (count < most) {
+        o->positionals[count] = word;
+        return STATUS_OK;
+    }
+    if (most > 1)
+        log_error("%s: only %u of these are wanted", word, most);
+    else
+        log_error("%s: only one of these is wanted, %s is there already", word, o->positionals[0]);
+    return STATUS_USAGE;
+}
+
 enum status app_parse(struct app_options *o, enum app_command command, int argc, char **argv,
                       bool *done)
 {
@@ -476,11 +515,8 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
             only_words = true;
         } else if (!only_words && word[0] == '-' && word[1]) {
             status = parse_option(o, command, argv, &i);
-        } else if (o->positional) {
-            log_error("%s: only one of these is wanted, %s is there already", word, o->positional);
-            status = STATUS_USAGE;
         } else {
-            o->positional = word;
+            status = add_positional(o, command, word);
         }
         if (status != STATUS_OK)
             return status;

@@ -64,8 +64,8 @@ static bool describe(const struct output *output, const struct frame_layer *show
 
     settings_put(&settings, settings_find("motion.time"), (double)output->shot.time);
     if (out) {
-        fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", o->positional, o->rung->name,
-                o->width, o->height, o->samples);
+        fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", o->positionals[0],
+                o->rung->name, o->width, o->height, o->samples);
         if (show)
             fprintf(out, " show=%s", show->name);
         if (o->environment)

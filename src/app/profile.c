@@ -224,7 +224,7 @@ static enum status check(struct profile_job *job, bool is_paper)
 static enum status run(struct profile_job *job)
 {
     const struct app_options *o = &job->o;
-    const bool is_paper = o->positional && !strcmp(o->positional, "paper");
+    const bool is_paper = o->positionals[0] && !strcmp(o->positionals[0], "paper");
     enum status status = check(job, is_paper);
     const uint32_t points = job->sweep.point_count;
     progress_begin(&job->progress, points ? points : 1, o->warmup + o->run_count, o->quiet);

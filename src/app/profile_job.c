@@ -103,7 +103,7 @@ static void describe_material(struct profile *p, const struct app_options *o)
 
 static enum status describe(struct profile *p, const struct app_options *o)
 {
-    p->scene = strdup(o->positional);
+    p->scene = strdup(o->positionals[0]);
     p->command = join(o->words);
     describe_material(p, o);
     if (p->scene && p->command && describe_settings(p, &o->settings))

@@ -103,7 +103,7 @@ static enum status case_options(const struct profile_job *job, const struct pape
 {
     enum status status = STATUS_OK;
     *o = job->o;
-    o->positional = c->scene;
+    o->positionals[0] = c->scene;
     if (o->time_step <= 0)
         o->time_step = 0.04; /* what moves, moves */
     for (size_t i = 0; c->set[i] && status == STATUS_OK; i++) {

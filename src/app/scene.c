@@ -27,7 +27,7 @@ static void settle_ior(struct app_options *o, const struct model *model)
 
 enum status app_need_scene(const struct app_options *o)
 {
-    if (o->positional)
+    if (o->positionals[0])
         return STATUS_OK;
     log_error("SCENE is missing: ice-cube, sphere, teapot or a model file (see --help)");
     return STATUS_USAGE;
@@ -51,7 +51,7 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
     }
     enum status status = scene_load(
         scene, &(struct scene_params){
-                   .name = o->positional,
+                   .name = o->positionals[0],
                    .surroundings = o->surroundings,
                    .environment = o->environment,
                    .background = o->has_background ? &o->background : NULL,

@@ -24,6 +24,14 @@ struct png_picture {
 MUST_USE enum status png_encode(const struct png_picture *picture, void **data, size_t *size);
 
 /*
+ * Reads a file of any kind of PNG into *image ({0} before): planes R, G and B, and A if it has
+ * alpha or a transparent colour; colours are decoded to linear ones and not multiplied by alpha.
+ * 16 bits are rounded to 8; without a word on colours in the file they are sRGB. Limits, errors
+ * and ownership as exr_read().
+ */
+MUST_USE enum status png_read(const char *path, struct image *image);
+
+/*
  * Whether a file is such as png_encode() makes of a picture of this size with these texts, whole,
  * and with the check sums of all its chunks right. Texels (which may be NULL) are not compared.
  * Logs only when the file is missing or cannot be opened.

@@ -254,7 +254,7 @@ static VkResult judge(struct test *test, struct profile_clock *clock)
 {
     struct clock_test_times times = { 0 };
     const bool is_stamped = rg_exec_has_clock(test->exec, RG_CLOCK_EXACT);
-    double error = INFINITY;
+    double error = (double)INFINITY;
     VkResult result = VK_SUCCESS;
     for (uint32_t i = 0; i < TRY_COUNT && error > CLOCK_TEST_TOLERANCE; i++) {
         result = take_least(test, &times);

@@ -29,10 +29,10 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
     p->gpu = gpu;
     p->o = *options;
     p->o.samples = options->samples ? options->samples : 1;
-    p->o.positional = p->scene_name = copy(options->positional);
+    p->o.positionals[0] = p->scene_name = copy(options->positionals[0]);
     p->o.environment = p->environment_name = copy(options->environment);
     enum status status = STATUS_OK;
-    if (!p->scene_name != !options->positional || !p->environment_name != !options->environment)
+    if (!p->scene_name != !options->positionals[0] || !p->environment_name != !options->environment)
         status = out_of_memory();
     if (status == STATUS_OK)
         status = app_load_scene(&p->scene, &p->o);
@@ -172,7 +172,7 @@ enum status picture_open(struct picture **picture, const char *path, bool *remad
         o.environment = path;
         o.has_background = false;
     } else {
-        o.positional = path;
+        o.positionals[0] = path;
         o.has_eye = o.has_target = o.has_orbit = false; /* those were of the object before */
     }
     const enum status status = replace(picture, &o, environment);

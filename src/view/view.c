@@ -91,14 +91,15 @@ static enum status open_device(struct view *v)
 static void show_name(struct view *v)
 {
     char words[200];
-    snprintf(words, sizeof(words), "%s%s", v->picture->o.positional, v->paused ? ", paused" : "");
+    snprintf(words, sizeof(words), "%s%s", v->picture->o.positionals[0],
+             v->paused ? ", paused" : "");
     say(v, words);
 }
 
 static enum status load(struct view *v)
 {
     char words[200];
-    snprintf(words, sizeof(words), "loading %s", v->options->positional);
+    snprintf(words, sizeof(words), "loading %s", v->options->positionals[0]);
     say(v, words);
     enum status status = picture_create(&v->picture, &v->gpu, v->options);
     if (status == STATUS_OK)

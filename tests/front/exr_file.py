@@ -1,4 +1,5 @@
-"""exr_file.py: just enough of the OpenEXR format (version 2, one part) to read what firn writes."""
+"""exr_file.py: just enough of the OpenEXR format (version 2, one part) to read what firn writes,
+and to write what it reads."""
 import struct
 import zlib
 
@@ -97,3 +98,29 @@ class Exr:
                     if name in planes:
                         planes[name] += values[index * width:(index + 1) * width]
         return planes
+
+
+def attribute(name, kind, value):
+    return name.encode() + b'\0' + kind.encode() + b'\0' + struct.pack('<i', len(value)) + value
+
+
+def write_exr(size, planes):
+    """A file of {name: values, row by row}, as floats, not compressed."""
+    width, height = size
+    names = sorted(planes)
+    channels = b''.join(name.encode() + b'\0' + struct.pack('<4i', 2, 0, 1, 1) for name in names)
+    window = struct.pack('<4i', 0, 0, width - 1, height - 1)
+    head = MAGIC + struct.pack('<i', 2) + b''.join((
+        attribute('channels', 'chlist', channels + b'\0'),
+        attribute('compression', 'compression', b'\0'),
+        attribute('dataWindow', 'box2i', window), attribute('displayWindow', 'box2i', window),
+        attribute('lineOrder', 'lineOrder', b'\0'),
+        attribute('pixelAspectRatio', 'float', struct.pack('<f', 1)),
+        attribute('screenWindowCenter', 'v2f', struct.pack('<2f', 0, 0)),
+        attribute('screenWindowWidth', 'float', struct.pack('<f', 1)))) + b'\0'
+    line_size = 4 * width * len(names)
+    table = [len(head) + 8 * height + y * (8 + line_size) for y in range(height)]
+    lines = (struct.pack('<2i', y, line_size) + b''.join(
+        struct.pack(f'<{width}f', *planes[name][y * width:(y + 1) * width]) for name in names)
+        for y in range(height))
+    return head + struct.pack(f'<{height}Q', *table) + b''.join(lines)

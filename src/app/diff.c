@@ -1,0 +1,301 @@
+/* diff.c: firn diff: how far two pictures are apart. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/app.h"
+#include "src/app/diff_report.h"
+#include "src/image/exr.h"
+#include "src/image/file.h"
+#include "src/image/hdr.h"
+#include "src/image/png.h"
+#include "src/log.h"
+#include "src/metric/heat.h"
+
+struct job {
+    const struct app_options *options;
+    struct image reference, test;
+    bool is_display; /* both */
+    bool *counted;   /* NULL: all */
+    struct comparison comparison;
+    struct diff_report report;
+};
+
+static enum status out_of_memory(void)
+{
+    log_error("out of memory");
+    return STATUS_TRY_AGAIN;
+}
+
+/* ---- pictures ---- */
+
+static bool ends_in(const char *path, const char *ending)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && !strcmp(dot, ending);
+}
+
+static enum status read_picture(const char *path, struct image *image)
+{
+    if (ends_in(path, ".exr"))
+        return exr_read(path, image);
+    if (ends_in(path, ".hdr"))
+        return hdr_read(path, image);
+    if (ends_in(path, ".png"))
+        return png_read(path, image);
+    log_error("%s: a name that ends in .exr, .hdr or .png is wanted", path);
+    return STATUS_USAGE;
+}
+
+static enum status check_size(const struct job *job, const struct image *other, const char *path)
+{
+    const struct image *r = &job->reference;
+    if (other->width == r->width && other->height == r->height)
+        return STATUS_OK;
+    log_error("%s has %u x %u pixels, %s %u x %u: they must have the same size", path, other->width,
+              other->height, job->options->positionals[0], r->width, r->height);
+    return STATUS_DATA;
+}
+
+static enum status read_pictures(struct job *job)
+{
+    const char *const *paths = job->options->positionals;
+    enum status status = read_picture(paths[0], &job->reference);
+    if (status == STATUS_OK)
+        status = read_picture(paths[1], &job->test);
+    return status == STATUS_OK ? check_size(job, &job->test, paths[1]) : status;
+}
+
+static enum status fill_mask(struct job *job, const struct image *image)
+{
+    const struct app_diff *o = &job->options->diff;
+    const char *channel = o->mask_channel ? o->mask_channel : "A";
+    const float *values = image_find(image, channel);
+    const size_t count = (size_t)image->width * image->height;
+    bool any = false;
+    if (!values) {
+        log_error("%s: has no channel %s (--mask-channel names another)", o->mask, channel);
+        return STATUS_DATA;
+    }
+    job->counted = malloc(count * sizeof(*job->counted));
+    if (!job->counted)
+        return out_of_memory();
+    for (size_t i = 0; i < count; i++) {
+        job->counted[i] = values[i] > 0.0f;
+        any = any || job->counted[i];
+    }
+    if (any)
+        return STATUS_OK;
+    log_error("%s: channel %s is above 0 nowhere, so that no pixel counts", o->mask, channel);
+    return STATUS_DATA;
+}
+
+static enum status read_mask(struct job *job)
+{
+    struct image image = { 0 };
+    enum status status = read_picture(job->options->diff.mask, &image);
+    if (status == STATUS_OK)
+        status = check_size(job, &image, job->options->diff.mask);
+    if (status == STATUS_OK)
+        status = fill_mask(job, &image);
+    image_finish(&image);
+    return status;
+}
+
+/* ---- before and after the comparison ---- */
+
+static enum status check_options(struct job *job)
+{
+    const struct app_options *o = job->options;
+    const char *const *paths = o->positionals;
+    enum status status = STATUS_USAGE;
+    if (!paths[1]) {
+        log_error("two pictures are wanted: firn diff REFERENCE TEST (see --help)");
+        return status;
+    }
+    job->is_display = ends_in(paths[0], ".png");
+    if (job->is_display != ends_in(paths[1], ".png"))
+        log_error("%s and %s: a PNG picture is for the eye and can be compared with no other kind",
+                  paths[0], paths[1]);
+    else if (job->is_display && o->diff.has_exposure)
+        log_error("--exposure: PNG pictures are exposed already");
+    else if (o->diff.mask_channel && !o->diff.mask)
+        log_error("--mask-channel %s: there is no --mask", o->diff.mask_channel);
+    else
+        status = STATUS_OK;
+    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
+        status = file_check(o->outputs[i]);
+    return status;
+}
+
+/* What is asked for and cannot be had. */
+static enum status check_layers(const struct job *job)
+{
+    const struct app_options *o = job->options;
+    const struct comparison *c = &job->comparison;
+    double value;
+    if (!c->layer_count) {
+        log_error("%s and %s have no channel of the same name", o->positionals[0],
+                  o->positionals[1]);
+        return STATUS_DATA;
+    }
+    for (int i = 0; i < COMPARISON_METRIC_COUNT; i++) {
+        if (!o->diff.has_limit[i] || comparison_metric(c, (enum comparison_metric)i, &value))
+            continue;
+        log_error("--fail-above %s: the pictures do not both have %s", comparison_metric_names[i],
+                  i == COMPARISON_ANGLE ? "exit.X, exit.Y and exit.Z" : "R, G and B");
+        return STATUS_DATA;
+    }
+    for (uint32_t i = 0; i < o->output_count; i++) {
+        if (c->has_beauty || (c->has_exit && ends_in(o->outputs[i], ".exr")))
+            continue;
+        log_error("%s: there is no error to show, the pictures do not both have R, G and B",
+                  o->outputs[i]);
+        return STATUS_DATA;
+    }
+    return STATUS_OK;
+}
+
+/* A number that is not finite is above any limit. */
+static void check_limits(struct job *job)
+{
+    const struct app_diff *o = &job->options->diff;
+    for (int i = 0; i < COMPARISON_METRIC_COUNT; i++) {
+        const char *name = comparison_metric_names[i];
+        double value;
+        const struct comparison_layer *layer =
+            comparison_metric(&job->comparison, (enum comparison_metric)i, &value);
+        if (!o->has_limit[i] || !layer)
+            continue;
+        const unsigned long long not_finite = layer->difference.not_finite;
+        job->report.failed[i] = not_finite || !(value <= o->limits[i]);
+        if (not_finite)
+            log_error("%s: %llu values of %s are not finite", name, not_finite, layer->name);
+        else if (job->report.failed[i])
+            log_error("%s is %g, above %g", name, value, o->limits[i]);
+    }
+}
+
+/* ---- the error picture ---- */
+
+static enum status encode_png(const struct job *job, void **data, size_t *size)
+{
+    const uint32_t width = job->reference.width, height = job->reference.height;
+    const size_t count = (size_t)width * height;
+    uint8_t *rgba = malloc(4 * count);
+    if (!rgba)
+        return out_of_memory();
+    for (size_t i = 0; i < count; i++) {
+        rgba[4 * i + 3] = 255;
+        if (!job->counted || job->counted[i])
+            heat_srgb(job->comparison.errors[i], &rgba[4 * i]);
+        else
+            memset(&rgba[4 * i], 0, 3);
+    }
+    const struct png_picture picture = { .rgba = rgba, .width = width, .height = height };
+    enum status status = png_encode(&picture, data, size);
+    free(rgba);
+    return status;
+}
+
+/* Planes are borrowed from the comparison. */
+static enum status encode_exr(const struct job *job, void **data, size_t *size)
+{
+    const struct comparison *c = &job->comparison;
+    struct image_plane planes[2];
+    struct image image = {
+        .width = job->reference.width,
+        .height = job->reference.height,
+        .planes = planes,
+    };
+    if (c->errors)
+        planes[image.plane_count++] = (struct image_plane){ .name = "flip.Z", .texels = c->errors };
+    if (c->degrees)
+        planes[image.plane_count++] =
+            (struct image_plane){ .name = "angle.Z", .texels = c->degrees };
+    return exr_encode(&image, &(struct exr_header){ 0 }, data, size);
+}
+
+static enum status write_errors(const struct job *job, const char *path)
+{
+    void *data = NULL;
+    size_t size;
+    enum status status =
+        ends_in(path, ".png") ? encode_png(job, &data, &size) : encode_exr(job, &data, &size);
+    if (status == STATUS_OK)
+        status = file_write(path, data, size);
+    free(data);
+    return status;
+}
+
+/* ---- all ---- */
+
+static enum status compare(struct job *job)
+{
+    const struct app_diff *o = &job->options->diff;
+    const struct comparison_params params = {
+        .reference = &job->reference,
+        .test = &job->test,
+        .counted = job->counted,
+        .display = job->is_display,
+        .has_exposure = o->has_exposure,
+        .exposure = (double)o->exposure,
+        .curve = o->curve,
+        .ppd = o->ppd > 0.0f ? (double)o->ppd : FLIP_PPD,
+    };
+    if (!comparison_init(&job->comparison, &params))
+        return out_of_memory();
+    job->report = (struct diff_report){
+        .options = job->options,
+        .comparison = &job->comparison,
+        .width = job->reference.width,
+        .height = job->reference.height,
+        .ppd = params.ppd,
+    };
+    return check_layers(job);
+}
+
+static enum status print_report(const struct job *job)
+{
+    if (job->options->format != APP_FORMAT_JSON)
+        diff_report_text(&job->report, stdout);
+    else if (!diff_report_json(&job->report, stdout))
+        return out_of_memory();
+    if (fflush(stdout) || ferror(stdout)) {
+        log_error("stdout: cannot be written");
+        return STATUS_WRITE;
+    }
+    return STATUS_OK;
+}
+
+static enum status run(struct job *job)
+{
+    const struct app_options *o = job->options;
+    enum status status = check_options(job);
+    if (status == STATUS_OK)
+        status = read_pictures(job);
+    if (status == STATUS_OK && o->diff.mask)
+        status = read_mask(job);
+    if (status == STATUS_OK)
+        status = compare(job);
+    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
+        status = write_errors(job, o->outputs[i]);
+    if (status != STATUS_OK)
+        return status;
+    check_limits(job);
+    status = print_report(job);
+    for (int i = 0; i < COMPARISON_METRIC_COUNT && status == STATUS_OK; i++)
+        status = job->report.failed[i] ? STATUS_FAILED : STATUS_OK;
+    return status;
+}
+
+enum status app_diff(const struct app_options *options)
+{
+    struct job job = { .options = options };
+    enum status status = run(&job);
+    comparison_finish(&job.comparison);
+    free(job.counted);
+    image_finish(&job.reference);
+    image_finish(&job.test);
+    return status;
+}

@@ -1,0 +1,271 @@
+/* diff_report.c: two pictures' differences as text and JSON. */
+#include "src/app/diff_report.h"
+#include <ctype.h>
+#include <jansson.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- text ---- */
+
+enum {
+    COLUMNS = 100
+};
+
+/* Of a file, which may have named it anything; returns the columns it takes. */
+static int print_name(const char *name, FILE *out)
+{
+    int columns = 0;
+    for (; name[columns]; columns++)
+        putc(iscntrl((unsigned char)name[columns]) ? '?' : name[columns], out);
+    return columns;
+}
+
+static void print_names(const char *title, const char *const *names, uint32_t count, FILE *out)
+{
+    int at = fprintf(out, "%s", title);
+    for (uint32_t i = 0; i < count; i++) {
+        if (at + (int)strlen(names[i]) + 2 > COLUMNS)
+            at = fprintf(out, "\n ") - 1;
+        putc(' ', out);
+        at += print_name(names[i], out) + 2;
+        if (i + 1 < count)
+            putc(',', out);
+    }
+    fputs("\n", out);
+}
+
+static void print_head(const struct diff_report *report, FILE *out)
+{
+    const struct app_options *o = report->options;
+    fputs("reference  ", out);
+    print_name(o->positionals[0], out);
+    fputs("\ntest       ", out);
+    print_name(o->positionals[1], out);
+    fprintf(out, "\npixels     %u x %u", report->width, report->height);
+    if (o->diff.mask)
+        fprintf(out, ", of which the mask counts %zu", report->comparison->counted);
+    fputs("\n\n", out);
+}
+
+static void print_flip(const struct diff_report *report, FILE *out)
+{
+    const struct comparison *c = report->comparison;
+    const struct app_diff *o = &report->options->diff;
+    fprintf(out, "FLIP       %-12.6f ", c->flip);
+    if (c->is_hdr)
+        fprintf(out, "HDR, %u exposures by %s, %+.2f to %+.2f stops", c->exposures.count,
+                flip_curve_names[o->curve], c->exposures.first, c->exposures.last);
+    else
+        fputs("LDR", out);
+    if (o->has_exposure)
+        fprintf(out, ", exposed %+g stops", (double)o->exposure);
+    fprintf(out, ", %.4g pixels per degree\n", report->ppd);
+}
+
+/* As wide as others; "-" where there is none. */
+static void print_number(double number, FILE *out)
+{
+    if (isnan(number))
+        fprintf(out, "%-12s ", "-");
+    else
+        fprintf(out, "%-12.6g ", number);
+}
+
+static void print_metrics(const struct diff_report *report, FILE *out)
+{
+    double rmse, relmse;
+    if (!comparison_metric(report->comparison, COMPARISON_RMSE, &rmse) ||
+        !comparison_metric(report->comparison, COMPARISON_RELMSE, &relmse))
+        return;
+    print_flip(report, out);
+    fputs("RMSE       ", out);
+    print_number(rmse, out);
+    fputs("linear\nrelMSE     ", out);
+    print_number(relmse, out);
+    fputs("linear\n\n", out);
+}
+
+static void print_layers(const struct comparison *c, FILE *out)
+{
+    fprintf(out, "%-20s %-12s %-12s %s\n", "layer", "RMSE", "largest", "not finite");
+    for (uint32_t i = 0; i < c->layer_count; i++) {
+        const struct difference *difference = &c->layers[i].difference;
+        const int columns = print_name(c->layers[i].name, out);
+        fprintf(out, "%*s", columns < 20 ? 21 - columns : 1, "");
+        print_number(difference_rmse(difference), out);
+        print_number(difference->count ? difference->largest : (double)NAN, out);
+        fprintf(out, "%llu\n", (unsigned long long)difference->not_finite);
+    }
+}
+
+static double share(uint64_t part, uint64_t all)
+{
+    return all ? (double)part / (double)all : 0.0;
+}
+
+static void print_exit(const struct angle *angle, FILE *out)
+{
+    const unsigned long long both = angle->both, r = angle->only_reference, t = angle->only_test;
+    fprintf(out, "\nexit       ");
+    if (both)
+        fprintf(out, "mean %.4g, median %.4g, 95 %% %.4g, largest %.4g degrees; ", angle->mean,
+                angle->median, angle->most_95, angle->largest);
+    fprintf(out, "pixels: %llu\n", both);
+    fprintf(out, "           only in the reference: %llu; only in the test: %llu; %.4g %% of all\n",
+            r, t, 100.0 * share(r + t, both + r + t));
+}
+
+void diff_report_text(const struct diff_report *report, FILE *out)
+{
+    const struct comparison *c = report->comparison;
+    print_head(report, out);
+    print_metrics(report, out);
+    print_layers(c, out);
+    if (c->has_exit)
+        print_exit(&c->angle, out);
+    if (c->has_tir)
+        fprintf(out, "\ntir        another class in %.4g %% of %llu pixels\n",
+                100.0 * share(c->tir_differs, c->tir_count), (unsigned long long)c->tir_count);
+    if (c->only_reference_count || c->only_test_count)
+        fputs("\n", out);
+    if (c->only_reference_count)
+        print_names("only in the reference:", c->only_reference, c->only_reference_count, out);
+    if (c->only_test_count)
+        print_names("only in the test:", c->only_test, c->only_test_count, out);
+}
+
+/* ---- JSON ---- */
+
+/* jansson takes NULL for either, and the value even where it fails. */
+static bool put(json_t *json, const char *key, json_t *value)
+{
+    return (key ? json_object_set_new(json, key, value) : json_array_append_new(json, value)) == 0;
+}
+
+/* Names of files need not be UTF-8. */
+static json_t *make_text(const char *text)
+{
+    json_t *json = json_string(text);
+    char *plain = json ? NULL : strdup(text);
+    for (char *c = plain; c && *c; c++) {
+        if ((unsigned char)*c > 0x7e)
+            *c = '?';
+    }
+    if (plain)
+        json = json_string(plain);
+    free(plain);
+    return json;
+}
+
+/* JSON knows no NaN. */
+static json_t *make_number(double number)
+{
+    return isfinite(number) ? json_real(number) : json_null();
+}
+
+static json_t *make_count(uint64_t count)
+{
+    return json_integer((json_int_t)count);
+}
+
+static bool put_names(json_t *json, const char *key, const char *const *names, uint32_t count)
+{
+    json_t *array = json_array();
+    bool ok = put(json, key, array);
+    for (uint32_t i = 0; i < count && ok; i++)
+        ok = put(array, NULL, make_text(names[i]));
+    return ok;
+}
+
+static bool put_beauty(json_t *json, const struct diff_report *report)
+{
+    const struct comparison *c = report->comparison;
+    const struct app_diff *o = &report->options->diff;
+    double rmse, relmse;
+    if (!comparison_metric(c, COMPARISON_RMSE, &rmse) ||
+        !comparison_metric(c, COMPARISON_RELMSE, &relmse))
+        return true;
+    json_t *flip = json_object();
+    bool ok = put(json, "flip", flip) && put(flip, "mean", make_number(c->flip)) &&
+              put(flip, "kind", json_string(c->is_hdr ? "hdr" : "ldr")) &&
+              put(flip, "ppd", make_number(report->ppd));
+    if (c->is_hdr)
+        ok = ok && put(flip, "curve", json_string(flip_curve_names[o->curve])) &&
+             put(flip, "first_stop", make_number(c->exposures.first)) &&
+             put(flip, "last_stop", make_number(c->exposures.last)) &&
+             put(flip, "exposures", make_count(c->exposures.count));
+    else
+        ok = ok && put(flip, "exposure", make_number((double)o->exposure));
+    return ok && put(json, "rmse", make_number(rmse)) && put(json, "relmse", make_number(relmse));
+}
+
+static bool put_layers(json_t *json, const struct comparison *c)
+{
+    json_t *layers = json_array();
+    bool ok = put(json, "layers", layers);
+    for (uint32_t i = 0; i < c->layer_count && ok; i++) {
+        const struct difference *d = &c->layers[i].difference;
+        json_t *layer = json_object();
+        ok = put(layers, NULL, layer) && put(layer, "name", make_text(c->layers[i].name)) &&
+             put(layer, "rmse", make_number(difference_rmse(d))) &&
+             put(layer, "largest", make_number(d->count ? d->largest : (double)NAN)) &&
+             put(layer, "values", make_count(d->count)) &&
+             put(layer, "not_finite", make_count(d->not_finite));
+    }
+    return ok;
+}
+
+static bool put_exit(json_t *json, const struct angle *angle)
+{
+    const uint64_t one = angle->only_reference + angle->only_test;
+    json_t *exit = json_object();
+    return put(json, "exit", exit) && put(exit, "pixels", make_count(angle->both)) &&
+           put(exit, "mean", make_number(angle->mean)) &&
+           put(exit, "median", make_number(angle->median)) &&
+           put(exit, "most_95", make_number(angle->most_95)) &&
+           put(exit, "largest", make_number(angle->largest)) &&
+           put(exit, "only_reference", make_count(angle->only_reference)) &&
+           put(exit, "only_test", make_count(angle->only_test)) &&
+           put(exit, "mismatch", make_number(share(one, one + angle->both)));
+}
+
+static bool put_tir(json_t *json, const struct comparison *c)
+{
+    json_t *tir = json_object();
+    return put(json, "tir", tir) && put(tir, "pixels", make_count(c->tir_count)) &&
+           put(tir, "differs", make_count(c->tir_differs)) &&
+           put(tir, "mismatch", make_number(share(c->tir_differs, c->tir_count)));
+}
+
+static bool fill_json(json_t *json, const struct diff_report *report)
+{
+    const struct app_options *o = report->options;
+    const struct comparison *c = report->comparison;
+    bool ok = put(json, "reference", make_text(o->positionals[0])) &&
+              put(json, "test", make_text(o->positionals[1])) &&
+              put(json, "width", make_count(report->width)) &&
+              put(json, "height", make_count(report->height)) &&
+              put(json, "pixels", make_count(c->counted)) &&
+              (!o->diff.mask || put(json, "mask", make_text(o->diff.mask))) &&
+              put_beauty(json, report) && put_layers(json, c) &&
+              (!c->has_exit || put_exit(json, &c->angle)) && (!c->has_tir || put_tir(json, c)) &&
+              put_names(json, "only_reference", c->only_reference, c->only_reference_count) &&
+              put_names(json, "only_test", c->only_test, c->only_test_count);
+    json_t *failed = json_array();
+    ok = put(json, "failed", failed) && ok;
+    for (int i = 0; i < COMPARISON_METRIC_COUNT && ok; i++)
+        ok = !report->failed[i] || put(failed, NULL, json_string(comparison_metric_names[i]));
+    return ok;
+}
+
+bool diff_report_json(const struct diff_report *report, FILE *out)
+{
+    json_t *json = json_object();
+    char *text = fill_json(json, report) ? json_dumps(json, JSON_INDENT(2)) : NULL;
+    if (text)
+        fprintf(out, "%s\n", text);
+    free(text);
+    json_decref(json);
+    return text != NULL;
+}

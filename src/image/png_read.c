@@ -1,0 +1,85 @@
+/* png_read.c: PNG files in, by libpng's simplified interface. */
+#include <png.h>
+#include <stdlib.h>
+#include "src/image/file.h"
+#include "src/image/png.h"
+#include "src/image/srgb.h"
+#include "src/log.h"
+
+static enum status out_of_memory(const char *path, const png_image *png)
+{
+    log_error("%s: out of memory for %u x %u pixels", path, png->width, png->height);
+    return STATUS_TRY_AGAIN;
+}
+
+static enum status damaged(const char *path, const char *why)
+{
+    log_error("%s: no PNG file, damaged or too large: %s", path, why);
+    return STATUS_DATA;
+}
+
+/* Channel by channel; with false memory is short. */
+static bool fill_image(struct image *image, const png_image *png, const uint8_t *rgba)
+{
+    static const char names[4][2] = { "R", "G", "B", "A" };
+    const uint32_t plane_count = png->format & PNG_FORMAT_FLAG_ALPHA ? 4 : 3;
+    const size_t count = (size_t)png->width * png->height;
+    float linear[256];
+
+    for (int i = 0; i < 256; i++)
+        linear[i] = srgb_decode((float)i / 255.0f);
+    image_init(image, png->width, png->height);
+    for (uint32_t p = 0; p < plane_count; p++) {
+        float *texels = image_add_plane(image, names[p], false);
+        if (!texels) {
+            image_finish(image);
+            return false;
+        }
+        for (size_t i = 0; i < count; i++)
+            texels[i] = p < 3 ? linear[rgba[4 * i + p]] : (float)rgba[4 * i + p] / 255.0f;
+    }
+    return true;
+}
+
+static enum status read_texels(const char *path, png_image *png, struct image *image)
+{
+    png_image source = *png; /* the format of the file, which says whether it has alpha */
+    uint8_t *rgba;
+    enum status status = STATUS_OK;
+
+    if (png->width > IMAGE_MAX_SIDE || png->height > IMAGE_MAX_SIDE ||
+        png->height > IMAGE_MAX_TEXELS / png->width)
+        return damaged(path, "size out of range");
+    png->format = PNG_FORMAT_RGBA;
+    rgba = malloc((size_t)png->width * png->height * 4);
+    if (!rgba)
+        return out_of_memory(path, png);
+    if (!png_image_finish_read(png, NULL, rgba, 0, NULL))
+        status = damaged(path, png->message);
+    else if (!fill_image(image, &source, rgba))
+        status = out_of_memory(path, png);
+    free(rgba);
+    return status;
+}
+
+enum status png_read(const char *path, struct image *image)
+{
+    png_image png = { .version = PNG_IMAGE_VERSION };
+    FILE *file;
+    int64_t size;
+    enum status status = file_open(path, &file, &size);
+
+    if (status != STATUS_OK)
+        return status;
+    if (!png_image_begin_read_from_stdio(&png, file)) {
+        status = damaged(path, png.message);
+    } else {
+        png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+        status = read_texels(path, &png, image);
+    }
+    if (status == STATUS_DATA && ferror(file))
+        status = STATUS_NO_INPUT; /* "read error" has been said */
+    png_image_free(&png);
+    fclose(file);
+    return status;
+}

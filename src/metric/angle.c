@@ -1,0 +1,69 @@
+/* angle.c: how far directions are apart. */
+#include "src/metric/angle.h"
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/metric/order.h"
+
+static vec3s load(const float *const direction[static 3], size_t i)
+{
+    return (vec3s){ { direction[0][i], direction[1][i], direction[2][i] } };
+}
+
+bool angle_is_there(const float *const direction[static 3], size_t pixel)
+{
+    const float length = glms_vec3_norm(load(direction, pixel));
+    return isfinite(length) && length > 0.5f;
+}
+
+/* By the tangent: the cosine of a small angle knows little of it. */
+static float measure(vec3s a, vec3s b)
+{
+    const float across = glms_vec3_norm(glms_vec3_cross(a, b));
+    return glm_deg(atan2f(across, glms_vec3_dot(a, b)));
+}
+
+static void summarize(struct angle *angle, float *angles, size_t count)
+{
+    double sum = 0.0;
+    angle->both = count;
+    angle->mean = angle->median = angle->most_95 = angle->largest = (double)NAN;
+    if (!count)
+        return;
+    order_sort(angles, count);
+    for (size_t i = 0; i < count; i++)
+        sum += (double)angles[i];
+    angle->mean = sum / (double)count;
+    angle->median = order_median(angles, count);
+    angle->most_95 = order_percentile(angles, count, 0.95);
+    angle->largest = (double)angles[count - 1];
+}
+
+bool angle_measure(struct angle *angle, const struct angle_pair *pair, float *degrees)
+{
+    size_t count = 0;
+    float *angles = malloc(pair->pixel_count * sizeof(*angles));
+    *angle = (struct angle){ 0 };
+    if (!angles)
+        return false;
+    if (degrees)
+        memset(degrees, 0, pair->pixel_count * sizeof(*degrees));
+    for (size_t i = 0; i < pair->pixel_count; i++) {
+        if (pair->counted && !pair->counted[i])
+            continue;
+        const bool in_reference = angle_is_there(pair->reference, i);
+        const bool in_test = angle_is_there(pair->test, i);
+        angle->only_reference += in_reference && !in_test;
+        angle->only_test += in_test && !in_reference;
+        if (!in_reference || !in_test)
+            continue;
+        angles[count] = measure(load(pair->reference, i), load(pair->test, i));
+        if (degrees)
+            degrees[i] = angles[count];
+        count++;
+    }
+    summarize(angle, angles, count);
+    free(angles);
+    return true;
+}

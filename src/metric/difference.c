@@ -1,0 +1,33 @@
+/* difference.c: how far the numbers of a layer are apart. */
+#include "src/metric/difference.h"
+#include <math.h>
+
+void difference_add(struct difference *difference, const float *reference, const float *test,
+                    const bool *counted, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const double r = (double)reference[i], t = (double)test[i];
+        if (counted && !counted[i])
+            continue;
+        if (!isfinite(r) || !isfinite(t)) {
+            difference->not_finite++;
+            continue;
+        }
+        const double square = (t - r) * (t - r);
+        difference->squares += square;
+        difference->relative_squares += square / (r * r + 0.01);
+        difference->largest = fmax(difference->largest, fabs(t - r));
+        difference->count++;
+    }
+}
+
+double difference_rmse(const struct difference *difference)
+{
+    return difference->count ? sqrt(difference->squares / (double)difference->count) : (double)NAN;
+}
+
+double difference_relmse(const struct difference *difference)
+{
+    return difference->count ? difference->relative_squares / (double)difference->count
+                             : (double)NAN;
+}

@@ -1,0 +1,44 @@
+/*
+ * flip_tone.h: how HDR-FLIP shows a picture of high dynamic range, exposure by exposure.
+ *
+ * Andersson, Nilsson, Shirley, Akenine-Moeller: Visualizing Errors in Rendered High Dynamic Range
+ * Images. Eurographics 2021: section 3. The curves: K. Narkowicz, ACES filmic tone mapping curve,
+ * 2016; J. Hable, Filmic tonemapping operators, 2010; E. Reinhard and others, Photographic tone
+ * reproduction for digital images, SIGGRAPH 2002, eq. 3, of luminance.
+ */
+#ifndef FIRN_METRIC_FLIP_TONE_H
+#define FIRN_METRIC_FLIP_TONE_H
+
+#include <cglm/struct.h>
+
+enum flip_curve {
+    FLIP_ACES, /* the default of the paper */
+    FLIP_HABLE,
+    FLIP_REINHARD,
+    FLIP_CURVE_COUNT,
+};
+
+extern const char *const flip_curve_names[FLIP_CURVE_COUNT];
+
+/* Of Rec.709. */
+float flip_tone_luminance(vec3s linear);
+
+/* From linear colours, not negative, to linear ones from 0 to 1. */
+vec3s flip_tone(enum flip_curve curve, vec3s linear);
+
+/* What the curve takes to `shown`, which is between 0 and 1. */
+double flip_tone_inverse(enum flip_curve curve, double shown);
+
+/* Stops, each one doubling the light. */
+struct flip_exposures {
+    double first, last;
+    uint32_t count; /* at least 2, the same distance apart */
+};
+
+/*
+ * From the greatest luminance and the median one of the reference to the exposures that show them
+ * as 0.85. All black: 0 stops.
+ */
+struct flip_exposures flip_tone_exposures(enum flip_curve curve, double greatest, double median);
+
+#endif
