@@ -224,7 +224,8 @@ class Automatic(WindowCase):
 
     def test_memory_stays_the_same(self):
         words = [Case.program, 'view', 'sphere', '--size', '64x48', '--frames', '2000', '-q',
-                 '--set', 'env_cube.dynamic=off',
+                 '--set', 'env_cube.dynamic=off', '--set', 'air.count=0',
+                 '--set', 'cracks.count=0', '--set', 'bubbles.count=0',
                  '--time-step', '0.04']
         with subprocess.Popen(words, env=environment(self.env()), cwd=self.folder) as process:
             status = pathlib.Path(f'/proc/{process.pid}/status')
