@@ -18,9 +18,9 @@
 
 enum {
     SIDE = 512,
-    HEAVY_ROUNDS = 80,
-    LIGHT_ROUNDS = 5,
-    ROUNDS = 100,
+    HEAVY_ROUNDS = 480,
+    LIGHT_ROUNDS = 60,
+    ROUNDS = 20,
 };
 
 static const struct rg_image heavy_image = {
@@ -90,8 +90,8 @@ static void time_passes(struct run *run, enum rg_clock clock, struct least *leas
     rg_exec_measure(run->exec, &(struct rg_measure){ clock, false });
     run_frame(run, NULL);
     const struct rg_times times = rg_exec_times(run->exec);
-    least->heavy = fmin(least->heavy, (double)(times.passes[0].end - times.passes[0].begin));
-    least->light = fmin(least->light, (double)(times.passes[1].end - times.passes[1].begin));
+    least->heavy = fmin(least->heavy, 1e-6 * (double)(times.passes[0].end - times.passes[0].begin));
+    least->light = fmin(least->light, 1e-6 * (double)(times.passes[1].end - times.passes[1].begin));
 }
 
 /* A frame by the host's clock around it. */
@@ -106,7 +106,8 @@ static void time_frame(struct run *run, double *least)
 static double report(const char *name, struct least times, struct least alone, const char *note)
 {
     const double off = times.heavy / times.light / (alone.heavy / alone.light) - 1;
-    printf("%-22s %7.2f %7.1f %%%s\n", name, times.heavy / times.light, 100 * off, note);
+    printf("%-22s %9.3f %9.3f %7.2f %7.1f %%%s\n", name, times.heavy, times.light,
+           times.heavy / times.light, 100 * off, note);
     return fabs(off);
 }
 
@@ -139,7 +140,7 @@ int main(void)
                 time_passes(&frame, clock, &times[clock]);
         }
     }
-    printf("%-22s %7s %7s\n", "heavy : light pass", "ratio", "off");
+    printf("%-22s %9s %9s %7s %7s\n", "least of frames, ms", "heavy", "light", "ratio", "off");
     (void)report("alone, host's clock", alone, alone, "");
     for (enum rg_clock clock = RG_CLOCK_STREAM; clock < RG_CLOCK_COUNT; clock++) {
         const bool is_chosen = clock == chosen.clock;
