@@ -37,6 +37,8 @@ class Desktop:
         self.start('openbox', '--sm-disable', env=self.env)
         wait_until('a window manager', lambda: 'window id' in self.ask(
             'xprop', '-root', '_NET_SUPPORTING_WM_CHECK'))
+        wait_until('its desktop', lambda: '=' in self.ask('xprop', '-root', '_NET_WORKAREA'))
+        time.sleep(1)  # GLFW 3.3.8 can hang in a window manager that is still starting
 
     def start(self, *command, **how):
         self.processes.append(subprocess.Popen(command, stdin=subprocess.DEVNULL,

@@ -123,9 +123,9 @@ int main(void)
     struct run heavy;
     struct run light;
     struct profile_clock chosen;
-    struct least alone = { INFINITY, INFINITY };
+    struct least alone = { (double)INFINITY, (double)INFINITY };
     struct least times[RG_CLOCK_COUNT] = { alone, alone, alone, alone };
-    double off = INFINITY;
+    double off = (double)INFINITY;
     if (gpu_create(&gpu, &(struct gpu_params){ 0 }) != STATUS_OK ||
         clock_test_run(&gpu, &chosen) != STATUS_OK)
         return EXIT_FAILURE;
