@@ -133,7 +133,10 @@ void *__wrap_realloc(void *memory, size_t size)
     { \
         return is_due(&vulkan_calls) ? VK_ERROR_TOO_MANY_OBJECTS : real_##name arguments; \
     }
+/* as many parameters as Vulkan's have NOLINTBEGIN(readability-function-size) */
 FALLIBLE(FALLIBLE_FUNCTION)
+
+/* NOLINTEND(readability-function-size) */
 
 /* The `failing`th call from now on fails, until let_succeed(); of executors made in between. */
 static void let_fail(uint32_t failing)

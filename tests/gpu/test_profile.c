@@ -132,14 +132,14 @@ static void check_frame(const struct profile *p)
     const struct profile_row *back = find_row(p, "ice_normal.back");
     assert_string_equal(screen->technique, "tonemap");
     assert_int_equal(screen->kind, PROFILE_RASTER);
-    assert_int_equal(screen->covered, SIDE * SIDE);
+    assert_int_equal(screen->covered, (size_t)SIDE * SIDE);
     assert_int_equal(screen->triangles, 1);
     assert_int_equal(screen->target_bytes, 4 * (size_t)SIDE * SIDE);
     assert_int_equal(screen->width, SIDE);
     assert_int_equal(sky->repetition_count, 6);
     assert_int_equal(sky[1].repetition, 1);
     assert_int_equal(back->triangles, 960);
-    assert_true(back->covered > 0 && back->covered < SIDE * SIDE);
+    assert_true(back->covered > 0 && back->covered < (size_t)SIDE * SIDE);
     assert_int_equal(p->rows[p->row_count - 1].kind, PROFILE_REST);
     for (uint32_t i = 0; i < p->resident_count; i++) {
         assert_true(p->residents[i].first_pass <= p->residents[i].last_pass);
