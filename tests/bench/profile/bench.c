@@ -18,9 +18,9 @@
 
 enum {
     SIDE = 512,
-    HEAVY_ROUNDS = 480,
-    LIGHT_ROUNDS = 60,
-    ROUNDS = 20,
+    HEAVY_ROUNDS = 240,
+    LIGHT_ROUNDS = 30,
+    ROUNDS = 120,
 };
 
 static const struct rg_image heavy_image = {
