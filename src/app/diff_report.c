@@ -74,16 +74,19 @@ static void print_number(double number, FILE *out)
 
 static void print_metrics(const struct diff_report *report, FILE *out)
 {
-    double rmse, relmse;
+    double rmse, relmse, mae;
     if (!comparison_metric(report->comparison, COMPARISON_RMSE, &rmse) ||
-        !comparison_metric(report->comparison, COMPARISON_RELMSE, &relmse))
+        !comparison_metric(report->comparison, COMPARISON_RELMSE, &relmse) ||
+        !comparison_metric(report->comparison, COMPARISON_MAE, &mae))
         return;
     print_flip(report, out);
     fputs("RMSE       ", out);
     print_number(rmse, out);
     fputs("linear\nrelMSE     ", out);
     print_number(relmse, out);
-    fputs("linear\n\n", out);
+    fputs("linear\nMAE        ", out);
+    print_number(mae, out);
+    fputs("linear, clipped to 0 and 1\n\n", out);
 }
 
 static void print_layers(const struct comparison *c, FILE *out)
@@ -182,9 +185,10 @@ static bool put_beauty(json_t *json, const struct diff_report *report)
 {
     const struct comparison *c = report->comparison;
     const struct app_diff *o = &report->options->diff;
-    double rmse, relmse;
+    double rmse, relmse, mae;
     if (!comparison_metric(c, COMPARISON_RMSE, &rmse) ||
-        !comparison_metric(c, COMPARISON_RELMSE, &relmse))
+        !comparison_metric(c, COMPARISON_RELMSE, &relmse) ||
+        !comparison_metric(c, COMPARISON_MAE, &mae))
         return true;
     json_t *flip = json_object();
     bool ok = put(json, "flip", flip) && put(flip, "mean", make_number(c->flip)) &&
@@ -197,7 +201,8 @@ static bool put_beauty(json_t *json, const struct diff_report *report)
              put(flip, "exposures", make_count(c->exposures.count));
     else
         ok = ok && put(flip, "exposure", make_number((double)o->exposure));
-    return ok && put(json, "rmse", make_number(rmse)) && put(json, "relmse", make_number(relmse));
+    return ok && put(json, "rmse", make_number(rmse)) && put(json, "relmse", make_number(relmse)) &&
+           put(json, "mae", make_number(mae));
 }
 
 static bool put_layers(json_t *json, const struct comparison *c)

@@ -70,5 +70,5 @@ enum status option_fail_above(struct app_options *o, const char *value)
         return STATUS_OK;
     }
     return option_refuse("fail-above", value,
-                         "flip, rmse, relmse or angle, = and a number from 0 up are wanted");
+                         "flip, rmse, relmse, mae or angle, = and a number from 0 up are wanted");
 }

@@ -343,7 +343,7 @@ static const struct option options[] = {
     { "Result", "output", 'o', "FILE", APP_DIFF, option_error_picture,
       "write the errors: FILE.png in colours, FILE.exr as numbers; may be repeated" },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, option_fail_above,
-      "exit code 1 if flip, rmse, relmse or angle (degrees) is above; may be repeated" },
+      "exit code 1 if flip, rmse, relmse, mae, angle (degrees) is above; may be repeated" },
     { "Format", "dot", 0, NULL, APP_GRAPH, set_dot, "print a Graphviz digraph, not text" },
     { "Format", "html", 0, NULL, APP_GRAPH, set_html, "print a page that shows passes and memory" },
     { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF, set_json, "print JSON, with everything" },

@@ -9,10 +9,8 @@ static const char beauty[] = "beauty";
 static const char *const beauty_planes[3] = { "R", "G", "B" };
 
 const char *const comparison_metric_names[COMPARISON_METRIC_COUNT] = {
-    [COMPARISON_FLIP] = "flip",
-    [COMPARISON_RMSE] = "rmse",
-    [COMPARISON_RELMSE] = "relmse",
-    [COMPARISON_ANGLE] = "angle",
+    [COMPARISON_FLIP] = "flip", [COMPARISON_RMSE] = "rmse",   [COMPARISON_RELMSE] = "relmse",
+    [COMPARISON_MAE] = "mae",   [COMPARISON_ANGLE] = "angle",
 };
 
 static size_t pixel_count(const struct comparison_params *params)
@@ -200,6 +198,7 @@ const struct comparison_layer *comparison_metric(const struct comparison *c,
             [COMPARISON_FLIP] = c->flip,
             [COMPARISON_RMSE] = difference_rmse(&layer->difference),
             [COMPARISON_RELMSE] = difference_relmse(&layer->difference),
+            [COMPARISON_MAE] = difference_mae(&layer->difference),
             [COMPARISON_ANGLE] = c->angle.mean,
         };
         *value = values[metric];

@@ -32,6 +32,7 @@ enum comparison_metric {
     COMPARISON_FLIP,   /* mean, of beauty */
     COMPARISON_RMSE,   /* of beauty, as is */
     COMPARISON_RELMSE, /* this */
+    COMPARISON_MAE,    /* and this, clipped to 0 and 1 */
     COMPARISON_ANGLE,  /* mean of exit, degrees */
     COMPARISON_METRIC_COUNT,
 };

@@ -2,6 +2,11 @@
 #include "src/metric/difference.h"
 #include <math.h>
 
+static double clip(double value)
+{
+    return fmin(fmax(value, 0.0), 1.0);
+}
+
 void difference_add(struct difference *difference, const float *reference, const float *test,
                     const bool *counted, size_t count)
 {
@@ -14,6 +19,7 @@ void difference_add(struct difference *difference, const float *reference, const
             continue;
         }
         const double square = (t - r) * (t - r);
+        difference->absolutes += fabs(clip(t) - clip(r));
         difference->squares += square;
         difference->relative_squares += square / (r * r + 0.01);
         difference->largest = fmax(difference->largest, fabs(t - r));
@@ -24,6 +30,11 @@ void difference_add(struct difference *difference, const float *reference, const
 double difference_rmse(const struct difference *difference)
 {
     return difference->count ? sqrt(difference->squares / (double)difference->count) : (double)NAN;
+}
+
+double difference_mae(const struct difference *difference)
+{
+    return difference->count ? difference->absolutes / (double)difference->count : (double)NAN;
 }
 
 double difference_relmse(const struct difference *difference)

@@ -8,6 +8,7 @@
 
 /* Sums over the planes that were added, {0} at first. */
 struct difference {
+    double absolutes; /* of values clipped to 0 and 1 */
     double squares, relative_squares;
     double largest;      /* |test - reference| */
     uint64_t count;      /* values in the sums */
@@ -20,6 +21,9 @@ void difference_add(struct difference *difference, const float *reference, const
 
 /* Root of the mean square; NaN where nothing counts, as below. */
 double difference_rmse(const struct difference *difference);
+
+/* Mean of |test - reference|, both clipped to what a display shows: 0 to 1. */
+double difference_mae(const struct difference *difference);
 
 /* mean((test - reference)^2 / (reference^2 + 0.01)) */
 double difference_relmse(const struct difference *difference);

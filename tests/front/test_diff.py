@@ -127,6 +127,7 @@ class Numbers(Diff):
         said = self.diff(a, b)
         self.near(said['rmse'], math.sqrt(0.36 / 12), 1e-7)
         self.near(said['relmse'], 0.36 / 0.26 / 12, 1e-7)
+        self.near(said['mae'], 0.5 / 12, 1e-12)  # 1.1 is shown as 1
         layers = {layer['name']: layer for layer in said['layers']}
         self.assertEqual(list(layers), ['beauty', 'Z', 'x'])
         self.near(layers['beauty']['largest'], 0.6, 1e-6)
@@ -163,7 +164,7 @@ class Numbers(Diff):
         a = self.rgb('a.exr', 4, 3, [(i, 0.25, 0) for i in range(12)],
                      **{f'exit.{c}': [c == 'Z'] * 12 for c in 'XYZ'})
         said = self.diff(a, a, *(f'--fail-above={name}=0' for name in
-                                 ('flip', 'rmse', 'relmse', 'angle')))
+                                 ('flip', 'rmse', 'relmse', 'mae', 'angle')))
         self.assertEqual((said['flip']['mean'], said['rmse'], said['relmse']), (0, 0, 0))
         self.assertEqual(said['exit']['largest'], 0)
         self.assertEqual(said['failed'], [])
@@ -315,7 +316,7 @@ class Results(Diff):
         self.assertEqual((layers['Z']['not_finite'], layers['Z']['rmse']), (9, None))
         self.assertGreaterEqual(said['flip']['mean'], 1 / 9)
         self.assertRegex(self.succeed('diff', a, b).stdout.decode(), r'(?m)^Z +- +- +9$')
-        for limit in ('flip=1', 'rmse=9', 'relmse=9'):
+        for limit in ('flip=1', 'rmse=9', 'relmse=9', 'mae=9'):
             done = self.firn('diff', a, b, '--fail-above', limit)
             self.assertEqual(done.returncode, FAILED)
             self.assertIn('2 values of beauty are not finite', done.stderr.decode())
