@@ -9,15 +9,15 @@ XDND = pathlib.Path(__file__).with_name('xdnd.py')
 PATIENCE = 120  # seconds until something that should happen is taken for missing
 
 
-def wait_until(what, happens):
-    """The first true value of happens()."""
+def wait_until(what, happens, words=lambda: ''):
+    """The first true value of happens(). A failure quotes words()."""
     end = time.monotonic() + PATIENCE
     while time.monotonic() < end:
         value = happens()
         if value:
             return value
         time.sleep(0.05)
-    raise AssertionError(f'{what}: not after {PATIENCE} seconds')
+    raise AssertionError(f'{what}: not after {PATIENCE} seconds\n{words()}')
 
 
 class Desktop:

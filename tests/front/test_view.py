@@ -76,7 +76,11 @@ class WindowCase(Case):
         """Presses the key; what it writes."""
         paths = [self.folder / f'firn-{number:04}.{kind}' for kind in ('png', 'exr')]
         self.press(window, 'p')
-        wait_until(f'screenshot {number}', lambda: all(path.exists() for path in paths))
+
+        def look():
+            self.assertIsNone(self.process.poll(), self.words())
+            return all(path.exists() for path in paths)
+        wait_until(f'screenshot {number}', look, self.words)
         return paths[0]
 
     def close(self, window):
