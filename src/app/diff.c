@@ -5,9 +5,9 @@
 #include <string.h>
 #include "src/app/app.h"
 #include "src/app/diff_report.h"
+#include "src/app/input.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
-#include "src/image/hdr.h"
 #include "src/image/png.h"
 #include "src/log.h"
 #include "src/metric/heat.h"
@@ -29,75 +29,30 @@ static enum status out_of_memory(void)
 
 /* ---- pictures ---- */
 
-static bool ends_in(const char *path, const char *ending)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && !strcmp(dot, ending);
-}
-
-static enum status read_picture(const char *path, struct image *image)
-{
-    if (ends_in(path, ".exr"))
-        return exr_read(path, image);
-    if (ends_in(path, ".hdr"))
-        return hdr_read(path, image);
-    if (ends_in(path, ".png"))
-        return png_read(path, image);
-    log_error("%s: a name that ends in .exr, .hdr or .png is wanted", path);
-    return STATUS_USAGE;
-}
-
 static enum status check_size(const struct job *job, const struct image *other, const char *path)
 {
-    const struct image *r = &job->reference;
-    if (other->width == r->width && other->height == r->height)
-        return STATUS_OK;
-    log_error("%s has %u x %u pixels, %s %u x %u: they must have the same size", path, other->width,
-              other->height, job->options->positionals[0], r->width, r->height);
-    return STATUS_DATA;
+    return input_check_size(&job->reference, job->options->positionals[0], other, path);
 }
 
 static enum status read_pictures(struct job *job)
 {
     const char *const *paths = job->options->positionals;
-    enum status status = read_picture(paths[0], &job->reference);
+    enum status status = input_read(paths[0], &job->reference);
     if (status == STATUS_OK)
-        status = read_picture(paths[1], &job->test);
+        status = input_read(paths[1], &job->test);
     return status == STATUS_OK ? check_size(job, &job->test, paths[1]) : status;
-}
-
-static enum status fill_mask(struct job *job, const struct image *image)
-{
-    const struct app_diff *o = &job->options->diff;
-    const char *channel = o->mask_channel ? o->mask_channel : "A";
-    const float *values = image_find(image, channel);
-    const size_t count = (size_t)image->width * image->height;
-    bool any = false;
-    if (!values) {
-        log_error("%s: has no channel %s (--mask-channel names another)", o->mask, channel);
-        return STATUS_DATA;
-    }
-    job->counted = malloc(count * sizeof(*job->counted));
-    if (!job->counted)
-        return out_of_memory();
-    for (size_t i = 0; i < count; i++) {
-        job->counted[i] = values[i] > 0.0f;
-        any = any || job->counted[i];
-    }
-    if (any)
-        return STATUS_OK;
-    log_error("%s: channel %s is above 0 nowhere, so that no pixel counts", o->mask, channel);
-    return STATUS_DATA;
 }
 
 static enum status read_mask(struct job *job)
 {
+    const struct app_diff *o = &job->options->diff;
     struct image image = { 0 };
-    enum status status = read_picture(job->options->diff.mask, &image);
+    enum status status = input_read(o->mask, &image);
     if (status == STATUS_OK)
-        status = check_size(job, &image, job->options->diff.mask);
+        status = check_size(job, &image, o->mask);
     if (status == STATUS_OK)
-        status = fill_mask(job, &image);
+        status = input_make_mask(&image, o->mask, o->mask_channel ? o->mask_channel : "A",
+                                 &job->counted);
     image_finish(&image);
     return status;
 }
@@ -113,8 +68,8 @@ static enum status check_options(struct job *job)
         log_error("two pictures are wanted: firn diff REFERENCE TEST (see --help)");
         return status;
     }
-    job->is_display = ends_in(paths[0], ".png");
-    if (job->is_display != ends_in(paths[1], ".png"))
+    job->is_display = input_ends_in(paths[0], ".png");
+    if (job->is_display != input_ends_in(paths[1], ".png"))
         log_error("%s and %s: a PNG picture is for the eye and can be compared with no other kind",
                   paths[0], paths[1]);
     else if (job->is_display && o->diff.has_exposure)
@@ -147,7 +102,7 @@ static enum status check_layers(const struct job *job)
         return STATUS_DATA;
     }
     for (uint32_t i = 0; i < o->output_count; i++) {
-        if (c->has_beauty || (c->has_exit && ends_in(o->outputs[i], ".exr")))
+        if (c->has_beauty || (c->has_exit && input_ends_in(o->outputs[i], ".exr")))
             continue;
         log_error("%s: there is no error to show, the pictures do not both have R, G and B",
                   o->outputs[i]);
@@ -221,7 +176,7 @@ static enum status write_errors(const struct job *job, const char *path)
     void *data = NULL;
     size_t size;
     enum status status =
-        ends_in(path, ".png") ? encode_png(job, &data, &size) : encode_exr(job, &data, &size);
+        input_ends_in(path, ".png") ? encode_png(job, &data, &size) : encode_exr(job, &data, &size);
     if (status == STATUS_OK)
         status = file_write(path, data, size);
     free(data);

@@ -1,0 +1,61 @@
+/* input.c: pictures and masks that options name. */
+#include "src/app/input.h"
+#include <stdlib.h>
+#include <string.h>
+#include "src/image/exr.h"
+#include "src/image/hdr.h"
+#include "src/image/png.h"
+#include "src/log.h"
+
+bool input_ends_in(const char *path, const char *ending)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && !strcmp(dot, ending);
+}
+
+enum status input_read(const char *path, struct image *image)
+{
+    if (input_ends_in(path, ".exr"))
+        return exr_read(path, image);
+    if (input_ends_in(path, ".hdr"))
+        return hdr_read(path, image);
+    if (input_ends_in(path, ".png"))
+        return png_read(path, image);
+    log_error("%s: a name that ends in .exr, .hdr or .png is wanted", path);
+    return STATUS_USAGE;
+}
+
+enum status input_check_size(const struct image *image, const char *path, const struct image *other,
+                             const char *other_path)
+{
+    if (other->width == image->width && other->height == image->height)
+        return STATUS_OK;
+    log_error("%s has %u x %u pixels, %s %u x %u: they must have the same size", other_path,
+              other->width, other->height, path, image->width, image->height);
+    return STATUS_DATA;
+}
+
+enum status input_make_mask(const struct image *image, const char *path, const char *channel,
+                            bool **counted)
+{
+    const float *values = image_find(image, channel);
+    const size_t count = (size_t)image->width * image->height;
+    bool any = false;
+    if (!values) {
+        log_error("%s: has no channel %s (--mask-channel names another)", path, channel);
+        return STATUS_DATA;
+    }
+    *counted = malloc(count * sizeof(**counted));
+    if (!*counted) {
+        log_error("out of memory");
+        return STATUS_TRY_AGAIN;
+    }
+    for (size_t i = 0; i < count; i++) {
+        (*counted)[i] = values[i] > 0.0f;
+        any = any || (*counted)[i];
+    }
+    if (any)
+        return STATUS_OK;
+    log_error("%s: channel %s is above 0 nowhere, so that no pixel counts", path, channel);
+    return STATUS_DATA;
+}
