@@ -34,5 +34,5 @@ void main()
         vec3 n = normalize(normal);
         albedo *= sky_light(dot(n, eye_to_point) > 0.0 ? -n : n);
     }
-    color = vec4(albedo, 1.0);
+    color = vec4(albedo, push.inverse != 0u ? 1.0 / length(eye_to_point) : 1.0);
 }

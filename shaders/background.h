@@ -14,6 +14,7 @@ struct background_push {
     vec3s right;           /* from the middle of the picture to its right edge, at distance 1 */
     vec3s up;              /* to its upper edge */
     vec3s forward;         /* to its middle */
+    uint32_t inverse;      /* 1: alpha is 1 / distance from the eye, 1 / metre; 0: alpha is 1 */
 };
 
 #endif

@@ -34,5 +34,5 @@ vec3 radiance(vec3 dir, float lod)
 
 void main()
 {
-    color = vec4(radiance(normalize(dir), push.environment_lod), 1.0);
+    color = vec4(radiance(normalize(dir), push.environment_lod), push.inverse != 0u ? 0.0 : 1.0);
 }

@@ -17,21 +17,26 @@ struct globals {
     mat4s world_from_movers;           /* turns what moves around it */
     vec4s lights[GLOBALS_LIGHT_COUNT]; /* world position, metres; w: strength of its highlight */
     vec3s eye;                         /* of the view, world, metres */
-    float eta;                         /* refractive index outside / inside */
+    float eta;                         /* refractive index outside / inside, for green */
     vec3s forward;                     /* of the view, unit */
     uint32_t background_kind;          /* GLOBALS_SKY ... */
     vec3s background_color;            /* linear radiance */
     float sky_strength;                /* factor on the procedural sky and its light */
     vec3s sun_dir;                     /* unit, towards the sun */
-    float sun_strength;   /* irradiance of the sun, square to it, in units of the sky's */
-    vec3s center;         /* of the object's bounding sphere, world, metres */
-    float radius;         /* of it, metres */
-    uint32_t light_count; /* of lights */
-    vec2s fitted;         /* near and far plane of fitted_clip_from_world, metres */
-    float time;           /* seconds */
-    float bump_strength;  /* factor on the slopes of the ice's bump map */
-    float bump_scale;     /* tiles of it a metre, or a unit of uv */
-    uint32_t bump_uv;     /* 1: it lies by uv; 0: along three planes */
+    float sun_strength;       /* irradiance of the sun, square to it, in units of the sky's */
+    vec3s center;             /* of the object's bounding sphere, world, metres */
+    float radius;             /* of it, metres */
+    uint32_t light_count;     /* of lights */
+    vec2s fitted;             /* near and far plane of fitted_clip_from_world, metres */
+    float time;               /* seconds */
+    float bump_strength;      /* factor on the slopes of the ice's bump map */
+    float bump_scale;         /* tiles of it a metre, or a unit of uv */
+    uint32_t bump_uv;         /* 1: it lies by uv; 0: along three planes */
+    vec3s etas;               /* as eta, for red, green, blue */
+    vec3s absorb;             /* how fast the object takes them, 1 / metre */
+    uint32_t refract_fresnel; /* REFRACT_FRESNEL_PAPER ... */
+    float refract_crossfade;  /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
+    uint32_t refract_steps; /* in which a ray outside is followed; 0: its direction alone counts */
 };
 
 #endif

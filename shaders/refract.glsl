@@ -1,27 +1,107 @@
-/* refract.glsl: what the rungs' fragment shaders share: environment, results. */
+/*
+ * refract.glsl: what the rungs' fragment shaders share; with REFRACT_LAYERS they write layers, else
+ * the picture (SN eq. 6).
+ *
+ * A rung is refract_follow(): the way of light through the ice. The rest is here: what it sees
+ * where it leaves, what the ice has absorbed, colours that bend differently, what is reflected.
+ */
 #ifndef REFRACT_GLSL
 #define REFRACT_GLSL
 #include "lib/optics.glsl"
+#include "refract_environment.glsl"
 #include "refract_front.glsl"
 
-layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube;
+/* Light through the ice, against its direction: from the eye to where it leaves. */
+struct refract_way {
+    vec3 dir;      /* in which it leaves */
+    vec3 point;    /* from where, world */
+    float path;    /* inside, metres; 0 where a rung knows no back */
+    float bounces; /* how often it is totally reflected inside */
+    float tir;     /* 1 if so at the first surface that it meets inside, else 0 */
+};
 
 struct refract_result {
-    vec3 exit;       /* direction in which refracted light leaves: indexes the environment */
-    vec3 refraction; /* radiance from there */
+    refract_way way;
+    vec3 refraction; /* radiance by refraction */
     vec3 reflection; /* radiance along the reflected direction */
     float fresnel;   /* share of the reflection */
 };
 
-/* Looks both directions up; the front normal alone reflects (eq. 3). */
-refract_result refract_lookup(vec3 e, vec3 n_f, vec3 exit)
+/* The rung's. `channel` is that of the colour: its index is frame.etas[channel]. */
+refract_way refract_follow(vec3 e, vec3 n_f, int channel);
+
+vec3 refract_front_point()
 {
+    return frame.eye + eye_to_point;
+}
+
+/* One bend at the front, and straight on from there. */
+refract_way refract_leave_at_front(vec3 dir)
+{
+    return refract_way(dir, refract_front_point(), 0.0, 0.0, 0.0);
+}
+
+vec3 refract_transmitted(refract_way way)
+{
+    return refract_environment(way.point, way.dir) * exp(-frame.absorb * way.path);
+}
+
+float refract_share(vec3 e, vec3 n_f)
+{
+    if (frame.refract_fresnel == REFRACT_FRESNEL_EXACT)
+        return optics_fresnel(e, n_f, frame.eta);
+    if (frame.refract_fresnel == REFRACT_FRESNEL_CROSSFADE)
+        return 1.0 - frame.refract_crossfade;
+    return clamp(fresnel_paper, 0.0, 1.0);
+}
+
+/* Green first: its way is that of the layers. */
+refract_result refract_shade()
+{
+    vec3 e = normalize(eye_to_point);
+    vec3 n_f = refract_front_normal();
     refract_result r;
-    r.exit = exit;
-    r.refraction = texture(env_cube, exit).rgb;
-    r.reflection = texture(env_cube, optics_reflect(e, n_f)).rgb;
-    r.fresnel = clamp(fresnel_paper, 0.0, 1.0);
+    int count = frame.etas.r == frame.etas.b ? 1 : 3;
+    for (int i = 0; i < count; i++) {
+        int channel = (i + 1) % 3;
+        refract_way way = refract_follow(e, n_f, channel);
+        vec3 seen = refract_transmitted(way);
+        if (i == 0) {
+            r.way = way;
+            r.refraction = seen;
+        } else {
+            r.refraction[channel] = seen[channel];
+        }
+    }
+    r.reflection = refract_environment(refract_front_point(), optics_reflect(e, n_f));
+    r.fresnel = refract_share(e, n_f);
     return r;
 }
+
+#ifdef REFRACT_LAYERS
+layout(location = REFRACT_OUT_EXIT) out vec4 out_exit;
+layout(location = REFRACT_OUT_REFRACTION) out vec4 out_refraction;
+layout(location = REFRACT_OUT_REFLECTION) out vec4 out_reflection;
+layout(location = REFRACT_OUT_FRESNEL) out float out_fresnel;
+layout(location = REFRACT_OUT_WAY) out vec4 out_way;
+
+void main()
+{
+    refract_result r = refract_shade();
+    out_exit = vec4(normalize(r.way.dir), 0.0);
+    out_refraction = vec4(r.refraction, 0.0);
+    out_reflection = vec4(r.reflection, 0.0);
+    out_fresnel = r.fresnel;
+    out_way = vec4(r.way.path, r.way.bounces, r.way.tir, 0.0);
+}
+#else
+layout(location = 0) out vec4 color;
+
+void main()
+{
+    refract_result r = refract_shade();
+    color = vec4(optics_compose(r.reflection, r.refraction, r.fresnel), 1.0);
+}
+#endif
 
 #endif

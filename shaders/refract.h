@@ -18,5 +18,11 @@
 #define REFRACT_OUT_REFRACTION 1
 #define REFRACT_OUT_REFLECTION 2
 #define REFRACT_OUT_FRESNEL    3
+#define REFRACT_OUT_WAY        4
+
+/* globals.refract_fresnel */
+#define REFRACT_FRESNEL_PAPER     0 /* eq. 4, at the vertices */
+#define REFRACT_FRESNEL_EXACT     1 /* Fresnel's equations, in each pixel */
+#define REFRACT_FRESNEL_CROSSFADE 2 /* one share for all */
 
 #endif

@@ -1,5 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "refract_one_sided.glsl"
+#include "refract.glsl"
 
-#include "refract_color.glsl"
+refract_way refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    return refract_leave_at_front(optics_refract(e, n_f, frame.etas[channel]));
+}

@@ -60,6 +60,7 @@ struct background_push frame_view_face(const struct frame_view *view, uint32_t f
         .right = basis.right,
         .up = basis.up,
         .forward = basis.forward,
+        .inverse = 1,
     };
 }
 
@@ -116,6 +117,21 @@ static void place_bumps(const struct frame_view *view, struct globals *g)
     g->bump_scale = g->bump_uv ? bump->scale : bump->scale / fmaxf(2.0f * g->radius, 1e-6f);
 }
 
+/* KHR_materials_dispersion: red has the index n - h, blue n + h, h = (n - 1) 0.025 dispersion. */
+static void place_refraction(const struct frame_view *view, struct globals *g)
+{
+    const struct refract_params *refract = settings_of(view->settings, &refract_settings);
+    const struct absorb_params *absorb = settings_of(view->settings, &absorb_settings);
+    float half = (refract->ior - 1.0f) * 0.025f * refract->dispersion;
+    g->eta = REFRACT_IOR_AIR / refract->ior;
+    g->etas = (vec3s){ { REFRACT_IOR_AIR / (refract->ior - half), g->eta,
+                         REFRACT_IOR_AIR / (refract->ior + half) } };
+    g->absorb = (vec3s){ { absorb->red, absorb->green, absorb->blue } };
+    g->refract_fresnel = refract->fresnel;
+    g->refract_crossfade = refract->crossfade;
+    g->refract_steps = refract->lookup == REFRACT_LOOKUP_DISTANCE ? refract->steps : 0;
+}
+
 struct globals frame_view_globals(const struct frame_view *view, const struct background_push *push)
 {
     static const uint32_t kinds[] = {
@@ -124,7 +140,6 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         [SCENE_ENVIRONMENT] = GLOBALS_ENVIRONMENT,
     };
     const struct sky_params *sky = settings_of(view->settings, &sky_settings);
-    const struct refract_params *refract = settings_of(view->settings, &refract_settings);
     const struct motion_params *motion = settings_of(view->settings, &motion_settings);
     vec3s center = box_center(view->scene->box);
     struct globals g = {
@@ -132,7 +147,6 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .world_from_object = turned(center, radians(motion->ice * view->time)),
         .world_from_movers = turned(center, radians(motion->objects * view->time)),
         .eye = view->camera.eye,
-        .eta = REFRACT_IOR_AIR / refract->ior,
         .forward = camera_basis(&view->camera).forward,
         .background_kind = kinds[view->scene->background],
         .background_color = view->scene->background_color,
@@ -147,6 +161,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
                                               fmaxf(g.radius, 1e-6f), &g.fitted);
     place_lights(view, &g);
     place_bumps(view, &g);
+    place_refraction(view, &g);
     return g;
 }
 

@@ -122,3 +122,19 @@ static const struct setting light_rows[] = {
 };
 
 const struct setting_group light_settings = SETTING_GROUP("light", light_rows, struct light_params);
+
+#define ABSORB(field) \
+    { \
+        .name = "absorb." #field, .type = SETTING_FLOAT, \
+        .offset = offsetof(struct absorb_params, field), .max = 1e4, .unit = "1/metre", \
+        .help = "how fast the object takes " #field " light" \
+    }
+
+static const struct setting absorb_rows[] = {
+    ABSORB(red),
+    ABSORB(green),
+    ABSORB(blue),
+};
+
+const struct setting_group absorb_settings =
+    SETTING_GROUP("absorb", absorb_rows, struct absorb_params);

@@ -37,7 +37,12 @@ struct light_params {
     float distance;  /* from the object's centre, in its bounding sphere's radii */
 };
 
+/* What the object takes of light that passes it, by Beer and Lambert: exp(-absorb * length). */
+struct absorb_params {
+    float red, green, blue; /* 1 / metre */
+};
+
 extern const struct setting_group object_settings, landscape_settings, sky_settings,
-    motion_settings, light_settings;
+    motion_settings, light_settings, absorb_settings;
 
 #endif

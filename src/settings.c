@@ -20,23 +20,12 @@
 #include "src/tech/tonemap.h"
 
 const struct setting_group *const setting_groups[] = {
-    &object_settings,
-    &landscape_settings,
-    &sky_settings,
-    &motion_settings,
-    &light_settings,
-    &env_cube_settings,
-    &refract_settings,
-    &refract_paper_settings,
-    &air_settings,
-    &bubbles_settings,
-    &cracks_settings,
-    &ice_interval_settings,
-    &bump_settings,
-    &surface_settings,
-    &frost_settings,
-    &tonemap_settings,
-    NULL,
+    &object_settings,       &landscape_settings,     &sky_settings,
+    &motion_settings,       &light_settings,         &env_cube_settings,
+    &refract_settings,      &refract_paper_settings, &absorb_settings,
+    &air_settings,          &bubbles_settings,       &cracks_settings,
+    &ice_interval_settings, &bump_settings,          &surface_settings,
+    &frost_settings,        &tonemap_settings,       NULL,
 };
 
 /* Where a group's struct begins; groups lie one after another, 16 bytes aligned. */

@@ -3,9 +3,12 @@
  *
  * Seipel and Nivfors 2006, section 3.2: the entire scene without the ice, rendered six times with
  * a field of view of 90 degrees from the centre of the ice object, 512 x 512 texels a face.
- * Faces in Vulkan's order and orientation, which is left-handed: nothing here culls by winding.
+ * Alpha is 1 / distance from there, 0 where only the sky is seen: by it rungs follow a ray to what
+ * is near. Faces in Vulkan's order and orientation, which is left-handed: nothing here culls by
+ * winding.
  *
- * Limits: what lies near the object is seen from its centre, not from where light leaves it.
+ * Limits: what lies near the object is seen from its centre, not from where light leaves it, unless
+ * refract.lookup is distance; and then, too, what other things hide from the centre is not there.
  */
 #include "src/tech/env_cube.h"
 #include "shaders/embedded.h"

@@ -3,7 +3,7 @@
 #define TECH_ENV_CUBE_H
 #include "src/technique.h"
 
-extern const struct rg_image env_cube_color; /* linear radiance */
+extern const struct rg_image env_cube_color; /* linear radiance; a: 1 / distance, 1 / metre */
 extern const struct technique env_cube;
 extern const struct setting_group env_cube_settings;
 

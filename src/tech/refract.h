@@ -10,18 +10,32 @@
 #include "shaders/refract.h"
 #include "src/tech/background.h"
 #include "src/tech/env_cube.h"
+#include "src/tech/ice_normal.h"
 #include "src/technique.h"
 
-/* On the ice's front faces; 0 elsewhere. */
+/* On the ice's front faces; 0 elsewhere. With dispersion, exit and way are those of green. */
 extern const struct rg_image refract_exit;       /* unit direction in which light leaves */
 extern const struct rg_image refract_refraction; /* linear radiance from there */
 extern const struct rg_image refract_reflection; /* linear radiance by reflection */
 extern const struct rg_image refract_fresnel;    /* share of the reflection */
+/* x: how far light goes inside, metres, 0 where the rung does not know; y: how often it is totally
+ * reflected there; z: 1 if so where it first could leave, else 0 */
+extern const struct rg_image refract_way;
 
 extern const struct setting_group refract_settings;
 
 struct refract_params {
-    float ior; /* refractive index of the object */
+    float ior;        /* refractive index of the object, for green */
+    float dispersion; /* 20 / Abbe number, as KHR_materials_dispersion has it; 0: none */
+    uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ... */
+    float crossfade;  /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
+    uint32_t lookup;  /* enum refract_lookup */
+    uint32_t steps;   /* of REFRACT_LOOKUP_DISTANCE */
+};
+
+enum refract_lookup {
+    REFRACT_LOOKUP_INFINITE, /* as if the surroundings were infinitely far away */
+    REFRACT_LOOKUP_DISTANCE, /* a ray is followed to where the environment cube shows them */
 };
 
 /* Refractive index of the air around it (Cg Tutorial; Seipel and Nivfors 2006, eq. 2). */
@@ -31,6 +45,13 @@ struct refract_params {
 #define REFRACT_USE_ENV_CUBE \
     { \
         .image = &env_cube_color, .access = RG_SAMPLED, .binding = REFRACT_ENV_CUBE, \
+        .sampler = &frame_linear \
+    }
+
+/* The use of the back faces that a rung may have. */
+#define REFRACT_USE_NORMAL_BACK \
+    { \
+        .image = &ice_normal_back, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_BACK, \
         .sampler = &frame_linear \
     }
 
@@ -59,8 +80,20 @@ struct refract_params {
     .color[REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR }, \
     .color[REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR }, \
     .color[REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR }, \
+    .color[REFRACT_OUT_WAY] = { &refract_way, RG_LOAD_CLEAR }, \
     .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
     .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL
+
+/* The rows of a rung: refract_STEM.frag (or _bump), compiled for both; then what both rows say. */
+#define REFRACT_ROWS(stem, variant, ...) \
+    { .name = "refract_" #stem ".color", \
+      REFRACT_COLOR_TARGETS, \
+      .frag = &refract_##stem##variant##_frag, \
+      __VA_ARGS__ }, \
+    { \
+        .name = "refract_" #stem ".layers", REFRACT_LAYER_TARGETS, \
+        .frag = &refract_##stem##variant##_aov_frag, __VA_ARGS__ \
+    }
 
 /* What lies in or on the ice is drawn over the rung's picture, on the front faces that it drew:
  * premultiplied colour. The vertex shader is refract.vert, or one as precise. */

@@ -26,41 +26,12 @@ static const struct rg_use bumped_uses[] = {
 };
 
 static const struct rg_pass passes[] = {
-    {
-        .name = "refract_one_sided.color",
-        REFRACT_COLOR_TARGETS,
-        .uses = uses,
-        REFRACT_FRONT_FACES,
-        .frag = &refract_one_sided_frag,
-        .record = frame_draw_object,
-    },
-    {
-        .name = "refract_one_sided.layers",
-        REFRACT_LAYER_TARGETS,
-        .uses = uses,
-        REFRACT_FRONT_FACES,
-        .frag = &refract_one_sided_aov_frag,
-        .record = frame_draw_object,
-    },
+    REFRACT_ROWS(one_sided, , REFRACT_FRONT_FACES, .uses = uses, .record = frame_draw_object),
 };
 
 static const struct rg_pass bumped_passes[] = {
-    {
-        .name = "refract_one_sided.color",
-        REFRACT_COLOR_TARGETS,
-        .uses = bumped_uses,
-        REFRACT_BUMPED_FACES,
-        .frag = &refract_one_sided_bump_frag,
-        .record = frame_draw_object,
-    },
-    {
-        .name = "refract_one_sided.layers",
-        REFRACT_LAYER_TARGETS,
-        .uses = bumped_uses,
-        REFRACT_BUMPED_FACES,
-        .frag = &refract_one_sided_bump_aov_frag,
-        .record = frame_draw_object,
-    },
+    REFRACT_ROWS(one_sided, _bump, REFRACT_BUMPED_FACES, .uses = bumped_uses,
+                 .record = frame_draw_object),
 };
 
 const struct technique refract_one_sided = {

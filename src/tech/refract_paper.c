@@ -15,7 +15,6 @@
 #include "shaders/refract_paper.h"
 #include "src/frame.h"
 #include "src/tech/bump.h"
-#include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 
 static rg_record_fn record_object;
@@ -23,58 +22,22 @@ static rg_record_fn record_object;
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     REFRACT_USE_ENV_CUBE,
-    { .image = &ice_normal_back, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_BACK },
+    REFRACT_USE_NORMAL_BACK,
     { 0 },
 };
 
 static const struct rg_use bumped_uses[] = {
-    FRAME_USE_GLOBALS,
-    REFRACT_USE_ENV_CUBE,
-    { .image = &ice_normal_back, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_BACK },
-    BUMP_USE_MAPS,
-    { 0 },
+    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK, BUMP_USE_MAPS, { 0 },
 };
 
 static const struct rg_pass passes[] = {
-    {
-        .name = "refract_paper.color",
-        REFRACT_COLOR_TARGETS,
-        .uses = uses,
-        REFRACT_FRONT_FACES,
-        .frag = &refract_paper_frag,
-        .push_size = sizeof(struct refract_paper_params),
-        .record = record_object,
-    },
-    {
-        .name = "refract_paper.layers",
-        REFRACT_LAYER_TARGETS,
-        .uses = uses,
-        REFRACT_FRONT_FACES,
-        .frag = &refract_paper_aov_frag,
-        .push_size = sizeof(struct refract_paper_params),
-        .record = record_object,
-    },
+    REFRACT_ROWS(paper, , REFRACT_FRONT_FACES, .uses = uses,
+                 .push_size = sizeof(struct refract_paper_params), .record = record_object),
 };
 
 static const struct rg_pass bumped_passes[] = {
-    {
-        .name = "refract_paper.color",
-        REFRACT_COLOR_TARGETS,
-        .uses = bumped_uses,
-        REFRACT_BUMPED_FACES,
-        .frag = &refract_paper_bump_frag,
-        .push_size = sizeof(struct refract_paper_params),
-        .record = record_object,
-    },
-    {
-        .name = "refract_paper.layers",
-        REFRACT_LAYER_TARGETS,
-        .uses = bumped_uses,
-        REFRACT_BUMPED_FACES,
-        .frag = &refract_paper_bump_aov_frag,
-        .push_size = sizeof(struct refract_paper_params),
-        .record = record_object,
-    },
+    REFRACT_ROWS(paper, _bump, REFRACT_BUMPED_FACES, .uses = bumped_uses,
+                 .push_size = sizeof(struct refract_paper_params), .record = record_object),
 };
 
 static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)

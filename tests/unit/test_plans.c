@@ -216,7 +216,7 @@ static void check_surface(const char *const *assignments, bool lights, bool fros
         assert_int_equal(has_pass_of(plan.plan, "surface"), lights);
         assert_int_equal(has_pass_of(plan.plan, "frost"), frost);
         assert_int_equal(count_images(plan.plan, "frost."), frost);
-        assert_int_equal(count_images(plan.plan, "refract."), frost ? 4 : 0);
+        assert_int_equal(count_images(plan.plan, "refract."), frost ? 5 : 0);
         assert_int_equal(count_images(plan.plan, "bump."), maps);
         frame_plan_finish(&plan);
     }

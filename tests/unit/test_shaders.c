@@ -30,7 +30,7 @@ struct field {
 struct shared {
     const char *name;
     size_t size;
-    struct field fields[24];
+    struct field fields[32];
 };
 
 #define FIELD(type, member) \
@@ -54,6 +54,7 @@ static const struct shared shared_structs[] = {
             FIELD(background_push, right),
             FIELD(background_push, up),
             FIELD(background_push, forward),
+            FIELD(background_push, inverse),
         },
     },
     {
@@ -111,6 +112,11 @@ static const struct shared shared_structs[] = {
             FIELD(globals, bump_strength),
             FIELD(globals, bump_scale),
             FIELD(globals, bump_uv),
+            FIELD(globals, etas),
+            FIELD(globals, absorb),
+            FIELD(globals, refract_fresnel),
+            FIELD(globals, refract_crossfade),
+            FIELD(globals, refract_steps),
         },
     },
     { "present_push", sizeof(struct present_push), { FIELD(present_push, encodes) } },

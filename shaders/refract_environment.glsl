@@ -1,0 +1,41 @@
+/*
+ * refract_environment.glsl: what is seen from a point near the ice in a direction.
+ *
+ * The cube was drawn from the ice's centre. Without steps only the direction counts, as if all lay
+ * infinitely far away. With steps a ray is followed in the distances that the cube holds: each step
+ * takes what the cube shows there for a sphere around its centre, and meets it (after Szirmay-Kalos
+ * and others 2005, Approximate Ray-Tracing on the GPU with Distance Impostors). Wrong where one
+ * thing hides another from the centre only.
+ */
+#ifndef REFRACT_ENVIRONMENT_GLSL
+#define REFRACT_ENVIRONMENT_GLSL
+#include "lib/globals.glsl"
+#include "refract.h"
+
+layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
+
+/* Where, from the cube's centre, a ray looks it up. */
+vec3 refract_cube_dir(vec3 point, vec3 dir)
+{
+    vec3 from_center = point - frame.center;
+    float middle = dot(from_center, dir);
+    float room = dot(from_center, from_center) - middle * middle;
+    vec3 found = dir;
+    for (uint i = 0u; i < frame.refract_steps; i++) {
+        float near = texture(env_cube, found).a;
+        float reach = 1.0 / max(near, 1e-6);
+        float t = sqrt(max(reach * reach - room, 0.0)) - middle;
+        found = from_center + max(t, 0.0) * dir;
+    }
+    return found;
+}
+
+vec3 refract_environment(vec3 point, vec3 dir)
+{
+    vec3 found = dir;
+    if (frame.refract_steps > 0u)
+        found = refract_cube_dir(point, normalize(dir));
+    return texture(env_cube, found).rgb;
+}
+
+#endif

@@ -1,5 +1,0 @@
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#include "refract_paper.glsl"
-
-#include "refract_aov.glsl"
