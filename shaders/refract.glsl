@@ -30,9 +30,28 @@ struct refract_result {
 /* The rung's. `channel` is that of the colour: its index is frame.etas[channel]. */
 refract_way refract_follow(vec3 e, vec3 n_f, int channel);
 
+#ifdef REFRACT_PER_VERTEX
+layout(location = REFRACT_REFLECTED) in vec3 reflected;
+#endif
+
+vec3 refract_mirrored(vec3 e, vec3 n_f)
+{
+#ifdef REFRACT_PER_VERTEX
+    return reflected;
+#else
+    return optics_reflect(e, n_f);
+#endif
+}
+
 vec3 refract_front_point()
 {
     return frame.eye + eye_to_point;
+}
+
+/* Of a cube with the object's diagonal: of what has no other size, metres. */
+float refract_width()
+{
+    return 2.0 * frame.radius * inversesqrt(3.0);
 }
 
 /* One bend at the front, and straight on from there. */
@@ -73,7 +92,7 @@ refract_result refract_shade()
             r.refraction[channel] = seen[channel];
         }
     }
-    r.reflection = refract_environment(refract_front_point(), optics_reflect(e, n_f));
+    r.reflection = refract_environment(refract_front_point(), refract_mirrored(e, n_f));
     r.fresnel = refract_share(e, n_f);
     return r;
 }

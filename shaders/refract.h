@@ -3,15 +3,21 @@
 #define SHADERS_REFRACT_H
 #include "abi.h"
 
-#define REFRACT_ENV_CUBE    1 /* radiance around the object */
-#define REFRACT_NORMAL_BACK 2 /* outward normals of the back faces; rungs that read them */
-#define REFRACT_OVER        1 /* of refract_over.frag: what is drawn over a rung's picture */
+#define REFRACT_ENV_CUBE 1 /* radiance around the object */
+/* of rungs that read them: outward normals, and depth by globals.clip_from_world, 0 none */
+#define REFRACT_NORMAL_BACK  2
+#define REFRACT_DEPTH_BACK   3
+#define REFRACT_NORMAL_FRONT 4
+#define REFRACT_DEPTH_FRONT  5
+#define REFRACT_OVER         1 /* of refract_over.frag: what is drawn over a rung's picture */
 
 /* what a vertex shader of the front faces hands on */
 #define REFRACT_EYE_TO_POINT 0
 #define REFRACT_NORMAL       1
 #define REFRACT_FRESNEL      2
 #define REFRACT_UV           3 /* refract_bump.vert alone */
+#define REFRACT_REFLECTED    3 /* refract_per_vertex.vert alone, as is the next */
+#define REFRACT_REFRACTED    4 /* three of them */
 
 /* colour targets of the pass that writes a rung's layers */
 #define REFRACT_OUT_EXIT       0

@@ -14,6 +14,10 @@ layout(location = REFRACT_FRESNEL) out float out_fresnel;
 layout(location = MESH_UV) in vec2 uv;
 layout(location = REFRACT_UV) out vec2 out_uv;
 #endif
+#ifdef REFRACT_PER_VERTEX
+layout(location = REFRACT_REFLECTED) out vec3 out_reflected;
+layout(location = REFRACT_REFRACTED) out vec3 out_refracted[3];
+#endif
 
 void main()
 {
@@ -26,5 +30,11 @@ void main()
     out_fresnel = optics_fresnel_paper(normalize(out_eye_to_point), out_normal);
 #ifdef REFRACT_BUMP
     out_uv = uv;
+#endif
+#ifdef REFRACT_PER_VERTEX
+    vec3 e = normalize(out_eye_to_point);
+    out_reflected = optics_reflect(e, out_normal);
+    for (int channel = 0; channel < 3; channel++)
+        out_refracted[channel] = optics_refract(e, out_normal, frame.etas[channel]);
 #endif
 }

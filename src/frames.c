@@ -16,15 +16,29 @@
 #include "src/tech/ice_interval.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
+#include "src/tech/refract_blend.h"
+#include "src/tech/refract_bounce.h"
 #include "src/tech/refract_one_sided.h"
 #include "src/tech/refract_paper.h"
+#include "src/tech/refract_per_vertex.h"
+#include "src/tech/refract_search.h"
+#include "src/tech/refract_slab.h"
+#include "src/tech/refract_sphere.h"
+#include "src/tech/refract_wyman.h"
 #include "src/tech/resolve.h"
 #include "src/tech/surface.h"
 #include "src/tech/tonemap.h"
 
 const struct rung frame_rungs[] = {
     { "paper", &refract_paper, &refract_paper_bumped }, /* the first is the default */
+    { "per-vertex", &refract_per_vertex, NULL },
     { "one-sided", &refract_one_sided, &refract_one_sided_bumped },
+    { "slab", &refract_slab, &refract_slab_bumped },
+    { "sphere", &refract_sphere, &refract_sphere_bumped },
+    { "blend", &refract_blend, &refract_blend_bumped },
+    { "wyman", &refract_wyman, &refract_wyman_bumped },
+    { "search", &refract_search, &refract_search_bumped },
+    { "bounce", &refract_bounce, &refract_bounce_bumped },
     { 0 },
 };
 
@@ -211,6 +225,29 @@ const struct frame_layer frame_layers[] = {
         .mean = true,
         .shown = FRAME_SHOWN_AMOUNT,
         .help = "share of the reflection",
+    },
+    {
+        .name = "path",
+        .image = &refract_way,
+        .planes = { "path.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "how far refracted light goes inside until it leaves, metres; 0: no ice",
+    },
+    {
+        .name = "bounces",
+        .image = &refract_way,
+        .planes = { "bounces.Z" },
+        .first_channel = 1,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "how often it is totally reflected on this way",
+    },
+    {
+        .name = "tir",
+        .image = &refract_way,
+        .planes = { "tir.Z" },
+        .first_channel = 2,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "1 where it is so at the first surface that it meets inside, else 0",
     },
     {
         .name = "air",

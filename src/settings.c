@@ -15,17 +15,35 @@
 #include "src/tech/frost.h"
 #include "src/tech/ice_interval.h"
 #include "src/tech/refract.h"
+#include "src/tech/refract_blend.h"
+#include "src/tech/refract_bounce.h"
 #include "src/tech/refract_paper.h"
+#include "src/tech/refract_search.h"
 #include "src/tech/surface.h"
 #include "src/tech/tonemap.h"
 
 const struct setting_group *const setting_groups[] = {
-    &object_settings,       &landscape_settings,     &sky_settings,
-    &motion_settings,       &light_settings,         &env_cube_settings,
-    &refract_settings,      &refract_paper_settings, &absorb_settings,
-    &air_settings,          &bubbles_settings,       &cracks_settings,
-    &ice_interval_settings, &bump_settings,          &surface_settings,
-    &frost_settings,        &tonemap_settings,       NULL,
+    &object_settings,
+    &landscape_settings,
+    &sky_settings,
+    &motion_settings,
+    &light_settings,
+    &env_cube_settings,
+    &refract_settings,
+    &refract_paper_settings,
+    &refract_blend_settings,
+    &refract_search_settings,
+    &refract_bounce_settings,
+    &absorb_settings,
+    &air_settings,
+    &bubbles_settings,
+    &cracks_settings,
+    &ice_interval_settings,
+    &bump_settings,
+    &surface_settings,
+    &frost_settings,
+    &tonemap_settings,
+    NULL,
 };
 
 /* Where a group's struct begins; groups lie one after another, 16 bytes aligned. */

@@ -309,7 +309,7 @@ static const struct option options[] = {
     { "Reports", "capture", 0, NULL, APP_PROFILE, option_capture,
       "let RenderDoc capture a frame; start firn from it" },
     { "Picture", "refraction", 'r', "RUNG", PICTURES, set_refraction,
-      "paper or one-sided (paper)" },
+      "paper, sphere, bounce, ...: firn list rungs (paper)" },
     { "Picture", "material", 'm', "NAME", PICTURES, set_material, "ice, water, glass, ... (ice)" },
     { "Picture", "set", 0, "NAME=VALUE", PICTURES, set_set,
       "a setting (firn list settings), may be repeated" },

@@ -1,9 +1,10 @@
 /*
- * ice_normal.c: world normals of the back faces.
+ * ice_normal.c: world normals and depth of the back faces, and of the front faces.
  *
  * Seipel and Nivfors 2006, section 3.2: rendered to a floating-point texture of the window's size,
  * interpolated and normalised. Of several back faces behind each other the nearest counts: it is
- * where a ray that enters a convex part leaves it.
+ * where a ray that enters a convex part leaves it. The front faces are for rungs that follow light
+ * back to them; surroundings in front of the ice hide none of either.
  */
 #include "src/tech/ice_normal.h"
 #include "shaders/embedded.h"
@@ -14,8 +15,18 @@ const struct rg_image ice_normal_back = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
-static const struct rg_image ice_normal_depth = {
-    .name = "ice_normal.depth",
+const struct rg_image ice_normal_back_depth = {
+    .name = "ice_normal.back_depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+};
+
+const struct rg_image ice_normal_front = {
+    .name = "ice_normal.front",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_image ice_normal_front_depth = {
+    .name = "ice_normal.front_depth",
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
@@ -23,7 +34,7 @@ static const struct rg_pass passes[] = {
     {
         .name = "ice_normal.back",
         .color[0] = { &ice_normal_back, RG_LOAD_CLEAR },
-        .depth = { &ice_normal_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
+        .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
         .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = RG_USES(FRAME_USE_GLOBALS),
         .vert = &ice_normal_vert,
@@ -32,9 +43,21 @@ static const struct rg_pass passes[] = {
         .cull = VK_CULL_MODE_FRONT_BIT,
         .record = frame_draw_object,
     },
+    {
+        .name = "ice_normal.front",
+        .color[0] = { &ice_normal_front, RG_LOAD_CLEAR },
+        .depth = { &ice_normal_front_depth, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = RG_USES(FRAME_USE_GLOBALS),
+        .vert = &ice_normal_vert,
+        .frag = &ice_normal_frag,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_BACK_BIT,
+        .record = frame_draw_object,
+    },
 };
 
 const struct technique ice_normal = {
     .graph = RG_TECHNIQUE("ice_normal", passes),
-    .help = "outward normals of the ice's back faces",
+    .help = "outward normals and depth of the ice's faces",
 };

@@ -48,11 +48,24 @@ enum refract_lookup {
         .sampler = &frame_linear \
     }
 
-/* The use of the back faces that a rung may have. */
+/* Uses that a rung may have. */
 #define REFRACT_USE_NORMAL_BACK \
     { \
         .image = &ice_normal_back, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_BACK, \
         .sampler = &frame_linear \
+    }
+#define REFRACT_USE_DEPTH_BACK \
+    { \
+        .image = &ice_normal_back_depth, .access = RG_SAMPLED, .binding = REFRACT_DEPTH_BACK \
+    }
+#define REFRACT_USE_NORMAL_FRONT \
+    { \
+        .image = &ice_normal_front, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_FRONT, \
+        .sampler = &frame_linear \
+    }
+#define REFRACT_USE_DEPTH_FRONT \
+    { \
+        .image = &ice_normal_front_depth, .access = RG_SAMPLED, .binding = REFRACT_DEPTH_FRONT \
     }
 
 /* The use that refract_over.frag has: what is drawn over the picture, of the view's size. */

@@ -20,7 +20,7 @@ LAYERS = (
     'Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z', 'back.N.X', 'back.N.Y', 'back.N.Z',
     'front.Z', 'back.Z', 'thickness.Z', 'intervals.Z', 'exit.X', 'exit.Y', 'exit.Z',
     'refraction.R', 'refraction.G', 'refraction.B',
-    'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z',
+    'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z', 'path.Z', 'bounces.Z', 'tir.Z',
     'air.R', 'air.G', 'air.B', 'air.A', 'bubbles.R', 'bubbles.G', 'bubbles.B', 'bubbles.A',
     'cracks.R', 'cracks.G', 'cracks.B', 'cracks.A',
 )

@@ -22,6 +22,8 @@ PICTURES = {
     'sphere': ('sphere',),
     'teapot': ('teapot',),
     'ice-cube-one-sided': ('ice-cube', '--refraction', 'one-sided'),
+    'ice-cube-bounce': ('ice-cube', '--refraction', 'bounce', '--set', 'refract.lookup=distance',
+                        '--set', 'refract.fresnel=exact'),
     'ice-cube-frost-gap': ('ice-cube', '--set', 'frost.amount=0.5', '--set', 'cracks.refract=gap'),
 }
 

@@ -39,6 +39,7 @@ static const struct golden goldens[] = {
     { .name = "plan_paper_static_cube", .rung = "paper", .static_cube = true },
     { .name = "plan_one_sided", .rung = "one-sided" },
     { .name = "plan_one_sided_layers", .rung = "one-sided", .layers = true },
+    { .name = "plan_bounce", .rung = "bounce" },
     { .name = "plan_capture", .list = LIST_CAPTURE },
     { .name = "plan_resolve", .list = LIST_RESOLVE },
 };
@@ -209,6 +210,8 @@ static void check_surface(const char *const *assignments, bool lights, bool fros
         assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
     assert_int_equal(frame_reads_bump_maps(&settings), maps > 0);
     for (const struct rung *rung = frame_rungs; rung->name; rung++) {
+        if (!rung->bumped)
+            continue;
         struct frame_request request = request_of(&(struct golden){ .rung = rung->name });
         request.list = frame_with(rung, &settings);
         struct frame_plan plan;

@@ -12,6 +12,8 @@
 #include "shaders/gbuffer.h"
 #include "shaders/globals.h"
 #include "shaders/present.h"
+#include "shaders/refract_blend.h"
+#include "shaders/refract_march.h"
 #include "shaders/refract_paper.h"
 #include "shaders/surface.h"
 #include "shaders/tonemap.h"
@@ -117,6 +119,20 @@ static const struct shared shared_structs[] = {
             FIELD(globals, refract_fresnel),
             FIELD(globals, refract_crossfade),
             FIELD(globals, refract_steps),
+        },
+    },
+    {
+        "refract_blend_params",
+        sizeof(struct refract_blend_params),
+        { FIELD(refract_blend_params, a) },
+    },
+    {
+        "refract_march",
+        sizeof(struct refract_march),
+        {
+            FIELD(refract_march, steps),
+            FIELD(refract_march, halvings),
+            FIELD(refract_march, bounces),
         },
     },
     { "present_push", sizeof(struct present_push), { FIELD(present_push, encodes) } },

@@ -1,0 +1,52 @@
+/*
+ * refract_maps.glsl: the ice's faces as depth and normals in the picture, and points among them.
+ *
+ * Depths are compared as they are stored: near over the distance along the view's axis, 0 for none.
+ * Over a plane they are linear in the picture, as distances are not. Along a ray, clip coordinates
+ * are linear in its length.
+ */
+#ifndef REFRACT_MAPS_GLSL
+#define REFRACT_MAPS_GLSL
+#include "refract_thickness.glsl"
+
+layout(set = 0, binding = REFRACT_NORMAL_BACK) uniform sampler2D normal_back;
+
+vec4 refract_clip(vec3 point)
+{
+    return frame.clip_from_world * vec4(point, 1.0);
+}
+
+vec2 refract_uv(vec4 clip)
+{
+    return clip.xy / clip.w * 0.5 + 0.5;
+}
+
+/* Beyond the picture's edge, the one at the edge. */
+ivec2 refract_texel(vec4 clip)
+{
+    ivec2 size = textureSize(depth_back, 0);
+    return clamp(ivec2(refract_uv(clip) * vec2(size)), ivec2(0), size - 1);
+}
+
+/* Between texels that all show a face, linear; else that of the nearest. */
+float refract_depth_at(sampler2D depths, vec4 clip)
+{
+    vec2 at = refract_uv(clip) * vec2(textureSize(depths, 0)) - 0.5;
+    vec2 corner = floor(at);
+    vec2 share = at - corner;
+    vec4 d = textureGather(depths, (corner + 1.0) / vec2(textureSize(depths, 0)));
+    if (min(min(d.x, d.y), min(d.z, d.w)) > 0.0)
+        return mix(mix(d.w, d.z, share.x), mix(d.x, d.y, share.x), share.y);
+    vec2 low = share.x < 0.5 ? d.wx : d.zy;
+    return share.y < 0.5 ? low.x : low.y;
+}
+
+/* Unit; the mean of the nearest texels that show a face, {0} if none does. */
+vec3 refract_normal_at(sampler2D normals, vec4 clip)
+{
+    vec3 n = texture(normals, refract_uv(clip)).xyz;
+    float length2 = dot(n, n);
+    return length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0);
+}
+
+#endif

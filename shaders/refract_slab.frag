@@ -1,0 +1,12 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "refract.glsl"
+#include "refract_thickness.glsl"
+
+/* Two parallel faces, as far apart as the straight ray says: light leaves as it came, aside. */
+refract_way refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    vec3 inside = optics_refract(e, n_f, frame.etas[channel]);
+    float path = refract_thickness() * abs(dot(n_f, e)) / max(-dot(n_f, inside), 1e-3);
+    return refract_way(e, refract_front_point() + path * inside, path, 0.0, 0.0);
+}

@@ -1,0 +1,43 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "refract.glsl"
+#include "refract_maps.glsl"
+
+/* How thick the ice is along the front normal: to the back face that is seen where a sphere would
+ * end that fits the object, or not so far where this is beside the ice. */
+float thickness_along(vec3 point, vec3 n_f)
+{
+    float guess = refract_width();
+    for (int i = 0; i < 4; i++) {
+        vec3 end = point - guess * n_f;
+        vec4 clip = refract_clip(end);
+        float back = texelFetch(depth_back, refract_texel(clip), 0).r;
+        if (back > 0.0 && clip.w > 0.0) {
+            end = frame.eye + (end - frame.eye) * (clip.z / clip.w / back);
+            return max(dot(point - end, n_f), 0.0);
+        }
+        guess *= 0.5;
+    }
+    return guess;
+}
+
+/* Wyman's eq. 2: the angles' ratio mixes the thickness along the ray and along the normal. */
+refract_way refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    float eta = frame.etas[channel];
+    vec3 point = refract_front_point();
+    vec3 inside = optics_refract(e, n_f, eta);
+    float ci = clamp(-dot(n_f, e), 0.0, 1.0);
+    float si = sqrt(1.0 - ci * ci);
+    float ratio = si > 1e-3 ? asin(eta * si) / asin(si) : eta;
+    float straight = refract_thickness();
+    float path = mix(thickness_along(point, n_f), straight, ratio);
+    point += path * inside;
+    vec3 n_b = refract_normal_at(normal_back, refract_clip(point));
+    if (n_b == vec3(0.0)) /* it ends beside the ice: as if it went straight on */
+        n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0).xyz;
+    if (dot(n_b, inside) <= 0.0)
+        return refract_way(inside, point, path, 0.0, 0.0);
+    float tir = optics_refract_k(inside, n_b, 1.0 / eta) < 0.0 ? 1.0 : 0.0;
+    return refract_way(optics_refract(inside, -n_b, 1.0 / eta), point, path, 0.0, tir);
+}

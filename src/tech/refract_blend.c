@@ -1,0 +1,72 @@
+/*
+ * refract_blend.c: front and back normals blended into one that bends more, not less.
+ *
+ * Eq. 1 of Seipel and Nivfors 2006 with the back normal turned round and the sum normalised. The
+ * two faces of a convex object turn light the same way; so does this normal, more than the front
+ * one. Near the middle of a sphere a = 0.25 is right, over all of it 0.3 is best.
+ *
+ * Error: 6 degrees on average on a sphere, 16 to 20 on cubes: still one bend, and no total
+ * reflection. It knows no thickness: nothing is absorbed.
+ */
+#include "src/tech/refract_blend.h"
+#include "shaders/embedded.h"
+#include "shaders/refract_blend.h"
+#include "src/frame.h"
+#include "src/tech/bump.h"
+#include "src/tech/refract.h"
+
+static rg_record_fn record_object;
+
+static const struct rg_use uses[] = {
+    FRAME_USE_GLOBALS,
+    REFRACT_USE_ENV_CUBE,
+    REFRACT_USE_NORMAL_BACK,
+    { 0 },
+};
+
+static const struct rg_use bumped_uses[] = {
+    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK, BUMP_USE_MAPS, { 0 },
+};
+
+static const struct rg_pass passes[] = {
+    REFRACT_ROWS(blend, , REFRACT_FRONT_FACES, .uses = uses,
+                 .push_size = sizeof(struct refract_blend_params), .record = record_object),
+};
+
+static const struct rg_pass bumped_passes[] = {
+    REFRACT_ROWS(blend, _bump, REFRACT_BUMPED_FACES, .uses = bumped_uses,
+                 .push_size = sizeof(struct refract_blend_params), .record = record_object),
+};
+
+static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, settings_of(frame->settings, &refract_blend_settings),
+                sizeof(struct refract_blend_params));
+    rg_cmd_draw_mesh(cmd, &frame->object);
+}
+
+static const struct setting rows[] = {
+    {
+        .name = "refract_blend.a",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_blend_params, a),
+        .initial = 0.33,
+        .max = 1.0,
+        .help = "share of the back face's normal",
+    },
+};
+
+const struct setting_group refract_blend_settings =
+    SETTING_GROUP("refract_blend", rows, struct refract_blend_params);
+
+const struct technique refract_blend = {
+    .graph = RG_TECHNIQUE("refract_blend", passes),
+    .settings = &refract_blend_settings,
+    .help = "front and back normals blended so that bending adds up",
+};
+
+const struct technique refract_blend_bumped = {
+    .graph = RG_TECHNIQUE("refract_blend", bumped_passes),
+    .settings = &refract_blend_settings,
+    .help = "the same with bumps",
+};

@@ -1,0 +1,9 @@
+/* refract_bounce.h: refraction with total reflections inside. */
+#ifndef TECH_REFRACT_BOUNCE_H
+#define TECH_REFRACT_BOUNCE_H
+#include "src/technique.h"
+
+extern const struct technique refract_bounce, refract_bounce_bumped;
+extern const struct setting_group refract_bounce_settings;
+
+#endif

@@ -1,0 +1,80 @@
+/* trace.c: Moeller and Trumbore 1997 against every triangle. */
+#include "tests/support/trace.h"
+
+struct crossing {
+    double t; /* HUGE_VAL: none */
+    struct vec normal;
+};
+
+static struct vec position(const struct mesh *mesh, uint32_t corner)
+{
+    return vec_from(mesh->vertices[mesh->indices[corner]].position);
+}
+
+static struct vec normal_at(const struct mesh *mesh, uint32_t first, double u, double v)
+{
+    const struct mesh_vertex *vertices = mesh->vertices;
+    struct vec n = vec_scale(vec_from(vertices[mesh->indices[first]].normal), 1 - u - v);
+    n = vec_add(n, u, vec_from(vertices[mesh->indices[first + 1]].normal));
+    return vec_unit(vec_add(n, v, vec_from(vertices[mesh->indices[first + 2]].normal)));
+}
+
+/* The nearest triangle that a ray crosses outwards (way 1) or inwards (-1). */
+static struct crossing cross_mesh(const struct mesh *mesh, struct vec from, struct vec dir,
+                                  double way)
+{
+    struct crossing nearest = { .t = HUGE_VAL };
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const struct vec a = position(mesh, i);
+        const struct vec ab = vec_add(position(mesh, i + 1), -1, a);
+        const struct vec ac = vec_add(position(mesh, i + 2), -1, a);
+        const double facing = vec_dot(vec_cross(ab, ac), dir);
+        if (!(facing * way > 0))
+            continue;
+        const struct vec p = vec_cross(dir, ac);
+        const struct vec s = vec_add(from, -1, a);
+        const struct vec q = vec_cross(s, ab);
+        const double determinant = vec_dot(ab, p);
+        const double u = vec_dot(s, p) / determinant;
+        const double v = vec_dot(dir, q) / determinant;
+        const double t = vec_dot(ac, q) / determinant;
+        if (u >= 0 && v >= 0 && u + v <= 1 && t > 1e-6 && t < nearest.t)
+            nearest = (struct crossing){ t, normal_at(mesh, i, u, v) };
+    }
+    return nearest;
+}
+
+/* `n` against the light. The reflected direction where it is total; returns whether it is. */
+static bool bend(struct vec *dir, struct vec n, double eta)
+{
+    const double c = vec_dot(n, *dir);
+    const double k = 1 - eta * eta * (1 - c * c);
+    if (k < 0)
+        *dir = vec_unit(vec_add(*dir, -2 * c, n));
+    else
+        *dir = vec_unit(vec_add(vec_scale(*dir, eta), -(eta * c + sqrt(k)), n));
+    return k < 0;
+}
+
+struct trace_way trace_through(const struct mesh *mesh, struct vec eye, struct vec dir, double eta,
+                               int bounces)
+{
+    struct trace_way way = { .dir = dir };
+    struct crossing c = cross_mesh(mesh, eye, dir, -1);
+    way.hit = c.t < HUGE_VAL;
+    if (!way.hit)
+        return (struct trace_way){ 0 };
+    struct vec point = vec_add(eye, c.t, dir);
+    bend(&way.dir, c.normal, eta);
+    for (;;) {
+        c = cross_mesh(mesh, point, way.dir, 1);
+        if (c.t == HUGE_VAL)
+            return way;
+        point = vec_add(point, c.t, way.dir);
+        way.path += c.t;
+        way.left = !bend(&way.dir, vec_scale(c.normal, -1), 1 / eta);
+        if (way.left || way.bounces == bounces)
+            return way;
+        way.bounces++;
+    }
+}

@@ -1,0 +1,24 @@
+/*
+ * trace.h: light through a mesh, triangle by triangle, as a rung would have it if it could.
+ *
+ * Normals are interpolated between vertices, as the rasteriser does. Slow: every triangle is tried.
+ */
+#ifndef TESTS_TRACE_H
+#define TESTS_TRACE_H
+
+#include "src/scene/mesh.h"
+#include "tests/support/vec.h"
+
+struct trace_way {
+    bool hit;       /* the ray meets the mesh; else all is 0 */
+    bool left;      /* it has left it again, within the bounces allowed */
+    struct vec dir; /* in which it leaves, unit */
+    double path;    /* inside */
+    int bounces;    /* total reflections inside */
+};
+
+/* From outside; `eta` is the index outside over the one inside. */
+struct trace_way trace_through(const struct mesh *mesh, struct vec eye, struct vec dir, double eta,
+                               int bounces);
+
+#endif
