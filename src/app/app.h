@@ -58,7 +58,7 @@ struct app_options {
     struct settings settings;
     bool ior_is_set;    /* by --set */
     const char *frames; /* --frames, not parsed; NULL: one picture */
-    bool validate, quiet, resume;
+    bool validate, no_cache, quiet, resume;
     char *const *words; /* of the command line, from the command on; ends at NULL */
     enum app_format format;
     enum rg_clock clock;        /* to measure by; RG_CLOCK_NONE: what a test of the device finds */

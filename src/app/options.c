@@ -201,6 +201,13 @@ static enum status set_validate(struct app_options *o, const char *value)
     return STATUS_OK;
 }
 
+static enum status set_no_cache(struct app_options *o, const char *value)
+{
+    (void)value;
+    o->no_cache = true;
+    return STATUS_OK;
+}
+
 static enum status set_sharing(struct app_options *o, const char *value)
 {
     static const char *const names[] = {
@@ -328,6 +335,8 @@ static const struct option options[] = {
       "number or part of the name (firn list devices)" },
     { "Device", "validate", 0, NULL, DEVICES, set_validate,
       "Vulkan validation and synchronization validation" },
+    { "Device", "no-cache", 0, NULL, DEVICES, set_no_cache,
+      "do not keep compiled pipelines in $XDG_CACHE_HOME/firn" },
     { "Device", "sharing", 0, "HOW", PICTURES, set_sharing,
       "share memory: batches (where it costs none), memory, nothing (batches)" },
     { "Comparison", "mask", 0, "FILE", APP_DIFF, option_mask,

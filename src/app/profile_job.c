@@ -14,8 +14,11 @@
 static enum status open_device(struct profile_job *job)
 {
     const struct app_options *o = &job->o;
-    enum status status =
-        gpu_create(&job->gpu, &(struct gpu_params){ .device = o->device, .validate = o->validate });
+    enum status status = gpu_create(&job->gpu, &(struct gpu_params){
+                                                   .device = o->device,
+                                                   .validate = o->validate,
+                                                   .no_cache = o->no_cache,
+                                               });
     if (status == STATUS_OK && o->capture && !gpu_capture_is_there()) {
         log_error("--capture: RenderDoc is not there; start firn from it, or with "
                   "ENABLE_VULKAN_RENDERDOC_CAPTURE=1");

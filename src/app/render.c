@@ -222,8 +222,11 @@ static enum status open_renderer(struct job *job)
     else if (o->layers)
         log_warning("--aov: PNG files have no layers; name an .exr file too");
     params.layers |= show_bit(o->show);
-    enum status status =
-        gpu_create(&job->gpu, &(struct gpu_params){ .device = o->device, .validate = o->validate });
+    enum status status = gpu_create(&job->gpu, &(struct gpu_params){
+                                                   .device = o->device,
+                                                   .validate = o->validate,
+                                                   .no_cache = o->no_cache,
+                                               });
     if (status == STATUS_OK)
         status = renderer_create(&job->renderer, &params);
     return status;

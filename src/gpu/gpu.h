@@ -31,6 +31,7 @@ struct gpu_params {
     /* number as listed, from 0, or part of the name in any case; NULL: the best */
     const char *device;
     bool validate; /* validation and synchronization validation, if the layer is there */
+    bool no_cache; /* neither reads nor leaves compiled pipelines for another run */
     const struct gpu_window_system *windows; /* outlives the gpu; NULL: no windows */
 };
 
@@ -44,6 +45,7 @@ struct gpu {
     VkPhysicalDeviceProperties properties;
     VkPhysicalDeviceMemoryProperties memory;
     VkPipelineCache pipeline_cache;
+    bool no_cache;        /* of the params: it begins empty and ends with the run */
     VkCommandPool pool;   /* for uploads */
     float max_anisotropy; /* of samplers; 0: not to be had */
     bool has_statistics;  /* pipeline statistics and exact occlusion queries */

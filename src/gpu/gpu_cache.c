@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "src/gpu/gpu_internal.h"
+#include "src/log.h"
 
 enum {
     FILE_SIZE_MAX = 64 << 20,
@@ -83,7 +84,8 @@ static bool write_all(int file, const char *data, size_t size)
     return true;
 }
 
-/* The sound content of the file, hash included, or NULL; the caller frees it. */
+/* The sound content of the file, hash included, or NULL; the caller frees it. No file is no
+ * fault. */
 static void *read_sound(const struct gpu *gpu, size_t *size)
 {
     char folder[2048];
@@ -105,13 +107,15 @@ static void *read_sound(const struct gpu *gpu, size_t *size)
         data = NULL;
     }
     close(file);
+    if (!data)
+        log_warning("%s: damaged, so it is ignored and written anew", path);
     return data;
 }
 
 enum status gpu_cache_load(struct gpu *gpu)
 {
     size_t size = 0;
-    void *data = read_sound(gpu, &size);
+    void *data = gpu->no_cache ? NULL : read_sound(gpu, &size);
     VkPipelineCacheCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO,
         .initialDataSize = data ? size - HASH_SIZE : 0,

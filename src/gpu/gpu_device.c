@@ -111,7 +111,7 @@ static enum status open_device(struct gpu *gpu)
 
 enum status gpu_create(struct gpu *gpu, const struct gpu_params *params)
 {
-    *gpu = (struct gpu){ .windows = params->windows };
+    *gpu = (struct gpu){ .windows = params->windows, .no_cache = params->no_cache };
     enum status status = open_instance(gpu, params->validate);
     if (status == STATUS_OK)
         status = choose(gpu, params->device);
@@ -128,7 +128,7 @@ void gpu_destroy(struct gpu *gpu)
 {
     if (gpu->device) {
         (void)vkDeviceWaitIdle(gpu->device); /* lost or not, it goes */
-        if (gpu->pipeline_cache)
+        if (gpu->pipeline_cache && !gpu->no_cache)
             gpu_cache_save(gpu);
         vkDestroyPipelineCache(gpu->device, gpu->pipeline_cache, NULL);
         vkDestroyCommandPool(gpu->device, gpu->pool, NULL);

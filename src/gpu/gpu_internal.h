@@ -60,7 +60,8 @@ struct gpu_features {
  * name of the first needed feature that the device lacks; NULL: it has all. For Vulkan 1.3. */
 const char *gpu_features_choose(VkPhysicalDevice physical, struct gpu_features *wanted);
 
-/* Makes gpu->pipeline_cache, with the data of an earlier run if they are sound. */
+/* Makes gpu->pipeline_cache, with the data of an earlier run. A damaged file is ignored with a
+ * warning. */
 MUST_USE enum status gpu_cache_load(struct gpu *gpu);
 
 /* Saves it for a later run. Silent: nobody is worse off if it fails. */

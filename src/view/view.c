@@ -76,6 +76,7 @@ static enum status open_device(struct view *v)
     const struct gpu_params params = {
         .device = o->device,
         .validate = o->validate,
+        .no_cache = o->no_cache,
         .windows = &v->system,
     };
     const VkPresentModeKHR mode = o->present ? o->present : VK_PRESENT_MODE_FIFO_KHR;

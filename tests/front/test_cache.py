@@ -1,0 +1,47 @@
+"""test_cache.py: compiled pipelines that one run leaves to the next. Usage: see case.py."""
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import SMALL, Case, main  # noqa: E402
+
+COMMANDS = (('render', 'sphere', *SMALL, '-o', 'a.png', '-q'),
+            ('profile', 'sphere', *SMALL, '--runs', '2', '--warmup', '1', '--json', 'a.json', '-q'))
+
+
+class Cache(Case):
+    def setUp(self):
+        super().setUp()
+        self.cache = self.folder / 'cache' / 'firn'
+
+    def run_with_cache(self, *words):
+        return self.succeed(*words, env={'XDG_CACHE_HOME': self.cache.parent}).stderr.decode()
+
+    def test_a_run_leaves_one_file(self):
+        for command in COMMANDS:
+            self.assertEqual(self.run_with_cache(*command), '')
+            self.assertEqual(len(list(self.cache.iterdir())), 1)
+
+    def test_none_is_wanted(self):
+        for command in COMMANDS:
+            self.assertEqual(self.run_with_cache(*command, '--no-cache'), '')
+            self.assertFalse(self.cache.exists())
+
+    def test_a_damaged_file_costs_one_line(self):
+        command = COMMANDS[0]
+        self.run_with_cache(*command)
+        file = next(self.cache.iterdir())
+        whole = file.read_bytes()
+        for damaged in (b'', whole[:-1], whole[:20] + b'\0' + whole[21:], whole * 2, b'x' * 100000):
+            with self.subTest(size=len(damaged)):
+                file.write_bytes(damaged)
+                words = self.run_with_cache(*command, '--no-cache')
+                self.assertEqual(words, '')  # not even looked at
+                words = self.run_with_cache(*command)
+                self.assertEqual(len(words.splitlines()), 1, words)
+                self.assertTrue(words.startswith(f'firn: warning: {file}: '), words)
+                self.assertEqual(file.read_bytes(), whole)
+                self.assertEqual(self.run_with_cache(*command), '')
+
+
+if __name__ == '__main__':
+    main()
