@@ -40,6 +40,9 @@ struct rg_exec_import {
     uint32_t image_count;
 };
 
+/* What stands in for a shader that a table names: that shader, or one with the same interface. */
+typedef const struct rg_shader *rg_replace_fn(void *user, const struct rg_shader *shader);
+
 struct rg_exec_params {
     const struct rg_plan *plan; /* without faults */
     VkInstance instance;
@@ -58,8 +61,9 @@ struct rg_exec_params {
     bool render_passes;
     bool measured;   /* rg_time.h */
     bool statistics; /* the same: pipelineStatisticsQuery and occlusionQueryPrecise are enabled */
+    rg_replace_fn *replace;                    /* called by create alone; NULL: nothing does */
     void (*log)(void *user, const char *line); /* NULL: silent */
-    void *user;
+    void *user;                                /* of both */
 };
 
 struct rg_exec;

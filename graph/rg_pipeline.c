@@ -31,6 +31,8 @@ fail:
 static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
                            VkShaderStageFlagBits stage, VkPipelineShaderStageCreateInfo *info)
 {
+    const struct rg_exec_params *params = &exec->params;
+    const struct rg_shader *code = params->replace ? params->replace(params->user, shader) : shader;
     VkResult result;
     *info = (VkPipelineShaderStageCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
@@ -41,8 +43,8 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
            exec->vk.CreateShaderModule(exec->device,
                                        &(VkShaderModuleCreateInfo){
                                            .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                           .codeSize = shader->word_count * sizeof(uint32_t),
-                                           .pCode = shader->words,
+                                           .codeSize = code->word_count * sizeof(uint32_t),
+                                           .pCode = code->words,
                                        },
                                        NULL, &info->module));
     rg_exec_name(exec, VK_OBJECT_TYPE_SHADER_MODULE, (uint64_t)info->module, shader->name);

@@ -1,4 +1,7 @@
-"""embed.py: SPIR-V files to one C file of `const struct rg_shader` and its header."""
+"""embed.py: SPIR-V files to one C file of `const struct rg_shader` and its header.
+
+Each is named as its file, with '_' for '.'; all of them are in <stem>_all, which ends at NULL.
+"""
 import pathlib
 import struct
 import sys
@@ -12,11 +15,11 @@ def write(path, text):
 
 
 source_path, header_path, *modules = sys.argv[1:]
+names = [pathlib.Path(module).stem.replace('.', '_') for module in modules]
 stem = pathlib.Path(header_path).stem
-source = f'#include "{stem}.h"\n'
+source = f'#include "{stem}.h"\n#include <stddef.h>\n'
 header = f'#ifndef {stem.upper()}_H\n#define {stem.upper()}_H\n#include "graph/rg.h"\n'
-for module in modules:
-    name = pathlib.Path(module).stem.replace('.', '_')
+for name, module in zip(names, modules):
     data = pathlib.Path(module).read_bytes()
     words = struct.unpack(f'<{len(data) // 4}I', data)
     rows = (', '.join(f'0x{w:08x}' for w in words[i:i + 8]) for i in range(0, len(words), 8))
@@ -24,5 +27,8 @@ for module in modules:
     source += ',\n    '.join(rows) + ',\n};\n'
     source += f'const struct rg_shader {name} = {{ "{name}", {name}_words, {len(words)} }};\n'
     header += f'extern const struct rg_shader {name};\n'
+source += f'\nconst struct rg_shader *const {stem}_all[] = {{\n    '
+source += ',\n    '.join([*(f'&{name}' for name in names), 'NULL']) + ',\n};\n'
+header += f'extern const struct rg_shader *const {stem}_all[];\n'
 write(source_path, source)
 write(header_path, header + '#endif\n')

@@ -27,10 +27,11 @@ struct stage {
 
 struct renderer {
     struct renderer_params params;
-    struct scene_gpu scene;
-    struct stage capture; /* the environment cube, once, if it is not dynamic */
-    struct stage picture; /* a sample */
-    struct stage resolve; /* the mean of many samples, tonemapped */
+    struct scene_gpu own;          /* {0} if it comes uploaded */
+    const struct scene_gpu *scene; /* on the device */
+    struct stage capture;          /* the environment cube, once, if it is not dynamic */
+    struct stage picture;          /* a sample */
+    struct stage resolve;          /* the mean of many samples, tonemapped */
     bool captured;
     struct renderer_costs costs; /* of the picture's */
     uint32_t last_slot;          /* of the picture's executor, where the last sample is */
@@ -107,11 +108,11 @@ static enum status stage_create(struct stage *stage, struct renderer *renderer,
     };
     const struct rg_device device = rg_exec_device(&vulkan);
     const struct rg_exec_import imports[FRAME_IMPORT_COUNT] = {
-        [FRAME_IMPORT_ENVIRONMENT].image = renderer->scene.environment.image,
-        [FRAME_IMPORT_TEXTURES].image = renderer->scene.textures.image,
-        [FRAME_IMPORT_BUMP_MAP].image = renderer->scene.bump_map.image,
-        [FRAME_IMPORT_BUMP_MASK].image = renderer->scene.bump_mask.image,
-        [FRAME_IMPORT_AIR].image = renderer->scene.air_layers.image,
+        [FRAME_IMPORT_ENVIRONMENT].image = renderer->scene->environment.image,
+        [FRAME_IMPORT_TEXTURES].image = renderer->scene->textures.image,
+        [FRAME_IMPORT_BUMP_MAP].image = renderer->scene->bump_map.image,
+        [FRAME_IMPORT_BUMP_MASK].image = renderer->scene->bump_mask.image,
+        [FRAME_IMPORT_AIR].image = renderer->scene->air_layers.image,
         [FRAME_IMPORT_CUBE].image = renderer->capture.exec
                                         ? rg_exec_image(renderer->capture.exec, &env_cube_color)
                                         : VK_NULL_HANDLE,
@@ -139,7 +140,9 @@ static enum status stage_create(struct stage *stage, struct renderer *renderer,
             .render_passes = gpu->validated, /* see rg_exec.h */
             .measured = renderer->params.measured,
             .statistics = gpu->has_statistics,
+            .replace = renderer->params.replace,
             .log = log_exec,
+            .user = renderer->params.replace_user,
         },
         &result);
     renderer->costs.compile = compiled - start;
@@ -165,7 +168,8 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     r->params = *params;
     r->params.samples = params->samples ? params->samples : 1;
     const double start = now_ms();
-    status = scene_gpu_upload(&r->scene, params->gpu, params->scene);
+    r->scene = params->uploaded ? params->uploaded : &r->own;
+    status = params->uploaded ? STATUS_OK : scene_gpu_upload(&r->own, params->gpu, params->scene);
     r->costs.upload = now_ms() - start;
     if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings))
         status = stage_create(&r->capture, r, capture_request(params));
@@ -187,7 +191,7 @@ void renderer_destroy(struct renderer *renderer)
     stage_destroy(&renderer->resolve);
     stage_destroy(&renderer->picture);
     stage_destroy(&renderer->capture);
-    scene_gpu_finish(&renderer->scene, renderer->params.gpu);
+    scene_gpu_finish(&renderer->own, renderer->params.gpu);
     free(renderer);
 }
 
@@ -205,7 +209,7 @@ static struct rg_mesh draw_mesh(const struct gpu_buffer *vertices, const struct 
 static enum status run_stage(const struct renderer *r, struct stage *stage,
                              const struct renderer_shot *shot, vec2s jitter, uint32_t *slot)
 {
-    const struct scene_gpu *s = &r->scene;
+    const struct scene_gpu *s = r->scene;
     const struct frame_view view = {
         .scene = r->params.scene,
         .settings = r->params.settings,

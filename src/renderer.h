@@ -5,21 +5,25 @@
  *     renderer_render()   draws all samples and brings the picture back
  *     renderer_draw()     or draws a sample and leaves the picture on the device
  *
- * Ownership: gpu, scene and settings are borrowed and outlive the renderer.
+ * Ownership: gpu, scene (and `uploaded`) and settings are borrowed and outlive the renderer.
  * Errors:    logged once where found; STATUS_NO_DEVICE, STATUS_TRY_AGAIN or STATUS_FAILED.
  */
 #ifndef FIRN_RENDERER_H
 #define FIRN_RENDERER_H
 
+#include "graph/rg_exec.h"
 #include "graph/rg_time.h"
 #include "src/frames.h"
 #include "src/gpu/gpu.h"
 #include "src/image/image.h"
 #include "src/scene/scene.h"
 
+struct scene_gpu;
+
 struct renderer_params {
     struct gpu *gpu;
     const struct scene *scene;
+    const struct scene_gpu *uploaded; /* the scene; NULL: the renderer does that itself */
     const struct settings *settings;
     const struct rung *rung;
     uint32_t width, height;  /* pixels */
@@ -30,6 +34,8 @@ struct renderer_params {
     bool keep;               /* the same on the device, of the last sample: renderer_picture() */
     bool measured;           /* renderer_measure() may be called */
     enum rg_sharing sharing; /* which transient images share memory */
+    rg_replace_fn *replace;  /* of rg_exec_params, as is: */
+    void *replace_user;
 };
 
 struct renderer;
