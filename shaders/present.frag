@@ -22,5 +22,8 @@ vec3 linear(vec3 c)
 void main()
 {
     vec3 c = texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb;
+    uint column = uint(gl_FragCoord.x);
+    c = PRESENT_IS_BRIGHT(column, push.line) ? vec3(1.0) : c;
+    c = PRESENT_IS_DARK(column, push.line) ? vec3(0.0) : c;
     shown = vec4(push.encodes != 0 ? linear(c) : c, 1.0);
 }

@@ -20,7 +20,7 @@ struct rg_frame {
     uint32_t bubble_count;       /* in bubbles_spheres */
     struct background_push view;
     struct background_push faces[6]; /* of the cube around the object, Vulkan's order */
-    struct present_push present;
+    struct present_push present;     /* but for the edge, which each pass has its own */
 };
 
 /* struct mesh_vertex as shaders/mesh.h has it. */

@@ -24,3 +24,9 @@ enum status option_present(struct app_options *o, const char *value)
                ? STATUS_OK
                : option_refuse("present", value, "fifo, mailbox or immediate is wanted");
 }
+
+enum status option_split(struct app_options *o, const char *value)
+{
+    o->split = frame_find_rung(value);
+    return o->split ? STATUS_OK : option_refuse("split", value, "no such rung (firn list rungs)");
+}

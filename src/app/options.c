@@ -291,6 +291,8 @@ static const struct option options[] = {
       "fifo (no tearing), mailbox (the newest, too), immediate (fifo)" },
     { "Window", "fps-limit", 0, "N", APP_VIEW, option_fps_limit,
       "at most so many frames a second" },
+    { "Window", "split", 0, "RUNG", APP_VIEW, option_split,
+      "on the right of a divider: --refraction is on its left (S, [ and ] there)" },
     { "Sequence", "frames", 0, "LIST", APP_RENDER, set_frames,
       "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, set_resume,

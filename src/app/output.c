@@ -66,6 +66,8 @@ static bool describe(const struct output *output, const struct frame_layer *show
     if (out) {
         fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", o->positionals[0],
                 o->rung->name, o->width, o->height, o->samples);
+        if (o->split)
+            fprintf(out, " split=%s", o->split->name);
         if (show)
             fprintf(out, " show=%s", show->name);
         if (o->environment)

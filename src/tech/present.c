@@ -6,11 +6,17 @@
 #include "src/frame.h"
 #include "src/tech/tonemap.h"
 
-static rg_record_fn record_screen;
+static rg_record_fn record_screen, record_right;
+static rg_when_fn is_split;
 
 const struct rg_image present_window = {
     .name = "present.window",
     .format = VK_FORMAT_B8G8R8A8_UNORM,
+};
+
+const struct rg_image present_right = {
+    .name = "present.right",
+    .format = VK_FORMAT_R8G8B8A8_UNORM,
 };
 
 static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
@@ -19,16 +25,43 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
         .color[0] = { &present_window, RG_LOAD_DISCARD },
         .uses =
             RG_USES({ .image = &tonemap_color, .access = RG_SAMPLED, .binding = PRESENT_PICTURE }),
-        .vert = &screen_vert,
+        .vert = &present_vert,
         .frag = &present_frag,
         .push_size = sizeof(struct present_push),
         .record = record_screen,
+    },
+    {
+        .name = "present.split",
+        .color[0] = { &present_window, RG_LOAD_KEEP },
+        .uses =
+            RG_USES({ .image = &present_right, .access = RG_SAMPLED, .binding = PRESENT_PICTURE }),
+        .vert = &present_vert,
+        .frag = &present_frag,
+        .push_size = sizeof(struct present_push),
+        .record = record_right,
+        .when = is_split,
     },
 };
 
 static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    rg_cmd_push(cmd, &frame->present, sizeof(frame->present));
+    struct present_push push = frame->present;
+    push.line = PRESENT_NO_LINE;
+    push.left = -1.0f;
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw(cmd, 3);
+}
+
+static bool is_split(const struct rg_frame *frame)
+{
+    return frame->present.line != PRESENT_NO_LINE;
+}
+
+static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    struct present_push push = frame->present;
+    push.left = 2.0f * (float)push.line / (float)rg_cmd_extent(cmd).width - 1.0f;
+    rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw(cmd, 3);
 }
 

@@ -31,6 +31,9 @@ static const struct {
                           "P, F12",
                           "write the picture: firn-0001.png and firn-0001.exr" },
     [VIEW_FULLSCREEN] = { { GLFW_KEY_F11 }, "fF", false, "F, F11", "fill the screen, or do not" },
+    [VIEW_SPLIT] = { { 0 }, "sS", false, "S", "two rungs side by side, or one" },
+    [VIEW_DIVIDER_LEFT] = { { 0 }, "[", true, "[", "the divider between them to the left" },
+    [VIEW_DIVIDER_RIGHT] = { { 0 }, "]", true, "]", "the divider to the right" },
     [VIEW_HIDE] = { { 0 }, "", false, NULL, NULL },
     [VIEW_HELP] = { { GLFW_KEY_F1 }, "?", false, "F1, ?", "print these keys" },
     [VIEW_QUIT] = { { GLFW_KEY_ESCAPE }, "qQ", false, "Esc, Q", "end" },
@@ -39,7 +42,7 @@ static const struct {
 static const struct {
     const char *name, *help;
 } gestures[] = {
-    { "left drag", "turn around the object" },
+    { "left drag", "turn around the object; at the divider, move that" },
     { "right drag", "move sideways; so does a left one with Shift" },
     { "wheel", "go nearer or away" },
     { "drop a file", "a model to look at, or an .exr or .hdr to put around it" },

@@ -19,6 +19,9 @@ enum view_action {
     VIEW_PAUSE,
     VIEW_SCREENSHOT,
     VIEW_FULLSCREEN,
+    VIEW_SPLIT,
+    VIEW_DIVIDER_LEFT,
+    VIEW_DIVIDER_RIGHT,
     VIEW_HIDE, /* reserved for what will lie over the picture */
     VIEW_HELP,
     VIEW_QUIT,
@@ -26,7 +29,7 @@ enum view_action {
 };
 
 /* What a key does, as GLFW names keys, or a character that is typed; 0: none. `repeated`: it is
- * held down; only camera movements are done again then. */
+ * held down; only movements are done again then. */
 enum view_action keys_find(int key, unsigned character, bool repeated);
 
 /* One line an action, and what the mouse does. */

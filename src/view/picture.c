@@ -1,11 +1,8 @@
-/* picture.c: loads, draws, changes, writes. */
+/* picture.c: loads, draws, changes. */
 #include "src/view/picture.h"
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/app/output.h"
-#include "src/app/stop.h"
-#include "src/image/file.h"
+#include "shaders/present.h"
 #include "src/log.h"
 
 static enum status out_of_memory(void)
@@ -27,6 +24,7 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
     if (!p)
         return out_of_memory();
     p->gpu = gpu;
+    p->divider = 0.5;
     p->o = *options;
     p->o.samples = options->samples ? options->samples : 1;
     p->o.positionals[0] = p->scene_name = copy(options->positionals[0]);
@@ -40,6 +38,8 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
         status = app_camera(&p->camera, &p->scene, &p->o);
     p->first_camera = p->camera;
     if (status == STATUS_OK)
+        status = scene_gpu_upload(&p->uploaded, gpu, &p->scene);
+    if (status == STATUS_OK)
         *picture = p;
     else
         picture_destroy(p);
@@ -51,6 +51,8 @@ void picture_destroy(struct picture *p)
     if (!p)
         return;
     renderer_destroy(p->renderer);
+    renderer_destroy(p->right);
+    scene_gpu_finish(&p->uploaded, p->gpu);
     scene_finish(&p->scene);
     free(p->scene_name);
     free(p->environment_name);
@@ -59,11 +61,12 @@ void picture_destroy(struct picture *p)
 
 /* ---- the renderer ---- */
 
-static struct renderer_params renderer_params(struct picture *p)
+struct renderer_params picture_params(struct picture *p)
 {
     return (struct renderer_params){
         .gpu = p->gpu,
         .scene = &p->scene,
+        .uploaded = &p->uploaded,
         .settings = &p->o.settings,
         .rung = p->o.rung,
         .width = p->o.width,
@@ -72,31 +75,101 @@ static struct renderer_params renderer_params(struct picture *p)
     };
 }
 
-/* On failure the one before stays. */
-static enum status remake_renderer(struct picture *p)
+static enum status make_renderer(struct picture *p, const struct rung *rung,
+                                 struct renderer **renderer)
 {
-    struct renderer_params params = renderer_params(p);
-    struct renderer *renderer;
+    struct renderer_params params = picture_params(p);
+    params.rung = rung;
     params.keep = true;
     params.measured = true;
-    enum status status = renderer_create(&renderer, &params);
-    if (status != STATUS_OK)
-        return status;
+    const enum status status = renderer_create(renderer, &params);
+    if (status == STATUS_OK)
+        renderer_measure(*renderer, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
+    return status;
+}
+
+static void forget_renderers(struct picture *p)
+{
     renderer_destroy(p->renderer);
-    p->renderer = renderer;
-    renderer_measure(renderer, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
+    renderer_destroy(p->right);
+    p->renderer = NULL;
+    p->right = NULL;
+}
+
+/* On failure those before stay. */
+static enum status make_renderers(struct picture *p)
+{
+    struct renderer *left = NULL;
+    struct renderer *right = NULL;
+    enum status status = make_renderer(p, p->o.rung, &left);
+    if (status == STATUS_OK && p->o.split)
+        status = make_renderer(p, p->o.split, &right);
+    if (status != STATUS_OK) {
+        renderer_destroy(left);
+        return status;
+    }
+    forget_renderers(p);
+    p->renderer = left;
+    p->right = right;
     return STATUS_OK;
+}
+
+enum status picture_remake(struct picture *p)
+{
+    return p->renderer ? make_renderers(p) : STATUS_OK;
 }
 
 enum status picture_resize(struct picture *p, VkExtent2D size)
 {
     if (p->renderer && p->o.width == size.width && p->o.height == size.height)
         return STATUS_OK;
-    renderer_destroy(p->renderer); /* first: both may not fit into memory */
-    p->renderer = NULL;
+    forget_renderers(p); /* first: both sizes may not fit into memory */
     p->o.width = size.width;
     p->o.height = size.height;
-    return remake_renderer(p);
+    return make_renderers(p);
+}
+
+enum status picture_split(struct picture *p, const struct rung *rung)
+{
+    const struct rung *before = p->o.split;
+    p->o.split = rung;
+    const enum status status = picture_remake(p);
+    if (status != STATUS_OK)
+        p->o.split = before;
+    return status;
+}
+
+/* ---- frames ---- */
+
+enum status picture_draw(struct picture *p, const struct renderer_shot *shot)
+{
+    enum status status = renderer_draw(p->renderer, shot);
+    if (status == STATUS_OK && p->right)
+        status = renderer_draw(p->right, shot);
+    return status;
+}
+
+enum status picture_wait(struct picture *p)
+{
+    enum status status = renderer_wait(p->renderer);
+    if (status == STATUS_OK && p->right)
+        status = renderer_wait(p->right);
+    return status;
+}
+
+VkImage picture_left(const struct picture *p)
+{
+    return renderer_picture(p->renderer);
+}
+
+VkImage picture_right(const struct picture *p)
+{
+    return renderer_picture(p->right ? p->right : p->renderer);
+}
+
+uint32_t picture_line(const struct picture *p)
+{
+    return p->o.split ? (uint32_t)(p->divider * p->o.width + 0.5) : PRESENT_NO_LINE;
 }
 
 /* ---- changes ---- */
@@ -108,7 +181,7 @@ static enum status replace(struct picture **picture, const struct app_options *o
     const bool drawn = (*picture)->renderer != NULL;
     enum status status = picture_create(&next, (*picture)->gpu, o);
     if (status == STATUS_OK && drawn)
-        status = remake_renderer(next);
+        status = make_renderers(next);
     if (status != STATUS_OK) {
         picture_destroy(next);
         return status;
@@ -117,19 +190,30 @@ static enum status replace(struct picture **picture, const struct app_options *o
         next->camera = (*picture)->camera;
         next->first_camera = (*picture)->first_camera;
     }
+    next->divider = (*picture)->divider;
     picture_destroy(*picture);
     *picture = next;
     return STATUS_OK;
 }
 
-static bool same_frame(const struct app_options *a, const struct app_options *b)
+static bool same_list(const struct rung *before, const struct settings *settings_before,
+                      const struct rung *after, const struct settings *settings_after)
 {
-    const struct frame_list before = frame_with(a->rung, &a->settings);
-    const struct frame_list after = frame_with(b->rung, &b->settings);
+    const struct frame_list a = frame_with(before, settings_before);
+    const struct frame_list b = frame_with(after, settings_after);
     for (size_t i = 0; i < FRAME_TECHNIQUE_COUNT; i++) {
-        if (before.techniques[i] != after.techniques[i])
+        if (a.techniques[i] != b.techniques[i])
             return false;
     }
+    return true;
+}
+
+static bool same_frame(const struct app_options *a, const struct app_options *b)
+{
+    if (!same_list(a->rung, &a->settings, b->rung, &b->settings))
+        return false;
+    if (b->split && !same_list(b->split, &a->settings, b->split, &b->settings))
+        return false;
     /* a cube that is drawn only once shows the settings it was drawn with */
     return frame_cube_is_dynamic(&a->settings) && frame_cube_is_dynamic(&b->settings);
 }
@@ -151,7 +235,7 @@ enum status picture_change(struct picture **picture, const struct settings *sett
     p->o = wanted;
     if (!p->renderer || same_frame(&before, &wanted))
         return STATUS_OK;
-    const enum status status = remake_renderer(p);
+    const enum status status = picture_remake(p);
     *remade = status == STATUS_OK;
     if (status != STATUS_OK)
         p->o = before;
@@ -185,57 +269,4 @@ void picture_range(const struct picture *p, float *nearest, float *farthest)
     const float size = box_diagonal(p->scene.box);
     *nearest = 0.05f * size;
     *farthest = 50.0f * size;
-}
-
-/* ---- files ---- */
-
-static enum status write_file(struct picture *p, const struct output *output, const char *path,
-                              const struct render_result *result, struct stop *stop)
-{
-    void *data = NULL;
-    size_t size = 0;
-    enum status status =
-        output_encode(output, path, result, p->gpu->properties.deviceName, &data, &size);
-    if (status == STATUS_OK) {
-        stop_hold(stop);
-        status = file_write(path, data, size);
-        stop_release(stop);
-    }
-    free(data);
-    if (status == STATUS_OK && !p->o.quiet)
-        fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout", p->o.width,
-                p->o.height, p->o.samples, p->o.samples > 1 ? "s" : "");
-    return status;
-}
-
-enum status picture_write(struct picture *p, float time, const char *const *paths,
-                          uint32_t path_count, struct stop *stop)
-{
-    struct renderer_params params = renderer_params(p);
-    struct output output = {
-        .options = &p->o,
-        .scene = &p->scene,
-        .shot = { .camera = p->camera, .time = time },
-    };
-    struct render_result result = { 0 };
-    struct renderer *renderer = NULL;
-    params.samples = p->o.samples;
-    for (uint32_t i = 0; i < path_count; i++) {
-        if (output_is_png(paths[i]))
-            params.display = true;
-        else
-            params.linear = true;
-    }
-    params.layers = params.linear ? p->o.layers : 0;
-    enum status status = output_describe(&output);
-    if (status == STATUS_OK)
-        status = renderer_create(&renderer, &params);
-    if (status == STATUS_OK)
-        status = renderer_render(renderer, &output.shot, &result, NULL, NULL);
-    for (uint32_t i = 0; i < path_count && status == STATUS_OK; i++)
-        status = write_file(p, &output, paths[i], &result, stop);
-    render_result_finish(&result);
-    renderer_destroy(renderer);
-    output_finish(&output);
-    return status;
 }

@@ -1,5 +1,6 @@
 /*
- * picture.h: what the window shows: options, scene, camera and the renderer for them.
+ * picture.h: what the window shows: options, scene, camera and the renderer for them; where it is
+ * split, two renderers of the same scene.
  *
  * A change makes anew only what it needs: nothing (the settings of shaders), the renderer (another
  * list of techniques, another size), or the scene.
@@ -11,6 +12,7 @@
 
 #include "src/app/app.h"
 #include "src/renderer.h"
+#include "src/scene_gpu.h"
 
 struct picture {
     struct gpu *gpu;
@@ -18,9 +20,12 @@ struct picture {
     char *scene_name;       /* of the options; own */
     char *environment_name; /* the same; may be NULL */
     struct scene scene;
+    struct scene_gpu uploaded;
     struct camera camera;       /* where a hand has put it */
     struct camera first_camera; /* where it was */
     struct renderer *renderer;  /* NULL until picture_resize() */
+    struct renderer *right;     /* of o.split; NULL without */
+    double divider;             /* between them: of the width, from the left */
 };
 
 /* Loads the scene; the strings of the options are copied or outlive the picture. */
@@ -45,15 +50,38 @@ MUST_USE enum status picture_change(struct picture **picture, const struct setti
  */
 MUST_USE enum status picture_open(struct picture **picture, const char *path, bool *remade);
 
+/* Shows another rung on the right; NULL: none. On failure it stays as it was. */
+MUST_USE enum status picture_split(struct picture *picture, const struct rung *rung);
+
+/* Makes the renderers anew, if there are any. On failure those before stay. */
+MUST_USE enum status picture_remake(struct picture *picture);
+
+/* What of renderer.h the window needs, for one renderer or two. */
+MUST_USE enum status picture_draw(struct picture *picture, const struct renderer_shot *shot);
+MUST_USE enum status picture_wait(struct picture *picture);
+VkImage picture_left(const struct picture *picture);
+VkImage picture_right(const struct picture *picture); /* unless split, the same */
+
+/* The column where the line between left and right begins; PRESENT_NO_LINE: not split. */
+uint32_t picture_line(const struct picture *picture);
+
 /* Metres between which the camera may stand off its target. */
 void picture_range(const struct picture *picture, float *nearest, float *farthest);
 
 /*
  * Draws the picture as `firn render` does, with all samples and layers that the options name, and
- * writes it with the same words in it, each to a file that its ending names.
+ * writes it with the same words in it, each to a file that its ending names. Of a split picture a
+ * PNG file shows what the window shows, and NAME.exr becomes NAME-left.exr and NAME-right.exr.
  */
 struct stop;
 MUST_USE enum status picture_write(struct picture *picture, float time, const char *const *paths,
                                    uint32_t path_count, struct stop *stop);
+
+/* Whether a picture that is split (or not) can be written to them. Logs: STATUS_USAGE. */
+MUST_USE enum status picture_can_write(bool is_split, const char *const *paths,
+                                       uint32_t path_count);
+
+/* For renderers of the picture as it is. */
+struct renderer_params picture_params(struct picture *picture);
 
 #endif

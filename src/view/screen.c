@@ -6,6 +6,7 @@
 
 enum {
     IMPORT_PICTURE,
+    IMPORT_RIGHT,
     IMPORT_WINDOW,
     IMPORT_COUNT,
 };
@@ -47,6 +48,7 @@ static enum status compile(struct screen *s, const struct rg_device *device)
     const VkExtent2D extent = s->swapchain.extent;
     const struct rg_import imports[IMPORT_COUNT] = {
         [IMPORT_PICTURE] = { .image = &tonemap_color, .access = RG_SAMPLED },
+        [IMPORT_RIGHT] = { .image = &present_right, .access = RG_SAMPLED },
         [IMPORT_WINDOW] = { .image = &s->tables.window },
     };
     s->plan = rg_compile(&(struct rg_compile_params){
@@ -77,7 +79,7 @@ static void log_exec(void *user, const char *line)
     log_error("%s", line);
 }
 
-enum status screen_connect(struct screen *s, VkImage picture)
+enum status screen_connect(struct screen *s, VkImage picture, VkImage right)
 {
     const struct gpu *gpu = s->gpu;
     const struct rg_vulkan vulkan = {
@@ -89,6 +91,7 @@ enum status screen_connect(struct screen *s, VkImage picture)
     const struct rg_device device = rg_exec_device(&vulkan);
     const struct rg_exec_import objects[IMPORT_COUNT] = {
         [IMPORT_PICTURE] = { .image = picture },
+        [IMPORT_RIGHT] = { .image = right },
         [IMPORT_WINDOW] = {
             .images = s->swapchain.images,
             .image_count = s->swapchain.image_count,
@@ -114,7 +117,9 @@ enum status screen_connect(struct screen *s, VkImage picture)
             .import_count = IMPORT_COUNT,
             .render_passes = gpu->validated, /* see rg_exec.h */
             .measured = true,
+            .replace = s->replace,
             .log = log_exec,
+            .user = s->replace_user,
         },
         &result);
     if (s->exec)
@@ -142,10 +147,10 @@ enum status screen_begin(struct screen *s, bool *ready)
     return status;
 }
 
-enum status screen_end(struct screen *s)
+enum status screen_end(struct screen *s, uint32_t line)
 {
     const struct gpu_swapchain *chain = &s->swapchain;
-    const struct rg_frame frame = { .present = { .encodes = chain->encodes } };
+    const struct rg_frame frame = { .present = { .encodes = chain->encodes, .line = line } };
     const struct rg_exec_ties ties = {
         .image = s->index,
         .wait = chain->acquired[s->slot],

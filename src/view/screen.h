@@ -12,6 +12,7 @@
 #ifndef FIRN_VIEW_SCREEN_H
 #define FIRN_VIEW_SCREEN_H
 
+#include "graph/rg_exec.h"
 #include "graph/rg_time.h"
 #include "src/gpu/gpu_swapchain.h"
 #include "src/tech/present.h"
@@ -19,6 +20,8 @@
 struct screen {
     struct gpu *gpu;
     struct gpu_swapchain swapchain;
+    rg_replace_fn *replace; /* of rg_exec.h, set before screen_connect(); NULL: nothing */
+    void *replace_user;
     VkExtent2D size; /* of the window, that it was made for */
     struct present_tables tables;
     struct rg_plan *plan;
@@ -35,14 +38,17 @@ void screen_finish(struct screen *screen); /* {0} and half-built are fine */
  * the screen is not connected. If swapchain.stale is still true, nothing can be shown. */
 MUST_USE enum status screen_fit(struct screen *screen, VkExtent2D size, bool *remade);
 
-/* Shows this image, of the swapchain's size and ready to be sampled, from now on. */
-MUST_USE enum status screen_connect(struct screen *screen, VkImage picture);
+/* Shows this image, of the swapchain's size and ready to be sampled, from now on; and where a line
+ * is drawn, another one right of it (without one, the same). */
+MUST_USE enum status screen_connect(struct screen *screen, VkImage picture, VkImage right);
 
 /* Waits for its frames and forgets the picture. */
 void screen_disconnect(struct screen *screen);
 
 /* *ready is false if there is no image: fit it and begin again. */
 MUST_USE enum status screen_begin(struct screen *screen, bool *ready);
-MUST_USE enum status screen_end(struct screen *screen);
+
+/* `line`: the column where the line between two pictures begins, or PRESENT_NO_LINE. */
+MUST_USE enum status screen_end(struct screen *screen, uint32_t line);
 
 #endif

@@ -7,6 +7,7 @@
 #include "src/app/stop.h"
 #include "src/log.h"
 #include "src/scene_settings.h"
+#include "src/view/background.h"
 #include "src/view/orbit.h"
 #include "src/view/picture.h"
 #include "src/view/screen.h"
@@ -14,6 +15,7 @@
 
 static const float key_turn_deg = 5.0f;
 static const float drag_turn_deg = 180.0f; /* over the window's height */
+static const double key_slide = 1.0 / 32;  /* of the window's width */
 static const double idle_seconds = 0.1;    /* between looks, while there is nothing to draw */
 
 /* What frames cost, but for the first one, which compiles shaders. */
@@ -38,8 +40,9 @@ struct view {
     float shown;    /* time of the frame drawn last, seconds */
     double next;    /* the earliest moment for the next frame, seconds */
     bool paused, changed, quit;
-    bool shoot;           /* the next frame, to files */
-    uint32_t shot_number; /* of the screenshot written last */
+    VkExtent2D first_size; /* of the window, pixels */
+    bool shoot;            /* the next frame, to files */
+    uint32_t shot_number;  /* of the screenshot written last */
     struct costs costs;
 };
 
@@ -70,8 +73,9 @@ static enum status open_window(struct view *v)
     return status;
 }
 
-static enum status open_device(struct view *v)
+static enum status open_device(void *user)
 {
+    struct view *v = user;
     const struct app_options *o = v->options;
     const struct gpu_params params = {
         .device = o->device,
@@ -80,7 +84,6 @@ static enum status open_device(struct view *v)
         .windows = &v->system,
     };
     const VkPresentModeKHR mode = o->present ? o->present : VK_PRESENT_MODE_FIFO_KHR;
-    say(v, "loading the device");
     enum status status = gpu_create(&v->gpu, &params);
     if (status == STATUS_OK)
         status = window_surface(&v->window, &v->gpu, &v->surface);
@@ -91,21 +94,20 @@ static enum status open_device(struct view *v)
 
 static void show_name(struct view *v)
 {
+    const struct app_options *o = &v->picture->o;
     char words[200];
-    snprintf(words, sizeof(words), "%s%s", v->picture->o.positionals[0],
-             v->paused ? ", paused" : "");
+    if (o->split)
+        snprintf(words, sizeof(words), "%s, %s | %s%s", o->positionals[0], o->rung->name,
+                 o->split->name, v->paused ? ", paused" : "");
+    else
+        snprintf(words, sizeof(words), "%s%s", o->positionals[0], v->paused ? ", paused" : "");
     say(v, words);
 }
 
-static enum status load(struct view *v)
+static enum status load(void *user)
 {
-    char words[200];
-    snprintf(words, sizeof(words), "loading %s", v->options->positionals[0]);
-    say(v, words);
-    enum status status = picture_create(&v->picture, &v->gpu, v->options);
-    if (status == STATUS_OK)
-        say(v, "loading shaders");
-    return status;
+    struct view *v = user;
+    return picture_create(&v->picture, &v->gpu, v->options);
 }
 
 static void finish(struct view *v)
@@ -142,6 +144,18 @@ static void rest_since(struct view *v, double start)
     v->costs.rest += now() - start;
 }
 
+static bool is_taken(uint32_t number)
+{
+    static const char *const endings[] = { ".png", ".exr", "-left.exr", "-right.exr" };
+    char name[32];
+    bool taken = false;
+    for (size_t i = 0; i < sizeof(endings) / sizeof(endings[0]); i++) {
+        snprintf(name, sizeof(name), "firn-%04u%s", number, endings[i]);
+        taken = taken || access(name, F_OK) == 0;
+    }
+    return taken;
+}
+
 /* Nothing that is there is written over. A failure has been logged and ends nothing. */
 static void take_screenshot(struct view *v)
 {
@@ -150,11 +164,10 @@ static void take_screenshot(struct view *v)
     const char *const paths[] = { png, exr };
     const double start = now();
     v->shoot = false;
-    do {
-        v->shot_number++;
-        snprintf(png, sizeof(png), "firn-%04u.png", v->shot_number);
-        snprintf(exr, sizeof(exr), "firn-%04u.exr", v->shot_number);
-    } while (access(png, F_OK) == 0 || access(exr, F_OK) == 0);
+    while (is_taken(++v->shot_number))
+        continue;
+    snprintf(png, sizeof(png), "firn-%04u.png", v->shot_number);
+    snprintf(exr, sizeof(exr), "firn-%04u.exr", v->shot_number);
     (void)!picture_write(v->picture, v->shown, paths, 2, &v->stop);
     rest_since(v, start);
 }
@@ -165,6 +178,30 @@ static void zoom(struct view *v, float steps)
     float farthest;
     picture_range(v->picture, &nearest, &farthest);
     orbit_zoom(&v->picture->camera, steps, nearest, farthest);
+}
+
+/* --split, or the first rung that is not on the left already. */
+static const struct rung *other_rung(const struct view *v)
+{
+    const struct rung *left = v->picture->o.rung;
+    if (v->options->split)
+        return v->options->split;
+    return left == &frame_rungs[0] && frame_rungs[1].name ? &frame_rungs[1] : &frame_rungs[0];
+}
+
+/* A failure has been logged; it stays as it was. */
+static void toggle_split(struct view *v)
+{
+    const double start = now();
+    screen_disconnect(&v->screen);
+    (void)!picture_split(v->picture, v->picture->o.split ? NULL : other_rung(v));
+    show_name(v);
+    rest_since(v, start);
+}
+
+static void slide(struct view *v, double to)
+{
+    v->picture->divider = to < 0.0 ? 0.0 : to > 1.0 ? 1.0 : to;
 }
 
 static void act(struct view *v, enum view_action action)
@@ -203,6 +240,15 @@ static void act(struct view *v, enum view_action action)
     case VIEW_FULLSCREEN:
         window_fill_screen(&v->window);
         break;
+    case VIEW_SPLIT:
+        toggle_split(v);
+        break;
+    case VIEW_DIVIDER_LEFT:
+        slide(v, v->picture->divider - key_slide);
+        break;
+    case VIEW_DIVIDER_RIGHT:
+        slide(v, v->picture->divider + key_slide);
+        break;
     case VIEW_HELP:
         keys_print(stdout);
         fflush(stdout);
@@ -228,22 +274,36 @@ static void drag(struct view *v, const struct window_input *input)
         orbit_pan(camera, (float)-input->pan_x, (float)input->pan_y);
     if (input->wheel != 0.0)
         zoom(v, (float)input->wheel);
-    v->changed = v->changed || input->redraw || input->turn_x != 0.0 || input->turn_y != 0.0 ||
-                 input->pan_x != 0.0 || input->pan_y != 0.0 || input->wheel != 0.0;
+    if (input->slid)
+        slide(v, input->divider);
+    v->changed = v->changed || input->redraw || input->slid || input->turn_x != 0.0 ||
+                 input->turn_y != 0.0 || input->pan_x != 0.0 || input->pan_y != 0.0 ||
+                 input->wheel != 0.0;
+}
+
+struct drop {
+    struct view *view;
+    char *path;
+};
+
+static enum status open_file(void *user)
+{
+    const struct drop *drop = user;
+    bool remade;
+    return picture_open(&drop->view->picture, drop->path, &remade);
 }
 
 /* A file that cannot be used has been logged; what was there stays. */
 static void open_dropped(struct view *v)
 {
-    char *path = window_take_dropped(&v->window);
+    struct drop drop = { .view = v, .path = window_take_dropped(&v->window) };
     const double start = now();
-    bool remade;
-    if (!path)
+    if (!drop.path)
         return;
     say(v, "loading");
-    if (picture_open(&v->picture, path, &remade) == STATUS_OK && remade)
-        screen_disconnect(&v->screen);
-    free(path);
+    screen_disconnect(&v->screen);
+    (void)!background_run(&v->window, open_file, &drop);
+    free(drop.path);
     v->changed = true;
     show_name(v);
     rest_since(v, start);
@@ -256,6 +316,7 @@ static void handle(struct view *v)
     for (uint32_t i = 0; i < input.action_count; i++)
         act(v, input.actions[i]);
     open_dropped(v);
+    v->window.divider = v->picture->o.split ? v->picture->divider : -1.0;
     v->quit = v->quit || window_is_closed(&v->window);
 }
 
@@ -290,7 +351,7 @@ static enum status fit(struct view *v, VkExtent2D size, bool *ready)
         return status;
     status = picture_resize(v->picture, v->screen.swapchain.extent);
     if (status == STATUS_OK)
-        status = screen_connect(&v->screen, renderer_picture(v->picture->renderer));
+        status = screen_connect(&v->screen, picture_left(v->picture), picture_right(v->picture));
     rest_since(v, start);
     return status;
 }
@@ -307,13 +368,15 @@ static double passes_of(struct rg_times times)
 static void count_frame(struct view *v)
 {
     struct costs *c = &v->costs;
+    const struct picture *p = v->picture;
     const struct app_options *o = v->options;
     if (c->frame_count++ == 0) {
         show_name(v);
         c->start = v->now = now();
         c->rest = 0.0;
     } else {
-        c->graphs += passes_of(renderer_times(v->picture->renderer)) +
+        c->graphs += passes_of(renderer_times(p->renderer)) +
+                     (p->right ? passes_of(renderer_times(p->right)) : 0.0) +
                      passes_of(rg_exec_times(v->screen.exec));
     }
     if (o->time_step > 0.0 && !v->paused)
@@ -323,18 +386,26 @@ static void count_frame(struct view *v)
     v->quit = v->quit || (o->frame_count && c->frame_count >= o->frame_count);
 }
 
+static struct renderer_shot shot_now(const struct view *v)
+{
+    const struct motion_params *motion = settings_of(&v->picture->o.settings, &motion_settings);
+    return (struct renderer_shot){
+        .camera = v->picture->camera,
+        .time = (float)((double)motion->time + v->elapsed),
+    };
+}
+
 static enum status draw(struct view *v)
 {
     bool ready;
-    const struct motion_params *motion = settings_of(&v->picture->o.settings, &motion_settings);
-    v->shown = (float)((double)motion->time + v->elapsed);
-    const struct renderer_shot shot = { .camera = v->picture->camera, .time = v->shown };
+    const struct renderer_shot shot = shot_now(v);
+    v->shown = shot.time;
     enum status status = screen_begin(&v->screen, &ready);
     if (status != STATUS_OK || !ready)
         return status;
-    status = renderer_draw(v->picture->renderer, &shot);
+    status = picture_draw(v->picture, &shot);
     if (status == STATUS_OK)
-        status = screen_end(&v->screen);
+        status = screen_end(&v->screen, picture_line(v->picture));
     v->changed = false;
     return status;
 }
@@ -358,14 +429,49 @@ static enum status run_frame(struct view *v)
     return STATUS_OK;
 }
 
+/* All that a first frame waits for: the renderers, and the driver, which compiles when it draws. */
+static enum status warm_up(void *user)
+{
+    struct view *v = user;
+    bool ready;
+    const struct renderer_shot shot = shot_now(v);
+    enum status status = fit(v, v->first_size, &ready);
+    if (status == STATUS_OK && ready)
+        status = picture_draw(v->picture, &shot);
+    if (status == STATUS_OK && ready)
+        status = picture_wait(v->picture);
+    return status;
+}
+
+/* From the window, which is there at once, to the first picture. */
+static enum status begin(struct view *v)
+{
+    const struct app_options *o = v->options;
+    char words[200];
+    enum status status = picture_can_write(o->split, o->outputs, o->output_count);
+    if (status == STATUS_OK)
+        status = open_window(v);
+    if (status != STATUS_OK)
+        return status;
+    say(v, "loading the device");
+    status = background_run(&v->window, open_device, v);
+    if (status != STATUS_OK || window_is_closed(&v->window))
+        return status;
+    snprintf(words, sizeof(words), "loading %s", o->positionals[0]);
+    say(v, words);
+    status = background_run(&v->window, load, v);
+    if (status != STATUS_OK || window_is_closed(&v->window))
+        return status;
+    say(v, "loading shaders");
+    v->first_size = window_size(&v->window);
+    return background_run(&v->window, warm_up, v);
+}
+
 static enum status run(struct view *v)
 {
     const struct app_options *o = v->options;
-    enum status status = open_window(v);
-    if (status == STATUS_OK)
-        status = open_device(v);
-    if (status == STATUS_OK)
-        status = load(v);
+    enum status status = begin(v);
+    v->quit = status == STATUS_OK && window_is_closed(&v->window);
     v->now = now();
     while (status == STATUS_OK && !v->quit)
         status = run_frame(v);

@@ -2,9 +2,12 @@
 #define GLFW_INCLUDE_NONE
 #include "src/view/window.h"
 #include <GLFW/glfw3.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/log.h"
+
+static const double divider_reach = 8.0; /* how near a hand must come, screen coordinates */
 
 static enum status failed(const char *what)
 {
@@ -49,6 +52,36 @@ static bool has_shift(GLFWwindow *handle)
            glfwGetKey(handle, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
 }
 
+static bool is_near_divider(const struct window *w, double x)
+{
+    int width;
+    int height;
+    glfwGetWindowSize(w->handle, &width, &height);
+    return w->divider >= 0.0 && fabs(x - w->divider * width) <= divider_reach;
+}
+
+static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
+{
+    struct window *w = glfwGetWindowUserPointer(handle);
+    (void)modifiers;
+    if (button == GLFW_MOUSE_BUTTON_LEFT)
+        w->slides = event == GLFW_PRESS && is_near_divider(w, w->cursor_x);
+}
+
+/* The divider follows the hand; where it can be taken, the mouse looks so. */
+static void slide(struct window *w, double x, int width)
+{
+    const bool shown = w->slides || is_near_divider(w, x);
+    if (shown && !w->slider)
+        w->slider = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
+    if (w->slider)
+        glfwSetCursor(w->handle, shown ? w->slider : NULL);
+    if (!w->slides || width <= 0)
+        return;
+    w->input.slid = true;
+    w->input.divider = fmin(fmax(x / width, 0.0), 1.0);
+}
+
 static void on_cursor(GLFWwindow *handle, double x, double y)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
@@ -58,9 +91,10 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     const double scale = height > 0 ? 1.0 / height : 0.0;
     const double dx = (x - w->cursor_x) * scale;
     const double dy = (y - w->cursor_y) * scale;
-    const bool left = is_down(handle, GLFW_MOUSE_BUTTON_LEFT);
+    const bool left = is_down(handle, GLFW_MOUSE_BUTTON_LEFT) && !w->slides;
     w->cursor_x = x; /* as the events come: where it is now is later already */
     w->cursor_y = y;
+    slide(w, x, width);
     if (is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) || (left && has_shift(handle))) {
         w->input.pan_x += dx;
         w->input.pan_y += dy;
@@ -110,6 +144,7 @@ static void listen(struct window *w)
     glfwSetKeyCallback(w->handle, on_key);
     glfwSetCharCallback(w->handle, on_character);
     glfwSetCursorPosCallback(w->handle, on_cursor);
+    glfwSetMouseButtonCallback(w->handle, on_button);
     glfwSetScrollCallback(w->handle, on_wheel);
     glfwSetDropCallback(w->handle, on_drop);
     glfwSetFramebufferSizeCallback(w->handle, on_resize);
@@ -133,7 +168,7 @@ static void fit_framebuffer(struct window *w, uint32_t width, uint32_t height)
 
 enum status window_init(struct window *w, uint32_t width, uint32_t height, const char *title)
 {
-    *w = (struct window){ 0 };
+    *w = (struct window){ .divider = -1.0 };
     if (!glfwInit())
         return failed("no window system");
     w->has_library = true;
@@ -165,6 +200,11 @@ void window_title(struct window *w, const char *title)
     glfwPollEvents();
 }
 
+void window_hide(struct window *w)
+{
+    glfwHideWindow(w->handle);
+}
+
 void window_poll(struct window *w)
 {
     (void)w;
@@ -175,6 +215,11 @@ void window_wait(struct window *w, double seconds)
 {
     (void)w;
     glfwWaitEventsTimeout(seconds);
+}
+
+void window_wake(void)
+{
+    glfwPostEmptyEvent();
 }
 
 struct window_input window_take(struct window *w)

@@ -9,6 +9,7 @@
 #include "src/gpu/gpu.h"
 #include "src/view/keys.h"
 
+struct GLFWcursor;
 struct GLFWwindow;
 
 enum {
@@ -20,6 +21,8 @@ struct window_input {
     double turn_x, turn_y;
     double pan_x, pan_y;
     double wheel; /* steps, away from the hand */
+    bool slid;    /* the divider is now somewhere else: */
+    double divider;
     enum view_action actions[WINDOW_ACTION_COUNT];
     uint32_t action_count;
     bool redraw; /* what is shown may be gone */
@@ -29,8 +32,11 @@ struct window {
     struct GLFWwindow *handle;
     bool has_library; /* GLFW is up */
     struct window_input input;
-    char *dropped;                /* path of a file, malloc'd; NULL: none */
-    double cursor_x, cursor_y;    /* where it was seen last, screen coordinates */
+    char *dropped;             /* path of a file, malloc'd; NULL: none */
+    double cursor_x, cursor_y; /* where it was seen last, screen coordinates */
+    double divider; /* that a hand can take, of the width, from the left; below 0: none */
+    bool slides;    /* a hand has it */
+    struct GLFWcursor *slider;    /* what the mouse looks like there; NULL: never was there */
     bool repeated;                /* the key that is being handled is held down */
     int left, top, width, height; /* before it filled the screen */
 };
@@ -45,9 +51,14 @@ void window_finish(struct window *window);
 
 void window_title(struct window *window, const char *title);
 
+void window_hide(struct window *window);
+
 /* Handles what has happened; or waits until something happens, at most so many seconds. */
 void window_poll(struct window *window);
 void window_wait(struct window *window, double seconds);
+
+/* Ends window_wait(); from any thread. */
+void window_wake(void);
 
 /* Returns what has happened, and forgets it. */
 struct window_input window_take(struct window *window);

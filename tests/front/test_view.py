@@ -41,7 +41,7 @@ class WindowCase(Case):
     def view(self, *arguments):
         return self.succeed('view', *arguments, env=self.env())
 
-    def start(self, scene, *arguments):
+    def start(self, scene, *arguments, title=None):
         """Runs on; the number of its window, once it shows the scene."""
         words = [Case.program, 'view', scene, *CHECKED, *map(str, arguments)]
         self.log = open(self.folder / 'stderr', 'wb')
@@ -50,7 +50,7 @@ class WindowCase(Case):
                                         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                         stderr=self.log)
         self.addCleanup(self.end)
-        return self.find(scene)
+        return self.find(title or scene)
 
     def end(self):
         if self.process.poll() is None:
@@ -72,9 +72,9 @@ class WindowCase(Case):
     def press(self, window, key):
         self.desktop.do('windowfocus', '--sync', window, 'key', key)
 
-    def shoot(self, window, number):
+    def shoot(self, window, number, *endings):
         """Presses the key; what it writes."""
-        paths = [self.folder / f'firn-{number:04}.{kind}' for kind in ('png', 'exr')]
+        paths = [self.folder / f'firn-{number:04}{end}' for end in endings or ('.png', '.exr')]
         again = 0.0
 
         def look():
@@ -141,6 +141,10 @@ class Hands(WindowCase):
         self.assertEqual(self.process.returncode, 0, self.words())
         for word in ('Space', 'Esc, Q', 'drop a file'):
             self.assertIn(word, text)
+
+    def test_closed_while_it_loads(self):
+        window = self.start('teapot', title='loading .*')
+        self.close(window)
 
     def test_resize_to_one_pixel_and_back(self):
         window = self.start('sphere')

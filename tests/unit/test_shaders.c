@@ -135,7 +135,9 @@ static const struct shared shared_structs[] = {
             FIELD(refract_march, bounces),
         },
     },
-    { "present_push", sizeof(struct present_push), { FIELD(present_push, encodes) } },
+    { "present_push",
+      sizeof(struct present_push),
+      { FIELD(present_push, encodes), FIELD(present_push, line), FIELD(present_push, left) } },
     {
         "refract_paper_params",
         sizeof(struct refract_paper_params),

@@ -1,0 +1,161 @@
+/* picture_file.c: a picture to files, or two halves to one. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "shaders/present.h"
+#include "src/app/output.h"
+#include "src/app/stop.h"
+#include "src/image/file.h"
+#include "src/log.h"
+#include "src/view/picture.h"
+
+enum {
+    PATH_SIZE = 4096,
+};
+
+/* One rung's picture. */
+struct side {
+    const char *suffix; /* of EXR files' names */
+    struct app_options o;
+    struct output output;
+    struct render_result result;
+};
+
+/* The window's picture. */
+struct drawn {
+    struct side sides[2]; /* left and, if it is split, right */
+    size_t side_count;
+    struct output whole;
+};
+
+enum status picture_can_write(bool is_split, const char *const *paths, uint32_t path_count)
+{
+    for (uint32_t i = 0; i < path_count && is_split; i++) {
+        if (!strcmp(paths[i], "-")) {
+            log_error("--screenshot -: a split picture is two EXR files: NAME.exr is wanted");
+            return STATUS_USAGE;
+        }
+    }
+    return STATUS_OK;
+}
+
+static enum status write_file(struct picture *p, const struct output *output, const char *path,
+                              const struct render_result *result, struct stop *stop)
+{
+    void *data = NULL;
+    size_t size = 0;
+    enum status status =
+        output_encode(output, path, result, p->gpu->properties.deviceName, &data, &size);
+    if (status == STATUS_OK) {
+        stop_hold(stop);
+        status = file_write(path, data, size);
+        stop_release(stop);
+    }
+    free(data);
+    if (status == STATUS_OK && !p->o.quiet)
+        fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout", p->o.width,
+                p->o.height, p->o.samples, p->o.samples > 1 ? "s" : "");
+    return status;
+}
+
+/* NAME.exr to NAME-left.exr */
+static enum status write_side(struct picture *p, const struct side *side, const char *path,
+                              struct stop *stop)
+{
+    char name[PATH_SIZE];
+    const char *dot = strrchr(path, '.');
+    const int stem = dot ? (int)(dot - path) : (int)strlen(path);
+    const int length =
+        snprintf(name, sizeof(name), "%.*s%s%s", stem, path, side->suffix, path + stem);
+    if (length < 0 || length >= PATH_SIZE) {
+        log_error("%s: the name is too long", path);
+        return STATUS_CANT_CREATE;
+    }
+    return write_file(p, &side->output, name, &side->result, stop);
+}
+
+static enum status draw_side(struct picture *p, struct side *side, const struct renderer_shot *shot,
+                             const char *const *paths, uint32_t path_count)
+{
+    struct renderer_params params = picture_params(p);
+    struct renderer *renderer = NULL;
+    side->output = (struct output){ .options = &side->o, .scene = &p->scene, .shot = *shot };
+    params.rung = side->o.rung;
+    params.samples = p->o.samples;
+    for (uint32_t i = 0; i < path_count; i++) {
+        if (output_is_png(paths[i]))
+            params.display = true;
+        else
+            params.linear = true;
+    }
+    params.layers = params.linear ? p->o.layers : 0;
+    enum status status = output_describe(&side->output);
+    if (status == STATUS_OK)
+        status = renderer_create(&renderer, &params);
+    if (status == STATUS_OK)
+        status = renderer_render(renderer, &side->output.shot, &side->result, NULL, NULL);
+    renderer_destroy(renderer);
+    return status;
+}
+
+/* As present.frag: right of the line, and the line. */
+static void put_right(uint8_t *rgba, const uint8_t *right, uint32_t width, uint32_t height,
+                      uint32_t line)
+{
+    for (size_t y = 0; y < height; y++) {
+        for (uint32_t x = line; x < width; x++) {
+            uint8_t *texel = &rgba[(y * width + x) * 4];
+            memcpy(texel, &right[(y * width + x) * 4], 4);
+            if (PRESENT_IS_BRIGHT(x, line))
+                memset(texel, 255, 3);
+            else if (PRESENT_IS_DARK(x, line))
+                memset(texel, 0, 3);
+        }
+    }
+}
+
+static enum status write_all(struct picture *p, const struct drawn *drawn, const char *const *paths,
+                             uint32_t path_count, struct stop *stop)
+{
+    const struct render_result *left = &drawn->sides[0].result;
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < path_count && status == STATUS_OK; i++) {
+        if (drawn->side_count == 1 || output_is_png(paths[i])) {
+            status = write_file(p, &drawn->whole, paths[i], left, stop);
+            continue;
+        }
+        for (size_t s = 0; s < drawn->side_count && status == STATUS_OK; s++)
+            status = write_side(p, &drawn->sides[s], paths[i], stop);
+    }
+    return status;
+}
+
+enum status picture_write(struct picture *p, float time, const char *const *paths,
+                          uint32_t path_count, struct stop *stop)
+{
+    const struct renderer_shot shot = { .camera = p->camera, .time = time };
+    struct drawn d = {
+        .sides = { { .suffix = "-left", .o = p->o }, { .suffix = "-right", .o = p->o } },
+        .side_count = p->o.split ? 2 : 1,
+        .whole = { .options = &p->o, .scene = &p->scene, .shot = shot },
+    };
+    enum status status = picture_can_write(p->o.split, paths, path_count);
+    if (status == STATUS_OK)
+        status = output_describe(&d.whole);
+    d.sides[1].o.rung = p->o.split;
+    for (size_t s = 0; s < d.side_count && status == STATUS_OK; s++) {
+        d.sides[s].o.split = NULL;
+        status = draw_side(p, &d.sides[s], &shot, paths, path_count);
+    }
+    if (status == STATUS_OK && d.side_count > 1 && d.sides[0].result.rgba)
+        put_right(d.sides[0].result.rgba, d.sides[1].result.rgba, p->o.width, p->o.height,
+                  picture_line(p));
+    if (status == STATUS_OK)
+        status = write_all(p, &d, paths, path_count, stop);
+    for (size_t s = 0; s < d.side_count; s++) {
+        render_result_finish(&d.sides[s].result);
+        output_finish(&d.sides[s].output);
+    }
+    output_finish(&d.whole);
+    return status;
+}

@@ -1,0 +1,40 @@
+"""What the loop around a window costs, beside the passes of its frames.
+
+loop.py FIRN: of five runs at 1024x768, the median of the milliseconds that `firn view` reports.
+Fails above 2. On a machine that does other things as well it says little.
+"""
+import pathlib
+import re
+import statistics
+import subprocess
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).parents[2] / 'front'))
+from case import environment  # noqa: E402
+from desktop import Desktop  # noqa: E402
+
+RUNS, MOST = 5, 2.0
+WORDS = ['sphere', '--size', '1024x768', '--frames', '40', '--time-step', '0.04']
+for cheap in ('env_cube.dynamic=off', 'cracks.count=0', 'bubbles.count=0', 'air.count=0',
+              'light.count=0', 'bump.strength=0'):
+    WORDS += ['--set', cheap]
+
+
+def main():
+    desktop = Desktop(1100, 850)
+    found = []
+    try:
+        env = environment({'DISPLAY': desktop.env['DISPLAY']})
+        for _ in range(RUNS):
+            words = subprocess.run([sys.argv[1], 'view', *WORDS], env=env, check=True,
+                                   stderr=subprocess.PIPE, text=True).stderr
+            found.append([float(x) for x in re.findall(r'(-?[\d.]+) ms', words)])
+            print(words, end='')
+    finally:
+        desktop.close()
+    beside = statistics.median(run[2] for run in found)
+    print(f'beside the passes: {beside:.2f} ms a frame, at most {MOST} wanted')
+    sys.exit(beside > MOST)
+
+
+main()

@@ -1,0 +1,104 @@
+"""test_view_split.py: two rungs in one window. Usage: see case.py."""
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import USAGE, Case, main  # noqa: E402
+from desktop import wait_until  # noqa: E402
+from test_view import SIZE, WindowCase, png_pixels  # noqa: E402
+
+WIDTH, HEIGHT = map(int, SIZE.split('x'))
+BRIGHT, DARK = b'\xff\xff\xff', b'\0\0\0'
+TITLE = r'sphere, paper \| one-sided'
+
+
+def columns(pixels, first, last):
+    """RGB bytes of these columns, row by row."""
+    return [pixels[3 * (y * WIDTH + first):3 * (y * WIDTH + last)] for y in range(HEIGHT)]
+
+
+class Split(WindowCase):
+    def expect(self, pixels, line, left, right):
+        """Left of the line one picture, right of it the other."""
+        for first, last, want in ((0, line, left), (line + 2, WIDTH, right)):
+            self.assertEqual(columns(pixels, first, last), columns(want, first, last))
+        self.assertEqual(columns(pixels, line, line + 2), [BRIGHT + DARK] * HEIGHT)
+
+    def pictures(self, *arguments):
+        """What render draws, left and right."""
+        pixels = []
+        for rung in ('paper', 'one-sided'):
+            self.succeed('render', 'sphere', '--size', SIZE, *arguments, '--refraction', rung,
+                         '-o', f'{rung}.png', '-o', f'{rung}.exr')
+            pixels.append(png_pixels(self.folder / f'{rung}.png'))
+        self.assertNotEqual(*pixels)
+        return pixels
+
+    def test_files_have_the_pixels_of_render(self):
+        for samples in (1, 3):
+            words = ('--samples', samples, '--aov', 'N')
+            left, right = self.pictures(*words)
+            self.view('sphere', '--validate', '--size', SIZE, *words, '--split', 'one-sided',
+                      '--frames', 1, '--screenshot', 'a.png',
+                      '--screenshot', 'a.exr')
+            self.expect(png_pixels(self.folder / 'a.png'), WIDTH // 2, left, right)
+            for side, rung in (('left', 'paper'), ('right', 'one-sided')):
+                self.assertEqual((self.folder / f'a-{side}.exr').read_bytes(),
+                                 (self.folder / f'{rung}.exr').read_bytes())
+            self.assertNotIn('a.exr', self.files())
+        self.assertIn(b' split=one-sided ', (self.folder / 'a.png').read_bytes())
+
+    def settle(self, window, line, pictures):
+        wait_until(f'a line in column {line}', lambda: columns(
+            self.desktop.pixels(window), line, line + 2) == [BRIGHT + DARK] * HEIGHT)
+        self.expect(self.desktop.pixels(window), line, *pictures)
+
+    def test_hands_move_the_divider(self):
+        pictures = self.pictures('--set', 'motion.count=2')
+        window = self.start('sphere', '--split', 'one-sided', '--time-step', 1e-9, title=TITLE)
+        self.press(window, 'space')
+        self.find(f'{TITLE}, paused')
+        self.settle(window, 100, pictures)
+        self.desktop.do('mousemove', '--window', window, 103, 20, 'mousedown', 1, 'mousemove',
+                        '--window', window, 60, 90, 'mousemove', '--window', window, 50, 60,
+                        'mouseup', 1)
+        self.settle(window, 50, pictures)  # and the camera is where it was
+        self.desktop.do('mousemove', '--window', window, 150, 60)  # without it
+        for key, line in (('bracketright', 56), ('bracketleft', 50), ('bracketleft', 44)):
+            self.press(window, key)
+            self.settle(window, line, pictures)
+        shot = self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
+        self.expect(png_pixels(shot), 44, *pictures)
+        self.desktop.do('mousemove', '--window', window, 47, 20, 'mousedown', 1,
+                        'mousemove_relative', '--', -60, 0, 'mouseup', 1)  # beyond the edge
+        self.settle(window, 0, pictures)
+        self.close(window)
+
+    def test_the_key(self):
+        pictures = self.pictures('--set', 'motion.count=2')
+        window = self.start('sphere', '--time-step', 1e-9)
+        self.press(window, 'space')
+        wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
+        self.press(window, 's')
+        self.find(f'{TITLE}, paused')
+        self.settle(window, 100, pictures)
+        self.desktop.do('windowsize', '--sync', window, 80, 60)
+        self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
+        self.desktop.do('windowsize', '--sync', window, WIDTH, HEIGHT)
+        self.settle(window, 100, pictures)
+        self.press(window, 's')
+        self.find('sphere, paused')
+        wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
+        self.shoot(window, 2)  # 1 is taken
+        self.close(window)
+
+
+class Words(Case):
+    def test_wrong_ones(self):
+        self.refuse(USAGE, 'view', 'sphere', '--split', 'two-sided', names=['two-sided'])
+        self.refuse(USAGE, 'view', 'sphere', '--split', 'paper', '--screenshot', '-',
+                    names=['--screenshot'])
+        self.refuse(USAGE, 'render', 'sphere', '--split', 'paper', names=['--split'])
+
+
+if __name__ == '__main__':
+    main()
