@@ -72,6 +72,7 @@ struct app_options {
     uint32_t frame_count;     /* of firn view: ends after so many; 0: when it is closed */
     uint32_t fps_limit;       /* frames a second; 0: none */
     const struct rung *split; /* on the right of the window; NULL: it is not split */
+    const char *watch;        /* folder of shaders; NULL: none */
     VkPresentModeKHR present; /* 0 means FIFO */
     enum rg_sharing sharing;
     struct app_diff diff;

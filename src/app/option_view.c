@@ -30,3 +30,9 @@ enum status option_split(struct app_options *o, const char *value)
     o->split = frame_find_rung(value);
     return o->split ? STATUS_OK : option_refuse("split", value, "no such rung (firn list rungs)");
 }
+
+enum status option_watch(struct app_options *o, const char *value)
+{
+    o->watch = value ? value : "shaders";
+    return STATUS_OK;
+}

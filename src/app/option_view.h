@@ -4,6 +4,6 @@
 
 #include "src/app/option_profile.h"
 
-option_fn option_frame_count, option_fps_limit, option_present, option_split;
+option_fn option_frame_count, option_fps_limit, option_present, option_split, option_watch;
 
 #endif

@@ -19,7 +19,7 @@ struct option {
     const char *group; /* heading in the help */
     const char *name;  /* without dashes */
     char letter;       /* 0: none */
-    const char *value; /* NULL: takes none */
+    const char *value; /* NULL: takes none; "[=VALUE]": may be left out, and is then NULL */
     unsigned commands; /* enum app_command */
     option_fn *set;
     const char *help;
@@ -293,6 +293,8 @@ static const struct option options[] = {
       "at most so many frames a second" },
     { "Window", "split", 0, "RUNG", APP_VIEW, option_split,
       "on the right of a divider: --refraction is on its left (S, [ and ] there)" },
+    { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, option_watch,
+      "compile shaders there when they are saved, and show them (shaders)" },
     { "Sequence", "frames", 0, "LIST", APP_RENDER, set_frames,
       "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, set_resume,
@@ -398,6 +400,12 @@ static const char *const usages[] = {
     [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
 };
 
+/* Its value comes with '=' or not at all. */
+static bool is_optional(const struct option *option)
+{
+    return option->value && option->value[0] == '[';
+}
+
 void app_help(enum app_command command)
 {
     const char *group = "";
@@ -416,7 +424,8 @@ void app_help(enum app_command command)
         if (strcmp(group, option->group) != 0)
             printf("\n%s:\n", option->group);
         group = option->group;
-        snprintf(left, sizeof(left), "--%s %s", option->name, option->value ? option->value : "");
+        snprintf(left, sizeof(left), "--%s%s%s", option->name, is_optional(option) ? "" : " ",
+                 option->value ? option->value : "");
         if (option->letter)
             printf("  -%c, %-22s %s\n", option->letter, left, option->help);
         else
@@ -477,9 +486,10 @@ static enum status parse_option(struct app_options *o, enum app_command command,
         log_error("--%s takes no value (see --help)", option->name);
         return STATUS_USAGE;
     }
-    if (option->value && !value)
+    const bool wanted = option->value && !value && !is_optional(option);
+    if (wanted)
         value = argv[++*index]; /* argv ends at NULL */
-    if (option->value && !value) {
+    if (wanted && !value) {
         log_error("--%s: %s is missing (see --help)", option->name, option->value);
         return STATUS_USAGE;
     }

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "shaders/present.h"
 #include "src/log.h"
+#include "src/view/watch.h"
 
 static enum status out_of_memory(void)
 {
@@ -17,13 +18,14 @@ static char *copy(const char *text)
 }
 
 enum status picture_create(struct picture **picture, struct gpu *gpu,
-                           const struct app_options *options)
+                           const struct app_options *options, struct watch *watch)
 {
     struct picture *p = calloc(1, sizeof(*p));
     *picture = NULL;
     if (!p)
         return out_of_memory();
     p->gpu = gpu;
+    p->watch = watch;
     p->divider = 0.5;
     p->o = *options;
     p->o.samples = options->samples ? options->samples : 1;
@@ -72,6 +74,8 @@ struct renderer_params picture_params(struct picture *p)
         .width = p->o.width,
         .height = p->o.height,
         .sharing = p->o.sharing,
+        .replace = p->watch ? watch_replace : NULL,
+        .replace_user = p->watch,
     };
 }
 
@@ -179,7 +183,7 @@ static enum status replace(struct picture **picture, const struct app_options *o
 {
     struct picture *next;
     const bool drawn = (*picture)->renderer != NULL;
-    enum status status = picture_create(&next, (*picture)->gpu, o);
+    enum status status = picture_create(&next, (*picture)->gpu, o, (*picture)->watch);
     if (status == STATUS_OK && drawn)
         status = make_renderers(next);
     if (status != STATUS_OK) {

@@ -21,6 +21,7 @@ struct picture {
     char *environment_name; /* the same; may be NULL */
     struct scene scene;
     struct scene_gpu uploaded;
+    struct watch *watch;        /* may be NULL */
     struct camera camera;       /* where a hand has put it */
     struct camera first_camera; /* where it was */
     struct renderer *renderer;  /* NULL until picture_resize() */
@@ -28,9 +29,11 @@ struct picture {
     double divider;             /* between them: of the width, from the left */
 };
 
-/* Loads the scene; the strings of the options are copied or outlive the picture. */
+/* Loads the scene; the strings of the options are copied or outlive the picture, as do the watched
+ * shaders (may be NULL). */
+struct watch;
 MUST_USE enum status picture_create(struct picture **picture, struct gpu *gpu,
-                                    const struct app_options *options);
+                                    const struct app_options *options, struct watch *watch);
 void picture_destroy(struct picture *picture); /* may be NULL; waits for its frames */
 
 /* Makes a renderer of this size, if there is none. */
@@ -53,7 +56,8 @@ MUST_USE enum status picture_open(struct picture **picture, const char *path, bo
 /* Shows another rung on the right; NULL: none. On failure it stays as it was. */
 MUST_USE enum status picture_split(struct picture *picture, const struct rung *rung);
 
-/* Makes the renderers anew, if there are any. On failure those before stay. */
+/* Makes the renderers anew, if there are any: the watched shaders are others. On failure those
+ * before stay. */
 MUST_USE enum status picture_remake(struct picture *picture);
 
 /* What of renderer.h the window needs, for one renderer or two. */

@@ -11,6 +11,7 @@
 #include "src/view/orbit.h"
 #include "src/view/picture.h"
 #include "src/view/screen.h"
+#include "src/view/watch.h"
 #include "src/view/window.h"
 
 static const float key_turn_deg = 5.0f;
@@ -35,10 +36,11 @@ struct view {
     VkSurfaceKHR surface;
     struct screen screen;
     struct picture *picture;
-    double now;     /* of the loop, seconds */
-    double elapsed; /* of the scene's time, seconds, from motion.time */
-    float shown;    /* time of the frame drawn last, seconds */
-    double next;    /* the earliest moment for the next frame, seconds */
+    struct watch *watch; /* NULL: no shaders are watched */
+    double now;          /* of the loop, seconds */
+    double elapsed;      /* of the scene's time, seconds, from motion.time */
+    float shown;         /* time of the frame drawn last, seconds */
+    double next;         /* the earliest moment for the next frame, seconds */
     bool paused, changed, quit;
     VkExtent2D first_size; /* of the window, pixels */
     bool shoot;            /* the next frame, to files */
@@ -107,7 +109,7 @@ static void show_name(struct view *v)
 static enum status load(void *user)
 {
     struct view *v = user;
-    return picture_create(&v->picture, &v->gpu, v->options);
+    return picture_create(&v->picture, &v->gpu, v->options, v->watch);
 }
 
 static void finish(struct view *v)
@@ -116,6 +118,7 @@ static void finish(struct view *v)
     picture_destroy(v->picture);
     if (v->surface)
         vkDestroySurfaceKHR(v->gpu.instance, v->surface, NULL);
+    watch_destroy(v->watch);
     gpu_destroy(&v->gpu);
     window_finish(&v->window);
 }
@@ -309,6 +312,19 @@ static void open_dropped(struct view *v)
     rest_since(v, start);
 }
 
+/* Shaders that were saved count from now on; if they cannot, those before stay. */
+static void take_shaders(struct view *v)
+{
+    const double start = now();
+    if (!v->watch || !watch_take(v->watch))
+        return;
+    screen_disconnect(&v->screen);
+    if (picture_remake(v->picture) != STATUS_OK)
+        watch_revert(v->watch);
+    v->changed = true;
+    rest_since(v, start);
+}
+
 static void handle(struct view *v)
 {
     const struct window_input input = window_take(&v->window);
@@ -316,6 +332,7 @@ static void handle(struct view *v)
     for (uint32_t i = 0; i < input.action_count; i++)
         act(v, input.actions[i]);
     open_dropped(v);
+    take_shaders(v);
     v->window.divider = v->picture->o.split ? v->picture->divider : -1.0;
     v->quit = v->quit || window_is_closed(&v->window);
 }
@@ -449,6 +466,8 @@ static enum status begin(struct view *v)
     const struct app_options *o = v->options;
     char words[200];
     enum status status = picture_can_write(o->split, o->outputs, o->output_count);
+    if (status == STATUS_OK && o->watch)
+        status = watch_create(&v->watch, o->watch, o->quiet);
     if (status == STATUS_OK)
         status = open_window(v);
     if (status != STATUS_OK)
@@ -463,6 +482,8 @@ static enum status begin(struct view *v)
     if (status != STATUS_OK || window_is_closed(&v->window))
         return status;
     say(v, "loading shaders");
+    v->screen.replace = v->watch ? watch_replace : NULL;
+    v->screen.replace_user = v->watch;
     v->first_size = window_size(&v->window);
     return background_run(&v->window, warm_up, v);
 }

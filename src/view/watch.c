@@ -1,0 +1,342 @@
+/* watch.c: sees what has changed, has it compiled, hands it over. */
+#include "src/view/watch.h"
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include "shaders/embedded.h"
+#include "src/log.h"
+#include "src/view/watch_compile.h"
+
+enum {
+    PATH_SIZE = 4096,
+    NAME_SIZE = 128,
+    DEPTH_MAX = 16,               /* of includes */
+    LOOK_NANOSECONDS = 100000000, /* between looks at the files */
+};
+
+/* One of embedded_all. */
+struct file {
+    char name[NAME_SIZE];      /* in the folder */
+    uint64_t stamp;            /* of it and what it includes, when it was compiled last */
+    uint64_t seen;             /* the same at the last look */
+    bool failed;               /* to compile, at that stamp; as are these the thread's: */
+    struct watch_code ready;   /* compiled, but others have failed */
+    struct watch_code offered; /* under the lock */
+    struct rg_shader live;     /* counts for executors; words NULL: the program's own does */
+    struct watch_code code;    /* its words */
+    struct watch_code before;  /* the same before watch_take() */
+    bool taken;                /* by the last one */
+};
+
+struct watch {
+    const char *folder;
+    bool quiet;
+    struct file *files; /* as embedded_all */
+    size_t count;
+    pthread_t thread;
+    bool runs;
+    pthread_mutex_t lock;
+    pthread_cond_t wake;
+    bool quit, news;                  /* under the lock, as is: */
+    char message[WATCH_MESSAGE_SIZE]; /* of the last compilation */
+    char shown[WATCH_MESSAGE_SIZE];   /* as of the last watch_take() */
+};
+
+static void free_code(struct watch_code *code)
+{
+    free(code->words);
+    *code = (struct watch_code){ 0 };
+}
+
+/* ---- what has changed ---- */
+
+/* FNV-1a, 64 bits */
+static uint64_t mix(uint64_t stamp, const void *data, size_t size)
+{
+    const unsigned char *bytes = data;
+    for (size_t i = 0; i < size; i++)
+        stamp = (stamp ^ bytes[i]) * 0x100000001b3;
+    return stamp;
+}
+
+/* Of a file and all that it includes: another one when any of them is saved. 0: it is not there. */
+static uint64_t find_stamp(const char *folder, const char *name, int depth)
+{
+    char path[PATH_SIZE];
+    char line[256];
+    char included[NAME_SIZE];
+    struct stat info;
+    uint64_t stamp = 0xcbf29ce484222325;
+    const int length = snprintf(path, sizeof(path), "%s/%s", folder, name);
+    FILE *file = length > 0 && length < PATH_SIZE && depth < DEPTH_MAX ? fopen(path, "r") : NULL;
+    if (!file)
+        return 0;
+    if (fstat(fileno(file), &info) == 0) {
+        stamp = mix(stamp, &info.st_mtim, sizeof(info.st_mtim));
+        stamp = mix(stamp, &info.st_size, sizeof(info.st_size));
+        stamp = mix(stamp, &info.st_ino, sizeof(info.st_ino));
+    }
+    while (fgets(line, sizeof(line), file)) {
+        if (sscanf(line, " # include \"%127[^\"]\"", included) != 1)
+            continue;
+        const uint64_t inner = find_stamp(folder, included, depth + 1);
+        stamp = mix(stamp, &inner, sizeof(inner));
+    }
+    fclose(file);
+    return stamp;
+}
+
+/* Looks at all files. Whether some have changed, and none since the look before: an editor may
+ * still be writing. */
+static bool look(struct watch *w)
+{
+    bool changed = false;
+    bool settled = true;
+    for (size_t i = 0; i < w->count; i++) {
+        struct file *f = &w->files[i];
+        const uint64_t stamp = find_stamp(w->folder, f->name, 0);
+        settled = settled && stamp == f->seen;
+        changed = changed || stamp != f->stamp;
+        f->seen = stamp;
+    }
+    return changed && settled;
+}
+
+/* ---- the thread ---- */
+
+static bool quits(struct watch *w)
+{
+    pthread_mutex_lock(&w->lock);
+    const bool quit = w->quit;
+    pthread_mutex_unlock(&w->lock);
+    return quit;
+}
+
+static void compile(struct watch *w, size_t index, char message[static WATCH_MESSAGE_SIZE])
+{
+    const struct rg_shader *own = embedded_all[index];
+    struct file *f = &w->files[index];
+    struct watch_code code = { 0 };
+    f->stamp = f->seen;
+    if (f->seen) {
+        f->failed = !watch_compile(&code, w->folder, f->name, message);
+    } else {
+        f->failed = true;
+        snprintf(message, WATCH_MESSAGE_SIZE, "%s/%s: it is gone", w->folder, f->name);
+    }
+    if (f->failed)
+        return;
+    const int binding = watch_compile_new_binding(&code, own->words, own->word_count);
+    f->failed = binding >= 0;
+    if (f->failed) {
+        snprintf(message, WATCH_MESSAGE_SIZE, "%s/%s: no pass gives it a binding %d: add it there",
+                 w->folder, f->name, binding);
+        free_code(&code);
+        return;
+    }
+    free_code(&f->ready);
+    f->ready = code;
+}
+
+/* All that is ready, at once. */
+static void offer(struct watch *w, const char *message, bool sound)
+{
+    size_t count = 0;
+    const char *name = "";
+    pthread_mutex_lock(&w->lock);
+    if (sound || *message) /* else the fault is still the one before */
+        snprintf(w->message, sizeof(w->message), "%s", message);
+    for (size_t i = 0; i < w->count && sound; i++) {
+        struct file *f = &w->files[i];
+        if (!f->ready.words)
+            continue;
+        free_code(&f->offered);
+        f->offered = f->ready;
+        f->ready = (struct watch_code){ 0 };
+        name = f->name;
+        count++;
+    }
+    w->news = w->news || count;
+    pthread_mutex_unlock(&w->lock);
+    if (!sound) /* only this thread writes it */
+        log_error("%s (the shaders before stay)", w->message);
+    else if (count == 1 && !w->quiet)
+        fprintf(stderr, "%s/%s: compiled\n", w->folder, name);
+    else if (count && !w->quiet)
+        fprintf(stderr, "%s: %zu shaders compiled\n", w->folder, count);
+}
+
+static void compile_all(struct watch *w)
+{
+    char message[WATCH_MESSAGE_SIZE] = "";
+    bool sound = true;
+    for (size_t i = 0; i < w->count; i++) {
+        char fault[WATCH_MESSAGE_SIZE] = "";
+        struct file *f = &w->files[i];
+        if (quits(w))
+            return;
+        if (f->seen != f->stamp)
+            compile(w, i, fault);
+        if (*fault && !*message)
+            memcpy(message, fault, sizeof(message));
+        sound = sound && !f->failed;
+    }
+    offer(w, message, sound);
+}
+
+static void *run(void *data)
+{
+    struct watch *w = data;
+    while (!quits(w)) {
+        struct timespec until;
+        clock_gettime(CLOCK_REALTIME, &until);
+        until.tv_nsec += LOOK_NANOSECONDS;
+        until.tv_sec += until.tv_nsec / 1000000000;
+        until.tv_nsec %= 1000000000;
+        pthread_mutex_lock(&w->lock);
+        if (!w->quit)
+            pthread_cond_timedwait(&w->wake, &w->lock, &until);
+        pthread_mutex_unlock(&w->lock);
+        if (look(w))
+            compile_all(w);
+    }
+    return NULL;
+}
+
+/* ---- start and end ---- */
+
+/* "cracks_gap_frag" is in cracks_gap.frag. Whether there is one of them. */
+static bool find_files(struct watch *w)
+{
+    bool found = false;
+    for (size_t i = 0; embedded_all[i]; i++) {
+        struct file *f = &w->files[i];
+        snprintf(f->name, sizeof(f->name), "%s", embedded_all[i]->name);
+        char *last = strrchr(f->name, '_');
+        if (last)
+            *last = '.';
+        f->stamp = f->seen = find_stamp(w->folder, f->name, 0);
+        found = found || f->stamp;
+    }
+    return found;
+}
+
+enum status watch_create(struct watch **watch, const char *folder, bool quiet)
+{
+    struct watch *w = calloc(1, sizeof(*w));
+    size_t count = 0;
+    *watch = NULL;
+    while (embedded_all[count])
+        count++;
+    struct file *files = calloc(count + 1, sizeof(*files)); /* never 0 */
+    if (!w || !files) {
+        log_error("out of memory");
+        free(w);
+        free(files);
+        return STATUS_TRY_AGAIN;
+    }
+    *w = (struct watch){ .folder = folder, .quiet = quiet, .files = files, .count = count };
+    pthread_mutex_init(&w->lock, NULL);
+    pthread_cond_init(&w->wake, NULL);
+    enum status status = STATUS_OK;
+    if (!find_files(w)) {
+        log_error("--watch: none of firn's shaders is in %s/: --watch=FOLDER says where", folder);
+        status = STATUS_NO_INPUT;
+    } else if (!watch_compile_is_possible()) {
+        log_error("--watch: glslangValidator does not run: install glslang-tools, or mend PATH");
+        status = STATUS_FAILED;
+    } else if (pthread_create(&w->thread, NULL, run, w) != 0) {
+        log_error("no thread for --watch");
+        status = STATUS_TRY_AGAIN;
+    }
+    w->runs = status == STATUS_OK;
+    if (status == STATUS_OK)
+        *watch = w;
+    else
+        watch_destroy(w);
+    return status;
+}
+
+void watch_destroy(struct watch *w)
+{
+    if (!w)
+        return;
+    if (w->runs) {
+        pthread_mutex_lock(&w->lock);
+        w->quit = true;
+        pthread_cond_signal(&w->wake);
+        pthread_mutex_unlock(&w->lock);
+        pthread_join(w->thread, NULL);
+    }
+    for (size_t i = 0; i < w->count; i++) {
+        struct file *f = &w->files[i];
+        free_code(&f->ready);
+        free_code(&f->offered);
+        free_code(&f->code);
+        free_code(&f->before);
+    }
+    pthread_mutex_destroy(&w->lock);
+    pthread_cond_destroy(&w->wake);
+    free(w->files);
+    free(w);
+}
+
+/* ---- what counts ---- */
+
+static void set_live(struct file *f, const struct rg_shader *own)
+{
+    f->live = (struct rg_shader){ own->name, f->code.words, f->code.count };
+}
+
+bool watch_take(struct watch *w)
+{
+    pthread_mutex_lock(&w->lock);
+    const bool news = w->news;
+    w->news = false;
+    memcpy(w->shown, w->message, sizeof(w->shown));
+    for (size_t i = 0; i < w->count && news; i++) {
+        struct file *f = &w->files[i];
+        f->taken = f->offered.words;
+        if (!f->taken)
+            continue;
+        free_code(&f->before);
+        f->before = f->code;
+        f->code = f->offered;
+        f->offered = (struct watch_code){ 0 };
+        set_live(f, embedded_all[i]);
+    }
+    pthread_mutex_unlock(&w->lock);
+    return news;
+}
+
+void watch_revert(struct watch *w)
+{
+    for (size_t i = 0; i < w->count; i++) {
+        struct file *f = &w->files[i];
+        if (!f->taken)
+            continue;
+        free_code(&f->code);
+        f->code = f->before;
+        f->before = (struct watch_code){ 0 };
+        f->taken = false;
+        set_live(f, embedded_all[i]);
+    }
+}
+
+const char *watch_message(const struct watch *w)
+{
+    return w->shown;
+}
+
+const struct rg_shader *watch_replace(void *user, const struct rg_shader *shader)
+{
+    const struct watch *w = user;
+    for (size_t i = 0; i < w->count; i++) {
+        if (embedded_all[i] == shader && w->files[i].live.words)
+            return &w->files[i].live;
+    }
+    return shader;
+}

@@ -1,0 +1,103 @@
+"""test_view_watch.py: shaders that change while a window shows them. Usage: see case.py."""
+import os
+import pathlib
+import shutil
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import NO_INPUT, Case, main  # noqa: E402
+from desktop import wait_until  # noqa: E402
+from test_view import WindowCase, png_pixels  # noqa: E402
+
+SHADERS = pathlib.Path(__file__).parents[2] / 'shaders'
+LAST = 'encoded = vec4(srgb(clamp(c, 0.0, 1.0)), 1.0);'
+
+
+class Watch(WindowCase):
+    def setUp(self):
+        super().setUp()
+        self.shaders = self.folder / 'my shaders'
+        shutil.copytree(SHADERS, self.shaders)
+        self.window = self.start('sphere', f'--watch={self.shaders}')
+        self.press(self.window, 'space')
+        self.find('sphere, paused')
+        self.first = self.desktop.pixels(self.window)
+
+    def save(self, name, before, after):
+        """As some editors do it: another file takes its place."""
+        path = self.shaders / name
+        text = path.read_text()
+        self.assertIn(before, text)
+        other = path.with_name('.saved')
+        other.write_text(text.replace(before, after))
+        os.replace(other, path)
+
+    def expect(self, pixels):
+        wait_until('these pixels', lambda: self.desktop.pixels(self.window) == pixels)
+
+    def expect_words(self, *words):
+        wait_until(words, lambda: any(all(word in line for word in words)
+                                      for line in self.words().splitlines()))
+
+    def quit(self):
+        self.press(self.window, 'q')
+        self.assertEqual(self.process.wait(timeout=60), 0, self.words())
+
+    def test_a_saved_shader_is_shown(self):
+        inverted = bytes(255 - value for value in self.first)
+        turned = LAST.replace('srgb(clamp(c, 0.0, 1.0))', '1.0 - srgb(clamp(c, 0.0, 1.0))')
+        self.save('tonemap.frag', LAST, turned)
+        self.expect(inverted)
+        self.expect_words('my shaders/tonemap.frag: compiled')
+        shot = self.shoot(self.window, 1)
+        self.assertEqual(png_pixels(shot), inverted)  # in files, too
+        self.save('tonemap.frag', turned, turned.replace('1.0 - srgb', '1.0 - sgrb'))
+        self.expect_words('firn: ', 'tonemap.frag:', "'sgrb'", 'before stay')
+        self.assertEqual(self.desktop.pixels(self.window), inverted)
+        self.save('tonemap.frag', turned.replace('srgb', 'sgrb'), LAST)
+        self.expect(self.first)
+        self.quit()
+
+    def test_an_included_file(self):
+        """Shaders that include it change together, or not at all."""
+        path = 'lib/sky.glsl' if (self.shaders / 'lib/sky.glsl').exists() else 'globals.h'
+        text = (self.shaders / path).read_text()
+        self.save(path, text, '#error not yet\n' + text)
+        self.expect_words('firn: ', 'not yet', 'before stay')
+        self.save('present.frag', 'shown = vec4(', 'shown = 1.0 - vec4(')
+        self.expect_words('firn: ', 'not yet', 'before stay')
+        self.assertEqual(self.desktop.pixels(self.window), self.first)
+        self.save(path, '#error not yet\n', '')
+        self.expect(bytes(255 - value for value in self.first))
+        self.quit()
+
+    def test_a_binding_that_no_pass_gives(self):
+        self.save('tonemap.frag', 'void main()', 'layout(set = 0, binding = 9) uniform sampler2D '
+                                                 'more;\nvoid main()')
+        self.save('tonemap.frag', 'exp2(params.exposure)',
+                  'exp2(params.exposure) * texelFetch(more, ivec2(0), 0).rgb')
+        self.expect_words('firn: ', 'tonemap.frag', 'binding 9')
+        self.assertEqual(self.desktop.pixels(self.window), self.first)
+        self.quit()
+
+    def test_a_file_that_is_gone(self):
+        (self.shaders / 'tonemap.frag').unlink()
+        self.expect_words('firn: ', 'tonemap.frag', 'gone')
+        shutil.copy(SHADERS / 'tonemap.frag', self.shaders)
+        self.expect_words('tonemap.frag: compiled')
+        self.expect(self.first)
+        self.quit()
+
+
+class Start(Case):
+    def test_no_shaders_there(self):
+        self.refuse(NO_INPUT, 'view', 'sphere', '--watch', names=['shaders/', '--watch=FOLDER'])
+        self.refuse(NO_INPUT, 'view', 'sphere', '--watch=gone', names=['gone'])
+
+    def test_no_compiler(self):
+        self.refuse(1, 'view', 'sphere', f'--watch={SHADERS}', env={'PATH': str(self.folder)},
+                    names=['glslangValidator'])
+
+
+if __name__ == '__main__':
+    main()
