@@ -1,6 +1,10 @@
 """embed.py: SPIR-V files to one C file of `const struct rg_shader` and its header.
 
+Usage: embed.py C_FILE HEADER MODULE... [-- ORIGIN...]
+
 Each is named as its file, with '_' for '.'; all of them are in <stem>_all, which ends at NULL.
+<stem>_origins, in the same order, tells what each was compiled from: ORIGIN is a GLSL file and
+flags of the compiler, with spaces between.
 """
 import pathlib
 import struct
@@ -15,6 +19,10 @@ def write(path, text):
 
 
 source_path, header_path, *modules = sys.argv[1:]
+origins = []
+if '--' in modules:
+    end = modules.index('--')
+    modules, origins = modules[:end], modules[end + 1:]
 names = [pathlib.Path(module).stem.replace('.', '_') for module in modules]
 stem = pathlib.Path(header_path).stem
 source = f'#include "{stem}.h"\n#include <stddef.h>\n'
@@ -30,5 +38,16 @@ for name, module in zip(names, modules):
 source += f'\nconst struct rg_shader *const {stem}_all[] = {{\n    '
 source += ',\n    '.join([*(f'&{name}' for name in names), 'NULL']) + ',\n};\n'
 header += f'extern const struct rg_shader *const {stem}_all[];\n'
+if origins:
+    most = max(len(origin.split()) for origin in origins)  # flags and NULL are as many
+    header += f'struct {stem}_origin {{\n'
+    header += f'    const char *file, *flags[{most}]; /* ends at NULL */\n}};\n'
+    header += f'extern const struct {stem}_origin {stem}_origins[{len(origins)}];\n'
+    source += f'\nconst struct {stem}_origin {stem}_origins[] = {{\n'
+    for origin in origins:
+        file, *flags = origin.split()
+        flags = ', '.join([*(f'"{flag}"' for flag in flags), 'NULL'])
+        source += f'    {{ "{file}", {{ {flags} }} }},\n'
+    source += '};\n'
 write(source_path, source)
 write(header_path, header + '#endif\n')

@@ -19,7 +19,7 @@ enum {
 
 /* One of embedded_all. */
 struct file {
-    char name[NAME_SIZE];      /* in the folder */
+    const char *name;          /* in the folder, of what it was compiled from */
     uint64_t stamp;            /* of it and what it includes, when it was compiled last */
     uint64_t seen;             /* the same at the last look */
     bool failed;               /* to compile, at that stamp; as are these the thread's: */
@@ -122,7 +122,7 @@ static void compile(struct watch *w, size_t index, char message[static WATCH_MES
     struct watch_code code = { 0 };
     f->stamp = f->seen;
     if (f->seen) {
-        f->failed = !watch_compile(&code, w->folder, f->name, message);
+        f->failed = !watch_compile(&code, w->folder, &embedded_origins[index], message);
     } else {
         f->failed = true;
         snprintf(message, WATCH_MESSAGE_SIZE, "%s/%s: it is gone", w->folder, f->name);
@@ -208,16 +208,13 @@ static void *run(void *data)
 
 /* ---- start and end ---- */
 
-/* "cracks_gap_frag" is in cracks_gap.frag. Whether there is one of them. */
+/* Several shaders may come of one file. Whether there is one of them. */
 static bool find_files(struct watch *w)
 {
     bool found = false;
     for (size_t i = 0; embedded_all[i]; i++) {
         struct file *f = &w->files[i];
-        snprintf(f->name, sizeof(f->name), "%s", embedded_all[i]->name);
-        char *last = strrchr(f->name, '_');
-        if (last)
-            *last = '.';
+        f->name = embedded_origins[i].file;
         f->stamp = f->seen = find_stamp(w->folder, f->name, 0);
         found = found || f->stamp;
     }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include "shaders/embedded.h"
 
 extern char **environ;
 
@@ -25,6 +26,8 @@ static const char *const flags[] = { WATCH_GLSLANG_FLAGS };
 
 enum {
     FLAG_COUNT = sizeof(flags) / sizeof(flags[0]),
+    OWN_FLAG_COUNT = sizeof(embedded_origins[0].flags) / sizeof(embedded_origins[0].flags[0]),
+    WORD_COUNT = FLAG_COUNT + OWN_FLAG_COUNT + 5,
 };
 
 /* Its words go to `out`. Returns the exit code; -1: it could not be run, or crashed. */
@@ -101,19 +104,22 @@ static bool read_code(struct watch_code *code, FILE *file)
 }
 
 /* Both files have no name, so nothing is left behind whatever happens. */
-static bool compile_to(struct watch_code *code, const char *folder, const char *name,
+static bool compile_to(struct watch_code *code, const char *folder,
+                       const struct embedded_origin *origin,
                        char message[static WATCH_MESSAGE_SIZE], FILE *spirv, FILE *out)
 {
-    char words[FLAG_COUNT + 5][PATH_SIZE];
-    char *argv[FLAG_COUNT + 6];
+    char words[WORD_COUNT][PATH_SIZE];
+    char *argv[WORD_COUNT + 1];
     size_t count = 0;
     snprintf(words[count++], PATH_SIZE, "%s", program);
     for (size_t i = 0; i < FLAG_COUNT; i++)
         snprintf(words[count++], PATH_SIZE, "%s", flags[i]);
+    for (size_t i = 0; origin->flags[i]; i++)
+        snprintf(words[count++], PATH_SIZE, "%s", origin->flags[i]);
     snprintf(words[count++], PATH_SIZE, "-I%s", folder);
     snprintf(words[count++], PATH_SIZE, "-o");
     snprintf(words[count++], PATH_SIZE, "/dev/fd/%d", fileno(spirv));
-    snprintf(words[count++], PATH_SIZE, "%s/%s", folder, name);
+    snprintf(words[count++], PATH_SIZE, "%s/%s", folder, origin->file);
     for (size_t i = 0; i < count; i++)
         argv[i] = words[i];
     argv[count] = NULL;
@@ -123,19 +129,19 @@ static bool compile_to(struct watch_code *code, const char *folder, const char *
     }
     if (read_code(code, spirv))
         return true;
-    snprintf(message, WATCH_MESSAGE_SIZE, "%s/%s: no SPIR-V came of it", folder, name);
+    snprintf(message, WATCH_MESSAGE_SIZE, "%s/%s: no SPIR-V came of it", folder, origin->file);
     return false;
 }
 
-bool watch_compile(struct watch_code *code, const char *folder, const char *name,
-                   char message[static WATCH_MESSAGE_SIZE])
+bool watch_compile(struct watch_code *code, const char *folder,
+                   const struct embedded_origin *origin, char message[static WATCH_MESSAGE_SIZE])
 {
     FILE *spirv = tmpfile();
     FILE *out = tmpfile();
     bool compiled = false;
     *code = (struct watch_code){ 0 };
     if (spirv && out)
-        compiled = compile_to(code, folder, name, message, spirv, out);
+        compiled = compile_to(code, folder, origin, message, spirv, out);
     else
         snprintf(message, WATCH_MESSAGE_SIZE, "no temporary file: %s", strerror(errno));
     if (spirv)

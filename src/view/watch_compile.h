@@ -19,10 +19,12 @@ struct watch_code {
 /* Whether the program is in PATH. */
 bool watch_compile_is_possible(void);
 
-/* Compiles FOLDER/NAME, whose includes start from the folder. On failure *code is {0} and the
- * message says why, one line. */
-bool watch_compile(struct watch_code *code, const char *folder, const char *name,
-                   char message[static WATCH_MESSAGE_SIZE]);
+struct embedded_origin; /* shaders/embedded.h */
+
+/* Compiles a file in the folder, from which its includes start, too. On failure *code is {0} and
+ * the message says why, one line. */
+bool watch_compile(struct watch_code *code, const char *folder,
+                   const struct embedded_origin *origin, char message[static WATCH_MESSAGE_SIZE]);
 
 /* The first binding that `code` has and `allowed` has not; -1: none. */
 int watch_compile_new_binding(const struct watch_code *code, const uint32_t *allowed,

@@ -71,6 +71,18 @@ class Watch(WindowCase):
         self.expect(bytes(255 - value for value in self.first))
         self.quit()
 
+    def test_a_file_of_several_shaders(self):
+        """Each is compiled with flags of its own."""
+        name = 'refract_paper.frag'
+        text = (self.shaders / name).read_text()
+        fault = text + '#if defined REFRACT_BUMP && !defined REFRACT_LAYERS\n#error bumps\n#endif\n'
+        self.save(name, text, fault)
+        self.expect_words('firn: ', name, 'bumps', 'before stay')
+        self.save(name, fault, text)
+        self.expect_words('my shaders: 4 shaders compiled')
+        self.assertEqual(self.desktop.pixels(self.window), self.first)
+        self.quit()
+
     def test_a_binding_that_no_pass_gives(self):
         self.save('tonemap.frag', 'void main()', 'layout(set = 0, binding = 9) uniform sampler2D '
                                                  'more;\nvoid main()')
