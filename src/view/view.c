@@ -183,13 +183,15 @@ static void zoom(struct view *v, float steps)
     orbit_zoom(&v->picture->camera, steps, nearest, farthest);
 }
 
-/* --split, or the first rung that is not on the left already. */
+/* --split, or the last rung, which is the most exact one; beside it the first. */
 static const struct rung *other_rung(const struct view *v)
 {
-    const struct rung *left = v->picture->o.rung;
+    const struct rung *last = frame_rungs;
     if (v->options->split)
         return v->options->split;
-    return left == &frame_rungs[0] && frame_rungs[1].name ? &frame_rungs[1] : &frame_rungs[0];
+    while (last[1].name)
+        last++;
+    return v->picture->o.rung == last ? frame_rungs : last;
 }
 
 /* A failure has been logged; it stays as it was. */

@@ -23,10 +23,10 @@ class Split(WindowCase):
             self.assertEqual(columns(pixels, first, last), columns(want, first, last))
         self.assertEqual(columns(pixels, line, line + 2), [BRIGHT + DARK] * HEIGHT)
 
-    def pictures(self, *arguments):
+    def pictures(self, *arguments, right='one-sided'):
         """What render draws, left and right."""
         pixels = []
-        for rung in ('paper', 'one-sided'):
+        for rung in ('paper', right):
             self.succeed('render', 'sphere', '--size', SIZE, *arguments, '--refraction', rung,
                          '-o', f'{rung}.png', '-o', f'{rung}.exr')
             pixels.append(png_pixels(self.folder / f'{rung}.png'))
@@ -74,12 +74,12 @@ class Split(WindowCase):
         self.close(window)
 
     def test_the_key(self):
-        pictures = self.pictures('--set', 'motion.count=2')
+        pictures = self.pictures('--set', 'motion.count=2', right='bounce')
         window = self.start('sphere', '--time-step', 1e-9)
         self.press(window, 'space')
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
         self.press(window, 's')
-        self.find(f'{TITLE}, paused')
+        self.find(r'sphere, paper \| bounce, paused')
         self.settle(window, 100, pictures)
         self.desktop.do('windowsize', '--sync', window, 80, 60)
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
