@@ -34,13 +34,13 @@ vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 uv)
 }
 
 /* Normals that face the eye stay so; those that bumps would turn away are nearly square to e. */
-vec3 bump_normal(vec3 e, vec3 point, vec3 normal, vec2 uv)
+vec3 bump_normal(vec3 e, vec3 point, vec3 normal, vec2 uv, bool by_uv)
 {
     vec3 gradient;
     float smoothness;
-    if (frame.bump_uv != 0u) {
+    if (by_uv) {
         gradient = bump_gradient_uv(point, normal, uv);
-        smoothness = bump_mask_at(point, normal, uv).r;
+        smoothness = bump_mask_by_uv(uv).r;
     } else {
         bump_planes planes = bump_find_planes(point, normal);
         gradient = bump_gradient_on(planes);

@@ -12,10 +12,15 @@ vec2 bump_mask_on(bump_planes planes)
            texture(bump_mask, planes.uv[2]).rg * planes.shares.z;
 }
 
+vec2 bump_mask_by_uv(vec2 uv)
+{
+    return texture(bump_mask, uv * frame.bump_scale).rg;
+}
+
 vec2 bump_mask_at(vec3 point, vec3 normal, vec2 uv)
 {
     if (frame.bump_uv != 0u)
-        return texture(bump_mask, uv * frame.bump_scale).rg;
+        return bump_mask_by_uv(uv);
     return bump_mask_on(bump_find_planes(point, normal));
 }
 

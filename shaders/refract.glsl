@@ -67,9 +67,9 @@ vec3 refract_transmitted(refract_way way)
 
 float refract_share(vec3 e, vec3 n_f)
 {
-    if (frame.refract_fresnel == REFRACT_FRESNEL_EXACT)
+    if (choices.z == REFRACT_FRESNEL_EXACT)
         return optics_fresnel(e, n_f, frame.eta);
-    if (frame.refract_fresnel == REFRACT_FRESNEL_CROSSFADE)
+    if (choices.z == REFRACT_FRESNEL_CROSSFADE)
         return 1.0 - frame.refract_crossfade;
     return clamp(fresnel_paper, 0.0, 1.0);
 }
@@ -80,12 +80,11 @@ refract_result refract_shade()
     vec3 e = normalize(eye_to_point);
     vec3 n_f = refract_front_normal();
     refract_result r;
-    int count = frame.etas.r == frame.etas.b ? 1 : 3;
-    for (int i = 0; i < count; i++) {
-        int channel = (i + 1) % 3;
+    for (uint i = 0u; i < choices.x; i++) {
+        int channel = int(i + 1u) % 3;
         refract_way way = refract_follow(e, n_f, channel);
         vec3 seen = refract_transmitted(way);
-        if (i == 0) {
+        if (i == 0u) {
             r.way = way;
             r.refraction = seen;
         } else {

@@ -15,6 +15,7 @@
 #define REFRACT_EYE_TO_POINT 0
 #define REFRACT_NORMAL       1
 #define REFRACT_FRESNEL      2
+#define REFRACT_CHOICES      7 /* flat, see refract_front.glsl */
 #define REFRACT_UV           3 /* refract_bump.vert alone */
 #define REFRACT_REFLECTED    3 /* refract_per_vertex.vert alone, as is the next */
 #define REFRACT_REFRACTED    4 /* three of them */

@@ -9,8 +9,7 @@
  */
 #ifndef REFRACT_ENVIRONMENT_GLSL
 #define REFRACT_ENVIRONMENT_GLSL
-#include "lib/globals.glsl"
-#include "refract.h"
+#include "refract_front.glsl"
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
 
@@ -21,7 +20,7 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
     float middle = dot(from_center, dir);
     float room = dot(from_center, from_center) - middle * middle;
     vec3 found = dir;
-    for (uint i = 0u; i < frame.refract_steps; i++) {
+    for (uint i = 0u; i < choices.y; i++) {
         float near = texture(env_cube, found).a;
         float reach = 1.0 / max(near, 1e-6);
         float t = sqrt(max(reach * reach - room, 0.0)) - middle;
@@ -33,7 +32,7 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
 vec3 refract_environment(vec3 point, vec3 dir)
 {
     vec3 found = dir;
-    if (frame.refract_steps > 0u)
+    if (choices.y > 0u)
         found = refract_cube_dir(point, normalize(dir));
     return texture(env_cube, found).rgb;
 }
