@@ -1,7 +1,7 @@
 /* background.h: what background.c, env_cube.c and background*.{vert,frag} agree on. */
 #ifndef SHADERS_BACKGROUND_H
 #define SHADERS_BACKGROUND_H
-#include "abi.h"
+#include "abi_math.h"
 
 #define BACKGROUND_ENVIRONMENT 1 /* equirectangular picture, -Z in the middle */
 #define BACKGROUND_TEXTURES    2 /* base colours of the surroundings, one layer each */
@@ -16,5 +16,14 @@ struct background_push {
     vec3s forward;         /* to its middle */
     uint32_t inverse;      /* 1: alpha is 1 / distance from the eye, 1 / metre; 0: alpha is 1 */
 };
+
+/* Longitude and latitude of a unit direction: -Z in the middle of the picture, +Y at its top. */
+ABI_FUNCTION vec2s background_uv(vec3s dir)
+{
+    float pi = 3.14159265358979f;
+    float u = 0.5f + atan2f(dir.x, -dir.z) / (2.0f * pi);
+    float v = acosf(glm_clamp(dir.y, -1.0f, 1.0f)) / pi;
+    return ABI_VEC2(u, v);
+}
 
 #endif

@@ -14,21 +14,12 @@ layout(set = 0, binding = BACKGROUND_ENVIRONMENT) uniform sampler2D environment;
 layout(location = 0) in vec3 dir;
 layout(location = 0) out vec4 color;
 
-/* Longitude and latitude of a unit direction: -Z in the middle of the picture, +Y at its top. */
-vec2 equirect_uv(vec3 dir)
-{
-    const float pi = 3.14159265358979;
-    float u = 0.5 + atan(dir.x, -dir.z) / (2.0 * pi);
-    float v = acos(clamp(dir.y, -1.0, 1.0)) / pi;
-    return vec2(u, v);
-}
-
 vec3 radiance(vec3 dir, float lod)
 {
     if (frame.background_kind == GLOBALS_COLOR)
         return frame.background_color;
     if (frame.background_kind == GLOBALS_ENVIRONMENT)
-        return textureLod(environment, equirect_uv(dir), lod).rgb;
+        return textureLod(environment, background_uv(dir), lod).rgb;
     return sky_radiance(dir);
 }
 

@@ -1,7 +1,7 @@
 /* tonemap.h: what tonemap.c and tonemap.frag agree on. */
 #ifndef SHADERS_TONEMAP_H
 #define SHADERS_TONEMAP_H
-#include "abi.h"
+#include "abi_math.h"
 
 #define TONEMAP_COLOR 0 /* linear picture */
 
@@ -12,5 +12,41 @@ struct tonemap_params {
     float exposure; /* stops */
     uint32_t curve; /* TONEMAP_NEUTRAL ... */
 };
+
+/* Khronos PBR Neutral: base colours up to 0.8 as they are, highlights compressed to white. */
+ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
+{
+    float start = 0.8f - 0.04f;
+    float desaturation = 0.15f;
+    float room = 1.0f - start;
+    float low = fminf(c.x, fminf(c.y, c.z));
+    float offset = low < 0.08f ? low - 6.25f * low * low : 0.04f;
+    c = ABI_VEC3(c.x - offset, c.y - offset, c.z - offset);
+    float peak = fmaxf(c.x, fmaxf(c.y, c.z));
+    if (peak < start)
+        return c;
+    float new_peak = 1.0f - room * room / (peak + room - start);
+    float g = 1.0f - 1.0f / (desaturation * (peak - new_peak) + 1.0f);
+    return glms_vec3_lerp(glms_vec3_scale(c, new_peak / peak),
+                          ABI_VEC3(new_peak, new_peak, new_peak), g);
+}
+
+/* IEC 61966-2-1, of what lies beyond 0 and 1 too. */
+ABI_FUNCTION float tonemap_srgb(float linear)
+{
+    float c = glm_clamp(linear, 0.0f, 1.0f);
+    return c <= 0.0031308f ? c * 12.92f : 1.055f * powf(c, 1.0f / 2.4f) - 0.055f;
+}
+
+/* What a PNG file shows of linear radiance, 0 to 1. */
+ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, float exposure, uint32_t curve)
+{
+    float gain = exp2f(exposure);
+    vec3s c = ABI_VEC3(fmaxf(radiance.x * gain, 0.0f), fmaxf(radiance.y * gain, 0.0f),
+                       fmaxf(radiance.z * gain, 0.0f));
+    if (curve == TONEMAP_NEUTRAL)
+        c = tonemap_neutral(c);
+    return ABI_VEC3(tonemap_srgb(c.x), tonemap_srgb(c.y), tonemap_srgb(c.z));
+}
 
 #endif

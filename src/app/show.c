@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "shaders/tonemap.h"
 #include "src/log.h"
 
 /* Planes of a layer, and what they are stretched between. */
@@ -29,12 +30,6 @@ const struct frame_layer *show_find(const char *name)
 uint32_t show_bit(const struct frame_layer *layer)
 {
     return layer ? 1u << (layer - frame_layers) : 0;
-}
-
-/* IEC 61966-2-1 */
-static float encode(float x)
-{
-    return x <= 0.0031308f ? 12.92f * x : 1.055f * powf(x, 1 / 2.4f) - 0.055f;
 }
 
 static uint8_t quantise(float x)
@@ -93,7 +88,7 @@ static float shade(const struct source *source, enum frame_shown shown, uint32_t
     case FRAME_SHOWN_COLOR:
         break;
     }
-    return encode(x);
+    return tonemap_srgb(x);
 }
 
 uint8_t *show_rgba(const struct image *image, const struct frame_layer *layer)

@@ -1,0 +1,35 @@
+/*
+ * abi_math.h: lets one function be read by the C compiler and by glslang.
+ *
+ * Such functions are written in C, with the words of <math.h> and cglm's value types, and begin
+ * with ABI_FUNCTION; here GLSL learns these words.
+ */
+#ifndef SHADERS_ABI_MATH_H
+#define SHADERS_ABI_MATH_H
+#include "abi.h"
+
+#ifdef GL_core_profile
+#define ABI_FUNCTION
+#define ABI_VEC2(x, y)    vec2(x, y)
+#define ABI_VEC3(x, y, z) vec3(x, y, z)
+
+#define acosf          acos
+#define atan2f         atan
+#define exp2f          exp2
+#define fmaxf          max
+#define fminf          min
+#define powf           pow
+#define glm_clamp      clamp
+#define glm_smoothstep smoothstep
+
+#define glms_vec3_add(a, b)     ((a) + (b))
+#define glms_vec3_dot(a, b)     dot(a, b)
+#define glms_vec3_lerp(a, b, t) mix(a, b, t)
+#define glms_vec3_scale(a, s)   ((a) * (s))
+#else
+#define ABI_FUNCTION      static inline
+#define ABI_VEC2(x, y)    ((vec2s){ { (x), (y) } })
+#define ABI_VEC3(x, y, z) ((vec3s){ { (x), (y), (z) } })
+#endif
+
+#endif

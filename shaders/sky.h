@@ -1,0 +1,45 @@
+/*
+ * sky.h: radiance of the procedural sky in a direction, and the light it gives; both times
+ * globals.sky_strength.
+ *
+ * It is no measured one: a gradient from a bright horizon to a deep zenith, a soft sun, and dark
+ * ground below.
+ */
+#ifndef SHADERS_SKY_H
+#define SHADERS_SKY_H
+#include "abi_math.h"
+
+#define SKY_SUN_COLOR ABI_VEC3(1.0f, 0.93f, 0.80f)
+
+ABI_FUNCTION vec3s sky_gradient(vec3s dir)
+{
+    vec3s horizon = ABI_VEC3(0.72f, 0.80f, 0.90f);
+    vec3s zenith = ABI_VEC3(0.09f, 0.24f, 0.62f);
+    vec3s ground = ABI_VEC3(0.16f, 0.15f, 0.14f);
+    float up = powf(glm_clamp(dir.y, 0.0f, 1.0f), 0.55f);
+    float down = glm_smoothstep(0.0f, 0.12f, -dir.y);
+    if (dir.y >= 0.0f)
+        return glms_vec3_lerp(horizon, zenith, up);
+    return glms_vec3_lerp(horizon, ground, down);
+}
+
+ABI_FUNCTION vec3s sky_seen(vec3s dir, vec3s sun_dir, float sun_strength)
+{
+    float c = glm_clamp(glms_vec3_dot(dir, sun_dir), 0.0f, 1.0f);
+    float disc = glm_smoothstep(0.99985f, 0.99995f, c) * 60.0f;
+    float glow = 0.9f * powf(c, 400.0f) + 0.25f * powf(c, 24.0f);
+    vec3s sun = glms_vec3_scale(SKY_SUN_COLOR, (disc + glow) * sun_strength);
+    return glms_vec3_add(sky_gradient(dir), sun);
+}
+
+/* Light reflected by a matt white surface: sun without shadow, and sky from above and below. */
+ABI_FUNCTION vec3s sky_reflected(vec3s normal, vec3s sun_dir, float sun_strength)
+{
+    vec3s below = ABI_VEC3(0.20f, 0.19f, 0.18f);
+    vec3s above = ABI_VEC3(0.42f, 0.50f, 0.62f);
+    vec3s ambient = glms_vec3_lerp(below, above, 0.5f + 0.5f * normal.y);
+    float sun = fmaxf(0.0f, glms_vec3_dot(normal, sun_dir)) * sun_strength;
+    return glms_vec3_add(ambient, glms_vec3_scale(SKY_SUN_COLOR, sun));
+}
+
+#endif
