@@ -48,7 +48,7 @@ static void want(struct frame_plan *p, const struct rg_image *image)
 /* A technique that is switched off leaves its layers undrawn. */
 static bool is_drawn(const struct frame_plan *p, const struct rg_image *image)
 {
-    for (size_t t = 0; t < p->technique_count; t++) {
+    for (size_t t = 0; image && t < p->technique_count; t++) {
         const struct rg_technique *technique = p->techniques[t];
         for (size_t i = 0; i < technique->pass_count; i++) {
             for (uint32_t c = 0; c < RG_COLOR_COUNT; c++) {

@@ -250,6 +250,12 @@ const struct frame_layer frame_layers[] = {
         .help = "1 where it is so at the first surface that it meets inside, else 0",
     },
     {
+        .name = "remaining",
+        .planes = { "remaining.R", "remaining.G", "remaining.B" },
+        .mean = true,
+        .help = "weight of the light that was not followed to its end",
+    },
+    {
         .name = "air",
         .image = &air_color,
         .planes = { "air.R", "air.G", "air.B", "air.A" },

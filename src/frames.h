@@ -54,11 +54,11 @@ enum frame_shown {
 /* A layer of a picture, as --aov names it, and the planes it becomes in an EXR file. */
 struct frame_layer {
     const char *name;
-    const struct rg_image *image;
-    const char *planes[4];  /* names, ends at NULL */
-    uint32_t first_channel; /* of the image, that the first plane takes */
-    bool half;              /* stored as half; else as float */
-    bool mean;              /* many samples are averaged; else the pixel's centre counts */
+    const struct rg_image *image; /* NULL: no rung draws it, the reference alone makes it */
+    const char *planes[4];        /* names, ends at NULL */
+    uint32_t first_channel;       /* of the image, that the first plane takes */
+    bool half;                    /* stored as half; else as float */
+    bool mean;                    /* many samples are averaged; else the pixel's centre counts */
     enum frame_shown shown;
     const char *help;
 };
@@ -67,7 +67,7 @@ extern const struct frame_layer frame_beauty;   /* always there */
 extern const struct frame_layer frame_layers[]; /* those to ask for; ends at a row of zeros */
 
 enum {
-    FRAME_LAYER_COUNT = 18
+    FRAME_LAYER_COUNT = 19
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/log.h"
+#include "src/reference/reference_settings.h"
 #include "src/scene_settings.h"
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
@@ -35,6 +36,7 @@ const struct setting_group *const setting_groups[] = {
     &refract_search_settings,
     &refract_bounce_settings,
     &absorb_settings,
+    &reference_settings,
     &air_settings,
     &bubbles_settings,
     &cracks_settings,

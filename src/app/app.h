@@ -49,6 +49,7 @@ struct app_options {
     uint32_t output_count;
     uint32_t width, height, samples;
     uint32_t layers;                /* bit i: frame_layers[i] */
+    bool all_layers;                /* that the rung makes; app_parse() puts them into `layers` */
     const struct frame_layer *show; /* what PNG files show; NULL: the tonemapped picture */
     const struct rung *rung;
     const char *material, *environment, *surroundings, *device;

@@ -5,6 +5,7 @@
 #include "src/app/app.h"
 #include "src/gpu/gpu.h"
 #include "src/log.h"
+#include "src/reference/reference.h"
 #include "src/scene/material.h"
 
 static enum status list_scenes(void)
@@ -19,6 +20,8 @@ static enum status list_rungs(void)
 {
     for (const struct rung *rung = frame_rungs; rung->name; rung++)
         printf("  %-14s %s\n", rung->name, rung->technique->help);
+    printf("  %-14s the truth, traced on the CPU%s\n", reference_rung.name,
+           reference_is_built() ? "" : " (not in this build, which has no Embree)");
     return STATUS_OK;
 }
 
@@ -32,7 +35,8 @@ static enum status list_materials(void)
 static enum status list_layers(void)
 {
     for (const struct frame_layer *layer = frame_layers; layer->name; layer++)
-        printf("  %-14s %s\n", layer->name, layer->help);
+        printf("  %-14s %s%s\n", layer->name, layer->help,
+               layer->image ? "" : " (reference alone)");
     return STATUS_OK;
 }
 

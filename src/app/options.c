@@ -12,6 +12,7 @@
 #include "src/app/option_view.h"
 #include "src/app/show.h"
 #include "src/log.h"
+#include "src/reference/reference.h"
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
 
@@ -70,7 +71,7 @@ static enum status add_layer(struct app_options *o, const char *name, size_t len
                              const char *value)
 {
     if (length == 3 && !strncmp(name, "all", 3)) {
-        o->layers = (1u << FRAME_LAYER_COUNT) - 1;
+        o->all_layers = true;
         return STATUS_OK;
     }
     for (uint32_t i = 0; frame_layers[i].name; i++) {
@@ -118,7 +119,8 @@ static enum status set_resume(struct app_options *o, const char *value)
 
 static enum status set_refraction(struct app_options *o, const char *value)
 {
-    o->rung = frame_find_rung(value);
+    const bool is_traced = !strcmp(value, reference_rung.name);
+    o->rung = is_traced ? &reference_rung : frame_find_rung(value);
     return o->rung ? STATUS_OK
                    : option_refuse("refraction", value, "no such rung (firn list rungs)");
 }
@@ -320,7 +322,7 @@ static const struct option options[] = {
     { "Reports", "capture", 0, NULL, APP_PROFILE, option_capture,
       "let RenderDoc capture a frame; start firn from it" },
     { "Picture", "refraction", 'r', "RUNG", PICTURES, set_refraction,
-      "paper, sphere, bounce, ...: firn list rungs (paper)" },
+      "paper, bounce, reference, ...: firn list rungs (paper)" },
     { "Picture", "material", 'm', "NAME", PICTURES, set_material, "ice, water, glass, ... (ice)" },
     { "Picture", "set", 0, "NAME=VALUE", PICTURES, set_set,
       "a setting (firn list settings), may be repeated" },
@@ -513,6 +515,34 @@ static enum status add_positional(struct app_options *o, enum app_command comman
     return STATUS_USAGE;
 }
 
+static enum status refuse_traced(const struct app_options *o)
+{
+    if (o->rung != &reference_rung)
+        return STATUS_OK;
+    log_error("--refraction reference: it is traced, only firn render does that");
+    return STATUS_USAGE;
+}
+
+/* What cannot be said before all words are read: who draws which layers. */
+static enum status settle_layers(struct app_options *o)
+{
+    uint32_t made = 0;
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        const struct frame_layer *layer = &frame_layers[i];
+        const bool is_made =
+            o->rung == &reference_rung ? reference_makes(layer) : layer->image != NULL;
+        made |= is_made ? 1u << i : 0;
+        if (is_made || !((o->layers & 1u << i) || o->show == layer))
+            continue;
+        log_error("--%s %s: --refraction %s does not make it (firn list layers)",
+                  o->show == layer ? "show" : "aov", layer->name, o->rung->name);
+        return STATUS_USAGE;
+    }
+    if (o->all_layers)
+        o->layers = made;
+    return STATUS_OK;
+}
+
 enum status app_parse(struct app_options *o, enum app_command command, int argc, char **argv,
                       bool *done)
 {
@@ -542,7 +572,9 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
         if (status != STATUS_OK)
             return status;
     }
-    return STATUS_OK;
+    if (command != APP_RENDER && refuse_traced(o) != STATUS_OK)
+        return STATUS_USAGE;
+    return settle_layers(o);
 }
 
 /* Options that say what is drawn. */
@@ -550,8 +582,10 @@ enum status app_set(struct app_options *o, const char *name, const char *value)
 {
     const struct option *option = find_long(name, strlen(name), APP_GRAPH);
     char assignment[256];
-    if (option && option->value && strcmp(name, "set") != 0)
-        return option->set(o, value);
+    if (option && option->value && strcmp(name, "set") != 0) {
+        const enum status status = option->set(o, value);
+        return status == STATUS_OK ? refuse_traced(o) : status;
+    }
     snprintf(assignment, sizeof(assignment), "%s=%s", name, value);
     return set_set(o, assignment);
 }

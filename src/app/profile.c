@@ -227,8 +227,7 @@ static enum status run(struct profile_job *job)
     const bool is_paper = o->positionals[0] && !strcmp(o->positionals[0], "paper");
     enum status status = check(job, is_paper);
     const uint32_t points = job->sweep.point_count;
-    progress_begin(&job->progress, points ? points : 1, o->warmup + o->run_count, o->quiet);
-    job->progress.sample_name = "runs";
+    progress_begin(&job->progress, points ? points : 1, "runs", o->quiet);
     if (status != STATUS_OK)
         return status;
     if (is_paper)

@@ -38,8 +38,7 @@ static enum status open_device(struct profile_job *job)
 static bool show_progress(void *user, uint32_t done, uint32_t all)
 {
     struct profile_job *job = user;
-    job->progress.samples = all;
-    progress_show(&job->progress, done);
+    progress_show(&job->progress, done, all);
     return true;
 }
 

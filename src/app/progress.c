@@ -8,29 +8,27 @@ enum {
     COLUMNS = 78 /* at most, words and all */
 };
 
-void progress_begin(struct progress *progress, uint32_t frames, uint32_t samples, bool quiet)
+void progress_begin(struct progress *progress, uint32_t frames, const char *step_name, bool quiet)
 {
     *progress = (struct progress){
         .frames = frames,
-        .samples = samples,
         .frame_name = "frame",
-        .sample_name = "samples",
-        .visible = !quiet && (frames > 1 || samples > 1) && isatty(STDERR_FILENO),
+        .step_name = step_name,
+        .visible = !quiet && isatty(STDERR_FILENO),
     };
 }
 
-void progress_show(const struct progress *p, uint32_t samples)
+void progress_show(const struct progress *p, uint32_t done, uint32_t all)
 {
-    uint64_t done = (uint64_t)p->frame * p->samples + samples;
-    int filled = (int)(done * BAR / ((uint64_t)p->frames * p->samples));
-    if (!p->visible)
+    const double share = (p->frame + (double)done / all) / p->frames;
+    const int filled = (int)(share * BAR);
+    if (!p->visible || (p->frames == 1 && all == 1))
         return;
     fprintf(stderr, "\r[%.*s%*s]", filled, "##############################", BAR - filled, "");
     if (p->frames > 1)
         fprintf(stderr, " %s %u/%u", p->frame_name, p->frame + 1, p->frames);
-    if (p->samples > 1)
-        fprintf(stderr, "%s %u/%u %s", p->frames > 1 ? "," : "", samples, p->samples,
-                p->sample_name);
+    if (all > 1)
+        fprintf(stderr, "%s %u/%u %s", p->frames > 1 ? "," : "", done, all, p->step_name);
     fflush(stderr);
 }
 

@@ -1,4 +1,4 @@
-/* progress.h: a bar over the samples of all frames, drawn over itself, on terminals only. */
+/* progress.h: a bar over the steps of all frames, drawn over itself, on terminals only. */
 #ifndef FIRN_APP_PROGRESS_H
 #define FIRN_APP_PROGRESS_H
 
@@ -6,16 +6,17 @@
 #include <stdint.h>
 
 struct progress {
-    uint32_t frames, samples;             /* there are, and of each frame */
-    uint32_t frame;                       /* index of the one at work */
-    const char *frame_name, *sample_name; /* "frame", "samples" */
+    uint32_t frames;        /* there are */
+    uint32_t frame;         /* index of the one at work */
+    const char *frame_name; /* "frame" */
+    const char *step_name;  /* "samples": what a frame is made of */
     bool visible;
 };
 
-void progress_begin(struct progress *progress, uint32_t frames, uint32_t samples, bool quiet);
+void progress_begin(struct progress *progress, uint32_t frames, const char *step_name, bool quiet);
 
-/* Draws it with so many samples of the frame done. */
-void progress_show(const struct progress *progress, uint32_t samples);
+/* Draws it with so many of the frame's steps done. One step of one frame is not worth a bar. */
+void progress_show(const struct progress *progress, uint32_t done, uint32_t all);
 
 /* Makes room for words. */
 void progress_clear(const struct progress *progress);

@@ -11,6 +11,7 @@
 #include "src/app/stop.h"
 #include "src/image/file.h"
 #include "src/log.h"
+#include "src/reference/reference.h"
 #include "src/renderer.h"
 #include "src/scene_settings.h"
 
@@ -22,7 +23,8 @@ struct job {
     struct scene scene;
     struct camera camera;
     struct gpu gpu;
-    struct renderer *renderer; /* NULL until a frame needs it */
+    struct renderer *renderer;   /* it or ... */
+    struct reference *reference; /* ... it draws; NULL until a frame needs it */
     struct progress progress;
 };
 
@@ -177,18 +179,19 @@ static bool frame_is_current(const struct frame *frame, uint32_t output_count)
 static bool show_progress(void *user, uint32_t done, uint32_t all)
 {
     const struct job *job = user;
-    (void)all;
-    progress_show(&job->progress, done);
+    progress_show(&job->progress, done, all);
     return true;
 }
 
 static enum status draw(struct job *job, struct frame *frame)
 {
     const struct frame_layer *show = job->o.show;
+    const struct renderer_shot *shot = &frame->output.shot;
     struct render_result *result = &frame->result;
-    progress_show(&job->progress, 0);
-    enum status status =
-        renderer_render(job->renderer, &frame->output.shot, result, show_progress, job);
+    progress_show(&job->progress, 0, job->o.samples);
+    enum status status = job->reference
+                             ? reference_render(job->reference, shot, result, show_progress, job)
+                             : renderer_render(job->renderer, shot, result, show_progress, job);
     progress_clear(&job->progress);
     if (status == STATUS_OK && show) {
         result->rgba = show_rgba(&result->image, show);
@@ -197,7 +200,27 @@ static enum status draw(struct job *job, struct frame *frame)
     return status;
 }
 
-/* Opens the device with the first frame that has to be drawn. */
+static enum status open_reference(struct job *job, const struct renderer_params *params)
+{
+    const struct reference_request request = {
+        .scene = params->scene,
+        .settings = params->settings,
+        .width = params->width,
+        .height = params->height,
+        .samples = params->samples,
+        .layers = params->layers,
+        .linear = params->linear,
+        .display = params->display,
+    };
+    char names[64];
+    enum status status = reference_create(&job->reference, &request);
+    if (status == STATUS_OK && !job->o.quiet &&
+        reference_leaves_out(params->settings, names, sizeof(names)))
+        log_warning("--refraction reference: it is the smooth object alone, without %s", names);
+    return status;
+}
+
+/* Opens the device, or what traces, with the first frame that has to be drawn. */
 static enum status open_renderer(struct job *job)
 {
     const struct app_options *o = &job->o;
@@ -222,6 +245,8 @@ static enum status open_renderer(struct job *job)
     else if (o->layers)
         log_warning("--aov: PNG files have no layers; name an .exr file too");
     params.layers |= show_bit(o->show);
+    if (o->rung == &reference_rung)
+        return open_reference(job, &params);
     enum status status = gpu_create(&job->gpu, &(struct gpu_params){
                                                    .device = o->device,
                                                    .validate = o->validate,
@@ -238,8 +263,9 @@ static enum status write_output(struct job *job, const struct frame *frame, cons
     const bool is_straight = file_is_straight(path); /* a pipe may wait for ever */
     void *data = NULL;
     size_t size = 0;
-    enum status status = output_encode(&frame->output, path, &frame->result,
-                                       job->gpu.properties.deviceName, &data, &size);
+    const char *device =
+        job->reference ? reference_device(job->reference) : job->gpu.properties.deviceName;
+    enum status status = output_encode(&frame->output, path, &frame->result, device, &data, &size);
     if (status == STATUS_OK) {
         if (!is_straight)
             stop_hold(&job->stop);
@@ -271,7 +297,7 @@ static enum status run_frame(struct job *job, int32_t number)
     struct frame frame;
     enum status status = frame_init(&frame, job, number);
     if (status == STATUS_OK && !frame_is_current(&frame, job->o.output_count)) {
-        if (!job->renderer)
+        if (!job->renderer && !job->reference)
             status = open_renderer(job);
         if (status == STATUS_OK)
             status = draw(job, &frame);
@@ -293,7 +319,8 @@ static enum status run(struct job *job)
         status = app_load_scene(&job->scene, &job->o);
     if (status == STATUS_OK)
         status = app_camera(&job->camera, &job->scene, &job->o);
-    progress_begin(&job->progress, job->range.count, job->o.samples, job->o.quiet);
+    progress_begin(&job->progress, job->range.count,
+                   job->o.rung == &reference_rung ? "tiles" : "samples", job->o.quiet);
     for (uint32_t i = 0; i < job->range.count && status == STATUS_OK; i++) {
         job->progress.frame = i;
         status = run_frame(job, job->range.frames[i]);
@@ -316,6 +343,7 @@ enum status app_render(const struct app_options *options)
         status = run(job);
     stop_end(&job->stop);
     renderer_destroy(job->renderer);
+    reference_destroy(job->reference);
     gpu_destroy(&job->gpu);
     scene_finish(&job->scene);
     frame_range_finish(&job->range);

@@ -266,8 +266,8 @@ static uint32_t check_inside(const char *setting, bool air_is_on, bool bubbles_a
     assert_true(has_image(plan.plan, "bubbles.color") == bubbles_are_on);
     for (uint32_t i = 0; frame_layers[i].name; i++) {
         const struct rg_image *image = frame_layers[i].image;
-        const bool is_off =
-            (image == &air_color && !air_is_on) || (image == &bubbles_color && !bubbles_are_on);
+        const bool is_off = !image || (image == &air_color && !air_is_on) ||
+                            (image == &bubbles_color && !bubbles_are_on);
         assert_true(!frame_plan_buffer(&plan, image) == is_off);
     }
     const uint32_t count = plan.plan->pass_count;

@@ -1,0 +1,27 @@
+/* reference_layers.h: what a traced ray gives, and which planes of a picture take it. */
+#ifndef FIRN_REFERENCE_LAYERS_H
+#define FIRN_REFERENCE_LAYERS_H
+
+#include "src/reference/reference.h"
+
+/* What a ray from the eye sees, all of float; zeros where there is nothing. */
+struct reference_seen {
+    vec3s color; /* linear radiance */
+    float alpha; /* 1 */
+    float z;     /* distance along the view's axis; GBUFFER_NOTHING: no surface */
+    vec3s normal, position;
+    vec3s exit;                   /* of light that is refracted wherever it can be: ... */
+    float path, bounces, tir;     /* ... length, total reflections, whether the first meets one */
+    vec3s refraction, reflection; /* radiance of both branches */
+    float fresnel;                /* weight of the reflection (of green, with dispersion) */
+    vec3s remaining;              /* weight of what was not followed to its end */
+};
+
+enum {
+    REFERENCE_SEEN_COUNT = sizeof(struct reference_seen) / sizeof(float)
+};
+
+/* Which of the floats a plane takes; REFERENCE_SEEN_COUNT: none. */
+size_t reference_layers_find(const char *plane);
+
+#endif

@@ -1,0 +1,40 @@
+/* reference_none.c: in place of reference.c where there is no Embree. */
+#include "src/log.h"
+#include "src/reference/reference.h"
+
+bool reference_is_built(void)
+{
+    return false;
+}
+
+enum status reference_create(struct reference **reference, const struct reference_request *request)
+{
+    (void)request;
+    *reference = NULL;
+    log_error("--refraction reference: this firn is built without Embree (install libembree-dev, "
+              "then meson setup --reconfigure -Dreference=enabled)");
+    return STATUS_NO_DEVICE;
+}
+
+enum status reference_render(struct reference *reference, const struct renderer_shot *shot,
+                             struct render_result *result, renderer_progress_fn *progress,
+                             void *user)
+{
+    (void)reference;
+    (void)shot;
+    (void)progress;
+    (void)user;
+    *result = (struct render_result){ 0 };
+    return STATUS_NO_DEVICE;
+}
+
+const char *reference_device(const struct reference *reference)
+{
+    (void)reference;
+    return "";
+}
+
+void reference_destroy(struct reference *reference)
+{
+    (void)reference;
+}

@@ -1,0 +1,114 @@
+"""test_reference.py: firn render --refraction reference, as a user runs it. Usage: see case.py.
+
+With --without after FIRN: of a build that cannot trace.
+"""
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import NO_DEVICE, NO_DRIVER, SMALL, USAGE, Case, main  # noqa: E402
+from exr_file import Exr  # noqa: E402
+
+TRACED = ('--refraction', 'reference')
+LAYERS = ('Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z', 'exit.X', 'exit.Y', 'exit.Z',
+          'refraction.R', 'refraction.G', 'refraction.B',
+          'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z', 'path.Z', 'bounces.Z',
+          'tir.Z', 'remaining.R', 'remaining.G', 'remaining.B')
+SMOOTH = [word for name in ('cracks.count', 'air.count', 'bubbles.count', 'bump.strength',
+                            'light.count') for word in ('--set', f'{name}=0')]
+
+
+class Both(Case):
+    """Whether it can trace or not."""
+
+    def test_it_is_listed(self):
+        text = self.succeed('list', 'rungs', env=NO_DRIVER).stdout.decode()
+        self.assertRegex(text, r'(?m)^ +reference .*\bCPU\b')
+        layers = self.succeed('list', 'layers', env=NO_DRIVER).stdout.decode()
+        self.assertRegex(layers, r'(?m)^ +remaining .*\(reference alone\)$')
+        self.assertEqual(layers.count('reference alone'), 1)
+
+    def test_layers_that_are_not_made(self):
+        for option in ('--aov', '--show'):
+            for name in ('cracks', 'air', 'bubbles', 'back.N', 'thickness', 'intervals'):
+                self.refuse(USAGE, 'render', 'sphere', *TRACED, option, name, '-o', 'a.exr',
+                            '-o', 'a.png', names=[option, name, 'reference'])
+            self.refuse(USAGE, 'render', 'sphere', option, 'remaining', '-o', 'a.exr',
+                        '-o', 'a.png', names=[option, 'remaining', 'paper'])
+        self.refuse(USAGE, 'render', 'sphere', *TRACED, '--aov', 'all,cracks', names=['cracks'])
+        self.assertEqual(self.files(), [])
+
+    def test_other_commands_do_not_trace(self):
+        for command in ('graph', 'view', 'profile'):
+            self.refuse(USAGE, command, 'sphere', *TRACED, names=['reference', 'render'],
+                        env=NO_DRIVER)
+        self.refuse(USAGE, 'profile', 'sphere', '--sweep', 'refraction=paper,reference',
+                    names=['reference', 'render'], env=NO_DRIVER)
+
+    def test_bad_settings(self):
+        for assignment in ('reference.cutoff=2', 'reference.bounces=0', 'reference.bounces=257',
+                           'reference.normals=smooth', 'absorb.red=-1', 'refract.dispersion=-1'):
+            name, value = assignment.split('=')
+            self.refuse(USAGE, 'render', 'sphere', *TRACED, '--set', assignment,
+                        names=[name, value])
+
+
+class Without(Case):
+    def test_it_says_so(self):
+        self.refuse(NO_DEVICE, 'render', 'sphere', *SMALL, *TRACED, '-o', 'a.exr',
+                    names=['reference', 'Embree'])
+        self.assertEqual(self.files(), [])
+
+
+class With(Case):
+    def trace(self, output, *arguments):
+        self.succeed('render', 'sphere', *SMALL, *TRACED, '-q', '-o', output, *arguments,
+                     env=NO_DRIVER)
+        return (self.folder / output).read_bytes()
+
+    def test_no_device_is_needed(self):
+        picture = Exr(self.trace('a.exr', '-o', 'a.png', '--samples', '2', '--aov', 'all'))
+        self.assertEqual(picture.size, (64, 48))
+        self.assertEqual(picture.channels,
+                         {**dict.fromkeys('RGBA', 'half'), **dict.fromkeys(LAYERS, 'float')})
+        self.assertRegex(picture.text('firn/device'), r'\AEmbree \d+\.\d+\.\d+\Z')
+        self.assertRegex(picture.text('firn/settings'), r'refraction=reference .*samples=2\b')
+        self.assertEqual((self.folder / 'a.png').read_bytes()[:8], b'\x89PNG\r\n\x1a\n')
+
+    def test_the_same_bytes(self):
+        self.assertTrue(self.trace('a.exr', '--aov', 'all') == self.trace('b.exr', '--aov', 'all'))
+        other = self.trace('c.exr', '--aov', 'all', '--set', 'absorb.green=0.5')
+        self.assertFalse(Exr(self.trace('a.exr')).pixels == Exr(other).pixels)
+
+    def test_one_layer_as_png(self):
+        self.trace('path.png', '--show', 'path')
+        self.assertEqual(self.files(), ['path.png'])
+
+    def test_a_sequence_resumes(self):
+        frames = ('render', 'sphere', *SMALL, *TRACED, '--frames', '1-3', '-o', 'a.##.exr')
+        self.succeed(*frames, env=NO_DRIVER)
+        first = (self.folder / 'a.02.exr').read_bytes()
+        (self.folder / 'a.02.exr').unlink()
+        said = self.succeed(*frames, '--resume', env=NO_DRIVER).stderr.decode()
+        self.assertEqual(said.count('up to date'), 2)
+        self.assertTrue(first == (self.folder / 'a.02.exr').read_bytes())
+
+    def test_what_is_left_out_is_said_once(self):
+        def words(*arguments):
+            return self.succeed('render', 'sphere', *SMALL, *TRACED, '--frames', '1-2', '-o',
+                                'a.##.exr', *arguments, env=NO_DRIVER).stderr.decode()
+        said = words()
+        self.assertEqual(said.count('warning'), 1, said)
+        for name in ('cracks', 'air', 'bubbles', 'bumps', 'highlights'):
+            self.assertIn(name, said)
+        self.assertNotIn('frost', said)
+        self.assertEqual(words('-q'), '')
+        self.assertNotIn('warning', words(*SMOOTH))
+
+
+if __name__ == '__main__':
+    if '--without' in sys.argv:
+        sys.argv.remove('--without')
+        del With
+    else:
+        del Without
+    main()

@@ -1,0 +1,295 @@
+/* How the traced reference runs: threads, samples, layers, progress, limits of memory. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "src/reference/reference.h"
+#include "tests/support/check.h"
+#include "tests/support/picture.h"
+
+enum {
+    WIDTH = 50, /* no whole number of tiles */
+    HEIGHT = 37,
+};
+
+static const struct renderer_shot shot = {
+    .camera = { .eye = { { 0.5F, 0.7F, 3 } }, .fov_deg = 45 },
+};
+
+static uint32_t traced_layers(void)
+{
+    uint32_t layers = 0;
+    for (uint32_t i = 0; frame_layers[i].name; i++)
+        layers |= reference_makes(&frame_layers[i]) ? 1u << i : 0;
+    return layers;
+}
+
+struct fixture {
+    struct scene scene;
+    struct settings settings;
+    struct reference_request request;
+};
+
+static int set_up(void **state)
+{
+    struct fixture *f = calloc(1, sizeof(*f));
+    assert_non_null(f);
+    f->scene = picture_sphere_scene(glms_vec3_zero(), 960);
+    f->settings = settings_default();
+    f->request = (struct reference_request){
+        .scene = &f->scene,
+        .settings = &f->settings,
+        .width = WIDTH,
+        .height = HEIGHT,
+        .samples = 3,
+        .layers = traced_layers(),
+        .linear = true,
+        .display = true,
+    };
+    *state = f;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    struct fixture *f = *state;
+    scene_finish(&f->scene);
+    free(f);
+    return 0;
+}
+
+static enum status render(const struct reference_request *request, struct render_result *result,
+                          renderer_progress_fn *progress, void *user)
+{
+    struct reference *reference;
+    assert_int_equal(reference_create(&reference, request), STATUS_OK);
+    assert_memory_equal(reference_device(reference), "Embree ", 7);
+    const enum status status = reference_render(reference, &shot, result, progress, user);
+    reference_destroy(reference);
+    return status;
+}
+
+static struct render_result trace(const struct reference_request *request)
+{
+    struct render_result result = { 0 };
+    assert_int_equal(render(request, &result, NULL, NULL), STATUS_OK);
+    return result;
+}
+
+static void check_same(const struct render_result *a, const struct render_result *b)
+{
+    const size_t count = (size_t)WIDTH * HEIGHT;
+    assert_int_equal(a->image.plane_count, b->image.plane_count);
+    for (uint32_t p = 0; p < a->image.plane_count; p++)
+        assert_memory_equal(a->image.planes[p].texels, b->image.planes[p].texels,
+                            count * sizeof(float));
+    assert_memory_equal(a->rgba, b->rgba, count * 4);
+}
+
+static void test_any_number_of_threads(void **state)
+{
+    struct fixture *f = *state;
+    f->request.threads = 1;
+    struct render_result one = trace(&f->request);
+    const uint32_t counts[] = { 0, 2, 7, 1000000 };
+    for (size_t i = 0; i < sizeof(counts) / sizeof(counts[0]); i++) {
+        f->request.threads = counts[i];
+        struct render_result many = trace(&f->request);
+        check_same(&one, &many);
+        render_result_finish(&many);
+    }
+    render_result_finish(&one);
+}
+
+/* Planes are those of the layers asked for, and each has something to say. */
+static void test_layers(void **state)
+{
+    struct fixture *f = *state;
+    const size_t count = (size_t)WIDTH * HEIGHT;
+    struct render_result result = trace(&f->request);
+    uint32_t planes = 4;
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        const struct frame_layer *layer = &frame_layers[i];
+        for (uint32_t p = 0; p < 4 && layer->planes[p]; p++) {
+            const float *texels = image_find(&result.image, layer->planes[p]);
+            assert_true(!texels == !reference_makes(layer));
+            planes += texels != NULL;
+            bool differs = false;
+            for (size_t k = 1; texels && k < count; k++)
+                differs = differs || texels[k] != texels[0];
+            /* a convex, smooth body reflects nothing totally */
+            const bool is_dull = !strcmp(layer->name, "tir") || !strcmp(layer->name, "bounces");
+            assert_true(!texels || differs || is_dull);
+        }
+    }
+    assert_int_equal(result.image.plane_count, planes);
+    render_result_finish(&result);
+
+    f->request.layers = 0;
+    f->request.linear = f->request.display = false;
+    result = trace(&f->request);
+    assert_int_equal(result.image.plane_count, 0);
+    assert_null(result.rgba);
+    render_result_finish(&result);
+}
+
+static bool is_partial(float coverage)
+{
+    return coverage > 0.05F && coverage < 0.95F;
+}
+
+/* The mean of the samples where a layer has one, else the first; they differ along both axes. */
+static void test_samples(void **state)
+{
+    struct fixture *f = *state;
+    f->scene.background = SCENE_COLOR;
+    f->scene.background_color = glms_vec3_one();
+    f->request.samples = 1;
+    struct render_result one = trace(&f->request);
+    f->request.samples = 16;
+    struct render_result many = trace(&f->request);
+    const size_t count = (size_t)WIDTH * HEIGHT;
+    assert_memory_equal(image_find(&one.image, "exit.X"), image_find(&many.image, "exit.X"),
+                        count * sizeof(float));
+    const float *first = image_find(&one.image, "refraction.R");
+    const float *mean = image_find(&many.image, "refraction.R");
+    size_t edges = 0, upright = 0, level = 0;
+    for (size_t i = 0; i < count; i++) { /* 1 on the sphere, 0 beside it */
+        assert_false(is_partial(first[i]));
+        edges += is_partial(mean[i]);
+        upright += is_partial(mean[i]) && i / WIDTH == HEIGHT / 2;
+        level += is_partial(mean[i]) && i % WIDTH == WIDTH / 2;
+    }
+    assert_true(edges > 20 && edges < 200);
+    assert_true(upright > 0 && level > 0);
+    render_result_finish(&one);
+    render_result_finish(&many);
+}
+
+/* A wall before the eye, cut out where its texture is not half opaque. */
+static void test_holes(void **state)
+{
+    struct fixture *f = *state;
+    picture_add_quad(&f->scene, &(struct picture_quad){
+                                    .top_left = { { -5, 5, 2 } },
+                                    .right = { { 10, 0, 0 } },
+                                    .down = { { 0, -10, 0 } },
+                                    .material = 1 | MESH_CUTOUT,
+                                });
+    for (uint32_t i = 0; i < 2; i++) {
+        uint8_t texel[4] = { 255, 255, 255, i ? 129 : 126 };
+        f->scene.model.textures = (struct texture_layers){ texel, 1, 1 };
+        struct render_result result = trace(&f->request);
+        f->scene.model.textures = (struct texture_layers){ 0 };
+        const float *z = image_find(&result.image, "Z");
+        assert_true((z[0] < 100) == (i == 1));
+        render_result_finish(&result);
+    }
+}
+
+/* What is nearer than a thousandth of the object's diagonal, 3.46, along the axis is not seen. */
+static void test_near_plane(void **state)
+{
+    struct fixture *f = *state;
+    const vec3s forward = glms_vec3_normalize(glms_vec3_negate(shot.camera.eye));
+    const vec3s right = glms_vec3_normalize(glms_vec3_cross(forward, (vec3s){ { 0, 1, 0 } }));
+    const vec3s down = glms_vec3_cross(forward, right);
+    const float distances[2] = { 0.0033F, 0.0036F };
+    for (int i = 0; i < 2; i++) {
+        const vec3s middle = glms_vec3_muladds(forward, distances[i], shot.camera.eye);
+        picture_add_quad(&f->scene,
+                         &(struct picture_quad){
+                             .top_left = glms_vec3_sub(glms_vec3_sub(middle, right), down),
+                             .right = glms_vec3_scale(right, 2),
+                             .down = glms_vec3_scale(down, 2),
+                         });
+        struct render_result result = trace(&f->request);
+        const float *z = image_find(&result.image, "Z");
+        for (size_t k = 0; k < (size_t)WIDTH * HEIGHT; k++) {
+            if (i == 0)
+                assert_true(z[k] > 1);
+            else
+                CHECK_NEAR(z[k], distances[1], 1e-5);
+        }
+        render_result_finish(&result);
+    }
+}
+
+/* ---- progress ---- */
+
+struct watch {
+    uint32_t calls, done, all;
+    uint32_t stop_at; /* call; 0: never */
+};
+
+static bool watch(void *user, uint32_t done, uint32_t all)
+{
+    struct watch *w = user;
+    assert_true(done >= w->done && done <= all);
+    *w = (struct watch){ w->calls + 1, done, all, w->stop_at };
+    return w->calls != w->stop_at;
+}
+
+static void test_progress(void **state)
+{
+    struct fixture *f = *state;
+    struct render_result result = { 0 };
+    struct watch w = { 0 };
+    f->request.threads = 1;
+    assert_int_equal(render(&f->request, &result, watch, &w), STATUS_OK);
+    assert_int_equal(w.all, 4 * 3);
+    assert_int_equal(w.done, w.all);
+    assert_int_equal(w.calls, w.all);
+    render_result_finish(&result);
+
+    w = (struct watch){ .stop_at = 5 };
+    assert_int_equal(render(&f->request, &result, watch, &w), STATUS_FAILED);
+    assert_int_equal(w.calls, 5);
+    assert_null(result.rgba);
+    assert_int_equal(result.image.plane_count, 0);
+}
+
+static void test_too_little_memory(void **state)
+{
+    struct fixture *f = *state;
+    struct render_result result = { 0 };
+    f->request.memory = 1000;
+    assert_int_equal(render(&f->request, &result, NULL, NULL), STATUS_TRY_AGAIN);
+    assert_int_equal(result.image.plane_count, 0);
+    f->request.memory = 1000000;
+    assert_int_equal(render(&f->request, &result, NULL, NULL), STATUS_OK);
+    render_result_finish(&result);
+}
+
+static void test_what_is_left_out(void **state)
+{
+    (void)state;
+    static const char *const off[] = { "cracks.count=0", "air.count=0", "bubbles.count=0",
+                                       "bump.strength=0", "light.count=0" };
+    struct settings settings = settings_default();
+    char names[64];
+    for (size_t i = 0; i < sizeof(off) / sizeof(off[0]); i++) {
+        assert_true(reference_leaves_out(&settings, names, sizeof(names)));
+        assert_int_equal(settings_set(&settings, off[i]), STATUS_OK);
+    }
+    assert_false(reference_leaves_out(&settings, names, sizeof(names)));
+    assert_int_equal(settings_set(&settings, "frost.amount=0.5"), STATUS_OK);
+    assert_int_equal(settings_set(&settings, "air.count=3"), STATUS_OK);
+    assert_true(reference_leaves_out(&settings, names, sizeof(names)));
+    assert_string_equal(names, "air, frost");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_any_number_of_threads, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_layers, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_samples, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_holes, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_near_plane, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_progress, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_too_little_memory, set_up, tear_down),
+        cmocka_unit_test(test_what_is_left_out),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
