@@ -42,6 +42,14 @@ struct app_diff {
     double limits[COMPARISON_METRIC_COUNT];
 };
 
+/* Of firn ladder. */
+struct app_ladder {
+    uint32_t rungs;     /* bit i: frame_rungs[i]; 0: all */
+    uint32_t run_count; /* frames of each rung against the clock */
+    bool furnace;
+    const char *truth; /* file; NULL: none */
+};
+
 /* What the command line says; zero is the default everywhere. */
 struct app_options {
     const char *positionals[APP_POSITIONAL_COUNT]; /* SCENE, what to list, two files */
@@ -76,7 +84,8 @@ struct app_options {
     const char *watch;        /* folder of shaders; NULL: none */
     VkPresentModeKHR present; /* 0 means FIFO */
     enum rg_sharing sharing;
-    struct app_diff diff;
+    struct app_diff diff; /* its mask is of firn ladder's truth, too */
+    struct app_ladder ladder;
 };
 
 enum app_command {
@@ -86,6 +95,7 @@ enum app_command {
     APP_VIEW = 8,
     APP_PROFILE = 16,
     APP_DIFF = 32,
+    APP_LADDER = 64,
 };
 
 /*
@@ -113,6 +123,7 @@ MUST_USE enum status app_set(struct app_options *options, const char *name, cons
 /* Whether they name one. Logs: STATUS_USAGE. */
 MUST_USE enum status app_need_scene(const struct app_options *options);
 enum status app_diff(const struct app_options *options);
+enum status app_ladder(const struct app_options *options);
 
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);

@@ -17,6 +17,7 @@ static const struct {
     { "profile", APP_PROFILE, app_profile, "measure what each pass of a frame costs" },
     { "graph", APP_GRAPH, app_graph, "print the compiled plan of a frame; needs no device" },
     { "diff", APP_DIFF, app_diff, "say how far two pictures are apart" },
+    { "ladder", APP_LADDER, app_ladder, "compare every way to refract with the traced truth" },
     { "list", APP_LIST, app_list, "scenes, rungs, materials, layers, settings, devices" },
 };
 
@@ -30,6 +31,7 @@ static void print_help(FILE *out)
                  "Examples:\n"
                  "  firn render ice-cube -o ice.exr -o ice.png\n"
                  "  firn diff reference.exr ice.exr\n"
+                 "  firn ladder sphere -o ladder.html\n"
                  "  firn list settings\n\n"
                  "Commands:\n");
     for (size_t i = 0; i < COMMAND_COUNT; i++)
@@ -48,9 +50,9 @@ static size_t find_command(const char *name)
 
 static enum status unknown(const char *word)
 {
-    log_error(
-        "unknown command %s: render, view, profile, graph, diff or list is wanted (see --help)",
-        word);
+    log_error("unknown command %s: render, view, profile, graph, diff, ladder or list is wanted "
+              "(see --help)",
+              word);
     return STATUS_USAGE;
 }
 
@@ -72,7 +74,8 @@ int main(int argc, char **argv)
     bool done;
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
     if (argc < 2) {
-        log_error("a command is missing: render, view, profile, graph, diff or list (see --help)");
+        log_error("a command is missing: render, view, profile, graph, diff, ladder or list (see "
+                  "--help)");
         return STATUS_USAGE;
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))

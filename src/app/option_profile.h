@@ -2,10 +2,7 @@
 #ifndef FIRN_APP_OPTION_PROFILE_H
 #define FIRN_APP_OPTION_PROFILE_H
 
-#include "src/app/app.h"
-
-/* Sets an option; `value` is NULL if it takes none. Logs: STATUS_USAGE. */
-typedef enum status option_fn(struct app_options *o, const char *value);
+#include "src/app/option.h"
 
 option_fn option_runs, option_warmup, option_time_step, option_clock, option_sweep;
 option_fn option_baseline, option_each, option_json, option_csv, option_trace, option_html;

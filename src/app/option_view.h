@@ -2,7 +2,7 @@
 #ifndef FIRN_APP_OPTION_VIEW_H
 #define FIRN_APP_OPTION_VIEW_H
 
-#include "src/app/option_profile.h"
+#include "src/app/option.h"
 
 option_fn option_frame_count, option_fps_limit, option_present, option_split, option_watch;
 

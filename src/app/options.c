@@ -7,6 +7,8 @@
 #include <string.h>
 #include "src/app/app.h"
 #include "src/app/option_diff.h"
+#include "src/app/option_ladder.h"
+#include "src/app/option_picture.h"
 #include "src/app/option_profile.h"
 #include "src/app/option_values.h"
 #include "src/app/option_view.h"
@@ -26,268 +28,30 @@ struct option {
     const char *help;
 };
 
-/* ---- values ---- */
-
-static enum status add_output(struct app_options *o, const char *option, const char *value)
-{
-    const char *dot = strrchr(value, '.');
-    bool known = !strcmp(value, "-") || (dot && (!strcmp(dot, ".exr") || !strcmp(dot, ".png")));
-    if (!known)
-        return option_refuse(option, value, "a name that ends in .exr or .png, or - is wanted");
-    if (o->output_count == APP_OUTPUT_COUNT)
-        return option_refuse(option, value, "at most 16 files can be written at once");
-    o->outputs[o->output_count++] = value;
-    return STATUS_OK;
-}
-
-static enum status set_output(struct app_options *o, const char *value)
-{
-    return add_output(o, "output", value);
-}
-
-static enum status set_screenshot(struct app_options *o, const char *value)
-{
-    return add_output(o, "screenshot", value);
-}
-
-static enum status set_size(struct app_options *o, const char *value)
-{
-    const char *rest;
-    if (!option_parse_count(value, 1, 16384, &o->width, &rest) || *rest != 'x' ||
-        !option_parse_count(rest + 1, 1, 16384, &o->height, &rest) || *rest)
-        return option_refuse("size", value, "WIDTHxHEIGHT in pixels is wanted, 1x1 to 16384x16384");
-    return STATUS_OK;
-}
-
-static enum status set_samples(struct app_options *o, const char *value)
-{
-    const char *rest;
-    if (!option_parse_count(value, 1, 65536, &o->samples, &rest) || *rest)
-        return option_refuse("samples", value, "a number from 1 to 65536 is wanted");
-    return STATUS_OK;
-}
-
-static enum status add_layer(struct app_options *o, const char *name, size_t length,
-                             const char *value)
-{
-    if (length == 3 && !strncmp(name, "all", 3)) {
-        o->all_layers = true;
-        return STATUS_OK;
-    }
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
-        if (strlen(frame_layers[i].name) == length &&
-            !strncmp(frame_layers[i].name, name, length)) {
-            o->layers |= 1u << i;
-            return STATUS_OK;
-        }
-    }
-    return option_refuse("aov", value,
-                         "layers separated by commas, or all, are wanted (firn list layers)");
-}
-
-static enum status set_aov(struct app_options *o, const char *value)
-{
-    enum status status = STATUS_OK;
-    for (const char *name = value; status == STATUS_OK;) {
-        size_t length = strcspn(name, ",");
-        status = add_layer(o, name, length, value);
-        if (!name[length])
-            break;
-        name += length + 1;
-    }
-    return status;
-}
-
-static enum status set_show(struct app_options *o, const char *value)
-{
-    o->show = show_find(value);
-    return o->show ? STATUS_OK : STATUS_USAGE;
-}
-
-static enum status set_frames(struct app_options *o, const char *value)
-{
-    o->frames = value;
-    return STATUS_OK;
-}
-
-static enum status set_resume(struct app_options *o, const char *value)
-{
-    (void)value;
-    o->resume = true;
-    return STATUS_OK;
-}
-
-static enum status set_refraction(struct app_options *o, const char *value)
-{
-    const bool is_traced = !strcmp(value, reference_rung.name);
-    o->rung = is_traced ? &reference_rung : frame_find_rung(value);
-    return o->rung ? STATUS_OK
-                   : option_refuse("refraction", value, "no such rung (firn list rungs)");
-}
-
-static enum status set_material(struct app_options *o, const char *value)
-{
-    o->material = value;
-    return material_find(value)
-               ? STATUS_OK
-               : option_refuse("material", value, "no such material (firn list materials)");
-}
-
-static enum status set_set(struct app_options *o, const char *value)
-{
-    static const char ior[] = "refract.ior=";
-    o->ior_is_set = o->ior_is_set || !strncmp(value, ior, sizeof(ior) - 1);
-    return settings_set(&o->settings, value);
-}
-
-static enum status set_env(struct app_options *o, const char *value)
-{
-    o->environment = value;
-    return STATUS_OK;
-}
-
-static enum status set_surroundings(struct app_options *o, const char *value)
-{
-    o->surroundings = value;
-    return STATUS_OK;
-}
-
-static enum status set_background(struct app_options *o, const char *value)
-{
-    o->has_background = option_parse_numbers(value, ',', o->background.raw, 3) &&
-                        o->background.x >= 0.0f && o->background.y >= 0.0f &&
-                        o->background.z >= 0.0f;
-    return o->has_background
-               ? STATUS_OK
-               : option_refuse("background", value, "R,G,B is wanted, linear, from 0 up");
-}
-
-static enum status set_orbit(struct app_options *o, const char *value)
-{
-    o->has_orbit = option_parse_numbers(value, ',', o->orbit.raw, 3) && o->orbit.z > 0.0f;
-    return o->has_orbit
-               ? STATUS_OK
-               : option_refuse("orbit", value,
-                               "AZIMUTH,ELEVATION,DISTANCE is wanted, in degrees and metres");
-}
-
-static enum status set_eye(struct app_options *o, const char *value)
-{
-    o->has_eye = option_parse_numbers(value, ',', o->eye.raw, 3);
-    return o->has_eye ? STATUS_OK : option_refuse("eye", value, "X,Y,Z is wanted");
-}
-
-static enum status set_target(struct app_options *o, const char *value)
-{
-    o->has_target = option_parse_numbers(value, ',', o->target.raw, 3);
-    return o->has_target ? STATUS_OK : option_refuse("target", value, "X,Y,Z is wanted");
-}
-
-static enum status set_fov(struct app_options *o, const char *value)
-{
-    o->has_fov = option_parse_numbers(value, ',', &o->fov_deg, 1) && o->fov_deg >= 1.0f &&
-                 o->fov_deg <= 170.0f;
-    return o->has_fov ? STATUS_OK : option_refuse("fov", value, "1 to 170 degrees are wanted");
-}
-
-static enum status set_device(struct app_options *o, const char *value)
-{
-    o->device = value;
-    return STATUS_OK;
-}
-
-static enum status set_validate(struct app_options *o, const char *value)
-{
-    (void)value;
-    o->validate = true;
-    return STATUS_OK;
-}
-
-static enum status set_no_cache(struct app_options *o, const char *value)
-{
-    (void)value;
-    o->no_cache = true;
-    return STATUS_OK;
-}
-
-static enum status set_sharing(struct app_options *o, const char *value)
-{
-    static const char *const names[] = {
-        [RG_SHARE_FEWEST_BATCHES] = "batches",
-        [RG_SHARE_LEAST_MEMORY] = "memory",
-        [RG_SHARE_NOTHING] = "nothing",
-    };
-    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
-        if (!strcmp(value, names[i])) {
-            o->sharing = (enum rg_sharing)i;
-            return STATUS_OK;
-        }
-    }
-    return option_refuse("sharing", value, "batches, memory or nothing is wanted");
-}
-
-static enum status set_quiet(struct app_options *o, const char *value)
-{
-    (void)value;
-    o->quiet = true;
-    return STATUS_OK;
-}
-
-/* At most one format; the same one again is harmless. */
-static enum status set_format(struct app_options *o, enum app_format format)
-{
-    static const char *const names[] = {
-        [APP_FORMAT_DOT] = "dot",
-        [APP_FORMAT_JSON] = "json",
-        [APP_FORMAT_HTML] = "html",
-    };
-    if (o->format != APP_FORMAT_TEXT && o->format != format) {
-        log_error("--%s: only one format is wanted, --%s is there already", names[format],
-                  names[o->format]);
-        return STATUS_USAGE;
-    }
-    o->format = format;
-    return STATUS_OK;
-}
-
-static enum status set_dot(struct app_options *o, const char *value)
-{
-    (void)value;
-    return set_format(o, APP_FORMAT_DOT);
-}
-
-static enum status set_json(struct app_options *o, const char *value)
-{
-    (void)value;
-    return set_format(o, APP_FORMAT_JSON);
-}
-
-static enum status set_html(struct app_options *o, const char *value)
-{
-    (void)value;
-    return set_format(o, APP_FORMAT_HTML);
-}
-
 /* ---- the table ---- */
 
-#define PICTURES (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW)
+#define FRAMES   (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW)
+#define PICTURES (FRAMES | APP_LADDER)
 #define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW)
-#define DEVICES  (APP_RENDER | APP_PROFILE | APP_VIEW)
+#define DEVICES  (APP_RENDER | APP_PROFILE | APP_VIEW | APP_LADDER)
 
 static const struct option options[] = {
-    { "Output", "output", 'o', "FILE", APP_RENDER, set_output,
+    { "Output", "output", 'o', "FILE", APP_RENDER, option_output,
       "write FILE.exr or FILE.png, may be repeated; - is an EXR on stdout (firn.exr)" },
-    { "Output", "size", 's', "WxH", PICTURES, set_size, "pixels (1024x768)" },
-    { "Output", "samples", 'n', "N", FILES, set_samples,
+    { "Output", "output", 'o', "FILE", APP_LADDER, option_ladder_output,
+      "FILE.png: contact sheet, .exr: layers, .svg: plot, .html: page; may be repeated" },
+    { "Output", "size", 's', "WxH", FRAMES, option_size, "pixels (1024x768)" },
+    { "Output", "size", 's', "WxH", APP_LADDER, option_size, "pixels (512x512)" },
+    { "Output", "samples", 'n', "N", FILES | APP_LADDER, option_samples,
       "samples a pixel (1); a window shows one, its screenshots have all" },
-    { "Output", "aov", 0, "LIST", FILES, set_aov,
+    { "Output", "aov", 0, "LIST", FILES, option_aov,
       "extra layers of the EXR: names with commas between (firn list layers), or all" },
-    { "Output", "show", 0, "LAYER", APP_RENDER, set_show,
+    { "Output", "show", 0, "LAYER", APP_RENDER, option_show,
       "what PNG files show in place of the picture: one layer (firn list layers)" },
     { "Window", "frames", 0, "N", APP_VIEW, option_frame_count, "end after so many frames" },
     { "Window", "time-step", 0, "SECONDS", APP_VIEW, option_time_step,
       "so much time between frames, however long they take" },
-    { "Window", "screenshot", 0, "FILE", APP_VIEW, set_screenshot,
+    { "Window", "screenshot", 0, "FILE", APP_VIEW, option_screenshot,
       "at the end write the last frame to FILE.png or FILE.exr, may be repeated" },
     { "Window", "present", 0, "MODE", APP_VIEW, option_present,
       "fifo (no tearing), mailbox (the newest, too), immediate (fifo)" },
@@ -297,9 +61,9 @@ static const struct option options[] = {
       "on the right of a divider: --refraction is on its left (S, [ and ] there)" },
     { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, option_watch,
       "compile shaders there when they are saved, and show them (shaders)" },
-    { "Sequence", "frames", 0, "LIST", APP_RENDER, set_frames,
+    { "Sequence", "frames", 0, "LIST", APP_RENDER, option_frames,
       "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
-    { "Sequence", "resume", 0, NULL, APP_RENDER, set_resume,
+    { "Sequence", "resume", 0, NULL, APP_RENDER, option_resume,
       "draw only what is not there yet, whole and with the same options" },
     { "Runs", "runs", 'n', "N", APP_PROFILE, option_runs, "runs that count (30)" },
     { "Runs", "warmup", 0, "N", APP_PROFILE, option_warmup, "runs before them (5)" },
@@ -321,33 +85,43 @@ static const struct option options[] = {
     { "Reports", "html", 0, "FILE", APP_PROFILE, option_html, "write a page with plots" },
     { "Reports", "capture", 0, NULL, APP_PROFILE, option_capture,
       "let RenderDoc capture a frame; start firn from it" },
-    { "Picture", "refraction", 'r', "RUNG", PICTURES, set_refraction,
+    { "Ladder", "rungs", 0, "LIST", APP_LADDER, option_rungs,
+      "only these rungs, with commas between (firn list rungs)" },
+    { "Ladder", "runs", 0, "N", APP_LADDER, option_costs,
+      "frames of each rung against the clock (10); 0: costs are not measured" },
+    { "Ladder", "furnace", 0, NULL, APP_LADDER, option_furnace,
+      "surroundings of 1: what takes no light shows 1; exit code 1 where it does not" },
+    { "Ladder", "truth", 0, "FILE", APP_LADDER, option_truth,
+      "a picture of the same view by another program, to compare with, too" },
+    { "Picture", "refraction", 'r', "RUNG", FRAMES, option_refraction,
       "paper, bounce, reference, ...: firn list rungs (paper)" },
-    { "Picture", "material", 'm', "NAME", PICTURES, set_material, "ice, water, glass, ... (ice)" },
-    { "Picture", "set", 0, "NAME=VALUE", PICTURES, set_set,
+    { "Picture", "material", 'm', "NAME", PICTURES, option_material,
+      "ice, water, glass, ... (ice)" },
+    { "Picture", "set", 0, "NAME=VALUE", PICTURES, option_set,
       "a setting (firn list settings), may be repeated" },
-    { "Scene", "env", 'e', "FILE", PICTURES, set_env,
+    { "Scene", "env", 'e', "FILE", PICTURES, option_env,
       "equirectangular .exr or .hdr around the scene; -Z in its middle" },
-    { "Scene", "surroundings", 0, "FILE", PICTURES, set_surroundings, "a model around the object" },
-    { "Scene", "background", 0, "R,G,B", PICTURES, set_background,
+    { "Scene", "surroundings", 0, "FILE", PICTURES, option_surroundings,
+      "a model around the object" },
+    { "Scene", "background", 0, "R,G,B", PICTURES, option_background,
       "one linear colour for the sky" },
-    { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, set_orbit,
+    { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, option_orbit,
       "degrees, degrees, metres, around the target" },
-    { "Camera", "eye", 0, "X,Y,Z", PICTURES, set_eye, "where the camera stands, metres" },
-    { "Camera", "target", 0, "X,Y,Z", PICTURES, set_target,
+    { "Camera", "eye", 0, "X,Y,Z", PICTURES, option_eye, "where the camera stands, metres" },
+    { "Camera", "target", 0, "X,Y,Z", PICTURES, option_target,
       "what it looks at (the object's centre)" },
-    { "Camera", "fov", 0, "DEGREES", PICTURES, set_fov, "vertical angle of view (45)" },
-    { "Device", "device", 'd', "N|NAME", DEVICES, set_device,
+    { "Camera", "fov", 0, "DEGREES", PICTURES, option_fov, "vertical angle of view (45)" },
+    { "Device", "device", 'd', "N|NAME", DEVICES, option_device,
       "number or part of the name (firn list devices)" },
-    { "Device", "validate", 0, NULL, DEVICES, set_validate,
+    { "Device", "validate", 0, NULL, DEVICES, option_validate,
       "Vulkan validation and synchronization validation" },
-    { "Device", "no-cache", 0, NULL, DEVICES, set_no_cache,
+    { "Device", "no-cache", 0, NULL, DEVICES, option_no_cache,
       "do not keep compiled pipelines in $XDG_CACHE_HOME/firn" },
-    { "Device", "sharing", 0, "HOW", PICTURES, set_sharing,
+    { "Device", "sharing", 0, "HOW", PICTURES, option_sharing,
       "share memory: batches (where it costs none), memory, nothing (batches)" },
-    { "Comparison", "mask", 0, "FILE", APP_DIFF, option_mask,
+    { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, option_mask,
       "only pixels count where its A (of an EXR or PNG) is above 0" },
-    { "Comparison", "mask-channel", 0, "NAME", APP_DIFF, option_mask_channel,
+    { "Comparison", "mask-channel", 0, "NAME", APP_DIFF | APP_LADDER, option_mask_channel,
       "another channel of the mask" },
     { "Comparison", "exposure", 0, "STOPS", APP_DIFF, option_exposure,
       "LDR-FLIP of EXR and HDR files too, exposed so and clamped; else HDR-FLIP" },
@@ -359,10 +133,13 @@ static const struct option options[] = {
       "write the errors: FILE.png in colours, FILE.exr as numbers; may be repeated" },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, option_fail_above,
       "exit code 1 if flip, rmse, relmse, mae, angle (degrees) is above; may be repeated" },
-    { "Format", "dot", 0, NULL, APP_GRAPH, set_dot, "print a Graphviz digraph, not text" },
-    { "Format", "html", 0, NULL, APP_GRAPH, set_html, "print a page that shows passes and memory" },
-    { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF, set_json, "print JSON, with everything" },
-    { "Other", "quiet", 'q', NULL, PICTURES, set_quiet, "no progress" },
+    { "Format", "dot", 0, NULL, APP_GRAPH, option_format_dot,
+      "print a Graphviz digraph, not text" },
+    { "Format", "html", 0, NULL, APP_GRAPH, option_format_html,
+      "print a page that shows passes and memory" },
+    { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER, option_format_json,
+      "print JSON, with everything" },
+    { "Other", "quiet", 'q', NULL, PICTURES, option_quiet, "no progress" },
 };
 
 enum {
@@ -389,6 +166,10 @@ static const char *const examples[] = {
                   "  firn diff before.png after.png -o errors.png\n"
                   "  firn diff a.exr b.exr --mask a.exr --mask-channel thickness.Z --json\n"
                   "  firn diff golden.exr new.exr --fail-above flip=0.01 --fail-above angle=0.1\n"),
+    [APP_LADDER] = ("  firn ladder\n"
+                    "  firn ladder sphere --size 256x256 -o ladder.html -o ladder.exr\n"
+                    "  firn ladder statue.glb --rungs paper,search,bounce --runs 0 --json\n"
+                    "  firn ladder ice-cube --furnace\n"),
     [APP_LIST] = ("  firn list\n"
                   "  firn list settings\n"),
 };
@@ -399,6 +180,7 @@ static const char *const usages[] = {
     [APP_VIEW] = "firn view [options] SCENE: show it in a window; F1 prints what keys do there",
     [APP_PROFILE] = "firn profile [options] SCENE: measure what each pass of a frame costs",
     [APP_DIFF] = "firn diff [options] REFERENCE TEST: how far two pictures are apart",
+    [APP_LADDER] = "firn ladder [options] [SCENE]: how far every rung is from the traced truth",
     [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
 };
 
@@ -416,6 +198,10 @@ void app_help(enum app_command command)
         printf("\nSCENE is ice-cube, sphere, teapot, or a model file (.gltf .glb .obj .ply).\n");
     if (command == APP_PROFILE)
         printf("firn profile paper repeats the measurements of the paper.\n");
+    if (command == APP_LADDER)
+        printf("\nWithout SCENE it is the ice cube: the smooth object alone, with "
+               "refract.fresnel=exact and\n"
+               "refract.lookup=distance, unless --set says otherwise.\n");
     if (command == APP_DIFF)
         printf("\nREFERENCE and TEST are both .exr or .hdr, or both .png, and of one size.\n");
     for (size_t i = 0; i < OPTION_COUNT; i++) {
@@ -554,6 +340,8 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
         .warmup = 5,
         .run_count = 30,
     };
+    if (command == APP_LADDER)
+        option_ladder_defaults(o);
     for (int i = 0; i < argc; i++) {
         enum status status = STATUS_OK;
         const char *word = argv[i];
@@ -587,5 +375,5 @@ enum status app_set(struct app_options *o, const char *name, const char *value)
         return status == STATUS_OK ? refuse_traced(o) : status;
     }
     snprintf(assignment, sizeof(assignment), "%s=%s", name, value);
-    return set_set(o, assignment);
+    return option_set(o, assignment);
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/app/words.h"
 #include "src/gpu/gpu_capture.h"
 #include "src/log.h"
 #include "src/scene/material.h"
@@ -65,31 +66,6 @@ static bool describe_settings(struct profile *p, const struct settings *settings
     return true;
 }
 
-/* Quoted as a shell takes it; NULL when memory is short. */
-static char *join(char *const *words)
-{
-    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                "-_=+.,/:@%#";
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (!out)
-        return NULL;
-    fputs("firn", out);
-    for (; *words; words++) {
-        bool is_plain = **words && strspn(*words, plain) == strlen(*words);
-        fputs(is_plain ? " " : " '", out);
-        for (const char *c = *words; *c; c++)
-            fputs(*c == '\'' ? "'\\''" : (const char[]){ *c, '\0' }, out);
-        fputs(is_plain ? "" : "'", out);
-    }
-    if (fclose(out)) {
-        free(text);
-        text = NULL;
-    }
-    return text;
-}
-
 /* By its name if the index is the material's. */
 static void describe_material(struct profile *p, const struct app_options *o)
 {
@@ -106,7 +82,7 @@ static void describe_material(struct profile *p, const struct app_options *o)
 static enum status describe(struct profile *p, const struct app_options *o)
 {
     p->scene = strdup(o->positionals[0]);
-    p->command = join(o->words);
+    p->command = words_join(o->words);
     describe_material(p, o);
     if (p->scene && p->command && describe_settings(p, &o->settings))
         return STATUS_OK;

@@ -13,7 +13,7 @@ from case import (  # noqa: E402
 from exr_file import Exr  # noqa: E402
 import plan_dumps  # noqa: E402
 
-COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'list', 'help')
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list', 'help')
 
 # Layer by layer, what `--aov all` adds to the picture.
 LAYERS = (
@@ -77,7 +77,7 @@ class CommandLine(Case):
         self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--json', names=['--json'])
 
     def test_help_fits(self):
-        for command in ('graph', 'render', 'view'):
+        for command in ('graph', 'ladder', 'render', 'view'):
             text = self.succeed(command, '--help').stdout.decode()
             self.assertIn('--sharing', text)
             self.assertEqual([line for line in text.splitlines() if len(line) > 110], [])

@@ -34,9 +34,10 @@ class Png:
         parts = list(chunks(data))
         self.texts = dict(body.decode().split('\0', 1) for kind, body in parts if kind == b'tEXt')
         packed = zlib.decompress(b''.join(body for kind, body in parts if kind == b'IDAT'))
-        above, self.rows = bytes(3 * WIDTH), []
-        for y in range(HEIGHT):
-            kind, *line = packed[y * (3 * WIDTH + 1):(y + 1) * (3 * WIDTH + 1)]
+        self.width, self.height = struct.unpack('>II', parts[0][1][:8])
+        row, above, self.rows = 3 * self.width, bytes(3 * self.width), []
+        for y in range(self.height):
+            kind, *line = packed[y * (row + 1):(y + 1) * (row + 1)]
             for i, byte in enumerate(line):
                 left, corner = (line[i - 3], above[i - 3]) if i > 2 else (0, 0)
                 line[i] = (byte + unfilter(kind, left, above[i], corner)) & 255
@@ -48,7 +49,7 @@ class Png:
         return tuple(self.rows[y][3 * x:3 * x + 3])
 
     def pixels(self):
-        return [self[x, y] for y in range(HEIGHT) for x in range(WIDTH)]
+        return [self[x, y] for y in range(self.height) for x in range(self.width)]
 
     @property
     def settings(self):

@@ -1,0 +1,266 @@
+/* ladder.c: firn ladder: every rung beside the truth, or in the white furnace. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/app.h"
+#include "src/app/input.h"
+#include "src/app/progress.h"
+#include "src/app/words.h"
+#include "src/image/file.h"
+#include "src/ladder/furnace.h"
+#include "src/ladder/ladder_report.h"
+#include "src/log.h"
+#include "src/reference/reference.h"
+#include "src/scene_settings.h"
+
+static const char default_scene[] = "ice-cube";
+static const uint32_t default_side = 512;
+
+struct job {
+    struct app_options o;
+    struct scene scene;
+    struct gpu gpu;
+    struct image truth; /* {0}: none */
+    bool *truth_counted;
+    struct ladder ladder;
+    struct ladder_report report;
+    char *command;
+    struct progress progress;
+};
+
+/* ---- what is wrong with the words ---- */
+
+static enum status refuse_furnace(const struct app_options *o)
+{
+    const char *option = o->environment      ? "--env"
+                         : o->surroundings   ? "--surroundings"
+                         : o->has_background ? "--background"
+                         : o->ladder.truth   ? "--truth"
+                         : o->output_count   ? "--output"
+                                             : NULL;
+    if (!option)
+        return STATUS_OK;
+    log_error("%s: with --furnace the environment is 1 everywhere, and the numbers are all",
+              option);
+    return STATUS_USAGE;
+}
+
+static enum status check(struct job *job)
+{
+    struct app_options *o = &job->o;
+    enum status status = o->ladder.furnace ? refuse_furnace(o) : STATUS_OK;
+    if (status == STATUS_OK && !reference_is_built()) {
+        log_error("firn ladder: this firn was built without Embree (meson option `reference`)");
+        return STATUS_NO_DEVICE;
+    }
+    if (status == STATUS_OK && o->diff.mask && !o->ladder.truth) {
+        log_error("--mask %s: it is for --truth, which is missing", o->diff.mask);
+        return STATUS_USAGE;
+    }
+    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
+        status = file_check(o->outputs[i]);
+    if (!o->positionals[0])
+        o->positionals[0] = default_scene;
+    if (!o->width)
+        o->width = o->height = default_side;
+    if (!o->samples)
+        o->samples = 1;
+    if (o->ladder.furnace) {
+        o->has_background = true;
+        o->background = (vec3s){ { 1.0f, 1.0f, 1.0f } };
+        o->ladder.run_count = 0;
+        settings_put(&o->settings, settings_find("motion.count"), 0.0);
+    }
+    return status;
+}
+
+/* The picture of another program, and which of its pixels count. */
+static enum status read_truth(struct job *job)
+{
+    const struct app_options *o = &job->o;
+    const char *path = o->ladder.truth;
+    struct image mask = { 0 };
+    enum status status = input_read(path, &job->truth);
+    if (status != STATUS_OK)
+        return status;
+    if (job->truth.width != o->width || job->truth.height != o->height) {
+        log_error("%s has %u x %u pixels: --size %ux%u is wanted", path, job->truth.width,
+                  job->truth.height, job->truth.width, job->truth.height);
+        return STATUS_DATA;
+    }
+    if (!image_find(&job->truth, "R") || !image_find(&job->truth, "G") ||
+        !image_find(&job->truth, "B")) {
+        log_error("%s: R, G and B are wanted", path);
+        return STATUS_DATA;
+    }
+    if (!o->diff.mask)
+        return STATUS_OK;
+    status = input_read(o->diff.mask, &mask);
+    if (status == STATUS_OK)
+        status = input_check_size(&job->truth, path, &mask, o->diff.mask);
+    if (status == STATUS_OK)
+        status =
+            input_make_mask(&mask, o->diff.mask, o->diff.mask_channel ? o->diff.mask_channel : "A",
+                            &job->truth_counted);
+    image_finish(&mask);
+    return status;
+}
+
+/* ---- pictures and numbers ---- */
+
+static bool show_progress(void *user, uint32_t stage, uint32_t done, uint32_t all)
+{
+    struct job *job = user;
+    job->progress.frame = stage;
+    progress_show(&job->progress, done, all);
+    return true;
+}
+
+static enum status measure(struct job *job)
+{
+    struct app_options *o = &job->o;
+    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
+    struct ladder_params params = {
+        .gpu = &job->gpu,
+        .scene = &job->scene,
+        .settings = &o->settings,
+        .shot = { .time = motion->time },
+        .width = o->width,
+        .height = o->height,
+        .samples = o->samples,
+        .rungs = o->ladder.rungs,
+        .run_count = o->ladder.run_count,
+        .truth = job->truth.plane_count ? &job->truth : NULL,
+        .truth_counted = job->truth_counted,
+        .sharing = o->sharing,
+    };
+    char names[64];
+    enum status status = app_camera(&params.shot.camera, &job->scene, o);
+    if (status == STATUS_OK)
+        status = gpu_create(&job->gpu, &(struct gpu_params){
+                                           .device = o->device,
+                                           .validate = o->validate,
+                                           .no_cache = o->no_cache,
+                                       });
+    if (status != STATUS_OK)
+        return status;
+    if (!o->quiet && reference_leaves_out(&o->settings, names, sizeof(names)))
+        log_warning("firn ladder: the reference is the smooth object alone, without %s", names);
+    progress_begin(&job->progress, ladder_stages(&params), "steps", o->quiet);
+    status = ladder_run(&job->ladder, &params, show_progress, job);
+    progress_clear(&job->progress);
+    job->report = (struct ladder_report){
+        .ladder = &job->ladder,
+        .scene = o->positionals[0],
+        .command = job->command,
+        .device = job->gpu.properties.deviceName,
+        .samples = o->samples,
+    };
+    return status;
+}
+
+/* ---- results ---- */
+
+static enum status encode(const struct job *job, const char *path, void **data, size_t *size)
+{
+    const char *ending = strrchr(path, '.');
+    char *text = NULL;
+    enum status status;
+    if (!strcmp(ending, ".png"))
+        return ladder_sheet(&job->report, data, size);
+    if (!strcmp(ending, ".exr"))
+        return ladder_exr(&job->report, data, size);
+    status = !strcmp(ending, ".svg") ? ladder_svg(&job->report, &text, size)
+                                     : ladder_page(&job->report, &text, size);
+    *data = text;
+    return status;
+}
+
+static enum status write_output(const struct job *job, const char *path)
+{
+    void *data = NULL;
+    size_t size = 0;
+    enum status status = encode(job, path, &data, &size);
+    if (status == STATUS_OK)
+        status = file_write(path, data, size);
+    free(data);
+    if (status == STATUS_OK && !job->o.quiet)
+        fprintf(stderr, "%s\n", path);
+    return status;
+}
+
+static enum status print(const struct job *job)
+{
+    char *text = NULL;
+    size_t size;
+    enum status status = STATUS_OK;
+    if (job->o.format != APP_FORMAT_JSON)
+        ladder_table(&job->report, stdout);
+    else
+        status = ladder_json(&job->report, &text, &size);
+    if (text)
+        printf("%s\n", text);
+    free(text);
+    return status;
+}
+
+static enum status report(const struct job *job)
+{
+    struct furnace furnace;
+    enum status status = STATUS_OK;
+    if (job->o.ladder.furnace) {
+        furnace = furnace_measure(&job->ladder);
+        furnace_print(&furnace, stdout);
+        status = furnace_holds(&furnace) ? STATUS_OK : STATUS_FAILED;
+    } else {
+        for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++)
+            status = write_output(job, job->o.outputs[i]);
+        if (status == STATUS_OK)
+            status = print(job);
+    }
+    if (fflush(stdout) || ferror(stdout)) {
+        log_error("stdout: cannot be written");
+        return STATUS_WRITE;
+    }
+    return status;
+}
+
+static enum status run(struct job *job)
+{
+    enum status status = check(job);
+    if (status == STATUS_OK && job->o.ladder.truth)
+        status = read_truth(job);
+    if (status == STATUS_OK)
+        status = app_load_scene(&job->scene, &job->o);
+    if (status == STATUS_OK)
+        status = measure(job);
+    if (status == STATUS_OK)
+        status = report(job);
+    if (status == STATUS_OK && job->gpu.message_count)
+        status = STATUS_FAILED; /* the validation layer has said why */
+    return status;
+}
+
+enum status app_ladder(const struct app_options *options)
+{
+    struct job *job = calloc(1, sizeof(*job));
+    enum status status = STATUS_TRY_AGAIN;
+    if (job) {
+        job->o = *options;
+        job->command = words_join(options->words);
+    }
+    if (job && job->command)
+        status = run(job);
+    else
+        log_error("out of memory");
+    if (!job)
+        return status;
+    ladder_finish(&job->ladder);
+    image_finish(&job->truth);
+    free(job->truth_counted);
+    gpu_destroy(&job->gpu);
+    scene_finish(&job->scene);
+    free(job->command);
+    free(job);
+    return status;
+}

@@ -1,0 +1,349 @@
+/* ladder.c: draws every rung, traces the reference, compares. */
+#include "src/ladder/ladder.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include "src/image/half.h"
+#include "src/ladder/ladder_cost.h"
+#include "src/log.h"
+#include "src/metric/angle.h"
+#include "src/metric/difference.h"
+#include "src/metric/flip.h"
+#include "src/reference/reference.h"
+
+static const char *const colors[3] = { "R", "G", "B" };
+static const char *const directions[3] = { "exit.X", "exit.Y", "exit.Z" };
+
+/* What progress is told of. */
+struct work {
+    ladder_progress_fn *progress;
+    void *user;
+    uint32_t stage;
+};
+
+static enum status out_of_memory(void)
+{
+    log_error("out of memory");
+    return STATUS_TRY_AGAIN;
+}
+
+static size_t pixel_count(const struct ladder *ladder)
+{
+    return (size_t)ladder->width * ladder->height;
+}
+
+static bool show_progress(void *user, uint32_t done, uint32_t all)
+{
+    const struct work *work = user;
+    return !work->progress || work->progress(work->user, work->stage, done, all);
+}
+
+/* Bits of the layers that comparisons need. */
+static uint32_t find_layers(bool of_reference)
+{
+    static const char *const names[] = { "exit", "path", "bounces", "tir", "remaining" };
+    const size_t count = sizeof(names) / sizeof(names[0]) - !of_reference;
+    uint32_t bits = 0;
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        for (size_t k = 0; k < count; k++)
+            bits |= !strcmp(frame_layers[i].name, names[k]) ? 1u << i : 0u;
+    }
+    return bits;
+}
+
+/* ---- pictures ---- */
+
+static double now_ms(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+/* As files store it, and the device does: so the numbers are those of firn diff, too. */
+static void round_to_half(const struct image *image)
+{
+    for (uint32_t p = 0; p < image->plane_count; p++) {
+        float *texels = image->planes[p].texels;
+        const size_t count = image->planes[p].half ? (size_t)image->width * image->height : 0;
+        for (size_t i = 0; i < count; i++)
+            texels[i] = half_to_float(half_from_float(texels[i]));
+    }
+}
+
+static enum status trace(struct ladder *ladder, const struct ladder_params *params,
+                         struct work *work)
+{
+    const struct reference_request request = {
+        .scene = params->scene,
+        .settings = params->settings,
+        .width = params->width,
+        .height = params->height,
+        .samples = params->samples,
+        .layers = find_layers(true),
+        .linear = true,
+        .display = true,
+    };
+    struct reference *reference = NULL;
+    const double start = now_ms();
+    enum status status = reference_create(&reference, &request);
+    if (status == STATUS_OK)
+        status =
+            reference_render(reference, &params->shot, &ladder->reference, show_progress, work);
+    if (status == STATUS_OK)
+        snprintf(ladder->tracer, sizeof(ladder->tracer), "%s", reference_device(reference));
+    ladder->reference_cost = now_ms() - start;
+    round_to_half(&ladder->reference.image);
+    reference_destroy(reference);
+    return status;
+}
+
+static struct renderer_params renderer_params_of(const struct ladder_params *params,
+                                                 const struct rung *rung)
+{
+    return (struct renderer_params){
+        .gpu = params->gpu,
+        .scene = params->scene,
+        .settings = params->settings,
+        .rung = rung,
+        .width = params->width,
+        .height = params->height,
+        .samples = params->samples,
+        .sharing = params->sharing,
+    };
+}
+
+static enum status draw(struct ladder_rung *rung, const struct ladder_params *params,
+                        struct work *work)
+{
+    struct renderer_params renderer_params = renderer_params_of(params, rung->rung);
+    struct renderer *renderer = NULL;
+    renderer_params.layers = find_layers(false);
+    renderer_params.linear = renderer_params.display = true;
+    enum status status = renderer_create(&renderer, &renderer_params);
+    if (status == STATUS_OK)
+        status = renderer_render(renderer, &params->shot, &rung->result, show_progress, work);
+    renderer_destroy(renderer);
+    return status;
+}
+
+/* ---- errors ---- */
+
+/* Which pixels count. */
+struct masks {
+    bool *object, *straight;
+    const bool *truth;
+};
+
+static enum status make_masks(struct masks *masks, struct ladder *ladder,
+                              const struct ladder_params *params)
+{
+    const float *path = image_find(&ladder->reference.image, "path.Z");
+    const float *tir = image_find(&ladder->reference.image, "tir.Z");
+    const size_t count = pixel_count(ladder);
+    masks->object = calloc(2 * count, sizeof(*masks->object));
+    if (!masks->object || !path || !tir)
+        return out_of_memory();
+    masks->straight = masks->object + count;
+    masks->truth = params->truth_counted ? params->truth_counted : masks->object;
+    for (size_t i = 0; i < count; i++) {
+        masks->object[i] = path[i] > 0.0f;
+        masks->straight[i] = masks->object[i] && tir[i] == 0.0f;
+        ladder->object_count += masks->object[i];
+        ladder->straight_count += masks->straight[i];
+    }
+    return STATUS_OK;
+}
+
+static void find_planes(const struct image *image, const char *const names[static 3],
+                        const float *planes[static 3])
+{
+    for (int i = 0; i < 3; i++)
+        planes[i] = image_find(image, names[i]);
+}
+
+static enum status measure_flip(struct ladder_rung *rung, const struct ladder *ladder)
+{
+    struct flip_pair pair = { .width = ladder->width, .height = ladder->height, .ppd = FLIP_PPD };
+    double sum = 0.0;
+    find_planes(&ladder->reference.image, colors, pair.reference);
+    find_planes(&rung->result.image, colors, pair.test);
+    rung->flip = malloc(pixel_count(ladder) * sizeof(*rung->flip));
+    if (!rung->flip || !flip_ldr(&pair, 0.0, rung->flip))
+        return out_of_memory();
+    for (size_t i = 0; i < pixel_count(ladder); i++)
+        sum += (double)rung->flip[i];
+    rung->error.flip = sum / (double)pixel_count(ladder);
+    return STATUS_OK;
+}
+
+static enum status measure_angle(struct ladder_rung *rung, const struct ladder *ladder,
+                                 const struct masks *masks)
+{
+    struct angle_pair pair = { .counted = masks->straight, .pixel_count = pixel_count(ladder) };
+    struct angle angle;
+    find_planes(&ladder->reference.image, directions, pair.reference);
+    find_planes(&rung->result.image, directions, pair.test);
+    if (!angle_measure(&angle, &pair, NULL))
+        return out_of_memory();
+    rung->error.angle = angle.mean;
+    rung->error.angle_95 = angle.most_95;
+    return STATUS_OK;
+}
+
+static double measure_tir(const struct ladder_rung *rung, const struct ladder *ladder,
+                          const struct masks *masks)
+{
+    const float *reference = image_find(&ladder->reference.image, "tir.Z");
+    const float *test = image_find(&rung->result.image, "tir.Z");
+    uint64_t count = 0;
+    for (size_t i = 0; i < pixel_count(ladder); i++)
+        count += masks->object[i] && !(reference[i] == test[i]);
+    return ladder->object_count ? (double)count / (double)ladder->object_count : (double)NAN;
+}
+
+/* Of colours, where `counted` says so. */
+static struct difference measure_colors(const struct image *a, const struct image *b,
+                                        const bool *counted)
+{
+    struct difference difference = { 0 };
+    const float *reference[3], *test[3];
+    find_planes(a, colors, reference);
+    find_planes(b, colors, test);
+    for (int i = 0; i < 3; i++)
+        difference_add(&difference, reference[i], test[i], counted, (size_t)a->width * a->height);
+    return difference;
+}
+
+/* NaN without another program's picture. */
+static double measure_truth(const struct image *image, const struct image *truth,
+                            const struct masks *masks)
+{
+    if (!truth)
+        return (double)NAN;
+    const struct difference difference = measure_colors(truth, image, masks->truth);
+    return difference_mae(&difference);
+}
+
+static enum status compare(struct ladder_rung *rung, const struct ladder *ladder,
+                           const struct image *truth, const struct masks *masks)
+{
+    const struct difference difference =
+        measure_colors(&ladder->reference.image, &rung->result.image, masks->object);
+    rung->error.truth = measure_truth(&rung->result.image, truth, masks);
+    rung->error.mae = difference_mae(&difference);
+    rung->error.rmse = difference_rmse(&difference);
+    rung->error.tir_differs = measure_tir(rung, ladder, masks);
+    enum status status = measure_flip(rung, ladder);
+    return status == STATUS_OK ? measure_angle(rung, ladder, masks) : status;
+}
+
+/* ---- all ---- */
+
+static bool is_wanted(const struct ladder_params *params, uint32_t index)
+{
+    return !params->rungs || (params->rungs >> index & 1u);
+}
+
+static uint32_t count_rungs(const struct ladder_params *params)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; frame_rungs[i].name; i++)
+        count += is_wanted(params, i);
+    return count < LADDER_RUNG_COUNT ? count : LADDER_RUNG_COUNT;
+}
+
+uint32_t ladder_stages(const struct ladder_params *params)
+{
+    return 1 + count_rungs(params) + (params->run_count > 0);
+}
+
+static void choose_rungs(struct ladder *ladder, const struct ladder_params *params)
+{
+    for (uint32_t i = 0; frame_rungs[i].name && ladder->rung_count < LADDER_RUNG_COUNT; i++) {
+        if (is_wanted(params, i))
+            ladder->rungs[ladder->rung_count++].rung = &frame_rungs[i];
+    }
+}
+
+static enum status draw_rungs(struct ladder *ladder, const struct ladder_params *params,
+                              struct work *work)
+{
+    struct masks masks = { 0 };
+    enum status status = make_masks(&masks, ladder, params);
+    ladder->reference_error.truth = measure_truth(&ladder->reference.image, params->truth, &masks);
+    for (uint32_t i = 0; i < ladder->rung_count && status == STATUS_OK; i++) {
+        work->stage++;
+        status = draw(&ladder->rungs[i], params, work);
+        if (status == STATUS_OK)
+            status = compare(&ladder->rungs[i], ladder, params->truth, &masks);
+    }
+    free(masks.object);
+    return status;
+}
+
+/* Of a frame of one sample: of more it is the same so many times. */
+static enum status measure_costs(struct ladder *ladder, const struct ladder_params *params,
+                                 struct work *work)
+{
+    struct renderer_params renderers[LADDER_RUNG_COUNT];
+    double costs[LADDER_RUNG_COUNT];
+    for (uint32_t i = 0; i < ladder->rung_count; i++) {
+        renderers[i] = renderer_params_of(params, ladder->rungs[i].rung);
+        renderers[i].samples = 1;
+    }
+    const struct ladder_cost_request request = {
+        .renderers = renderers,
+        .count = ladder->rung_count,
+        .run_count = params->run_count,
+        .shot = params->shot,
+    };
+    work->stage++;
+    enum status status = ladder_cost(&request, costs, show_progress, work);
+    for (uint32_t i = 0; i < ladder->rung_count && status == STATUS_OK; i++)
+        ladder->rungs[i].cost = costs[i];
+    return status;
+}
+
+enum status ladder_run(struct ladder *ladder, const struct ladder_params *params,
+                       ladder_progress_fn *progress, void *user)
+{
+    struct work work = { progress, user, 0 };
+    *ladder = (struct ladder){ .width = params->width, .height = params->height };
+    choose_rungs(ladder, params);
+    enum status status = trace(ladder, params, &work);
+    if (status == STATUS_OK)
+        status = draw_rungs(ladder, params, &work);
+    if (status == STATUS_OK && params->run_count)
+        status = measure_costs(ladder, params, &work);
+    if (status != STATUS_OK)
+        ladder_finish(ladder);
+    return status;
+}
+
+void ladder_finish(struct ladder *ladder)
+{
+    render_result_finish(&ladder->reference);
+    for (uint32_t i = 0; i < ladder->rung_count; i++) {
+        render_result_finish(&ladder->rungs[i].result);
+        free(ladder->rungs[i].flip);
+    }
+    *ladder = (struct ladder){ 0 };
+}
+
+const struct ladder_rung *ladder_base(const struct ladder *ladder)
+{
+    for (uint32_t i = 0; i < ladder->rung_count; i++) {
+        if (!strcmp(ladder->rungs[i].rung->name, "paper"))
+            return &ladder->rungs[i];
+    }
+    return &ladder->rungs[0];
+}
+
+double ladder_cost_ratio(const struct ladder *ladder, const struct ladder_rung *rung)
+{
+    const double base = ladder_base(ladder)->cost;
+    return base > 0.0 ? rung->cost / base : (double)NAN;
+}

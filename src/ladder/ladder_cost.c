@@ -1,0 +1,69 @@
+/* ladder_cost.c: frames against the clock. */
+#include "src/ladder/ladder_cost.h"
+#include <stdlib.h>
+#include <time.h>
+#include "src/ladder/ladder.h"
+#include "src/log.h"
+#include "src/profile/statistics.h"
+
+static double now_ms(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+static enum status time_frame(struct renderer *renderer, const struct renderer_shot *shot,
+                              double *ms)
+{
+    const double start = now_ms();
+    enum status status = renderer_draw(renderer, shot);
+    if (status == STATUS_OK)
+        status = renderer_wait(renderer);
+    *ms = now_ms() - start;
+    return status;
+}
+
+/* samples[i * run_count + run]: of renderer i. Run 0 is drawn twice: the first one warms up. */
+static enum status time_all(struct renderer *const *renderers,
+                            const struct ladder_cost_request *request, double *samples,
+                            renderer_progress_fn *progress, void *user)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t run = 0; run <= request->run_count && status == STATUS_OK; run++) {
+        const uint32_t sample = run ? run - 1 : 0;
+        for (uint32_t i = 0; i < request->count && status == STATUS_OK; i++)
+            status =
+                time_frame(renderers[i], &request->shot, &samples[i * request->run_count + sample]);
+        if (status == STATUS_OK && progress && !progress(user, run, request->run_count))
+            status = STATUS_FAILED;
+    }
+    return status;
+}
+
+enum status ladder_cost(const struct ladder_cost_request *request, double *costs,
+                        renderer_progress_fn *progress, void *user)
+{
+    struct renderer *renderers[LADDER_RUNG_COUNT] = { NULL };
+    double *samples = calloc((size_t)request->count * request->run_count, sizeof(*samples));
+    enum status status = STATUS_OK;
+    if (!samples) {
+        log_error("out of memory");
+        return STATUS_TRY_AGAIN;
+    }
+    for (uint32_t i = 0; i < request->count && status == STATUS_OK; i++) {
+        struct renderer_params params = request->renderers[i];
+        params.keep = true;
+        status = renderer_create(&renderers[i], &params);
+    }
+    if (status == STATUS_OK)
+        status = time_all(renderers, request, samples, progress, user);
+    for (uint32_t i = 0; i < request->count; i++) {
+        if (status == STATUS_OK)
+            costs[i] =
+                profile_summarize(&samples[i * request->run_count], request->run_count).median;
+        renderer_destroy(renderers[i]);
+    }
+    free(samples);
+    return status;
+}

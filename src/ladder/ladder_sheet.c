@@ -1,0 +1,176 @@
+/* ladder_sheet.c: the contact sheet, and all pictures as layers of one file. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/image/exr.h"
+#include "src/image/png.h"
+#include "src/ladder/canvas.h"
+#include "src/ladder/ladder_report.h"
+#include "src/log.h"
+#include "src/metric/heat.h"
+
+enum {
+    COLUMNS = 2, /* of cells */
+    MARGIN = 8,  /* pixels, as are: */
+    LABEL = 330, /* of a label in letters of scale 1: a cell is as wide at least */
+    LETTERS = 2, /* scale of the letters, where cells have room for them */
+    GREY = 34,
+    TICKS = 5, /* of the legend */
+    TICK_LENGTH = 8,
+};
+
+static enum status out_of_memory(void)
+{
+    log_error("out of memory");
+    return STATUS_TRY_AGAIN;
+}
+
+/* ---- the sheet ---- */
+
+static uint32_t cell_width(const struct ladder *ladder)
+{
+    const uint32_t width = 2 * ladder->width + MARGIN;
+    return width > LABEL ? width : LABEL;
+}
+
+static uint32_t letter_scale(const struct ladder *ladder)
+{
+    return cell_width(ladder) >= LETTERS * LABEL ? LETTERS : 1;
+}
+
+static uint32_t label_height(const struct ladder *ladder)
+{
+    return letter_scale(ladder) * CANVAS_TEXT_HEIGHT + 4;
+}
+
+/* Left top corner of a cell. */
+static void place(const struct ladder *ladder, uint32_t index, uint32_t *x, uint32_t *y)
+{
+    *x = MARGIN + index % COLUMNS * (cell_width(ladder) + 2 * MARGIN);
+    *y = MARGIN + index / COLUMNS * (ladder->height + label_height(ladder) + MARGIN);
+}
+
+static void write_label(struct canvas *canvas, uint32_t x, uint32_t y, const struct ladder *ladder,
+                        const struct ladder_rung *rung)
+{
+    const double ratio = ladder_cost_ratio(ladder, rung);
+    char angle[32] = "";
+    char cost[32] = "";
+    char text[128];
+    if (!isnan(rung->error.angle))
+        snprintf(angle, sizeof(angle), "   %.2f degrees", rung->error.angle);
+    if (!isnan(ratio))
+        snprintf(cost, sizeof(cost), "   cost %.2f", ratio);
+    snprintf(text, sizeof(text), "%s   FLIP %.3f%s%s", rung->rung->name, rung->error.flip, angle,
+             cost);
+    canvas_write(canvas, x, y, letter_scale(ladder), text);
+}
+
+static bool put_errors(struct canvas *canvas, uint32_t x, uint32_t y, const struct ladder *ladder,
+                       const float *errors)
+{
+    struct canvas picture;
+    if (!canvas_init(&picture, ladder->width, ladder->height, 0))
+        return false;
+    for (size_t i = 0; i < (size_t)picture.width * picture.height; i++)
+        heat_srgb(errors[i], &picture.rgba[4 * i]);
+    canvas_put(canvas, x, y, &picture);
+    free(picture.rgba);
+    return true;
+}
+
+/* What the colours of the errors mean, beside the reference. */
+static void put_legend(struct canvas *canvas, uint32_t x, uint32_t y, const struct ladder *ladder)
+{
+    const uint32_t height = ladder->height;
+    const uint32_t width = ladder->width / 8 + 1;
+    const uint32_t scale = letter_scale(ladder);
+    uint8_t rgb[3];
+    for (uint32_t row = 0; row < height; row++) {
+        heat_srgb(1.0f - ((float)row + 0.5f) / (float)height, rgb);
+        canvas_fill(canvas, (const uint32_t[]){ x, y + row, width, 1 }, rgb);
+    }
+    for (uint32_t i = 0; i < TICKS; i++) {
+        char text[16];
+        const uint32_t at = i * (height - 1) / (TICKS - 1);
+        const uint32_t lift = i * scale * CANVAS_TEXT_HEIGHT / (TICKS - 1);
+        snprintf(text, sizeof(text), "%.2f", 1.0 - (double)i / (TICKS - 1));
+        canvas_write(canvas, x + width + TICK_LENGTH, y + at - (lift < at ? lift : at), scale,
+                     text);
+    }
+}
+
+static void put_reference(struct canvas *canvas, const struct ladder *ladder)
+{
+    const struct canvas picture = { ladder->width, ladder->height, ladder->reference.rgba };
+    uint32_t x, y;
+    place(ladder, 0, &x, &y);
+    canvas_write(canvas, x, y, letter_scale(ladder), "reference   FLIP:");
+    canvas_put(canvas, x, y + label_height(ladder), &picture);
+    put_legend(canvas, x + ladder->width + MARGIN, y + label_height(ladder), ladder);
+}
+
+static bool put_rung(struct canvas *canvas, const struct ladder *ladder, uint32_t index)
+{
+    const struct ladder_rung *rung = &ladder->rungs[index];
+    const struct canvas picture = { ladder->width, ladder->height, rung->result.rgba };
+    uint32_t x, y;
+    place(ladder, index + 1, &x, &y);
+    write_label(canvas, x, y, ladder, rung);
+    canvas_put(canvas, x, y + label_height(ladder), &picture);
+    return put_errors(canvas, x + ladder->width + MARGIN, y + label_height(ladder), ladder,
+                      rung->flip);
+}
+
+enum status ladder_sheet(const struct ladder_report *report, void **data, size_t *size)
+{
+    const struct ladder *l = report->ladder;
+    const uint32_t rows = (l->rung_count + COLUMNS) / COLUMNS; /* the reference is a cell, too */
+    struct canvas canvas;
+    *data = NULL;
+    bool ok = canvas_init(&canvas, COLUMNS * (cell_width(l) + 2 * MARGIN),
+                          rows * (l->height + label_height(l) + MARGIN) + MARGIN, GREY);
+    if (ok)
+        put_reference(&canvas, l);
+    for (uint32_t i = 0; i < l->rung_count && ok; i++)
+        ok = put_rung(&canvas, l, i);
+    const struct png_picture picture = {
+        .rgba = canvas.rgba,
+        .width = canvas.width,
+        .height = canvas.height,
+    };
+    enum status status = ok ? png_encode(&picture, data, size) : out_of_memory();
+    free(canvas.rgba);
+    return status;
+}
+
+/* ---- layers ---- */
+
+/* Borrowed texels. */
+static void add_plane(struct image *image, const char *layer, const char *name, float *texels)
+{
+    struct image_plane *plane = &image->planes[image->plane_count++];
+    *plane = (struct image_plane){ .texels = texels };
+    snprintf(plane->name, sizeof(plane->name), "%s%s%s", layer, *layer ? "." : "", name);
+}
+
+static void add_color(struct image *image, const char *layer, const struct render_result *result)
+{
+    static const char *const names[] = { "R", "G", "B" };
+    for (int i = 0; i < 3; i++)
+        add_plane(image, layer, names[i], image_find(&result->image, names[i]));
+}
+
+enum status ladder_exr(const struct ladder_report *report, void **data, size_t *size)
+{
+    const struct ladder *l = report->ladder;
+    const struct image_text texts[] = { { "firn/command", report->command } };
+    struct image_plane planes[3 + 4 * LADDER_RUNG_COUNT];
+    struct image image = { .width = l->width, .height = l->height, .planes = planes };
+    add_color(&image, "", &l->reference);
+    for (uint32_t i = 0; i < l->rung_count; i++) {
+        add_color(&image, l->rungs[i].rung->name, &l->rungs[i].result);
+        add_plane(&image, l->rungs[i].rung->name, "flip.Z", l->rungs[i].flip);
+    }
+    return exr_encode(&image, &(struct exr_header){ .texts = texts, .text_count = 1 }, data, size);
+}

@@ -1,0 +1,166 @@
+/* ladder_table.c: numbers, as a table and as JSON. */
+#include <jansson.h>
+#include <math.h>
+#include <stdlib.h>
+#include "src/ladder/ladder_report.h"
+#include "src/log.h"
+#include "src/profile/text.h"
+
+enum {
+    NAME_COLUMNS = 12
+};
+
+/* ---- text ---- */
+
+static void print_number(double number, int digits, FILE *out)
+{
+    if (isnan(number))
+        fprintf(out, " %9s", "-");
+    else
+        fprintf(out, " %9.*f", digits, number);
+}
+
+static void print_head(const struct ladder_report *report, FILE *out)
+{
+    const struct ladder *l = report->ladder;
+    const double share =
+        l->object_count ? 100.0 * (double)l->straight_count / (double)l->object_count : 0.0;
+    fputs("scene      ", out);
+    profile_print_name(report->scene, 60, out);
+    fprintf(out,
+            "\npixels     %u x %u, %u sample%s; the object has %llu, %.1f %% of them without "
+            "total reflection\n",
+            l->width, l->height, report->samples, report->samples == 1 ? "" : "s",
+            (unsigned long long)l->object_count, share);
+    fprintf(out, "reference  %s, %.1f s\n", l->tracer, l->reference_cost * 1e-3);
+    if (report->device)
+        fprintf(out, "device     %s\n", report->device);
+}
+
+/* ratio: cost beside ladder_base()'s */
+static void print_row(const char *name, const struct ladder_error *e, double ms, double ratio,
+                      FILE *out)
+{
+    fprintf(out, "%-*s", NAME_COLUMNS, name);
+    print_number(e->flip, 4, out);
+    print_number(e->mae, 4, out);
+    print_number(e->rmse, 4, out);
+    print_number(e->angle, 3, out);
+    print_number(e->angle_95, 3, out);
+    print_number(100.0 * e->tir_differs, 1, out);
+    if (!isnan(e->truth))
+        print_number(e->truth, 4, out);
+    print_number(ms, 2, out);
+    print_number(ratio, 2, out);
+    putc('\n', out);
+}
+
+static void print_rows(const struct ladder *l, FILE *out)
+{
+    const double base = ladder_base(l)->cost;
+    const double none = (double)NAN;
+    for (uint32_t i = 0; i < l->rung_count; i++)
+        print_row(l->rungs[i].rung->name, &l->rungs[i].error,
+                  l->rungs[i].cost > 0.0 ? l->rungs[i].cost : none,
+                  ladder_cost_ratio(l, &l->rungs[i]), out);
+    print_row("reference", &l->reference_error, l->reference_cost,
+              base > 0.0 ? l->reference_cost / base : none, out);
+}
+
+void ladder_table(const struct ladder_report *report, FILE *out)
+{
+    const struct ladder *l = report->ladder;
+    const bool has_truth = !isnan(l->reference_error.truth);
+    print_head(report, out);
+    fprintf(out, "\n%-*s %9s %9s %9s %9s %9s %9s", NAME_COLUMNS, "rung", "FLIP", "MAE", "RMSE",
+            "degrees", "95 %", "TIR %");
+    fprintf(out, "%s %9s %9s\n", has_truth ? "     truth" : "", "ms", "cost");
+    print_rows(l, out);
+    fprintf(out,
+            "\nFLIP: of all pixels. MAE, RMSE: of the object's. degrees: of its directions "
+            "without total\nreflection. TIR %%: its pixels of the wrong class. cost: beside "
+            "%s, medians of frames in turns.\n",
+            ladder_base(l)->rung->name);
+    if (has_truth)
+        fputs("truth: MAE beside the picture of --truth.\n", out);
+}
+
+/* ---- JSON ---- */
+
+/* JSON knows no NaN. */
+static bool put_number(json_t *object, const char *key, double number)
+{
+    return !json_object_set_new(object, key, isfinite(number) ? json_real(number) : json_null());
+}
+
+static bool put_count(json_t *object, const char *key, uint64_t count)
+{
+    return !json_object_set_new(object, key, json_integer((json_int_t)count));
+}
+
+/* Names of files need not be UTF-8. */
+static bool put_text(json_t *object, const char *key, const char *text)
+{
+    char *clean = NULL;
+    size_t size;
+    FILE *out = open_memstream(&clean, &size);
+    if (!out)
+        return false;
+    fputs(text, out);
+    bool ok = fclose(out) == 0;
+    if (ok)
+        profile_clean_text(clean);
+    ok = ok && !json_object_set_new(object, key, json_string(clean));
+    free(clean);
+    return ok;
+}
+
+static json_t *make_rung(const struct ladder *ladder, const struct ladder_rung *rung)
+{
+    const struct ladder_error *e = &rung->error;
+    json_t *object = json_object();
+    const bool ok =
+        put_text(object, "name", rung->rung->name) && put_number(object, "flip", e->flip) &&
+        put_number(object, "mae", e->mae) && put_number(object, "rmse", e->rmse) &&
+        put_number(object, "angle", e->angle) && put_number(object, "angle_95", e->angle_95) &&
+        put_number(object, "tir", e->tir_differs) && put_number(object, "truth", e->truth) &&
+        put_number(object, "ms", rung->cost > 0.0 ? rung->cost : (double)NAN) &&
+        put_number(object, "cost", ladder_cost_ratio(ladder, rung));
+    if (ok)
+        return object;
+    json_decref(object);
+    return NULL;
+}
+
+static bool fill(json_t *root, const struct ladder_report *report)
+{
+    const struct ladder *l = report->ladder;
+    json_t *rungs = json_array();
+    bool ok = put_text(root, "scene", report->scene) &&
+              put_text(root, "command", report->command) && put_count(root, "width", l->width) &&
+              put_count(root, "height", l->height) && put_count(root, "samples", report->samples) &&
+              put_count(root, "object_pixels", l->object_count) &&
+              put_count(root, "straight_pixels", l->straight_count) &&
+              put_text(root, "reference", l->tracer) &&
+              put_number(root, "reference_ms", l->reference_cost) &&
+              put_number(root, "reference_truth", l->reference_error.truth) &&
+              put_text(root, "device", report->device ? report->device : "");
+    for (uint32_t i = 0; i < l->rung_count && ok; i++)
+        ok = !json_array_append_new(rungs, make_rung(l, &l->rungs[i]));
+    return !json_object_set_new(root, "rungs", rungs) && ok;
+}
+
+enum status ladder_json(const struct ladder_report *report, char **text, size_t *size)
+{
+    json_t *root = json_object();
+    *text = fill(root, report) ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) : NULL;
+    json_decref(root);
+    if (!*text) {
+        log_error("out of memory");
+        return STATUS_TRY_AGAIN;
+    }
+    *size = 0;
+    while ((*text)[*size])
+        ++*size;
+    return STATUS_OK;
+}
