@@ -25,10 +25,11 @@ static void print_head(const struct ladder_report *report, FILE *out)
     const struct ladder *l = report->ladder;
     const double share =
         l->object_count ? 100.0 * (double)l->straight_count / (double)l->object_count : 0.0;
-    fputs("scene      ", out);
-    profile_print_name(report->scene, 60, out);
+    char scene[512];
+    snprintf(scene, sizeof(scene), "scene      %s", report->scene);
+    profile_print_words(scene, 11, out);
     fprintf(out,
-            "\npixels     %u x %u, %u sample%s; the object has %llu, %.1f %% of them without "
+            "pixels     %u x %u, %u sample%s; the object has %llu, %.1f %% of them without "
             "total reflection\n",
             l->width, l->height, report->samples, report->samples == 1 ? "" : "s",
             (unsigned long long)l->object_count, share);
