@@ -38,6 +38,14 @@ struct rg_mesh {
 
 RG_API void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh);
 
+/* Those of its indices that begin at `first`, `count` of them, instead of all. */
+RG_API void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint32_t first,
+                                  uint32_t count);
+
+/* What lies outside is not drawn, until the next call or the end of the pass; within the
+ * targets. */
+RG_API void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle);
+
 /* Workgroups. */
 RG_API void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z);
 

@@ -259,12 +259,23 @@ static void bind_mesh(const struct rg_cmd *cmd, const struct rg_mesh *mesh)
     cmd->exec->vk.CmdBindIndexBuffer(cmd->commands, mesh->indices, 0, VK_INDEX_TYPE_UINT32);
 }
 
-void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
+void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint32_t first,
+                           uint32_t count)
 {
-    if (!mesh->index_count)
+    if (!count)
         return;
     bind_mesh(cmd, mesh);
-    cmd->exec->vk.CmdDrawIndexed(cmd->commands, mesh->index_count, 1, 0, 0, 0);
+    cmd->exec->vk.CmdDrawIndexed(cmd->commands, count, 1, first, 0, 0);
+}
+
+void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
+{
+    rg_cmd_draw_mesh_part(cmd, mesh, 0, mesh->index_count);
+}
+
+void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle)
+{
+    cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &rectangle);
 }
 
 void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)

@@ -218,6 +218,8 @@ static const VkVertexInputAttributeDescription attributes[] = {
 static const struct rg_vertex_layout layout = { sizeof(struct vertex), 1, attributes };
 static const struct rg_image drawn = COLOR_IMAGE("drawn");
 static const struct rg_buffer drawn_out = COLOR_BUFFER("drawn out");
+static const struct rg_image part = COLOR_IMAGE("part");
+static const struct rg_buffer part_out = COLOR_BUFFER("part out");
 
 static void record_mesh(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
@@ -226,24 +228,50 @@ static void record_mesh(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw_mesh(cmd, &(struct rg_mesh){ 0 });
 }
 
+/* The second triangle, within a rectangle; of the first call nothing lies in its own. */
+static void record_part(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, frame->paints, sizeof(*frame->paints));
+    rg_cmd_scissor(cmd, (VkRect2D){ { 6, 0 }, { 2, 8 } });
+    rg_cmd_draw_mesh(cmd, &frame->mesh);
+    rg_cmd_scissor(cmd, (VkRect2D){ { 2, 2 }, { 4, 3 } });
+    rg_cmd_draw_mesh_part(cmd, &frame->mesh, 3, 3);
+    rg_cmd_draw_mesh_part(cmd, &frame->mesh, 0, 0);
+}
+
+#define DRAWN \
+    .vert = &paint_mesh_vert, .frag = &paint_frag, .vertices = &layout, \
+    .push_size = sizeof(struct paint_push)
+
 static const struct rg_pass drawn_rows[] = {
     {
         .name = "draw",
         .color[0] = { &drawn, RG_LOAD_CLEAR },
-        .vert = &paint_mesh_vert,
-        .frag = &paint_frag,
-        .vertices = &layout,
-        .push_size = sizeof(struct paint_push),
         .record = record_mesh,
+        DRAWN,
+    },
+    {
+        .name = "part",
+        .color[0] = { &part, RG_LOAD_CLEAR },
+        .record = record_part,
+        DRAWN,
     },
     RUN_READ("read", drawn, drawn_out),
+    RUN_READ("read part", part, part_out),
 };
 
 static void check_drawn(struct run *run)
 {
-    for (uint32_t i = 0; i < 64; i++)
+    for (uint32_t i = 0; i < 64; i++) {
+        const uint32_t x = i % 8;
+        const uint32_t y = i / 8;
+        const bool lower = 2 * x + 1 > 7 - y; /* right of the line between both triangles */
+        const bool within = x >= 2 && x < 4 && y >= 2 && y < 5;
         painted_check(run, &drawn_out, i,
-                      i % 8 < 4 ? painted_color(1, 2, 3, 4) : painted_color(0, 0, 0, 0));
+                      x < 4 ? painted_color(1, 2, 3, 4) : painted_color(0, 0, 0, 0));
+        painted_check(run, &part_out, i,
+                      within && lower ? painted_color(1, 2, 3, 4) : painted_color(0, 0, 0, 0));
+    }
 }
 
 static void mesh_is_drawn(void **state)
@@ -270,7 +298,7 @@ static void mesh_is_drawn(void **state)
     run_everywhere(gpu,
                    &(struct run_params){
                        .technique = RG_TECHNIQUE("test", drawn_rows),
-                       .outputs = { &drawn_out },
+                       .outputs = { &drawn_out, &part_out },
                    },
                    &frame, check_drawn);
     gpu_buffer_destroy(gpu, &vertex_buffer);
