@@ -10,6 +10,8 @@
 #include "shaders/present.h"
 #include "src/settings.h"
 
+struct overlay_list;
+
 /* The tag that graph/rg.h leaves to the program. */
 struct rg_frame {
     const struct settings *settings;
@@ -19,8 +21,9 @@ struct rg_frame {
     struct rg_mesh air;          /* planes */
     uint32_t bubble_count;       /* in bubbles_spheres */
     struct background_push view;
-    struct background_push faces[6]; /* of the cube around the object, Vulkan's order */
-    struct present_push present;     /* but for the edge, which each pass has its own */
+    struct background_push faces[6];    /* of the cube around the object, Vulkan's order */
+    struct present_push present;        /* but for the edge, which each pass has its own */
+    const struct overlay_list *overlay; /* tech/overlay_list.h; NULL: nothing */
 };
 
 /* struct mesh_vertex as shaders/mesh.h has it. */

@@ -228,8 +228,8 @@ enum status settings_set(struct settings *settings, const char *assignment)
     return set_word(settings, row, equals + 1);
 }
 
-/* With as many digits as it takes to get the same float back; 9 are always enough. */
-static void print_float(float value, FILE *out)
+/* 9 digits are always enough */
+void settings_print_number(float value, FILE *out)
 {
     char text[32];
     for (int digits = 6; digits <= 9; digits++) {
@@ -250,5 +250,5 @@ void settings_print(const struct settings *settings, const struct setting *row, 
     else if (row->type == SETTING_COUNT)
         fprintf(out, "%.0f", value);
     else
-        print_float((float)value, out);
+        settings_print_number((float)value, out);
 }

@@ -78,4 +78,7 @@ double settings_get(const struct settings *settings, const struct setting *row);
 /* A row's value as --set takes it: "0.33", "on", "neutral". */
 void settings_print(const struct settings *settings, const struct setting *row, FILE *out);
 
+/* A number with as many digits as it takes to get the same float back. */
+void settings_print_number(float value, FILE *out);
+
 #endif

@@ -17,7 +17,7 @@ from typing import NamedTuple
 MAX_FILE, MAX_FUNCTION, MAX_COLUMN, MAX_SUBJECT = 600, 60, 100, 72
 
 FOLDERS = ('.ci', 'assets', 'docs', 'graph', 'shaders', 'src', 'tests')
-C = ('.c', '.h')
+C = ('.c', '.h', '.cpp')
 GLSL = ('.vert', '.frag', '.comp', '.glsl')
 CODE = (*C, *GLSL, '.css', '.js', '.py', '.sh', '.build')
 TEXT = (*CODE, '.md', '.txt', '.json', '.html', '.supp')
@@ -226,6 +226,7 @@ SAMPLES = (
     ('src/a.c', 'int x;', 'no newline'),
     ('src/a.c', 'x' * 101 + '\n', '101 columns'),
     ('run', 'x' * 101 + '\n', '101 columns'),
+    ('src/a.cpp', 'x' * 101 + '\n', '101 columns'),
     ('src/a.js', 'x' * 101 + '\n', '101 columns'),
     ('docs/a.md', 'x' * 101 + '\n', None),
     ('src/a.c', LONG * 601, '601 lines'),

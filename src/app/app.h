@@ -26,6 +26,13 @@ enum app_format {
     APP_FORMAT_COUNT,
 };
 
+/* Whether panels lie over a window's picture when it opens. */
+enum app_overlay {
+    APP_OVERLAY_AUTO, /* if hands may use them: without --frames and --screenshot */
+    APP_OVERLAY_ON,   /* and in the PNG files of --screenshot */
+    APP_OVERLAY_OFF,
+};
+
 /* Files of firn profile; NULL: not wanted. */
 struct app_reports {
     const char *json, *csv, *trace, *html;
@@ -83,6 +90,7 @@ struct app_options {
     const struct rung *split; /* on the right of the window; NULL: it is not split */
     const char *watch;        /* folder of shaders; NULL: none */
     VkPresentModeKHR present; /* 0 means FIFO */
+    enum app_overlay overlay;
     enum rg_sharing sharing;
     struct app_diff diff; /* its mask is of firn ladder's truth, too */
     struct app_ladder ladder;

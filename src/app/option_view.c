@@ -1,5 +1,6 @@
 /* option_view.c: what the options of firn view set. */
 #include "src/app/option_view.h"
+#include <string.h>
 #include "src/app/option_values.h"
 
 enum status option_frame_count(struct app_options *o, const char *value)
@@ -34,5 +35,13 @@ enum status option_split(struct app_options *o, const char *value)
 enum status option_watch(struct app_options *o, const char *value)
 {
     o->watch = value ? value : "shaders";
+    return STATUS_OK;
+}
+
+enum status option_overlay(struct app_options *o, const char *value)
+{
+    if (strcmp(value, "on") != 0 && strcmp(value, "off") != 0)
+        return option_refuse("overlay", value, "on or off is wanted");
+    o->overlay = value[1] == 'n' ? APP_OVERLAY_ON : APP_OVERLAY_OFF;
     return STATUS_OK;
 }

@@ -4,6 +4,7 @@
 
 #include "src/app/option.h"
 
-option_fn option_frame_count, option_fps_limit, option_present, option_split, option_watch;
+option_fn option_frame_count, option_fps_limit, option_present, option_overlay, option_split,
+    option_watch;
 
 #endif

@@ -57,6 +57,8 @@ static const struct option options[] = {
       "fifo (no tearing), mailbox (the newest, too), immediate (fifo)" },
     { "Window", "fps-limit", 0, "N", APP_VIEW, option_fps_limit,
       "at most so many frames a second" },
+    { "Window", "overlay", 0, "on|off", APP_VIEW, option_overlay,
+      "panels over the picture (on, but off with --frames and --screenshot)" },
     { "Window", "split", 0, "RUNG", APP_VIEW, option_split,
       "on the right of a divider: --refraction is on its left (S, [ and ] there)" },
     { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, option_watch,

@@ -39,7 +39,7 @@ enum status app_view(const struct app_options *o)
     if (errno == ENOENT)
         log_error(
             "there is no firn-view: this firn was built without windows (meson -Dview=enabled "
-            "needs GLFW)");
+            "needs GLFW and Dear ImGui)");
     else
         log_error("firn-view: %s", strerror(errno));
     return STATUS_NO_DEVICE;

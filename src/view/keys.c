@@ -26,7 +26,7 @@ static const struct {
     [VIEW_RESET] = { { GLFW_KEY_HOME }, "rR", false, "R, Home", "the camera as it was at first" },
     [VIEW_PAUSE] = { { 0 }, " ", false, "Space", "stop time, or let it go on" },
     [VIEW_SCREENSHOT] = { { GLFW_KEY_F12 },
-                          "pP",
+                          "p",
                           false,
                           "P, F12",
                           "write the picture: firn-0001.png and firn-0001.exr" },
@@ -34,8 +34,16 @@ static const struct {
     [VIEW_SPLIT] = { { 0 }, "sS", false, "S", "two rungs side by side, or one" },
     [VIEW_DIVIDER_LEFT] = { { 0 }, "[", true, "[", "the divider between them to the left" },
     [VIEW_DIVIDER_RIGHT] = { { 0 }, "]", true, "]", "the divider to the right" },
-    [VIEW_HIDE] = { { 0 }, "", false, NULL, NULL },
-    [VIEW_HELP] = { { GLFW_KEY_F1 }, "?", false, "F1, ?", "print these keys" },
+    [VIEW_SHOT_OF_ALL] = { { 0 }, "P", false, "Shift+P", "the PNG alone, as the window shows it" },
+    [VIEW_HIDE] = { { 0 }, "hH", false, "H", "hide the panels, or show them" },
+    [VIEW_TIMES] = { { 0 }, "tT", false, "T", "what each pass takes" },
+    [VIEW_PLAN] = { { 0 }, "gG", false, "G", "the plan of the frame" },
+    [VIEW_COPY] = { { 0 },
+                    "cC",
+                    false,
+                    "C",
+                    "copy the command that renders this picture, and print it" },
+    [VIEW_HELP] = { { GLFW_KEY_F1 }, "?", false, "F1, ?", "these keys" },
     [VIEW_QUIT] = { { GLFW_KEY_ESCAPE }, "qQ", false, "Esc, Q", "end" },
 };
 
@@ -45,6 +53,8 @@ static const struct {
     { "left drag", "turn around the object; at the divider, move that" },
     { "right drag", "move sideways; so does a left one with Shift" },
     { "wheel", "go nearer or away" },
+    { "/", "look for a setting" },
+    { "Tab", "the keys move in the panel, until Esc" },
     { "drop a file", "a model to look at, or an .exr or .hdr to put around it" },
 };
 
@@ -68,12 +78,27 @@ enum view_action keys_find(int key, unsigned character, bool repeated)
     return VIEW_NOTHING;
 }
 
+bool keys_row(uint32_t i, const char **name, const char **help)
+{
+    uint32_t count = 0;
+    for (enum view_action a = VIEW_NOTHING; a < VIEW_ACTION_COUNT; a++) {
+        if (actions[a].name && count++ == i) {
+            *name = actions[a].name;
+            *help = actions[a].help;
+            return true;
+        }
+    }
+    if (i - count >= sizeof(gestures) / sizeof(gestures[0]))
+        return false;
+    *name = gestures[i - count].name;
+    *help = gestures[i - count].help;
+    return true;
+}
+
 void keys_print(FILE *out)
 {
-    for (size_t a = 0; a < VIEW_ACTION_COUNT; a++) {
-        if (actions[a].name)
-            fprintf(out, "  %-14s %s\n", actions[a].name, actions[a].help);
-    }
-    for (size_t i = 0; i < sizeof(gestures) / sizeof(gestures[0]); i++)
-        fprintf(out, "  %-14s %s\n", gestures[i].name, gestures[i].help);
+    const char *name;
+    const char *help;
+    for (uint32_t i = 0; keys_row(i, &name, &help); i++)
+        fprintf(out, "  %-14s %s\n", name, help);
 }

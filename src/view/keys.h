@@ -5,6 +5,7 @@
 #define FIRN_VIEW_KEYS_H
 
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 
 enum view_action {
@@ -22,7 +23,11 @@ enum view_action {
     VIEW_SPLIT,
     VIEW_DIVIDER_LEFT,
     VIEW_DIVIDER_RIGHT,
-    VIEW_HIDE, /* reserved for what will lie over the picture */
+    VIEW_SHOT_OF_ALL,
+    VIEW_HIDE,
+    VIEW_TIMES,
+    VIEW_PLAN,
+    VIEW_COPY,
     VIEW_HELP,
     VIEW_QUIT,
     VIEW_ACTION_COUNT,
@@ -31,6 +36,9 @@ enum view_action {
 /* What a key does, as GLFW names keys, or a character that is typed; 0: none. `repeated`: it is
  * held down; only movements are done again then. */
 enum view_action keys_find(int key, unsigned character, bool repeated);
+
+/* Row i of that table: a key's name and what it does; false: there are no more. */
+bool keys_row(uint32_t i, const char **name, const char **help);
 
 /* One line an action, and what the mouse does. */
 void keys_print(FILE *out);

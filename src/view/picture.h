@@ -81,6 +81,10 @@ struct stop;
 MUST_USE enum status picture_write(struct picture *picture, float time, const char *const *paths,
                                    uint32_t path_count, struct stop *stop);
 
+/* Writes what was drawn of it (`rgba`, one sample) to a PNG file, with the same words in it. */
+MUST_USE enum status picture_write_drawn(struct picture *picture, float time, const char *path,
+                                         const struct render_result *drawn, struct stop *stop);
+
 /* Whether a picture that is split (or not) can be written to them. Logs: STATUS_USAGE. */
 MUST_USE enum status picture_can_write(bool is_split, const char *const *paths,
                                        uint32_t path_count);

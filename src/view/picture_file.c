@@ -52,9 +52,10 @@ static enum status write_file(struct picture *p, const struct output *output, co
         stop_release(stop);
     }
     free(data);
+    const uint32_t samples = output->options->samples;
     if (status == STATUS_OK && !p->o.quiet)
         fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout", p->o.width,
-                p->o.height, p->o.samples, p->o.samples > 1 ? "s" : "");
+                p->o.height, samples, samples > 1 ? "s" : "");
     return status;
 }
 
@@ -157,5 +158,22 @@ enum status picture_write(struct picture *p, float time, const char *const *path
         output_finish(&d.sides[s].output);
     }
     output_finish(&d.whole);
+    return status;
+}
+
+enum status picture_write_drawn(struct picture *p, float time, const char *path,
+                                const struct render_result *drawn, struct stop *stop)
+{
+    struct app_options o = p->o;
+    struct output output = {
+        .options = &o,
+        .scene = &p->scene,
+        .shot = { .camera = p->camera, .time = time },
+    };
+    o.samples = 1; /* as windows show it */
+    enum status status = output_describe(&output);
+    if (status == STATUS_OK)
+        status = write_file(p, &output, path, drawn, stop);
+    output_finish(&output);
     return status;
 }

@@ -3,11 +3,13 @@
 #include "src/frame.h"
 #include "src/log.h"
 #include "src/tech/tonemap.h"
+#include "src/view/view_costs.h"
 
 enum {
     IMPORT_PICTURE,
     IMPORT_RIGHT,
     IMPORT_WINDOW,
+    IMPORT_FONT, /* if there is one */
     IMPORT_COUNT,
 };
 
@@ -17,6 +19,7 @@ enum status screen_init(struct screen *s, struct gpu *gpu, VkSurfaceKHR surface,
     *s = (struct screen){ .gpu = gpu };
     const enum status status = gpu_swapchain_init(gpu, &s->swapchain, surface, mode);
     present_tables_init(&s->tables, s->swapchain.format);
+    overlay_tables_init(&s->overlay, &s->tables.window);
     return status;
 }
 
@@ -42,35 +45,53 @@ enum status screen_fit(struct screen *s, VkExtent2D size, bool *remade)
 
 /* ---- the plan ---- */
 
+static uint32_t import_count(const struct screen *s)
+{
+    return s->font ? IMPORT_COUNT : IMPORT_FONT;
+}
+
 static enum status compile(struct screen *s, const struct rg_device *device)
 {
-    const struct rg_technique *const techniques[] = { &s->tables.technique };
+    const struct rg_technique *const techniques[] = {
+        &s->tables.technique,
+        &s->overlay.technique,
+    };
     const VkExtent2D extent = s->swapchain.extent;
     const struct rg_import imports[IMPORT_COUNT] = {
         [IMPORT_PICTURE] = { .image = &tonemap_color, .access = RG_SAMPLED },
         [IMPORT_RIGHT] = { .image = &present_right, .access = RG_SAMPLED },
         [IMPORT_WINDOW] = { .image = &s->tables.window },
+        [IMPORT_FONT] = {
+            .image = &overlay_font,
+            .access = RG_SAMPLED,
+            .extent = { s->font ? s->font->extent.width : 0, s->font ? s->font->extent.height : 0 },
+        },
     };
     s->plan = rg_compile(&(struct rg_compile_params){
         .techniques = techniques,
-        .technique_count = 1,
+        .technique_count = s->font ? 2 : 1,
         .view = extent,
         .outputs = &(struct rg_output){ .image = &s->tables.window, .access = RG_PRESENT },
         .output_count = 1,
         .imports = imports,
-        .import_count = IMPORT_COUNT,
+        .import_count = import_count(s),
         .device = device,
     });
     if (!s->plan) {
         log_error("out of memory while compiling the window's plan");
         return STATUS_TRY_AGAIN;
     }
-    for (uint32_t i = 0; i < s->plan->fault_count; i++) {
+    return screen_report_faults(s->plan);
+}
+
+enum status screen_report_faults(const struct rg_plan *plan)
+{
+    for (uint32_t i = 0; i < plan->fault_count; i++) {
         char text[512];
-        rg_fault_text(&s->plan->faults[i], text, sizeof(text));
+        rg_fault_text(&plan->faults[i], text, sizeof(text));
         log_error("the window's tables: %s", text);
     }
-    return s->plan->fault_count ? STATUS_FAILED : STATUS_OK;
+    return plan->fault_count ? STATUS_FAILED : STATUS_OK;
 }
 
 static void log_exec(void *user, const char *line)
@@ -79,15 +100,35 @@ static void log_exec(void *user, const char *line)
     log_error("%s", line);
 }
 
-enum status screen_connect(struct screen *s, VkImage picture, VkImage right)
+struct rg_vulkan screen_vulkan(const struct gpu *gpu)
 {
-    const struct gpu *gpu = s->gpu;
-    const struct rg_vulkan vulkan = {
+    return (struct rg_vulkan){
         gpu->instance,
         vkGetInstanceProcAddr,
         gpu->physical,
         gpu->device,
     };
+}
+
+struct rg_exec_params screen_exec_params(const struct gpu *gpu, const struct rg_plan *plan)
+{
+    return (struct rg_exec_params){
+        .plan = plan,
+        .instance = gpu->instance,
+        .get_proc_addr = vkGetInstanceProcAddr,
+        .physical = gpu->physical,
+        .device = gpu->device,
+        .queue = gpu->queue,
+        .queue_family = gpu->queue_family,
+        .pipeline_cache = gpu->pipeline_cache,
+        .render_passes = gpu->validated, /* see rg_exec.h */
+        .log = log_exec,
+    };
+}
+
+enum status screen_connect(struct screen *s, VkImage picture, VkImage right)
+{
+    const struct rg_vulkan vulkan = screen_vulkan(s->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     const struct rg_exec_import objects[IMPORT_COUNT] = {
         [IMPORT_PICTURE] = { .image = picture },
@@ -96,32 +137,21 @@ enum status screen_connect(struct screen *s, VkImage picture, VkImage right)
             .images = s->swapchain.images,
             .image_count = s->swapchain.image_count,
         },
+        [IMPORT_FONT] = { .image = s->font ? s->font->image : VK_NULL_HANDLE },
     };
     VkResult result;
     screen_disconnect(s);
     const enum status status = compile(s, &device);
     if (status != STATUS_OK)
         return status;
-    s->exec = rg_exec_create(
-        &(struct rg_exec_params){
-            .plan = s->plan,
-            .instance = gpu->instance,
-            .get_proc_addr = vkGetInstanceProcAddr,
-            .physical = gpu->physical,
-            .device = gpu->device,
-            .queue = gpu->queue,
-            .queue_family = gpu->queue_family,
-            .pipeline_cache = gpu->pipeline_cache,
-            .frames_in_flight = GPU_SWAPCHAIN_SLOT_COUNT,
-            .imports = objects,
-            .import_count = IMPORT_COUNT,
-            .render_passes = gpu->validated, /* see rg_exec.h */
-            .measured = true,
-            .replace = s->replace,
-            .log = log_exec,
-            .user = s->replace_user,
-        },
-        &result);
+    struct rg_exec_params params = screen_exec_params(s->gpu, s->plan);
+    params.frames_in_flight = GPU_SWAPCHAIN_SLOT_COUNT;
+    params.imports = objects;
+    params.import_count = import_count(s);
+    params.measured = true;
+    params.replace = s->replace;
+    params.user = s->replace_user;
+    s->exec = rg_exec_create(&params, &result);
     if (s->exec)
         rg_exec_measure(s->exec, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
     return gpu_status(result);
@@ -135,27 +165,52 @@ void screen_disconnect(struct screen *s)
     s->plan = NULL;
 }
 
+void screen_lay_over(struct screen *s, const struct gpu_image *font)
+{
+    screen_disconnect(s);
+    s->font = font;
+}
+
 /* ---- a frame ---- */
 
 enum status screen_begin(struct screen *s, bool *ready)
 {
     *ready = false;
     enum status status = gpu_status(rg_exec_begin(s->exec, &s->slot));
+    const double start = view_costs_now();
     if (status == STATUS_OK)
         status = gpu_swapchain_acquire(s->gpu, &s->swapchain, s->slot, &s->index);
+    s->waited = view_costs_now() - start;
     *ready = status == STATUS_OK && s->index != GPU_SWAPCHAIN_NONE;
     return status;
 }
 
-enum status screen_end(struct screen *s, uint32_t line)
+enum status screen_end(struct screen *s, uint32_t line, const struct overlay_list *list)
 {
     const struct gpu_swapchain *chain = &s->swapchain;
-    const struct rg_frame frame = { .present = { .encodes = chain->encodes, .line = line } };
+    const struct rg_frame frame = {
+        .present = { .encodes = chain->encodes, .line = line },
+        .overlay = list,
+    };
     const struct rg_exec_ties ties = {
         .image = s->index,
         .wait = chain->acquired[s->slot],
         .signal = chain->drawn[s->index],
     };
-    const enum status status = gpu_status(rg_exec_submit_tied(s->exec, &frame, &ties));
-    return status == STATUS_OK ? gpu_swapchain_present(s->gpu, &s->swapchain, s->index) : status;
+    enum status status = gpu_status(rg_exec_submit_tied(s->exec, &frame, &ties));
+    const double start = view_costs_now();
+    if (status == STATUS_OK)
+        status = gpu_swapchain_present(s->gpu, &s->swapchain, s->index);
+    s->waited += view_costs_now() - start;
+    return status;
+}
+
+enum status screen_wait(struct screen *s)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t slot = 0; slot < GPU_SWAPCHAIN_SLOT_COUNT && s->exec; slot++) {
+        const enum status waited = gpu_status(rg_exec_wait(s->exec, slot));
+        status = status == STATUS_OK ? waited : status;
+    }
+    return status;
 }

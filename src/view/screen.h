@@ -15,6 +15,8 @@
 #include "graph/rg_exec.h"
 #include "graph/rg_time.h"
 #include "src/gpu/gpu_swapchain.h"
+#include "src/tech/overlay.h"
+#include "src/tech/overlay_list.h"
 #include "src/tech/present.h"
 
 struct screen {
@@ -24,9 +26,12 @@ struct screen {
     void *replace_user;
     VkExtent2D size; /* of the window, that it was made for */
     struct present_tables tables;
+    struct overlay_tables overlay;
+    const struct gpu_image *font; /* of what lies over the picture; NULL: nothing */
     struct rg_plan *plan;
     struct rg_exec *exec; /* NULL: not connected */
     uint32_t slot, index; /* of the frame and image taken by screen_begin() */
+    double waited; /* by the host in that frame: for its image, and to have it shown; seconds */
 };
 
 /* Must not move afterwards. The surface is the caller's. */
@@ -38,6 +43,10 @@ void screen_finish(struct screen *screen); /* {0} and half-built are fine */
  * the screen is not connected. If swapchain.stale is still true, nothing can be shown. */
 MUST_USE enum status screen_fit(struct screen *screen, VkExtent2D size, bool *remade);
 
+/* What is drawn with this font lies over the picture from now on; NULL: nothing does. Afterwards
+ * the screen is not connected. */
+void screen_lay_over(struct screen *screen, const struct gpu_image *font);
+
 /* Shows this image, of the swapchain's size and ready to be sampled, from now on; and where a line
  * is drawn, another one right of it (without one, the same). */
 MUST_USE enum status screen_connect(struct screen *screen, VkImage picture, VkImage right);
@@ -48,7 +57,19 @@ void screen_disconnect(struct screen *screen);
 /* *ready is false if there is no image: fit it and begin again. */
 MUST_USE enum status screen_begin(struct screen *screen, bool *ready);
 
-/* `line`: the column where the line between two pictures begins, or PRESENT_NO_LINE. */
-MUST_USE enum status screen_end(struct screen *screen, uint32_t line);
+/* `line`: the column where the line between two pictures begins, or PRESENT_NO_LINE. `list`, with
+ * the screen's buffers overlay_vertices and overlay_indices, is what lies over the picture; NULL:
+ * nothing. */
+MUST_USE enum status screen_end(struct screen *screen, uint32_t line,
+                                const struct overlay_list *list);
+
+/* Until no frame reads the picture any more. */
+MUST_USE enum status screen_wait(struct screen *screen);
+
+/* ---- for other plans of the same kind ---- */
+
+struct rg_vulkan screen_vulkan(const struct gpu *gpu);
+struct rg_exec_params screen_exec_params(const struct gpu *gpu, const struct rg_plan *plan);
+MUST_USE enum status screen_report_faults(const struct rg_plan *plan); /* logs them */
 
 #endif

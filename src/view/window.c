@@ -19,6 +19,11 @@ static enum status failed(const char *what)
 
 /* ---- what hands do ---- */
 
+static bool tell(struct window *w, const struct window_event *event)
+{
+    return w->listen && w->listen(w->listener, event);
+}
+
 static void add_action(struct window *w, enum view_action action)
 {
     if (action != VIEW_NOTHING && w->input.action_count < WINDOW_ACTION_COUNT)
@@ -28,17 +33,26 @@ static void add_action(struct window *w, enum view_action action)
 static void on_key(GLFWwindow *handle, int key, int code, int event, int modifiers)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
+    const struct window_event told = {
+        .kind = WINDOW_KEY,
+        .code = key,
+        .down = event != GLFW_RELEASE,
+        .control = modifiers & GLFW_MOD_CONTROL,
+        .shift = modifiers & GLFW_MOD_SHIFT,
+        .alt = modifiers & GLFW_MOD_ALT,
+    };
     (void)code;
-    (void)modifiers;
     w->repeated = event == GLFW_REPEAT;
-    if (event != GLFW_RELEASE && key != GLFW_KEY_UNKNOWN)
+    if (!tell(w, &told) && told.down && key != GLFW_KEY_UNKNOWN)
         add_action(w, keys_find(key, 0, w->repeated));
 }
 
 static void on_character(GLFWwindow *handle, unsigned character)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
-    add_action(w, keys_find(0, character, w->repeated));
+    const struct window_event told = { .kind = WINDOW_CHARACTER, .code = (int)character };
+    if (!tell(w, &told))
+        add_action(w, keys_find(0, character, w->repeated));
 }
 
 static bool is_down(GLFWwindow *handle, int button)
@@ -63,9 +77,15 @@ static bool is_near_divider(const struct window *w, double x)
 static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
+    const struct window_event told = {
+        .kind = WINDOW_BUTTON,
+        .code = button,
+        .down = event == GLFW_PRESS,
+    };
     (void)modifiers;
+    const bool kept = tell(w, &told);
     if (button == GLFW_MOUSE_BUTTON_LEFT)
-        w->slides = event == GLFW_PRESS && is_near_divider(w, w->cursor_x);
+        w->slides = !kept && told.down && is_near_divider(w, w->cursor_x);
 }
 
 /* The divider follows the hand; where it can be taken, the mouse looks so. */
@@ -94,6 +114,9 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     const bool left = is_down(handle, GLFW_MOUSE_BUTTON_LEFT) && !w->slides;
     w->cursor_x = x; /* as the events come: where it is now is later already */
     w->cursor_y = y;
+    const double pixels = scale * window_size(w).height;
+    if (tell(w, &(struct window_event){ WINDOW_CURSOR, x * pixels, y * pixels }))
+        return;
     slide(w, x, width);
     if (is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) || (left && has_shift(handle))) {
         w->input.pan_x += dx;
@@ -107,8 +130,8 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
 static void on_wheel(GLFWwindow *handle, double x, double y)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
-    (void)x;
-    w->input.wheel += y;
+    if (!tell(w, &(struct window_event){ WINDOW_WHEEL, x, y }))
+        w->input.wheel += y;
 }
 
 /* Of several files the first one counts. */
@@ -192,6 +215,19 @@ void window_finish(struct window *w)
         glfwTerminate();
     free(w->dropped);
     *w = (struct window){ 0 };
+}
+
+float window_scale(const struct window *w)
+{
+    float x;
+    float y;
+    glfwGetWindowContentScale(w->handle, &x, &y);
+    return x > y ? x : y;
+}
+
+void window_copy(struct window *w, const char *text)
+{
+    glfwSetClipboardString(w->handle, text);
 }
 
 void window_title(struct window *w, const char *title)

@@ -28,16 +28,40 @@ struct window_input {
     bool redraw; /* what is shown may be gone */
 };
 
+enum window_event_kind {
+    WINDOW_CURSOR,
+    WINDOW_BUTTON,
+    WINDOW_WHEEL,
+    WINDOW_KEY,
+    WINDOW_CHARACTER,
+};
+
+/* One thing that hands did, as it comes. */
+struct window_event {
+    enum window_event_kind kind;
+    double x, y;              /* of the cursor, pixels; of the wheel, steps */
+    int code;                 /* button or key, as GLFW names them, or character */
+    bool down;                /* of a button or key */
+    bool control, shift, alt; /* of a key */
+};
+
+/* Hears of everything first. True: keeps it to itself; it moves no camera and is no action. */
+typedef bool window_listen_fn(void *user, const struct window_event *event);
+
 struct window {
     struct GLFWwindow *handle;
+    window_listen_fn *listen; /* may be NULL */
+    void *listener;
     bool has_library; /* GLFW is up */
     struct window_input input;
     char *dropped;             /* path of a file, malloc'd; NULL: none */
     double cursor_x, cursor_y; /* where it was seen last, screen coordinates */
     double divider; /* that a hand can take, of the width, from the left; below 0: none */
     bool slides;    /* a hand has it */
-    struct GLFWcursor *slider;    /* what the mouse looks like there; NULL: never was there */
-    bool repeated;                /* the key that is being handled is held down */
+    struct GLFWcursor *slider; /* what the mouse looks like there; NULL: never was there */
+    bool repeated;             /* the key that is being handled is held down */
+    VkExtent2D framebuffer;    /* pixels, also while it is: */
+    bool minimised;
     int left, top, width, height; /* before it filled the screen */
 };
 
@@ -48,6 +72,12 @@ MUST_USE enum status window_init(struct window *window, uint32_t width, uint32_t
 
 /* {0} and half-built are fine. */
 void window_finish(struct window *window);
+
+/* Pixels of a desktop's unit: 2 where all is twice as large. */
+float window_scale(const struct window *window);
+
+/* Into the clipboard, where it stays at least as long as the window. */
+void window_copy(struct window *window, const char *text);
 
 void window_title(struct window *window, const char *title);
 

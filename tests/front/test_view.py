@@ -1,5 +1,6 @@
 """test_view.py: the window, `firn view`, on a screen of its own. Usage: see case.py."""
 import pathlib
+import shlex
 import shutil
 import struct
 import subprocess
@@ -11,7 +12,7 @@ from case import NO_DEVICE, NO_INPUT, USAGE, Case, environment, main  # noqa: E4
 from desktop import PATIENCE, Desktop, wait_until  # noqa: E402
 
 SIZE = '200x150'
-CHECKED = ('--validate', '--size', SIZE, '--set', 'motion.count=2')
+CHECKED = ('--validate', '--size', SIZE, '--set', 'motion.count=2', '--overlay', 'off')
 PARITY = (
     ('ice-cube', 'paper'), ('ice-cube', 'one-sided'), ('sphere', 'paper'),
     ('sphere', 'one-sided'), ('teapot', 'paper'),
@@ -41,13 +42,13 @@ class WindowCase(Case):
     def view(self, *arguments):
         return self.succeed('view', *arguments, env=self.env())
 
-    def start(self, scene, *arguments, title=None):
+    def start(self, scene, *arguments, title=None, stdout=subprocess.PIPE):
         """Runs on; the number of its window, once it shows the scene."""
         words = [Case.program, 'view', scene, *CHECKED, *map(str, arguments)]
         self.log = open(self.folder / 'stderr', 'wb')
         self.addCleanup(self.log.close)
         self.process = subprocess.Popen(words, env=environment(self.env()), cwd=self.folder,
-                                        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                        stdin=subprocess.DEVNULL, stdout=stdout,
                                         stderr=self.log)
         self.addCleanup(self.end)
         return self.find(title or scene)
@@ -98,7 +99,8 @@ class WindowCase(Case):
 class Hands(WindowCase):
     def drag(self, window, button, *more):
         self.desktop.do('mousemove', '--window', window, 60, 70, *more, 'mousedown', button,
-                        'mousemove', '--window', window, 90, 75, 'mouseup', button)
+                        'mousemove', '--window', window, 90, 75, 'mouseup', button,
+                        'keyup', 'shift')
 
     def test_mouse_and_keys_move_the_camera(self):
         window = self.start('ice-cube')
@@ -111,7 +113,7 @@ class Hands(WindowCase):
         moves = (
             lambda: self.drag(window, 1), lambda: self.drag(window, 3),
             lambda: self.drag(window, 1, 'keydown', 'shift'),
-            lambda: self.desktop.do('keyup', 'shift', 'click', 4),
+            lambda: self.desktop.do('click', 4),
             lambda: self.press(window, 'Left'), lambda: self.press(window, 'minus'),
         )
         pictures = {png_pixels(first)}
@@ -172,6 +174,121 @@ class Hands(WindowCase):
         self.close(window)
 
 
+class Panels(WindowCase):
+    FIRST_ROW = 292      # where it lies: pixels in the window
+    BESIDE = (350, 200)  # no panel there
+
+    def start_with_panels(self, *arguments):
+        printed = open(self.folder / 'stdout', 'wb')
+        self.addCleanup(printed.close)
+        window = self.start('sphere', '--size', '360x340', '--overlay', 'on', *arguments,
+                            stdout=printed)
+        self.press(window, 'space')
+        self.find('sphere, paused')
+        return window
+
+    def command(self, window):
+        """What the key for it prints. While a line of text is being left, it may be lost there."""
+        printed = self.folder / 'stdout'
+        before = len(printed.read_bytes())
+
+        def look():
+            self.press(window, 'c')
+            for _ in range(20):
+                line = printed.read_text()[before:]
+                if line.endswith('\n'):
+                    return line.splitlines()[-1]
+                time.sleep(0.1)
+            return None
+        return wait_until('a command', look)
+
+    def wait_for_command(self, window, *words):
+        def look():
+            command = self.command(window)
+            return all(word in command for word in words) and command
+        return wait_until(' '.join(words), look)
+
+    def move(self, window, start, *ends):
+        """Presses the button, goes along, lets it go."""
+        words = ['mousemove', '--window', window, *start, 'mousedown', 1]
+        for end in ends:
+            words += ['mousemove', '--window', window, *end]
+        self.desktop.do(*words, 'mouseup', 1)
+
+    def find_row(self, window, name):
+        """Leaves no row but this one."""
+        for keys in (('key', 'slash', 'key', 'ctrl+a'), ('type', name), ('key', 'Return')):
+            self.desktop.do(*keys)
+
+    def test_settings_change_by_mouse_and_the_command_draws_the_same(self):
+        window = self.start_with_panels('--set', 'cracks.count=3')
+        self.assertNotIn('exposure', self.command(window))
+        first = self.shoot(window, 1)
+        self.find_row(window, 'tonemap.exposure')
+        self.move(window, (90, self.FIRST_ROW), (100, self.FIRST_ROW), (130, self.FIRST_ROW))
+        self.wait_for_command(window, 'tonemap.exposure=')
+        self.find_row(window, 'cracks.surface')
+        self.move(window, (23, self.FIRST_ROW))
+        self.wait_for_command(window, 'cracks.surface=on')
+        self.find_row(window, 'cracks.count')
+        self.move(window, (40, self.FIRST_ROW), (110, self.FIRST_ROW))
+        command = self.wait_for_command(window, 'cracks.count=')
+        self.assertNotIn('cracks.count=3 ', command)
+        self.assertNotIn('--eye', command)  # nothing of this was for the camera
+        self.move(window, self.BESIDE, (340, 220), (330, 240))
+        command = self.wait_for_command(window, '--eye')
+        shown = self.shoot(window, 2)
+        self.assertNotEqual(png_pixels(shown), png_pixels(first))
+        words = shlex.split(command)
+        self.assertEqual(words[:2], ['firn', 'render'])
+        self.succeed(*words[1:])
+        self.assertEqual(png_pixels(self.folder / 'firn.png'), png_pixels(shown))
+        self.close(window)
+
+    def test_only_some_screenshots_have_panels(self):
+        window = self.start_with_panels()
+        alone = self.shoot(window, 1)
+        self.press(window, 'P')
+        path = self.folder / 'firn-0002.png'
+        wait_until('the screenshot of all', path.exists)
+        self.assertNotIn('firn-0002.exr', self.files())
+        self.assertNotEqual(png_pixels(path), png_pixels(alone))
+        self.press(window, 'h')
+        wait_until('no panels', lambda: self.desktop.pixels(window) == png_pixels(alone))
+        self.assertEqual(self.shoot(window, 3).read_bytes(), alone.read_bytes())
+        self.press(window, 'h')
+        wait_until('panels', lambda: self.desktop.pixels(window) != png_pixels(alone))
+        self.close(window)
+
+    def test_all_panels_by_key(self):
+        window = self.start_with_panels()
+        shown = {self.desktop.pixels(window)}
+        for key in ('t', 'g', 'F1'):
+            self.press(window, key)
+            wait_until(f'the panel of {key}', lambda: self.desktop.pixels(window) not in shown)
+            shown.add(self.desktop.pixels(window))
+        self.close(window)
+
+    def test_keys_move_in_a_panel_until_escape(self):
+        window = self.start_with_panels()
+        self.press(window, 'Tab')
+        self.press(window, 'Left')
+        self.press(window, 'Down')
+        self.press(window, 'Escape')
+        self.assertNotIn('--eye', self.command(window))
+        self.press(window, 'Left')
+        self.wait_for_command(window, '--eye')
+        self.press(window, 'Escape')  # nothing has the keys but the picture
+        self.assertEqual(self.process.wait(timeout=PATIENCE), 0, self.words())
+
+    def test_panels_in_files_if_asked_for(self):
+        words = ('sphere', *CHECKED, '--time-step', 1, '--frames', 3)
+        self.view(*words, '--screenshot', 'a.png')
+        self.view(*words, '--overlay', 'on', '--screenshot', 'b.png', '--screenshot', 'b.exr')
+        self.assertNotEqual(png_pixels(self.folder / 'a.png'), png_pixels(self.folder / 'b.png'))
+        self.assertEqual(png_size(self.folder / 'b.png'), (200, 150))
+
+
 class Drop(WindowCase):
     def test_a_model_and_what_is_none(self):
         model = self.folder / 'shape one.obj'
@@ -224,7 +341,7 @@ class Automatic(WindowCase):
         for mode in ('fifo', 'mailbox', 'immediate'):
             done = self.view('sphere', *CHECKED, '--frames', 20, '--present', mode,
                              '--fps-limit', 200)
-            self.assertRegex(done.stderr.decode(), r'\A20 frames, .* beside them\n\Z')
+            self.assertRegex(done.stderr.decode(), r'\A20 frames, .* until the screen has them\n\Z')
 
     def test_quiet(self):
         self.assertEqual(self.view('sphere', '--size', SIZE, '--frames', 3, '-q').stderr, b'')
@@ -234,22 +351,28 @@ class Automatic(WindowCase):
                              (NO_DEVICE, 'sphere', '--device', 'none such')):
             self.refuse(code, 'view', *words, env=self.env())
 
-    def test_memory_stays_the_same(self):
-        words = [Case.program, 'view', 'sphere', '--size', '64x48', '--frames', '2000', '-q',
-                 '--set', 'env_cube.dynamic=off', '--set', 'air.count=0',
-                 '--set', 'cracks.count=0', '--set', 'bubbles.count=0',
-                 '--time-step', '0.04']
-        with subprocess.Popen(words, env=environment(self.env()), cwd=self.folder) as process:
+    def sizes(self, *words):
+        """KiB, looked at again and again until it ends."""
+        command = [Case.program, 'view', 'sphere', '-q', '--time-step', '0.04', *words]
+        sizes = []
+        with subprocess.Popen(command, env=environment(self.env()), cwd=self.folder) as process:
             status = pathlib.Path(f'/proc/{process.pid}/status')
-            sizes = []
             while process.poll() is None:
                 lines = status.read_text().splitlines()
                 sizes += [int(line.split()[1]) for line in lines if line.startswith('VmRSS')]
                 time.sleep(0.05)
         self.assertEqual(process.returncode, 0)
-        early, late = max(sizes[:len(sizes) // 4]), max(sizes[len(sizes) * 3 // 4:])
-        print(f'2000 frames: {early} KiB in the first quarter, {late} KiB in the last')
-        self.assertLess(late, early + 2048)
+        return sizes
+
+    def test_memory_stays_the_same(self):
+        cheap = [word for row in ('env_cube.dynamic=off', 'air.count=0', 'cracks.count=0',
+                                  'bubbles.count=0') for word in ('--set', row)]
+        for words in (('--size', '64x48'), ('--size', '64x48', '--overlay', 'on')):
+            with self.subTest(words=words):
+                sizes = self.sizes(*words, *cheap, '--frames', '2000')
+                early, late = max(sizes[:len(sizes) // 4]), max(sizes[len(sizes) * 3 // 4:])
+                print(f'2000 frames: {early} KiB in the first quarter, {late} KiB in the last')
+                self.assertLess(late, early + 2048)
 
 
 class NoWindow(Case):
@@ -267,7 +390,8 @@ class NoWindow(Case):
 
     def test_help_needs_no_display(self):
         text = self.succeed('view', '--help').stdout.decode()
-        for option in ('--frames', '--time-step', '--screenshot', '--present', '--fps-limit'):
+        for option in ('--frames', '--time-step', '--screenshot', '--present', '--fps-limit',
+                       '--overlay'):
             self.assertIn(option, text)
         self.assertNotIn('--resume', text)
         self.assertEqual(self.succeed('help', 'view').stdout.decode(), text)
@@ -276,7 +400,8 @@ class NoWindow(Case):
         self.refuse(USAGE, 'view')
         for option, value in (('--frames', '0'), ('--frames', '1-5'), ('--time-step', '-1'),
                               ('--time-step', 'nan'), ('--present', 'relaxed'),
-                              ('--fps-limit', '0'), ('--screenshot', 'a.gif')):
+                              ('--fps-limit', '0'), ('--screenshot', 'a.gif'),
+                              ('--overlay', 'maybe')):
             self.refuse(USAGE, 'view', 'sphere', option, value, names=[option, value])
 
 

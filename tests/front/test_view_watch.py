@@ -13,12 +13,14 @@ SHADERS = pathlib.Path(__file__).parents[2] / 'shaders'
 LAST = 'encoded = vec4(srgb(clamp(c, 0.0, 1.0)), 1.0);'
 
 
-class Watch(WindowCase):
+class WatchCase(WindowCase):
+    WORDS = ()
+
     def setUp(self):
         super().setUp()
         self.shaders = self.folder / 'my shaders'
         shutil.copytree(SHADERS, self.shaders)
-        self.window = self.start('sphere', f'--watch={self.shaders}')
+        self.window = self.start('sphere', f'--watch={self.shaders}', *self.WORDS)
         self.press(self.window, 'space')
         self.find('sphere, paused')
         self.first = self.desktop.pixels(self.window)
@@ -43,6 +45,8 @@ class Watch(WindowCase):
         self.press(self.window, 'q')
         self.assertEqual(self.process.wait(timeout=60), 0, self.words())
 
+
+class Watch(WatchCase):
     def test_a_saved_shader_is_shown(self):
         inverted = bytes(255 - value for value in self.first)
         turned = LAST.replace('srgb(clamp(c, 0.0, 1.0))', '1.0 - srgb(clamp(c, 0.0, 1.0))')
@@ -98,6 +102,23 @@ class Watch(WindowCase):
         shutil.copy(SHADERS / 'tonemap.frag', self.shaders)
         self.expect_words('tonemap.frag: compiled')
         self.expect(self.first)
+        self.quit()
+
+
+class WatchWithPanels(WatchCase):
+    WORDS = ('--overlay', 'on')
+    RED = b'\xff\x73\x59'  # of what is wrong
+
+    def is_red(self):
+        pixels = self.desktop.pixels(self.window)
+        return self.RED in (pixels[i:i + 3] for i in range(0, len(pixels), 3))
+
+    def test_the_fault_is_in_the_panel(self):
+        self.assertFalse(self.is_red())
+        self.save('tonemap.frag', LAST, '#error not yet\n' + LAST)
+        wait_until('the fault in red', self.is_red)
+        self.save('tonemap.frag', '#error not yet\n', '')
+        wait_until('no fault', lambda: not self.is_red())
         self.quit()
 
 

@@ -11,6 +11,7 @@
 #include "shaders/frost.h"
 #include "shaders/gbuffer.h"
 #include "shaders/globals.h"
+#include "shaders/overlay.h"
 #include "shaders/present.h"
 #include "shaders/refract_blend.h"
 #include "shaders/refract_march.h"
@@ -18,6 +19,7 @@
 #include "shaders/surface.h"
 #include "shaders/tonemap.h"
 #include "src/frames.h"
+#include "src/tech/overlay.h"
 #include "src/tech/present.h"
 #include "tests/support/check.h"
 #include "tests/support/spirv.h"
@@ -134,6 +136,11 @@ static const struct shared shared_structs[] = {
             FIELD(refract_march, halvings),
             FIELD(refract_march, bounces),
         },
+    },
+    {
+        "overlay_push",
+        sizeof(struct overlay_push),
+        { FIELD(overlay_push, clip_from_pixel), FIELD(overlay_push, encodes) },
     },
     { "present_push",
       sizeof(struct present_push),
@@ -398,7 +405,7 @@ static void test_rows_and_shaders_agree(void **state)
     }
     const struct frame_list capture = frame_capture();
     const struct frame_list resolve = frame_resolve();
-    const struct frame_list window = { { &present } };
+    const struct frame_list window = { { &present, &overlay } };
     rows += check_list(&capture, &seen) + check_list(&resolve, &seen) + check_list(&window, &seen);
     print_message("%zu rows\n", rows);
     assert_true(rows > 0);

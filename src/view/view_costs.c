@@ -1,0 +1,79 @@
+/* view_costs.c: sums over frames. */
+#include "src/view/view_costs.h"
+#include <math.h>
+#include <time.h>
+#include "src/gpu/gpu_swapchain.h"
+
+double view_costs_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+void view_costs_rest(struct view_costs *c, double start)
+{
+    c->rest += view_costs_now() - start;
+}
+
+void view_costs_limit(struct view_costs *c, double start)
+{
+    c->limit += view_costs_now() - start;
+}
+
+void view_costs_pause(struct view_costs *c)
+{
+    c->end = 0.0;
+}
+
+static double passes_of(const struct rg_times *times)
+{
+    uint64_t end = 0;
+    for (uint32_t i = 0; i < times->pass_count && times->passes; i++)
+        end = times->passes[i].end > end ? times->passes[i].end : end;
+    return (double)end * 1e-9;
+}
+
+void view_costs_frame(struct view_costs *c, const struct rg_times *times, uint32_t time_count,
+                      double screen)
+{
+    const double end = view_costs_now();
+    const double whole = end - c->end - c->rest;
+    double passes = 0.0;
+    double slots = 0.0; /* the host waited for an earlier frame's end on the device */
+    for (uint32_t i = 0; i < time_count; i++) {
+        passes += passes_of(&times[i]);
+        slots += (double)times[i].begin * 1e-9;
+    }
+    /* until every slot was used, there are no times yet */
+    const bool counts = c->end > 0.0 && c->frame_count >= GPU_SWAPCHAIN_SLOT_COUNT;
+    c->last = (struct ui_pace){
+        .frame = counts ? whole : 0.0,
+        .device = fmax(passes, slots),
+        .screen = screen,
+        .limit = c->limit,
+    };
+    if (counts) {
+        c->counted++;
+        c->frames += whole - c->limit;
+        c->passes += passes;
+        c->host += fmax(whole - c->limit - slots - screen, 0.0);
+    }
+    c->frame_count++;
+    c->rest = c->limit = 0.0;
+    c->end = end;
+}
+
+void view_costs_print(const struct view_costs *c, FILE *out)
+{
+    const double scale = c->counted ? 1e3 / c->counted : 0.0;
+    if (!c->counted) {
+        fprintf(out, "%u frame%s\n", c->frame_count, c->frame_count == 1 ? "" : "s");
+        return;
+    }
+    const double beside = fmax(c->frames - c->passes - c->host, 0.0);
+    fprintf(out,
+            "%u frames, %.2f ms each: %.2f ms of passes, %.2f ms of the loop, %.2f ms until the "
+            "screen has them\n",
+            c->frame_count, c->frames * scale, c->passes * scale, c->host * scale, beside * scale);
+}

@@ -1,0 +1,66 @@
+/* view_files.c: pictures of the window to files. */
+#include <stdio.h>
+#include <unistd.h>
+#include "src/app/output.h"
+#include "src/view/ui_shot.h"
+#include "src/view/view_internal.h"
+
+enum {
+    NAME_SIZE = 32,
+};
+
+static enum status shoot_all(struct view *v, const char *path)
+{
+    struct render_result drawn = { 0 };
+    enum status status = ui_shot(&v->screen, v->picture, v->ui, &drawn.rgba);
+    if (status == STATUS_OK)
+        status = picture_write_drawn(v->picture, v->shown, path, &drawn, &v->stop);
+    render_result_finish(&drawn);
+    return status;
+}
+
+static bool is_taken(uint32_t number)
+{
+    static const char *const endings[] = { ".png", ".exr", "-left.exr", "-right.exr" };
+    char name[NAME_SIZE];
+    bool taken = false;
+    for (size_t i = 0; i < sizeof(endings) / sizeof(endings[0]); i++) {
+        snprintf(name, sizeof(name), "firn-%04u%s", number, endings[i]);
+        taken = taken || access(name, F_OK) == 0;
+    }
+    return taken;
+}
+
+/* Nothing that is there is written over. */
+void view_shoot(struct view *v)
+{
+    char png[NAME_SIZE];
+    char exr[NAME_SIZE];
+    char words[NAME_SIZE + 16];
+    const char *const paths[] = { png, exr };
+    const double start = view_costs_now();
+    const bool all = v->shoot_all;
+    v->shoot = v->shoot_all = false;
+    while (is_taken(++v->shot_number))
+        continue;
+    snprintf(png, sizeof(png), "firn-%04u.png", v->shot_number);
+    snprintf(exr, sizeof(exr), "firn-%04u.exr", v->shot_number);
+    const enum status status =
+        all ? shoot_all(v, png) : picture_write(v->picture, v->shown, paths, 2, &v->stop);
+    snprintf(words, sizeof(words), status == STATUS_OK ? "%s is written" : "%s: see stderr", png);
+    ui_say(v->ui, words);
+    view_costs_rest(&v->costs, start);
+}
+
+enum status view_write_outputs(struct view *v)
+{
+    const struct app_options *o = v->options;
+    enum status status = STATUS_OK;
+    if (o->overlay != APP_OVERLAY_ON)
+        return picture_write(v->picture, v->shown, o->outputs, o->output_count, &v->stop);
+    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
+        status = output_is_png(o->outputs[i])
+                     ? shoot_all(v, o->outputs[i])
+                     : picture_write(v->picture, v->shown, &o->outputs[i], 1, &v->stop);
+    return status;
+}

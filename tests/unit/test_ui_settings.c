@@ -1,0 +1,49 @@
+/* Every row gets a widget that can show it. */
+#include <string.h>
+#include "src/view/ui_settings.h"
+#include "tests/support/check.h"
+
+static enum ui_widget widget_of(const char *name)
+{
+    const struct setting *row = settings_find(name);
+    assert_non_null(row);
+    return ui_settings_widget(row);
+}
+
+static void test_widgets(void **state)
+{
+    (void)state;
+    assert_int_equal(widget_of("cracks.surface"), UI_CHECKBOX);
+    assert_int_equal(widget_of("cracks.clip"), UI_LIST);
+    assert_int_equal(widget_of("cracks.count"), UI_SLIDER);
+    assert_int_equal(widget_of("bubbles.count"), UI_LOGARITHMIC);
+    assert_int_equal(widget_of("cracks.seed"), UI_NUMBER);
+    assert_int_equal(widget_of("object.triangles"), UI_NUMBER);
+    assert_int_equal(widget_of("cracks.shininess"), UI_LOGARITHMIC);
+    assert_int_equal(widget_of("light.distance"), UI_LOGARITHMIC);
+    assert_int_equal(widget_of("sky.sun_azimuth"), UI_SLIDER);
+    assert_int_equal(widget_of("refract.ior"), UI_SLIDER);
+}
+
+/* Units become part of printf formats; sliders need two ends. */
+static void test_rows_fit(void **state)
+{
+    (void)state;
+    for (size_t g = 0; setting_groups[g]; g++) {
+        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
+            const struct setting *row = &setting_groups[g]->rows[r];
+            assert_true(!row->unit || (!strchr(row->unit, '%') && strlen(row->unit) < 40));
+            if (row->type == SETTING_FLOAT)
+                assert_true(row->min < row->max);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_widgets),
+        cmocka_unit_test(test_rows_fit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
