@@ -156,9 +156,27 @@ static void on_refresh(GLFWwindow *handle)
 
 static void on_resize(GLFWwindow *handle, int width, int height)
 {
-    (void)width;
-    (void)height;
+    struct window *w = glfwGetWindowUserPointer(handle);
+    const bool sound = width > 0 && height > 0;
+    w->framebuffer = (VkExtent2D){ sound ? (uint32_t)width : 0, sound ? (uint32_t)height : 0 };
     on_refresh(handle);
+}
+
+static void on_minimise(GLFWwindow *handle, int minimised)
+{
+    struct window *w = glfwGetWindowUserPointer(handle);
+    w->minimised = minimised;
+    on_refresh(handle);
+}
+
+/* Asks the window system, which answers when it has done all that came before: not in frames. */
+static void ask_for_size(struct window *w)
+{
+    int width;
+    int height;
+    glfwGetFramebufferSize(w->handle, &width, &height);
+    on_resize(w->handle, width, height);
+    w->minimised = glfwGetWindowAttrib(w->handle, GLFW_ICONIFIED);
 }
 
 static void listen(struct window *w)
@@ -171,6 +189,7 @@ static void listen(struct window *w)
     glfwSetScrollCallback(w->handle, on_wheel);
     glfwSetDropCallback(w->handle, on_drop);
     glfwSetFramebufferSizeCallback(w->handle, on_resize);
+    glfwSetWindowIconifyCallback(w->handle, on_minimise);
     glfwSetWindowRefreshCallback(w->handle, on_refresh);
 }
 
@@ -202,8 +221,10 @@ enum status window_init(struct window *w, uint32_t width, uint32_t height, const
     if (!w->handle)
         return failed("no window");
     listen(w);
+    ask_for_size(w);
     fit_framebuffer(w, width, height);
     glfwPollEvents();
+    ask_for_size(w);
     return STATUS_OK;
 }
 
@@ -279,12 +300,7 @@ bool window_is_closed(const struct window *w)
 
 VkExtent2D window_size(const struct window *w)
 {
-    int width;
-    int height;
-    glfwGetFramebufferSize(w->handle, &width, &height);
-    if (width <= 0 || height <= 0 || glfwGetWindowAttrib(w->handle, GLFW_ICONIFIED))
-        return (VkExtent2D){ 0, 0 };
-    return (VkExtent2D){ (uint32_t)width, (uint32_t)height };
+    return w->minimised ? (VkExtent2D){ 0, 0 } : w->framebuffer;
 }
 
 void window_fill_screen(struct window *w)
