@@ -2,7 +2,8 @@
  * ui_command.h: the `firn render` that draws what a window shows.
  *
  * Only what differs from the defaults is said, in words that a shell reads back as they were. With
- * env_cube.dynamic=off the cube is drawn at the time of the command's picture.
+ * env_cube.dynamic=off the cube is drawn at the time of the command's picture. Of a split window it
+ * draws what is on the left.
  */
 #ifndef FIRN_VIEW_UI_COMMAND_H
 #define FIRN_VIEW_UI_COMMAND_H

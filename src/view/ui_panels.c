@@ -80,7 +80,9 @@ static void buttons(struct ui *ui, const struct ui_view *view, struct ui_wish *w
         const char *label, *help;
         enum view_action action;
     } rows[] = {
-        { "copy command", "the firn render of this picture, to the clipboard and stdout (C)",
+        { "copy command",
+          "the firn render of this picture (with a divider, of its left), to the\n"
+          "clipboard and stdout (C)",
           VIEW_COPY },
         { "screenshot", "PNG and EXR, without these panels (P)", VIEW_SCREENSHOT },
         { "camera", "back to where it was at first (R)", VIEW_RESET },
@@ -109,12 +111,11 @@ static void head(struct ui *ui, const struct ui_view *view, struct ui_wish *wish
     char text[256];
     snprintf(text, sizeof(text), "%s, %ux%u", o->positionals[0], o->width, o->height);
     imgui_text(text);
-    snprintf(text, sizeof(text), "%.1f frames a second, %.1f ms", frame > 0.0 ? 1.0 / frame : 0.0,
-             frame * 1e3);
-    imgui_text(text);
-    snprintf(text, sizeof(text), "limited by %s",
-             frame > 0.0 ? ui_pace_limit(&ui->pace) : "a pause");
-    imgui_text_dim(text);
+    snprintf(text, sizeof(text), "%.1f frames a second, %.1f ms each",
+             frame > 0.0 ? 1.0 / frame : 0.0, frame * 1e3);
+    imgui_text(frame > 0.0 ? text : "no frame is measured yet");
+    snprintf(text, sizeof(text), "limited by %s", ui_pace_limit(&ui->pace));
+    imgui_text_dim(frame > 0.0 ? text : "");
     snprintf(text, sizeof(text),
              "the device works %.1f ms of it; the host waits %.1f ms for the screen, %.1f ms for "
              "--fps-limit",
