@@ -2,37 +2,19 @@
 #include "src/view/ui_command.h"
 #include <stdlib.h>
 #include <string.h>
+#include "src/app/words.h"
 #include "src/log.h"
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
 
 static const float leaning = 1e-4f; /* of the picture's axes, from where +Y would put them */
 
-/* A word as a shell takes it back. */
-static void print_word(FILE *out, const char *word)
-{
-    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                "_-./,:=@%+";
-    if (*word && strspn(word, plain) == strlen(word)) {
-        fputs(word, out);
-        return;
-    }
-    fputc('\'', out);
-    for (; *word; word++) {
-        if (*word == '\'')
-            fputs("'\\''", out);
-        else
-            fputc(*word, out);
-    }
-    fputc('\'', out);
-}
-
 static void print_name(FILE *out, const char *option, const char *name)
 {
     if (!name)
         return;
     fprintf(out, " --%s ", option);
-    print_word(out, name);
+    words_quote(name, out);
 }
 
 static void print_vector(FILE *out, const char *option, vec3s v)
@@ -143,7 +125,7 @@ static void print(FILE *out, const struct ui_command *c)
     fputs("firn render ", out);
     if (o->positionals[0][0] == '-') /* else an option */
         fputs("./", out);
-    print_word(out, o->positionals[0]);
+    words_quote(o->positionals[0], out);
     fprintf(out, " --size %ux%u", o->width, o->height);
     if (o->samples > 1)
         fprintf(out, " --samples %u", o->samples);
