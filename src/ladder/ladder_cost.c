@@ -33,8 +33,8 @@ static enum status time_all(struct renderer *const *renderers,
     for (uint32_t run = 0; run <= request->run_count && status == STATUS_OK; run++) {
         const uint32_t sample = run ? run - 1 : 0;
         for (uint32_t i = 0; i < request->count && status == STATUS_OK; i++)
-            status =
-                time_frame(renderers[i], &request->shot, &samples[i * request->run_count + sample]);
+            status = time_frame(renderers[i], &request->shot,
+                                &samples[(size_t)i * request->run_count + sample]);
         if (status == STATUS_OK && progress && !progress(user, run, request->run_count))
             status = STATUS_FAILED;
     }
@@ -61,7 +61,8 @@ enum status ladder_cost(const struct ladder_cost_request *request, double *costs
     for (uint32_t i = 0; i < request->count; i++) {
         if (status == STATUS_OK)
             costs[i] =
-                profile_summarize(&samples[i * request->run_count], request->run_count).median;
+                profile_summarize(&samples[(size_t)i * request->run_count], request->run_count)
+                    .median;
         renderer_destroy(renderers[i]);
     }
     free(samples);

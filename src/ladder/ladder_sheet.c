@@ -146,8 +146,9 @@ enum status ladder_sheet(const struct ladder_report *report, void **data, size_t
 
 /* ---- layers ---- */
 
-/* Borrowed texels. */
-static void add_plane(struct image *image, const char *layer, const char *name, float *texels)
+/* Borrowed texels; a plane's are not const, though nothing writes to them. */
+static void add_plane(struct image *image, const char *layer, const char *name,
+                      float *texels) /* NOLINT(readability-non-const-parameter) */
 {
     struct image_plane *plane = &image->planes[image->plane_count++];
     *plane = (struct image_plane){ .texels = texels };
