@@ -10,7 +10,7 @@ from desktop import wait_until  # noqa: E402
 from test_view import WindowCase, png_pixels  # noqa: E402
 
 SHADERS = pathlib.Path(__file__).parents[2] / 'shaders'
-LAST = 'encoded = vec4(srgb(clamp(c, 0.0, 1.0)), 1.0);'
+LAST = 'encoded = vec4(tonemap_encode(c, params.exposure, params.curve), 1.0);'
 
 
 class WatchCase(WindowCase):
@@ -49,16 +49,16 @@ class WatchCase(WindowCase):
 class Watch(WatchCase):
     def test_a_saved_shader_is_shown(self):
         inverted = bytes(255 - value for value in self.first)
-        turned = LAST.replace('srgb(clamp(c, 0.0, 1.0))', '1.0 - srgb(clamp(c, 0.0, 1.0))')
+        turned = LAST.replace('tonemap_encode', '1.0 - tonemap_encode')
         self.save('tonemap.frag', LAST, turned)
         self.expect(inverted)
         self.expect_words('my shaders/tonemap.frag: compiled')
         shot = self.shoot(self.window, 1)
         self.assertEqual(png_pixels(shot), inverted)  # in files, too
-        self.save('tonemap.frag', turned, turned.replace('1.0 - srgb', '1.0 - sgrb'))
-        self.expect_words('firn: ', 'tonemap.frag:', "'sgrb'", 'before stay')
+        self.save('tonemap.frag', turned, turned.replace('_encode', '_encdoe'))
+        self.expect_words('firn: ', 'tonemap.frag:', "'tonemap_encdoe'", 'before stay')
         self.assertEqual(self.desktop.pixels(self.window), inverted)
-        self.save('tonemap.frag', turned.replace('srgb', 'sgrb'), LAST)
+        self.save('tonemap.frag', turned.replace('_encode', '_encdoe'), LAST)
         self.expect(self.first)
         self.quit()
 
@@ -90,8 +90,8 @@ class Watch(WatchCase):
     def test_a_binding_that_no_pass_gives(self):
         self.save('tonemap.frag', 'void main()', 'layout(set = 0, binding = 9) uniform sampler2D '
                                                  'more;\nvoid main()')
-        self.save('tonemap.frag', 'exp2(params.exposure)',
-                  'exp2(params.exposure) * texelFetch(more, ivec2(0), 0).rgb')
+        self.save('tonemap.frag', 'gl_FragCoord.xy), 0).rgb',
+                  'gl_FragCoord.xy), 0).rgb * texelFetch(more, ivec2(0), 0).rgb')
         self.expect_words('firn: ', 'tonemap.frag', 'binding 9')
         self.assertEqual(self.desktop.pixels(self.window), self.first)
         self.quit()
