@@ -245,6 +245,36 @@ class Panels(WindowCase):
         self.assertEqual(png_pixels(self.folder / 'firn.png'), png_pixels(shown))
         self.close(window)
 
+    def names(self, what):
+        lines = self.succeed('list', what).stdout.decode().splitlines()
+        return [line.split()[0] for line in lines if line.startswith('  ')]
+
+    def choose(self, window, row, entry):
+        """From a list that opens: heights in the window."""
+        def look():
+            pixels = self.desktop.pixels(window)
+            return [pixels[3 * (y * 360 + 100):3 * (y * 360 + 160)]
+                    for y in range(entry - 3, entry + 3)]
+        before = look()
+        self.move(window, (60, row))
+        wait_until('a list', lambda: look() != before)
+        self.move(window, (60, entry))
+
+    def test_lists_choose_rungs_and_materials(self):
+        first, second, *_ = self.names('rungs')
+        material = self.names('materials')[-1]
+        window = self.start_with_panels()
+        self.choose(window, 149, 188)
+        self.wait_for_command(window, f' --refraction {second} ')
+        self.choose(window, 169, 208)
+        self.find(rf'sphere, {second} \| {first}, paused')
+        self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
+        self.choose(window, 169, 192)
+        self.find('sphere, paused')
+        self.choose(window, 189, 150)
+        self.wait_for_command(window, f' --material {material} ')
+        self.close(window)
+
     def test_only_some_screenshots_have_panels(self):
         window = self.start_with_panels()
         alone = self.shoot(window, 1)
