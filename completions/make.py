@@ -1,0 +1,202 @@
+"""make.py: what a shell offers after `firn`, from the help and the lists of the program.
+
+Usage: make.py FIRN SHELL OUTPUT   SHELL: bash, zsh or fish
+"""
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+sys.path.append(str(pathlib.Path(__file__).parents[1] / 'man'))
+from help import COMMANDS, LISTS, Command, choices, names  # noqa: E402
+
+# Options whose values are names of `firn list`; of the second kind, with commas between.
+NAMED = {'refraction': 'rungs', 'split': 'rungs', 'material': 'materials', 'show': 'layers'}
+LISTED = {'rungs': 'rungs', 'aov': 'layers'}
+WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbox', 'immediate'),
+         'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),
+         'overlay': ('on', 'off')}
+FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'html', 'mask', 'truth',
+         'screenshot', 'watch'}
+CATEGORIES = (*LISTS, 'devices')
+
+
+class Facts:
+    def __init__(self, firn):
+        self.commands = [Command(firn, name) for name in COMMANDS]
+        self.lists = {kind: names(firn, kind) for kind in LISTS}
+        self.lists['scenes'].pop('FILE')
+
+    def settings(self):
+        """Every NAME=, and NAME=VALUE where values are words."""
+        for name, what in self.lists['settings'].items():
+            values = choices(what)
+            yield from (f'{name}={value}' for value in values or [''])
+
+    def values(self, option):
+        """What may follow it; empty: files, or anything."""
+        if option.name in NAMED:
+            return list(self.lists[NAMED[option.name]])
+        if option.name in LISTED:
+            return list(self.lists[LISTED[option.name]])
+        if option.name == 'set':
+            return list(self.settings())
+        return list(WORDS.get(option.name, ()))
+
+    def positionals(self, command):
+        """Words that are no options; None: files alone."""
+        if command.name == 'list':
+            return list(CATEGORIES)
+        return None if command.name == 'diff' else list(self.lists['scenes'])
+
+
+def bash(facts):
+    text = '''# firn: made by completions/make.py
+_firn()
+{
+    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
+    local words= options=
+    COMPREPLY=()
+    if ((COMP_CWORD == 1)); then
+        COMPREPLY=($(compgen -W "@COMMANDS@ help --help --version" -- "$cur"))
+        return
+    fi
+    # readline takes NAME=VALUE for three words
+    local name= at=0
+    if [[ $cur == "=" ]]; then
+        name=$prev at=$((COMP_CWORD - 2)) cur=
+    elif [[ $prev == "=" ]]; then
+        name=${COMP_WORDS[COMP_CWORD - 2]} at=$((COMP_CWORD - 3))
+    fi
+    if ((at > 1)) && [[ ${COMP_WORDS[at]} == --set ]]; then
+        for words in @SETTINGS@; do
+            [[ $words == "$name"=* ]] && options+=" ${words#*=}"
+        done
+        COMPREPLY=($(compgen -W "$options" -- "$cur"))
+        return
+    fi
+    case $command in
+@CASES@    help) words="@COMMANDS@" ;;
+    esac
+    if [[ $cur == -* ]]; then
+        COMPREPLY=($(compgen -W "$options" -- "$cur"))
+    elif [[ $words == - ]]; then
+        COMPREPLY=($(compgen -f -- "$cur"))
+    elif [[ $words ]]; then
+        COMPREPLY=($(compgen -W "$words" -- "$cur"))
+        [[ ${COMPREPLY[*]} == *= ]] && compopt -o nospace 2>/dev/null
+    fi
+    return 0
+}
+complete -o filenames -F _firn firn
+'''
+    cases = ''
+    for command in facts.commands:
+        options = ' '.join(f'--{option.name}' for option in command.options())
+        positionals = facts.positionals(command)
+        rest = ' '.join(positionals or [])
+        cases += f'    {command.name})\n        options="{options}"\n        case $prev in\n'
+        for option in command.options():
+            if not option.value or option.is_optional:
+                continue
+            keys = f'--{option.name}' + (f' | -{option.letter}' if option.letter else '')
+            values = facts.values(option)
+            if option.name == 'set':
+                values = sorted({value.split('=')[0] + '=' for value in values})
+            offered = ' '.join(values) or ('-' if option.name in FILES else '')
+            cases += f'        {keys}) words="{offered}" ;;\n'
+        files = '' if command.name == 'list' else ' $(compgen -f -- "$cur")'
+        cases += f'        *) words="{rest}{files}" ;;\n        esac\n        ;;\n'
+    valued = ' '.join(value for value in facts.settings() if not value.endswith('='))
+    return (text.replace('@COMMANDS@', ' '.join(COMMANDS)).replace('@CASES@', cases)
+            .replace('@SETTINGS@', valued))
+
+
+def quoted(text):
+    return "'" + text.replace("'", "'\\''") + "'"
+
+
+def zsh(facts):
+    def described(text):
+        return text.replace('\\', '\\\\').replace('[', '\\[').replace(']', '\\]').replace(':', '\\:')
+
+    text = '#compdef firn\n# made by completions/make.py\n_firn() {\n    local -a commands\n'
+    text += '    local context state state_descr line\n    typeset -A opt_args\n    commands=(\n'
+    for command in facts.commands:
+        text += f'        {quoted(command.name + ":" + described(command.summary))}\n'
+    text += '''        'help:the help of a command'
+    )
+    _arguments -C '1:command:->command' '*::word:->words'
+    case $state in
+    command) _describe command commands ;;
+    words)
+        case $words[1] in
+'''
+    for command in facts.commands:
+        text += f'        {command.name})\n            _arguments -s'
+        for option in command.options():
+            values = facts.values(option)
+            action = ''
+            if option.value:
+                offered = f'({" ".join(values)})' if values else '_files' if (
+                    option.name in FILES) else ' '
+                if option.name in LISTED:
+                    offered = f'_sequence compadd - {" ".join(values)}'
+                name = option.value.split('|')[0].replace(':', '')
+                action = f':{"" if not option.is_optional else ":"}{name}:{offered}'
+            mark = '=' if option.value and not option.is_optional else (
+                '=-' if option.is_optional else '')
+            spec = f'*--{option.name}{mark}[{described(option.help)}]{action}'
+            text += f' \\\n                {quoted(spec)}'
+            if option.letter:
+                spec = f'*-{option.letter}[{described(option.help)}]{action}'
+                text += f' \\\n                {quoted(spec)}'
+        positionals = facts.positionals(command)
+        offered = f'({" ".join(positionals)})' if positionals else ''
+        if command.name == 'list':
+            text += f" \\\n                {quoted('1:what:' + offered)}\n"
+        elif positionals:
+            both = '*:scene:{compadd -- ' + ' '.join(positionals) + '; _files}'
+            text += f' \\\n                {quoted(both)}\n'
+        else:
+            text += " \\\n                '*:picture:_files'\n"
+        text += '            ;;\n'
+    return text + '''        help) _describe command commands ;;
+        esac
+        ;;
+    esac
+}
+_firn "$@"
+'''
+
+
+def fish(facts):
+    text = '# firn: made by completions/make.py\n'
+    for command in facts.commands:
+        text += (f'complete -c firn -f -n __fish_use_subcommand -a {command.name} '
+                 f'-d {quoted(command.summary)}\n')
+    text += "complete -c firn -f -n __fish_use_subcommand -a help -d 'the help of a command'\n"
+    for command in facts.commands:
+        here = f"complete -c firn -n '__fish_seen_subcommand_from {command.name}'"
+        for option in command.options():
+            text += here + f' -l {option.name}'
+            text += f' -s {option.letter}' if option.letter else ''
+            values = facts.values(option)
+            if option.value and not option.is_optional:
+                text += ' -x' if values else ' -r' if option.name in FILES else ' -x'
+            if values:
+                text += f' -a {quoted(" ".join(values))}'
+            text += f' -d {quoted(option.help)}\n'
+        positionals = facts.positionals(command)
+        if positionals:
+            text += here + (' -f' if command.name == 'list' else '')
+            text += f' -a {quoted(" ".join(positionals))}\n'
+    return text
+
+
+def main():
+    firn, shell, output = sys.argv[1:]
+    facts = Facts(firn)
+    pathlib.Path(output).write_text({'bash': bash, 'zsh': zsh, 'fish': fish}[shell](facts))
+
+
+main()

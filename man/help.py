@@ -1,0 +1,64 @@
+"""help.py: what `firn` says of itself, for the pages and completions that are made of it."""
+import re
+import subprocess
+
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list')
+LISTS = ('scenes', 'rungs', 'materials', 'layers', 'settings')
+
+
+def say(firn, *words):
+    return subprocess.run([firn, *words], check=True, capture_output=True, text=True).stdout
+
+
+class Option:
+    """A line of the help: "  -o, --output FILE   write ..."."""
+    LINE = re.compile(r'^  (?:-(?P<letter>\w), |    )--(?P<name>[\w-]+)(?P<value>(?:\[?=| )\S+)? +'
+                      r'(?P<help>\S.*)$')
+
+    def __init__(self, match):
+        self.letter, self.name, self.help = match['letter'], match['name'], match['help']
+        value = (match['value'] or '').strip()
+        self.is_optional = value.startswith('[=')
+        self.value = value.strip('[]=') or None
+
+    def words(self):
+        """As it is written."""
+        value = f'[={self.value}]' if self.is_optional else f' {self.value}' if self.value else ''
+        return (f'-{self.letter}, ' if self.letter else '') + f'--{self.name}{value}'
+
+
+class Command:
+    def __init__(self, firn, name):
+        self.name = name
+        usage, *lines = say(firn, name, '--help').splitlines()
+        self.synopsis, self.summary = usage.split(': ', 1)
+        self.examples, self.notes, self.groups = [], [], {}
+        group = None
+        for line in lines:
+            match = Option.LINE.match(line)
+            if match:
+                self.groups.setdefault(group, []).append(Option(match))
+            elif re.match(r'^[A-Z][\w ]*:$', line):
+                group = line[:-1]
+            elif group == 'Examples' and line.startswith('  '):
+                self.examples.append(line.strip())
+            elif line:
+                self.notes.append(line)
+        self.groups = {name or 'Other': options for name, options in self.groups.items()}
+
+    def options(self):
+        return [option for options in self.groups.values() for option in options]
+
+
+def names(firn, kind):
+    """{name: what it is} of what `firn list KIND` prints."""
+    lines = say(firn, 'list', kind).splitlines()[1:]
+    return dict(line.split(None, 1) for line in lines if line.strip())
+
+
+def choices(text):
+    """What a setting can be, where that are words."""
+    match = re.search(r'one of ([\w, -]+)', text)
+    if match:
+        return match.group(1).split(', ')
+    return ['on', 'off'] if re.search(r'default (on|off)$', text) else []

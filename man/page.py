@@ -1,0 +1,75 @@
+"""page.py: a man page of firn, from its help and, for firn.1, from intro.scd, by scdoc.
+
+Usage: page.py FIRN SCDOC NAME OUTPUT   NAME: firn, firn-settings or firn-COMMAND
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from help import COMMANDS, Command, names  # noqa: E402
+
+SEE = ', '.join(f'*firn-{name}*(1)' for name in (*COMMANDS, 'settings'))
+
+
+def plain(text):
+    """Words that scdoc takes as they are."""
+    return re.sub(r'([\\*_#~<>\[\]|])', r'\\\1', text)
+
+
+def literal(lines):
+    return '```\n' + '\n'.join(lines) + '\n```\n'
+
+
+def options_of(options):
+    text = ''
+    for option in options:
+        text += f'*{plain(option.words())}*\n\t{plain(option.help)}\n\n'
+    return text
+
+
+def command_page(firn, name):
+    command = Command(firn, name)
+    text = f'firn-{name}(1)\n\n# NAME\n\nfirn-{name} - {plain(command.summary)}\n\n'
+    text += f'# SYNOPSIS\n\n{plain(command.synopsis)}\n\n'
+    if command.notes:
+        text += '# DESCRIPTION\n\n' + plain(' '.join(command.notes)) + '\n\n'
+    text += '# OPTIONS\n\n'
+    for group, options in command.groups.items():
+        if len(command.groups) > 1:
+            text += f'## {group}\n\n'
+        text += options_of(options)
+    return text + '# EXAMPLES\n\n' + literal(command.examples) + f'\n# SEE ALSO\n\n*firn*(1), {SEE}\n'
+
+
+def settings_page(firn):
+    text = 'firn-settings(1)\n\n# NAME\n\nfirn-settings - what --set NAME=VALUE changes\n\n# SETTINGS\n\n'
+    for name, what in names(firn, 'settings').items():
+        text += f'*{plain(name)}*\n\t{plain(what)}\n\n'
+    return text + f'# SEE ALSO\n\n*firn*(1), {SEE}\n'
+
+
+def main_page(firn):
+    text = pathlib.Path(__file__).with_name('intro.scd').read_text()
+    commands = ''
+    for name in COMMANDS:
+        commands += f'*firn-{name}*(1)\n\t{plain(Command(firn, name).summary)}\n\n'
+    return text.replace('@COMMANDS@\n', commands).replace('@SEE@', SEE)
+
+
+def main():
+    firn, scdoc, name, output = sys.argv[1:]
+    if name == 'firn':
+        text = main_page(firn)
+    elif name == 'firn-settings':
+        text = settings_page(firn)
+    else:
+        text = command_page(firn, name.removeprefix('firn-'))
+    page = subprocess.run([scdoc], input=text, check=True, capture_output=True, text=True).stdout
+    # scdoc writes today's date: the same source gives the same bytes
+    page = re.sub(r'(?m)^(\.TH "[^"]*" "1") "[^"]*"', r'\1 ""', page)
+    pathlib.Path(output).write_text(page)
+
+
+main()

@@ -1,0 +1,25 @@
+"""settings.py: docs/settings.md, on stdout, from the table that the program prints.
+
+Usage: settings.py FIRN
+"""
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from help import names  # noqa: E402
+
+
+def page(firn):
+    text = '# Settings\n\n`--set NAME=VALUE`, of every command that draws; sliders of `firn view`.\n'
+    text += 'This page is made by `man/settings.py`.\n'
+    group = None
+    for name, what in names(firn, 'settings').items():
+        if name.split('.')[0] != group:
+            group = name.split('.')[0]
+            text += f'\n## {group}\n\n| setting | what |\n|---|---|\n'
+        what = what.replace('|', '\\|')
+        text += f'| `{name}` | {what} |\n'
+    return text
+
+
+if __name__ == '__main__':
+    print(page(sys.argv[1]), end='')

@@ -1,0 +1,160 @@
+"""test_examples.py: every command that the README, the docs and the help show, run small.
+
+Usage: test_examples.py FIRN [--no-window] [TEST...]   --no-window: that of `firn view` cannot open
+
+The commands are run as they stand, but for sizes, numbers of runs and of frames, and pipes.
+"""
+import base64
+import json
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import Case, environment, main  # noqa: E402
+from desktop import Desktop  # noqa: E402
+
+NO_WINDOW = '--no-window' in sys.argv
+if NO_WINDOW:
+    sys.argv.remove('--no-window')
+
+ROOT = pathlib.Path(__file__).parents[2]
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list', 'bake')
+# Settings of a technique that a reader is to write
+TO_BE_WRITTEN = 'fog.density'
+SMALL = {
+    'render': '--size 48x36', 'view': '--size 48x36 --frames 1 -q',
+    'profile': '--runs 2 --warmup 0', 'ladder': '--size 48x36 --runs 0',
+    'graph': '', 'diff': '', 'list': '', 'bake': '',
+}
+# Takes minutes even so; test_profile.py measures its experiments.
+LONG = 'profile paper'
+
+
+def examples(text):
+    """Indented lines that begin with the program, joined where they go on."""
+    text = text.replace('\\\n', ' ')
+    for line in re.findall(rf'(?m)^(?: {{4}}|  )(?:build/)?(firn (?:{"|".join(COMMANDS)})\b.*)$',
+                           text):
+        yield re.split(r' {3,}(?=[a-z])|\s+\|', line)[0].strip()
+
+
+def shrink(line):
+    """The same with less work."""
+    command = line.split()[1]
+    line = re.sub(r'--frames (\d+)-\d+', r'--frames \1-\1', line)
+    line = re.sub(r'--sweep size=\S+', '--sweep size=16x16,32x24,48x36', line)
+    line = re.sub(r'--samples \d+', '--samples 2', line)
+    more = SMALL[command]
+    if '--truth' in line:
+        more = '--runs 0 --rungs paper'
+    elif more.startswith('--size'):
+        line = re.sub(r' --size \S+', '', line)
+    elif command == 'profile' and 'size=' not in line:
+        more += ' --size 48x36'
+    if command == 'view':
+        line = re.sub(r'--frames \S+', '', line)
+    before, to, after = line.partition(' > ')
+    return f'{before} {more}{to}{after}'
+
+
+def tetrahedron():
+    """JSON and bytes of a glTF file with one glassy part and one around it."""
+    points = [(-1, -1, -1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]
+    data = b''.join(struct.pack('<3f', *p) for p in points)
+    data += struct.pack('<12H', 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2)
+    mesh = {'attributes': {'POSITION': 0}, 'indices': 1}
+    return {
+        'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0, 1]}],
+        'nodes': [{'mesh': 0}, {'mesh': 1, 'translation': [0, -4, 0], 'scale': [3, 1, 3]}],
+        'meshes': [{'primitives': [{**mesh, 'material': 0}]}, {'primitives': [mesh]}],
+        'materials': [{'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}],
+        'extensionsUsed': ['KHR_materials_transmission'],
+        'accessors': [
+            {'bufferView': 0, 'componentType': 5126, 'count': 4, 'type': 'VEC3',
+             'min': [-1, -1, -1], 'max': [1, 1, 1]},
+            {'bufferView': 1, 'componentType': 5123, 'count': 12, 'type': 'SCALAR'}],
+        'bufferViews': [{'buffer': 0, 'byteLength': 48},
+                        {'buffer': 0, 'byteOffset': 48, 'byteLength': 24}],
+        'buffers': [{'byteLength': 72}],
+    }, data
+
+
+def write_models(folder):
+    model, data = tetrahedron()
+    text = json.dumps(model).encode()
+    text += b' ' * (-len(text) % 4)
+    chunks = struct.pack('<II', len(text), 0x4e4f534a) + text
+    chunks += struct.pack('<II', len(data), 0x004e4942) + data
+    (folder / 'statue.glb').write_bytes(struct.pack('<III', 0x46546c67, 2, 12 + len(chunks)) +
+                                        chunks)
+    model['buffers'][0]['uri'] = ('data:application/octet-stream;base64,' +
+                                  base64.b64encode(data).decode())
+    (folder / 'room.gltf').write_text(json.dumps(model))
+    shutil.copy(ROOT / 'tests/data/truth/cube.obj', folder / 'teapot.obj')
+    (folder / 'studio.hdr').write_bytes(b'#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n' +
+                                        bytes((128, 120, 110, 129)) * 32)
+
+
+class Examples(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.display = {}
+        if not NO_WINDOW:
+            desktop = Desktop()
+            cls.addClassCleanup(desktop.close)
+            cls.display = {'DISPLAY': desktop.env['DISPLAY']}
+
+    def setUp(self):
+        """What the examples read lies there."""
+        super().setUp()
+        write_models(self.folder)
+        layers = '--aov', 'exit,thickness'
+        self.succeed('render', 'sphere', '--size', '48x36', *layers, '-o', 'reference.exr',
+                     '-o', 'before.png')
+        for name in ('a', 'b', 'golden', 'new', 'test'):
+            shutil.copy(self.folder / 'reference.exr', self.folder / f'{name}.exr')
+        shutil.copy(self.folder / 'before.png', self.folder / 'after.png')
+        self.succeed('render', 'sphere', '--size', '16x8', '-o', 'studio.exr')
+        (self.folder / 'shaders').symlink_to(ROOT / 'shaders')
+        (self.folder / 'FOLDER').symlink_to(ROOT / 'shaders')
+
+    def run_all(self, lines):
+        for line in dict.fromkeys(lines):
+            if TO_BE_WRITTEN in line or LONG in line:
+                continue
+            if NO_WINDOW and line.startswith('firn view'):
+                continue
+            with self.subTest(line):
+                small = shrink(line).replace('firn', f'"{Case.program}"', 1)
+                done = subprocess.run(['sh', '-c', small], cwd=self.folder, check=False,
+                                      env=environment({**self.display,
+                                                       'D': str(ROOT / 'tests/data/truth')}),
+                                      stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                      stderr=subprocess.PIPE, timeout=300)
+                # firn profile --baseline says with 1 that something has become slower
+                expected = (0, 1) if '--baseline' in line else (0,)
+                self.assertIn(done.returncode, expected, f'{small}: {done.stderr.decode()}')
+
+    def test_the_docs(self):
+        lines = []
+        for page in (ROOT / 'README.md', *sorted((ROOT / 'docs').glob('*.md'))):
+            lines += examples(page.read_text())
+        self.assertGreater(len(lines), 50)
+        self.run_all(lines)
+
+    def test_the_help(self):
+        lines = list(examples(self.succeed('--help').stdout.decode()))
+        for command in COMMANDS:
+            done = self.firn(command, '--help')
+            if done.returncode == 0:
+                lines += examples(done.stdout.decode())
+        self.assertGreater(len(lines), 20)
+        self.run_all(lines)
+
+
+if __name__ == '__main__':
+    main()
