@@ -36,7 +36,9 @@ struct globals {
     vec3s absorb;             /* how fast the object takes them, 1 / metre */
     uint32_t refract_fresnel; /* REFRACT_FRESNEL_PAPER ... */
     float refract_crossfade;  /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
-    uint32_t refract_steps; /* in which a ray outside is followed; 0: its direction alone counts */
+    uint32_t refract_steps;   /* in which a ray outside is followed; 0: its direction alone counts;
+                             * REFRACT_STEPS_BOX: it ends on this box */
+    vec3s local_min, local_max; /* of the box around the object, world, metres */
 };
 
 #endif

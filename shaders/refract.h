@@ -32,4 +32,7 @@
 #define REFRACT_FRESNEL_EXACT     1 /* Fresnel's equations, in each pixel */
 #define REFRACT_FRESNEL_CROSSFADE 2 /* one share for all */
 
+/* globals.refract_steps: a ray ends on the sides of a box */
+#define REFRACT_STEPS_BOX 0xffffu
+
 #endif

@@ -5,10 +5,11 @@
  * infinitely far away. With steps a ray is followed in the distances that the cube holds: each step
  * takes what the cube shows there for a sphere around its centre, and meets it (after Szirmay-Kalos
  * and others 2005, Approximate Ray-Tracing on the GPU with Distance Impostors). Wrong where one
- * thing hides another from the centre only.
+ * thing hides another from the centre only. In a box a ray ends on its sides: lib/local_cube.glsl.
  */
 #ifndef REFRACT_ENVIRONMENT_GLSL
 #define REFRACT_ENVIRONMENT_GLSL
+#include "lib/local_cube.glsl"
 #include "refract_front.glsl"
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
@@ -32,7 +33,9 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
 vec3 refract_environment(vec3 point, vec3 dir)
 {
     vec3 found = dir;
-    if (choices.y > 0u)
+    if (choices.y == REFRACT_STEPS_BOX)
+        found = local_cube_dir(point, dir, frame.local_min, frame.local_max, frame.center);
+    else if (choices.y > 0u)
         found = refract_cube_dir(point, normalize(dir));
     return texture(env_cube, found).rgb;
 }

@@ -26,6 +26,19 @@ float frame_view_near_plane(const struct scene *scene)
     return diagonal > 0.0f ? diagonal * 1e-3f : 1e-3f;
 }
 
+struct box frame_view_box(const struct scene *scene, const struct settings *settings)
+{
+    const struct local_params *local = settings_of(settings, &local_settings);
+    const float all = fabsf(local->left) + fabsf(local->right) + fabsf(local->bottom) +
+                      fabsf(local->top) + fabsf(local->back) + fabsf(local->front);
+    if (!(all > 0.0f))
+        return scene->around;
+    return (struct box){
+        .min = { { local->left, local->bottom, local->back } },
+        .max = { { local->right, local->top, local->front } },
+    };
+}
+
 struct background_push frame_view_push(const struct frame_view *view)
 {
     const struct camera *camera = &view->camera;
@@ -129,7 +142,18 @@ static void place_refraction(const struct frame_view *view, struct globals *g)
     g->absorb = (vec3s){ { absorb->red, absorb->green, absorb->blue } };
     g->refract_fresnel = refract->fresnel;
     g->refract_crossfade = refract->crossfade;
-    g->refract_steps = refract->lookup == REFRACT_LOOKUP_DISTANCE ? refract->steps : 0;
+    if (refract->lookup == REFRACT_LOOKUP_DISTANCE)
+        g->refract_steps = refract->steps;
+}
+
+static void place_box(const struct frame_view *view, struct globals *g)
+{
+    const struct refract_params *refract = settings_of(view->settings, &refract_settings);
+    const struct box box = frame_view_box(view->scene, view->settings);
+    g->local_min = box.min;
+    g->local_max = box.max;
+    if (refract->lookup == REFRACT_LOOKUP_BOX)
+        g->refract_steps = REFRACT_STEPS_BOX;
 }
 
 struct globals frame_view_globals(const struct frame_view *view, const struct background_push *push)
@@ -162,6 +186,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
     place_lights(view, &g);
     place_bumps(view, &g);
     place_refraction(view, &g);
+    place_box(view, &g);
     return g;
 }
 

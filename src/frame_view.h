@@ -34,6 +34,10 @@ void frame_view_bubbles(const struct frame_view *view, const struct globals *glo
 /* Metres from the eye to the near plane of pictures of a scene; there is no far plane. */
 float frame_view_near_plane(const struct scene *scene);
 
+/* On whose sides rays end with refract.lookup=box: that of the settings, else what lies around the
+ * object. One without room, or inside out, is none. */
+struct box frame_view_box(const struct scene *scene, const struct settings *settings);
+
 /* Depth 0 at the front and 1 at the back of a sphere, as seen along the camera's axis. Guarded
  * where the eye is inside; *fitted gets the near and far plane's distances, metres. */
 mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s center, float radius,

@@ -9,7 +9,7 @@ static const struct setting object_rows[] = {
         .type = SETTING_COUNT,
         .offset = offsetof(struct object_params, triangles),
         .max = GENERATE_TRIANGLES_MAX,
-        .help = "triangles of a built-in object (0: sphere 960, ice-cube 4800, teapot 14400)",
+        .help = "triangles of a built-in object (0: sphere 960, ice 4800, teapot 14400)",
     },
 };
 
@@ -138,3 +138,17 @@ static const struct setting absorb_rows[] = {
 
 const struct setting_group absorb_settings =
     SETTING_GROUP("absorb", absorb_rows, struct absorb_params);
+
+#define LOCAL(field, what) \
+    { \
+        .name = "local." #field, .type = SETTING_FLOAT, \
+        .offset = offsetof(struct local_params, field), .min = -1e6, .max = 1e6, .unit = "metres", \
+        .help = "of refract.lookup=box: " what " of its box (all 0: what the surroundings need)" \
+    }
+
+static const struct setting local_rows[] = {
+    LOCAL(left, "least x"),   LOCAL(right, "greatest x"), LOCAL(bottom, "least y"),
+    LOCAL(top, "greatest y"), LOCAL(back, "least z"),     LOCAL(front, "greatest z"),
+};
+
+const struct setting_group local_settings = SETTING_GROUP("local", local_rows, struct local_params);

@@ -42,7 +42,14 @@ struct absorb_params {
     float red, green, blue; /* 1 / metre */
 };
 
+/* The box of refract.lookup=box, metres, world; all 0: that of the surroundings. */
+struct local_params {
+    float left, right; /* along x */
+    float bottom, top; /* y */
+    float back, front; /* z: the front is nearer to +Z */
+};
+
 extern const struct setting_group object_settings, landscape_settings, sky_settings,
-    motion_settings, light_settings, absorb_settings;
+    motion_settings, light_settings, absorb_settings, local_settings;
 
 #endif

@@ -36,6 +36,7 @@ const struct setting_group *const setting_groups[] = {
     &refract_search_settings,
     &refract_bounce_settings,
     &absorb_settings,
+    &local_settings,
     &reference_settings,
     &air_settings,
     &bubbles_settings,

@@ -1,5 +1,6 @@
 /* scene.c: what the options say of scene and camera. */
 #include "src/app/app.h"
+#include "src/frame_view.h"
 #include "src/log.h"
 #include "src/scene/material.h"
 #include "src/scene_settings.h"
@@ -25,11 +26,22 @@ static void settle_ior(struct app_options *o, const struct model *model)
         settings_put(&o->settings, ior, (double)model->ior);
 }
 
+/* No box is no error: a window's user may be about to say one. */
+static void check_box(const struct app_options *o, const struct scene *scene)
+{
+    const struct refract_params *refract = settings_of(&o->settings, &refract_settings);
+    const struct box box = frame_view_box(scene, &o->settings);
+    const bool is_box = box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
+    if (refract->lookup == REFRACT_LOOKUP_BOX && !is_box)
+        log_warning("refract.lookup=box: there is no box, so all lies infinitely far away; set "
+                    "local.left < right, bottom < top and back < front");
+}
+
 enum status app_need_scene(const struct app_options *o)
 {
     if (o->positionals[0])
         return STATUS_OK;
-    log_error("SCENE is missing: ice-cube, sphere, teapot or a model file (see --help)");
+    log_error("SCENE is missing: ice-cube, sphere, teapot, room or a model file (see --help)");
     return STATUS_USAGE;
 }
 
@@ -63,8 +75,10 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
                    .bubbles = { spheres->count, spheres->seed, spheres->size },
                    .cracks = { cracks->count, cracks->seed, cracks->clip == CRACKS_CLIP_PRECUT },
                });
-    if (status == STATUS_OK)
+    if (status == STATUS_OK) {
         settle_ior(o, &scene->model);
+        check_box(o, scene);
+    }
     return status;
 }
 

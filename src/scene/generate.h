@@ -47,6 +47,13 @@ bool generate_teapot(struct mesh *mesh, uint32_t triangles);
 bool generate_landscape(struct mesh *mesh, uint32_t triangles);
 
 /*
+ * A closed room, 11.7 x 6.3 x 9.9 m, with a table under the object, which stands off its middle.
+ * Walls, floor and ceiling are tiled with coloured lines, a lamp and a window are bright; colours
+ * are what is seen (MESH_UNLIT), with the shadows of furniture.
+ */
+bool generate_room(struct mesh *mesh, struct box object);
+
+/*
  * Coloured balls in a ring around a box, of MESH_MOVES; `count` from 1 to GENERATE_MOVERS_MAX. They
  * stay outside the sphere around the box wherever they turn about its vertical axis.
  */

@@ -25,6 +25,13 @@ const struct scene_builtin scene_builtins[] = {
         .triangles = GENERATE_TEAPOT_TRIANGLES,
         .help = "the Utah teapot, closed",
     },
+    {
+        .name = "room",
+        .generate = generate_ice_cube,
+        .surround = generate_room,
+        .triangles = GENERATE_ICE_CUBE_TRIANGLES,
+        .help = "irregular cube of ice on a table in a closed room",
+    },
     { 0 },
 };
 
@@ -74,6 +81,11 @@ static enum status add_landscape(struct scene *scene, const struct scene_params 
     if (!find_builtin(params->name))
         fit_landscape(&scene->model.surroundings, scene->box);
     return STATUS_OK;
+}
+
+static enum status add_builtin_surroundings(struct scene *scene, const struct scene_builtin *b)
+{
+    return b->surround(&scene->model.surroundings, scene->box) ? STATUS_OK : out_of_memory(b->name);
 }
 
 static enum status add_surroundings(struct scene *scene, const char *path)
@@ -142,11 +154,15 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
     if (status == STATUS_OK)
         status = load_background(scene, params);
     scene->box = mesh_box(&scene->model.object);
+    const struct scene_builtin *builtin = find_builtin(params->name);
     bool bare = !params->surroundings && !scene->model.surroundings.index_count;
     if (status == STATUS_OK && params->surroundings)
         status = add_surroundings(scene, params->surroundings);
+    else if (status == STATUS_OK && builtin && builtin->surround)
+        status = add_builtin_surroundings(scene, builtin);
     else if (status == STATUS_OK && bare && scene->background == SCENE_SKY)
         status = add_landscape(scene, params);
+    scene->around = mesh_box(&scene->model.surroundings);
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
     if (status == STATUS_OK && params->bump && !bump_maps_init(&scene->bump, params->bump))

@@ -24,6 +24,7 @@ struct scene {
     struct environment environment;
     struct bump_maps bump;        /* of the object's surface; {0}: none */
     struct box box;               /* of the object */
+    struct box around;            /* of its surroundings, but for what moves; {0}: there are none */
     struct mesh cracks;           /* in the object's space; may be empty */
     struct mesh air;              /* in the object's space, as are the bubbles; may be empty */
     struct air_layers air_layers; /* on it */
@@ -55,7 +56,8 @@ struct scene_params {
 struct scene_builtin {
     const char *name;
     bool (*generate)(struct mesh *mesh, uint32_t triangles);
-    uint32_t triangles; /* by default */
+    bool (*surround)(struct mesh *mesh, struct box object); /* NULL: the landscape does it */
+    uint32_t triangles;                                     /* of the object, by default */
     const char *help;
 };
 

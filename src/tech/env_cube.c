@@ -7,8 +7,8 @@
  * is near. Faces in Vulkan's order and orientation, which is left-handed: nothing here culls by
  * winding.
  *
- * Limits: what lies near the object is seen from its centre, not from where light leaves it, unless
- * refract.lookup is distance; and then, too, what other things hide from the centre is not there.
+ * Limits: what lies near the object is seen from its centre, not from where light leaves it, if
+ * refract.lookup is infinite; and else, too, what other things hide from the centre is not there.
  */
 #include "src/tech/env_cube.h"
 #include "shaders/embedded.h"

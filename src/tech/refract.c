@@ -36,6 +36,7 @@ static const char *const fresnels[] = {
 static const char *const lookups[] = {
     [REFRACT_LOOKUP_INFINITE] = "infinite",
     [REFRACT_LOOKUP_DISTANCE] = "distance",
+    [REFRACT_LOOKUP_BOX] = "box",
     NULL,
 };
 
@@ -76,9 +77,9 @@ static const struct setting rows[] = {
         .name = "refract.lookup",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct refract_params, lookup),
-        .max = REFRACT_LOOKUP_DISTANCE,
+        .max = REFRACT_LOOKUP_BOX,
         .choices = lookups,
-        .help = "where the environment is seen: infinitely far away, or at its distance",
+        .help = "where the environment is seen: infinitely far away, at its distance, on a box",
     },
     {
         .name = "refract.steps",

@@ -36,6 +36,7 @@ struct refract_params {
 enum refract_lookup {
     REFRACT_LOOKUP_INFINITE, /* as if the surroundings were infinitely far away */
     REFRACT_LOOKUP_DISTANCE, /* a ray is followed to where the environment cube shows them */
+    REFRACT_LOOKUP_BOX,      /* it ends on the sides of the box of local_settings */
 };
 
 /* Refractive index of the air around it (Cg Tutorial; Seipel and Nivfors 2006, eq. 2). */

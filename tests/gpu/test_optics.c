@@ -1,6 +1,6 @@
 /*
- * test_optics.c: lib/optics.glsl and lib/bubble.glsl, run on a device, against vectors worked out
- * elsewhere in double precision (tests/data/oracles.json) and against closed forms.
+ * test_optics.c: lib/optics.glsl, bubble.glsl and local_cube.glsl, run on a device, against vectors
+ * worked out elsewhere in double precision (tests/data/oracles.json) and against closed forms.
  *
  * Vectors: e goes towards the surface, the front normal against it; "inside" and "chord" are those
  * of a ray that enters a unit sphere of ice along -z, x being its impact parameter.
@@ -11,13 +11,16 @@
 
 #include "tests/support/check.h"
 
+#include "src/scene/random.h"
+#include "src/scene/scene.h"
 #include "tests/gpu/shaders/optics.h"
 #include "tests/gpu/test_shaders.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/run_graph.h"
+#include "tests/support/vec.h"
 
-_Static_assert(sizeof(struct optics_question) == 48, "as tight as scalar layout");
-_Static_assert(sizeof(struct optics_answer) == 80, "as tight as scalar layout");
+_Static_assert(sizeof(struct optics_question) == 96, "as tight as scalar layout");
+_Static_assert(sizeof(struct optics_answer) == 92, "as tight as scalar layout");
 
 /* what floats on the device leave of the vectors' digits */
 static const double tolerance = 1e-5;
@@ -25,7 +28,7 @@ static const double tolerance = 1e-5;
 /* ---- asking the shader ---- */
 
 enum {
-    QUESTIONS_MAX = 64,
+    QUESTIONS_MAX = 1024,
 };
 
 struct rg_frame {
@@ -409,6 +412,152 @@ static void gaps(void **state)
     json_decref(oracles);
 }
 
+/* ---- a cube captured in a box ---- */
+
+static void looked_up_in_a_box(void **state)
+{
+    enum {
+        COUNT = 10
+    };
+    struct optics_question asked[COUNT];
+    struct optics_answer got[COUNT];
+    json_t *oracles = load();
+    const json_t *cases = get_cases(oracles, "local_cube", COUNT);
+    for (size_t i = 0; i < COUNT; i++) {
+        const json_t *row = json_array_get(cases, i);
+        asked[i] = (struct optics_question){
+            .e = get_vector(row, "direction"),
+            .point = get_vector(row, "position"),
+            .low = get_vector(row, "box_min"),
+            .high = get_vector(row, "box_max"),
+            .captured = get_vector(row, "capture"),
+        };
+    }
+    ask(*state, asked, got, COUNT);
+    for (size_t i = 0; i < COUNT; i++)
+        check_vector(got[i].local, get_vector(json_array_get(cases, i), "lookup"));
+    json_decref(oracles);
+}
+
+/* Where no box is to be met the direction itself looks it up. */
+static void no_box_to_meet(void **state)
+{
+    const vec3s e = { { 0.6F, 0, -0.8F } };
+    const vec3s low = { { -1, -1, -1 } };
+    const vec3s high = { { 1, 1, 1 } };
+    const vec3s inside = { { 0.5F, 0.25F, 0 } };
+    const vec3s beside = { { 0, 0, 2 } };
+    const vec3s none = { { NAN, 0, 0 } };
+    const struct optics_question asked[] = {
+        { .e = e, .point = beside, .low = low, .high = high },          /* outside, the box ahead */
+        { .e = e, .point = { { 2, 0, 0 } }, .low = low, .high = high }, /* behind: t < 0 */
+        { .e = e, .point = inside, .low = high, .high = low },          /* inside out */
+        { .e = e, .point = inside },                                    /* no box */
+        { .e = e, .point = none, .low = low, .high = high },
+        { .e = { { 0, 0, 0 } }, .point = inside, .low = low, .high = high },
+        { .e = { { 1, 0, 0 } }, .point = high, .low = low, .high = high, .captured = high },
+        { .e = { { 1, 0, -0.0F } }, .point = inside, .low = low, .high = high }, /* this is met */
+        { .e = { { 1, 1e-38F, -1e-42F } }, .point = inside, .low = low, .high = high }, /* too */
+    };
+
+    enum {
+        COUNT = sizeof(asked) / sizeof(asked[0]),
+        MET = 2
+    };
+
+    const vec3s met = { { 1, 0.25F, 0 } };
+    struct optics_answer got[COUNT];
+    ask(*state, asked, got, COUNT);
+    for (size_t i = 0; i < COUNT; i++)
+        check_vector(got[i].local, i < COUNT - MET ? asked[i].e : met);
+}
+
+/* Metres along a ray to a triangle; HUGE_VAL if it passes by. */
+static double way_to_triangle(const struct mesh *mesh, uint32_t first, struct vec from,
+                              struct vec dir)
+{
+    struct vec at[3];
+    for (uint32_t i = 0; i < 3; i++)
+        at[i] = vec_from(mesh->vertices[mesh->indices[first + i]].position);
+    const struct vec u = vec_add(at[1], -1, at[0]);
+    const struct vec v = vec_add(at[2], -1, at[0]);
+    const struct vec across = vec_cross(dir, v);
+    const double determinant = vec_dot(u, across);
+    if (fabs(determinant) < 1e-15)
+        return HUGE_VAL;
+    const struct vec offset = vec_add(from, -1, at[0]);
+    const struct vec other = vec_cross(offset, u);
+    const double a = vec_dot(offset, across) / determinant;
+    const double b = vec_dot(dir, other) / determinant;
+    const double t = vec_dot(v, other) / determinant;
+    return a < -1e-9 || b < -1e-9 || a + b > 1 + 1e-9 || t <= 0 ? HUGE_VAL : t;
+}
+
+/* The nearest point that a ray meets. */
+static struct vec meet(const struct mesh *mesh, struct vec from, struct vec dir)
+{
+    double nearest = HUGE_VAL;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3)
+        nearest = fmin(nearest, way_to_triangle(mesh, i, from, dir));
+    assert_true(nearest < HUGE_VAL); /* the room is closed */
+    return vec_add(from, nearest, dir);
+}
+
+static bool is_on_wall(struct box walls, struct vec point)
+{
+    const double at[3] = { point.x, point.y, point.z };
+    double nearest = HUGE_VAL;
+    for (size_t axis = 0; axis < 3; axis++) {
+        nearest = fmin(nearest, fabs(at[axis] - (double)walls.min.raw[axis]));
+        nearest = fmin(nearest, fabs(at[axis] - (double)walls.max.raw[axis]));
+    }
+    return nearest < 1e-6;
+}
+
+/* From points about the ice the walls of the built-in room are looked up where they are. */
+static void walls_of_the_room(void **state)
+{
+    enum {
+        COUNT = 400
+    };
+    static struct optics_question asked[COUNT];
+    static struct optics_answer got[COUNT];
+    struct scene scene;
+    struct random random = random_begin(7, 0);
+    double worst = 0;
+    double uncorrected = 0;
+    size_t count = 0;
+    assert_int_equal(scene_load(&scene, &(struct scene_params){ .name = "room" }), STATUS_OK);
+    const vec3s center = box_center(scene.box);
+    for (size_t i = 0; i < COUNT; i++) {
+        asked[i] = (struct optics_question){
+            .e = glms_vec3_normalize(random_box(&random)),
+            .point = glms_vec3_muladds(random_box(&random), 0.8F, center),
+            .low = scene.around.min,
+            .high = scene.around.max,
+            .captured = center,
+        };
+    }
+    ask(*state, asked, got, COUNT);
+    for (size_t i = 0; i < COUNT; i++) {
+        const struct vec dir = vec_from(asked[i].e);
+        const struct vec end = meet(&scene.model.surroundings, vec_from(asked[i].point), dir);
+        if (!is_on_wall(scene.around, end))
+            continue;
+        const struct vec right = vec_add(end, -1, vec_from(center));
+        worst = fmax(worst, vec_angle_deg(vec_from(got[i].local), right));
+        uncorrected += vec_angle_deg(dir, right);
+        count++;
+    }
+    assert_true(count > COUNT / 3);
+    uncorrected /= (double)count;
+    print_message("%zu rays: greatest error %.2g degrees; uncorrected %.2g on average\n", count,
+                  worst, uncorrected);
+    assert_true(worst < 2e-5);
+    assert_true(uncorrected > 3);
+    scene_finish(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -419,6 +568,9 @@ int main(void)
         ON_DEVICE(through_a_bubble),
         ON_DEVICE(ends_of_a_bubble),
         ON_DEVICE(gaps),
+        ON_DEVICE(looked_up_in_a_box),
+        ON_DEVICE(no_box_to_meet),
+        ON_DEVICE(walls_of_the_room),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

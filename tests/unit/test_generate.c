@@ -382,6 +382,66 @@ static void test_landscape(void **state)
     mesh_finish(&mesh);
 }
 
+/* Whether a triangle lies in the plane of a coordinate and some of it around a point there. */
+static bool covers(const struct mesh *mesh, uint32_t index, int axis, vec3s point)
+{
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    int left = 0;
+    int right = 0;
+    for (uint32_t k = 0; k < 3; k++) {
+        const vec3s a = corner(mesh, index + k);
+        const vec3s b = corner(mesh, index + (k + 1) % 3);
+        if (fabsf(a.raw[axis] - point.raw[axis]) > 1e-6F)
+            return false;
+        const float side = (b.raw[u] - a.raw[u]) * (point.raw[v] - a.raw[v]) -
+                           (b.raw[v] - a.raw[v]) * (point.raw[u] - a.raw[u]);
+        left += side >= 0;
+        right += side <= 0;
+    }
+    return left == 3 || right == 3;
+}
+
+static bool is_covered(const struct mesh *mesh, int axis, vec3s point)
+{
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        if (covers(mesh, i, axis, point))
+            return true;
+    }
+    return false;
+}
+
+/* Six whole walls; the object lies on the table, off the middle. */
+static void test_room(void **state)
+{
+    (void)state;
+    const struct box object = { { { -0.8F, -0.7F, -0.8F } }, { { 0.8F, 0.7F, 0.8F } } };
+    struct mesh mesh = { 0 };
+    assert_true(generate_room(&mesh, object));
+    const struct box box = mesh_box(&mesh);
+    const vec3s extent = glms_vec3_sub(box.max, box.min);
+    for (int i = 0; i < 600; i++) {
+        const float share = (float)i / 600;
+        vec3s point = glms_vec3_muladds(extent, share, box.min);
+        const int axis = i % 3;
+        point.raw[(axis + 1) % 3] =
+            box.min.raw[(axis + 1) % 3] + extent.raw[(axis + 1) % 3] * fmodf(share * 37, 1);
+        point.raw[axis] = i / 3 % 2 ? box.max.raw[axis] : box.min.raw[axis];
+        assert_true(is_covered(&mesh, axis, point));
+    }
+    for (uint32_t i = 0; i < mesh.vertex_count; i++) {
+        const struct mesh_vertex *v = &mesh.vertices[i];
+        assert_int_equal(v->material, MESH_UNLIT);
+        CHECK_NEAR(glms_vec3_norm(v->normal), 1, 0);
+        assert_true(glms_vec3_isvalid(v->color) && glms_vec3_min(v->color) > 0);
+    }
+    for (uint32_t i = 0; i < mesh.index_count; i += 3)
+        assert_true(glms_vec3_dot(facet(&mesh, i), mesh.vertices[mesh.indices[i]].normal) > 0);
+    assert_true(is_covered(&mesh, 1, object.min));
+    assert_true(glms_vec3_distance(box_center(box), box_center(object)) > 1);
+    mesh_finish(&mesh);
+}
+
 static void test_same_mesh_every_time(void **state)
 {
     (void)state;
@@ -407,6 +467,7 @@ int main(void)
         cmocka_unit_test(test_solids_have_no_walls_inside),
         cmocka_unit_test(test_teapot_looks_like_one),
         cmocka_unit_test(test_landscape),
+        cmocka_unit_test(test_room),
         cmocka_unit_test(test_same_mesh_every_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -121,6 +121,8 @@ static const struct shared shared_structs[] = {
             FIELD(globals, refract_fresnel),
             FIELD(globals, refract_crossfade),
             FIELD(globals, refract_steps),
+            FIELD(globals, local_min),
+            FIELD(globals, local_max),
         },
     },
     {

@@ -1,7 +1,8 @@
-/* optics.comp: asks everything that lib/optics.glsl and lib/bubble.glsl know. */
+/* optics.comp: asks everything that lib/optics.glsl, bubble.glsl and local_cube.glsl know. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/bubble.glsl"
+#include "shaders/lib/local_cube.glsl"
 #include "shaders/lib/optics.glsl"
 #include "tests/gpu/shaders/optics.h"
 
@@ -29,5 +30,6 @@ void main()
     r.composed = optics_compose(r.reflected, r.refracted, r.fresnel);
     r.bubble_transmitted = bubble_transmitted(q.b, q.eta);
     r.bubble_reflected = bubble_reflected(q.b);
+    r.local = local_cube_dir(q.point, q.e, q.low, q.high, q.captured);
     answers[gl_WorkGroupID.x] = r;
 }

@@ -12,6 +12,8 @@ struct optics_question {
     float a;           /* share of the back one in the normal that refracts; 0: front alone */
     float eta;
     float b; /* impact parameter */
+    /* of a ray along e that looks up a cube in a box */
+    vec3s point, low, high, captured;
 };
 
 struct optics_answer {
@@ -24,6 +26,7 @@ struct optics_answer {
     float fresnel;
     vec2s bubble_transmitted, bubble_reflected; /* turns */
     float gap;
+    vec3s local; /* where it looks up the cube */
 };
 
 #endif
