@@ -3,6 +3,7 @@
 Usage: make.py FIRN SHELL OUTPUT   SHELL: bash, zsh or fish
 """
 import pathlib
+import re
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -15,8 +16,8 @@ LISTED = {'rungs': 'rungs', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbox', 'immediate'),
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),
          'overlay': ('on', 'off')}
-FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'html', 'mask', 'truth',
-         'screenshot', 'watch'}
+FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'html', 'mask',
+         'truth', 'screenshot', 'watch'}
 CATEGORIES = (*LISTS, 'devices')
 
 
@@ -117,7 +118,7 @@ def quoted(text):
 
 def zsh(facts):
     def described(text):
-        return text.replace('\\', '\\\\').replace('[', '\\[').replace(']', '\\]').replace(':', '\\:')
+        return re.sub(r'([\\\[\]:])', r'\\\1', text)
 
     text = '#compdef firn\n# made by completions/make.py\n_firn() {\n    local -a commands\n'
     text += '    local context state state_descr line\n    typeset -A opt_args\n    commands=(\n'

@@ -40,11 +40,13 @@ def command_page(firn, name):
         if len(command.groups) > 1:
             text += f'## {group}\n\n'
         text += options_of(options)
-    return text + '# EXAMPLES\n\n' + literal(command.examples) + f'\n# SEE ALSO\n\n*firn*(1), {SEE}\n'
+    text += '# EXAMPLES\n\n' + literal(command.examples)
+    return text + f'\n# SEE ALSO\n\n*firn*(1), {SEE}\n'
 
 
 def settings_page(firn):
-    text = 'firn-settings(1)\n\n# NAME\n\nfirn-settings - what --set NAME=VALUE changes\n\n# SETTINGS\n\n'
+    text = 'firn-settings(1)\n\n# NAME\n\nfirn-settings - what --set NAME=VALUE changes\n\n'
+    text += '# SETTINGS\n\n'
     for name, what in names(firn, 'settings').items():
         text += f'*{plain(name)}*\n\t{plain(what)}\n\n'
     return text + f'# SEE ALSO\n\n*firn*(1), {SEE}\n'

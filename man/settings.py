@@ -9,7 +9,8 @@ from help import names  # noqa: E402
 
 
 def page(firn):
-    text = '# Settings\n\n`--set NAME=VALUE`, of every command that draws; sliders of `firn view`.\n'
+    text = '# Settings\n\n'
+    text += '`--set NAME=VALUE`, of every command that draws; sliders of `firn view`.\n'
     text += 'This page is made by `man/settings.py`.\n'
     group = None
     for name, what in names(firn, 'settings').items():
