@@ -2,7 +2,7 @@
 import re
 import subprocess
 
-COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list')
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'list')
 LISTS = ('scenes', 'rungs', 'materials', 'layers', 'settings')
 
 

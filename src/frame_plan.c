@@ -75,6 +75,8 @@ static void want_all(struct frame_plan *p, const struct frame_request *request)
     }
     if (request->display)
         want(p, &tonemap_color);
+    if (request->cube_back)
+        want(p, &env_cube_color);
     if (request->keep_cube)
         keep(p, &env_cube_color);
     if (request->keep_display)
@@ -121,8 +123,9 @@ static void bring(struct frame_plan *p, const struct frame_request *request)
         .layers = request->air_count,
         .mips = request->air_mips,
     };
-    p->imports[FRAME_IMPORT_CUBE] =
-        (struct rg_import){ .image = &env_cube_color, .access = RG_SAMPLED };
+    p->imports[FRAME_IMPORT_CUBE] = (struct rg_import){ .image = &env_cube_color,
+                                                        .access = RG_SAMPLED,
+                                                        .extent = request->cube };
     p->import_count = makes_cube(request) ? FRAME_IMPORT_CUBE : FRAME_IMPORT_COUNT;
 }
 

@@ -29,12 +29,14 @@ struct frame_request {
     VkExtent2D view;
     uint32_t layers;      /* bit i: frame_layers[i], if it is drawn */
     bool beauty, display; /* the linear picture; the 8-bit one */
+    bool cube_back;       /* bring env_cube_color back; the view is as large as its six faces */
     bool keep_cube;       /* leave env_cube_color ready to be sampled elsewhere */
     bool keep_display;    /* the same of the 8-bit picture */
     enum rg_sharing sharing;
     const struct rg_device *device; /* may be NULL */
     VkExtent2D environment;         /* texels of the picture; 0: none */
     uint32_t environment_mips;
+    VkExtent2D cube; /* of a face of the scene's own cube; 0: none */
     uint32_t texture_size, texture_count, texture_mips; /* of the surroundings; 0: none */
     uint32_t bump_size, bump_mips;                      /* of the ice's surface; 0: none */
     uint32_t air_size, air_count, air_mips;             /* the same of the air's pictures */

@@ -67,6 +67,19 @@ static struct frame_request capture_request(const struct renderer_params *params
     return request;
 }
 
+/* A view as large as the strip of its faces. */
+static struct frame_request bake_request(const struct renderer_params *params)
+{
+    struct frame_request request = {
+        .list = frame_capture(),
+        .view = { params->width, params->height },
+        .cube_back = true,
+        .sharing = params->sharing,
+    };
+    scene_gpu_describe(params->scene, &request);
+    return request;
+}
+
 static struct frame_request resolve_request(const struct renderer_params *params)
 {
     return (struct frame_request){
@@ -115,7 +128,7 @@ static enum status stage_create(struct stage *stage, struct renderer *renderer,
         [FRAME_IMPORT_AIR].image = renderer->scene->air_layers.image,
         [FRAME_IMPORT_CUBE].image = renderer->capture.exec
                                         ? rg_exec_image(renderer->capture.exec, &env_cube_color)
-                                        : VK_NULL_HANDLE,
+                                        : renderer->scene->cube.image,
     };
     request.device = &device;
     const double start = now_ms();
@@ -156,6 +169,14 @@ static void stage_destroy(struct stage *stage)
     frame_plan_finish(&stage->frame);
 }
 
+static enum status upload(struct renderer *r)
+{
+    r->scene = r->params.uploaded ? r->params.uploaded : &r->own;
+    if (r->params.uploaded)
+        return STATUS_OK;
+    return scene_gpu_upload(&r->own, r->params.gpu, r->params.scene);
+}
+
 enum status renderer_create(struct renderer **renderer, const struct renderer_params *params)
 {
     struct renderer *r = calloc(1, sizeof(*r));
@@ -168,10 +189,10 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     r->params = *params;
     r->params.samples = params->samples ? params->samples : 1;
     const double start = now_ms();
-    r->scene = params->uploaded ? params->uploaded : &r->own;
-    status = params->uploaded ? STATUS_OK : scene_gpu_upload(&r->own, params->gpu, params->scene);
+    status = upload(r);
     r->costs.upload = now_ms() - start;
-    if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings))
+    if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings) &&
+        !params->scene->cube.texels)
         status = stage_create(&r->capture, r, capture_request(params));
     if (status == STATUS_OK && params->display && r->params.samples > 1)
         status = stage_create(&r->resolve, r, resolve_request(params));
@@ -430,6 +451,50 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
     }
     if (status != STATUS_OK)
         render_result_finish(result);
+    return status;
+}
+
+static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *image)
+{
+    static const struct frame_layer cube = {
+        .image = &env_cube_color,
+        .planes = { "R", "G", "B", "A" },
+        .half = true,
+        .mean = true,
+    };
+    image_init(image, r->params.width, r->params.height);
+    if (!accumulate_add_planes(image, &cube)) {
+        log_error("out of memory");
+        image_finish(image);
+        return STATUS_TRY_AGAIN;
+    }
+    accumulate_sample(image, &cube, read_back(&r->capture, &env_cube_color, slot), 0);
+    return STATUS_OK;
+}
+
+enum status renderer_bake(const struct renderer_params *params, float time, struct image *image)
+{
+    struct renderer r = { .params = *params };
+    const vec3s center = box_center(params->scene->box);
+    const vec3s ahead = glms_vec3_add(center, (vec3s){ { 0.0f, 0.0f, -1.0f } });
+    const struct renderer_shot shot = {
+        .camera = { .eye = center, .target = ahead, .fov_deg = 90.0f }, /* no face has to do with */
+        .time = time,
+    };
+    uint32_t slot;
+    r.params.width = env_cube_color.width;
+    r.params.height = 6 * env_cube_color.height;
+    enum status status = upload(&r);
+    if (status == STATUS_OK)
+        status = stage_create(&r.capture, &r, bake_request(&r.params));
+    if (status == STATUS_OK)
+        status = run_stage(&r, &r.capture, &shot, renderer_jitter(0), &slot);
+    if (status == STATUS_OK)
+        status = gpu_status(rg_exec_wait(r.capture.exec, slot));
+    if (status == STATUS_OK)
+        status = fetch_cube(&r, slot, image);
+    stage_destroy(&r.capture);
+    scene_gpu_finish(&r.own, params->gpu);
     return status;
 }
 

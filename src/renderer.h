@@ -4,6 +4,7 @@
  *     renderer_create()   uploads the scene, compiles the plan, realises it
  *     renderer_render()   draws all samples and brings the picture back
  *     renderer_draw()     or draws a sample and leaves the picture on the device
+ *     renderer_bake()     or, without all these, what surrounds the object
  *
  * Ownership: gpu, scene (and `uploaded`) and settings are borrowed and outlive the renderer.
  * Errors:    logged once where found; STATUS_NO_DEVICE, STATUS_TRY_AGAIN or STATUS_FAILED.
@@ -67,6 +68,14 @@ MUST_USE enum status renderer_render(struct renderer *renderer, const struct ren
  * at once. For renderers that keep the picture.
  */
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
+
+/*
+ * The environment cube at a time, as environment.h has it: six faces, one below the other, planes
+ * R, G, B, A of half. Only gpu, scene, uploaded, settings and sharing of params count. *image must
+ * be {0}; on failure it is.
+ */
+MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
+                                   struct image *image);
 
 /* Waits for the frame drawn last. */
 MUST_USE enum status renderer_wait(struct renderer *renderer);

@@ -2,6 +2,7 @@
 #include "src/scene_gpu.h"
 #include "src/frame.h"
 #include "src/tech/bump.h"
+#include "src/tech/env_cube.h"
 
 static uint32_t full_chain(uint32_t width, uint32_t height)
 {
@@ -20,6 +21,8 @@ void scene_gpu_describe(const struct scene *scene, struct frame_request *request
         request->environment = (VkExtent2D){ environment->width, environment->height };
         request->environment_mips = full_chain(environment->width, environment->height);
     }
+    if (scene->cube.texels)
+        request->cube = (VkExtent2D){ scene->cube.width, scene->cube.width };
     if (textures->texels) {
         request->texture_size = textures->size;
         request->texture_count = textures->count;
@@ -65,6 +68,24 @@ static enum status upload_environment(struct scene_gpu *on_gpu, struct gpu *gpu,
                                 .mipmaps = real,
                                 .texels = real ? environment->texels : black,
                                 .texels_size = (size_t)width * height * sizeof(black),
+                            });
+}
+
+static enum status upload_cube(struct scene_gpu *on_gpu, struct gpu *gpu,
+                               const struct environment *cube)
+{
+    if (!cube->texels)
+        return STATUS_OK;
+    return gpu_image_create(gpu, &on_gpu->cube,
+                            &(struct gpu_image_params){
+                                .name = env_cube_color.name,
+                                .format = env_cube_color.format,
+                                .width = cube->width,
+                                .height = cube->width,
+                                .layers = 6,
+                                .cube = true,
+                                .texels = cube->texels,
+                                .texels_size = (size_t)cube->width * cube->height * 8,
                             });
 }
 
@@ -141,6 +162,8 @@ enum status scene_gpu_upload(struct scene_gpu *on_gpu, struct gpu *gpu, const st
     if (status == STATUS_OK)
         status = upload_environment(on_gpu, gpu, &scene->environment);
     if (status == STATUS_OK)
+        status = upload_cube(on_gpu, gpu, &scene->cube);
+    if (status == STATUS_OK)
         status = upload_textures(on_gpu, gpu, &scene->model.textures);
     if (status == STATUS_OK)
         status =
@@ -167,6 +190,7 @@ void scene_gpu_finish(struct scene_gpu *on_gpu, struct gpu *gpu)
     gpu_buffer_destroy(gpu, &on_gpu->cracks_vertices);
     gpu_buffer_destroy(gpu, &on_gpu->cracks_indices);
     gpu_image_destroy(gpu, &on_gpu->environment);
+    gpu_image_destroy(gpu, &on_gpu->cube);
     gpu_image_destroy(gpu, &on_gpu->textures);
     gpu_image_destroy(gpu, &on_gpu->bump_map);
     gpu_image_destroy(gpu, &on_gpu->bump_mask);

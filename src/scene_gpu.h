@@ -11,7 +11,8 @@ struct scene_gpu {
     struct gpu_buffer surroundings_vertices, surroundings_indices;
     struct gpu_buffer cracks_vertices, cracks_indices;
     struct gpu_image environment; /* 1x1 if the scene has none */
-    struct gpu_image textures;    /* the same */
+    struct gpu_image cube;        /* {0} if the scene has none */
+    struct gpu_image textures;    /* 1x1 if the scene has none */
     struct gpu_image bump_map;    /* the same */
     struct gpu_image bump_mask;   /* the same */
     struct gpu_buffer air_vertices, air_indices;

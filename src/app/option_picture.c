@@ -25,6 +25,17 @@ enum status option_output(struct app_options *o, const char *value)
     return add_output(o, "output", value);
 }
 
+enum status option_bake_output(struct app_options *o, const char *value)
+{
+    const char *dot = strrchr(value, '.');
+    if (strcmp(value, "-") != 0 && (!dot || strcmp(dot, ".exr") != 0))
+        return option_refuse("output", value, "a name that ends in .exr, or - is wanted");
+    if (o->output_count)
+        return option_refuse("output", value, "only one file can be written");
+    o->outputs[o->output_count++] = value;
+    return STATUS_OK;
+}
+
 enum status option_screenshot(struct app_options *o, const char *value)
 {
     return add_output(o, "screenshot", value);

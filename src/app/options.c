@@ -32,14 +32,17 @@ struct option {
 
 #define FRAMES   (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW)
 #define PICTURES (FRAMES | APP_LADDER)
+#define SCENES   (PICTURES | APP_BAKE)
 #define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW)
-#define DEVICES  (APP_RENDER | APP_PROFILE | APP_VIEW | APP_LADDER)
+#define DEVICES  (APP_RENDER | APP_PROFILE | APP_VIEW | APP_LADDER | APP_BAKE)
 
 static const struct option options[] = {
     { "Output", "output", 'o', "FILE", APP_RENDER, option_output,
       "write FILE.exr or FILE.png, may be repeated; - is an EXR on stdout (firn.exr)" },
     { "Output", "output", 'o', "FILE", APP_LADDER, option_ladder_output,
       "FILE.png: contact sheet, .exr: layers, .svg: plot, .html: page; may be repeated" },
+    { "Output", "output", 'o', "FILE", APP_BAKE, option_bake_output,
+      "write FILE.exr; - is stdout (env.exr)" },
     { "Output", "size", 's', "WxH", FRAMES, option_size, "pixels (1024x768)" },
     { "Output", "size", 's', "WxH", APP_LADDER, option_size, "pixels (512x512)" },
     { "Output", "samples", 'n', "N", FILES | APP_LADDER, option_samples,
@@ -99,13 +102,13 @@ static const struct option options[] = {
       "paper, bounce, reference, ...: firn list rungs (paper)" },
     { "Picture", "material", 'm', "NAME", PICTURES, option_material,
       "ice, water, glass, ... (ice)" },
-    { "Picture", "set", 0, "NAME=VALUE", PICTURES, option_set,
+    { "Picture", "set", 0, "NAME=VALUE", SCENES, option_set,
       "a setting (firn list settings), may be repeated" },
-    { "Scene", "env", 'e', "FILE", PICTURES, option_env,
-      "equirectangular .exr or .hdr around the scene; -Z in its middle" },
-    { "Scene", "surroundings", 0, "FILE", PICTURES, option_surroundings,
+    { "Scene", "env", 'e', "FILE", SCENES, option_env,
+      "equirectangular .exr or .hdr around the scene; or what firn bake made of it" },
+    { "Scene", "surroundings", 0, "FILE", SCENES, option_surroundings,
       "a model around the object" },
-    { "Scene", "background", 0, "R,G,B", PICTURES, option_background,
+    { "Scene", "background", 0, "R,G,B", SCENES, option_background,
       "one linear colour for the sky" },
     { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, option_orbit,
       "degrees, degrees, metres, around the target" },
@@ -119,7 +122,7 @@ static const struct option options[] = {
       "Vulkan validation and synchronization validation" },
     { "Device", "no-cache", 0, NULL, DEVICES, option_no_cache,
       "do not keep compiled pipelines in $XDG_CACHE_HOME/firn" },
-    { "Device", "sharing", 0, "HOW", PICTURES, option_sharing,
+    { "Device", "sharing", 0, "HOW", SCENES, option_sharing,
       "share memory: batches (where it costs none), memory, nothing (batches)" },
     { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, option_mask,
       "only pixels count where its A (of an EXR or PNG) is above 0" },
@@ -141,7 +144,7 @@ static const struct option options[] = {
       "print a page that shows passes and memory" },
     { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER, option_format_json,
       "print JSON, with everything" },
-    { "Other", "quiet", 'q', NULL, PICTURES, option_quiet, "no progress" },
+    { "Other", "quiet", 'q', NULL, SCENES, option_quiet, "no progress" },
 };
 
 enum {
@@ -172,6 +175,8 @@ static const char *const examples[] = {
                     "  firn ladder sphere --size 256x256 -o ladder.html -o ladder.exr\n"
                     "  firn ladder statue.glb --rungs paper,search,bounce --runs 0 --json\n"
                     "  firn ladder ice-cube --furnace\n"),
+    [APP_BAKE] = ("  firn bake room -o env.exr\n"
+                  "  firn render room --env env.exr -o room.png\n"),
     [APP_LIST] = ("  firn list\n"
                   "  firn list settings\n"),
 };
@@ -183,6 +188,7 @@ static const char *const usages[] = {
     [APP_PROFILE] = "firn profile [options] SCENE: measure what each pass of a frame costs",
     [APP_DIFF] = "firn diff [options] REFERENCE TEST: how far two pictures are apart",
     [APP_LADDER] = "firn ladder [options] [SCENE]: how far every rung is from the traced truth",
+    [APP_BAKE] = "firn bake [options] SCENE: draw what surrounds its object, six ways",
     [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
 };
 
@@ -196,11 +202,15 @@ void app_help(enum app_command command)
 {
     const char *group = "";
     printf("%s\n\nExamples:\n%s", usages[command], examples[command]);
-    if (command & PICTURES)
+    if (command & SCENES)
         printf("\nSCENE is ice-cube, sphere, teapot, room, or a model file (.gltf .glb .obj "
                ".ply).\n");
     if (command == APP_PROFILE)
         printf("firn profile paper repeats the measurements of the paper.\n");
+    if (command == APP_BAKE)
+        printf(
+            "\nThe file is a strip of six faces, +X -X +Y -Y +Z -Z from the top, in half: R, G, B "
+            "and\nA = 1 / distance from the object's centre, metres. --env takes it.\n");
     if (command == APP_LADDER)
         printf("\nWithout SCENE it is the ice cube: the smooth object alone, with "
                "refract.fresnel=exact and\n"

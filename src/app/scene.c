@@ -77,6 +77,8 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
                });
     if (status == STATUS_OK) {
         settle_ior(o, &scene->model);
+        if (scene->cube.texels)
+            settings_put(&o->settings, settings_find("env_cube.dynamic"), 0.0);
         check_box(o, scene);
     }
     return status;

@@ -116,6 +116,7 @@ struct gpu_image_params {
     VkFormat format;
     uint32_t width, height;
     uint32_t layers;         /* 0 means 1 */
+    bool cube;               /* of six square layers */
     bool mipmaps;            /* makes the whole chain by halving; needs blit support, queried */
     const void *texels;      /* layers one after another, rows tight, mip 0 only */
     size_t texels_size;      /* bytes; checked against the format */

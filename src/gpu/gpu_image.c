@@ -50,6 +50,11 @@ static uint32_t mip_size(uint32_t size, uint32_t mip)
     return size >> mip ? size >> mip : 1;
 }
 
+static VkImageCreateFlags create_flags(const struct gpu_image_params *params)
+{
+    return params->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
+}
+
 static const char *name_of(const struct gpu_image_params *params)
 {
     return params->name ? params->name : "an image";
@@ -70,7 +75,7 @@ static enum status check_format(const struct gpu *gpu, const struct gpu_image_pa
     if ((has.optimalTilingFeatures & features) == features)
         result = vkGetPhysicalDeviceImageFormatProperties(gpu->physical, params->format,
                                                           VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL,
-                                                          usage, 0, limits);
+                                                          usage, create_flags(params), limits);
     if (result == VK_SUCCESS)
         return STATUS_OK;
     if (result != VK_ERROR_FORMAT_NOT_SUPPORTED)
@@ -104,10 +109,12 @@ static enum status check_size(const struct gpu_image_params *params, const struc
 }
 
 static enum status create(struct gpu *gpu, struct gpu_image *image, VkImageUsageFlags usage,
-                          const char *name)
+                          const struct gpu_image_params *params)
 {
+    const char *name = params->name;
     const VkImageCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+        .flags = create_flags(params),
         .imageType = VK_IMAGE_TYPE_2D,
         .format = image->format,
         .extent = image->extent,
@@ -259,7 +266,7 @@ enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
     if (status == STATUS_OK)
         status = check_size(params, image, &limits);
     if (status == STATUS_OK)
-        status = create(gpu, image, usage, params->name);
+        status = create(gpu, image, usage, params);
     if (status == STATUS_OK)
         status = fill(gpu, image, params);
     if (status != STATUS_OK)

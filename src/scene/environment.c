@@ -1,4 +1,4 @@
-/* environment.c: an equirectangular picture, from file to half floats. */
+/* environment.c: a picture of the surroundings, from file to half floats. */
 #include "src/scene/environment.h"
 #include <math.h>
 #include <stdlib.h>
@@ -27,6 +27,15 @@ static uint16_t to_half(float value)
     return half_from_float(value);
 }
 
+static enum status check_shape(const struct image *image, const char *path)
+{
+    if (image->height <= image->width || image->height == 6 * (uint64_t)image->width)
+        return STATUS_OK;
+    log_error("%s: %u x %u: an equirectangular picture is 2:1, a cube of six faces 1:6", path,
+              image->width, image->height);
+    return STATUS_DATA;
+}
+
 static enum status convert(struct environment *environment, const struct image *image,
                            const char *path)
 {
@@ -36,6 +45,7 @@ static enum status convert(struct environment *environment, const struct image *
         image_find(image, "G"),
         image_find(image, "B"),
     };
+    const float *alpha = image_find(image, "A");
     size_t count = (size_t)image->width * image->height;
     for (size_t c = 0; c < 3; c++) {
         planes[c] = planes[c] ? planes[c] : gray;
@@ -51,10 +61,14 @@ static enum status convert(struct environment *environment, const struct image *
     }
     environment->width = image->width;
     environment->height = image->height;
+    environment->is_cube = image->height > image->width;
     for (size_t i = 0; i < count; i++) {
         for (size_t c = 0; c < 3; c++)
             environment->texels[i * 4 + c] = to_half(planes[c][i]);
-        environment->texels[i * 4 + 3] = half_from_float(1.0f);
+        if (!environment->is_cube)
+            environment->texels[i * 4 + 3] = half_from_float(1.0f);
+        else if (alpha)
+            environment->texels[i * 4 + 3] = to_half(alpha[i]);
     }
     return STATUS_OK;
 }
@@ -64,6 +78,8 @@ enum status environment_load(struct environment *environment, const char *path)
     struct image image = { 0 };
     *environment = (struct environment){ 0 };
     enum status status = read_picture(path, &image);
+    if (status == STATUS_OK)
+        status = check_shape(&image, path);
     if (status == STATUS_OK)
         status = convert(environment, &image, path);
     image_finish(&image);

@@ -104,9 +104,17 @@ static enum status load_background(struct scene *scene, const struct scene_param
         scene->background = SCENE_COLOR;
         scene->background_color = *params->background;
     }
-    if (params->environment) {
+    if (!params->environment)
+        return STATUS_OK;
+    struct environment environment;
+    const enum status status = environment_load(&environment, params->environment);
+    if (status != STATUS_OK)
+        return status;
+    if (environment.is_cube) {
+        scene->cube = environment;
+    } else {
         scene->background = SCENE_ENVIRONMENT;
-        return environment_load(&scene->environment, params->environment);
+        scene->environment = environment;
     }
     return STATUS_OK;
 }
@@ -182,6 +190,7 @@ void scene_finish(struct scene *scene)
 {
     model_finish(&scene->model);
     environment_finish(&scene->environment);
+    environment_finish(&scene->cube);
     bump_maps_finish(&scene->bump);
     mesh_finish(&scene->air);
     free(scene->air_layers.texels);

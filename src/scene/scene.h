@@ -22,6 +22,7 @@ struct scene {
     enum scene_background background;
     vec3s background_color; /* SCENE_COLOR; linear radiance */
     struct environment environment;
+    struct environment cube;      /* in place of what env_cube draws if that is not dynamic */
     struct bump_maps bump;        /* of the object's surface; {0}: none */
     struct box box;               /* of the object */
     struct box around;            /* of its surroundings, but for what moves; {0}: there are none */
@@ -41,7 +42,7 @@ struct scene_cracks {
 struct scene_params {
     const char *name;                /* of a built-in scene, or a model file */
     const char *surroundings;        /* model file; NULL: the landscape, if the sky is there too */
-    const char *environment;         /* picture file; NULL: none */
+    const char *environment;         /* picture file: background, or cube; NULL: none */
     const vec3s *background;         /* NULL: the sky */
     uint32_t object_triangles;       /* of a built-in object; 0: its default */
     uint32_t landscape_triangles;    /* 0: default */

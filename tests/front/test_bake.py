@@ -1,0 +1,150 @@
+"""test_bake.py: what surrounds an object, baked by `firn bake`. Usage: see case.py."""
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import CANT_CREATE, DATA, NO_INPUT, SMALL, USAGE, Case, main  # noqa: E402
+from exr_file import Exr, write_exr  # noqa: E402
+
+SMOOTH = tuple(word for name in ('bump.strength', 'light.count', 'cracks.count', 'air.count',
+                                 'bubbles.count') for word in ('--set', f'{name}=0'))
+MIRROR = (*SMOOTH, '--set', 'refract.fresnel=crossfade', '--set', 'refract.crossfade=0')
+COLOURS = ((1, 0, 0), (0, 1, 1), (0, 1, 0), (1, 0, 1), (0, 0, 1), (1, 1, 0))
+# where the eye stands to see each face in a mirror: +X -X +Y -Y +Z -Z
+ORBITS = ((90, 0), (270, 0), (0, 90), (0, -90), (0, 0), (180, 0))
+
+
+def strip(side, alpha=None):
+    """Six faces of one colour each."""
+    planes = {name: [float(COLOURS[face][c]) for face in range(6) for _ in range(side * side)]
+              for c, name in enumerate('RGB')}
+    if alpha is not None:
+        planes['A'] = [alpha] * (6 * side * side)
+    return write_exr((side, 6 * side), planes)
+
+
+class Bake(Case):
+    def bake(self, *arguments):
+        self.succeed('bake', *arguments, '--validate', '-q', '-o', 'env.exr')
+        return Exr((self.folder / 'env.exr').read_bytes())
+
+    def draw(self, name, *arguments):
+        self.succeed('render', *arguments, '--validate', '-q', '-o', name)
+        return Exr((self.folder / name).read_bytes())
+
+    def planes(self, exr):
+        return exr.read_planes(exr.channels)
+
+    def test_six_faces(self):
+        done = self.succeed('bake', 'room')
+        self.assertEqual(done.stderr, b'env.exr: six faces of 512x512\n')
+        self.assertEqual(done.stdout, b'')
+        exr = Exr((self.folder / 'env.exr').read_bytes())
+        self.assertEqual(exr.size, (512, 3072))
+        self.assertEqual(exr.channels, {name: 'half' for name in 'ABGR'})
+        x, y, z = map(float, exr.text('firn/center').split(','))
+        self.assertLess(max(abs(x), abs(y), abs(z)), 1e-5)
+        self.assertIn('scene=room ', exr.text('firn/settings'))
+        piped = self.succeed('bake', 'room', '-o', '-', '-q')
+        self.assertEqual(piped.stdout, (self.folder / 'env.exr').read_bytes())
+        self.assertEqual(piped.stderr, b'')
+
+    def test_walls_are_as_far_as_they_are(self):
+        """The middles of the faces of a room whose walls are known."""
+        side = 512
+        walls = {0: 7.2, 1: 4.5, 2: 3.6, 4: 6.3, 5: 3.6}  # the table is below
+        alpha = self.planes(self.bake('room'))['A']
+        for face, distance in walls.items():
+            at = face * side * side + side // 2 * side + side // 2
+            self.assertAlmostEqual(alpha[at] * distance, 1, delta=2e-3)
+
+    def test_stands_in_for_what_is_drawn(self):
+        for scene, *arguments in (
+                ('room', '--set', 'refract.lookup=box'),
+                ('room', '--set', 'refract.lookup=distance', '--refraction', 'bounce'),
+                ('ice-cube', '--set', 'frost.amount=0.5', '--set', 'cracks.refract=gap'),
+                ('sphere', '--background', '0.2,0.4,0.6')):
+            with self.subTest(scene=scene, arguments=arguments):
+                around = arguments if '--background' in arguments else ()
+                self.bake(scene, *around)
+                drawn = self.draw('a.exr', scene, *SMALL, *arguments)
+                baked = self.draw('b.exr', scene, *SMALL, *arguments, '--env', 'env.exr')
+                self.assertIn('env_cube.dynamic=off', baked.text('firn/settings'))
+                ours, theirs = self.planes(drawn), self.planes(baked)
+                worst = max(abs(a - b) for name in ours
+                            for a, b in zip(ours[name], theirs[name]))
+                print(f'{scene}: baked and drawn differ by {worst} at most')
+                self.assertEqual(worst, 0)  # halves, stored as they are
+
+    def test_faces_are_where_they_are_told(self):
+        (self.folder / 'faces.exr').write_bytes(strip(4))
+        for colour, (azimuth, elevation) in zip(COLOURS, ORBITS):
+            picture = self.draw('a.exr', 'sphere', '--size', '33x33', '--env', 'faces.exr',
+                                '--background', '0,0,0', '--orbit', f'{azimuth},{elevation},4',
+                                *MIRROR)
+            planes = self.planes(picture)
+            seen = tuple(planes[name][16 * 33 + 16] for name in 'RGB')
+            self.assertEqual(seen, colour)
+
+    def test_background_and_surroundings_stay(self):
+        (self.folder / 'faces.exr').write_bytes(strip(4))
+        plain = self.planes(self.draw('a.exr', 'room', *SMALL, *MIRROR, '--aov', 'exit'))
+        other = self.planes(self.draw('b.exr', 'room', *SMALL, *MIRROR, '--env', 'faces.exr'))
+        changed = 0
+        for i, length in enumerate(zip(*(plane for name, plane in plain.items()
+                                         if name.startswith('exit')))):
+            same = all(plain[name][i] == other[name][i] for name in 'RGB')
+            self.assertTrue(same or any(length))
+            changed += not same
+        self.assertGreater(changed, 300)
+
+    def test_alpha_says_how_far(self):
+        """Without it all is infinitely far away; a near sphere shows other colours."""
+        def draw(lookup, *alpha):
+            (self.folder / 'faces.exr').write_bytes(strip(4, *alpha))
+            return self.planes(self.draw('a.exr', 'sphere', *SMALL, *SMOOTH, '--env', 'faces.exr',
+                                         '--set', f'refract.lookup={lookup}'))
+        far = draw('infinite')
+        self.assertEqual(far, draw('infinite', 0.7))
+        near = draw('distance', 0.7)
+        self.assertNotEqual(far, near)
+        def difference(a, b):
+            return sum(abs(x - y) for x, y in zip(a['R'], b['R'])) / len(a['R'])
+        self.assertLess(difference(far, draw('distance')), 0.01 * difference(far, near))
+
+    def test_plan_imports_it(self):
+        (self.folder / 'faces.exr').write_bytes(strip(4))
+        plan = self.succeed('graph', 'sphere', '--env', 'faces.exr').stdout.decode()
+        self.assertNotIn('env_cube.sky', plan)
+        self.assertIn('env_cube.color', plan)
+
+    def test_bad_strips(self):
+        head = b'#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n'
+        for width, height in ((4, 23), (4, 25), (4, 5), (1, 2)):
+            size = f'-Y {height} +X {width}\n'.encode()
+            (self.folder / 'bad.hdr').write_bytes(head + size + bytes(4 * width * height))
+            self.refuse(DATA, 'render', 'sphere', *SMALL, '-o', 'a.exr', '--env', 'bad.hdr',
+                        names=['bad.hdr', f'{width} x {height}', '1:6'])
+        whole = strip(4)
+        for size in (10, len(whole) // 2, len(whole) - 1):
+            (self.folder / 'cut.exr').write_bytes(whole[:size])
+            self.refuse(DATA, 'render', 'sphere', *SMALL, '-o', 'a.exr', '--env', 'cut.exr',
+                        names=['cut.exr'])
+        (self.folder / 'gray.exr').write_bytes(write_exr((1, 6), {'Z': [1.0] * 6}))
+        self.refuse(DATA, 'render', 'sphere', *SMALL, '-o', 'a.exr', '--env', 'gray.exr',
+                    names=['gray.exr', 'R, G, B'])
+
+    def test_wrong_words(self):
+        (self.folder / 'faces.exr').write_bytes(strip(4))
+        self.refuse(USAGE, 'bake', names=['SCENE'])
+        self.refuse(USAGE, 'bake', 'room', '-o', 'a.png', names=['a.png', '.exr'])
+        self.refuse(USAGE, 'bake', 'room', '-o', 'a.exr', '-o', 'b.exr', names=['b.exr'])
+        self.refuse(USAGE, 'bake', 'room', '--env', 'faces.exr', names=['--env', 'faces.exr'])
+        self.refuse(USAGE, 'bake', 'room', '--size', '64x64', names=['--size'])
+        self.refuse(NO_INPUT, 'bake', 'gone.obj', names=['gone.obj'])
+        self.refuse(CANT_CREATE, 'bake', 'room', '-o', 'gone/a.exr', names=['gone/a.exr'])
+        self.assertEqual([name for name in self.files() if pathlib.Path(name).stem != 'faces'], [])
+
+
+if __name__ == '__main__':
+    main()
