@@ -68,7 +68,8 @@ struct app_options {
     const struct frame_layer *show; /* what PNG files show; NULL: the tonemapped picture */
     const struct rung *rung;
     const char *material, *environment, *surroundings, *device;
-    vec3s background, eye, target, orbit; /* orbit: azimuth, elevation (degrees), distance */
+    vec3s background, eye, target, orbit;   /* orbit: azimuth, elevation (degrees), distance */
+    uint32_t load_seconds, load_memory_gib; /* for one file; 0: as in decode.h */
     bool has_background, has_eye, has_target, has_orbit, has_fov;
     float fov_deg;
     struct settings settings;

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "src/app/app.h"
 #include "src/log.h"
+#include "src/scene/decode.h"
 #include "src/version.h"
 
 static const struct {
@@ -73,6 +74,8 @@ int main(int argc, char **argv)
 {
     struct app_options options;
     bool done;
+    if (decode_is_wanted(argc, argv))
+        return decode_main(argc, argv);
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
     if (argc < 2) {
         log_error("a command is missing: render, view, profile, graph, diff, ladder, bake or list "

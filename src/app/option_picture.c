@@ -143,6 +143,22 @@ enum status option_surroundings(struct app_options *o, const char *value)
     return STATUS_OK;
 }
 
+enum status option_load_seconds(struct app_options *o, const char *value)
+{
+    const char *rest;
+    if (!option_parse_count(value, 1, 3600, &o->load_seconds, &rest) || *rest)
+        return option_refuse("load-seconds", value, "a number from 1 to 3600 is wanted");
+    return STATUS_OK;
+}
+
+enum status option_load_memory(struct app_options *o, const char *value)
+{
+    const char *rest;
+    if (!option_parse_count(value, 1, 1024, &o->load_memory_gib, &rest) || *rest)
+        return option_refuse("load-memory", value, "GiB from 1 to 1024 are wanted");
+    return STATUS_OK;
+}
+
 enum status option_background(struct app_options *o, const char *value)
 {
     o->has_background = option_parse_numbers(value, ',', o->background.raw, 3) &&

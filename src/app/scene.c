@@ -55,6 +55,11 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
     const struct air_params *planes = settings_of(&o->settings, &air_settings);
     const struct bubbles_params *spheres = settings_of(&o->settings, &bubbles_settings);
     const struct cracks_params *cracks = settings_of(&o->settings, &cracks_settings);
+    const struct decode_params decode = {
+        .program = "/proc/self/exe",
+        .seconds = o->load_seconds,
+        .memory_gib = o->load_memory_gib,
+    };
     if (app_need_scene(o) != STATUS_OK)
         return STATUS_USAGE;
     if (!o->width) {
@@ -74,6 +79,7 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
                    .air = { planes->count, planes->seed, planes->size, planes->frequency },
                    .bubbles = { spheres->count, spheres->seed, spheres->size },
                    .cracks = { cracks->count, cracks->seed, cracks->clip == CRACKS_CLIP_PRECUT },
+                   .decode = &decode,
                });
     if (status == STATUS_OK) {
         settle_ior(o, &scene->model);

@@ -53,9 +53,15 @@ static enum status parse(struct model_import *import)
 {
     char has_bad_indices = 0;
     struct aiLogStream watch = { .callback = watch_log, .user = &has_bad_indices };
+    struct aiFileIO files = model_file_io(import);
     aiAttachLogStream(&watch);
-    import->scene = aiImportFile(import->path, 0);
+    import->scene = aiImportFileEx(import->path, 0, &files);
     aiDetachLogStream(&watch);
+    if (import->refused[0]) {
+        log_error("%s: it names %s: what a model names must be within its folder", import->path,
+                  import->refused);
+        return STATUS_DATA;
+    }
     if (!import->scene || !import->scene->mRootNode) {
         log_error("%s: %s", import->path,
                   import->scene ? "there is nothing in it" : aiGetErrorString());

@@ -12,8 +12,8 @@
  * and base colour textures become mesh_vertex.color, .uv and .material; KHR_materials_unlit, and
  * in .obj and .ply files vertex colours without normals or materials, mean MESH_UNLIT; glTF's
  * alphaMode MASK means MESH_CUTOUT. Vertex colours and .mtl's Kd are taken as linear, texture
- * colours as sRGB. KHR_texture_transform and a texture's own way to repeat are ignored. Picture
- * files must lie within the model's folder.
+ * colours as sRGB. KHR_texture_transform and a texture's own way to repeat are ignored. What
+ * files a model names must lie within its folder. decode.h reads models that nobody vouches for.
  *
  * Ownership: model_finish() frees what a model holds; a {0} model is fine.
  * Threads:   one model_load() at a time in a process (assimp's log has no owner)

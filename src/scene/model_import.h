@@ -6,6 +6,7 @@
 #ifndef FIRN_SCENE_MODEL_IMPORT_H
 #define FIRN_SCENE_MODEL_IMPORT_H
 
+#include <assimp/cfileio.h>
 #include <assimp/scene.h>
 #include "src/scene/model.h"
 
@@ -14,6 +15,8 @@ enum {
     MODEL_NODE_MAX = 1 << 22,
     MODEL_ELEMENT_MAX = 1 << 28, /* vertices, and indices, of one part */
     MODEL_TEXTURE_MAX = 4096,
+    MODEL_TEXTURE_SIDE_MAX = 2048,       /* texels */
+    MODEL_TEXTURES_SIZE_MAX = 512 << 20, /* bytes, of all */
 };
 
 struct model_material {
@@ -38,9 +41,19 @@ struct model_import {
     struct model_material *materials; /* scene->mNumMaterials of them */
     struct model_node *nodes;         /* parents first */
     uint32_t node_count;
+    char refused[256]; /* the first file outside the model's folder that it names; "": none */
     bool is_gltf;
     bool is_plain; /* .obj or .ply */
 };
+
+/* Reads files in the model's folder, and notes in *import, which is borrowed, who asks for more. */
+struct aiFileIO model_file_io(struct model_import *import);
+
+/*
+ * In place: glTF names files by URIs, with %20 for a space; others may come from Windows. False if
+ * it leads out of the folder: "../a", "/a", "https://a", and as a URI "file:a".
+ */
+MUST_USE bool model_file_clean(char *name, bool is_uri);
 
 /* Checks all numbers and indices as they came, so that assimp itself may work on them. */
 MUST_USE enum status model_mesh_check(const struct model_import *import);

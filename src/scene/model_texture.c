@@ -11,9 +11,7 @@
 
 enum {
     PICTURE_SIDE_MAX = 16384,
-    LAYER_SIDE_MAX = 2048,
-    LAYERS_SIZE_MAX = 512 << 20, /* bytes */
-    FILE_SIZE_MAX = 256 << 20,   /* bytes */
+    FILE_SIZE_MAX = 256 << 20, /* bytes */
     CHANNELS = 4,
 };
 
@@ -164,9 +162,9 @@ fail:
 static uint32_t layer_side(uint32_t side_max, uint32_t count)
 {
     uint32_t side = 1;
-    while (side < side_max && side < LAYER_SIDE_MAX)
+    while (side < side_max && side < MODEL_TEXTURE_SIDE_MAX)
         side *= 2;
-    while (side > 1 && (uint64_t)side * side * CHANNELS * count > LAYERS_SIZE_MAX)
+    while (side > 1 && (uint64_t)side * side * CHANNELS * count > MODEL_TEXTURES_SIZE_MAX)
         side /= 2;
     return side;
 }
@@ -223,42 +221,6 @@ static const struct aiTexture *find_embedded(const struct aiScene *scene, const 
     return NULL;
 }
 
-static int hex_digit(char c)
-{
-    const char *digits = "0123456789abcdef";
-    const char *found = c ? strchr(digits, c | 0x20) : NULL;
-    return found ? (int)(found - digits) : -1;
-}
-
-/* In place: glTF names files by URIs, with %20 for a space; others may come from Windows. */
-static void clean_name(char *name, bool is_uri)
-{
-    char *to = name;
-    for (const char *from = name; *from; from++) {
-        int high = is_uri && *from == '%' ? hex_digit(from[1]) : -1;
-        int low = high >= 0 ? hex_digit(from[2]) : -1;
-        char c = *from;
-        if (low >= 0) {
-            c = (char)(high * 16 + low);
-            from += 2;
-        }
-        *to++ = (char)(c == '\\' ? '/' : c);
-    }
-    *to = '\0';
-}
-
-static bool leads_outside(const char *name)
-{
-    if (name[0] == '/' || strstr(name, "://"))
-        return true;
-    for (const char *part = name; part; part = strchr(part, '/')) {
-        part += *part == '/';
-        if (strncmp(part, "..", 2) == 0 && (part[2] == '/' || part[2] == '\0'))
-            return true;
-    }
-    return false;
-}
-
 static char *join_path(const char *model, const char *name)
 {
     const char *slash = strrchr(model, '/');
@@ -284,8 +246,7 @@ static enum status find_source(const struct model_import *import, const struct a
     };
     if (source->embedded)
         return STATUS_OK;
-    clean_name(name.data, import->is_gltf);
-    if (leads_outside(name.data)) {
+    if (!model_file_clean(name.data, import->is_gltf)) {
         log_error("%s: texture %s: it must be within the model's folder", import->path, name.data);
         return STATUS_DATA;
     }

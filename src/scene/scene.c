@@ -54,7 +54,7 @@ static enum status load_object(struct scene *scene, const struct scene_params *p
 {
     const struct scene_builtin *builtin = find_builtin(params->name);
     if (!builtin)
-        return model_load(&scene->model, params->name, MODEL_OBJECT);
+        return decode_model(&scene->model, params->name, MODEL_OBJECT, params->decode);
     uint32_t triangles = params->object_triangles ? params->object_triangles : builtin->triangles;
     if (!builtin->generate(&scene->model.object, triangles))
         return out_of_memory(builtin->name);
@@ -88,10 +88,11 @@ static enum status add_builtin_surroundings(struct scene *scene, const struct sc
     return b->surround(&scene->model.surroundings, scene->box) ? STATUS_OK : out_of_memory(b->name);
 }
 
-static enum status add_surroundings(struct scene *scene, const char *path)
+static enum status add_surroundings(struct scene *scene, const struct scene_params *params)
 {
     struct model model = { 0 };
-    enum status status = model_load(&model, path, MODEL_SURROUNDINGS);
+    enum status status =
+        decode_model(&model, params->surroundings, MODEL_SURROUNDINGS, params->decode);
     if (status == STATUS_OK)
         status = model_add_surroundings(&scene->model, &model);
     model_finish(&model);
@@ -107,7 +108,8 @@ static enum status load_background(struct scene *scene, const struct scene_param
     if (!params->environment)
         return STATUS_OK;
     struct environment environment;
-    const enum status status = environment_load(&environment, params->environment);
+    const enum status status =
+        decode_environment(&environment, params->environment, params->decode);
     if (status != STATUS_OK)
         return status;
     if (environment.is_cube) {
@@ -165,7 +167,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
     const struct scene_builtin *builtin = find_builtin(params->name);
     bool bare = !params->surroundings && !scene->model.surroundings.index_count;
     if (status == STATUS_OK && params->surroundings)
-        status = add_surroundings(scene, params->surroundings);
+        status = add_surroundings(scene, params);
     else if (status == STATUS_OK && builtin && builtin->surround)
         status = add_builtin_surroundings(scene, builtin);
     else if (status == STATUS_OK && bare && scene->background == SCENE_SKY)

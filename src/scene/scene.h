@@ -7,6 +7,7 @@
 #define FIRN_SCENE_SCENE_H
 
 #include "src/scene/bump_maps.h"
+#include "src/scene/decode.h"
 #include "src/scene/environment.h"
 #include "src/scene/generate.h"
 #include "src/scene/model.h"
@@ -51,6 +52,7 @@ struct scene_params {
     struct generate_bubbles bubbles; /* the same */
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
     struct scene_cracks cracks;
+    const struct decode_params *decode; /* who reads the files; NULL: this process */
 };
 
 /* A scene known by name. */

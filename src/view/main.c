@@ -1,11 +1,14 @@
 /* main.c: firn-view [options] SCENE; what `firn view` starts. */
 #include <signal.h>
+#include "src/scene/decode.h"
 #include "src/view/view.h"
 
 int main(int argc, char **argv)
 {
     struct app_options options;
     bool done;
+    if (decode_is_wanted(argc, argv))
+        return decode_main(argc, argv);
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);
     if (status == STATUS_OK && !done)

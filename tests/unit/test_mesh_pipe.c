@@ -1,0 +1,253 @@
+/* test_mesh_pipe.c: what goes through comes out the same, and nothing else does. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/scene/mesh_pipe.h"
+#include "tests/support/check.h"
+
+enum {
+    STREAM_SIZE = 4096,
+    /* where things are in the stream of make_model() */
+    FLAGS_AT = 4,
+    COUNTS_AT = 8, /* vertices, indices; of the surroundings, too */
+    TEXTURE_SIZE_AT = 24,
+    TEXTURE_COUNT_AT = 28,
+    CAMERA_AT = 32, /* eye, target, up, angle */
+    IOR_AT = 72,
+    VERTICES_AT = 76,
+    VERTEX_SIZE = 48,
+    INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
+};
+
+struct stream {
+    unsigned char bytes[STREAM_SIZE];
+    size_t size, at;
+};
+
+static bool write_stream(void *user, const void *bytes, size_t size)
+{
+    struct stream *stream = user;
+    if (size > STREAM_SIZE - stream->size)
+        return false;
+    memcpy(stream->bytes + stream->size, bytes, size);
+    stream->size += size;
+    return true;
+}
+
+static bool read_stream(void *user, void *bytes, size_t size)
+{
+    struct stream *stream = user;
+    if (size > stream->size - stream->at)
+        return false;
+    memcpy(bytes, stream->bytes + stream->at, size);
+    stream->at += size;
+    return true;
+}
+
+static struct mesh make_square(uint32_t material)
+{
+    static const uint32_t corners[6] = { 0, 1, 2, 0, 2, 3 };
+    struct mesh mesh;
+    assert_true(mesh_init(&mesh, 4, 6));
+    memcpy(mesh.indices, corners, sizeof(corners));
+    for (uint32_t i = 0; i < 4; i++) {
+        mesh.vertices[i] = (struct mesh_vertex){
+            .position = { { (float)(i % 2), (float)(i > 1), 0 } },
+            .normal = { { 0, 0, 1 } },
+            .color = { { 0.25F, 0.5F, 4 } },
+            .uv = { { 3, -1 } },
+            .material = material,
+        };
+    }
+    return mesh;
+}
+
+static struct model make_model(void)
+{
+    struct model model = {
+        .object = make_square(MESH_UNLIT),
+        .surroundings = make_square(MESH_CUTOUT | 2),
+        .textures = { .texels = malloc(32), .size = 2, .count = 2 },
+        .camera = { .eye = { { 1, 2, 3 } }, .up = { { 0, 1, 0 } }, .fov_deg = 40 },
+        .ior = 1.5F,
+        .has_camera = true,
+        .has_ior = true,
+    };
+    assert_non_null(model.textures.texels);
+    for (uint8_t i = 0; i < 32; i++)
+        model.textures.texels[i] = i;
+    return model;
+}
+
+static struct stream make_stream(void)
+{
+    struct stream stream = { .size = 0 };
+    struct model model = make_model();
+    assert_true(mesh_pipe_write_model(&(struct mesh_pipe_sink){ write_stream, &stream }, &model));
+    model_finish(&model);
+    return stream;
+}
+
+static enum mesh_pipe_fault read_model(struct stream *stream, struct model *model)
+{
+    const struct mesh_pipe_source source = { read_stream, stream, STREAM_SIZE };
+    return mesh_pipe_read_model(&source, model);
+}
+
+static void check_mesh(const struct mesh *mesh, const struct mesh *wanted)
+{
+    assert_int_equal(mesh->vertex_count, wanted->vertex_count);
+    assert_int_equal(mesh->index_count, wanted->index_count);
+    assert_memory_equal(mesh->vertices, wanted->vertices,
+                        mesh->vertex_count * sizeof(*mesh->vertices));
+    assert_memory_equal(mesh->indices, wanted->indices, mesh->index_count * sizeof(uint32_t));
+}
+
+static void model_comes_through(void **state)
+{
+    (void)state;
+    struct stream stream = make_stream();
+    struct model wanted = make_model(), model;
+    assert_int_equal(read_model(&stream, &model), MESH_PIPE_OK);
+    assert_int_equal(stream.at, stream.size);
+    check_mesh(&model.object, &wanted.object);
+    check_mesh(&model.surroundings, &wanted.surroundings);
+    assert_int_equal(model.textures.size, 2);
+    assert_int_equal(model.textures.count, 2);
+    assert_memory_equal(model.textures.texels, wanted.textures.texels, 32);
+    assert_memory_equal(&model.camera, &wanted.camera, sizeof(wanted.camera));
+    CHECK_NEAR(model.ior, 1.5, 1e-6);
+    assert_true(model.has_camera && model.has_ior);
+    model_finish(&model);
+    model_finish(&wanted);
+}
+
+/* With `size` bytes at `at` replaced it is refused so, and nothing is left of it. */
+static void refuse(size_t at, const void *bytes, size_t size, enum mesh_pipe_fault wanted)
+{
+    const struct model nothing = { 0 };
+    struct stream stream = make_stream();
+    struct model model;
+    memset(&model, 0xff, sizeof(model));
+    memcpy(stream.bytes + at, bytes, size);
+    const enum mesh_pipe_fault fault = read_model(&stream, &model);
+    if (fault != wanted)
+        fail_msg("at %zu: %s, not %s", at, mesh_pipe_words(fault), mesh_pipe_words(wanted));
+    assert_memory_equal(&model, &nothing, sizeof(model));
+}
+
+static void refuse_word(size_t at, uint32_t word, enum mesh_pipe_fault wanted)
+{
+    refuse(at, &word, sizeof(word), wanted);
+}
+
+static void refuse_number(size_t at, float number, enum mesh_pipe_fault wanted)
+{
+    refuse(at, &number, sizeof(number), wanted);
+}
+
+static void heads_are_checked(void **state)
+{
+    (void)state;
+    refuse_word(0, 0x464c457f, MESH_PIPE_HEAD);
+    refuse_word(FLAGS_AT, 4, MESH_PIPE_CAMERA);
+    for (size_t i = 0; i < 4; i++) {
+        refuse_word(COUNTS_AT + 4 * i, UINT32_MAX, MESH_PIPE_SIZE);
+        refuse_word(COUNTS_AT + 4 * i, 0, MESH_PIPE_SIZE);
+        refuse_word(COUNTS_AT + 4 * i, 1u << 28, MESH_PIPE_SIZE);
+    }
+    refuse_word(COUNTS_AT + 4, 5, MESH_PIPE_SIZE);
+    refuse_word(TEXTURE_SIZE_AT, 3, MESH_PIPE_SIZE);
+    refuse_word(TEXTURE_SIZE_AT, 0, MESH_PIPE_SIZE);
+    refuse_word(TEXTURE_SIZE_AT, 4096, MESH_PIPE_SIZE);
+    refuse_word(TEXTURE_SIZE_AT, 2048, MESH_PIPE_SIZE);
+    refuse_word(TEXTURE_COUNT_AT, 0, MESH_PIPE_SIZE);
+    refuse_word(TEXTURE_COUNT_AT, 4097, MESH_PIPE_SIZE);
+}
+
+static void cameras_are_checked(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < 10; i++) {
+        refuse_number(CAMERA_AT + 4 * i, NAN, MESH_PIPE_CAMERA);
+        refuse_number(CAMERA_AT + 4 * i, INFINITY, MESH_PIPE_CAMERA);
+    }
+    refuse_number(CAMERA_AT + 36, 180, MESH_PIPE_CAMERA);
+    refuse_number(CAMERA_AT + 36, 0, MESH_PIPE_CAMERA);
+    refuse(CAMERA_AT, &(vec3s){ { 0, 0, 0 } }, sizeof(vec3s), MESH_PIPE_CAMERA);
+    refuse_number(IOR_AT, NAN, MESH_PIPE_CAMERA);
+    refuse_number(IOR_AT, 0.9F, MESH_PIPE_CAMERA);
+}
+
+static void vertices_are_checked(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < 11; i++) { /* all but the material */
+        refuse_number(VERTICES_AT + 3 * VERTEX_SIZE + 4 * i, NAN, MESH_PIPE_NUMBER);
+        refuse_number(VERTICES_AT + 3 * VERTEX_SIZE + 4 * i, -INFINITY, MESH_PIPE_NUMBER);
+    }
+    refuse_number(VERTICES_AT, 1.1e6F, MESH_PIPE_NUMBER);
+    refuse_number(VERTICES_AT + 12, 3, MESH_PIPE_NUMBER);
+    refuse_word(VERTICES_AT + 44, MESH_UNLIT | 3, MESH_PIPE_MATERIAL); /* of two textures */
+    refuse_word(VERTICES_AT + 44, MESH_UNLIT | MESH_MOVES, MESH_PIPE_MATERIAL);
+    refuse_word(VERTICES_AT + 44, 1u << 31, MESH_PIPE_MATERIAL);
+    refuse_word(VERTICES_AT + 44, 0, MESH_PIPE_MATERIAL); /* not as its triangle's others */
+    for (size_t i = 0; i < 6; i++) {
+        refuse_word(INDICES_AT + 4 * i, 4, MESH_PIPE_INDEX);
+        refuse_word(INDICES_AT + 4 * i, UINT32_MAX, MESH_PIPE_INDEX);
+    }
+}
+
+static void every_length_but_one_is_short(void **state)
+{
+    (void)state;
+    struct stream stream = make_stream();
+    const size_t size = stream.size;
+    struct model model;
+    for (stream.size = 0; stream.size < size; stream.size++) {
+        stream.at = 0;
+        assert_int_equal(read_model(&stream, &model), MESH_PIPE_SHORT);
+    }
+    refuse_word(size - 4, 0, MESH_PIPE_END);
+}
+
+static void environments(void **state)
+{
+    (void)state;
+    uint16_t texels[8] = { 0, 0x7bff, 1, 0x3c00, 0x3800, 0, 0, 0x3c00 };
+    static const uint16_t bad[] = { 0x7c00, 0x7e00, 0x8000, 0xbc00 }; /* infinity, NaN, -0, -1 */
+    struct environment environment = { .texels = texels, .width = 2, .height = 1 }, found;
+    struct stream stream = { .size = 0 };
+    const struct mesh_pipe_source source = { read_stream, &stream, 16 };
+    const struct mesh_pipe_sink sink = { write_stream, &stream };
+    assert_true(mesh_pipe_write_environment(&sink, &environment));
+    assert_int_equal(mesh_pipe_read_environment(&source, &found), MESH_PIPE_OK);
+    assert_int_equal(found.width, 2);
+    assert_int_equal(found.height, 1);
+    assert_memory_equal(found.texels, texels, sizeof(texels));
+    environment_finish(&found);
+    for (size_t i = 0; i < 8 * sizeof(bad) / sizeof(bad[0]); i++) {
+        struct stream copy = stream;
+        const struct mesh_pipe_source other = { read_stream, &copy, 16 };
+        const size_t at = i % 8;
+        copy.at = 0;
+        memcpy(copy.bytes + 12 + 2 * at, &bad[i / 8], sizeof(bad[0]));
+        assert_int_equal(mesh_pipe_read_environment(&other, &found), MESH_PIPE_TEXEL);
+        assert_null(found.texels);
+    }
+    stream.at = 0;
+    const struct mesh_pipe_source narrow = { read_stream, &stream, 15 };
+    assert_int_equal(mesh_pipe_read_environment(&narrow, &found), MESH_PIPE_SIZE);
+    stream = make_stream();
+    assert_int_equal(mesh_pipe_read_environment(&source, &found), MESH_PIPE_HEAD);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(model_comes_through), cmocka_unit_test(heads_are_checked),
+        cmocka_unit_test(cameras_are_checked), cmocka_unit_test(vertices_are_checked),
+        cmocka_unit_test(environments),        cmocka_unit_test(every_length_but_one_is_short),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
