@@ -105,23 +105,29 @@ static void flush_file(struct aiFile *file)
     (void)file;
 }
 
+/* Whether it is a file that the model may name; if not, notes it. */
 static bool is_allowed(struct model_import *import, const char *path)
 {
+    struct stat info;
     char *name = local_name(import, path);
-    const bool is_inside = name && model_file_clean(name, import->is_gltf);
-    free(name);
-    if (!is_inside && import->refused[0] == '\0')
+    if (!name)
+        return false;
+    /* of a file that is not there assimp asks again, with a slash or the folder before it */
+    const bool again = import->misses_file && name[0] == '/';
+    const bool is_inside = !again && model_file_clean(name, import->is_gltf);
+    if (!again && !is_inside && import->refused[0] == '\0')
         snprintf(import->refused, sizeof(import->refused), "%s", path);
-    return is_inside;
+    free(name);
+    /* asked before it is opened: to open a pipe would wait for its other end */
+    const bool is_there = is_inside && stat(path, &info) == 0 && S_ISREG(info.st_mode);
+    import->misses_file = import->misses_file || (is_inside && !is_there);
+    return is_there;
 }
 
 static struct aiFile *open_file(struct aiFileIO *io, const char *path, const char *mode)
 {
     struct model_import *import = (struct model_import *)io->UserData;
-    struct stat info;
-    /* asked first: to open a pipe would wait for its other end */
-    if (mode[0] != 'r' || !is_allowed(import, path) || stat(path, &info) != 0 ||
-        !S_ISREG(info.st_mode))
+    if (mode[0] != 'r' || !is_allowed(import, path))
         return NULL;
     struct aiFile *file = malloc(sizeof(*file));
     FILE *opened = file ? fopen(path, "rb") : NULL;

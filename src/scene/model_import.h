@@ -42,6 +42,7 @@ struct model_import {
     struct model_node *nodes;         /* parents first */
     uint32_t node_count;
     char refused[256]; /* the first file outside the model's folder that it names; "": none */
+    bool misses_file;  /* one that it names is not there */
     bool is_gltf;
     bool is_plain; /* .obj or .ply */
 };

@@ -44,6 +44,12 @@ static bool is_finite(struct aiVector3D v)
     return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
 }
 
+static const struct model_material *material_of(const struct model_import *import,
+                                                const struct aiMesh *mesh)
+{
+    return &import->materials[mesh->mMaterialIndex];
+}
+
 static enum status check_vertices(const struct model_import *import, uint32_t index)
 {
     const struct aiMesh *mesh = import->scene->mMeshes[index];
@@ -72,6 +78,12 @@ enum status model_mesh_check(const struct model_import *import)
                       mesh->mName.data, mesh->mMaterialIndex);
             return STATUS_DATA;
         }
+        vec3s color = material_of(import, mesh)->color;
+        if (!isfinite(color.x) || !isfinite(color.y) || !isfinite(color.z)) {
+            log_error("%s: mesh %u \"%s\": its material's colour is not finite", import->path,
+                      index, mesh->mName.data);
+            return STATUS_DATA;
+        }
         for (uint32_t i = 0; i < mesh->mNumFaces; i++) {
             for (uint32_t k = 0; k < mesh->mFaces[i].mNumIndices; k++) {
                 if (mesh->mFaces[i].mIndices[k] < mesh->mNumVertices)
@@ -85,12 +97,6 @@ enum status model_mesh_check(const struct model_import *import)
             return status;
     }
     return STATUS_OK;
-}
-
-static const struct model_material *material_of(const struct model_import *import,
-                                                const struct aiMesh *mesh)
-{
-    return &import->materials[mesh->mMaterialIndex];
 }
 
 static uint32_t triangle_count(const struct aiMesh *mesh)
