@@ -276,8 +276,7 @@ static enum mesh_pipe_fault read_texels(const struct mesh_pipe_source *source,
     enum mesh_pipe_fault fault = read_bytes(source, environment->texels, size);
     for (size_t i = 0; fault == MESH_PIPE_OK && i < size / sizeof(uint16_t); i += 4) {
         const uint16_t *texel = &environment->texels[i];
-        const bool has_alpha =
-            environment->is_cube ? texel[3] <= HALF_MAX : texel[3] == HALF_ONE;
+        const bool has_alpha = environment->is_cube ? texel[3] <= HALF_MAX : texel[3] == HALF_ONE;
         if (texel[0] > HALF_MAX || texel[1] > HALF_MAX || texel[2] > HALF_MAX || !has_alpha)
             fault = MESH_PIPE_TEXEL;
     }
