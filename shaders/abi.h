@@ -10,15 +10,17 @@
 
 #ifdef GL_core_profile
 #extension GL_EXT_scalar_block_layout : require
-#define vec2s    vec2
-#define vec3s    vec3
-#define vec4s    vec4
-#define mat4s    mat4
-#define uint32_t uint
+#define vec2s            vec2
+#define vec3s            vec3
+#define vec4s            vec4
+#define mat4s            mat4
+#define uint32_t         uint
+#define ABI_STRUCT(name) name /* a member that is a struct */
 #else
 #include <stdint.h>
 
 #include <cglm/struct.h>
+#define ABI_STRUCT(name) struct name
 #endif
 
 #endif

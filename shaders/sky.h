@@ -32,14 +32,19 @@ ABI_FUNCTION vec3s sky_seen(vec3s dir, vec3s sun_dir, float sun_strength)
     return glms_vec3_add(sky_gradient(dir), sun);
 }
 
-/* Light reflected by a matt white surface: sun without shadow, and sky from above and below. */
-ABI_FUNCTION vec3s sky_reflected(vec3s normal, vec3s sun_dir, float sun_strength)
+/* Light of the sky on a matt white surface, from above and below. */
+ABI_FUNCTION vec3s sky_diffuse(vec3s normal)
 {
     vec3s below = ABI_VEC3(0.20f, 0.19f, 0.18f);
     vec3s above = ABI_VEC3(0.42f, 0.50f, 0.62f);
-    vec3s ambient = glms_vec3_lerp(below, above, 0.5f + 0.5f * normal.y);
+    return glms_vec3_lerp(below, above, 0.5f + 0.5f * normal.y);
+}
+
+/* Light reflected by a matt white surface: sun without shadow, and sky from above and below. */
+ABI_FUNCTION vec3s sky_reflected(vec3s normal, vec3s sun_dir, float sun_strength)
+{
     float sun = fmaxf(0.0f, glms_vec3_dot(normal, sun_dir)) * sun_strength;
-    return glms_vec3_add(ambient, glms_vec3_scale(SKY_SUN_COLOR, sun));
+    return glms_vec3_add(sky_diffuse(normal), glms_vec3_scale(SKY_SUN_COLOR, sun));
 }
 
 #endif

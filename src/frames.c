@@ -28,6 +28,7 @@
 #include "src/tech/resolve.h"
 #include "src/tech/surface.h"
 #include "src/tech/tonemap.h"
+#include "src/tech/water.h"
 
 const struct rung frame_rungs[] = {
     { "paper", &refract_paper, &refract_paper_bumped }, /* the first is the default */
@@ -90,11 +91,20 @@ bool frame_reads_bump_maps(const struct settings *settings)
     return is_bumped(settings) || is_frosted(settings);
 }
 
+/* No object, and so nothing of the ice. */
+static struct frame_list frame_of_pool(const struct settings *settings)
+{
+    (void)settings;
+    return (struct frame_list){ { &background, &gbuffer, &water, &tonemap } };
+}
+
 struct frame_list frame_with(const struct rung *rung, const struct settings *settings)
 {
     const struct air_params *planes = settings_of(settings, &air_settings);
     const struct bubbles_params *spheres = settings_of(settings, &bubbles_settings);
     struct frame_list list = { { 0 } };
+    if (water_is_on(settings))
+        return frame_of_pool(settings);
     if (frame_cube_is_dynamic(settings))
         add(&list, &env_cube);
     add(&list, &background);

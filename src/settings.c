@@ -22,6 +22,7 @@
 #include "src/tech/refract_search.h"
 #include "src/tech/surface.h"
 #include "src/tech/tonemap.h"
+#include "src/tech/water.h"
 
 const struct setting_group *const setting_groups[] = {
     &object_settings,
@@ -45,6 +46,8 @@ const struct setting_group *const setting_groups[] = {
     &bump_settings,
     &surface_settings,
     &frost_settings,
+    &pool_settings,
+    &water_settings,
     &tonemap_settings,
     NULL,
 };

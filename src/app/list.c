@@ -10,8 +10,12 @@
 
 static enum status list_scenes(void)
 {
-    for (const struct scene_builtin *b = scene_builtins; b->name; b++)
-        printf("  %-14s %s, %u triangles\n", b->name, b->help, b->triangles);
+    for (const struct scene_builtin *b = scene_builtins; b->name; b++) {
+        printf("  %-14s %s", b->name, b->help);
+        if (b->triangles)
+            printf(", %u triangles", b->triangles);
+        printf("\n");
+    }
     printf("  %-14s %s\n", "FILE", "a model: .gltf, .glb, .obj, .ply");
     return STATUS_OK;
 }

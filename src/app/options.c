@@ -206,7 +206,7 @@ void app_help(enum app_command command)
     const char *group = "";
     printf("%s\n\nExamples:\n%s", usages[command], examples[command]);
     if (command & SCENES)
-        printf("\nSCENE is ice-cube, sphere, teapot, room, or a model file (.gltf .glb .obj "
+        printf("\nSCENE is ice-cube, sphere, teapot, room, pool, or a model file (.gltf .glb .obj "
                ".ply).\n");
     if (command == APP_PROFILE)
         printf("firn profile paper repeats the measurements of the paper.\n");

@@ -9,6 +9,7 @@
 #include "src/tech/bump.h"
 #include "src/tech/cracks.h"
 #include "src/tech/refract.h"
+#include "src/tech/water.h"
 
 static const float default_fov_deg = 45.0f;
 static const uint32_t default_width = 1024;
@@ -41,7 +42,8 @@ enum status app_need_scene(const struct app_options *o)
 {
     if (o->positionals[0])
         return STATUS_OK;
-    log_error("SCENE is missing: ice-cube, sphere, teapot, room or a model file (see --help)");
+    log_error(
+        "SCENE is missing: ice-cube, sphere, teapot, room, pool or a model file (see --help)");
     return STATUS_USAGE;
 }
 
@@ -60,6 +62,7 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
         .seconds = o->load_seconds,
         .memory_gib = o->load_memory_gib,
     };
+    const struct pool_params *pool = settings_of(&o->settings, &pool_settings);
     if (app_need_scene(o) != STATUS_OK)
         return STATUS_USAGE;
     if (!o->width) {
@@ -80,12 +83,14 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
                    .bubbles = { spheres->count, spheres->seed, spheres->size },
                    .cracks = { cracks->count, cracks->seed, cracks->clip == CRACKS_CLIP_PRECUT },
                    .decode = &decode,
+                   .pool = { pool->size, pool->depth },
                });
     if (status == STATUS_OK) {
         settle_ior(o, &scene->model);
         if (scene->cube.texels)
             settings_put(&o->settings, settings_find("env_cube.dynamic"), 0.0);
         check_box(o, scene);
+        settings_put(&o->settings, WATER_IS_ON_ROW, scene->has_pool);
     }
     return status;
 }
@@ -103,7 +108,7 @@ bool app_same_scene(const struct app_options *a, const struct app_options *b)
         "object.triangles", "landscape.triangles", "motion.count", "bump.mask",
         "bump.seed",        "air.count",           "air.seed",     "air.size",
         "air.frequency",    "bubbles.count",       "bubbles.seed", "bubbles.size",
-        "cracks.count",     "cracks.seed",
+        "cracks.count",     "cracks.seed",         "pool.size",    "pool.depth",
     };
     const struct settings *before = &a->settings;
     const struct settings *after = &b->settings;

@@ -59,6 +59,14 @@ bool generate_room(struct mesh *mesh, struct box object);
  */
 bool generate_movers(struct mesh *mesh, struct box box, uint32_t count);
 
+struct generate_pool {
+    float size, depth; /* of the water, metres */
+};
+
+/* What is dry of a square pool around the origin, its water at height 0: walls down to the floor,
+ * which is not there, and stone all around. */
+bool generate_pool(struct mesh *mesh, const struct generate_pool *pool);
+
 struct generate_air {
     uint32_t count, seed; /* of planes, from 1 to GENERATE_AIR_MAX */
     float size;           /* diameter of the largest bubbles, in diagonals of the object's box */

@@ -32,6 +32,10 @@ const struct scene_builtin scene_builtins[] = {
         .triangles = GENERATE_ICE_CUBE_TRIANGLES,
         .help = "irregular cube of ice on a table in a closed room",
     },
+    {
+        .name = "pool",
+        .help = "a pool of water with waves, and their light on its floor",
+    },
     { 0 },
 };
 
@@ -50,11 +54,28 @@ static enum status out_of_memory(const char *what)
     return STATUS_TRY_AGAIN;
 }
 
+/* No object, but a box to be looked at. */
+static enum status make_pool(struct scene *scene, const struct generate_pool *pool)
+{
+    const float half = 0.5f * pool->size;
+    scene->has_pool = true;
+    scene->box = (struct box){ { { -half, -pool->depth, -half } }, { { half, 0.0f, half } } };
+    scene->model.has_camera = true;
+    scene->model.camera = (struct camera){
+        .eye = { { 0.55f * half, 1.05f * half, 1.75f * half } },
+        .target = { { 0.02f * half, -0.3f * half, -0.02f * half } },
+        .fov_deg = 45.0f,
+    };
+    return generate_pool(&scene->model.surroundings, pool) ? STATUS_OK : out_of_memory("pool");
+}
+
 static enum status load_object(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = find_builtin(params->name);
     if (!builtin)
         return decode_model(&scene->model, params->name, MODEL_OBJECT, params->decode);
+    if (!builtin->generate)
+        return make_pool(scene, &params->pool);
     uint32_t triangles = params->object_triangles ? params->object_triangles : builtin->triangles;
     if (!builtin->generate(&scene->model.object, triangles))
         return out_of_memory(builtin->name);
@@ -157,13 +178,29 @@ enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cr
     return done ? STATUS_OK : out_of_memory("cracks");
 }
 
+/* What lies on and in the object. */
+static enum status fill_object(struct scene *scene, const struct scene_params *params)
+{
+    enum status status = STATUS_OK;
+    if (params->bump && !bump_maps_init(&scene->bump, params->bump))
+        status = out_of_memory("maps of the surface");
+    if (status == STATUS_OK && params->air.count)
+        status = add_air(scene, &params->air);
+    if (status == STATUS_OK && params->bubbles.count)
+        status = add_bubbles(scene, &params->bubbles);
+    if (status == STATUS_OK)
+        status = scene_make_cracks(scene, &params->cracks);
+    return status;
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *params)
 {
     *scene = (struct scene){ 0 };
     enum status status = load_object(scene, params);
     if (status == STATUS_OK)
         status = load_background(scene, params);
-    scene->box = mesh_box(&scene->model.object);
+    if (!scene->has_pool)
+        scene->box = mesh_box(&scene->model.object);
     const struct scene_builtin *builtin = find_builtin(params->name);
     bool bare = !params->surroundings && !scene->model.surroundings.index_count;
     if (status == STATUS_OK && params->surroundings)
@@ -175,14 +212,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
     scene->around = mesh_box(&scene->model.surroundings);
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
-    if (status == STATUS_OK && params->bump && !bump_maps_init(&scene->bump, params->bump))
-        status = out_of_memory("maps of the surface");
-    if (status == STATUS_OK && params->air.count)
-        status = add_air(scene, &params->air);
-    if (status == STATUS_OK && params->bubbles.count)
-        status = add_bubbles(scene, &params->bubbles);
-    if (status == STATUS_OK)
-        status = scene_make_cracks(scene, &params->cracks);
+    if (status == STATUS_OK && !scene->has_pool)
+        status = fill_object(scene, params);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;

@@ -25,12 +25,13 @@ struct scene {
     struct environment environment;
     struct environment cube;      /* in place of what env_cube draws if that is not dynamic */
     struct bump_maps bump;        /* of the object's surface; {0}: none */
-    struct box box;               /* of the object */
+    struct box box;               /* of the object, or of the pool */
     struct box around;            /* of its surroundings, but for what moves; {0}: there are none */
     struct mesh cracks;           /* in the object's space; may be empty */
     struct mesh air;              /* in the object's space, as are the bubbles; may be empty */
     struct air_layers air_layers; /* on it */
     struct bubbles bubbles;
+    bool has_pool; /* in place of the object */
 };
 
 /* Cracks inside the object. */
@@ -53,14 +54,15 @@ struct scene_params {
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
     struct scene_cracks cracks;
     const struct decode_params *decode; /* who reads the files; NULL: this process */
+    struct generate_pool pool; /* of the scene that is one */
 };
 
 /* A scene known by name. */
 struct scene_builtin {
     const char *name;
-    bool (*generate)(struct mesh *mesh, uint32_t triangles);
-    bool (*surround)(struct mesh *mesh, struct box object); /* NULL: the landscape does it */
-    uint32_t triangles;                                     /* of the object, by default */
+    bool (*generate)(struct mesh *mesh, uint32_t triangles); /* NULL: a pool of water is there */
+    bool (*surround)(struct mesh *mesh, struct box object);  /* NULL: the landscape does it */
+    uint32_t triangles;                                      /* of the object, by default */
     const char *help;
 };
 

@@ -21,7 +21,7 @@ const struct rg_image gbuffer_position = {
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
 };
 
-static const struct rg_image gbuffer_depth = {
+const struct rg_image gbuffer_depth = {
     .name = "gbuffer.depth",
     .format = VK_FORMAT_D32_SFLOAT,
 };

@@ -98,7 +98,8 @@ class CommandLine(Case):
 
     def test_list(self):
         text = self.succeed('list', env=NO_DRIVER).stdout.decode()
-        for name in ('ice-cube', 'sphere', 'teapot', 'paper', 'one-sided', 'refract_paper.a'):
+        for name in ('ice-cube', 'sphere', 'teapot', 'pool', 'paper', 'one-sided',
+                     'refract_paper.a'):
             self.assertRegex(text, rf'(?m)(^|\s){re.escape(name)}(\s|$)')
 
     def test_list_to_a_full_disk(self):

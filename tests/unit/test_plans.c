@@ -28,6 +28,7 @@ struct golden {
     const char *rung;
     bool layers;                   /* all of them */
     bool static_cube;              /* that comes from outside */
+    bool pool;                     /* instead of the object */
     const struct feature *feature; /* instead of a list */
     const char *program, *folder;
     bool update;
@@ -40,6 +41,8 @@ static const struct golden goldens[] = {
     { .name = "plan_one_sided", .rung = "one-sided" },
     { .name = "plan_one_sided_layers", .rung = "one-sided", .layers = true },
     { .name = "plan_bounce", .rung = "bounce" },
+    { .name = "plan_pool", .rung = "paper", .pool = true },
+    { .name = "plan_pool_layers", .rung = "paper", .pool = true, .layers = true },
     { .name = "plan_capture", .list = LIST_CAPTURE },
     { .name = "plan_resolve", .list = LIST_RESOLVE },
 };
@@ -69,6 +72,8 @@ static struct frame_request request_of(const struct golden *golden)
         struct settings settings = settings_default();
         if (golden->static_cube)
             assert_int_equal(settings_set(&settings, "env_cube.dynamic=off"), STATUS_OK);
+        if (golden->pool)
+            assert_int_equal(settings_set(&settings, "pool.water=on"), STATUS_OK);
         request.list = frame_with(rung, &settings);
     }
     return request;

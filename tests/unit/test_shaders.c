@@ -18,6 +18,7 @@
 #include "shaders/refract_paper.h"
 #include "shaders/surface.h"
 #include "shaders/tonemap.h"
+#include "shaders/water.h"
 #include "src/frames.h"
 #include "src/tech/overlay.h"
 #include "src/tech/present.h"
@@ -161,6 +162,11 @@ static const struct shared shared_structs[] = {
         "tonemap_params",
         sizeof(struct tonemap_params),
         { FIELD(tonemap_params, exposure), FIELD(tonemap_params, curve) },
+    },
+    {
+        "water_push",
+        sizeof(struct water_push),
+        { FIELD(water_push, water), FIELD(water_push, pool) },
     },
 };
 
@@ -380,9 +386,9 @@ static size_t check_list(const struct frame_list *list, struct seen *seen)
 
 /* Settings with which a frame has other rows than with the defaults. */
 static const char *const variants[] = {
-    "bump.strength=0",        "frost.amount=1",     "cracks.count=0",
-    "cracks.clip=convex",     "cracks.clip=precut", "cracks.clip=none",
-    "cracks.refract=normals", "cracks.refract=gap", "ice_interval.count=8",
+    "bump.strength=0",      "frost.amount=1",   "cracks.count=0",         "cracks.clip=convex",
+    "cracks.clip=precut",   "cracks.clip=none", "cracks.refract=normals", "cracks.refract=gap",
+    "ice_interval.count=8", "pool.water=on",
 };
 
 static size_t check_variants(const struct rung *rung, struct seen *seen)

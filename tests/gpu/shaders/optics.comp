@@ -1,9 +1,10 @@
-/* optics.comp: asks everything that lib/optics.glsl, bubble.glsl and local_cube.glsl know. */
+/* optics.comp: asks all that lib/optics, bubble, local_cube and wave.glsl know. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/bubble.glsl"
 #include "shaders/lib/local_cube.glsl"
 #include "shaders/lib/optics.glsl"
+#include "shaders/lib/wave.glsl"
 #include "tests/gpu/shaders/optics.h"
 
 layout(binding = OPTICS_QUESTIONS, scalar) readonly buffer Questions
@@ -31,5 +32,8 @@ void main()
     r.bubble_transmitted = bubble_transmitted(q.b, q.eta);
     r.bubble_reflected = bubble_reflected(q.b);
     r.local = local_cube_dir(q.point, q.e, q.low, q.high, q.captured);
+    r.wave = wave_at(q.water, q.at, q.time);
+    r.wave_normal = wave_normal(r.wave);
+    r.up_ray = optics_refract(vec3(0.0, 0.0, 1.0), -r.wave_normal, q.water.ior);
     answers[gl_WorkGroupID.x] = r;
 }

@@ -1,7 +1,7 @@
 /* optics.h: what optics.comp is asked, and what it answers: one of each a case. */
 #ifndef OPTICS_H
 #define OPTICS_H
-#include "shaders/abi.h"
+#include "shaders/water.h"
 
 #define OPTICS_QUESTIONS 0
 #define OPTICS_ANSWERS   1
@@ -14,6 +14,9 @@ struct optics_question {
     float b; /* impact parameter */
     /* of a ray along e that looks up a cube in a box */
     vec3s point, low, high, captured;
+    vec2s at; /* on the water */
+    float time;
+    ABI_STRUCT(water_params) water;
 };
 
 struct optics_answer {
@@ -27,6 +30,9 @@ struct optics_answer {
     vec2s bubble_transmitted, bubble_reflected; /* turns */
     float gap;
     vec3s local; /* where it looks up the cube */
+    vec3s wave;  /* slopes and height, as are: */
+    vec3s wave_normal;
+    vec3s up_ray; /* direction in which light leaves that comes straight from below */
 };
 
 #endif

@@ -1,0 +1,154 @@
+/* water.glsl: what an eye above the water sees on it and in it; with WATER_WITH_CAUSTICS the light
+ * on the ground is uneven. */
+#ifndef WATER_GLSL
+#define WATER_GLSL
+#include "lib/environment.glsl"
+#include "lib/optics.glsl"
+#include "lib/pool.glsl"
+#include "lib/wave.glsl"
+
+layout(push_constant, scalar) uniform Push
+{
+    water_push push;
+};
+
+layout(set = 0, binding = WATER_ENVIRONMENT) uniform sampler2D environment;
+
+layout(location = 0) in vec3 point; /* pool coordinates, as all below */
+
+const vec3 up = vec3(0.0, 0.0, 1.0);
+
+/* ---- the ground: floor and walls ---- */
+
+/* Integral from 0 to x of stripes that cover `share` of each unit. */
+float stripes(float x, float share)
+{
+    return floor(x) * share + min(fract(x), share);
+}
+
+/* Share of stripes in a pixel of a given width. */
+float stripes_within(float x, float width, float share)
+{
+    return (stripes(x + 0.5 * width, share) - stripes(x - 0.5 * width, share)) / width;
+}
+
+float tile_noise(vec2 cell)
+{
+    uvec2 u = uvec2(ivec2(cell));
+    uint h = (u.x * 0x9e3779b9u) ^ (u.y * 0x85ebca6bu);
+    h = (h ^ h >> 15) * 0x2c1b3c6du;
+    return float(h >> 8) / 16777216.0;
+}
+
+/* Square tiles of several blues, and light joints. */
+vec3 tiles(vec2 at)
+{
+    const float joint = 0.06;
+    vec2 x = at / push.pool.tile;
+    vec2 width = clamp(fwidth(x), 1e-4, 16.0);
+    float shown = clamp(1.5 - max(width.x, width.y), 0.0, 1.0);
+    float shade = mix(0.5, tile_noise(floor(x)), shown);
+    vec3 tile = mix(vec3(0.20, 0.46, 0.56), vec3(0.34, 0.62, 0.68), shade);
+    float joints = 1.0 - (1.0 - stripes_within(x.x, width.x, joint)) *
+                             (1.0 - stripes_within(x.y, width.y, joint));
+    return mix(tile, vec3(0.80, 0.82, 0.80), joints);
+}
+
+/* ---- light ---- */
+
+#ifdef WATER_WITH_CAUSTICS
+#include "lib/caustics_map.glsl"
+layout(set = 0, binding = WATER_CAUSTICS) uniform sampler2D caustics;
+#endif
+
+/* The sun's light on level ground, with 1 as much as below water at rest and nothing around it. */
+float sun_share(vec3 at, vec3 inside)
+{
+#ifdef WATER_WITH_CAUSTICS
+    vec2 on_floor = at.xy - inside.xy / inside.z * (push.pool.depth + at.z);
+    return texture(caustics, caustics_map_uv(push.pool, inside, on_floor)).r;
+#else
+    return pool_is_open(at.xy - inside.xy / inside.z * at.z, push.pool.size) ? 1.0 : 0.0;
+#endif
+}
+
+vec3 passed(float path)
+{
+    return exp(-path * vec3(push.water.red, push.water.green, push.water.blue));
+}
+
+/* Light that a white surface at a place below water gives back: the sun's, which comes as through
+ * water at rest, and the sky's. */
+vec3 light_below(vec3 at, vec3 n, float share)
+{
+    vec3 sun_dir = pool_sun_dir();
+    vec3 inside = pool_sun_inside(push.water.ior);
+    float entering = 1.0 - optics_fresnel(-sun_dir, up, 1.0 / push.water.ior);
+    float steepness = max(dot(n, inside) / inside.z, 0.0); /* 1 on level ground */
+    vec3 sun = sky_sun() * entering * max(pool_from_world(frame.sun_dir).z, 0.0) * steepness *
+               share * passed(at.z / inside.z);
+    vec3 sky = sky_ambient(pool_to_world(n)) * passed(-at.z);
+    return sun + sky;
+}
+
+struct water_view {
+    vec3 refraction; /* radiance of the ground seen through the surface */
+    vec3 reflection;
+    float fresnel;  /* share of the reflection */
+    float caustics; /* sun_share() of the ground that is seen */
+};
+
+/* Unit normal of the surface, turned to the eye where the grid shows what faces away. */
+vec3 water_normal(vec3 e)
+{
+    vec3 n = wave_normal(wave_at(push.water, point.xy, frame.time));
+    float away = dot(n, e) + 1e-3;
+    return away > 0.0 ? normalize(n - away * e) : n;
+}
+
+vec3 box_normal(vec3 at, vec3 upper)
+{
+    vec3 side = abs(at) / upper;
+    if (max(side.x, side.y) < side.z)
+        return up;
+    return side.x > side.y ? vec3(-sign(at.x), 0.0, 0.0) : vec3(0.0, -sign(at.y), 0.0);
+}
+
+/* What the rest of the pool is to a ray that goes up: dry walls, then the sky. */
+vec3 radiance_above(vec3 r)
+{
+    float half_size = 0.5 * push.pool.size;
+    vec3 upper = vec3(half_size, half_size, 1e6);
+    vec3 at = point + pool_exit(point, r, -upper, upper) * r;
+    if (at.z >= POOL_RIM)
+        return environment_radiance(environment, pool_to_world(r), 0.0);
+    vec3 n = abs(at.x) > abs(at.y) ? vec3(-sign(at.x), 0.0, 0.0) : vec3(0.0, -sign(at.y), 0.0);
+    return vec3(POOL_STONE) * sky_light(pool_to_world(n));
+}
+
+water_view water_look()
+{
+    water_view view;
+    float half_size = 0.5 * push.pool.size;
+    vec3 upper = vec3(half_size, half_size, push.pool.depth);
+    vec3 e = normalize(point - pool_from_world(frame.eye));
+    vec3 n = water_normal(e);
+    vec3 r = optics_reflect(e, n);
+    vec3 t = optics_refract(e, n, 1.0 / push.water.ior);
+    /* neither goes through a second wave */
+    r = normalize(vec3(r.xy, max(r.z, 1e-3)));
+    t = normalize(vec3(t.xy, min(t.z, -1e-3)));
+    float path = pool_exit(point, t, -upper, vec3(upper.xy, 1e6));
+    vec3 at = point + path * t;
+    vec3 ground = box_normal(at, upper);
+    at.z = min(at.z, 0.0); /* light comes from above even where a wave's crest is */
+    view.caustics = sun_share(at, pool_sun_inside(push.water.ior));
+    vec2 on_tiles = ground.z > 0.5 ? at.xy : vec2(ground.x != 0.0 ? at.y : at.x, at.z);
+    vec3 light = light_below(at, ground, view.caustics);
+    view.refraction = tiles(on_tiles) * light * passed(path);
+    view.reflection = radiance_above(r);
+    view.fresnel = optics_fresnel(e, n, 1.0 / push.water.ior);
+    return view;
+}
+
+#endif

@@ -1,0 +1,151 @@
+/*
+ * water.c: a pool of water: waves, what they mirror, and the ground that they refract.
+ *
+ * Waves are those of shaders/lib/wave.glsl, with exact normals. The surface is drawn as a grid; at
+ * each pixel the ray is refracted once, meets the floor or a wall of the box exactly, and loses by
+ * Beer and Lambert's law what its path through the water absorbs. Shares by Fresnel's equations.
+ * The sun's light comes down as through water at rest, and is uneven as src/tech/caustics.c says.
+ *
+ * Absorption by default is that of pure water (Pope and Fry 1997) at 650, 550 and 450 nm.
+ *
+ * Limits: no ray meets a second wave; the reflection has the sky and the pool's dry walls, not what
+ * stands around it; the ground does not light itself, nor the surface from below, which stands for
+ * the loss of radiance by the square of the index that light has when it leaves water. The eye is
+ * above the water. What floats in it is not drawn.
+ */
+#include "src/tech/water.h"
+#include "shaders/embedded.h"
+#include "src/frame.h"
+#include "src/tech/background.h"
+#include "src/tech/gbuffer.h"
+#include "src/tech/refract.h"
+
+static rg_record_fn record_surface;
+
+#define SURFACE \
+    .vert = &water_vert, .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP, \
+    .depth_compare = VK_COMPARE_OP_GREATER, .push_size = sizeof(struct water_push), \
+    .record = record_surface
+
+#define USE_ENVIRONMENT \
+    { \
+        .image = &frame_environment, .access = RG_SAMPLED, .binding = WATER_ENVIRONMENT, \
+        .sampler = &frame_environment_sampler, \
+    }
+
+#define GBUFFER_ROW \
+    { \
+        .name = "water.gbuffer", .color[0] = { &gbuffer_normal, RG_LOAD_KEEP }, \
+        .color[1] = { &gbuffer_position, RG_LOAD_KEEP }, \
+        .depth = { &gbuffer_depth, RG_LOAD_KEEP }, .uses = RG_USES(FRAME_USE_GLOBALS), \
+        .frag = &water_gbuffer_frag, SURFACE, \
+    }
+
+static const struct rg_pass passes[] = {
+    GBUFFER_ROW,
+    {
+        .name = "water.color",
+        .color[0] = { &background_color, RG_LOAD_KEEP },
+        .depth = { &background_depth, RG_LOAD_KEEP },
+        .uses = RG_USES(FRAME_USE_GLOBALS, USE_ENVIRONMENT),
+        .frag = &water_frag,
+        SURFACE,
+    },
+};
+
+struct water_push water_push_of(const struct settings *settings)
+{
+    const struct water_params *params = settings_of(settings, &water_settings);
+    const struct pool_params *pool = settings_of(settings, &pool_settings);
+    struct water_push push = { *params, *pool };
+    push.water.ior /= REFRACT_IOR_AIR;
+    return push;
+}
+
+bool water_is_on(const struct settings *settings)
+{
+    const struct pool_params *pool = settings_of(settings, &pool_settings);
+    return pool->water;
+}
+
+static void record_surface(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct water_push push = water_push_of(frame->settings);
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw(cmd, WATER_GRID * (2 * WATER_GRID + 4));
+}
+
+static const char *const waves[] = {
+    [WATER_SERIES] = "series",
+    [WATER_COSINE] = "cosine",
+    NULL,
+};
+
+#define WATER(field, ...) \
+    { \
+        .name = "water." #field, .type = SETTING_FLOAT, \
+        .offset = offsetof(struct water_params, field), __VA_ARGS__ \
+    }
+
+static const struct setting rows[] = {
+    {
+        .name = "water.wave",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct water_params, wave),
+        .initial = WATER_SERIES,
+        .max = WATER_COSINE,
+        .choices = waves,
+        .help = "a series of waves, or one cosine along x",
+    },
+    WATER(height, .initial = 0.01, .max = 1, .help = "how high waves are: V (0: flat)"),
+    WATER(frequency, .initial = 10, .max = 1000, .help = "how many there are: W"),
+    WATER(amplitude, .initial = 1, .min = 0.01, .max = 100,
+          .help = "F of the series: its octaves are F, F/2, F/4 ... high"),
+    WATER(speed, .initial = 2, .min = -100, .max = 100, .unit = "radians a second",
+          .help = "how fast waves change: S"),
+    {
+        .name = "water.octaves",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct water_params, octaves),
+        .initial = 5,
+        .max = 8,
+        .help = "of the series",
+    },
+    WATER(scale, .initial = 2, .min = 0.01, .max = 1000, .unit = "metres",
+          .help = "length of a unit of the waves"),
+    WATER(ior, .initial = 1.333, .min = 1.001, .max = 4, .help = "refractive index of the water"),
+    WATER(red, .initial = 0.34, .max = 100, .unit = "1/metres", .help = "absorption of red light"),
+    WATER(green, .initial = 0.0565, .max = 100, .unit = "1/metres",
+          .help = "absorption of green light"),
+    WATER(blue, .initial = 0.0092, .max = 100, .unit = "1/metres",
+          .help = "absorption of blue light"),
+};
+
+const struct setting_group water_settings = SETTING_GROUP("water", rows, struct water_params);
+
+#define POOL(field, ...) \
+    { \
+        .name = "pool." #field, .type = SETTING_FLOAT, \
+        .offset = offsetof(struct pool_params, field), .unit = "metres", __VA_ARGS__ \
+    }
+
+static const struct setting pool_rows[] = {
+    {
+        .name = "pool.water",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct pool_params, water),
+        .max = 1,
+        .help = "a pool of water in place of the object; the scene pool switches it on",
+    },
+    POOL(size, .initial = 4, .min = 0.1, .max = 100, .help = "length of the pool's sides"),
+    POOL(depth, .initial = 1.2, .min = 0.01, .max = 100, .help = "depth of its water"),
+    POOL(tile, .initial = 0.25, .min = 0.01, .max = 100, .help = "length of its tiles' sides"),
+};
+
+const struct setting_group pool_settings = SETTING_GROUP("pool", pool_rows, struct pool_params);
+
+const struct technique water = {
+    .graph = RG_TECHNIQUE("water", passes),
+    .settings = &water_settings,
+    .help = "a pool of water and the ground below it",
+};
