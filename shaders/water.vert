@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pool.glsl"
+#include "lib/strip.glsl"
 #include "lib/wave.glsl"
 
 layout(push_constant, scalar) uniform Push
@@ -10,19 +11,11 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) out vec3 out_point; /* pool coordinates */
 
-/* One strip of triangles: rows of cells one after another, joined by triangles without area. */
-uvec2 grid_corner(uint index)
-{
-    const uint row_length = 2u * WATER_GRID + 4u;
-    uint row = index / row_length;
-    uint along = clamp(index % row_length, 1u, row_length - 2u) - 1u;
-    return uvec2(along / 2u, row + along % 2u);
-}
-
 void main()
 {
     /* all passes must agree: layers are tested against the depth that the picture wrote */
-    precise vec2 across = vec2(grid_corner(uint(gl_VertexIndex))) / float(WATER_GRID) - 0.5;
+    precise vec2 across =
+        vec2(strip_corner(uint(gl_VertexIndex), WATER_GRID)) / float(WATER_GRID) - 0.5;
     precise vec2 p = across * push.pool.size;
     precise float height = wave_at(push.water, p, frame.time).z;
     precise vec4 clip = frame.clip_from_world * vec4(pool_to_world(vec3(p, height)), 1.0);

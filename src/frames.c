@@ -8,6 +8,7 @@
 #include "src/tech/background.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/bump.h"
+#include "src/tech/caustics.h"
 #include "src/tech/cracks.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/frost.h"
@@ -94,8 +95,13 @@ bool frame_reads_bump_maps(const struct settings *settings)
 /* No object, and so nothing of the ice. */
 static struct frame_list frame_of_pool(const struct settings *settings)
 {
-    (void)settings;
-    return (struct frame_list){ { &background, &gbuffer, &water, &tonemap } };
+    const struct technique *light = caustics_find(settings);
+    struct frame_list list = { { &background, &gbuffer } };
+    if (light)
+        add(&list, light);
+    add(&list, light ? &water_lit : &water);
+    add(&list, &tonemap);
+    return list;
 }
 
 struct frame_list frame_with(const struct rung *rung, const struct settings *settings)
@@ -285,6 +291,14 @@ const struct frame_layer frame_layers[] = {
         .planes = { "cracks.R", "cracks.G", "cracks.B", "cracks.A" },
         .mean = true,
         .help = "what cracks inside the ice show, premultiplied",
+    },
+    {
+        .name = "caustics",
+        .image = &water_caustics,
+        .planes = { "caustics.Z" },
+        .mean = true,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "the sun's light on the ground that is seen in water; 1: below water at rest",
     },
     { 0 },
 };

@@ -67,7 +67,7 @@ extern const struct frame_layer frame_beauty;   /* always there */
 extern const struct frame_layer frame_layers[]; /* those to ask for; ends at a row of zeros */
 
 enum {
-    FRAME_LAYER_COUNT = 19
+    FRAME_LAYER_COUNT = 20
 };
 
 #endif

@@ -11,6 +11,7 @@
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/bump.h"
+#include "src/tech/caustics.h"
 #include "src/tech/cracks.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/frost.h"
@@ -48,6 +49,7 @@ const struct setting_group *const setting_groups[] = {
     &frost_settings,
     &pool_settings,
     &water_settings,
+    &caustics_settings,
     &tonemap_settings,
     NULL,
 };

@@ -17,15 +17,20 @@
 #include "shaders/embedded.h"
 #include "src/frame.h"
 #include "src/tech/background.h"
+#include "src/tech/caustics.h"
 #include "src/tech/gbuffer.h"
 #include "src/tech/refract.h"
 
 static rg_record_fn record_surface;
 
+const struct rg_image water_caustics = {
+    .name = "water.caustics",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
 #define SURFACE \
     .vert = &water_vert, .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP, \
-    .depth_compare = VK_COMPARE_OP_GREATER, .push_size = sizeof(struct water_push), \
-    .record = record_surface
+    .push_size = sizeof(struct water_push), .record = record_surface
 
 #define USE_ENVIRONMENT \
     { \
@@ -37,8 +42,8 @@ static rg_record_fn record_surface;
     { \
         .name = "water.gbuffer", .color[0] = { &gbuffer_normal, RG_LOAD_KEEP }, \
         .color[1] = { &gbuffer_position, RG_LOAD_KEEP }, \
-        .depth = { &gbuffer_depth, RG_LOAD_KEEP }, .uses = RG_USES(FRAME_USE_GLOBALS), \
-        .frag = &water_gbuffer_frag, SURFACE, \
+        .depth = { &gbuffer_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER, \
+        .uses = RG_USES(FRAME_USE_GLOBALS), .frag = &water_gbuffer_frag, SURFACE, \
     }
 
 static const struct rg_pass passes[] = {
@@ -47,8 +52,44 @@ static const struct rg_pass passes[] = {
         .name = "water.color",
         .color[0] = { &background_color, RG_LOAD_KEEP },
         .depth = { &background_depth, RG_LOAD_KEEP },
+        .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = RG_USES(FRAME_USE_GLOBALS, USE_ENVIRONMENT),
         .frag = &water_frag,
+        SURFACE,
+    },
+};
+
+static const struct rg_use lit_uses[] = {
+    FRAME_USE_GLOBALS,
+    USE_ENVIRONMENT,
+    {
+        .image = &caustics_light,
+        .access = RG_SAMPLED,
+        .binding = WATER_CAUSTICS,
+        .sampler = &frame_linear,
+    },
+    { 0 },
+};
+
+static const struct rg_pass lit_passes[] = {
+    GBUFFER_ROW,
+    {
+        .name = "water.color",
+        .color[0] = { &background_color, RG_LOAD_KEEP },
+        .depth = { &background_depth, RG_LOAD_KEEP },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = lit_uses,
+        .frag = &water_caustics_frag,
+        SURFACE,
+    },
+    {
+        .name = "water.layers",
+        .color[0] = { &water_caustics, RG_LOAD_CLEAR },
+        .depth = { &background_depth, RG_LOAD_KEEP },
+        .depth_read_only = true,
+        .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
+        .uses = lit_uses,
+        .frag = &water_caustics_aov_frag,
         SURFACE,
     },
 };
@@ -148,4 +189,10 @@ const struct technique water = {
     .graph = RG_TECHNIQUE("water", passes),
     .settings = &water_settings,
     .help = "a pool of water and the ground below it",
+};
+
+const struct technique water_lit = {
+    .graph = RG_TECHNIQUE("water", lit_passes),
+    .settings = &water_settings,
+    .help = "the same under the light of caustics",
 };

@@ -4,7 +4,11 @@
 #include "shaders/water.h"
 #include "src/technique.h"
 
-extern const struct technique water; /* under even light */
+/* The sun's light on the ground that is seen in the water, as in caustics_light; 0 elsewhere. */
+extern const struct rg_image water_caustics;
+
+extern const struct technique water;     /* its ground under even light */
+extern const struct technique water_lit; /* under caustics_light */
 extern const struct setting_group water_settings, pool_settings;
 
 /* What shaders of the pool are told: struct water_push. */

@@ -22,7 +22,7 @@ LAYERS = (
     'refraction.R', 'refraction.G', 'refraction.B',
     'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z', 'path.Z', 'bounces.Z', 'tir.Z',
     'air.R', 'air.G', 'air.B', 'air.A', 'bubbles.R', 'bubbles.G', 'bubbles.B', 'bubbles.A',
-    'cracks.R', 'cracks.G', 'cracks.B', 'cracks.A',
+    'cracks.R', 'cracks.G', 'cracks.B', 'cracks.A', 'caustics.Z',
 )
 
 

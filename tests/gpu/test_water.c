@@ -30,7 +30,8 @@ static const struct picture_request request = {
 };
 
 static const char *const level[] = {
-    "pool.water=on", "pool.size=3", "pool.depth=0.8", "water.height=0", NULL,
+    "pool.water=on",  "pool.size=3",          "pool.depth=0.8",
+    "water.height=0", "caustics.method=none", NULL,
 };
 
 static void set_all(struct settings *settings, const char *const *assignments)

@@ -13,6 +13,7 @@
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/ice_normal.h"
+#include "src/tech/water.h"
 #include "tests/support/check.h"
 #include "tests/support/feature.h"
 
@@ -272,7 +273,8 @@ static uint32_t check_inside(const char *setting, bool air_is_on, bool bubbles_a
     for (uint32_t i = 0; frame_layers[i].name; i++) {
         const struct rg_image *image = frame_layers[i].image;
         const bool is_off = !image || (image == &air_color && !air_is_on) ||
-                            (image == &bubbles_color && !bubbles_are_on);
+                            (image == &bubbles_color && !bubbles_are_on) ||
+                            image == &water_caustics;
         assert_true(!frame_plan_buffer(&plan, image) == is_off);
     }
     const uint32_t count = plan.plan->pass_count;

@@ -7,6 +7,7 @@
 
 #include "shaders/air.h"
 #include "shaders/background.h"
+#include "shaders/caustics.h"
 #include "shaders/cracks.h"
 #include "shaders/frost.h"
 #include "shaders/gbuffer.h"
@@ -60,6 +61,15 @@ static const struct shared shared_structs[] = {
             FIELD(background_push, up),
             FIELD(background_push, forward),
             FIELD(background_push, inverse),
+        },
+    },
+    {
+        "caustics_push",
+        sizeof(struct caustics_push),
+        {
+            FIELD(caustics_push, water),
+            FIELD(caustics_push, pool),
+            FIELD(caustics_push, caustics),
         },
     },
     {

@@ -1,0 +1,83 @@
+/* caustics.glsl: what all methods share: the sun's light through a wave, and the map of it. */
+#ifndef CAUSTICS_GLSL
+#define CAUSTICS_GLSL
+#include "caustics.h"
+#include "lib/caustics_map.glsl"
+#include "lib/optics.glsl"
+#include "lib/pool.glsl"
+#include "lib/wave.glsl"
+
+layout(push_constant, scalar) uniform Push
+{
+    caustics_push push;
+};
+
+const float pi = 3.14159265358979;
+const vec3 up = vec3(0.0, 0.0, 1.0);
+
+vec3 sun_inside()
+{
+    return pool_sun_inside(push.water.ior);
+}
+
+vec4 map_region()
+{
+    return caustics_map_region(push.pool, sun_inside());
+}
+
+vec2 map_texel_size()
+{
+    return map_region().zw / float(CAUSTICS_SIZE);
+}
+
+/* Place on the floor of a texel's centre. */
+vec2 map_point(ivec2 texel)
+{
+    return map_region().xy + (vec2(texel) + 0.5) * map_texel_size();
+}
+
+/* Texels that light would fill which is spread evenly over a floor as large as the pool. */
+float map_pool_texels()
+{
+    vec2 texel = map_texel_size();
+    return push.pool.size * push.pool.size / (texel.x * texel.y);
+}
+
+/* Share of the light that enters water at rest. */
+float sun_entering()
+{
+    return 1.0 - optics_fresnel(-pool_sun_dir(), up, 1.0 / push.water.ior);
+}
+
+/* Two directions square to a third and to each other. */
+void square_to(vec3 dir, out vec3 a, out vec3 b)
+{
+    a = normalize(cross(dir, abs(dir.z) < 0.9 ? up : vec3(1.0, 0.0, 0.0)));
+    b = cross(dir, a);
+}
+
+/* A direction of the sun's disc; `at` within the unit disc. */
+vec3 sun_disc(vec2 at)
+{
+    vec3 a, b;
+    vec3 dir = pool_sun_dir();
+    square_to(dir, a, b);
+    return normalize(dir + tan(0.5 * radians(push.caustics.sun)) * (at.x * a + at.y * b));
+}
+
+/* Light towards which is `sun`, through the surface at p: xy: where it meets the floor; z: its
+ * flux, over what falls from the sun's middle through as much of water at rest. */
+vec3 land(vec2 p, vec3 sun)
+{
+    vec3 wave = wave_at(push.water, p, frame.time);
+    vec3 n = wave_normal(wave);
+    float c = dot(n, sun);
+    if (c <= 0.0) /* a wave's shady side */
+        return vec3(p, 0.0);
+    vec3 t = refract(-sun, n, 1.0 / push.water.ior);
+    float entering = 1.0 - optics_fresnel(-sun, n, 1.0 / push.water.ior);
+    float flux = c / n.z / pool_sun_dir().z * entering / sun_entering();
+    return vec3(p + t.xy / max(-t.z, 0.05) * (push.pool.depth + wave.z), flux);
+}
+
+#endif

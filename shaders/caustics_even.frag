@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "caustics.glsl"
+
+layout(set = 0, binding = CAUSTICS_RAW) uniform sampler2D raw;
+
+layout(set = 0, binding = CAUSTICS_SUM, scalar) readonly buffer Sum
+{
+    float total;
+};
+
+layout(location = 0) out float light;
+
+/* As much light as falls into the pool. */
+void main()
+{
+    float texel = texelFetch(raw, ivec2(gl_FragCoord.xy), 0).r;
+    light = texel * map_pool_texels() / max(total, 1e-6);
+}

@@ -1,0 +1,15 @@
+/* strip.glsl: a square grid as one strip of triangles. */
+#ifndef LIB_STRIP_GLSL
+#define LIB_STRIP_GLSL
+
+/* Corner of a grid of `cells` squares along each side. Rows of cells follow one another, joined by
+ * triangles without area: cells * (2 * cells + 4) vertices. */
+uvec2 strip_corner(uint index, uint cells)
+{
+    uint row_length = 2u * cells + 4u;
+    uint row = index / row_length;
+    uint along = clamp(index % row_length, 1u, row_length - 2u) - 1u;
+    return uvec2(along / 2u, row + along % 2u);
+}
+
+#endif

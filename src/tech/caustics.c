@@ -1,0 +1,284 @@
+/*
+ * caustics.c: the sun's light on the floor of a pool, by four methods.
+ *
+ * Three are those of a text on water caustics after Guardado and Sanchez-Crespo 2004 (GPU Gems 1,
+ * chapter 2), one is physical and fast:
+ *
+ *   naive      photons from the sun through random points of the surface, counted where they land.
+ *              Right, and grainy: the noise falls with the root of their number.
+ *   gather     from each point of the floor directions within a cone about the straight ray; those
+ *              count which leave the surface towards the sun. Right where the cone holds all of the
+ *              light; slow, since few directions meet a small sun.
+ *   backtrace  from each point of the floor one ray up, looked up in a round map of light. One
+ *              shader, made up: crests and troughs shine alike at any depth. Refracted by Snell's
+ *              law; as published the ray leaves along the surface's slope, which bends it three
+ *              times too much. Scaled to as much light as enters the pool.
+ *   area       a grid of points of the surface, refracted to the floor; light is dimmed as the
+ *              triangles between them grow, and added up where they fold over one another.
+ *
+ * All hold the light that enters through the pool's surface, and shadows of its rim. The sun is
+ * a disc; area spreads the light of its middle by the image it has below water at rest.
+ *
+ * Limits: light that falls on a wall is focused as on the floor behind it. What a wave reflects is
+ * gone; light meets no second wave. The map has CAUSTICS_SIZE texels a side: finer lines are lost.
+ * What a triangle of area brings to a texel has a limit, so that a fold which covers a texel's
+ * centre by chance does not shine out.
+ */
+#include "src/tech/caustics.h"
+#include "shaders/embedded.h"
+#include "src/frame.h"
+#include "src/tech/water.h"
+
+static rg_record_fn record_map, record_grid, record_photons, record_screen, record_strip,
+    record_one;
+
+#define MAP(title, texel) \
+    { \
+        .name = (title), .format = (texel), .width = CAUSTICS_SIZE, .height = CAUSTICS_SIZE \
+    }
+
+const struct rg_image caustics_light = MAP("caustics.light", VK_FORMAT_R16_SFLOAT);
+static const struct rg_image caustics_counts = MAP("caustics.counts", VK_FORMAT_R32_UINT);
+static const struct rg_image caustics_raw = MAP("caustics.raw", VK_FORMAT_R32_SFLOAT);
+
+static const struct rg_image caustics_landing = {
+    .name = "caustics.landing",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+    .width = CAUSTICS_GRID + 1,
+    .height = CAUSTICS_GRID + 1,
+};
+
+static const struct rg_buffer caustics_sum = {
+    .name = "caustics.sum",
+    .size = sizeof(float),
+};
+
+#define PUSH .push_size = sizeof(struct caustics_push)
+
+/* The last row of each method: the map itself. */
+#define LIGHT \
+    .name = "caustics.light", .color[0] = { &caustics_light, RG_LOAD_DISCARD }, \
+    .vert = &screen_vert, .record = record_screen
+
+#define USE_RAW \
+    { \
+        .image = &caustics_raw, .access = RG_SAMPLED, .binding = CAUSTICS_RAW \
+    }
+
+static const struct rg_pass naive_passes[] = {
+    {
+        .name = "caustics.clear",
+        .kind = RG_COMPUTE,
+        .uses = RG_USES(
+            { .image = &caustics_counts, .access = RG_STORAGE_WRITE, .binding = CAUSTICS_COUNTS }),
+        .comp = &caustics_clear_comp,
+        .record = record_map,
+    },
+    {
+        .name = "caustics.photons",
+        .kind = RG_COMPUTE,
+        .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &caustics_counts,
+                                             .access = RG_STORAGE_READ_WRITE,
+                                             .binding = CAUSTICS_COUNTS }),
+        .comp = &caustics_photons_comp,
+        PUSH,
+        .record = record_photons,
+    },
+    {
+        LIGHT,
+        .uses = RG_USES(
+            FRAME_USE_GLOBALS,
+            { .image = &caustics_counts, .access = RG_SAMPLED, .binding = CAUSTICS_COUNTS }),
+        .frag = &caustics_count_frag,
+        PUSH,
+    },
+};
+
+static const struct rg_pass gather_passes[] = {
+    {
+        .name = "caustics.gather",
+        .kind = RG_COMPUTE,
+        .uses = RG_USES(
+            FRAME_USE_GLOBALS,
+            { .image = &caustics_raw, .access = RG_STORAGE_WRITE, .binding = CAUSTICS_RAW }),
+        .comp = &caustics_gather_comp,
+        PUSH,
+        .record = record_map,
+    },
+    {
+        LIGHT,
+        .uses = RG_USES(USE_RAW),
+        .frag = &caustics_copy_frag,
+    },
+};
+
+static const struct rg_pass backtrace_passes[] = {
+    {
+        .name = "caustics.backtrace",
+        .color[0] = { &caustics_raw, RG_LOAD_DISCARD },
+        .uses = RG_USES(FRAME_USE_GLOBALS),
+        .vert = &screen_vert,
+        .frag = &caustics_backtrace_frag,
+        PUSH,
+        .record = record_screen,
+    },
+    {
+        .name = "caustics.sum",
+        .kind = RG_COMPUTE,
+        .uses = RG_USES(
+            USE_RAW,
+            { .buffer = &caustics_sum, .access = RG_STORAGE_WRITE, .binding = CAUSTICS_SUM }),
+        .comp = &caustics_sum_comp,
+        .record = record_one,
+    },
+    {
+        LIGHT,
+        .uses = RG_USES(
+            FRAME_USE_GLOBALS, USE_RAW,
+            { .buffer = &caustics_sum, .access = RG_STORAGE_READ, .binding = CAUSTICS_SUM }),
+        .frag = &caustics_even_frag,
+        PUSH,
+    },
+};
+
+static const struct rg_use splat_uses[] = {
+    FRAME_USE_GLOBALS,
+    {
+        .image = &caustics_landing,
+        .access = RG_SAMPLED,
+        .binding = CAUSTICS_LANDING,
+        .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
+    },
+    { 0 },
+};
+
+static const struct rg_pass area_passes[] = {
+    {
+        .name = "caustics.trace",
+        .kind = RG_COMPUTE,
+        .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &caustics_landing,
+                                             .access = RG_STORAGE_WRITE,
+                                             .binding = CAUSTICS_LANDING }),
+        .comp = &caustics_trace_comp,
+        PUSH,
+        .record = record_grid,
+    },
+    {
+        .name = "caustics.splat",
+        .color[0] = { &caustics_raw, RG_LOAD_CLEAR, .blend = RG_BLEND_ADD },
+        .uses = splat_uses,
+        .vert = &caustics_splat_vert,
+        .frag = &caustics_splat_frag,
+        .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
+        PUSH,
+        .record = record_strip,
+    },
+    {
+        LIGHT,
+        .uses = RG_USES(FRAME_USE_GLOBALS, USE_RAW),
+        .frag = &caustics_spread_frag,
+        PUSH,
+    },
+};
+
+static void push(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct caustics_params *params = settings_of(frame->settings, &caustics_settings);
+    const struct water_push pool = water_push_of(frame->settings);
+    const struct caustics_push all = { pool.water, pool.pool, *params };
+    if (rg_cmd_pass(cmd)->push_size)
+        rg_cmd_push(cmd, &all, sizeof(all));
+}
+
+static void record_map(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push(cmd, frame);
+    rg_cmd_dispatch(cmd, CAUSTICS_SIZE / CAUSTICS_GROUP, CAUSTICS_SIZE / CAUSTICS_GROUP, 1);
+}
+
+static void record_grid(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const uint32_t groups = CAUSTICS_GRID / CAUSTICS_GROUP + 1;
+    push(cmd, frame);
+    rg_cmd_dispatch(cmd, groups, groups, 1);
+}
+
+static void record_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct caustics_params *params = settings_of(frame->settings, &caustics_settings);
+    push(cmd, frame);
+    rg_cmd_dispatch(cmd, (params->photons + CAUSTICS_LINE - 1) / CAUSTICS_LINE, 1, 1);
+}
+
+static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push(cmd, frame);
+    rg_cmd_draw(cmd, 3);
+}
+
+static void record_strip(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push(cmd, frame);
+    rg_cmd_draw(cmd, CAUSTICS_GRID * (2 * CAUSTICS_GRID + 4));
+}
+
+static void record_one(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    rg_cmd_dispatch(cmd, 1, 1, 1);
+}
+
+static const char *const methods[] = {
+    [CAUSTICS_NONE] = "none",           [CAUSTICS_NAIVE] = "naive", [CAUSTICS_GATHER] = "gather",
+    [CAUSTICS_BACKTRACE] = "backtrace", [CAUSTICS_AREA] = "area",   NULL,
+};
+
+static const char *const slopes[] = {
+    [CAUSTICS_SNELL] = "snell",
+    [CAUSTICS_PUBLISHED] = "published",
+    NULL,
+};
+
+#define ROW(field, kind, ...) \
+    { \
+        .name = "caustics." #field, .type = (kind), \
+        .offset = offsetof(struct caustics_params, field), __VA_ARGS__ \
+    }
+
+static const struct setting rows[] = {
+    ROW(method, SETTING_CHOICE, .initial = CAUSTICS_AREA, .max = CAUSTICS_AREA, .choices = methods,
+        .help = "how light on the pool's floor is found"),
+    ROW(sun, SETTING_FLOAT, .initial = 0.53, .min = 0.01, .max = 20, .unit = "degrees",
+        .help = "the sun's diameter (backtrace: see caustics.glow)"),
+    ROW(photons, SETTING_COUNT, .initial = 1000000, .min = 1, .max = 16000000,
+        .help = "of caustics.method=naive"),
+    ROW(directions, SETTING_COUNT, .initial = 64, .min = 1, .max = 65536,
+        .help = "that gather follows from each point of the floor"),
+    ROW(cone, SETTING_FLOAT, .initial = 20, .min = 0.1, .max = 90, .unit = "degrees",
+        .help = "how far they stray from the straight ray (90: over the hemisphere)"),
+    ROW(slope, SETTING_CHOICE, .max = CAUSTICS_PUBLISHED, .choices = slopes,
+        .help = "how backtrace bends rays: as light does, or three times as much"),
+    ROW(glow, SETTING_FLOAT, .initial = 4, .min = 0.1, .max = 90, .unit = "degrees",
+        .help = "how large the light is that backtrace looks up"),
+};
+
+const struct setting_group caustics_settings =
+    SETTING_GROUP("caustics", rows, struct caustics_params);
+
+#define TECHNIQUE(passes, text) \
+    { \
+        .graph = RG_TECHNIQUE("caustics", passes), .settings = &caustics_settings, .help = (text) \
+    }
+
+static const struct technique techniques[] = {
+    [CAUSTICS_NAIVE] = TECHNIQUE(naive_passes, "light on the floor, by counting photons"),
+    [CAUSTICS_GATHER] = TECHNIQUE(gather_passes, "the same, gathered from the floor's points"),
+    [CAUSTICS_BACKTRACE] = TECHNIQUE(backtrace_passes, "the same, by one ray up from each"),
+    [CAUSTICS_AREA] = TECHNIQUE(area_passes, "the same, by the areas of refracted triangles"),
+};
+
+const struct technique *caustics_find(const struct settings *settings)
+{
+    const struct caustics_params *params = settings_of(settings, &caustics_settings);
+    return params->method == CAUSTICS_NONE ? NULL : &techniques[params->method];
+}

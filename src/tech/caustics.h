@@ -1,0 +1,16 @@
+/* caustics.h: the sun's light on the floor of a pool. */
+#ifndef TECH_CAUSTICS_H
+#define TECH_CAUSTICS_H
+#include "shaders/caustics.h"
+#include "src/technique.h"
+
+/* A map on the plane of the floor (shaders/lib/caustics_map.glsl): 1 is as much light as falls on
+ * it below water at rest with nothing around it. */
+extern const struct rg_image caustics_light;
+
+extern const struct setting_group caustics_settings; /* struct caustics_params */
+
+/* The technique of the method that the settings choose, or NULL: none. */
+const struct technique *caustics_find(const struct settings *settings);
+
+#endif
