@@ -8,135 +8,28 @@
  */
 #include <jansson.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "tests/support/check.h"
 
-#include "src/frame.h"
-#include "src/tech/caustics.h"
-#include "src/tech/water.h"
 #include "tests/support/lavapipe.h"
-#include "tests/support/run_graph.h"
+#include "tests/support/light_map.h"
 
 enum {
-    SIZE = CAUSTICS_SIZE,
-    TEXEL_COUNT = SIZE * SIZE,
-    ROWS_MAX = 8,
+    SIZE = LIGHT_MAP_SIZE,
 };
 
 static const double pi = 3.14159265358979323846;
 
-/* The light of a pool, and where it lies. */
-struct map {
-    float *texels;
-    double size, depth;    /* of the pool */
-    double lower[2];       /* corner of the map, pool coordinates */
-    double texel[2];       /* lengths of a texel's sides, metres */
-    double shift_x, total; /* of the light on the floor; light over what enters the pool */
-};
-
-struct light {
-    const char *method;
-    double elevation;               /* of the sun, which stands on +x; degrees */
-    const char *const *assignments; /* end at NULL */
-};
-
-static const struct rg_buffer texels_out = {
-    .name = "texels out",
-    .size = (VkDeviceSize)TEXEL_COUNT * 2,
-    .memory = RG_MEMORY_READBACK,
-};
-static const struct rg_pass read_row = RUN_READ("read", caustics_light, texels_out);
-
-static double from_half(uint16_t half)
-{
-    const int exponent = half >> 10 & 31;
-    const double fraction = (half & 1023) / 1024.0;
-    assert_true(exponent < 31); /* a number */
-    return (half & 0x8000 ? -1 : 1) *
-           (exponent ? ldexp(1 + fraction, exponent - 15) : ldexp(fraction, -14));
-}
-
-static struct settings settings_of_light(const struct light *light)
-{
-    struct settings settings = settings_default();
-    char method[64];
-    (void)snprintf(method, sizeof(method), "caustics.method=%s", light->method);
-    assert_int_equal(settings_set(&settings, method), STATUS_OK);
-    for (size_t i = 0; light->assignments[i]; i++)
-        assert_int_equal(settings_set(&settings, light->assignments[i]), STATUS_OK);
-    return settings;
-}
-
-/* Runs the rows of a method, and one that brings the map back. */
-static void run_method(struct gpu *gpu, const struct settings *settings,
-                       const struct globals *globals, float *texels)
-{
-    const struct technique *technique = caustics_find(settings);
-    struct rg_pass rows[ROWS_MAX];
-    struct run run;
-    assert_non_null(technique);
-    const size_t count = technique->graph.pass_count;
-    assert_true(count < ROWS_MAX);
-    memcpy(rows, technique->graph.passes, count * sizeof(rows[0]));
-    rows[count] = read_row;
-    run_open(&run, gpu,
-             &(struct run_params){
-                 .technique = { "caustics", rows, count + 1 },
-                 .outputs = { &texels_out },
-             });
-    assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
-    memcpy(run_data(&run, &frame_globals), globals, sizeof(*globals));
-    const struct rg_frame frame = { .settings = settings };
-    assert_int_equal(rg_exec_submit(run.exec, &frame), VK_SUCCESS);
-    assert_int_equal(rg_exec_wait(run.exec, run.slot), VK_SUCCESS);
-    const uint16_t *halves = run_data(&run, &texels_out);
-    for (size_t i = 0; i < TEXEL_COUNT; i++)
-        texels[i] = (float)from_half(halves[i]);
-    run_close(&run);
-}
-
-/* The caller frees its texels. */
-static struct map trace(struct gpu *gpu, const struct light *light)
-{
-    const struct settings settings = settings_of_light(light);
-    const struct water_push push = water_push_of(&settings);
-    const double elevation = light->elevation * pi / 180;
-    const struct globals globals = {
-        .sun_dir = { { (float)cos(elevation), (float)sin(elevation), 0 } },
-    };
-    const double sine = cos(elevation) / (double)push.water.ior;
-    struct map map = {
-        .texels = calloc(TEXEL_COUNT, sizeof(float)),
-        .size = (double)push.pool.size,
-        .depth = (double)push.pool.depth,
-    };
-    assert_non_null(map.texels);
-    map.shift_x = -sine / sqrt(1 - sine * sine) * map.depth;
-    map.lower[0] = -map.size / 2 - 0.15 * map.depth + fmin(map.shift_x, 0);
-    map.lower[1] = -map.size / 2 - 0.15 * map.depth;
-    map.texel[0] = (map.size + 0.3 * map.depth + fabs(map.shift_x)) / SIZE;
-    map.texel[1] = (map.size + 0.3 * map.depth) / SIZE;
-    run_method(gpu, &settings, &globals, map.texels);
-    for (size_t i = 0; i < TEXEL_COUNT; i++)
-        map.total += (double)map.texels[i] * map.texel[0] * map.texel[1] / (map.size * map.size);
-    return map;
-}
-
-static double place(const struct map *map, size_t axis, size_t index)
-{
-    return map->lower[axis] + ((double)index + 0.5) * map->texel[axis];
-}
-
 /* Mean light from x_0 to x_1, at the middle of the pool along y; by whole texels. */
-static double mean(const struct map *map, double x_0, double x_1)
+static double mean(const struct light_map *map, double x_0, double x_1)
 {
     double sum = 0;
     size_t count = 0;
     for (size_t y = SIZE / 8; y < SIZE - SIZE / 8; y++) {
         for (size_t x = 0; x < SIZE; x++) {
-            if (place(map, 0, x) < x_0 || place(map, 0, x) > x_1)
+            if (light_map_place(map, 0, x) < x_0 || light_map_place(map, 0, x) > x_1)
                 continue;
             sum += (double)map->texels[y * SIZE + x];
             count++;
@@ -193,7 +86,8 @@ static void check_cosine(struct gpu *gpu, const char *method, const struct cosin
     (void)snprintf(words[2], sizeof(words[2]), "water.ior=%.9g", c->index * 1.0003);
     (void)snprintf(words[3], sizeof(words[3]), "pool.depth=%.9g", c->depth);
     (void)snprintf(words[4], sizeof(words[4]), "pool.size=%.9g", 4 * length);
-    struct map map = trace(gpu, &(struct light){ method, 90, assignments });
+    struct light_map map =
+        light_map_trace(gpu, &(struct light_map_params){ method, 90, assignments });
     const double near = 0.02 * length;
     const double crest = (mean(&map, -near, near) + mean(&map, length - near, length + near)) / 2;
     const double trough = mean(&map, length / 2 - near, length / 2 + near);
@@ -250,12 +144,13 @@ static void check_backtrace(struct gpu *gpu, bool published)
         published ? "caustics.slope=published" : "caustics.slope=snell",
         NULL,
     };
-    struct map map = trace(gpu, &(struct light){ "backtrace", 90, assignments });
+    struct light_map map =
+        light_map_trace(gpu, &(struct light_map_params){ "backtrace", 90, assignments });
     double sum = 0;
     for (int i = 0; i < 10000; i++)
         sum += bell(turned(0.02 * 2 * pi * sin(2 * pi * i / 10000), published)) / 10000;
     for (size_t i = 0; i < SIZE; i++) {
-        const double x = place(&map, 0, i);
+        const double x = light_map_place(&map, 0, i);
         const double texel = (double)map.texels[SIZE / 2 * SIZE + i];
         const double expected = bell(turned(0.02 * 2 * pi * sin(2 * pi * x), published)) / sum;
         if (fabs(x) < 1.99) /* as much as a texel of the map that is half in the pool */
@@ -281,12 +176,13 @@ static void check_level(struct gpu *gpu, const char *method, double noise)
 {
     const char *const assignments[] = { "water.height=0", "caustics.sun=1", "caustics.cone=2",
                                         "caustics.directions=64", NULL };
-    struct map map = trace(gpu, &(struct light){ method, 50, assignments });
+    struct light_map map =
+        light_map_trace(gpu, &(struct light_map_params){ method, 50, assignments });
     double sum = 0;
     size_t lit = 0;
-    for (size_t i = 0; i < TEXEL_COUNT; i++) {
-        const double x = fabs(place(&map, 0, i % SIZE) - map.shift_x);
-        const double y = fabs(place(&map, 1, i / SIZE));
+    for (size_t i = 0; i < LIGHT_MAP_COUNT; i++) {
+        const double x = fabs(light_map_place(&map, 0, i % SIZE) - map.shift_x);
+        const double y = fabs(light_map_place(&map, 1, i / SIZE));
         const double light = (double)map.texels[i];
         if (fmax(x, y) > map.size / 2 + 0.04)
             CHECK_NEAR(light, 0, 0);
@@ -317,8 +213,10 @@ static void no_light_is_lost(void **state)
     static const char *const assignments[] = { NULL };
     static const double elevations[] = { 90, 60, 35 };
     for (size_t i = 0; i < 3; i++) {
-        struct map area = trace(*state, &(struct light){ "area", elevations[i], assignments });
-        struct map naive = trace(*state, &(struct light){ "naive", elevations[i], assignments });
+        struct light_map area = light_map_trace(
+            *state, &(struct light_map_params){ "area", elevations[i], assignments });
+        struct light_map naive = light_map_trace(
+            *state, &(struct light_map_params){ "naive", elevations[i], assignments });
         print_message("sun at %g: area %.4f, naive %.4f\n", elevations[i], area.total, naive.total);
         CHECK_NEAR(area.total, naive.total, 0.01);
         CHECK_NEAR(area.total, 1, 0.02);
