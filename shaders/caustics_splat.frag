@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "caustics.glsl"
 
-layout(location = 0) in vec2 p; /* on the surface */
-layout(location = 1) in float flux;
-layout(location = 0) out float raw; /* adds */
+layout(location = 0) in vec2 p;          /* on the surface */
+layout(location = 1) flat in float flux; /* slivers would extrapolate it */
+layout(location = 0) out float raw;      /* adds */
 
 /* Light is dimmed as its beam widens: the area that a texel has on the surface over its own. The
  * triangle is flat, so that this holds for all of it; turned over it is as bright. */

@@ -6,5 +6,6 @@ layout(location = 0) out vec4 color;
 void main()
 {
     water_view view = water_look();
-    color = vec4(optics_compose(view.reflection, view.refraction, view.fresnel), 1.0);
+    vec3 radiance = optics_compose(view.reflection, view.refraction, view.fresnel);
+    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* a half's largest, where light is focused */
 }

@@ -151,7 +151,7 @@ static void check_backtrace(struct gpu *gpu, bool published)
         sum += bell(turned(0.02 * 2 * pi * sin(2 * pi * i / 10000), published)) / 10000;
     for (size_t i = 0; i < SIZE; i++) {
         const double x = light_map_place(&map, 0, i);
-        const double texel = (double)map.texels[SIZE / 2 * SIZE + i];
+        const double texel = (double)map.texels[(size_t)SIZE / 2 * SIZE + i];
         const double expected = bell(turned(0.02 * 2 * pi * sin(2 * pi * x), published)) / sum;
         if (fabs(x) < 1.99) /* as much as a texel of the map that is half in the pool */
             CHECK_NEAR(texel / expected, 1, 6e-3);
@@ -225,6 +225,20 @@ static void no_light_is_lost(void **state)
     }
 }
 
+/* Waves so short that triangles become slivers. */
+static void slivers_give_no_negative_light(void **state)
+{
+    static const char *const assignments[] = { "water.scale=0.1", NULL };
+    static const double elevations[] = { 15, 35, 55 };
+    for (size_t i = 0; i < 3; i++) {
+        struct light_map map = light_map_trace(
+            *state, &(struct light_map_params){ "area", elevations[i], assignments, 1 });
+        for (size_t t = 0; t < LIGHT_MAP_COUNT; t++)
+            assert_true(map.texels[t] >= 0.0F);
+        free(map.texels);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -232,6 +246,7 @@ int main(void)
         ON_DEVICE(backtrace_as_it_is_meant),
         ON_DEVICE(below_level_water),
         ON_DEVICE(no_light_is_lost),
+        ON_DEVICE(slivers_give_no_negative_light),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
