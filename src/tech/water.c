@@ -152,7 +152,7 @@ static const struct setting rows[] = {
         .max = 8,
         .help = "of the series",
     },
-    WATER(scale, .initial = 2, .min = 0.01, .max = 1000, .unit = "metres",
+    WATER(scale, .initial = 2.6, .min = 0.01, .max = 1000, .unit = "metres",
           .help = "length of a unit of the waves"),
     WATER(ior, .initial = 1.333, .min = 1.001, .max = 4, .help = "refractive index of the water"),
     WATER(red, .initial = 0.34, .max = 100, .unit = "1/metres", .help = "absorption of red light"),

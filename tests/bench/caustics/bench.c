@@ -55,7 +55,8 @@ static struct light_map trace(struct gpu *gpu, const struct row *row, const char
 {
     char words[32];
     const char *const assignments[ASSIGNMENT_COUNT] = {
-        words, "pool.size=2.4", "caustics.sun=2", "caustics.cone=8", row->own, NULL,
+        words, "pool.size=2.4", "water.scale=2", "caustics.sun=2", "caustics.cone=8", row->own,
+        NULL,
     };
     (void)snprintf(words, sizeof(words), "pool.depth=%s", depth);
     return light_map_trace(gpu,
