@@ -21,6 +21,7 @@ PICTURES = {
     'ice-cube': ('ice-cube',),
     'sphere': ('sphere',),
     'teapot': ('teapot',),
+    'pool': ('pool',),
     'ice-cube-one-sided': ('ice-cube', '--refraction', 'one-sided'),
     'ice-cube-bounce': ('ice-cube', '--refraction', 'bounce', '--set', 'refract.lookup=distance',
                         '--set', 'refract.fresnel=exact'),
