@@ -69,6 +69,7 @@ struct seen {
     bool is_sky;    /* that is */
     double path;    /* to the ground, metres */
     double below;   /* how deep the ground lies there */
+    struct vec ground;
 };
 
 /* How far a ray from within gets to walls that stand at x and z = +-half. */
@@ -93,6 +94,7 @@ static struct seen look(size_t i)
     seen.is_sky = to_walls(seen.at, mirrored) * mirrored.y > (double)POOL_RIM + 0.01;
     seen.path = fmin(to_walls(seen.at, inside), depth / ct);
     seen.below = seen.path * ct;
+    seen.ground = vec_add(seen.at, seen.path, inside);
     return seen;
 }
 
@@ -178,12 +180,39 @@ static void layers_show_the_surface(void **state)
     render_result_finish(&result);
 }
 
+/* The layer caustics is 1 where the sun, which stands on +x, shines on floor and walls past the
+ * pool's rim, and 0 in its shadow. */
+static void rim_casts_a_shadow(void **state)
+{
+    struct render_result result =
+        draw(*state, 0,
+             (const char *const[]){ "caustics.method=area", "sky.sun_azimuth=90",
+                                    "sky.sun_elevation=50", NULL });
+    const float *caustics = image_find(&result.image, "caustics.Z");
+    const double sine = cos(acos(-1) * 50 / 180) / index_ratio;
+    size_t lit = 0;
+    size_t dark = 0;
+    assert_non_null(caustics);
+    for (size_t i = 0; i < PIXEL_COUNT; i++) {
+        const struct seen seen = look(i);
+        const double entry = seen.ground.x + seen.below * sine / sqrt(1 - sine * sine);
+        const bool at_edge = fabs(entry - half) < 0.05 || fabs(seen.ground.z) > half - 0.05;
+        if (!is_water(&seen) || at_edge)
+            continue;
+        CHECK_NEAR(caustics[i], entry < half ? 1 : 0, 5e-3);
+        *(entry < half ? &lit : &dark) += 1;
+    }
+    assert_true(lit > 1000 && dark > 300);
+    render_result_finish(&result);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         ON_DEVICE(mirrors),
         ON_DEVICE(refracts_and_absorbs),
         ON_DEVICE(layers_show_the_surface),
+        ON_DEVICE(rim_casts_a_shadow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

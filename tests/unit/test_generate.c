@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "shaders/water.h"
 #include "tests/support/check.h"
 
 typedef bool (*generate_fn)(struct mesh *mesh, uint32_t triangles);
@@ -455,6 +456,34 @@ static void test_same_mesh_every_time(void **state)
     mesh_finish(&second);
 }
 
+/* Stone up to the rim: walls that face the water, and level ground that does not cover it. */
+static void test_pool(void **state)
+{
+    (void)state;
+    struct mesh mesh;
+    double wall_area = 0;
+    vec3s sum = { 0 }; /* of the walls' normals: they stand around the water */
+    assert_true(generate_pool(&mesh, &(struct generate_pool){ 3, 0.5F }));
+    for (uint32_t i = 0; i < mesh.index_count; i += 3) {
+        const vec3s normal = facet(&mesh, i);
+        const vec3s a = corner(&mesh, i);
+        assert_true(glms_vec3_dot(normal, mesh.vertices[mesh.indices[i]].normal) > 0);
+        if (normal.y > 0) {
+            assert_true(fmaxf(fabsf(a.x), fabsf(a.z)) >= 1.5F && a.y > 0);
+            continue;
+        }
+        CHECK_NEAR(normal.y, 0, 1e-6);
+        CHECK_NEAR(fmaxf(fabsf(a.x), fabsf(a.z)), 1.5, 1e-6);
+        assert_true(normal.x * a.x + normal.z * a.z < 0);
+        wall_area += (double)glms_vec3_norm(normal) / 2;
+        sum = glms_vec3_add(sum, normal);
+    }
+    CHECK_NEAR(glms_vec3_norm(sum), 0, 1e-5);
+    CHECK_NEAR(wall_area, 4 * 3 * (0.5 + (double)POOL_RIM), 1e-4);
+    CHECK_NEAR(mesh_box(&mesh).min.y, -0.5, 1e-6);
+    mesh_finish(&mesh);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -468,6 +497,7 @@ int main(void)
         cmocka_unit_test(test_teapot_looks_like_one),
         cmocka_unit_test(test_landscape),
         cmocka_unit_test(test_room),
+        cmocka_unit_test(test_pool),
         cmocka_unit_test(test_same_mesh_every_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
