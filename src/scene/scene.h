@@ -54,7 +54,7 @@ struct scene_params {
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
     struct scene_cracks cracks;
     const struct decode_params *decode; /* who reads the files; NULL: this process */
-    struct generate_pool pool; /* of the scene that is one */
+    struct generate_pool pool;          /* of the scene that is one */
 };
 
 /* A scene known by name. */
