@@ -47,6 +47,17 @@ enum status app_need_scene(const struct app_options *o)
     return STATUS_USAGE;
 }
 
+/* The rungs that are drawn leave the water alone; the tracer, which is no technique, knows none. */
+static enum status check_pool(const struct app_options *o, struct scene *scene)
+{
+    if (!scene->has_pool || !o->rung || o->rung->technique)
+        return STATUS_OK;
+    log_error("%s: --refraction %s traces ice and its surroundings, no water: leave it out",
+              o->positionals[0], o->rung->name);
+    scene_finish(scene);
+    return STATUS_USAGE;
+}
+
 enum status app_load_scene(struct scene *scene, struct app_options *o)
 {
     const struct object_params *object = settings_of(&o->settings, &object_settings);
@@ -85,6 +96,8 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
                    .decode = &decode,
                    .pool = { pool->size, pool->depth },
                });
+    if (status == STATUS_OK)
+        status = check_pool(o, scene);
     if (status == STATUS_OK) {
         settle_ior(o, &scene->model);
         if (scene->cube.texels)

@@ -96,6 +96,10 @@ class CommandLine(Case):
                         names=[name])
         self.assertEqual(self.files(), [])
 
+    def test_no_reference_of_water(self):
+        self.refuse(USAGE, 'render', 'pool', '-r', 'reference', '-o', 'a.exr', names=['pool'])
+        self.assertEqual(self.files(), [])
+
     def test_list(self):
         text = self.succeed('list', env=NO_DRIVER).stdout.decode()
         for name in ('ice-cube', 'sphere', 'teapot', 'pool', 'paper', 'one-sided',
