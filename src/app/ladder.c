@@ -232,6 +232,11 @@ static enum status run(struct job *job)
         status = read_truth(job);
     if (status == STATUS_OK)
         status = app_load_scene(&job->scene, &job->o);
+    if (status == STATUS_OK && job->scene.has_pool) {
+        log_error("firn ladder %s: there is nothing in it that refraction's rungs draw",
+                  job->o.positionals[0]);
+        status = STATUS_USAGE;
+    }
     if (status == STATUS_OK)
         status = measure(job);
     if (status == STATUS_OK)

@@ -192,6 +192,7 @@ class Refused(LadderCase):
         self.refuse(USAGE, 'ladder', *small, '-o', 'a.gif', names=['a.gif', '.html'])
         self.refuse(USAGE, 'ladder', *small, '--mask', 'a.png', names=['--truth'])
         self.refuse(USAGE, 'ladder', *small, '--refraction', 'paper', names=['--refraction'])
+        self.refuse(USAGE, 'ladder', 'pool', names=['pool'])
         for word, value in (('--env', 'a.hdr'), ('--background', '1,1,1'), ('--truth', 'a.exr'),
                             ('--surroundings', 'a.obj'), ('--output', 'a.png')):
             self.refuse(USAGE, 'ladder', *small, '--furnace', word, value, names=[word])
