@@ -2,7 +2,7 @@
 import re
 import subprocess
 
-COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'list')
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet', 'list')
 LISTS = ('scenes', 'rungs', 'materials', 'layers', 'settings')
 
 

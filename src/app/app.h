@@ -106,6 +106,7 @@ enum app_command {
     APP_DIFF = 32,
     APP_LADDER = 64,
     APP_BAKE = 128,
+    APP_SHEET = 256,
 };
 
 /*
@@ -135,6 +136,7 @@ MUST_USE enum status app_need_scene(const struct app_options *options);
 enum status app_diff(const struct app_options *options);
 enum status app_ladder(const struct app_options *options);
 enum status app_bake(const struct app_options *options);
+enum status app_sheet(const struct app_options *options);
 
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);

@@ -20,6 +20,7 @@ static const struct {
     { "diff", APP_DIFF, app_diff, "say how far two pictures are apart" },
     { "ladder", APP_LADDER, app_ladder, "compare every way to refract with the traced truth" },
     { "bake", APP_BAKE, app_bake, "draw what surrounds a scene's object, once, for --env" },
+    { "sheet", APP_SHEET, app_sheet, "draw every material, or value of a setting, side by side" },
     { "list", APP_LIST, app_list, "scenes, rungs, materials, layers, settings, devices" },
 };
 
@@ -52,8 +53,8 @@ static size_t find_command(const char *name)
 
 static enum status unknown(const char *word)
 {
-    log_error("unknown command %s: render, view, profile, graph, diff, ladder, bake or list is "
-              "wanted (see --help)",
+    log_error("unknown command %s: render, view, profile, graph, diff, ladder, bake, sheet or list "
+              "is wanted (see --help)",
               word);
     return STATUS_USAGE;
 }
@@ -78,8 +79,9 @@ int main(int argc, char **argv)
         return decode_main(argc, argv);
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
     if (argc < 2) {
-        log_error("a command is missing: render, view, profile, graph, diff, ladder, bake or list "
-                  "(see --help)");
+        log_error(
+            "a command is missing: render, view, profile, graph, diff, ladder, bake, sheet or "
+            "list (see --help)");
         return STATUS_USAGE;
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))

@@ -25,15 +25,32 @@ enum status option_output(struct app_options *o, const char *value)
     return add_output(o, "output", value);
 }
 
-enum status option_bake_output(struct app_options *o, const char *value)
+static enum status set_only_output(struct app_options *o, const char *value)
 {
-    const char *dot = strrchr(value, '.');
-    if (strcmp(value, "-") != 0 && (!dot || strcmp(dot, ".exr") != 0))
-        return option_refuse("output", value, "a name that ends in .exr, or - is wanted");
     if (o->output_count)
         return option_refuse("output", value, "only one file can be written");
     o->outputs[o->output_count++] = value;
     return STATUS_OK;
+}
+
+static bool ends_in(const char *name, const char *ending)
+{
+    const char *dot = strrchr(name, '.');
+    return dot && !strcmp(dot, ending);
+}
+
+enum status option_bake_output(struct app_options *o, const char *value)
+{
+    if (strcmp(value, "-") != 0 && !ends_in(value, ".exr"))
+        return option_refuse("output", value, "a name that ends in .exr, or - is wanted");
+    return set_only_output(o, value);
+}
+
+enum status option_sheet_output(struct app_options *o, const char *value)
+{
+    if (!ends_in(value, ".png"))
+        return option_refuse("output", value, "a name that ends in .png is wanted");
+    return set_only_output(o, value);
 }
 
 enum status option_screenshot(struct app_options *o, const char *value)

@@ -31,10 +31,10 @@ struct option {
 /* ---- the table ---- */
 
 #define FRAMES   (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW)
-#define PICTURES (FRAMES | APP_LADDER)
+#define PICTURES (FRAMES | APP_LADDER | APP_SHEET)
 #define SCENES   (PICTURES | APP_BAKE)
 #define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW)
-#define DEVICES  (APP_RENDER | APP_PROFILE | APP_VIEW | APP_LADDER | APP_BAKE)
+#define DEVICES  (APP_RENDER | APP_PROFILE | APP_VIEW | APP_LADDER | APP_BAKE | APP_SHEET)
 
 static const struct option options[] = {
     { "Output", "output", 'o', "FILE", APP_RENDER, option_output,
@@ -43,9 +43,14 @@ static const struct option options[] = {
       "FILE.png: contact sheet, .exr: layers, .svg: plot, .html: page; may be repeated" },
     { "Output", "output", 'o', "FILE", APP_BAKE, option_bake_output,
       "write FILE.exr; - is stdout (env.exr)" },
+    { "Output", "output", 'o', "FILE", APP_SHEET, option_sheet_output,
+      "write FILE.png (sheet.png)" },
+    { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, option_sweep,
+      "one picture for each; of several all products (every material)" },
+    { "Output", "size", 's', "WxH", APP_SHEET, option_size, "pixels of each picture (320x240)" },
     { "Output", "size", 's', "WxH", FRAMES, option_size, "pixels (1024x768)" },
     { "Output", "size", 's', "WxH", APP_LADDER, option_size, "pixels (512x512)" },
-    { "Output", "samples", 'n', "N", FILES | APP_LADDER, option_samples,
+    { "Output", "samples", 'n', "N", FILES | APP_LADDER | APP_SHEET, option_samples,
       "samples a pixel (1); a window shows one, its screenshots have all" },
     { "Output", "aov", 0, "LIST", FILES, option_aov,
       "extra layers of the EXR: names with commas between (firn list layers), or all" },
@@ -98,7 +103,7 @@ static const struct option options[] = {
       "surroundings of 1: what takes no light shows 1; exit code 1 where it does not" },
     { "Ladder", "truth", 0, "FILE", APP_LADDER, option_truth,
       "a picture of the same view by another program, to compare with, too" },
-    { "Picture", "refraction", 'r', "RUNG", FRAMES, option_refraction,
+    { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, option_refraction,
       "paper, bounce, reference, ...: firn list rungs (paper)" },
     { "Picture", "material", 'm', "NAME", PICTURES, option_material,
       "ice, water, glass, ... (ice)" },
@@ -180,6 +185,11 @@ static const char *const examples[] = {
                     "  firn ladder ice-cube --furnace\n"),
     [APP_BAKE] = ("  firn bake room -o env.exr\n"
                   "  firn render room --env env.exr -o room.png\n"),
+    [APP_SHEET] = ("  firn sheet teapot -o materials.png\n"
+                   "  firn sheet sphere --sweep refract.crossfade=0,0.5,1 \\\n"
+                   "      --set refract.fresnel=crossfade -o crossfade.png\n"
+                   "  firn sheet room --sweep refraction=paper,bounce --sweep "
+                   "refract.lookup=infinite,box\n"),
     [APP_LIST] = ("  firn list\n"
                   "  firn list settings\n"),
 };
@@ -192,6 +202,7 @@ static const char *const usages[] = {
     [APP_DIFF] = "firn diff [options] REFERENCE TEST: how far two pictures are apart",
     [APP_LADDER] = "firn ladder [options] [SCENE]: how far every rung is from the traced truth",
     [APP_BAKE] = "firn bake [options] SCENE: draw what surrounds its object, six ways",
+    [APP_SHEET] = "firn sheet [options] SCENE: one picture for each value, side by side",
     [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
 };
 

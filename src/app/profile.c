@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/profile_job.h"
+#include "src/app/sweep_options.h"
 #include "src/image/file.h"
 #include "src/log.h"
 #include "src/profile/compare.h"
@@ -128,14 +129,6 @@ static enum status run_frame(struct profile_job *job)
 
 /* ---- a sweep ---- */
 
-static enum status parse_sweeps(struct profile_job *job)
-{
-    enum status status = STATUS_OK;
-    for (uint32_t i = 0; i < job->o.sweep_count && status == STATUS_OK; i++)
-        status = profile_sweep_add(&job->sweep, job->o.sweeps[i]);
-    return status;
-}
-
 /* Reports of one frame, where there will be many. */
 static enum status refuse_reports(const struct app_options *o, const char *many)
 {
@@ -143,26 +136,6 @@ static enum status refuse_reports(const struct app_options *o, const char *many)
         return STATUS_OK;
     log_error("%s: has --json and --html, but no --csv, --trace, --baseline or --capture", many);
     return STATUS_USAGE;
-}
-
-static enum status point_options(const struct profile_job *job, uint32_t point,
-                                 struct app_options *o)
-{
-    enum status status = STATUS_OK;
-    *o = job->o;
-    for (uint32_t i = 0; i < job->sweep.parameter_count && status == STATUS_OK; i++)
-        status =
-            app_set(o, job->sweep.parameters[i].name, profile_sweep_value(&job->sweep, point, i));
-    return status;
-}
-
-static enum status check_points(const struct profile_job *job)
-{
-    struct app_options o;
-    enum status status = STATUS_OK;
-    for (uint32_t i = 0; i < job->sweep.point_count && status == STATUS_OK; i++)
-        status = point_options(job, i, &o);
-    return status;
 }
 
 enum status profile_job_write_sweep(const struct profile_job *job)
@@ -190,7 +163,7 @@ static enum status run_sweep(struct profile_job *job)
     job->progress.frame_name = "point";
     for (uint32_t i = 0; i < job->sweep.point_count && status == STATUS_OK; i++) {
         job->progress.frame = i;
-        status = point_options(job, i, &o);
+        status = sweep_options_at(&job->sweep, i, &job->o, &o);
         if (status == STATUS_OK)
             status = profile_job_measure(job, &o, &job->sweep.points[i]);
     }
@@ -213,9 +186,7 @@ static enum status check(struct profile_job *job, bool is_paper)
     if (status == STATUS_OK && (is_paper || o->sweep_count))
         status = refuse_reports(o, is_paper ? "paper" : "--sweep");
     if (status == STATUS_OK)
-        status = parse_sweeps(job);
-    if (status == STATUS_OK)
-        status = check_points(job);
+        status = sweep_options_parse(&job->sweep, &job->o);
     if (status == STATUS_OK && o->baseline)
         status = profile_read_json(o->baseline, &job->baseline);
     return status;

@@ -22,13 +22,13 @@ if NO_WINDOW:
     sys.argv.remove('--no-window')
 
 ROOT = pathlib.Path(__file__).parents[2]
-COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list', 'bake')
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list', 'bake', 'sheet')
 # Settings of a technique that a reader is to write
 TO_BE_WRITTEN = 'fog.density'
 SMALL = {
     'render': '--size 48x36', 'view': '--size 48x36 --frames 1 -q',
     'profile': '--runs 2 --warmup 0', 'ladder': '--size 48x36 --runs 0',
-    'graph': '', 'diff': '', 'list': '', 'bake': '',
+    'graph': '', 'diff': '', 'list': '', 'bake': '', 'sheet': '--size 48x36',
 }
 # Takes minutes even so; test_profile.py measures its experiments.
 LONG = 'profile paper'

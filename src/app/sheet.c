@@ -1,0 +1,254 @@
+/* sheet.c: firn sheet: one picture for each value of something, side by side. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/app.h"
+#include "src/app/progress.h"
+#include "src/app/sweep_options.h"
+#include "src/app/words.h"
+#include "src/image/file.h"
+#include "src/image/png.h"
+#include "src/ladder/canvas.h"
+#include "src/log.h"
+#include "src/renderer.h"
+#include "src/scene/material.h"
+#include "src/scene_settings.h"
+#include "src/version.h"
+
+static const char default_output[] = "sheet.png";
+
+enum {
+    COLUMNS = 4, /* of values of one parameter */
+    PICTURES_MAX = 64,
+    MARGIN = 8, /* pixels, as are: */
+    ROOM = 150, /* for words of scale 1 */
+    GREY = 34,
+};
+
+struct job {
+    struct app_options o;
+    char *materials; /* the sweep where none is asked for */
+    struct profile_sweep sweep;
+    struct gpu gpu;
+    struct canvas canvas;
+    char *command;
+    struct progress progress;
+};
+
+/* ---- what there is to draw ---- */
+
+static enum status out_of_memory(void)
+{
+    log_error("out of memory");
+    return STATUS_TRY_AGAIN;
+}
+
+/* "material=ice,water,..." */
+static enum status sweep_materials(struct job *job)
+{
+    size_t size;
+    FILE *out = open_memstream(&job->materials, &size);
+    if (!out)
+        return out_of_memory();
+    for (const struct material *m = materials; m->name; m++)
+        fprintf(out, "%s%s", m == materials ? "material=" : ",", m->name);
+    const bool failed = ferror(out) != 0;
+    if (fclose(out) || failed)
+        return out_of_memory();
+    job->o.sweeps[job->o.sweep_count++] = job->materials;
+    return STATUS_OK;
+}
+
+static enum status check(struct job *job)
+{
+    struct app_options *o = &job->o;
+    if (!o->output_count)
+        o->outputs[o->output_count++] = default_output;
+    if (!o->samples)
+        o->samples = 1;
+    if (!o->width) {
+        o->width = 320;
+        o->height = 240;
+    }
+    enum status status = app_need_scene(o);
+    if (status == STATUS_OK)
+        status = file_check(o->outputs[0]);
+    if (status == STATUS_OK && !o->sweep_count)
+        status = sweep_materials(job);
+    if (status == STATUS_OK)
+        status = sweep_options_parse(&job->sweep, o);
+    if (status == STATUS_OK && job->sweep.point_count > PICTURES_MAX) {
+        log_error("--sweep: %u pictures; at most %d are put on a sheet", job->sweep.point_count,
+                  PICTURES_MAX);
+        return STATUS_USAGE;
+    }
+    for (uint32_t i = 0; i < job->sweep.parameter_count && status == STATUS_OK; i++) {
+        if (strcmp(job->sweep.parameters[i].name, "size") != 0)
+            continue;
+        log_error("--sweep %s: the pictures of a sheet have one size, --size", o->sweeps[i]);
+        status = STATUS_USAGE;
+    }
+    return status;
+}
+
+/* ---- the sheet ---- */
+
+static uint32_t letter_scale(const struct job *job)
+{
+    return job->o.width >= 2 * ROOM ? 2 : 1;
+}
+
+static uint32_t label_height(const struct job *job)
+{
+    return letter_scale(job) * CANVAS_TEXT_HEIGHT + 4;
+}
+
+/* The values of the last parameter stand in a row, if there are others. */
+static uint32_t columns(const struct job *job)
+{
+    const uint32_t last = job->sweep.parameter_count - 1;
+    if (last > 0)
+        return job->sweep.parameters[last].value_count;
+    return job->sweep.point_count < COLUMNS ? job->sweep.point_count : COLUMNS;
+}
+
+static enum status open_canvas(struct job *job)
+{
+    const uint32_t across = columns(job);
+    const uint32_t down = (job->sweep.point_count + across - 1) / across;
+    const uint32_t width = across * (job->o.width + MARGIN) + MARGIN;
+    const uint32_t height = down * (job->o.height + label_height(job) + MARGIN) + MARGIN;
+    return canvas_init(&job->canvas, width, height, GREY) ? STATUS_OK : out_of_memory();
+}
+
+/* "cracks.count=2 air.count=0" */
+static void put_picture(struct job *job, uint32_t point, const struct render_result *result)
+{
+    const struct canvas picture = { job->o.width, job->o.height, result->rgba };
+    const uint32_t x = MARGIN + point % columns(job) * (job->o.width + MARGIN);
+    const uint32_t y = MARGIN + point / columns(job) * (job->o.height + label_height(job) + MARGIN);
+    char label[256];
+    size_t length = 0;
+    for (uint32_t i = 0; i < job->sweep.parameter_count && length < sizeof(label); i++)
+        length += (size_t)snprintf(label + length, sizeof(label) - length, "%s%s=%s", i ? " " : "",
+                                   job->sweep.parameters[i].name,
+                                   profile_sweep_value(&job->sweep, point, i));
+    canvas_write(&job->canvas, x, y, letter_scale(job), label);
+    canvas_put(&job->canvas, x, y + label_height(job), &picture);
+}
+
+static enum status draw(struct job *job, const struct app_options *o, const struct scene *scene,
+                        struct render_result *result)
+{
+    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
+    struct renderer_shot shot = { .time = motion->time };
+    struct renderer *renderer = NULL;
+    enum status status = app_camera(&shot.camera, scene, o);
+    if (status == STATUS_OK)
+        status = renderer_create(&renderer, &(struct renderer_params){
+                                                .gpu = &job->gpu,
+                                                .scene = scene,
+                                                .settings = &o->settings,
+                                                .rung = o->rung,
+                                                .width = o->width,
+                                                .height = o->height,
+                                                .samples = o->samples,
+                                                .display = true,
+                                                .sharing = o->sharing,
+                                            });
+    if (status == STATUS_OK)
+        status = renderer_render(renderer, &shot, result, NULL, NULL);
+    renderer_destroy(renderer);
+    return status;
+}
+
+static enum status add_picture(struct job *job, uint32_t point)
+{
+    struct app_options o;
+    struct scene scene = { 0 };
+    struct render_result result = { 0 };
+    enum status status = sweep_options_at(&job->sweep, point, &job->o, &o);
+    if (status == STATUS_OK)
+        status = app_load_scene(&scene, &o);
+    if (status == STATUS_OK && !job->gpu.device)
+        status = gpu_create(&job->gpu, &(struct gpu_params){
+                                           .device = o.device,
+                                           .validate = o.validate,
+                                           .no_cache = o.no_cache,
+                                       });
+    if (status == STATUS_OK)
+        status = draw(job, &o, &scene, &result);
+    if (status == STATUS_OK)
+        put_picture(job, point, &result);
+    render_result_finish(&result);
+    scene_finish(&scene);
+    return status;
+}
+
+static enum status write_sheet(const struct job *job)
+{
+    const char *path = job->o.outputs[0];
+    const struct image_text texts[] = {
+        { "firn/version", FIRN_VERSION },
+        { "firn/command", job->command },
+        { "firn/device", job->gpu.properties.deviceName },
+    };
+    const struct png_picture picture = {
+        .rgba = job->canvas.rgba,
+        .width = job->canvas.width,
+        .height = job->canvas.height,
+        .texts = texts,
+        .text_count = sizeof(texts) / sizeof(texts[0]),
+    };
+    void *data = NULL;
+    size_t size = 0;
+    enum status status = png_encode(&picture, &data, &size);
+    if (status == STATUS_OK)
+        status = file_write(path, data, size);
+    free(data);
+    if (status == STATUS_OK && !job->o.quiet)
+        fprintf(stderr, "%s: %u pictures of %ux%u\n", path, job->sweep.point_count, job->o.width,
+                job->o.height);
+    return status;
+}
+
+static enum status run(struct job *job)
+{
+    enum status status = check(job);
+    if (status == STATUS_OK)
+        status = open_canvas(job);
+    progress_begin(&job->progress, 1, "pictures", job->o.quiet);
+    for (uint32_t i = 0; i < job->sweep.point_count && status == STATUS_OK; i++) {
+        progress_show(&job->progress, i, job->sweep.point_count);
+        status = add_picture(job, i);
+        progress_clear(&job->progress);
+    }
+    if (status == STATUS_OK)
+        status = write_sheet(job);
+    if (status == STATUS_OK && job->gpu.message_count)
+        status = STATUS_FAILED; /* the validation layer has said why */
+    return status;
+}
+
+enum status app_sheet(const struct app_options *options)
+{
+    struct job *job = calloc(1, sizeof(*job));
+    enum status status = STATUS_TRY_AGAIN;
+    if (job) {
+        job->o = *options;
+        job->command = words_join(options->words);
+    }
+    if (job && job->command)
+        status = run(job);
+    else
+        log_error("out of memory");
+    if (!job)
+        return status;
+    profile_sweep_finish(&job->sweep);
+    gpu_destroy(&job->gpu);
+    free(job->canvas.rgba);
+    free(job->materials);
+    free(job->command);
+    free(job);
+    return status;
+}

@@ -1,0 +1,77 @@
+"""test_sheet.py: pictures side by side, `firn sheet`. Usage: see case.py."""
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import CANT_CREATE, NO_INPUT, SMALL, USAGE, Case, main  # noqa: E402
+from test_show import Png  # noqa: E402
+
+WIDTH, HEIGHT = 64, 48
+MARGIN, LABEL, GREY = 8, 16, (34, 34, 34)
+MATERIALS = ('ice', 'water', 'glass', 'plastic', 'diamond', 'air', 'vacuum')
+
+
+class Sheet(Case):
+    def sheet(self, *arguments):
+        self.succeed('sheet', *SMALL, '-o', 'sheet.png', *arguments)
+        return Png((self.folder / 'sheet.png').read_bytes())
+
+    def check_cell(self, sheet, column, row, *arguments):
+        """What is there is what render draws with these words, under words in light letters."""
+        self.succeed('render', *SMALL, '-q', '-o', 'one.png', *arguments)
+        one = Png((self.folder / 'one.png').read_bytes())
+        left = MARGIN + column * (WIDTH + MARGIN)
+        top = MARGIN + row * (HEIGHT + LABEL + MARGIN)
+        for y in range(HEIGHT):
+            for x in range(WIDTH):
+                self.assertEqual(sheet[left + x, top + LABEL + y], one[x, y])
+        label = [sheet[left + x, top + y] for x in range(WIDTH) for y in range(LABEL)]
+        self.assertTrue(any(min(pixel) > 150 for pixel in label))
+
+    def size_of(self, columns, rows):
+        return (MARGIN + columns * (WIDTH + MARGIN), MARGIN + rows * (HEIGHT + LABEL + MARGIN))
+
+    def test_every_material(self):
+        done = self.succeed('sheet', 'sphere', *SMALL)
+        self.assertEqual(done.stderr, b'sheet.png: 7 pictures of 64x48\n')
+        sheet = Png((self.folder / 'sheet.png').read_bytes())
+        self.assertEqual((sheet.width, sheet.height), self.size_of(4, 2))
+        for i, material in enumerate(MATERIALS):
+            self.check_cell(sheet, i % 4, i // 4, 'sphere', '--material', material)
+        self.assertEqual(sheet[self.size_of(4, 2)[0] - 20, self.size_of(4, 2)[1] - 20], GREY)
+        listed = self.succeed('list', 'materials').stdout.decode().splitlines()[1:]
+        self.assertEqual(tuple(line.split()[0] for line in listed), MATERIALS)
+
+    def test_a_setting(self):
+        words = ('sphere', '--set', 'refract.fresnel=crossfade', '--samples', '2')
+        sheet = self.sheet(*words, '--sweep', 'refract.crossfade=0,0.5,1')
+        self.assertEqual((sheet.width, sheet.height), self.size_of(3, 1))
+        for i, share in enumerate((0, 0.5, 1)):
+            self.check_cell(sheet, i, 0, *words, '--set', f'refract.crossfade={share}')
+
+    def test_two_parameters_are_rows_and_columns(self):
+        sheet = self.sheet('sphere', '--sweep', 'refraction=paper,one-sided', '--sweep',
+                           'cracks.count=0,1,2')
+        self.assertEqual((sheet.width, sheet.height), self.size_of(3, 2))
+        self.check_cell(sheet, 0, 1, 'sphere', '--refraction', 'one-sided', '--set',
+                        'cracks.count=0')
+        self.check_cell(sheet, 2, 0, 'sphere', '--set', 'cracks.count=2')
+
+    def test_wrong_words(self):
+        many = 'air.seed=' + ','.join(map(str, range(65)))
+        for words, names in (((), ('SCENE',)),
+                             (('sphere', '-o', 'a.exr'), ('a.exr', '.png')),
+                             (('sphere', '-o', 'a.png', '-o', 'b.png'), ('b.png',)),
+                             (('sphere', '--sweep', 'size=2x2,4x4'), ('size=2x2,4x4', '--size')),
+                             (('sphere', '--sweep', 'material=ice,snow'), ('snow',)),
+                             (('sphere', '--sweep', 'refract.ior=1.5,9'), ('refract.ior',)),
+                             (('sphere', '--sweep', 'cracks.count'), ('cracks.count',)),
+                             (('sphere', '--sweep', 'refraction=paper,reference'), ('reference',)),
+                             (('sphere', '--sweep', many), ('65 pictures', '64'))):
+            self.refuse(USAGE, 'sheet', *words, names=names)
+        self.refuse(NO_INPUT, 'sheet', 'gone.obj', names=['gone.obj'])
+        self.refuse(CANT_CREATE, 'sheet', 'sphere', '-o', 'gone/a.png', names=['gone/a.png'])
+        self.assertEqual(self.files(), [])
+
+
+if __name__ == '__main__':
+    main()
