@@ -112,6 +112,19 @@ class Bake(Case):
             return sum(abs(x - y) for x, y in zip(a['R'], b['R'])) / len(a['R'])
         self.assertLess(difference(far, draw('distance')), 0.01 * difference(far, near))
 
+    def test_no_box_is_said(self):
+        """The surroundings are one, as are six numbers that are not inside out."""
+        box = ('render', *SMALL, '-q', '-o', 'a.exr', '--set', 'refract.lookup=box')
+        bare = ('sphere', '--background', '1,1,1')
+        sides = dict(left=-2, right=2, bottom=-2, top=2, back=-2, front=2)
+        words = [word for side, at in sides.items() for word in ('--set', f'local.{side}={at}')]
+        self.assertEqual(self.succeed(*box, 'room').stderr, b'')
+        self.assertEqual(self.succeed(*box, *bare, *words).stderr, b'')
+        for wrong in ((), (*words, '--set', 'local.top=-3'), ('--set', 'local.left=-1')):
+            said = self.succeed(*box, *bare, *wrong).stderr.decode()
+            self.assertEqual(len(said.splitlines()), 1, said)
+            self.assertIn('refract.lookup=box', said)
+
     def test_plan_imports_it(self):
         (self.folder / 'faces.exr').write_bytes(strip(4))
         plan = self.succeed('graph', 'sphere', '--env', 'faces.exr').stdout.decode()
