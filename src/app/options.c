@@ -186,8 +186,8 @@ static const char *const examples[] = {
     [APP_BAKE] = ("  firn bake room -o env.exr\n"
                   "  firn render room --env env.exr -o room.png\n"),
     [APP_SHEET] = ("  firn sheet teapot -o materials.png\n"
-                   "  firn sheet sphere --sweep refract.crossfade=0,0.5,1 \\\n"
-                   "      --set refract.fresnel=crossfade -o crossfade.png\n"
+                   "  firn sheet sphere --sweep refract.crossfade=0,0.5,1 "
+                   "--set refract.fresnel=crossfade -o fade.png\n"
                    "  firn sheet room --sweep refraction=paper,bounce --sweep "
                    "refract.lookup=infinite,box\n"),
     [APP_LIST] = ("  firn list\n"
