@@ -9,15 +9,15 @@ XDND = pathlib.Path(__file__).with_name('xdnd.py')
 PATIENCE = 120  # seconds until something that should happen is taken for missing
 
 
-def wait_until(what, happens, words=lambda: ''):
+def wait_until(what, happens, words=lambda: '', patience=PATIENCE):
     """The first true value of happens(). A failure quotes words()."""
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + patience
     while time.monotonic() < end:
         value = happens()
         if value:
             return value
         time.sleep(0.05)
-    raise AssertionError(f'{what}: not after {PATIENCE} seconds\n{words()}')
+    raise AssertionError(f'{what}: not after {patience:.0f} seconds\n{words()}')
 
 
 class Desktop:
@@ -34,21 +34,40 @@ class Desktop:
             self.close()
             raise AssertionError('Xvfb does not start')
         self.env = {**os.environ, 'DISPLAY': f':{number}'}
-        self.start('openbox', '--sm-disable', env=self.env)
-        wait_until('a window manager', lambda: 'window id' in self.ask(
-            'xprop', '-root', '_NET_SUPPORTING_WM_CHECK'))
+        self.manage()
         wait_until('its desktop', lambda: '=' in self.ask('xprop', '-root', '_NET_WORKAREA'))
         time.sleep(1)  # GLFW 3.3.8 can hang in a window manager that is still starting
+
+    def manage(self):
+        """Starts a window manager. On a busy machine one now and then hangs as it starts."""
+        for _ in range(3):
+            self.start('openbox', '--sm-disable', env=self.env)
+            try:
+                wait_until('a window manager', lambda: 'window id' in self.ask(
+                    'xprop', '-root', '_NET_SUPPORTING_WM_CHECK'), patience=PATIENCE / 3)
+                return
+            except AssertionError:
+                self.end(self.processes.pop())
+        self.close()
+        raise AssertionError('no window manager starts')
 
     def start(self, *command, **how):
         self.processes.append(subprocess.Popen(command, stdin=subprocess.DEVNULL,
                                                stdout=subprocess.DEVNULL,
                                                stderr=subprocess.DEVNULL, **how))
 
+    @staticmethod
+    def end(process):
+        process.terminate()
+        try:
+            process.wait(timeout=PATIENCE / 12)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait(timeout=PATIENCE)
+
     def close(self):
         for process in reversed(self.processes):
-            process.terminate()
-            process.wait(timeout=PATIENCE)
+            self.end(process)
 
     def ask(self, *command):
         return subprocess.run(command, env=self.env, capture_output=True, text=True,
