@@ -1,5 +1,6 @@
 /* option_picture.c: what options set that say what is drawn, on what, and to where. */
 #include "src/app/option_picture.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include "src/app/option_values.h"
@@ -186,25 +187,37 @@ enum status option_background(struct app_options *o, const char *value)
                : option_refuse("background", value, "R,G,B is wanted, linear, from 0 up");
 }
 
+/* Metres: so far away squares of distances are finite. */
+static const float place_max = 1e9f;
+
+static bool is_place(vec3s v)
+{
+    return fabsf(v.x) <= place_max && fabsf(v.y) <= place_max && fabsf(v.z) <= place_max;
+}
+
 enum status option_orbit(struct app_options *o, const char *value)
 {
-    o->has_orbit = option_parse_numbers(value, ',', o->orbit.raw, 3) && o->orbit.z > 0.0f;
-    return o->has_orbit
-               ? STATUS_OK
-               : option_refuse("orbit", value,
-                               "AZIMUTH,ELEVATION,DISTANCE is wanted, in degrees and metres");
+    o->has_orbit = option_parse_numbers(value, ',', o->orbit.raw, 3) && o->orbit.z > 0.0f &&
+                   o->orbit.z <= place_max;
+    return o->has_orbit ? STATUS_OK
+                        : option_refuse("orbit", value,
+                                        "AZIMUTH,ELEVATION,DISTANCE is wanted, in degrees and "
+                                        "metres, up to 1e9 of them");
 }
 
 enum status option_eye(struct app_options *o, const char *value)
 {
-    o->has_eye = option_parse_numbers(value, ',', o->eye.raw, 3);
-    return o->has_eye ? STATUS_OK : option_refuse("eye", value, "X,Y,Z is wanted");
+    o->has_eye = option_parse_numbers(value, ',', o->eye.raw, 3) && is_place(o->eye);
+    return o->has_eye ? STATUS_OK
+                      : option_refuse("eye", value, "X,Y,Z is wanted, within -1e9 and 1e9 metres");
 }
 
 enum status option_target(struct app_options *o, const char *value)
 {
-    o->has_target = option_parse_numbers(value, ',', o->target.raw, 3);
-    return o->has_target ? STATUS_OK : option_refuse("target", value, "X,Y,Z is wanted");
+    o->has_target = option_parse_numbers(value, ',', o->target.raw, 3) && is_place(o->target);
+    return o->has_target
+               ? STATUS_OK
+               : option_refuse("target", value, "X,Y,Z is wanted, within -1e9 and 1e9 metres");
 }
 
 enum status option_fov(struct app_options *o, const char *value)

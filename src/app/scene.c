@@ -135,39 +135,38 @@ bool app_same_scene(const struct app_options *a, const struct app_options *b)
            frame_reads_bump_maps(before) == frame_reads_bump_maps(after);
 }
 
-static enum status explicit_camera(struct camera *camera, const struct app_options *o, vec3s center)
+static struct camera choose_camera(const struct scene *scene, const struct app_options *o)
 {
-    camera->eye = o->eye;
-    camera->target = o->has_target ? o->target : center;
-    if (glms_vec3_distance(camera->eye, camera->target) > 0.0f)
-        return STATUS_OK;
-    log_error("--eye and --target are one point: move one of them");
-    return STATUS_USAGE;
+    const vec3s center = box_center(scene->box);
+    const vec3s target = o->has_target ? o->target : center;
+    const float fov = o->has_fov ? o->fov_deg : default_fov_deg;
+    if (o->has_eye)
+        return (struct camera){ .eye = o->eye, .target = target, .fov_deg = fov };
+    if (scene->model.has_camera && !o->has_orbit) {
+        struct camera own = scene->model.camera;
+        own.fov_deg = o->has_fov ? fov : own.fov_deg;
+        own.target = o->has_target ? target : own.target;
+        return own;
+    }
+    float distance = camera_framing_distance(box_diagonal(scene->box), fov, o->width, o->height);
+    if (!(distance > 0.0f)) /* a point, or nothing */
+        distance = 1.0f;
+    const vec3s orbit = o->has_orbit ? o->orbit : (vec3s){ { 28.0f, 9.0f, distance } };
+    return camera_orbit(orbit.x, orbit.y, orbit.z, target, fov);
 }
 
 enum status app_camera(struct camera *camera, const struct scene *scene,
                        const struct app_options *o)
 {
-    vec3s center = box_center(scene->box);
-    bool own = scene->model.has_camera && !o->has_eye && !o->has_orbit;
-    float fov = o->has_fov ? o->fov_deg : default_fov_deg;
-    if (own) {
-        *camera = scene->model.camera;
-        if (o->has_fov)
-            camera->fov_deg = fov;
-        if (o->has_target)
-            camera->target = o->target;
-        return STATUS_OK;
-    }
-    *camera = (struct camera){ .fov_deg = fov };
     if (o->has_eye && o->has_orbit) {
         log_error("--eye and --orbit: only one of them can place the camera");
         return STATUS_USAGE;
     }
-    if (o->has_eye)
-        return explicit_camera(camera, o, center);
-    float distance = camera_framing_distance(box_diagonal(scene->box), fov, o->width, o->height);
-    vec3s orbit = o->has_orbit ? o->orbit : (vec3s){ { 28.0f, 9.0f, distance } };
-    *camera = camera_orbit(orbit.x, orbit.y, orbit.z, o->has_target ? o->target : center, fov);
-    return STATUS_OK;
+    *camera = choose_camera(scene, o);
+    if (!glms_vec3_eqv(camera->eye, camera->target))
+        return STATUS_OK;
+    /* maybe only as floats go: there is no millimetre a thousand kilometres away */
+    log_error("the camera would stand where it looks: move it or its target (--eye, --orbit, "
+              "--target)");
+    return STATUS_USAGE;
 }

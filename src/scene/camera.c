@@ -4,13 +4,22 @@
 #include <assert.h>
 #include <math.h>
 
+/* Of lengths, too, whose squares vanish or overflow. */
+static vec3s direction(vec3s v)
+{
+    const float largest = fmaxf(fabsf(v.x), fmaxf(fabsf(v.y), fabsf(v.z)));
+    if (largest > 0 && (largest < 1e-15F || largest > 1e15F))
+        v = glms_vec3_divs(v, largest);
+    return glms_vec3_normalize(v);
+}
+
 struct camera_basis camera_basis(const struct camera *camera)
 {
-    vec3s forward = glms_vec3_normalize(glms_vec3_sub(camera->target, camera->eye));
+    vec3s forward = direction(glms_vec3_sub(camera->target, camera->eye));
     vec3s up = camera->up;
-    if (glms_vec3_norm2(up) == 0)
+    if (glms_vec3_eqv(up, glms_vec3_zero()))
         up = (vec3s){ { 0, 1, 0 } };
-    vec3s right = glms_vec3_cross(forward, glms_vec3_normalize(up));
+    vec3s right = glms_vec3_cross(forward, direction(up));
     if (!(glms_vec3_norm(right) > 1e-4F)) {
         up = fabsf(forward.y) > 0.5F ? (vec3s){ { 0, 0, -1 } } : (vec3s){ { 0, 1, 0 } };
         right = glms_vec3_cross(forward, up);

@@ -63,6 +63,20 @@ class CommandLine(Case):
         for size in ('0x0', '12', '99999999x1', '5x5x5', '-3x4', '4x', 'x4', '64x48 ', ''):
             self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--size', size, names=[size])
 
+    def test_places_without_a_view(self):
+        for words in (('--eye', '1e12,0,0'), ('--target', '0,-1e30,0'), ('--orbit', '0,0,1e10'),
+                      ('--orbit', '0,0,0'), ('--eye', '0,0,nan')):
+            self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', *words, names=words)
+        for words in (('--eye', '0,3,1', '--target', '0,3,1'),
+                      ('--orbit', '0,0,1e-9', '--target', '1e8,1e8,1e8')):
+            self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', *words, env=NO_DRIVER,
+                        names=['--eye', '--orbit', '--target'])
+
+    def test_bad_limits_of_reading(self):
+        for option in ('--load-seconds', '--load-memory'):
+            for value in ('0', '-1', '1e9', '', '2x'):
+                self.refuse(USAGE, 'graph', 'sphere', option, value, names=[option, value])
+
     def test_bad_sharing(self):
         for how in ('all', 'batch', 'Memory', ''):
             for command in (('graph', 'sphere'), ('render', 'sphere', '-o', 'a.exr')):

@@ -207,6 +207,25 @@ static void test_orbit_directions(void **state)
     check_square(camera_basis(&camera));
 }
 
+/* Lengths whose squares are no floats. */
+static void test_basis_of_any_length(void **state)
+{
+    (void)state;
+    static const float lengths[] = { 1e-42F, 1e-30F, 1e-19F, 1, 1e19F, 1e30F };
+    for (size_t i = 0; i < sizeof(lengths) / sizeof(lengths[0]); i++) {
+        const float length = lengths[i];
+        const struct camera camera = {
+            .target = { { 0, 0, -length } },
+            .up = { { 0, length, 0 } },
+            .fov_deg = 45,
+        };
+        const struct camera_basis basis = camera_basis(&camera);
+        CHECK_VEC3(basis.forward, 0, 0, -1);
+        CHECK_VEC3(basis.up, 0, 1, 0);
+        check_square(basis);
+    }
+}
+
 static void test_framing_fills_the_smaller_side(void **state)
 {
     (void)state;
@@ -236,6 +255,7 @@ int main(void)
         cmocka_unit_test(test_view_looks_down_minus_z),
         cmocka_unit_test(test_cube_faces_follow_vulkan),
         cmocka_unit_test(test_orbit_directions),
+        cmocka_unit_test(test_basis_of_any_length),
         cmocka_unit_test(test_framing_fills_the_smaller_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
