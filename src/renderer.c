@@ -19,6 +19,10 @@
 #include "src/tech/resolve.h"
 #include "src/tech/tonemap.h"
 
+enum {
+    FRAMES_IN_FLIGHT = 2,
+};
+
 /* A plan, realised. */
 struct stage {
     struct frame_plan frame;
@@ -109,6 +113,18 @@ static double now_ms(void)
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
 }
 
+/* Every frame that is on its way has its own buffers that the host sees. */
+static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
+{
+    VkDeviceSize host_size = 0;
+    for (uint32_t i = 0; i < plan->buffer_count; i++) {
+        const struct rg_plan_buffer *buffer = &plan->buffers[i];
+        if (!buffer->imported && buffer->buffer->memory != RG_MEMORY_DEVICE)
+            host_size += FRAMES_IN_FLIGHT * buffer->size;
+    }
+    return gpu_fit_memory(gpu, view, plan->memory_used + plan->memory_persistent, host_size);
+}
+
 static enum status stage_create(struct stage *stage, struct renderer *renderer,
                                 struct frame_request request)
 {
@@ -133,6 +149,8 @@ static enum status stage_create(struct stage *stage, struct renderer *renderer,
     request.device = &device;
     const double start = now_ms();
     enum status status = frame_plan_init(&stage->frame, &request);
+    if (status == STATUS_OK)
+        status = check_memory(gpu, stage->frame.plan, request.view);
     if (status != STATUS_OK)
         return status;
     VkResult result;
@@ -150,6 +168,7 @@ static enum status stage_create(struct stage *stage, struct renderer *renderer,
             .imports = imports,
             .import_count = stage->frame.import_count,
             .max_anisotropy = gpu->max_anisotropy,
+            .frames_in_flight = FRAMES_IN_FLIGHT,
             .render_passes = gpu->validated, /* see rg_exec.h */
             .measured = renderer->params.measured,
             .statistics = gpu->has_statistics,
@@ -189,7 +208,9 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     r->params = *params;
     r->params.samples = params->samples ? params->samples : 1;
     const double start = now_ms();
-    status = upload(r);
+    status = gpu_fit_size(params->gpu, params->width, params->height);
+    if (status == STATUS_OK)
+        status = upload(r);
     r->costs.upload = now_ms() - start;
     if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings) &&
         !params->scene->cube.texels)

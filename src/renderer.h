@@ -7,7 +7,8 @@
  *     renderer_bake()     or, without all these, what surrounds the object
  *
  * Ownership: gpu, scene (and `uploaded`) and settings are borrowed and outlive the renderer.
- * Errors:    logged once where found; STATUS_NO_DEVICE, STATUS_TRY_AGAIN or STATUS_FAILED.
+ * Errors:    logged once where found; STATUS_NO_DEVICE, STATUS_TRY_AGAIN or STATUS_FAILED, and
+ *            STATUS_USAGE for a picture beyond the device's limits.
  */
 #ifndef FIRN_RENDERER_H
 #define FIRN_RENDERER_H

@@ -133,6 +133,15 @@ MUST_USE enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
                                       const struct gpu_image_params *params);
 
 void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
+
+/*
+ * Says in advance that a picture is too large, before anything is allocated for it: for the
+ * device's limits (STATUS_USAGE), or, with so many bytes on the device and in memory that the host
+ * sees, for its heaps (STATUS_TRY_AGAIN).
+ */
+MUST_USE enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height);
+MUST_USE enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view,
+                                    VkDeviceSize device_size, VkDeviceSize host_size);
 void gpu_image_destroy(struct gpu *gpu, struct gpu_image *image);
 
 #endif

@@ -208,6 +208,39 @@ static void a_kept_frame_is_the_picture(void **state)
     scene_finish(&scene);
 }
 
+/* The device is described as smaller than it is. */
+static void a_picture_that_does_not_fit_is_refused(void **state)
+{
+    const struct gpu *real = *state;
+    struct gpu gpu = *real;
+    const struct settings settings = settings_default();
+    struct scene scene;
+    struct renderer *renderer;
+    const vec3s gray = { { 0.5F, 0.5F, 0.5F } };
+    const struct scene_params bare = { .name = "sphere", .background = &gray };
+    assert_int_equal(scene_load(&scene, &bare), STATUS_OK);
+    const struct renderer_params params = {
+        .gpu = &gpu,
+        .scene = &scene,
+        .settings = &settings,
+        .rung = &frame_rungs[0],
+        .width = SIDE,
+        .height = SIDE,
+        .display = true,
+    };
+    gpu.properties.limits.maxImageDimension2D = SIDE - 1;
+    assert_int_equal(renderer_create(&renderer, &params), STATUS_USAGE);
+    assert_null(renderer);
+
+    gpu = *real;
+    gpu.properties.deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+    for (uint32_t i = 0; i < gpu.memory.memoryHeapCount; i++)
+        gpu.memory.memoryHeaps[i].size = 16 << 20; /* less than the environment's cube */
+    assert_int_equal(renderer_create(&renderer, &params), STATUS_TRY_AGAIN);
+    assert_null(renderer);
+    scene_finish(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -216,6 +249,7 @@ int main(void)
         ON_DEVICE(rows_are_the_frame),
         ON_DEVICE(it_can_be_stopped),
         ON_DEVICE(a_kept_frame_is_the_picture),
+        ON_DEVICE(a_picture_that_does_not_fit_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,74 @@
+/* gpu_fit.c: says in advance that a picture is too large for a device. */
+#include <unistd.h>
+#include "src/gpu/gpu.h"
+#include "src/log.h"
+
+enum {
+    MIB = 1 << 20,
+};
+
+static uint32_t smaller(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height)
+{
+    const VkPhysicalDeviceLimits *limits = &gpu->properties.limits;
+    const uint32_t side = limits->maxImageDimension2D;
+    const uint32_t width_max =
+        smaller(side, smaller(limits->maxFramebufferWidth, limits->maxViewportDimensions[0]));
+    const uint32_t height_max =
+        smaller(side, smaller(limits->maxFramebufferHeight, limits->maxViewportDimensions[1]));
+    if (width <= width_max && height <= height_max)
+        return STATUS_OK;
+    log_error("a picture of %u x %u pixels: %s draws at most %u x %u; ask for fewer (--size)",
+              width, height, gpu->properties.deviceName, width_max, height_max);
+    return STATUS_USAGE;
+}
+
+/* The largest heap with memory of this kind; UINT32_MAX if there is none. */
+static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
+                          VkMemoryPropertyFlags kind)
+{
+    uint32_t found = UINT32_MAX;
+    for (uint32_t i = 0; i < memory->memoryTypeCount; i++) {
+        const uint32_t heap = memory->memoryTypes[i].heapIndex;
+        if ((memory->memoryTypes[i].propertyFlags & kind) != kind)
+            continue;
+        if (found == UINT32_MAX || memory->memoryHeaps[heap].size > memory->memoryHeaps[found].size)
+            found = heap;
+    }
+    return found;
+}
+
+/* A CPU's heap may be said to be small: it is the machine's memory, less what else needs some. */
+static VkDeviceSize heap_size(const struct gpu *gpu, uint32_t heap)
+{
+    const VkDeviceSize size = gpu->memory.memoryHeaps[heap].size;
+    const long pages = sysconf(_SC_PHYS_PAGES), page_size = sysconf(_SC_PAGESIZE);
+    if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU || pages < 1 || page_size < 1)
+        return size;
+    const VkDeviceSize most = (VkDeviceSize)pages / 4 * 3 * (VkDeviceSize)page_size;
+    return most > size ? most : size;
+}
+
+enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view, VkDeviceSize device_size,
+                           VkDeviceSize host_size)
+{
+    const VkPhysicalDeviceMemoryProperties *memory = &gpu->memory;
+    const uint32_t device = find_heap(memory, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    const uint32_t host = find_heap(memory, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
+    for (uint32_t i = 0; i < memory->memoryHeapCount; i++) {
+        const VkDeviceSize size = (i == device ? device_size : 0) + (i == host ? host_size : 0);
+        const unsigned long long needed = size / MIB + (size % MIB != 0 ? 1 : 0);
+        const unsigned long long given = heap_size(gpu, i) / MIB;
+        if (size <= heap_size(gpu, i))
+            continue;
+        log_error("a picture of %u x %u pixels takes %llu MiB of memory, %s has %llu MiB; ask for "
+                  "fewer pixels or layers (--size, --aov)",
+                  view.width, view.height, needed, gpu->properties.deviceName, given);
+        return STATUS_TRY_AGAIN;
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,74 @@
+/* test_gpu_fit.c: pictures that a device cannot hold, said before it tries. */
+#include "src/gpu/gpu.h"
+#include "tests/support/check.h"
+
+static const VkDeviceSize mib = 1 << 20;
+
+/* 8 MiB of its own and 4 MiB that the host sees. */
+static struct gpu make_gpu(VkPhysicalDeviceType type)
+{
+    return (struct gpu){
+        .properties = {
+            .deviceType = type,
+            .deviceName = "made up",
+            .limits = {
+                .maxImageDimension2D = 4096,
+                .maxFramebufferWidth = 2048,
+                .maxFramebufferHeight = 8192,
+                .maxViewportDimensions = { 8192, 1024 },
+            },
+        },
+        .memory = {
+            .memoryTypeCount = 2,
+            .memoryTypes = {
+                { VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0 },
+                { VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, 1 },
+            },
+            .memoryHeapCount = 2,
+            .memoryHeaps = { { 8 * mib, 0 }, { 4 * mib, 0 } },
+        },
+    };
+}
+
+static void sizes(void **state)
+{
+    (void)state;
+    const struct gpu gpu = make_gpu(VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU);
+    assert_int_equal(gpu_fit_size(&gpu, 2048, 1024), STATUS_OK);
+    assert_int_equal(gpu_fit_size(&gpu, 2049, 1), STATUS_USAGE);
+    assert_int_equal(gpu_fit_size(&gpu, 1, 1025), STATUS_USAGE);
+    assert_int_equal(gpu_fit_size(&gpu, UINT32_MAX, 2), STATUS_USAGE);
+}
+
+static void heaps(void **state)
+{
+    (void)state;
+    const VkExtent2D view = { 64, 48 };
+    struct gpu gpu = make_gpu(VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU);
+    assert_int_equal(gpu_fit_memory(&gpu, view, 8 * mib, 4 * mib), STATUS_OK);
+    assert_int_equal(gpu_fit_memory(&gpu, view, 8 * mib + 1, 0), STATUS_TRY_AGAIN);
+    assert_int_equal(gpu_fit_memory(&gpu, view, 0, 4 * mib + 1), STATUS_TRY_AGAIN);
+    gpu.memory.memoryTypes[1].heapIndex = 0; /* both in one */
+    assert_int_equal(gpu_fit_memory(&gpu, view, 5 * mib, 3 * mib), STATUS_OK);
+    assert_int_equal(gpu_fit_memory(&gpu, view, 5 * mib, 3 * mib + 1), STATUS_TRY_AGAIN);
+}
+
+/* Its memory is the machine's, whatever it says. */
+static void processors(void **state)
+{
+    (void)state;
+    const VkExtent2D view = { 64, 48 };
+    const struct gpu gpu = make_gpu(VK_PHYSICAL_DEVICE_TYPE_CPU);
+    assert_int_equal(gpu_fit_memory(&gpu, view, 64 * mib, 64 * mib), STATUS_OK);
+    assert_int_equal(gpu_fit_memory(&gpu, view, mib << 40, 0), STATUS_TRY_AGAIN);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sizes),
+        cmocka_unit_test(heaps),
+        cmocka_unit_test(processors),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
