@@ -47,12 +47,14 @@ static void burn(void)
 static void crash(void)
 {
     fprintf(stderr, "firn: not to be shown\nnor this\n");
+    signal(SIGSEGV, SIG_DFL); /* a sanitizer would exit */
     raise(SIGSEGV);
 }
 
 static void give_up(void)
 {
     fprintf(stderr, "terminate called\nwith two lines\n");
+    signal(SIGABRT, SIG_DFL);
     abort();
 }
 
