@@ -73,8 +73,9 @@ struct app_options {
     bool has_background, has_eye, has_target, has_orbit, has_fov;
     float fov_deg;
     struct settings settings;
-    bool ior_is_set;    /* by --set */
-    const char *frames; /* --frames, not parsed; NULL: one picture */
+    bool ior_is_set;             /* by --set */
+    const char *frames;          /* --frames, not parsed; NULL: one picture */
+    uint32_t chunk, chunk_count; /* of frames, from 1; 0: all of them */
     bool validate, no_cache, quiet, resume;
     char *const *words; /* of the command line, from the command on; ends at NULL */
     enum app_format format;

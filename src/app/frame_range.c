@@ -160,6 +160,15 @@ enum status frame_range_parse(struct frame_range *range, const char *text)
     return status;
 }
 
+void frame_range_chunk(struct frame_range *range, uint32_t k, uint32_t n)
+{
+    const uint32_t first = (uint32_t)((uint64_t)range->count * (k - 1) / n);
+    const uint32_t end = (uint32_t)((uint64_t)range->count * k / n);
+    if (range->frames)
+        memmove(range->frames, &range->frames[first], (end - first) * sizeof(*range->frames));
+    range->count = end - first;
+}
+
 void frame_range_finish(struct frame_range *range)
 {
     free(range->frames);

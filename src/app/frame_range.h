@@ -30,6 +30,10 @@ struct frame_range {
  */
 MUST_USE enum status frame_range_parse(struct frame_range *range, const char *text);
 
+/* Keeps part k (from 1) of n (to 1000000) in a row, of sizes that differ by one at most; a part may
+ * be empty. The same list gives the same parts everywhere. */
+void frame_range_chunk(struct frame_range *range, uint32_t k, uint32_t n);
+
 void frame_range_finish(struct frame_range *range); /* {0} is fine */
 
 #endif

@@ -119,6 +119,20 @@ enum status option_frames(struct app_options *o, const char *value)
     return STATUS_OK;
 }
 
+enum status option_chunk(struct app_options *o, const char *value)
+{
+    enum {
+        CHUNKS_MAX = 1000000
+    };
+
+    const char *rest;
+    const bool ok = option_parse_count(value, 1, CHUNKS_MAX, &o->chunk, &rest) && *rest == '/' &&
+                    option_parse_count(rest + 1, 1, CHUNKS_MAX, &o->chunk_count, &rest) && !*rest &&
+                    o->chunk <= o->chunk_count;
+    return ok ? STATUS_OK
+              : option_refuse("chunk", value, "K/N, part K of N, is wanted: 1/4, 2/4, ... 4/4");
+}
+
 enum status option_resume(struct app_options *o, const char *value)
 {
     (void)value;

@@ -6,7 +6,8 @@
 
 option_fn option_bake_output, option_sheet_output;
 option_fn option_output, option_screenshot, option_size, option_samples, option_aov, option_show;
-option_fn option_frames, option_resume, option_refraction, option_material, option_set;
+option_fn option_frames, option_resume, option_chunk, option_refraction, option_material,
+    option_set;
 option_fn option_env, option_surroundings, option_background, option_orbit, option_eye;
 option_fn option_load_seconds, option_load_memory;
 option_fn option_target, option_fov, option_device, option_validate, option_no_cache;

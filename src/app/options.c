@@ -73,6 +73,8 @@ static const struct option options[] = {
       "compile shaders there when they are saved, and show them (shaders)" },
     { "Sequence", "frames", 0, "LIST", APP_RENDER, option_frames,
       "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
+    { "Sequence", "chunk", 0, "K/N", APP_RENDER, option_chunk,
+      "only part K of N of these frames, for several machines" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, option_resume,
       "draw only what is not there yet, whole and with the same options" },
     { "Runs", "runs", 'n', "N", APP_PROFILE, option_runs, "runs that count (30)" },

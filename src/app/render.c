@@ -53,6 +53,20 @@ static enum status parse_frames(struct job *job)
     return job->range.frames ? STATUS_OK : out_of_memory();
 }
 
+/* After the names: those of all frames must differ, whoever draws them. */
+static enum status take_chunk(struct job *job)
+{
+    const struct app_options *o = &job->o;
+    if (!o->frames) {
+        log_error("--chunk %u/%u: it needs --frames", o->chunk, o->chunk_count);
+        return STATUS_USAGE;
+    }
+    frame_range_chunk(&job->range, o->chunk, o->chunk_count);
+    if (!job->range.count && !o->quiet)
+        fprintf(stderr, "--chunk %u/%u: has no frame\n", o->chunk, o->chunk_count);
+    return STATUS_OK;
+}
+
 static enum status parse_name(struct job *job, uint32_t i)
 {
     const char *path = job->o.outputs[i];
@@ -132,6 +146,8 @@ static enum status check(struct job *job)
     enum status status = parse_frames(job);
     if (status == STATUS_OK)
         status = parse_names(job);
+    if (status == STATUS_OK && job->o.chunk)
+        status = take_chunk(job);
     for (uint32_t i = 0; i < job->range.count && status == STATUS_OK; i++)
         status = check_frame(job, job->range.frames[i]);
     return status;

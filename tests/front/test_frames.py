@@ -56,6 +56,20 @@ class Sequence(Frames):
                          [name for first, second in names for name in (f'{first}.exr', second)])
         self.assertEqual(self.files(), sorted(line.split(': ')[0] for line in lines))
 
+    def test_chunks_make_the_whole(self):
+        self.draw('4-0', '-o', 'all.#.exr')
+        for k in range(1, 4):
+            self.draw('4-0', '-o', 'part.#.exr', '--chunk', f'{k}/3')
+        for frame in range(5):
+            self.assertEqual(self.read(f'part.{frame}.exr'), self.read(f'all.{frame}.exr'))
+        done = self.succeed('render', 'sphere', *SMALL, '--frames', '1,2', '--chunk', '1/3', '-o',
+                            'none.#.exr', env=NO_DRIVER)
+        self.assertIn('no frame', done.stderr.decode())
+        for chunk in ('0/3', '4/3', '1', '1/', '/2', '1/2/3', 'x'):
+            self.refuse_frames(USAGE, '1-4', '--chunk', chunk, '-o', '#.exr', names=['--chunk'])
+        self.refuse_frames(USAGE, '1-4', '--chunk', '1/4', '-o', 'same.exr', names=['same.exr'])
+        self.refuse(USAGE, 'render', 'sphere', *SMALL, '--chunk', '1/2', names=['--frames'])
+
     def test_default_name(self):
         self.draw('7,8')
         self.assertEqual(self.files(), ['firn.0007.exr', 'firn.0008.exr'])
@@ -108,7 +122,7 @@ class Words(Frames):
 
     def test_help(self):
         text = self.succeed('render', '--help').stdout.decode()
-        self.assertRegex(text, r'(?m)^Sequence:\n +--frames .*\n +--resume ')
+        self.assertRegex(text, r'(?m)^Sequence:\n +--frames .*\n +--chunk .*\n +--resume ')
 
     def test_quiet(self):
         for _ in range(2):

@@ -144,6 +144,30 @@ static void test_wrong_form(void **state)
         check_refused(texts[i], "A-BxN", "commas");
 }
 
+/* All parts, one after another, are the list. */
+static void test_chunks(void **state)
+{
+    static const uint32_t counts[] = { 1, 2, 3, 7, 10, 1000000 };
+    (void)state;
+    for (size_t c = 0; c < sizeof(counts) / sizeof(counts[0]); c++) {
+        int32_t next = 1;
+        uint32_t least = UINT32_MAX, most = 0;
+        const uint32_t step = counts[c] > 10 ? 99999 : 1; /* of many only some, which have 0 or 1 */
+        for (uint32_t k = 1; k <= counts[c]; k += step) {
+            struct frame_range range;
+            assert_int_equal(frame_range_parse(&range, "1-7"), STATUS_OK);
+            frame_range_chunk(&range, k, counts[c]);
+            least = range.count < least ? range.count : least;
+            most = range.count > most ? range.count : most;
+            for (uint32_t i = 0; i < range.count && step == 1; i++)
+                assert_int_equal(range.frames[i], next++);
+            frame_range_finish(&range);
+        }
+        assert_true(most - least <= 1);
+        assert_true(step > 1 || next == 8);
+    }
+}
+
 static void test_out_of_range(void **state)
 {
     static const char *const texts[] = {
@@ -198,6 +222,7 @@ int main(void)
         cmocka_unit_test(test_again_is_dropped),
         cmocka_unit_test(test_many),
         cmocka_unit_test(test_wrong_form),
+        cmocka_unit_test(test_chunks),
         cmocka_unit_test(test_out_of_range),
         cmocka_unit_test(test_wrong_step),
         cmocka_unit_test(test_too_many),
