@@ -233,6 +233,7 @@ static enum status compare(struct ladder_rung *rung, const struct ladder *ladder
     const struct difference difference =
         measure_colors(&ladder->reference.image, &rung->result.image, masks->object);
     rung->error.truth = measure_truth(&rung->result.image, truth, masks);
+    rung->error.not_finite = difference.not_finite;
     rung->error.mae = difference_mae(&difference);
     rung->error.rmse = difference_rmse(&difference);
     rung->error.tir_differs = measure_tir(rung, ladder, masks);

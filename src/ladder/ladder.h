@@ -20,12 +20,13 @@ enum {
 
 /* Numbers that do not exist, for no pixel counts, are NaN. */
 struct ladder_error {
-    double flip;        /* LDR-FLIP (src/metric/flip.h), exposure 0, mean of all pixels */
-    double mae, rmse;   /* of the object's pixels, linear; mae clipped to 0 and 1 */
-    double angle;       /* degrees between the directions of `exit`, mean */
-    double angle_95;    /* and what 95 % of the pixels do not exceed */
-    double tir_differs; /* share of the object's pixels of another class of total reflection */
-    double truth;       /* mae beside ladder_params.truth */
+    double flip;         /* LDR-FLIP (src/metric/flip.h), exposure 0, mean of all pixels */
+    double mae, rmse;    /* of the object's pixels, linear; mae clipped to 0 and 1 */
+    double angle;        /* degrees between the directions of `exit`, mean */
+    double angle_95;     /* and what 95 % of the pixels do not exceed */
+    double tir_differs;  /* share of the object's pixels of another class of total reflection */
+    double truth;        /* mae beside ladder_params.truth */
+    uint64_t not_finite; /* values of the object that are NaN or infinite: they are in no error */
 };
 
 struct ladder_rung {

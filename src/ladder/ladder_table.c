@@ -82,6 +82,11 @@ void ladder_table(const struct ladder_report *report, FILE *out)
             "without total\nreflection. TIR %%: its pixels of the wrong class. cost: beside "
             "%s, medians of frames in turns.\n",
             ladder_base(l)->rung->name);
+    for (uint32_t i = 0; i < l->rung_count; i++) {
+        if (l->rungs[i].error.not_finite)
+            fprintf(out, "%s: %llu values are not finite\n", l->rungs[i].rung->name,
+                    (unsigned long long)l->rungs[i].error.not_finite);
+    }
     if (has_truth)
         fputs("truth: MAE beside the picture of --truth.\n", out);
 }
@@ -125,6 +130,7 @@ static json_t *make_rung(const struct ladder *ladder, const struct ladder_rung *
         put_number(object, "mae", e->mae) && put_number(object, "rmse", e->rmse) &&
         put_number(object, "angle", e->angle) && put_number(object, "angle_95", e->angle_95) &&
         put_number(object, "tir", e->tir_differs) && put_number(object, "truth", e->truth) &&
+        put_count(object, "not_finite", e->not_finite) &&
         put_number(object, "ms", rung->cost > 0.0 ? rung->cost : (double)NAN) &&
         put_number(object, "cost", ladder_cost_ratio(ladder, rung));
     if (ok)

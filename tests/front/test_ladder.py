@@ -69,6 +69,7 @@ class Numbers(LadderCase):
             self.near(rung['rmse'], object_['rmse'], 1e-3)
             self.near(rung['tir'], object_['tir']['mismatch'], 1e-9)
             self.assertIsNone(rung['cost'])
+            self.assertEqual(rung['not_finite'], 0)
         self.assertLess(said['rungs']['bounce']['angle'], 1.5)
         self.assertGreater(said['rungs']['paper']['angle'], 10)
         self.assertLess(said['rungs']['bounce']['flip'], said['rungs']['paper']['flip'] / 3)
@@ -167,6 +168,9 @@ class Pictures(LadderCase):
 class Furnace(LadderCase):
     def test_what_takes_no_light_shows_1(self):
         for scene in ('sphere', 'ice-cube'):
+            said = self.ladder(scene, *SIZE, '--runs', 0)
+            not_finite = [rung['not_finite'] for rung in said['rungs'].values()]
+            self.assertEqual(not_finite, [0] * len(RUNGS))
             text = self.succeed('ladder', scene, *SIZE, '--furnace').stdout.decode()
             rows = {line.split()[0]: line.split()[1:] for line in text.splitlines()[1:11]}
             self.assertEqual(set(rows), {'reference', *RUNGS})
