@@ -1,9 +1,11 @@
 /* file.c: output files, whole or not at all. */
 #define _XOPEN_SOURCE 700 /* realpath() */
 #include "src/image/file.h"
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -80,15 +82,49 @@ static enum status target_find(struct target *target, const char *path)
 }
 
 /* ".NAME.HOST.PID.tmp", the name shortened where it would get too long. */
-static void name_temporary(const char *name, char temporary[static NAME_MAX + 1])
+static void name_temporary(const char *name, long process, char temporary[static NAME_MAX + 1])
 {
     char host[65] = "";
     char tail[sizeof(host) + 32];
 
     if (gethostname(host, sizeof(host) - 1) != 0)
         host[0] = '\0'; /* the process number has to do */
-    const int tail_length = snprintf(tail, sizeof(tail), ".%s.%ld.tmp", host, (long)getpid());
+    const int tail_length = snprintf(tail, sizeof(tail), ".%s.%ld.tmp", host, process);
     snprintf(temporary, NAME_MAX + 1, ".%.*s%s", NAME_MAX - 1 - tail_length, name, tail);
+}
+
+/* The process that such a name ends with; 0: none. */
+static long find_process(const char *temporary)
+{
+    static const char ending[] = ".tmp";
+    const size_t length = strlen(temporary);
+    const size_t end = length - (sizeof(ending) - 1);
+    size_t start = end;
+    if (length < sizeof(ending) || strcmp(temporary + end, ending) != 0)
+        return 0;
+    while (start > 0 && strchr("0123456789", temporary[start - 1]))
+        start--;
+    return end - start < 10 ? strtol(temporary + start, NULL, 10) : 0;
+}
+
+/* Temporaries of this name that processes of this machine have left that have been killed. */
+static void remove_stale(int folder, const char *name)
+{
+    const int again = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    DIR *entries = again >= 0 ? fdopendir(again) : NULL;
+    if (!entries && again >= 0)
+        close(again);
+    for (const struct dirent *entry; entries && (entry = readdir(entries));) {
+        char temporary[NAME_MAX + 1];
+        const long process = find_process(entry->d_name);
+        if (process <= 0 || process == (long)getpid())
+            continue;
+        name_temporary(name, process, temporary);
+        if (!strcmp(entry->d_name, temporary) && kill((pid_t)process, 0) != 0 && errno == ESRCH)
+            unlinkat(folder, temporary, 0);
+    }
+    if (entries)
+        closedir(entries);
 }
 
 static int create(int folder, const char *name)
@@ -149,7 +185,8 @@ static enum status replace(const struct target *target, const char *path, const 
     int file;
     bool ok;
 
-    name_temporary(target->name, temporary);
+    remove_stale(target->folder, target->name);
+    name_temporary(target->name, (long)getpid(), temporary);
     file = create(target->folder, temporary);
     /* the name is this process's own, so this one was left by a dead process of the same number */
     if (file < 0 && errno == EEXIST && unlinkat(target->folder, temporary, 0) == 0)

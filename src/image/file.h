@@ -3,7 +3,8 @@
  *
  * A file is written to a temporary beside it (".NAME.HOST.PID.tmp"), checked write by write,
  * fsynced, closed and renamed: whoever looks finds the older file whole or the new one whole. A
- * failure leaves the older file and no temporary.
+ * failure leaves the older file and no temporary. One that a process has left which was killed on
+ * this machine goes when the file is written again.
  */
 #ifndef FIRN_IMAGE_FILE_H
 #define FIRN_IMAGE_FILE_H
