@@ -56,6 +56,8 @@ static bool fails(const char *call)
     return true;
 }
 
+/* NOLINTBEGIN(readability-inconsistent-declaration-parameter-name): the library's are reserved */
+
 static int open_at(const char *function, int folder, const char *name, int flags, mode_t mode)
 {
     int (*next)(int, const char *, int, ...);
@@ -139,3 +141,5 @@ int unlinkat(int folder, const char *name, int flags)
     find(&next, "unlinkat");
     return is_temporary(name) && fails("unlinkat") ? -1 : next(folder, name, flags);
 }
+
+/* NOLINTEND(readability-inconsistent-declaration-parameter-name) */
