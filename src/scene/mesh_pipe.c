@@ -295,13 +295,12 @@ enum mesh_pipe_fault mesh_pipe_read_environment(const struct mesh_pipe_source *s
         return MESH_PIPE_HEAD;
     if (head.width < 1 || head.width > IMAGE_MAX_SIDE || head.height < 1 ||
         head.height > IMAGE_MAX_SIDE || head.width > IMAGE_MAX_TEXELS / head.height ||
-        environment_size(head.width, head.height) > source->size_max)
+        environment_size(head.width, head.height) > source->size_max ||
+        (head.height > head.width && head.height != 6 * (uint64_t)head.width))
         return MESH_PIPE_SIZE;
     environment->width = head.width;
     environment->height = head.height;
     environment->is_cube = head.height > head.width;
-    if (environment->is_cube && head.height != 6 * (uint64_t)head.width)
-        return MESH_PIPE_SIZE;
     fault = read_texels(source, environment, environment_size(head.width, head.height));
     if (fault == MESH_PIPE_OK)
         fault = read_end(source);

@@ -101,12 +101,13 @@ static inline void ask(struct gpu *gpu, const struct optics_question *asked,
 
 /* ---- reading the vectors ---- */
 
-static inline json_t *load(void)
+/* Of tests/data/oracles.json. */
+static inline json_t *load(const char *path)
 {
     json_error_t error;
-    json_t *oracles = json_load_file(ORACLES, 0, &error);
+    json_t *oracles = json_load_file(path, 0, &error);
     if (!oracles)
-        fail_msg("%s: line %d: %s", ORACLES, error.line, error.text);
+        fail_msg("%s: line %d: %s", path, error.line, error.text);
     return oracles;
 }
 

@@ -24,7 +24,7 @@ static void blended_normals(void **state)
     };
     struct optics_question asked[COUNT];
     struct optics_answer got[COUNT];
-    json_t *oracles = load();
+    json_t *oracles = load(ORACLES);
     const json_t *cases = get_cases(oracles, "blend", COUNT);
     const double eta = get_number(oracles, "air") / get_number(oracles, "ice");
     for (size_t i = 0; i < COUNT; i++) {
@@ -63,7 +63,7 @@ static void refracted_or_reflected(void **state)
     };
     struct optics_question asked[COUNT];
     struct optics_answer got[COUNT];
-    json_t *oracles = load();
+    json_t *oracles = load(ORACLES);
     const json_t *cases = get_cases(oracles, "refract", COUNT);
     int total = 0;
     for (size_t i = 0; i < COUNT; i++) {
@@ -106,7 +106,7 @@ static void through_a_sphere(void **state)
     };
     struct optics_question asked[2 * COUNT];
     struct optics_answer got[2 * COUNT];
-    json_t *oracles = load();
+    json_t *oracles = load(ORACLES);
     const json_t *cases = get_cases(oracles, "sphere_two_interfaces", COUNT);
     const double eta = get_number(oracles, "air") / get_number(oracles, "ice");
     const vec3s e = { { 0, 0, -1 } };
@@ -151,7 +151,7 @@ static void through_a_bubble(void **state)
     };
     struct optics_question asked[COUNT];
     struct optics_answer got[COUNT];
-    json_t *oracles = load();
+    json_t *oracles = load(ORACLES);
     const json_t *cases = get_cases(oracles, "bubble", COUNT);
     const double eta = get_number(oracles, "ice") / get_number(oracles, "air");
     int total = 0;
@@ -263,7 +263,7 @@ static void gaps(void **state)
 
     struct optics_question asked[COUNT + MORE];
     struct optics_answer got[COUNT + MORE];
-    json_t *oracles = load();
+    json_t *oracles = load(ORACLES);
     const json_t *cases = get_cases(oracles, "crack_gap", COUNT);
     const double air = get_number(oracles, "air");
     const double ice = get_number(oracles, "ice");
@@ -288,7 +288,7 @@ static void looked_up_in_a_box(void **state)
     };
     struct optics_question asked[COUNT];
     struct optics_answer got[COUNT];
-    json_t *oracles = load();
+    json_t *oracles = load(ORACLES);
     const json_t *cases = get_cases(oracles, "local_cube", COUNT);
     for (size_t i = 0; i < COUNT; i++) {
         const json_t *row = json_array_get(cases, i);

@@ -44,7 +44,7 @@ static void waves_as_worked_out(void **state)
     };
     struct optics_question asked[TWICE];
     struct optics_answer got[TWICE];
-    json_t *oracles = load();
+    json_t *oracles = load(ORACLES);
     const json_t *cases = get_cases(oracles, "wave", COUNT);
     for (size_t i = 0; i < TWICE; i++) {
         const json_t *row = json_array_get(cases, i / 2);

@@ -242,12 +242,38 @@ static void environments(void **state)
     assert_int_equal(mesh_pipe_read_environment(&source, &found), MESH_PIPE_HEAD);
 }
 
+/* Six faces, one below the other: alpha is a distance, and no other height will do. */
+static void cubes(void **state)
+{
+    (void)state;
+    uint16_t texels[24] = { 0x3c00, 0x3c00, 0x3c00, 0x1234, 0, 0, 0, 0 };
+    struct environment environment = { .texels = texels, .width = 1, .height = 6 }, found;
+    struct stream stream = { .size = 0 };
+    const struct mesh_pipe_source source = { read_stream, &stream, sizeof(texels) };
+    const struct mesh_pipe_sink sink = { write_stream, &stream };
+    assert_true(mesh_pipe_write_environment(&sink, &environment));
+    assert_int_equal(mesh_pipe_read_environment(&source, &found), MESH_PIPE_OK);
+    assert_true(found.is_cube);
+    assert_memory_equal(found.texels, texels, sizeof(texels));
+    environment_finish(&found);
+    stream = (struct stream){ .size = 0 };
+    environment.height = 5;
+    assert_true(mesh_pipe_write_environment(&sink, &environment));
+    assert_int_equal(mesh_pipe_read_environment(&source, &found), MESH_PIPE_SIZE);
+    assert_null(found.texels);
+    assert_int_equal(found.height, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(model_comes_through), cmocka_unit_test(heads_are_checked),
-        cmocka_unit_test(cameras_are_checked), cmocka_unit_test(vertices_are_checked),
-        cmocka_unit_test(environments),        cmocka_unit_test(every_length_but_one_is_short),
+        cmocka_unit_test(model_comes_through),
+        cmocka_unit_test(heads_are_checked),
+        cmocka_unit_test(cameras_are_checked),
+        cmocka_unit_test(vertices_are_checked),
+        cmocka_unit_test(environments),
+        cmocka_unit_test(cubes),
+        cmocka_unit_test(every_length_but_one_is_short),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
