@@ -5,8 +5,8 @@
  * two faces of a convex object turn light the same way; so does this normal, more than the front
  * one. Near the middle of a sphere a = 0.25 is right, over all of it 0.3 is best.
  *
- * Error: 6 degrees on average on a sphere, 16 to 20 on cubes: still one bend, and no total
- * reflection. It knows no thickness: nothing is absorbed.
+ * Error: 6 degrees on average on a sphere, 12 on cubes (docs/truth.md): still one bend, and no
+ * total reflection. It knows no thickness: nothing is absorbed.
  */
 #include "src/tech/refract_blend.h"
 #include "shaders/embedded.h"

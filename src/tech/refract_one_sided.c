@@ -4,7 +4,8 @@
  * The plain environment mapping that Seipel and Nivfors 2006 start from (section 3.2): eq. 2 with
  * the front normal alone, eq. 3, 4 and 6 as in their method.
  *
- * Error: for an ice sphere half of the true deviation; 14 to 18 degrees on average elsewhere.
+ * Error: for an ice sphere half of the true deviation; 11 to 15 degrees on average elsewhere
+ * (docs/truth.md).
  */
 #include "src/tech/refract_one_sided.h"
 #include "shaders/embedded.h"

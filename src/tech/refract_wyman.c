@@ -7,8 +7,8 @@
  * ends, and light is bent again there. He has the thickness along the normal computed before, at
  * each vertex; here it is that to the back face seen where a slab would end.
  *
- * Error: 7 degrees on average on a sphere, 11 to 14 on cubes. What is totally reflected leaves in
- * the direction of its first reflection.
+ * Error: 7 degrees on average on a sphere, 2 to 3 on cubes, 11 on a teapot (docs/truth.md). What is
+ * totally reflected leaves in the direction of its first reflection.
  */
 #include "src/tech/refract_wyman.h"
 #include "shaders/embedded.h"
