@@ -3,10 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include "graph/rg_exec.h"
 #include "shaders/globals.h"
 #include "src/accumulate.h"
+#include "src/clock.h"
 #include "src/frame.h"
 #include "src/frame_plan.h"
 #include "src/frame_view.h"
@@ -106,13 +106,6 @@ static void log_exec(void *user, const char *line)
     log_error("%s", line);
 }
 
-static double now_ms(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
-
 /* Every frame that is on its way has its own buffers that the host sees. */
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
@@ -147,14 +140,14 @@ static enum status stage_create(struct stage *stage, struct renderer *renderer,
                                         : renderer->scene->cube.image,
     };
     request.device = &device;
-    const double start = now_ms();
+    const double start = clock_ms();
     enum status status = frame_plan_init(&stage->frame, &request);
     if (status == STATUS_OK)
         status = check_memory(gpu, stage->frame.plan, request.view);
     if (status != STATUS_OK)
         return status;
     VkResult result;
-    const double compiled = now_ms();
+    const double compiled = clock_ms();
     stage->exec = rg_exec_create(
         &(struct rg_exec_params){
             .plan = stage->frame.plan,
@@ -178,7 +171,7 @@ static enum status stage_create(struct stage *stage, struct renderer *renderer,
         },
         &result);
     renderer->costs.compile = compiled - start;
-    renderer->costs.realise = now_ms() - compiled;
+    renderer->costs.realise = clock_ms() - compiled;
     return gpu_status(result);
 }
 
@@ -207,11 +200,11 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     }
     r->params = *params;
     r->params.samples = params->samples ? params->samples : 1;
-    const double start = now_ms();
+    const double start = clock_ms();
     status = gpu_fit_size(params->gpu, params->width, params->height);
     if (status == STATUS_OK)
         status = upload(r);
-    r->costs.upload = now_ms() - start;
+    r->costs.upload = clock_ms() - start;
     if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings) &&
         !params->scene->cube.texels)
         status = stage_create(&r->capture, r, capture_request(params));

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+#include "src/clock.h"
 #include "src/image/half.h"
 #include "src/ladder/ladder_cost.h"
 #include "src/log.h"
@@ -55,13 +55,6 @@ static uint32_t find_layers(bool of_reference)
 
 /* ---- pictures ---- */
 
-static double now_ms(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
-
 /* As files store it, and the device does: so the numbers are those of firn diff, too. */
 static void round_to_half(const struct image *image)
 {
@@ -87,14 +80,14 @@ static enum status trace(struct ladder *ladder, const struct ladder_params *para
         .display = true,
     };
     struct reference *reference = NULL;
-    const double start = now_ms();
+    const double start = clock_ms();
     enum status status = reference_create(&reference, &request);
     if (status == STATUS_OK)
         status =
             reference_render(reference, &params->shot, &ladder->reference, show_progress, work);
     if (status == STATUS_OK)
         snprintf(ladder->tracer, sizeof(ladder->tracer), "%s", reference_device(reference));
-    ladder->reference_cost = now_ms() - start;
+    ladder->reference_cost = clock_ms() - start;
     round_to_half(&ladder->reference.image);
     reference_destroy(reference);
     return status;

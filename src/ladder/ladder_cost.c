@@ -1,26 +1,19 @@
 /* ladder_cost.c: frames against the clock. */
 #include "src/ladder/ladder_cost.h"
 #include <stdlib.h>
-#include <time.h>
+#include "src/clock.h"
 #include "src/ladder/ladder.h"
 #include "src/log.h"
 #include "src/profile/statistics.h"
 
-static double now_ms(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
-
 static enum status time_frame(struct renderer *renderer, const struct renderer_shot *shot,
                               double *ms)
 {
-    const double start = now_ms();
+    const double start = clock_ms();
     enum status status = renderer_draw(renderer, shot);
     if (status == STATUS_OK)
         status = renderer_wait(renderer);
-    *ms = now_ms() - start;
+    *ms = clock_ms() - start;
     return status;
 }
 

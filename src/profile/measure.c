@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
+#include "src/clock.h"
 #include "src/gpu/gpu_capture.h"
 #include "src/log.h"
 
@@ -16,13 +16,6 @@ struct measure {
     profile_progress_fn *progress;
     void *user;
 };
-
-static double now_ms(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
 
 static double ms(uint64_t ns)
 {
@@ -158,11 +151,11 @@ static enum status draw(struct measure *m, double time, const struct rg_measure 
 {
     const struct renderer_shot shot = { .camera = m->request->camera, .time = (float)time };
     renderer_measure(m->renderer, what);
-    const double start = now_ms();
+    const double start = clock_ms();
     enum status status = renderer_draw(m->renderer, &shot);
     if (status == STATUS_OK)
         status = renderer_wait(m->renderer);
-    *frame_ms = now_ms() - start;
+    *frame_ms = clock_ms() - start;
     return status;
 }
 

@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
+#include "src/clock.h"
 #include "src/log.h"
 #include "src/scene/mesh_pipe.h"
 
@@ -30,13 +30,6 @@ struct child {
     int ended; /* as waitpid() says; valid if has_ended */
     bool has_ended;
 };
-
-static double now_seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
 
 static uint32_t seconds_of(const struct decode_params *params)
 {
@@ -114,7 +107,7 @@ static enum status start(struct child *child, const struct decode_params *params
     *child = (struct child){
         .data = -1,
         .words = -1,
-        .deadline = now_seconds() + seconds_of(params),
+        .deadline = clock_seconds() + seconds_of(params),
     };
     snprintf(numbers[0], sizeof(numbers[0]), "%d", (int)kind + 1);
     snprintf(numbers[1], sizeof(numbers[1]), "%u", seconds_of(params));
@@ -167,7 +160,7 @@ static bool await(struct child *child)
             { .fd = child->data, .events = POLLIN },
             { .fd = child->words, .events = POLLIN },
         };
-        const double left = child->deadline - now_seconds();
+        const double left = child->deadline - clock_seconds();
         child->is_late = child->is_late || left <= 0;
         if (child->is_late)
             return false;
@@ -204,7 +197,7 @@ static bool read_data(void *user, void *bytes, size_t size)
 static void hear_rest(struct child *child)
 {
     struct pollfd words = { .fd = child->words, .events = POLLIN };
-    while (child->words >= 0 && now_seconds() < child->deadline && poll(&words, 1, 0) > 0)
+    while (child->words >= 0 && clock_seconds() < child->deadline && poll(&words, 1, 0) > 0)
         take_words(child);
 }
 

@@ -1,5 +1,6 @@
 /* screen.c: the plan that brings a picture into a window's images. */
 #include "src/view/screen.h"
+#include "src/clock.h"
 #include "src/frame.h"
 #include "src/log.h"
 #include "src/tech/tonemap.h"
@@ -177,10 +178,10 @@ enum status screen_begin(struct screen *s, bool *ready)
 {
     *ready = false;
     enum status status = gpu_status(rg_exec_begin(s->exec, &s->slot));
-    const double start = view_costs_now();
+    const double start = clock_seconds();
     if (status == STATUS_OK)
         status = gpu_swapchain_acquire(s->gpu, &s->swapchain, s->slot, &s->index);
-    s->waited = view_costs_now() - start;
+    s->waited = clock_seconds() - start;
     *ready = status == STATUS_OK && s->index != GPU_SWAPCHAIN_NONE;
     return status;
 }
@@ -198,10 +199,10 @@ enum status screen_end(struct screen *s, uint32_t line, const struct overlay_lis
         .signal = chain->drawn[s->index],
     };
     enum status status = gpu_status(rg_exec_submit_tied(s->exec, &frame, &ties));
-    const double start = view_costs_now();
+    const double start = clock_seconds();
     if (status == STATUS_OK)
         status = gpu_swapchain_present(s->gpu, &s->swapchain, s->index);
-    s->waited += view_costs_now() - start;
+    s->waited += clock_seconds() - start;
     return status;
 }
 

@@ -2,6 +2,7 @@
 #include "src/view/view.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include "src/clock.h"
 #include "src/log.h"
 #include "src/scene_settings.h"
 #include "src/view/background.h"
@@ -107,7 +108,7 @@ static bool wait_for_turn(struct view *v, VkExtent2D size)
     const struct app_options *o = v->options;
     const double before = v->now;
     const bool counted = o->frame_count != 0;
-    v->now = view_costs_now();
+    v->now = clock_seconds();
     if (!v->paused && o->time_step <= 0.0 && v->costs.frame_count)
         v->elapsed += v->now - before;
     const bool idle = v->paused && !v->changed && !counted && !ui_is_busy(v->ui);
@@ -127,7 +128,7 @@ static bool wait_for_turn(struct view *v, VkExtent2D size)
 static enum status fit(struct view *v, VkExtent2D size, bool *ready)
 {
     bool remade;
-    const double start = view_costs_now();
+    const double start = clock_seconds();
     enum status status = screen_fit(&v->screen, size, &remade);
     *ready = status == STATUS_OK && !v->screen.swapchain.stale;
     if (!*ready || v->screen.exec)
@@ -192,7 +193,7 @@ static void count_frame(struct view *v)
     view_costs_frame(c, times, count, v->screen.waited);
     if (c->frame_count == 1) {
         view_show_name(v);
-        v->now = view_costs_now();
+        v->now = clock_seconds();
     }
     if (o->time_step > 0.0 && !v->paused)
         v->elapsed += o->time_step;
@@ -271,7 +272,7 @@ static enum status run(struct view *v)
     const struct app_options *o = v->options;
     enum status status = begin(v);
     v->quit = status == STATUS_OK && window_is_closed(&v->window);
-    v->now = view_costs_now();
+    v->now = clock_seconds();
     while (status == STATUS_OK && !v->quit)
         status = run_frame(v);
     if (status == STATUS_OK && o->output_count && v->costs.frame_count)

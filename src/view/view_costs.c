@@ -1,24 +1,17 @@
 /* view_costs.c: sums over frames. */
 #include "src/view/view_costs.h"
 #include <math.h>
-#include <time.h>
+#include "src/clock.h"
 #include "src/gpu/gpu_swapchain.h"
-
-double view_costs_now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
 
 void view_costs_rest(struct view_costs *c, double start)
 {
-    c->rest += view_costs_now() - start;
+    c->rest += clock_seconds() - start;
 }
 
 void view_costs_limit(struct view_costs *c, double start)
 {
-    c->limit += view_costs_now() - start;
+    c->limit += clock_seconds() - start;
 }
 
 void view_costs_pause(struct view_costs *c)
@@ -37,7 +30,7 @@ static double passes_of(const struct rg_times *times)
 void view_costs_frame(struct view_costs *c, const struct rg_times *times, uint32_t time_count,
                       double screen)
 {
-    const double end = view_costs_now();
+    const double end = clock_seconds();
     const double whole = end - c->end - c->rest;
     double passes = 0.0;
     double slots = 0.0; /* the host waited for an earlier frame's end on the device */

@@ -27,8 +27,6 @@ struct view_costs {
     double host;           /* the host worked */
 };
 
-double view_costs_now(void); /* CLOCK_MONOTONIC */
-
 void view_costs_rest(struct view_costs *costs, double start);  /* from `start` until now */
 void view_costs_limit(struct view_costs *costs, double start); /* the same */
 

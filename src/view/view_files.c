@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <unistd.h>
 #include "src/app/output.h"
+#include "src/clock.h"
 #include "src/view/ui_shot.h"
 #include "src/view/view_internal.h"
 
@@ -38,7 +39,7 @@ void view_shoot(struct view *v)
     char exr[NAME_SIZE];
     char words[NAME_SIZE + 16];
     const char *const paths[] = { png, exr };
-    const double start = view_costs_now();
+    const double start = clock_seconds();
     const bool all = v->shoot_all;
     v->shoot = v->shoot_all = false;
     while (is_taken(++v->shot_number))

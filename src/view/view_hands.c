@@ -1,5 +1,6 @@
 /* view_hands.c: keys, drags, drops, panels. */
 #include <stdlib.h>
+#include "src/clock.h"
 #include "src/view/background.h"
 #include "src/view/orbit.h"
 #include "src/view/ui_command.h"
@@ -34,7 +35,7 @@ static const struct rung *other_rung(const struct view *v)
 /* A failure has been logged; it stays as it was. NULL: not split. */
 static void split(struct view *v, const struct rung *rung)
 {
-    const double start = view_costs_now();
+    const double start = clock_seconds();
     screen_disconnect(&v->screen);
     (void)!picture_split(v->picture, rung);
     v->changed = true;
@@ -183,7 +184,7 @@ static enum status open_file(void *user)
 static void open_dropped(struct view *v)
 {
     struct drop drop = { .view = v, .path = window_take_dropped(&v->window) };
-    const double start = view_costs_now();
+    const double start = clock_seconds();
     if (!drop.path)
         return;
     view_say(v, "loading");
@@ -198,7 +199,7 @@ static void open_dropped(struct view *v)
 /* Shaders that were saved count from now on; if they cannot, those before stay. */
 static void take_shaders(struct view *v)
 {
-    const double start = view_costs_now();
+    const double start = clock_seconds();
     const bool news = v->watch && watch_take(v->watch);
     if (v->watch)
         ui_complain(v->ui, watch_message(v->watch));
@@ -245,7 +246,7 @@ static enum status change_picture(void *user)
 /* What cannot be has been logged; what was there stays. */
 static void change(struct view *v, const struct ui_wish *wish)
 {
-    const double start = view_costs_now();
+    const double start = clock_seconds();
     struct change change = { v, wish };
     if (screen_wait(&v->screen) != STATUS_OK ||
         background_run(&v->window, change_picture, &change) != STATUS_OK)
