@@ -61,6 +61,9 @@ struct rg_exec_params {
     bool render_passes;
     bool measured;   /* rg_time.h */
     bool statistics; /* the same: pipelineStatisticsQuery and occlusionQueryPrecise are enabled */
+    /* Specialization constants of all shaders; an id that a shader lacks is none of its business.
+     * Read by create alone; NULL: each has its own defaults. */
+    const VkSpecializationInfo *constants;
     rg_replace_fn *replace;                    /* called by create alone; NULL: nothing does */
     void (*log)(void *user, const char *line); /* NULL: silent */
     void *user;                                /* of both */

@@ -38,6 +38,7 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
         .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
         .stage = stage,
         .pName = "main",
+        .pSpecializationInfo = params->constants,
     };
     RG_TRY(exec,
            exec->vk.CreateShaderModule(exec->device,

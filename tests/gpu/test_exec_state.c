@@ -305,13 +305,53 @@ static void mesh_is_drawn(void **state)
     gpu_buffer_destroy(gpu, &index_buffer);
 }
 
+/* ---- specialization constants ---- */
+
+static const struct rg_image special = COLOR_IMAGE("special");
+static const struct rg_buffer special_out = COLOR_BUFFER("special out");
+
+/* The vertex shader has none of them. */
+static const struct rg_pass special_rows[] = {
+    {
+        .name = "special",
+        .color[0] = { &special, RG_LOAD_DISCARD },
+        .vert = &paint_vert,
+        .frag = &constant_frag,
+        .push_size = sizeof(struct paint_push),
+        .record = painted_record,
+    },
+    RUN_READ("read special", special, special_out),
+};
+
+static void check_defaults(struct run *run)
+{
+    painted_check_all(run, &special_out, 64, painted_color(0.25F, 5, 0, 1));
+}
+
+static void check_special(struct run *run)
+{
+    painted_check_all(run, &special_out, 64, painted_color(0.25F, 9, 0, 1));
+}
+
+static void constants_reach_shaders(void **state)
+{
+    static const uint32_t values[] = { 8, 9 };
+    static const VkSpecializationMapEntry entries[] = {
+        { .constantID = 1, .offset = 0, .size = sizeof(values[0]) }, /* nobody's */
+        { .constantID = 7, .offset = sizeof(values[0]), .size = sizeof(values[1]) },
+    };
+    static const VkSpecializationInfo info = { 2, entries, sizeof(values), values };
+    static const struct paint_push paints[] = { { ALL } };
+    PAINTED_EVERYWHERE(state, special_rows, paints, check_defaults, .outputs = { &special_out });
+    PAINTED_EVERYWHERE(state, special_rows, paints, check_special, .outputs = { &special_out },
+                       .constants = &info);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(depth_is_tested),
-        ON_DEVICE(targets_are_blended),
-        ON_DEVICE(faces_are_culled),
-        ON_DEVICE(mesh_is_drawn),
+        ON_DEVICE(depth_is_tested), ON_DEVICE(targets_are_blended),     ON_DEVICE(faces_are_culled),
+        ON_DEVICE(mesh_is_drawn),   ON_DEVICE(constants_reach_shaders),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

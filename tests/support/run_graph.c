@@ -100,6 +100,7 @@ VkResult run_create(struct run *run, const struct rg_plan *plan)
             .render_passes = run->params.render_passes,
             .measured = run->params.measure.clock || run->params.measure.statistics,
             .statistics = run->gpu->has_statistics,
+            .constants = run->params.constants,
             .log = log_line,
             .user = run,
         },

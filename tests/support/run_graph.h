@@ -27,6 +27,7 @@ struct run_params {
     enum rg_sharing sharing;
     bool no_device; /* to compile for */
     struct rg_measure measure;
+    const VkSpecializationInfo *constants;
 };
 
 struct run {
