@@ -1,9 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "air.h"
-#include "lib/ice_clip.glsl"
+#include "ice_depth.h"
 
 layout(set = 0, binding = AIR_LAYERS) uniform sampler2DArray layers;
+
+layout(set = 0, binding = ICE_DEPTH_FRONT) uniform sampler2D ice_front;
 
 layout(push_constant, scalar) uniform Push
 {
@@ -20,7 +22,7 @@ layout(location = 0) out vec4 air; /* premultiplied */
 void main()
 {
     vec2 texel = texture(layers, uv).rg; /* before any discard: derivatives */
-    if (!ice_clip_keeps(gl_FragCoord.z))
+    if (gl_FragCoord.z < texelFetch(ice_front, ivec2(gl_FragCoord.xy), 0).r)
         discard;
     texel *= smoothstep(0.0, AIR_EDGE, abs(dot(normalize(eye_to_point), normal)));
     float clear = (1.0 - push.strength * texel.r) * (1.0 - push.haze * texel.g);

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "air.h"
+#include "lib/constants.glsl"
 #include "lib/pose.glsl"
 #include "lib/sky.glsl"
 
@@ -33,9 +34,9 @@ vec3 mean_environment()
 /* What white matter sends out that scatters light so often that it forgets where it came from. */
 vec3 scattered()
 {
-    if (frame.background_kind == GLOBALS_COLOR)
+    if (constant_background == GLOBALS_COLOR)
         return frame.background_color;
-    if (frame.background_kind == GLOBALS_ENVIRONMENT)
+    if (constant_background == GLOBALS_ENVIRONMENT)
         return mean_environment();
     return 0.5 * (sky_light(frame.sun_dir) + sky_light(-frame.sun_dir));
 }

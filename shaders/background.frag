@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "background.h"
+#include "lib/constants.glsl"
 #include "lib/globals.glsl"
 #include "lib/sky.glsl"
 #include "mesh.h"
@@ -24,7 +25,7 @@ void main()
 {
     uint layer = material & MESH_TEXTURE_MASK;
     vec3 albedo = base_color;
-    if (layer != 0u) {
+    if (constant_textured != 0u && layer != 0u) {
         vec4 texel = texture(textures, vec3(uv, float(layer - 1u)));
         if ((material & MESH_CUTOUT) != 0u && texel.a < 0.5)
             discard;

@@ -7,42 +7,40 @@
  */
 #ifndef BUMP_GLSL
 #define BUMP_GLSL
-#include "bump_mask.glsl"
-
-layout(set = 0, binding = BUMP_MAP) uniform sampler2D bump_map;
+#include "bump_map.glsl"
 
 /* How the height rises, in the world. */
 vec3 bump_gradient_on(bump_planes planes)
 {
-    vec2 x = texture(bump_map, planes.uv[0]).rg * planes.shares.x;
-    vec2 y = texture(bump_map, planes.uv[1]).rg * planes.shares.y;
-    vec2 z = texture(bump_map, planes.uv[2]).rg * planes.shares.z;
+    vec2 x = planes.texels[0].rg * planes.shares.x;
+    vec2 y = planes.texels[1].rg * planes.shares.y;
+    vec2 z = planes.texels[2].rg * planes.shares.z;
     return mat3(frame.world_from_object) * vec3(y.y + z.x, z.y + x.x, x.y + y.x);
 }
 
 /* The same by the mesh's uv, of which only the directions count; none where it has no uv. */
-vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 uv)
+vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 uv, vec2 slope)
 {
     vec3 across = cross(dFdy(point), normal);
     vec3 down = cross(normal, dFdx(point));
     vec3 u = across * dFdx(uv.x) + down * dFdy(uv.x);
     vec3 v = across * dFdx(uv.y) + down * dFdy(uv.y);
-    vec2 slope = texture(bump_map, uv * frame.bump_scale).rg;
     float side = dot(dFdx(point), across) < 0.0 ? -1.0 : 1.0;
     return side * (slope.x * u * inversesqrt(max(dot(u, u), 1e-30)) +
                    slope.y * v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
 /* Normals that face the eye stay so; those that bumps would turn away are nearly square to e. */
-vec3 bump_normal(vec3 e, vec3 point, vec3 normal, vec2 uv, bool by_uv)
+vec3 bump_normal(vec3 e, vec3 point, vec3 normal, vec2 uv)
 {
     vec3 gradient;
     float smoothness;
-    if (by_uv) {
-        gradient = bump_gradient_uv(point, normal, uv);
-        smoothness = bump_mask_by_uv(uv).r;
+    if (constant_bump_uv != 0u) {
+        vec4 texel = bump_read_uv(uv);
+        gradient = bump_gradient_uv(point, normal, uv, texel.rg);
+        smoothness = texel.b;
     } else {
-        bump_planes planes = bump_find_planes(point, normal);
+        bump_planes planes = bump_read_planes(point, normal);
         gradient = bump_gradient_on(planes);
         smoothness = bump_mask_on(planes).r;
     }

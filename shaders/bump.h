@@ -1,8 +1,8 @@
-/* bump.h: the maps of the ice's uneven surface, for those who read them (bump*.glsl). */
+/* bump.h: the map of the ice's uneven surface, for those who read it (bump*.glsl). */
 #ifndef SHADERS_BUMP_H
 #define SHADERS_BUMP_H
 
-#define BUMP_MAP  14 /* rg: slopes along u and v */
-#define BUMP_MASK 15 /* r: how smooth it is; g: how thick its crystals stand */
+/* rg: slopes along u and v; b: how smooth it is; a: how thick its crystals stand */
+#define BUMP_MAP 14
 
 #endif

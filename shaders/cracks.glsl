@@ -6,6 +6,7 @@
 #ifndef CRACKS_GLSL
 #define CRACKS_GLSL
 #include "cracks.h"
+#include "lib/constants.glsl"
 #include "lib/pose.glsl"
 
 layout(push_constant, scalar) uniform Push
@@ -76,7 +77,7 @@ crack_point crack_here()
 float crack_highlight(crack_point c)
 {
     float sum = 0.0;
-    for (uint i = 0u; i < frame.light_count; i++) {
+    for (uint i = 0u; i < constant_lights; i++) {
         vec3 l = normalize(frame.lights[i].xyz - c.position);
         float shine = pow(max(dot(c.n, normalize(l - c.e)), 0.0), look.shininess);
         sum += dot(c.n, l) > 0.0 ? frame.lights[i].w * shine : 0.0;

@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "bump_mask.glsl"
+#include "bump_map.glsl"
 #include "frost.h"
+#include "lib/constants.glsl"
 #include "lib/globals.glsl"
 #include "lib/sky.glsl"
 #include "refract.h"
@@ -23,7 +24,7 @@ layout(location = 0) out vec4 color; /* premultiplied */
 /* Light on the surface; from a picture or a colour, what comes from ahead stands for all. */
 vec3 light_on(vec3 n)
 {
-    if (frame.background_kind == GLOBALS_SKY)
+    if (constant_background == GLOBALS_SKY)
         return sky_light(n);
     return texture(blurred, n).rgb;
 }

@@ -2,9 +2,10 @@
 #ifndef SHADERS_GLOBALS_H
 #define SHADERS_GLOBALS_H
 #include "abi.h"
+#include "surface.h"
 
 #define GLOBALS_BINDING     0 /* in every row that names the buffer */
-#define GLOBALS_SKY         0 /* globals.background_kind: the procedural sky */
+#define GLOBALS_SKY         0 /* CONSTANT_BACKGROUND: the procedural sky */
 #define GLOBALS_COLOR       1 /* one colour everywhere */
 #define GLOBALS_ENVIRONMENT 2 /* the equirectangular picture */
 
@@ -19,25 +20,20 @@ struct globals {
     vec3s eye;                         /* of the view, world, metres */
     float eta;                         /* refractive index outside / inside, for green */
     vec3s forward;                     /* of the view, unit */
-    uint32_t background_kind;          /* GLOBALS_SKY ... */
     vec3s background_color;            /* linear radiance */
     float sky_strength;                /* factor on the procedural sky and its light */
     vec3s sun_dir;                     /* unit, towards the sun */
-    float sun_strength;       /* irradiance of the sun, square to it, in units of the sky's */
-    vec3s center;             /* of the object's bounding sphere, world, metres */
-    float radius;             /* of it, metres */
-    uint32_t light_count;     /* of lights */
-    vec2s fitted;             /* near and far plane of fitted_clip_from_world, metres */
-    float time;               /* seconds */
-    float bump_strength;      /* factor on the slopes of the ice's bump map */
-    float bump_scale;         /* tiles of it a metre, or a unit of uv */
-    uint32_t bump_uv;         /* 1: it lies by uv; 0: along three planes */
-    vec3s etas;               /* as eta, for red, green, blue */
-    vec3s absorb;             /* how fast the object takes them, 1 / metre */
-    uint32_t refract_fresnel; /* REFRACT_FRESNEL_PAPER ... */
-    float refract_crossfade;  /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
-    uint32_t refract_steps;   /* in which a ray outside is followed; 0: its direction alone counts;
-                             * REFRACT_STEPS_BOX: it ends on this box */
+    float sun_strength;      /* irradiance of the sun, square to it, in units of the sky's */
+    vec3s center;            /* of the object's bounding sphere, world, metres */
+    float radius;            /* of it, metres */
+    vec2s fitted;            /* near and far plane of fitted_clip_from_world, metres */
+    float time;              /* seconds */
+    float bump_strength;     /* factor on the slopes of the ice's bump map */
+    float bump_scale;        /* tiles of it a metre, or a unit of uv */
+    vec3s etas;              /* as eta, for red, green, blue */
+    vec3s absorb;            /* how fast the object takes them, 1 / metre */
+    float refract_crossfade; /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
+    ABI_STRUCT(surface_params) surface;
     vec3s local_min, local_max; /* of the box around the object, world, metres */
 };
 

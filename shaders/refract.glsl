@@ -7,9 +7,11 @@
  */
 #ifndef REFRACT_GLSL
 #define REFRACT_GLSL
+#include "lib/constants.glsl"
 #include "lib/optics.glsl"
 #include "refract_environment.glsl"
 #include "refract_front.glsl"
+#include "surface.glsl"
 
 /* Light through the ice, against its direction: from the eye to where it leaves. */
 struct refract_way {
@@ -67,20 +69,18 @@ vec3 refract_transmitted(refract_way way)
 
 float refract_share(vec3 e, vec3 n_f)
 {
-    if (choices.z == REFRACT_FRESNEL_EXACT)
+    if (constant_refract_fresnel == REFRACT_FRESNEL_EXACT)
         return optics_fresnel(e, n_f, frame.eta);
-    if (choices.z == REFRACT_FRESNEL_CROSSFADE)
+    if (constant_refract_fresnel == REFRACT_FRESNEL_CROSSFADE)
         return 1.0 - frame.refract_crossfade;
     return clamp(fresnel_paper, 0.0, 1.0);
 }
 
 /* Green first: its way is that of the layers. */
-refract_result refract_shade()
+refract_result refract_shade(vec3 e, vec3 n_f)
 {
-    vec3 e = normalize(eye_to_point);
-    vec3 n_f = refract_front_normal();
     refract_result r;
-    for (uint i = 0u; i < choices.x; i++) {
+    for (uint i = 0u; i < constant_refract_colors; i++) {
         int channel = int(i + 1u) % 3;
         refract_way way = refract_follow(e, n_f, channel);
         vec3 seen = refract_transmitted(way);
@@ -105,7 +105,7 @@ layout(location = REFRACT_OUT_WAY) out vec4 out_way;
 
 void main()
 {
-    refract_result r = refract_shade();
+    refract_result r = refract_shade(normalize(eye_to_point), refract_front_normal());
     out_exit = vec4(normalize(r.way.dir), 0.0);
     out_refraction = vec4(r.refraction, 0.0);
     out_reflection = vec4(r.reflection, 0.0);
@@ -113,12 +113,16 @@ void main()
     out_way = vec4(r.way.path, r.way.bounces, r.way.tir, 0.0);
 }
 #else
-layout(location = 0) out vec4 color;
+layout(location = REFRACT_OUT_COLOR) out vec4 color;
+layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;
 
 void main()
 {
-    refract_result r = refract_shade();
+    vec3 e = normalize(eye_to_point);
+    vec3 n_f = refract_front_normal();
+    refract_result r = refract_shade(e, n_f);
     color = vec4(optics_compose(r.reflection, r.refraction, r.fresnel), 1.0);
+    highlight = surface_highlight(e, refract_front_point(), n_f);
 }
 #endif
 

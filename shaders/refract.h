@@ -15,24 +15,29 @@
 #define REFRACT_EYE_TO_POINT 0
 #define REFRACT_NORMAL       1
 #define REFRACT_FRESNEL      2
-#define REFRACT_CHOICES      7 /* flat, see refract_front.glsl */
 #define REFRACT_UV           3 /* refract_bump.vert alone */
 #define REFRACT_REFLECTED    3 /* refract_per_vertex.vert alone, as is the next */
 #define REFRACT_REFRACTED    4 /* three of them */
 
-/* colour targets of the pass that writes a rung's layers */
+/* colour targets of the pass that draws a rung's picture */
+#define REFRACT_OUT_COLOR     0
+#define REFRACT_OUT_HIGHLIGHT 1
+
+/* and of the pass that writes its layers */
 #define REFRACT_OUT_EXIT       0
 #define REFRACT_OUT_REFRACTION 1
 #define REFRACT_OUT_REFLECTION 2
 #define REFRACT_OUT_FRESNEL    3
 #define REFRACT_OUT_WAY        4
 
-/* globals.refract_fresnel */
+/* CONSTANT_REFRACT_FRESNEL */
 #define REFRACT_FRESNEL_PAPER     0 /* eq. 4, at the vertices */
 #define REFRACT_FRESNEL_EXACT     1 /* Fresnel's equations, in each pixel */
 #define REFRACT_FRESNEL_CROSSFADE 2 /* one share for all */
 
-/* globals.refract_steps: a ray ends on the sides of a box */
-#define REFRACT_STEPS_BOX 0xffffu
+/* CONSTANT_REFRACT_LOOKUP */
+#define REFRACT_LOOKUP_INFINITE 0 /* as if the surroundings were infinitely far away */
+#define REFRACT_LOOKUP_DISTANCE 1 /* a ray is followed to where the environment cube shows them */
+#define REFRACT_LOOKUP_BOX      2 /* it ends on the sides of the box of local_settings */
 
 #endif

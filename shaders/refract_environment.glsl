@@ -9,6 +9,7 @@
  */
 #ifndef REFRACT_ENVIRONMENT_GLSL
 #define REFRACT_ENVIRONMENT_GLSL
+#include "lib/constants.glsl"
 #include "lib/local_cube.glsl"
 #include "refract_front.glsl"
 
@@ -21,7 +22,7 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
     float middle = dot(from_center, dir);
     float room = dot(from_center, from_center) - middle * middle;
     vec3 found = dir;
-    for (uint i = 0u; i < choices.y; i++) {
+    for (uint i = 0u; i < constant_refract_steps; i++) {
         float near = texture(env_cube, found).a;
         float reach = 1.0 / max(near, 1e-6);
         float t = sqrt(max(reach * reach - room, 0.0)) - middle;
@@ -33,9 +34,9 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
 vec3 refract_environment(vec3 point, vec3 dir)
 {
     vec3 found = dir;
-    if (choices.y == REFRACT_STEPS_BOX)
+    if (constant_refract_lookup == REFRACT_LOOKUP_BOX)
         found = local_cube_dir(point, dir, frame.local_min, frame.local_max, frame.center);
-    else if (choices.y > 0u)
+    else if (constant_refract_lookup == REFRACT_LOOKUP_DISTANCE)
         found = refract_cube_dir(point, normalize(dir));
     return texture(env_cube, found).rgb;
 }

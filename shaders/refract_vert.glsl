@@ -9,7 +9,6 @@ layout(location = MESH_NORMAL) in vec3 normal;
 layout(location = REFRACT_EYE_TO_POINT) out vec3 out_eye_to_point;
 layout(location = REFRACT_NORMAL) out vec3 out_normal;
 layout(location = REFRACT_FRESNEL) out float out_fresnel;
-layout(location = REFRACT_CHOICES) flat out uvec4 out_choices;
 
 #ifdef REFRACT_BUMP
 layout(location = MESH_UV) in vec2 uv;
@@ -29,8 +28,6 @@ void main()
     out_eye_to_point = point - frame.eye;
     out_normal = pose_object_normal(normal);
     out_fresnel = optics_fresnel_paper(normalize(out_eye_to_point), out_normal);
-    out_choices = uvec4(frame.etas.r == frame.etas.b ? 1u : 3u, frame.refract_steps,
-                        frame.refract_fresnel, frame.bump_uv);
 #ifdef REFRACT_BUMP
     out_uv = uv;
 #endif

@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/constants.glsl"
 #include "tonemap.h"
 
 layout(set = 0, binding = TONEMAP_COLOR) uniform sampler2D linear_color;
@@ -14,5 +15,5 @@ layout(location = 0) out vec4 encoded;
 void main()
 {
     vec3 c = texelFetch(linear_color, ivec2(gl_FragCoord.xy), 0).rgb;
-    encoded = vec4(tonemap_encode(c, params.exposure, params.curve), 1.0);
+    encoded = vec4(tonemap_encode(c, params.exposure, constant_tonemap_curve), 1.0);
 }

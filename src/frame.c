@@ -79,7 +79,7 @@ const struct rg_sampler frame_texture_sampler = {
     .mips = true,
     .repeat_u = true,
     .repeat_v = true,
-    .anisotropy = 4.0f,
+    .anisotropy = FRAME_ANISOTROPY,
 };
 
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame)

@@ -41,7 +41,8 @@ extern const struct rg_image frame_environment; /* equirectangular; 1x1 if there
 extern const struct rg_image frame_textures;    /* of the surroundings, an array; the same */
 extern const struct rg_image frame_air;         /* struct air_layers, an array; the same */
 
-/* Samplers */
+/* Samplers. What is anisotropic is so as far as the settings and the device let it. */
+#define FRAME_ANISOTROPY 16.0f
 extern const struct rg_sampler frame_linear;              /* clamped, one mip */
 extern const struct rg_sampler frame_environment_sampler; /* wraps around, all mips */
 extern const struct rg_sampler frame_texture_sampler;     /* repeats, all mips, anisotropic */

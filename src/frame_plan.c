@@ -103,17 +103,10 @@ static void bring(struct frame_plan *p, const struct frame_request *request)
         .layers = request->texture_count,
         .mips = request->texture_mips,
     };
-    const VkExtent2D bump = { request->bump_size, request->bump_size };
     p->imports[FRAME_IMPORT_BUMP_MAP] = (struct rg_import){
         .image = &bump_map,
         .access = RG_SAMPLED,
-        .extent = bump,
-        .mips = request->bump_mips,
-    };
-    p->imports[FRAME_IMPORT_BUMP_MASK] = (struct rg_import){
-        .image = &bump_mask,
-        .access = RG_SAMPLED,
-        .extent = bump,
+        .extent = { request->bump_size, request->bump_size },
         .mips = request->bump_mips,
     };
     p->imports[FRAME_IMPORT_AIR] = (struct rg_import){

@@ -2,10 +2,13 @@
 #include "src/frame_view.h"
 #include <math.h>
 #include <stdlib.h>
+#include "shaders/tonemap.h"
 #include "src/scene_settings.h"
 #include "src/tech/bump.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/refract.h"
+#include "src/tech/surface.h"
+#include "src/tech/tonemap.h"
 
 static float radians(float degrees)
 {
@@ -112,7 +115,6 @@ static void place_lights(const struct frame_view *view, struct globals *g)
 {
     const struct light_params *light = settings_of(view->settings, &light_settings);
     const struct motion_params *motion = settings_of(view->settings, &motion_settings);
-    g->light_count = light->count;
     for (uint32_t i = 0; i < light->count; i++) {
         float turn = (float)i / (float)light->count * 360.0f;
         float azimuth = radians(light->azimuth + turn + motion->lights * view->time);
@@ -126,8 +128,8 @@ static void place_bumps(const struct frame_view *view, struct globals *g)
 {
     const struct bump_params *bump = settings_of(view->settings, &bump_settings);
     g->bump_strength = bump->strength;
-    g->bump_uv = bump->mapping == BUMP_UV;
-    g->bump_scale = g->bump_uv ? bump->scale : bump->scale / fmaxf(2.0f * g->radius, 1e-6f);
+    g->bump_scale =
+        bump->mapping == BUMP_UV ? bump->scale : bump->scale / fmaxf(2.0f * g->radius, 1e-6f);
 }
 
 /* KHR_materials_dispersion: red has the index n - h, blue n + h, h = (n - 1) 0.025 dispersion. */
@@ -140,29 +142,18 @@ static void place_refraction(const struct frame_view *view, struct globals *g)
     g->etas = (vec3s){ { REFRACT_IOR_AIR / (refract->ior - half), g->eta,
                          REFRACT_IOR_AIR / (refract->ior + half) } };
     g->absorb = (vec3s){ { absorb->red, absorb->green, absorb->blue } };
-    g->refract_fresnel = refract->fresnel;
     g->refract_crossfade = refract->crossfade;
-    if (refract->lookup == REFRACT_LOOKUP_DISTANCE)
-        g->refract_steps = refract->steps;
 }
 
 static void place_box(const struct frame_view *view, struct globals *g)
 {
-    const struct refract_params *refract = settings_of(view->settings, &refract_settings);
     const struct box box = frame_view_box(view->scene, view->settings);
     g->local_min = box.min;
     g->local_max = box.max;
-    if (refract->lookup == REFRACT_LOOKUP_BOX)
-        g->refract_steps = REFRACT_STEPS_BOX;
 }
 
 struct globals frame_view_globals(const struct frame_view *view, const struct background_push *push)
 {
-    static const uint32_t kinds[] = {
-        [SCENE_SKY] = GLOBALS_SKY,
-        [SCENE_COLOR] = GLOBALS_COLOR,
-        [SCENE_ENVIRONMENT] = GLOBALS_ENVIRONMENT,
-    };
     const struct sky_params *sky = settings_of(view->settings, &sky_settings);
     const struct motion_params *motion = settings_of(view->settings, &motion_settings);
     vec3s center = box_center(view->scene->box);
@@ -172,7 +163,6 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .world_from_movers = turned(center, radians(motion->objects * view->time)),
         .eye = view->camera.eye,
         .forward = camera_basis(&view->camera).forward,
-        .background_kind = kinds[view->scene->background],
         .background_color = view->scene->background_color,
         .sky_strength = sky->strength,
         .sun_dir = direction(radians(sky->sun_azimuth), radians(sky->sun_elevation)),
@@ -180,6 +170,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .center = center,
         .radius = box_diagonal(view->scene->box) / 2.0f,
         .time = view->time,
+        .surface = *(const struct surface_params *)settings_of(view->settings, &surface_settings),
     };
     g.fitted_clip_from_world = frame_view_fit(&view->camera, push->clip_from_world, center,
                                               fmaxf(g.radius, 1e-6f), &g.fitted);
@@ -188,6 +179,31 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
     place_refraction(view, &g);
     place_box(view, &g);
     return g;
+}
+
+struct frame_constants frame_view_constants(const struct scene *scene,
+                                            const struct settings *settings)
+{
+    static const uint32_t backgrounds[] = {
+        [SCENE_SKY] = GLOBALS_SKY,
+        [SCENE_COLOR] = GLOBALS_COLOR,
+        [SCENE_ENVIRONMENT] = GLOBALS_ENVIRONMENT,
+    };
+    const struct refract_params *refract = settings_of(settings, &refract_settings);
+    const struct bump_params *bump = settings_of(settings, &bump_settings);
+    const struct light_params *light = settings_of(settings, &light_settings);
+    const struct tonemap_params *screen = settings_of(settings, &tonemap_settings);
+    return (struct frame_constants){ {
+        [CONSTANT_BACKGROUND] = backgrounds[scene->background],
+        [CONSTANT_TEXTURED] = scene->model.textures.count > 0,
+        [CONSTANT_LIGHTS] = light->count,
+        [CONSTANT_BUMP_UV] = bump->mapping == BUMP_UV,
+        [CONSTANT_REFRACT_COLORS] = refract->dispersion > 0.0f ? 3 : 1,
+        [CONSTANT_REFRACT_FRESNEL] = refract->fresnel,
+        [CONSTANT_REFRACT_LOOKUP] = refract->lookup,
+        [CONSTANT_REFRACT_STEPS] = refract->steps,
+        [CONSTANT_TONEMAP_CURVE] = screen->curve,
+    } };
 }
 
 struct far_sphere {

@@ -5,6 +5,7 @@
 #define FIRN_FRAME_VIEW_H
 
 #include "shaders/bubbles.h"
+#include "shaders/constants.h"
 #include "src/frame.h"
 #include "src/scene/camera.h"
 #include "src/scene/scene.h"
@@ -26,6 +27,13 @@ struct background_push frame_view_face(const struct frame_view *view, uint32_t f
 /* `push` is frame_view_push(). */
 struct globals frame_view_globals(const struct frame_view *view,
                                   const struct background_push *push);
+
+/* Of the scene's and the settings' shaders, whatever the camera and the time. */
+struct frame_constants {
+    uint32_t values[CONSTANT_COUNT];
+};
+struct frame_constants frame_view_constants(const struct scene *scene,
+                                            const struct settings *settings);
 
 /* The scene's bubbles in the world, farthest first: none can hide one that comes after it. */
 void frame_view_bubbles(const struct frame_view *view, const struct globals *globals,

@@ -127,7 +127,7 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
         add(&list, &bubbles);
     add(&list, cracks_find(settings));
     if (is_lit(settings))
-        add(&list, is_bumped(settings) ? &surface_bumped : &surface);
+        add(&list, &surface);
     if (is_frosted(settings))
         add(&list, &frost);
     add(&list, &tonemap);

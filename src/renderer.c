@@ -118,36 +118,27 @@ static enum status check_memory(const struct gpu *gpu, const struct rg_plan *pla
     return gpu_fit_memory(gpu, view, plan->memory_used + plan->memory_persistent, host_size);
 }
 
-static enum status stage_create(struct stage *stage, struct renderer *renderer,
-                                struct frame_request request)
+/* Realises stage->frame. */
+static enum status make_exec(struct stage *stage, const struct renderer *renderer)
 {
-    struct gpu *gpu = renderer->params.gpu;
-    const struct rg_vulkan vulkan = {
-        gpu->instance,
-        vkGetInstanceProcAddr,
-        gpu->physical,
-        gpu->device,
-    };
-    const struct rg_device device = rg_exec_device(&vulkan);
+    const struct renderer_params *params = &renderer->params;
+    struct gpu *gpu = params->gpu;
+    const struct texture_params *texture = settings_of(params->settings, &texture_settings);
+    const struct frame_constants constants = frame_view_constants(params->scene, params->settings);
+    VkSpecializationMapEntry entries[CONSTANT_COUNT];
+    for (uint32_t i = 0; i < CONSTANT_COUNT; i++)
+        entries[i] = (VkSpecializationMapEntry){ i, i * sizeof(uint32_t), sizeof(uint32_t) };
+    const VkSpecializationInfo info = { CONSTANT_COUNT, entries, sizeof(constants), &constants };
     const struct rg_exec_import imports[FRAME_IMPORT_COUNT] = {
         [FRAME_IMPORT_ENVIRONMENT].image = renderer->scene->environment.image,
         [FRAME_IMPORT_TEXTURES].image = renderer->scene->textures.image,
         [FRAME_IMPORT_BUMP_MAP].image = renderer->scene->bump_map.image,
-        [FRAME_IMPORT_BUMP_MASK].image = renderer->scene->bump_mask.image,
         [FRAME_IMPORT_AIR].image = renderer->scene->air_layers.image,
         [FRAME_IMPORT_CUBE].image = renderer->capture.exec
                                         ? rg_exec_image(renderer->capture.exec, &env_cube_color)
                                         : renderer->scene->cube.image,
     };
-    request.device = &device;
-    const double start = clock_ms();
-    enum status status = frame_plan_init(&stage->frame, &request);
-    if (status == STATUS_OK)
-        status = check_memory(gpu, stage->frame.plan, request.view);
-    if (status != STATUS_OK)
-        return status;
     VkResult result;
-    const double compiled = clock_ms();
     stage->exec = rg_exec_create(
         &(struct rg_exec_params){
             .plan = stage->frame.plan,
@@ -160,19 +151,42 @@ static enum status stage_create(struct stage *stage, struct renderer *renderer,
             .pipeline_cache = gpu->pipeline_cache,
             .imports = imports,
             .import_count = stage->frame.import_count,
-            .max_anisotropy = gpu->max_anisotropy,
+            .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
             .frames_in_flight = FRAMES_IN_FLIGHT,
             .render_passes = gpu->validated, /* see rg_exec.h */
-            .measured = renderer->params.measured,
+            .measured = params->measured,
             .statistics = gpu->has_statistics,
-            .replace = renderer->params.replace,
+            .constants = &info,
+            .replace = params->replace,
             .log = log_exec,
-            .user = renderer->params.replace_user,
+            .user = params->replace_user,
         },
         &result);
+    return gpu_status(result);
+}
+
+static enum status stage_create(struct stage *stage, struct renderer *renderer,
+                                struct frame_request request)
+{
+    const struct gpu *gpu = renderer->params.gpu;
+    const struct rg_vulkan vulkan = {
+        gpu->instance,
+        vkGetInstanceProcAddr,
+        gpu->physical,
+        gpu->device,
+    };
+    const struct rg_device device = rg_exec_device(&vulkan);
+    request.device = &device;
+    const double start = clock_ms();
+    enum status status = frame_plan_init(&stage->frame, &request);
+    if (status == STATUS_OK)
+        status = check_memory(gpu, stage->frame.plan, request.view);
+    const double compiled = clock_ms();
+    if (status == STATUS_OK)
+        status = make_exec(stage, renderer);
     renderer->costs.compile = compiled - start;
     renderer->costs.realise = clock_ms() - compiled;
-    return gpu_status(result);
+    return status;
 }
 
 static void stage_destroy(struct stage *stage)

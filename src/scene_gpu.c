@@ -109,23 +109,21 @@ static enum status upload_textures(struct scene_gpu *on_gpu, struct gpu *gpu,
                             });
 }
 
-/* One of the maps of the ice's surface; without texels as an even, smooth one. */
-static enum status upload_bump(struct gpu *gpu, struct gpu_image *image,
-                               const struct rg_image *declared, const void *texels, uint32_t size)
+static enum status upload_bump(struct scene_gpu *on_gpu, struct gpu *gpu,
+                               const struct bump_maps *maps)
 {
-    static const uint8_t even[8] = { 0 };
-    uint32_t side = texels ? size : 1;
-    return gpu_image_create(
-        gpu, image,
-        &(struct gpu_image_params){
-            .name = declared->name,
-            .format = declared->format,
-            .width = side,
-            .height = side,
-            .mipmaps = texels,
-            .texels = texels ? texels : even,
-            .texels_size = (size_t)side * side * rg_format_info(declared->format)->size,
-        });
+    static const uint16_t even[4] = { 0 };
+    uint32_t side = maps->size ? maps->size : 1;
+    return gpu_image_create(gpu, &on_gpu->bump_map,
+                            &(struct gpu_image_params){
+                                .name = bump_map.name,
+                                .format = bump_map.format,
+                                .width = side,
+                                .height = side,
+                                .mipmaps = maps->size,
+                                .texels = maps->size ? maps->texels : even,
+                                .texels_size = (size_t)side * side * sizeof(even),
+                            });
 }
 
 static enum status upload_air(struct scene_gpu *on_gpu, struct gpu *gpu,
@@ -166,11 +164,7 @@ enum status scene_gpu_upload(struct scene_gpu *on_gpu, struct gpu *gpu, const st
     if (status == STATUS_OK)
         status = upload_textures(on_gpu, gpu, &scene->model.textures);
     if (status == STATUS_OK)
-        status =
-            upload_bump(gpu, &on_gpu->bump_map, &bump_map, scene->bump.slopes, scene->bump.size);
-    if (status == STATUS_OK)
-        status =
-            upload_bump(gpu, &on_gpu->bump_mask, &bump_mask, scene->bump.mask, scene->bump.size);
+        status = upload_bump(on_gpu, gpu, &scene->bump);
     if (status == STATUS_OK)
         status =
             upload_mesh(gpu, &scene->air, &on_gpu->air_vertices, &on_gpu->air_indices, "scene.air");
@@ -193,7 +187,6 @@ void scene_gpu_finish(struct scene_gpu *on_gpu, struct gpu *gpu)
     gpu_image_destroy(gpu, &on_gpu->cube);
     gpu_image_destroy(gpu, &on_gpu->textures);
     gpu_image_destroy(gpu, &on_gpu->bump_map);
-    gpu_image_destroy(gpu, &on_gpu->bump_mask);
     gpu_buffer_destroy(gpu, &on_gpu->air_vertices);
     gpu_buffer_destroy(gpu, &on_gpu->air_indices);
     gpu_image_destroy(gpu, &on_gpu->air_layers);

@@ -14,7 +14,6 @@ struct scene_gpu {
     struct gpu_image cube;        /* {0} if the scene has none */
     struct gpu_image textures;    /* 1x1 if the scene has none */
     struct gpu_image bump_map;    /* the same */
-    struct gpu_image bump_mask;   /* the same */
     struct gpu_buffer air_vertices, air_indices;
     struct gpu_image air_layers; /* 1x1 if the scene has none */
 };

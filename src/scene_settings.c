@@ -70,6 +70,21 @@ static const struct setting sky_rows[] = {
 
 const struct setting_group sky_settings = SETTING_GROUP("sky", sky_rows, struct sky_params);
 
+static const struct setting texture_rows[] = {
+    {
+        .name = "texture.anisotropy",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct texture_params, anisotropy),
+        .initial = 4,
+        .min = 1,
+        .max = 16,
+        .help = "samples that textures seen at a slant may take (1: fast on CPUs)",
+    },
+};
+
+const struct setting_group texture_settings =
+    SETTING_GROUP("texture", texture_rows, struct texture_params);
+
 #define MOTION(field, ...) \
     { \
         .name = "motion." #field, .type = SETTING_FLOAT, \

@@ -19,6 +19,10 @@ struct sky_params {
     float sun_strength;  /* factor on the sun's light */
 };
 
+struct texture_params {
+    uint32_t anisotropy; /* of what the ice and its surroundings wear, at most; 1: none */
+};
+
 /* Where time goes: a frame's time is `time` plus its number over `fps`. */
 struct motion_params {
     float time;     /* seconds */
@@ -50,6 +54,6 @@ struct local_params {
 };
 
 extern const struct setting_group object_settings, landscape_settings, sky_settings,
-    motion_settings, light_settings, absorb_settings, local_settings;
+    texture_settings, motion_settings, light_settings, absorb_settings, local_settings;
 
 #endif

@@ -2,14 +2,15 @@
 #ifndef LIB_ENVIRONMENT_GLSL
 #define LIB_ENVIRONMENT_GLSL
 #include "background.h"
+#include "lib/constants.glsl"
 #include "lib/sky.glsl"
 
 /* Along a unit direction; `lod` is the mip of the picture, if there is one. */
 vec3 environment_radiance(sampler2D environment, vec3 dir, float lod)
 {
-    if (frame.background_kind == GLOBALS_COLOR)
+    if (constant_background == GLOBALS_COLOR)
         return frame.background_color;
-    if (frame.background_kind == GLOBALS_ENVIRONMENT)
+    if (constant_background == GLOBALS_ENVIRONMENT)
         return textureLod(environment, background_uv(dir), lod).rgb;
     return sky_radiance(dir);
 }

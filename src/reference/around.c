@@ -93,9 +93,9 @@ vec3s around_sky(const struct around *around, vec3s dir)
 {
     const struct globals *g = around->globals;
     const struct environment *environment = &around->scene->environment;
-    if (g->background_kind == GLOBALS_COLOR)
+    if (around->scene->background == SCENE_COLOR)
         return g->background_color;
-    if (g->background_kind != GLOBALS_ENVIRONMENT)
+    if (around->scene->background == SCENE_SKY)
         return scaled(g, sky_seen(dir, g->sun_dir, g->sun_strength));
     const vec2s uv = background_uv(dir);
     return glms_vec3(blend(around, fetch_environment, 0, pair_at(uv.x, environment->width, true),

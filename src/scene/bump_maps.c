@@ -116,7 +116,7 @@ static vec2s slope(const float *heights, uint32_t x, uint32_t y)
     } };
 }
 
-static void make_slopes(uint16_t *slopes, const float *heights)
+static void make_slopes(uint16_t *texels, const float *heights)
 {
     double sum = 0;
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
@@ -124,8 +124,8 @@ static void make_slopes(uint16_t *slopes, const float *heights)
     float scale = (float)sqrt(SIZE * SIZE / sum);
     for (uint32_t i = 0; i < SIZE * SIZE; i++) {
         vec2s s = glms_vec2_scale(slope(heights, i % SIZE, i / SIZE), scale);
-        slopes[2 * i + 0] = half_from_float(s.x);
-        slopes[2 * i + 1] = half_from_float(s.y);
+        texels[4 * i + 0] = half_from_float(s.x);
+        texels[4 * i + 1] = half_from_float(s.y);
     }
 }
 
@@ -142,26 +142,26 @@ static float quantile(const float *field, float share)
     return ((float)bin / 4096 - 0.5F) * 4;
 }
 
-static uint8_t to_byte(float x)
+static uint16_t to_share(float x)
 {
-    return (uint8_t)(glm_clamp(x, 0, 1) * 255 + 0.5F);
+    return half_from_float(glm_clamp(x, 0, 1));
 }
 
 /* Where the field is low it is smooth; from smooth to rough it takes a while. */
-static void make_smooth(uint8_t *mask, const float *field, float share)
+static void make_smooth(uint16_t *texels, const float *field, float share)
 {
     const float width = 0.25F;
     float middle = quantile(field, share);
     for (uint32_t i = 0; i < SIZE * SIZE; i++) {
         float t = glm_clamp((middle - field[i]) / width + 0.5F, 0, 1);
-        mask[2 * i + 0] = to_byte(share <= 0 ? 0 : share >= 1 ? 1 : t * t * (3 - 2 * t));
+        texels[4 * i + 2] = to_share(share <= 0 ? 0 : share >= 1 ? 1 : t * t * (3 - 2 * t));
     }
 }
 
-static void make_crystals(uint8_t *mask, const float *field)
+static void make_crystals(uint16_t *texels, const float *field)
 {
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
-        mask[2 * i + 1] = to_byte(0.7F + 0.45F * field[i]);
+        texels[4 * i + 3] = to_share(0.7F + 0.45F * field[i]);
 }
 
 static void make(struct bump_maps *maps, const struct bump_maps_params *params, float *field,
@@ -174,16 +174,16 @@ static void make(struct bump_maps *maps, const struct bump_maps_params *params, 
     add_field(field, lattice, wave, 3, 0.8F, seed + 1);
     add_field(field, lattice, wave, 11, 0.14F, seed + 2);
     add_field(field, lattice, wave, 29, 0.025F, seed + 3);
-    make_slopes(maps->slopes, field);
+    make_slopes(maps->texels, field);
     memset(field, 0, field_size);
     add_field(field, lattice, wave, 4, 0.8F, seed + 4);
     add_field(field, lattice, wave, 9, 0.35F, seed + 5);
     add_field(field, lattice, wave, 23, 0.12F, seed + 6);
-    make_smooth(maps->mask, field, params->smooth);
+    make_smooth(maps->texels, field, params->smooth);
     memset(field, 0, field_size);
     add_field(field, lattice, wave, 31, 0.6F, seed + 7);
     add_field(field, lattice, wave, 64, 0.5F, seed + 8);
-    make_crystals(maps->mask, field);
+    make_crystals(maps->texels, field);
 }
 
 bool bump_maps_init(struct bump_maps *maps, const struct bump_maps_params *params)
@@ -191,11 +191,10 @@ bool bump_maps_init(struct bump_maps *maps, const struct bump_maps_params *param
     float *field = malloc((size_t)SIZE * SIZE * sizeof(*field));
     struct lattice *lattice = malloc(sizeof(*lattice));
     *maps = (struct bump_maps){
-        .slopes = malloc((size_t)SIZE * SIZE * 2 * sizeof(*maps->slopes)),
-        .mask = malloc((size_t)SIZE * SIZE * 2 * sizeof(*maps->mask)),
+        .texels = malloc((size_t)SIZE * SIZE * 4 * sizeof(*maps->texels)),
         .size = SIZE,
     };
-    bool done = field && lattice && maps->slopes && maps->mask;
+    bool done = field && lattice && maps->texels;
     if (done)
         make(maps, params, field, lattice);
     else
@@ -207,7 +206,6 @@ bool bump_maps_init(struct bump_maps *maps, const struct bump_maps_params *param
 
 void bump_maps_finish(struct bump_maps *maps)
 {
-    free(maps->slopes);
-    free(maps->mask);
+    free(maps->texels);
     *maps = (struct bump_maps){ 0 };
 }

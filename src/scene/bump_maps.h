@@ -1,5 +1,5 @@
 /*
- * bump_maps.h: the uneven surface of ice as two pictures that repeat, made by code.
+ * bump_maps.h: the uneven surface of ice as a picture that repeats, made by code.
  *
  * A height of dimples, as melting leaves them, under ever finer noise: its slopes. Noise again says
  * where the surface is smooth all the same. The same numbers give the same bytes on every machine.
@@ -17,8 +17,8 @@ enum {
 };
 
 struct bump_maps {
-    uint16_t *slopes; /* half, two a texel: rise along u and v; 1 in the root mean square */
-    uint8_t *mask;    /* two a texel: how smooth the surface is; how thick its crystals stand */
+    uint16_t *texels; /* half, four each: rise along u and v, 1 in the root mean square; how smooth
+                         the surface is and how thick its crystals stand, 0 to 1 */
     uint32_t size;    /* texels, both ways; 0: none */
 };
 

@@ -31,13 +31,12 @@ const struct rg_image air_color = {
 static const struct rg_sampler layers_sampler = {
     .linear = true,
     .mips = true,
-    .anisotropy = 4.0f,
+    .anisotropy = FRAME_ANISOTROPY,
 };
 
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     { .image = &ice_depth_front, .access = RG_SAMPLED, .binding = ICE_DEPTH_FRONT },
-    { .image = &ice_depth_back, .access = RG_SAMPLED, .binding = ICE_DEPTH_BACK },
     {
         .image = &frame_air,
         .access = RG_SAMPLED,
@@ -58,6 +57,7 @@ static const struct rg_pass passes[] = {
     {
         .name = "air.planes",
         .color[0] = { &air_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER },
+        ICE_DEPTH_BEFORE_BACK,
         .uses = uses,
         .vert = &air_vert,
         .frag = &air_frag,

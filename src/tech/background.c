@@ -1,11 +1,11 @@
 /*
- * background.c: sky or environment picture, and before it the surroundings.
+ * background.c: the surroundings, and behind them the sky or environment picture.
  */
 #include "src/tech/background.h"
 #include "shaders/embedded.h"
 #include "src/frame.h"
 
-static rg_record_fn record_sky, record_surroundings;
+static rg_record_fn record_surroundings, record_sky;
 
 const struct rg_image background_color = {
     .name = "background.color",
@@ -41,17 +41,14 @@ const struct rg_use background_uses[] = {
 
 static const struct rg_pass passes[] = {
     {
-        .name = "background.sky",
-        .color[0] = { &background_color, RG_LOAD_DISCARD },
-        BACKGROUND_SKY,
-        .record = record_sky,
+        .name = "background.surroundings",
+        BACKGROUND_SURROUNDINGS(&background_color, &background_depth),
+        .record = record_surroundings,
     },
     {
-        .name = "background.surroundings",
-        .color[0] = { &background_color, RG_LOAD_KEEP },
-        .depth = { &background_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
-        BACKGROUND_SURROUNDINGS,
-        .record = record_surroundings,
+        .name = "background.sky",
+        BACKGROUND_SKY(&background_color, &background_depth),
+        .record = record_sky,
     },
 };
 

@@ -7,15 +7,19 @@ extern const struct rg_image background_color; /* linear radiance, alpha 1 */
 extern const struct rg_image background_depth; /* reversed: 1 near, 0 infinitely far */
 extern const struct technique background;
 
-/* Rows that draw the sky over a whole picture, and those that draw the surroundings before it;
- * both push a struct background_push. */
-#define BACKGROUND_SKY \
-    .uses = background_sky_uses, .vert = &background_sky_vert, .frag = &background_sky_frag, \
+/* Rows that draw the surroundings, and then the sky where there are none; both push a struct
+ * background_push. */
+#define BACKGROUND_SURROUNDINGS(color_image, depth_image) \
+    .color[0] = { (color_image), RG_LOAD_DISCARD }, /* the sky fills what is left */ \
+        .depth = { (depth_image), RG_LOAD_CLEAR },  /* 0 is infinity */ \
+        .uses = background_uses, .vert = &background_vert, .frag = &background_frag, \
+    .vertices = &frame_mesh_layout, .depth_compare = VK_COMPARE_OP_GREATER, \
     .push_size = sizeof(struct background_push)
 
-#define BACKGROUND_SURROUNDINGS \
-    .uses = background_uses, .vert = &background_vert, .frag = &background_frag, \
-    .vertices = &frame_mesh_layout, .depth_compare = VK_COMPARE_OP_GREATER, \
+#define BACKGROUND_SKY(color_image, depth_image) \
+    .color[0] = { (color_image), RG_LOAD_KEEP }, .depth = { (depth_image), RG_LOAD_KEEP }, \
+    .depth_read_only = true, .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL, \
+    .uses = background_sky_uses, .vert = &background_sky_vert, .frag = &background_sky_frag, \
     .push_size = sizeof(struct background_push)
 
 extern const struct rg_use background_sky_uses[], background_uses[];

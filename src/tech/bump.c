@@ -1,16 +1,9 @@
-/* bump.c: the maps of the ice's uneven surface. */
+/* bump.c: the map of the ice's uneven surface. */
 #include "src/tech/bump.h"
 
 const struct rg_image bump_map = {
     .name = "bump.map",
-    .format = VK_FORMAT_R16G16_SFLOAT,
-    .width = 1,
-    .height = 1,
-};
-
-const struct rg_image bump_mask = {
-    .name = "bump.mask",
-    .format = VK_FORMAT_R8G8_UNORM,
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
     .width = 1,
     .height = 1,
 };

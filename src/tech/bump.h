@@ -1,5 +1,5 @@
 /*
- * bump.h: the ice's uneven surface: two maps that come with the scene, and how they lie on it.
+ * bump.h: the ice's uneven surface: a map that comes with the scene, and how it lies on it.
  *
  * Seipel and Nivfors 2006, section 3.1 c: a bump map, and a mask of where melting has made the
  * surface smooth. They bend the front normal (shaders/bump.glsl) with which rungs refract and
@@ -11,8 +11,8 @@
 #include "shaders/bump.h"
 #include "src/technique.h"
 
-/* Imported; the sizes are those of the stand-ins where the scene has none. */
-extern const struct rg_image bump_map, bump_mask;
+/* Imported; the size is that of the stand-in where the scene has none. */
+extern const struct rg_image bump_map;
 
 extern const struct setting_group bump_settings;
 
@@ -29,17 +29,11 @@ enum {
     BUMP_UV,        /* by the mesh's uv; where it has none there are no bumps */
 };
 
-/* The uses of the maps. */
-#define BUMP_USE_MASK \
+/* The use of the map. */
+#define BUMP_USE_MAP \
     { \
-        .image = &bump_mask, .access = RG_SAMPLED, .binding = BUMP_MASK, \
+        .image = &bump_map, .access = RG_SAMPLED, .binding = BUMP_MAP, \
         .sampler = &frame_texture_sampler \
     }
-#define BUMP_USE_MAPS \
-    { .image = &bump_map, \
-      .access = RG_SAMPLED, \
-      .binding = BUMP_MAP, \
-      .sampler = &frame_texture_sampler }, \
-        BUMP_USE_MASK
 
 #endif

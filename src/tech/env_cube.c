@@ -19,7 +19,7 @@ enum {
     FACE_SIZE = 512
 };
 
-static rg_record_fn record_sky, record_surroundings;
+static rg_record_fn record_surroundings, record_sky;
 
 const struct rg_image env_cube_color = {
     .name = "env_cube.color",
@@ -39,19 +39,16 @@ static const struct rg_image env_cube_depth = {
 
 static const struct rg_pass passes[] = {
     {
-        .name = "env_cube.sky",
-        .repeat = RG_PER_LAYER,
-        .color[0] = { &env_cube_color, RG_LOAD_DISCARD },
-        BACKGROUND_SKY,
-        .record = record_sky,
-    },
-    {
         .name = "env_cube.surroundings",
         .repeat = RG_PER_LAYER,
-        .color[0] = { &env_cube_color, RG_LOAD_KEEP },
-        .depth = { &env_cube_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
-        BACKGROUND_SURROUNDINGS,
+        BACKGROUND_SURROUNDINGS(&env_cube_color, &env_cube_depth),
         .record = record_surroundings,
+    },
+    {
+        .name = "env_cube.sky",
+        .repeat = RG_PER_LAYER,
+        BACKGROUND_SKY(&env_cube_color, &env_cube_depth),
+        .record = record_sky,
     },
 };
 

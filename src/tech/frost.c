@@ -49,7 +49,7 @@ static const struct rg_pass passes[] = {
     {
         .name = "frost.over",
         REFRACT_OVER_TARGETS,
-        .uses = RG_USES(FRAME_USE_GLOBALS, BUMP_USE_MASK,
+        .uses = RG_USES(FRAME_USE_GLOBALS, BUMP_USE_MAP,
                         { .image = &frost_blurred,
                           .access = RG_SAMPLED,
                           .binding = FROST_CUBE,

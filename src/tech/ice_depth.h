@@ -10,6 +10,11 @@ extern const struct rg_image ice_depth_front, ice_depth_back;
 /* Metres: front and back along the view's axis, thickness along the ray; 0 without ice. */
 extern const struct rg_image ice_depth_layers;
 
+/* In a row that draws by globals.fitted_clip_from_world: nothing behind the farthest back face. */
+#define ICE_DEPTH_BEFORE_BACK \
+    .depth = { &ice_depth_back, RG_LOAD_KEEP }, .depth_read_only = true, \
+    .depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL
+
 extern const struct technique ice_depth;
 
 #endif

@@ -11,6 +11,7 @@
 #include "src/tech/background.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/ice_normal.h"
+#include "src/tech/surface.h"
 #include "src/technique.h"
 
 /* On the ice's front faces; 0 elsewhere. With dispersion, exit and way are those of green. */
@@ -29,14 +30,8 @@ struct refract_params {
     float dispersion; /* 20 / Abbe number, as KHR_materials_dispersion has it; 0: none */
     uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ... */
     float crossfade;  /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
-    uint32_t lookup;  /* enum refract_lookup */
+    uint32_t lookup;  /* REFRACT_LOOKUP_INFINITE ... */
     uint32_t steps;   /* of REFRACT_LOOKUP_DISTANCE */
-};
-
-enum refract_lookup {
-    REFRACT_LOOKUP_INFINITE, /* as if the surroundings were infinitely far away */
-    REFRACT_LOOKUP_DISTANCE, /* a ray is followed to where the environment cube shows them */
-    REFRACT_LOOKUP_BOX,      /* it ends on the sides of the box of local_settings */
 };
 
 /* Refractive index of the air around it (Cg Tutorial; Seipel and Nivfors 2006, eq. 2). */
@@ -85,8 +80,9 @@ enum refract_lookup {
 
 /* The targets of a rung's row for the picture ... */
 #define REFRACT_COLOR_TARGETS \
-    .color[0] = { &background_color, RG_LOAD_KEEP }, .depth = { &background_depth, RG_LOAD_KEEP }, \
-    .depth_compare = VK_COMPARE_OP_GREATER
+    .color[REFRACT_OUT_COLOR] = { &background_color, RG_LOAD_KEEP }, \
+    .color[REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_DISCARD }, \
+    .depth = { &background_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER
 
 /* ... and of its row for the layers, which may come after it, on the depth it wrote. */
 #define REFRACT_LAYER_TARGETS \

@@ -35,7 +35,7 @@ static const struct rg_use bumped_uses[] = {
     REFRACT_USE_DEPTH_BACK,
     REFRACT_USE_NORMAL_FRONT,
     REFRACT_USE_DEPTH_FRONT,
-    BUMP_USE_MAPS,
+    BUMP_USE_MAP,
     { 0 },
 };
 

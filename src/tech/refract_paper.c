@@ -27,7 +27,7 @@ static const struct rg_use uses[] = {
 };
 
 static const struct rg_use bumped_uses[] = {
-    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK, BUMP_USE_MAPS, { 0 },
+    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK, BUMP_USE_MAP, { 0 },
 };
 
 static const struct rg_pass passes[] = {

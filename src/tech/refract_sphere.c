@@ -23,7 +23,7 @@ static const struct rg_use uses[] = {
 static const struct rg_use bumped_uses[] = {
     FRAME_USE_GLOBALS,
     REFRACT_USE_ENV_CUBE,
-    BUMP_USE_MAPS,
+    BUMP_USE_MAP,
     { 0 },
 };
 

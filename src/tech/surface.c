@@ -3,7 +3,8 @@
  *
  * Seipel and Nivfors 2006, sections 3.1 b and 5: specular highlights on the outer surface, of light
  * sources that move. The paper does not say which; this is Blinn's (1977): a power of the cosine
- * between the normal and the direction halfway between light and eye. Added to the picture.
+ * between the normal and the direction halfway between light and eye. The rungs work them out, who
+ * know the bumpy normal; added to the picture once all is drawn that lies inside.
  *
  * Wrong: a highlight keeps its radiance and its size wherever its light stands, where Fresnel's
  * equations make a grazing one up to 56 times as bright; the lights themselves are not seen, and
@@ -13,41 +14,25 @@
 #include "shaders/embedded.h"
 #include "shaders/surface.h"
 #include "src/frame.h"
-#include "src/tech/bump.h"
 #include "src/tech/refract.h"
 
-static rg_record_fn record_object;
+const struct rg_image surface_highlight = {
+    .name = "surface.highlight",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
 
 static const struct rg_pass passes[] = {
     {
         .name = "surface.over",
         REFRACT_OVER_TARGETS,
-        .uses = RG_USES(FRAME_USE_GLOBALS),
+        .uses = RG_USES(
+            FRAME_USE_GLOBALS,
+            { .image = &surface_highlight, .access = RG_SAMPLED, .binding = SURFACE_HIGHLIGHTS }),
         REFRACT_FRONT_FACES,
         .frag = &surface_frag,
-        .push_size = sizeof(struct surface_params),
-        .record = record_object,
+        .record = frame_draw_object,
     },
 };
-
-static const struct rg_pass bumped_passes[] = {
-    {
-        .name = "surface.over",
-        REFRACT_OVER_TARGETS,
-        .uses = RG_USES(FRAME_USE_GLOBALS, BUMP_USE_MAPS),
-        REFRACT_BUMPED_FACES,
-        .frag = &surface_bump_frag,
-        .push_size = sizeof(struct surface_params),
-        .record = record_object,
-    },
-};
-
-static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    rg_cmd_push(cmd, settings_of(frame->settings, &surface_settings),
-                sizeof(struct surface_params));
-    rg_cmd_draw_mesh(cmd, &frame->object);
-}
 
 static const struct setting rows[] = {
     {
@@ -75,10 +60,4 @@ const struct technique surface = {
     .graph = RG_TECHNIQUE("surface", passes),
     .settings = &surface_settings,
     .help = "highlights of the lights on the ice",
-};
-
-const struct technique surface_bumped = {
-    .graph = RG_TECHNIQUE("surface", bumped_passes),
-    .settings = &surface_settings,
-    .help = "the same on its bumps",
 };

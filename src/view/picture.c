@@ -3,7 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "shaders/present.h"
+#include "src/frame_view.h"
 #include "src/log.h"
+#include "src/scene_settings.h"
 #include "src/view/watch.h"
 
 static enum status out_of_memory(void)
@@ -212,8 +214,22 @@ static bool same_list(const struct rung *before, const struct settings *settings
     return true;
 }
 
-static bool same_frame(const struct app_options *a, const struct app_options *b)
+/* What pipelines and samplers are made with. */
+static bool same_making(const struct scene *scene, const struct settings *before,
+                        const struct settings *after)
 {
+    const struct texture_params *old = settings_of(before, &texture_settings);
+    const struct texture_params *new = settings_of(after, &texture_settings);
+    const struct frame_constants a = frame_view_constants(scene, before);
+    const struct frame_constants b = frame_view_constants(scene, after);
+    return old->anisotropy == new->anisotropy && !memcmp(&a, &b, sizeof(a));
+}
+
+static bool same_frame(const struct picture *p, const struct app_options *a,
+                       const struct app_options *b)
+{
+    if (!same_making(&p->scene, &a->settings, &b->settings))
+        return false;
     if (!same_list(a->rung, &a->settings, b->rung, &b->settings))
         return false;
     if (b->split && !same_list(b->split, &a->settings, b->split, &b->settings))
@@ -237,7 +253,7 @@ enum status picture_change(struct picture **picture, const struct settings *sett
         return replace(picture, &wanted, true);
     }
     p->o = wanted;
-    if (!p->renderer || same_frame(&before, &wanted))
+    if (!p->renderer || same_frame(p, &before, &wanted))
         return STATUS_OK;
     const enum status status = picture_remake(p);
     *remade = status == STATUS_OK;

@@ -6,6 +6,7 @@
 
 #include "graph/rg_cmd.h"
 #include "graph/rg_exec.h"
+#include "shaders/constants.h"
 #include "shaders/globals.h"
 #include "src/frame.h"
 #include "src/image/half.h"
@@ -142,6 +143,9 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
         { .image = on_gpu.environment.image },
         { .image = on_gpu.textures.image },
     };
+    const uint32_t background =
+        scene->background == SCENE_COLOR ? GLOBALS_COLOR : GLOBALS_ENVIRONMENT;
+    const VkSpecializationMapEntry entry = { CONSTANT_BACKGROUND, 0, sizeof(background) };
     struct rg_exec *exec = rg_exec_create(
         &(struct rg_exec_params){
             .plan = plan,
@@ -154,10 +158,10 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
             .imports = imports,
             .import_count = 2,
             .render_passes = true,
+            .constants = &(VkSpecializationInfo){ 1, &entry, sizeof(background), &background },
         },
         NULL);
     const struct globals globals = {
-        .background_kind = scene->background == SCENE_COLOR ? GLOBALS_COLOR : GLOBALS_ENVIRONMENT,
         .background_color = scene->background_color,
     };
     const struct rg_frame frame = make_frame(&on_gpu, center);

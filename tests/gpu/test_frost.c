@@ -4,8 +4,10 @@
  */
 #include <stdlib.h>
 
-#include "tests/support/bumps.h"
 #include "tests/support/check.h"
+
+#include "src/image/half.h"
+#include "tests/support/bumps.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 
@@ -135,19 +137,18 @@ static void halve_mask(struct scene *scene)
         TEXELS = 64
     };
 
-    const double middle = 0.71; /* where shaders/bump_plane.glsl puts it */
+    const double middle = 0.71; /* where shaders/bump_map.glsl puts it */
     struct bump_maps *maps = &scene->bump;
     *maps = (struct bump_maps){
-        .slopes = calloc((size_t)TEXELS * TEXELS * 2, sizeof(*maps->slopes)),
-        .mask = calloc((size_t)TEXELS * TEXELS * 2, sizeof(*maps->mask)),
+        .texels = calloc((size_t)TEXELS * TEXELS * 4, sizeof(*maps->texels)),
         .size = TEXELS,
     };
-    assert_true(maps->slopes && maps->mask);
+    assert_non_null(maps->texels);
     for (uint32_t i = 0; i < TEXELS * TEXELS; i++) {
         const double u = (i % TEXELS + 0.5) / TEXELS;
         const bool smooth = u < middle && u > middle - 0.5;
-        maps->mask[2 * i + 0] = smooth ? 255 : 0;
-        maps->mask[2 * i + 1] = 255;
+        maps->texels[4 * i + 2] = half_from_float(smooth ? 1.0F : 0.0F);
+        maps->texels[4 * i + 3] = half_from_float(1.0F);
     }
 }
 

@@ -7,22 +7,22 @@
 
 #include "src/image/half.h"
 
-void bumps_even(struct scene *scene, double slope_u, double slope_v, double mask_r, double mask_g)
+void bumps_even(struct scene *scene, double slope_u, double slope_v, double smoothness,
+                double crystals)
 {
     struct bump_maps *maps = &scene->bump;
     const uint32_t size = 2;
     bump_maps_finish(maps);
     *maps = (struct bump_maps){
-        .slopes = malloc(2 * sizeof(*maps->slopes) * size * size),
-        .mask = malloc(2 * sizeof(*maps->mask) * size * size),
+        .texels = malloc(4 * sizeof(*maps->texels) * size * size),
         .size = size,
     };
-    assert_true(maps->slopes && maps->mask);
+    assert_non_null(maps->texels);
     for (uint32_t i = 0; i < size * size; i++) {
-        maps->slopes[2 * i + 0] = half_from_float((float)slope_u);
-        maps->slopes[2 * i + 1] = half_from_float((float)slope_v);
-        maps->mask[2 * i + 0] = (uint8_t)(mask_r * 255 + 0.5);
-        maps->mask[2 * i + 1] = (uint8_t)(mask_g * 255 + 0.5);
+        maps->texels[4 * i + 0] = half_from_float((float)slope_u);
+        maps->texels[4 * i + 1] = half_from_float((float)slope_v);
+        maps->texels[4 * i + 2] = half_from_float((float)smoothness);
+        maps->texels[4 * i + 3] = half_from_float((float)crystals);
     }
 }
 

@@ -7,8 +7,9 @@
 #include "src/scene/scene.h"
 #include "tests/support/vec.h"
 
-/* Gives a scene maps of one slope along u and v, and one mask (r, g). */
-void bumps_even(struct scene *scene, double slope_u, double slope_v, double mask_r, double mask_g);
+/* Gives a scene a map of one slope along u and v, one smoothness and one height of crystals. */
+void bumps_even(struct scene *scene, double slope_u, double slope_v, double smoothness,
+                double crystals);
 
 struct bumps {
     double slope_u, slope_v; /* with strength and mask */

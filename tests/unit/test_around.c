@@ -55,7 +55,7 @@ static void test_environment(void **state)
         .background = SCENE_ENVIRONMENT,
         .environment = { halves, WIDTH, HEIGHT },
     };
-    const struct globals globals = { .background_kind = GLOBALS_ENVIRONMENT };
+    const struct globals globals = { .sky_strength = 1.0F };
     const struct around around = around_of(&scene, &globals);
     (void)state;
     for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {

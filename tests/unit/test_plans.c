@@ -234,11 +234,11 @@ static void check_surface(const char *const *assignments, bool lights, bool fros
 static void test_surface_is_switched_off(void **state)
 {
     (void)state;
-    check_surface((const char *const[]){ NULL }, true, false, 2);
+    check_surface((const char *const[]){ NULL }, true, false, 1);
     check_surface((const char *const[]){ "bump.strength=0", NULL }, true, false, 0);
-    check_surface((const char *const[]){ "light.count=0", NULL }, false, false, 2);
-    check_surface((const char *const[]){ "surface.strength=0", NULL }, false, false, 2);
-    check_surface((const char *const[]){ "frost.amount=0.5", NULL }, true, true, 2);
+    check_surface((const char *const[]){ "light.count=0", NULL }, false, false, 1);
+    check_surface((const char *const[]){ "surface.strength=0", NULL }, false, false, 1);
+    check_surface((const char *const[]){ "frost.amount=0.5", NULL }, true, true, 1);
     check_surface((const char *const[]){ "bump.strength=0", "light.strength=0", NULL }, false,
                   false, 0);
     check_surface(

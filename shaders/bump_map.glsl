@@ -1,0 +1,54 @@
+/*
+ * bump_map.glsl: what the ice's map says of a point of its surface.
+ *
+ * It lies on the ice along three planes of the object's space that fade into each other, or by the
+ * mesh's uv.
+ */
+#ifndef BUMP_MAP_GLSL
+#define BUMP_MAP_GLSL
+#include "bump.h"
+#include "lib/constants.glsl"
+#include "lib/globals.glsl"
+
+layout(set = 0, binding = BUMP_MAP) uniform sampler2D bump_map;
+
+struct bump_planes {
+    vec4 texels[3]; /* of the planes across x, y and z: yz, zx, xy */
+    vec3 shares;    /* of the planes; their sum is 1 */
+};
+
+/* Of a point and its normal, both of the world. */
+bump_planes bump_read_planes(vec3 point, vec3 normal)
+{
+    mat3 object_from_world = transpose(mat3(frame.world_from_object));
+    vec3 p = object_from_world * (point - frame.center) * frame.bump_scale;
+    vec3 n = object_from_world * normal;
+    bump_planes planes;
+    planes.texels[0] = texture(bump_map, p.yz);
+    planes.texels[1] = texture(bump_map, p.zx + vec2(0.37, 0.61)); /* else the three planes' */
+    planes.texels[2] = texture(bump_map, p.xy + vec2(0.71, 0.23)); /* middles look alike */
+    planes.shares = n * n * n * n;
+    planes.shares /= planes.shares.x + planes.shares.y + planes.shares.z;
+    return planes;
+}
+
+vec4 bump_read_uv(vec2 uv)
+{
+    return texture(bump_map, uv * frame.bump_scale);
+}
+
+/* How smooth the ice is, and how thick its crystals stand. */
+vec2 bump_mask_on(bump_planes planes)
+{
+    return planes.texels[0].ba * planes.shares.x + planes.texels[1].ba * planes.shares.y +
+           planes.texels[2].ba * planes.shares.z;
+}
+
+vec2 bump_mask_at(vec3 point, vec3 normal, vec2 uv)
+{
+    if (constant_bump_uv != 0u)
+        return bump_read_uv(uv).ba;
+    return bump_mask_on(bump_read_planes(point, normal));
+}
+
+#endif

@@ -1,0 +1,16 @@
+/* constants.glsl: those of constants.h; without values from outside, what most frames have. */
+#ifndef LIB_CONSTANTS_GLSL
+#define LIB_CONSTANTS_GLSL
+#include "constants.h"
+
+layout(constant_id = CONSTANT_BACKGROUND) const uint constant_background = 0u;
+layout(constant_id = CONSTANT_TEXTURED) const uint constant_textured = 1u;
+layout(constant_id = CONSTANT_LIGHTS) const uint constant_lights = 0u;
+layout(constant_id = CONSTANT_BUMP_UV) const uint constant_bump_uv = 0u;
+layout(constant_id = CONSTANT_REFRACT_COLORS) const uint constant_refract_colors = 1u;
+layout(constant_id = CONSTANT_REFRACT_FRESNEL) const uint constant_refract_fresnel = 0u;
+layout(constant_id = CONSTANT_REFRACT_LOOKUP) const uint constant_refract_lookup = 0u;
+layout(constant_id = CONSTANT_REFRACT_STEPS) const uint constant_refract_steps = 0u;
+layout(constant_id = CONSTANT_TONEMAP_CURVE) const uint constant_tonemap_curve = 0u;
+
+#endif
