@@ -31,7 +31,7 @@ void main()
             discard;
         albedo *= texel.rgb;
     }
-    if ((material & MESH_UNLIT) == 0u) {
+    if (constant_lit != 0u && (material & MESH_UNLIT) == 0u) {
         vec3 n = normalize(normal);
         albedo *= sky_light(dot(n, eye_to_point) > 0.0 ? -n : n);
     }

@@ -7,7 +7,7 @@ layout(set = 0, binding = TONEMAP_COLOR) uniform sampler2D linear_color;
 
 layout(push_constant, scalar) uniform Push
 {
-    tonemap_params params;
+    tonemap_push push;
 };
 
 layout(location = 0) out vec4 encoded;
@@ -15,5 +15,5 @@ layout(location = 0) out vec4 encoded;
 void main()
 {
     vec3 c = texelFetch(linear_color, ivec2(gl_FragCoord.xy), 0).rgb;
-    encoded = vec4(tonemap_encode(c, params.exposure, constant_tonemap_curve), 1.0);
+    encoded = vec4(tonemap_encode(c, push.gain, constant_tonemap_curve), 1.0);
 }

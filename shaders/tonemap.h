@@ -5,12 +5,11 @@
 
 #define TONEMAP_COLOR 0 /* linear picture */
 
-#define TONEMAP_NEUTRAL 0 /* tonemap_params.curve */
+#define TONEMAP_NEUTRAL 0 /* CONSTANT_TONEMAP_CURVE */
 #define TONEMAP_CLIP    1
 
-struct tonemap_params {
-    float exposure; /* stops */
-    uint32_t curve; /* TONEMAP_NEUTRAL ... */
+struct tonemap_push {
+    float gain; /* exp2(exposure) */
 };
 
 /* Khronos PBR Neutral: base colours up to 0.8 as they are, highlights compressed to white. */
@@ -39,9 +38,8 @@ ABI_FUNCTION float tonemap_srgb(float linear)
 }
 
 /* What a PNG file shows of linear radiance, 0 to 1. */
-ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, float exposure, uint32_t curve)
+ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, float gain, uint32_t curve)
 {
-    float gain = exp2f(exposure);
     vec3s c = ABI_VEC3(fmaxf(radiance.x * gain, 0.0f), fmaxf(radiance.y * gain, 0.0f),
                        fmaxf(radiance.z * gain, 0.0f));
     if (curve == TONEMAP_NEUTRAL)

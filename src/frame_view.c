@@ -181,6 +181,15 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
     return g;
 }
 
+static bool has_lit(const struct mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (!(mesh->vertices[i].material & MESH_UNLIT))
+            return true;
+    }
+    return false;
+}
+
 struct frame_constants frame_view_constants(const struct scene *scene,
                                             const struct settings *settings)
 {
@@ -196,6 +205,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
     return (struct frame_constants){ {
         [CONSTANT_BACKGROUND] = backgrounds[scene->background],
         [CONSTANT_TEXTURED] = scene->model.textures.count > 0,
+        [CONSTANT_LIT] = has_lit(&scene->model.surroundings),
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_BUMP_UV] = bump->mapping == BUMP_UV,
         [CONSTANT_REFRACT_COLORS] = refract->dispersion > 0.0f ? 3 : 1,

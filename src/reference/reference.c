@@ -286,6 +286,7 @@ static uint8_t *make_display(const struct job *job, const struct image *image)
 {
     const struct tonemap_params *params =
         settings_of(job->reference->request.settings, &tonemap_settings);
+    const float gain = exp2f(params->exposure);
     const size_t count = (size_t)image->width * image->height;
     const float *planes[3];
     for (int c = 0; c < 3; c++)
@@ -293,7 +294,7 @@ static uint8_t *make_display(const struct job *job, const struct image *image)
     uint8_t *rgba = malloc(count * 4);
     for (size_t i = 0; rgba && i < count; i++) {
         const vec3s radiance = { { planes[0][i], planes[1][i], planes[2][i] } };
-        const vec3s encoded = tonemap_encode(radiance, params->exposure, params->curve);
+        const vec3s encoded = tonemap_encode(radiance, gain, params->curve);
         for (int c = 0; c < 3; c++)
             rgba[i * 4 + (size_t)c] = (uint8_t)lrintf(encoded.raw[c] * 255.0f);
         rgba[i * 4 + 3] = 255;

@@ -5,6 +5,7 @@
  * nothing but the encoding, for measuring.
  */
 #include "src/tech/tonemap.h"
+#include <math.h>
 #include "shaders/embedded.h"
 #include "shaders/tonemap.h"
 #include "src/frame.h"
@@ -25,15 +26,16 @@ static const struct rg_pass passes[] = {
             RG_USES({ .image = &background_color, .access = RG_SAMPLED, .binding = TONEMAP_COLOR }),
         .vert = &screen_vert,
         .frag = &tonemap_frag,
-        .push_size = sizeof(struct tonemap_params),
+        .push_size = sizeof(struct tonemap_push),
         .record = record_screen,
     },
 };
 
 static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    rg_cmd_push(cmd, settings_of(frame->settings, &tonemap_settings),
-                sizeof(struct tonemap_params));
+    const struct tonemap_params *params = settings_of(frame->settings, &tonemap_settings);
+    const struct tonemap_push push = { exp2f(params->exposure) };
+    rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw(cmd, 3);
 }
 

@@ -3,6 +3,11 @@
 #define TECH_TONEMAP_H
 #include "src/technique.h"
 
+struct tonemap_params {
+    float exposure; /* stops */
+    uint32_t curve; /* TONEMAP_NEUTRAL ... */
+};
+
 extern const struct rg_image tonemap_color; /* sRGB-encoded */
 extern const struct technique tonemap;
 extern const struct setting_group tonemap_settings;

@@ -10,7 +10,7 @@ from desktop import wait_until  # noqa: E402
 from test_view import WindowCase, png_pixels  # noqa: E402
 
 SHADERS = pathlib.Path(__file__).parents[2] / 'shaders'
-LAST = 'encoded = vec4(tonemap_encode(c, params.exposure, constant_tonemap_curve), 1.0);'
+LAST = 'encoded = vec4(tonemap_encode(c, push.gain, constant_tonemap_curve), 1.0);'
 
 
 class WatchCase(WindowCase):

@@ -220,7 +220,7 @@ static void display(void **state)
         for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
             const struct vec c = picture_at(color, i);
             const vec3s shown = tonemap_encode((vec3s){ { (float)c.x, (float)c.y, (float)c.z } },
-                                               params->exposure, params->curve);
+                                               exp2f(params->exposure), params->curve);
             for (size_t k = 0; k < 3; k++)
                 CHECK_NEAR(drawn.rgba[i * 4 + k], shown.raw[k] * 255.0F, 0.51);
         }
@@ -249,8 +249,8 @@ static void traced_display(void **state)
     const struct picture_layer color = picture_layer(&traced.image, "");
     for (size_t i = 0; i < (size_t)request.width * request.height; i++) {
         const struct vec c = picture_at(color, i);
-        const vec3s shown = tonemap_encode((vec3s){ { (float)c.x, (float)c.y, (float)c.z } }, 0.5F,
-                                           TONEMAP_NEUTRAL);
+        const vec3s shown = tonemap_encode((vec3s){ { (float)c.x, (float)c.y, (float)c.z } },
+                                           exp2f(0.5F), TONEMAP_NEUTRAL);
         for (size_t k = 0; k < 3; k++)
             CHECK_NEAR(traced.rgba[i * 4 + k], shown.raw[k] * 255.0F, 0.5);
         assert_int_equal(traced.rgba[i * 4 + 3], 255);

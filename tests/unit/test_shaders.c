@@ -160,9 +160,9 @@ static const struct shared shared_structs[] = {
         { FIELD(refract_paper_params, a) },
     },
     {
-        "tonemap_params",
-        sizeof(struct tonemap_params),
-        { FIELD(tonemap_params, exposure), FIELD(tonemap_params, curve) },
+        "tonemap_push",
+        sizeof(struct tonemap_push),
+        { FIELD(tonemap_push, gain) },
     },
     {
         "water_push",
