@@ -13,7 +13,7 @@ VkResult rg_exec_count_choices(struct rg_exec *exec)
     for (size_t i = 0; i < exec->params.import_count; i++) {
         uint32_t count = exec->params.imports[i].image_count;
         if (count && exec->choice_count > 1 && count != exec->choice_count)
-            return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED,
+            return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the choice",
                                  "imports of different numbers of images");
         if (count)
             exec->choice_count = count;

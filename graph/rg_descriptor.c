@@ -44,15 +44,14 @@ static VkResult make_use_view(struct rg_exec *exec, uint32_t index)
     if (use->image == RG_NONE || !has_descriptor(use))
         return VK_SUCCESS;
     const struct rg_plan_image *image = &exec->plan->images[use->image];
-    RG_TRY(exec, exec->vk.CreateImageView(exec->device,
-                                          &(VkImageViewCreateInfo){
-                                              .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-                                              .image = exec->images[use->image],
-                                              .viewType = view_type(image, use),
-                                              .format = image->image->format,
-                                              .subresourceRange = use->range,
-                                          },
-                                          NULL, view));
+    RG_MAKE(exec, image->image->name, CreateImageView, view,
+            &(VkImageViewCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                .image = exec->images[use->image],
+                .viewType = view_type(image, use),
+                .format = image->image->format,
+                .subresourceRange = use->range,
+            });
     rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE_VIEW, (uint64_t)*view, image->image->name);
 fail:
     return result;
@@ -87,18 +86,19 @@ static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct
 }
 
 /* Samplers of equal description are one object. */
-static VkResult find_sampler(struct rg_exec *exec, const struct rg_sampler *wanted,
+static VkResult find_sampler(struct rg_exec *exec, const struct rg_plan_use *use,
                              VkSampler *sampler)
 {
     static const struct rg_sampler nearest = { 0 };
-    const struct rg_sampler *key = wanted ? wanted : &nearest;
+    const struct rg_sampler *key = use->use->sampler ? use->use->sampler : &nearest;
     VkResult result = VK_SUCCESS;
     uint32_t i = 0;
     while (i < exec->sampler_count && !same_sampler(&exec->samplers[i].key, key))
         i++;
     if (i == exec->sampler_count) {
         const VkSamplerCreateInfo info = sampler_info(exec, key);
-        RG_TRY(exec, exec->vk.CreateSampler(exec->device, &info, NULL, &exec->samplers[i].sampler));
+        RG_MAKE(exec, exec->plan->images[use->image].image->name, CreateSampler,
+                &exec->samplers[i].sampler, &info);
         exec->samplers[i].key = *key;
         exec->sampler_count++;
     }
@@ -114,7 +114,7 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
     uint32_t count = 0;
     VkDescriptorSetLayoutBinding *bindings = calloc(plan->use_count + 1, sizeof(*bindings));
     if (!bindings)
-        return rg_exec_check(exec, result, "calloc");
+        return rg_exec_check(exec, result, "calloc", plan->pass->name);
     for (uint32_t i = 0; i < plan->use_count; i++) {
         const struct rg_plan_use *use = &exec->plan->uses[plan->first_use + i];
         if (has_descriptor(use))
@@ -125,14 +125,12 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
                 .stageFlags = use_stages(plan->pass, use->use),
             };
     }
-    RG_TRY(exec, exec->vk.CreateDescriptorSetLayout(
-                     exec->device,
-                     &(VkDescriptorSetLayoutCreateInfo){
-                         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                         .bindingCount = count,
-                         .pBindings = bindings,
-                     },
-                     NULL, layout));
+    RG_MAKE(exec, plan->pass->name, CreateDescriptorSetLayout, layout,
+            &(VkDescriptorSetLayoutCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                .bindingCount = count,
+                .pBindings = bindings,
+            });
 fail:
     free(bindings);
     return result;
@@ -161,15 +159,13 @@ static VkResult make_pool(struct rg_exec *exec)
                 sizes[t].descriptorCount += set_count;
         }
     }
-    RG_TRY(exec,
-           exec->vk.CreateDescriptorPool(exec->device,
-                                         &(VkDescriptorPoolCreateInfo){
-                                             .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
-                                             .maxSets = set_count * exec->plan->pass_count + 1,
-                                             .poolSizeCount = TYPE_COUNT,
-                                             .pPoolSizes = sizes,
-                                         },
-                                         NULL, &exec->descriptor_pool));
+    RG_MAKE(exec, NULL, CreateDescriptorPool, &exec->descriptor_pool,
+            &(VkDescriptorPoolCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                .maxSets = set_count * exec->plan->pass_count + 1,
+                .poolSizeCount = TYPE_COUNT,
+                .pPoolSizes = sizes,
+            });
 fail:
     return result;
 }
@@ -188,7 +184,7 @@ static VkResult write_use(struct rg_exec *exec, uint32_t index, uint32_t slot, V
     if (use->buffer != RG_NONE)
         buffer.buffer = rg_exec_buffer(exec, use->buffer, slot);
     else if (use->use->access == RG_SAMPLED)
-        result = find_sampler(exec, use->use->sampler, &image.sampler);
+        result = find_sampler(exec, use, &image.sampler);
     if (result != VK_SUCCESS)
         return result;
     exec->vk.UpdateDescriptorSets(exec->device, 1,
@@ -211,15 +207,14 @@ static VkResult make_sets(struct rg_exec *exec, const struct rg_plan_pass *plan,
     VkResult result = VK_SUCCESS;
     for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
         VkDescriptorSet *set = rg_exec_set(exec, pass, slot);
-        RG_TRY(exec, exec->vk.AllocateDescriptorSets(
-                         exec->device,
-                         &(VkDescriptorSetAllocateInfo){
-                             .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
-                             .descriptorPool = exec->descriptor_pool,
-                             .descriptorSetCount = 1,
-                             .pSetLayouts = &pass->set_layout,
-                         },
-                         set));
+        RG_CALL(exec, plan->pass->name, AllocateDescriptorSets, exec->device,
+                &(VkDescriptorSetAllocateInfo){
+                    .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                    .descriptorPool = exec->descriptor_pool,
+                    .descriptorSetCount = 1,
+                    .pSetLayouts = &pass->set_layout,
+                },
+                set);
         for (uint32_t i = 0; i < plan->use_count; i++)
             RG_PASS(write_use(exec, plan->first_use + i, slot, *set));
     }
@@ -240,7 +235,8 @@ static VkResult make_set_layouts(struct rg_exec *exec)
             pass->set_layout = exec->passes[p - 1].set_layout;
         pass->sets = calloc((size_t)exec->slot_count * exec->choice_count, sizeof(VkDescriptorSet));
         if (!pass->sets)
-            result = rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc");
+            result = rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc",
+                                   plan->passes[p].pass->name);
     }
     return result;
 }

@@ -3,12 +3,17 @@
 #include <string.h>
 #include "graph/rg_exec_internal.h"
 
-VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call)
+VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
+                       const char *of)
 {
     if (result != VK_SUCCESS && exec->params.log) {
-        char line[512];
-        snprintf(line, sizeof(line), "VkResult %d from %s", (int)result, call);
-        exec->params.log(exec->params.user, line);
+        char what[512];
+        if (of)
+            snprintf(what, sizeof(what), "%s of %s", call, of);
+        else
+            snprintf(what, sizeof(what), "%s of a frame of %u passes", call,
+                     exec->plan->pass_count);
+        exec->params.log(exec->params.user, what, result);
     }
     return result;
 }
@@ -28,30 +33,24 @@ void rg_exec_name(const struct rg_exec *exec, VkObjectType type, uint64_t handle
 static VkResult make_slots(struct rg_exec *exec)
 {
     VkResult result;
-    RG_TRY(exec,
-           exec->vk.CreateCommandPool(exec->device,
-                                      &(VkCommandPoolCreateInfo){
-                                          .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                          .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-                                          .queueFamilyIndex = exec->params.queue_family,
-                                      },
-                                      NULL, &exec->command_pool));
+    RG_MAKE(exec, NULL, CreateCommandPool, &exec->command_pool,
+            &(VkCommandPoolCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                .queueFamilyIndex = exec->params.queue_family,
+            });
     for (uint32_t i = 0; i < exec->slot_count; i++) {
         struct exec_slot *slot = &exec->slots[i];
-        RG_TRY(exec, exec->vk.AllocateCommandBuffers(
-                         exec->device,
-                         &(VkCommandBufferAllocateInfo){
-                             .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                             .commandPool = exec->command_pool,
-                             .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-                             .commandBufferCount = 1,
-                         },
-                         &slot->commands));
-        RG_TRY(exec, exec->vk.CreateFence(exec->device,
-                                          &(VkFenceCreateInfo){
-                                              .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
-                                          },
-                                          NULL, &slot->fence));
+        RG_CALL(exec, NULL, AllocateCommandBuffers, exec->device,
+                &(VkCommandBufferAllocateInfo){
+                    .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                    .commandPool = exec->command_pool,
+                    .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                    .commandBufferCount = 1,
+                },
+                &slot->commands);
+        RG_MAKE(exec, NULL, CreateFence, &slot->fence,
+                &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
     }
 fail:
     return result;
@@ -96,7 +95,7 @@ static VkResult make_all(struct rg_exec *exec)
         return counted;
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
     if (!make_arrays(exec))
-        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc");
+        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
     for (size_t i = 0; i < sizeof(steps) / sizeof(steps[0]); i++) {
         VkResult result = steps[i](exec);
         if (result != VK_SUCCESS)
@@ -120,7 +119,7 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
         *exec = start;
         outcome = make_all(exec);
     } else if (outcome == VK_SUCCESS) {
-        outcome = rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc");
+        outcome = rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
     }
     if (result)
         *result = outcome;
@@ -130,12 +129,18 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
     return NULL;
 }
 
+static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
+{
+    return exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX);
+}
+
 void rg_exec_destroy(struct rg_exec *exec)
 {
     if (!exec)
         return;
     for (uint32_t i = 0; exec->slots && i < exec->slot_count; i++) {
-        rg_exec_wait(exec, i);
+        if (exec->slots[i].submitted) /* lost or not, it goes */
+            (void)wait_fence(exec, &exec->slots[i]);
         exec->vk.DestroyFence(exec->device, exec->slots[i].fence, NULL);
     }
     exec->vk.DestroyCommandPool(exec->device, exec->command_pool, NULL);
@@ -180,6 +185,12 @@ static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineSta
     };
 }
 
+/* The pass, if it is one; else NULL. */
+static const char *pass_name(const struct rg_exec *exec, uint32_t first, uint32_t count)
+{
+    return count == 1 ? exec->plan->passes[first].pass->name : NULL;
+}
+
 /* Records some passes into the slot taken last and submits them. */
 static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                        uint32_t count)
@@ -194,6 +205,7 @@ static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint3
     const VkSemaphoreSubmitInfo wait = semaphore_info(ties->wait, ties->wait_stages);
     const VkSemaphoreSubmitInfo signal = semaphore_info(ties->signal, 0);
     const bool is_last = first + count == exec->plan->pass_count;
+    const char *of = pass_name(exec, first, count);
     const VkSubmitInfo2 info = {
         .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
         .waitSemaphoreInfoCount = first == 0 && ties->wait,
@@ -205,21 +217,14 @@ static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint3
     };
     const uint64_t start = rg_time_now();
     RG_PASS(rg_exec_record(exec, frame, first, count));
-    RG_TRY(exec, exec->vk.ResetFences(exec->device, 1, &slot->fence));
+    RG_CALL(exec, of, ResetFences, exec->device, 1, &slot->fence);
     const uint64_t recorded = rg_time_now();
-    RG_TRY(exec, exec->vk.QueueSubmit2(exec->params.queue, 1, &info, slot->fence));
+    RG_CALL(exec, of, QueueSubmit2, exec->params.queue, 1, &info, slot->fence);
     slot->submitted = true;
     slot->times.record += recorded - start;
     slot->times.submit += rg_time_now() - recorded;
 fail:
     return result;
-}
-
-static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
-{
-    return rg_exec_check(exec,
-                         exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX),
-                         "vkWaitForFences");
 }
 
 /* Each pass alone, between two looks at the host's clock. */
@@ -231,7 +236,8 @@ static VkResult submit_alone(struct rg_exec *exec, const struct rg_frame *frame)
     for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
         RG_PASS(submit(exec, frame, p, 1));
         const uint64_t submitted = rg_time_now();
-        RG_PASS(wait_fence(exec, slot));
+        RG_PASS(
+            rg_exec_check(exec, wait_fence(exec, slot), "vkWaitForFences", pass_name(exec, p, 1)));
         slot->passes[p].begin = begin;
         begin += slot->times.submit + rg_time_now() - submitted;
         slot->passes[p].end = begin;
@@ -268,7 +274,7 @@ VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
     const uint64_t start = rg_time_now();
     if (!exec->slots[slot].submitted)
         return VK_SUCCESS;
-    RG_PASS(wait_fence(exec, &exec->slots[slot]));
+    RG_PASS(rg_exec_check(exec, wait_fence(exec, &exec->slots[slot]), "vkWaitForFences", NULL));
     exec->slots[slot].submitted = false;
     RG_PASS(rg_exec_sync_host(exec, slot, RG_MEMORY_READBACK));
     RG_PASS(rg_time_finish(exec, slot, start));

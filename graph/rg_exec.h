@@ -17,8 +17,8 @@
  *     }
  *
  * Ownership:     the plan, its tables, the device and imported objects outlive the executor.
- * Errors:        VkResult; the log callback gets one line with the failing call. After a failure
- *                only rg_exec_destroy() may be called.
+ * Errors:        VkResult; the log callback gets the failing call and the name of the pass, image
+ *                or buffer that it was for. After a failure only rg_exec_destroy() may be called.
  * Thread-safety: one thread at a time per executor; the queue is used only inside submit.
  */
 #ifndef RG_EXEC_H
@@ -43,6 +43,9 @@ struct rg_exec_import {
 /* What stands in for a shader that a table names: that shader, or one with the same interface. */
 typedef const struct rg_shader *rg_replace_fn(void *user, const struct rg_shader *shader);
 
+/* Gets what failed ("vkCreateImage of depth") and how. */
+typedef void rg_log_fn(void *user, const char *what, VkResult result);
+
 struct rg_exec_params {
     const struct rg_plan *plan; /* without faults */
     VkInstance instance;
@@ -64,9 +67,9 @@ struct rg_exec_params {
     /* Specialization constants of all shaders; an id that a shader lacks is none of its business.
      * Read by create alone; NULL: each has its own defaults. */
     const VkSpecializationInfo *constants;
-    rg_replace_fn *replace;                    /* called by create alone; NULL: nothing does */
-    void (*log)(void *user, const char *line); /* NULL: silent */
-    void *user;                                /* of both */
+    rg_replace_fn *replace; /* called by create alone; NULL: nothing does */
+    rg_log_fn *log;         /* NULL: silent */
+    void *user;             /* of both */
 };
 
 struct rg_exec;

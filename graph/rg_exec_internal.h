@@ -82,15 +82,29 @@ struct rg_cmd {
     VkCommandBuffer commands;
 };
 
-/* Logs the call if it failed, and returns its result. */
-VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call);
+/* Logs the call and the name of what it was for (NULL: the whole frame) if it failed, and returns
+ * its result. */
+VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
+                       const char *of);
 
-/* The one way out of a failed call: needs `result` and a label `fail`. */
-#define RG_TRY(exec, call) \
+/* The way out of a failed call of Vulkan: needs `result` and a label `fail`. */
+#define RG_CALL(exec, of, function, ...) \
     do { \
-        result = rg_exec_check((exec), (call), #call); \
+        result = rg_exec_check((exec), (exec)->vk.function(__VA_ARGS__), "vk" #function, (of)); \
         if (result != VK_SUCCESS) \
             goto fail; \
+    } while (0)
+
+/* The same for one that makes *handle, of which Vulkan says nothing after a failure. */
+#define RG_MAKE(exec, of, function, handle, ...) \
+    do { \
+        result = rg_exec_check((exec), \
+                               (exec)->vk.function((exec)->device, __VA_ARGS__, NULL, (handle)), \
+                               "vk" #function, (of)); \
+        if (result != VK_SUCCESS) { \
+            *(handle) = VK_NULL_HANDLE; \
+            goto fail; \
+        } \
     } while (0)
 
 /* The same for functions that have logged their failure. */

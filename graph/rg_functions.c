@@ -10,8 +10,10 @@ VkResult rg_exec_find_functions(struct rg_exec *exec)
 #define FIND_OR_MISS(function) \
     FIND(function) \
     if (!exec->vk.function) \
-        missing = "finding vk" #function;
+        missing = "vk" #function;
     RG_FUNCTIONS(FIND_OR_MISS)
     RG_FUNCTIONS_DEBUG(FIND)
-    return missing ? rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, missing) : VK_SUCCESS;
+    return missing
+               ? rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, "vkGetInstanceProcAddr", missing)
+               : VK_SUCCESS;
 }

@@ -18,16 +18,19 @@ static uint32_t find_type(const struct rg_exec *exec, uint32_t bits, VkMemoryPro
 }
 
 static VkResult allocate(const struct rg_exec *exec, VkDeviceSize size, uint32_t type,
-                         VkDeviceMemory *memory)
+                         const char *name, VkDeviceMemory *memory)
 {
-    const VkMemoryAllocateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-        .allocationSize = size,
-        .memoryTypeIndex = type,
-    };
+    VkResult result;
     if (type == RG_NONE)
-        return VK_ERROR_FEATURE_NOT_PRESENT;
-    return exec->vk.AllocateMemory(exec->device, &info, NULL, memory);
+        return rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT, "the memory type", name);
+    RG_MAKE(exec, name, AllocateMemory, memory,
+            &(VkMemoryAllocateInfo){
+                .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                .allocationSize = size,
+                .memoryTypeIndex = type,
+            });
+fail:
+    return result;
 }
 
 /* Memory of a persistent resource, which shares it with nothing. */
@@ -36,7 +39,7 @@ static VkResult allocate_own(const struct rg_exec *exec, const VkMemoryRequireme
 {
     uint32_t type = find_type(exec, needs->memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0);
     VkResult result;
-    RG_TRY(exec, allocate(exec, needs->size, type, memory));
+    RG_PASS(allocate(exec, needs->size, type, name, memory));
     rg_exec_name(exec, VK_OBJECT_TYPE_DEVICE_MEMORY, (uint64_t)*memory, name);
 fail:
     return result;
@@ -48,13 +51,15 @@ static VkResult make_blocks(struct rg_exec *exec)
     for (uint32_t i = 0; i < exec->plan->block_count; i++) {
         const struct rg_block *block = &exec->plan->blocks[i];
         uint32_t type = find_type(exec, block->type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0);
-        RG_TRY(exec, allocate(exec, block->size, type, &exec->blocks[i]));
-        rg_exec_name(exec, VK_OBJECT_TYPE_DEVICE_MEMORY, (uint64_t)exec->blocks[i],
-                     block->buffers ? "transient buffers" : "transient images");
+        const char *name = block->buffers ? "transient buffers" : "transient images";
+        RG_PASS(allocate(exec, block->size, type, name, &exec->blocks[i]));
+        rg_exec_name(exec, VK_OBJECT_TYPE_DEVICE_MEMORY, (uint64_t)exec->blocks[i], name);
     }
 fail:
     return result;
 }
+
+static const char for_another[] = "a plan for another device: the place";
 
 /* A plan compiled without this device, or for another, may have too little room. */
 static bool fits(const VkMemoryRequirements *needs, const struct rg_block *block,
@@ -67,30 +72,30 @@ static bool fits(const VkMemoryRequirements *needs, const struct rg_block *block
 static VkResult make_image(struct rg_exec *exec, uint32_t index)
 {
     const struct rg_plan_image *image = &exec->plan->images[index];
+    const char *name = image->image->name;
     const VkImageCreateInfo info = rg_image_create_info(image);
     VkMemoryRequirements needs;
     VkResult result = VK_SUCCESS;
     if (image->imported) {
         if (image->import >= exec->params.import_count)
-            RG_PASS(
-                rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "an import without object"));
+            RG_PASS(rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the object", name));
         exec->images[index] = exec->params.imports[image->import].image;
         rg_exec_keep_choices(exec, index, &exec->params.imports[image->import]);
         return VK_SUCCESS;
     }
-    RG_TRY(exec, exec->vk.CreateImage(exec->device, &info, NULL, &exec->images[index]));
-    rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE, (uint64_t)exec->images[index], image->image->name);
+    RG_MAKE(exec, name, CreateImage, &exec->images[index], &info);
+    rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE, (uint64_t)exec->images[index], name);
     exec->vk.GetImageMemoryRequirements(exec->device, exec->images[index], &needs);
     if (image->persistent) {
         VkDeviceMemory *memory = &exec->image_memory[index];
-        RG_PASS(allocate_own(exec, &needs, image->image->name, memory));
-        RG_TRY(exec, exec->vk.BindImageMemory(exec->device, exec->images[index], *memory, 0));
+        RG_PASS(allocate_own(exec, &needs, name, memory));
+        RG_CALL(exec, name, BindImageMemory, exec->device, exec->images[index], *memory, 0);
         return VK_SUCCESS;
     }
     if (!fits(&needs, &exec->plan->blocks[image->block], image->offset, image->size))
-        RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, "a plan for another device"));
-    RG_TRY(exec, exec->vk.BindImageMemory(exec->device, exec->images[index],
-                                          exec->blocks[image->block], image->offset));
+        RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, for_another, name));
+    RG_CALL(exec, name, BindImageMemory, exec->device, exec->images[index],
+            exec->blocks[image->block], image->offset);
 fail:
     return result;
 }
@@ -101,13 +106,12 @@ static VkResult create_buffer(struct rg_exec *exec, const struct rg_plan_buffer 
     /* vkCmdFillBuffer() fills words */
     VkDeviceSize room = plan->persistent ? (plan->size + 3) / 4 * 4 : plan->size;
     VkResult result;
-    RG_TRY(exec, exec->vk.CreateBuffer(exec->device,
-                                       &(VkBufferCreateInfo){
-                                           .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-                                           .size = room,
-                                           .usage = plan->usage,
-                                       },
-                                       NULL, buffer));
+    RG_MAKE(exec, plan->buffer->name, CreateBuffer, buffer,
+            &(VkBufferCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                .size = room,
+                .usage = plan->usage,
+            });
     rg_exec_name(exec, VK_OBJECT_TYPE_BUFFER, (uint64_t)*buffer, plan->buffer->name);
 fail:
     return result;
@@ -116,19 +120,20 @@ fail:
 static VkResult make_device_buffer(struct rg_exec *exec, const struct rg_plan_buffer *plan,
                                    struct exec_buffer *buffer)
 {
+    const char *name = plan->buffer->name;
     VkMemoryRequirements needs;
     VkResult result;
     RG_PASS(create_buffer(exec, plan, &buffer->buffers[0]));
     exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffers[0], &needs);
     if (plan->persistent) {
-        RG_PASS(allocate_own(exec, &needs, plan->buffer->name, &buffer->own));
-        RG_TRY(exec, exec->vk.BindBufferMemory(exec->device, buffer->buffers[0], buffer->own, 0));
+        RG_PASS(allocate_own(exec, &needs, name, &buffer->own));
+        RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffers[0], buffer->own, 0);
         return VK_SUCCESS;
     }
     if (!fits(&needs, &exec->plan->blocks[plan->block], plan->offset, plan->memory_size))
-        RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, "a plan for another device"));
-    RG_TRY(exec, exec->vk.BindBufferMemory(exec->device, buffer->buffers[0],
-                                           exec->blocks[plan->block], plan->offset));
+        RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, for_another, name));
+    RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffers[0],
+            exec->blocks[plan->block], plan->offset);
 fail:
     return result;
 }
@@ -136,6 +141,7 @@ fail:
 static VkResult make_host_buffer(struct rg_exec *exec, const struct rg_plan_buffer *plan,
                                  struct exec_buffer *buffer, uint32_t slot)
 {
+    const char *name = plan->buffer->name;
     VkMemoryRequirements needs;
     VkResult result;
     VkMemoryPropertyFlags wanted = plan->buffer->memory == RG_MEMORY_READBACK
@@ -145,13 +151,13 @@ static VkResult make_host_buffer(struct rg_exec *exec, const struct rg_plan_buff
     exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffers[slot], &needs);
     uint32_t type =
         find_type(exec, needs.memoryTypeBits, wanted, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
-    RG_TRY(exec, allocate(exec, needs.size, type, &buffer->memory[slot]));
+    RG_PASS(allocate(exec, needs.size, type, name, &buffer->memory[slot]));
     buffer->coherent = exec->memory_properties.memoryTypes[type].propertyFlags &
                        VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    RG_TRY(exec,
-           exec->vk.BindBufferMemory(exec->device, buffer->buffers[slot], buffer->memory[slot], 0));
-    RG_TRY(exec, exec->vk.MapMemory(exec->device, buffer->memory[slot], 0, VK_WHOLE_SIZE, 0,
-                                    &buffer->mapped[slot]));
+    RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffers[slot], buffer->memory[slot],
+            0);
+    RG_CALL(exec, name, MapMemory, exec->device, buffer->memory[slot], 0, VK_WHOLE_SIZE, 0,
+            &buffer->mapped[slot]);
 fail:
     return result;
 }
@@ -168,11 +174,11 @@ static VkResult make_buffer(struct rg_exec *exec, uint32_t index)
         buffer->mapped = calloc(exec->slot_count, sizeof(*buffer->mapped));
     }
     if (!buffer->buffers || (host && (!buffer->memory || !buffer->mapped)))
-        return rg_exec_check(exec, result, "calloc");
+        return rg_exec_check(exec, result, "calloc", plan->buffer->name);
     if (plan->imported) {
         if (plan->import >= exec->params.import_count)
-            RG_PASS(
-                rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "an import without object"));
+            RG_PASS(rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the object",
+                                  plan->buffer->name));
         buffer->buffers[0] = exec->params.imports[plan->import].buffer;
         return VK_SUCCESS;
     }
@@ -242,10 +248,11 @@ VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory m
             .memory = buffer->memory[slot],
             .size = VK_WHOLE_SIZE,
         };
+        const char *name = exec->plan->buffers[i].buffer->name;
         if (memory == RG_MEMORY_UPLOAD)
-            RG_TRY(exec, exec->vk.FlushMappedMemoryRanges(exec->device, 1, &range));
+            RG_CALL(exec, name, FlushMappedMemoryRanges, exec->device, 1, &range);
         else
-            RG_TRY(exec, exec->vk.InvalidateMappedMemoryRanges(exec->device, 1, &range));
+            RG_CALL(exec, name, InvalidateMappedMemoryRanges, exec->device, 1, &range);
     }
 fail:
     return result;

@@ -12,16 +12,14 @@ static VkResult make_layout(struct rg_exec *exec, const struct rg_pass *row, str
 {
     const VkPushConstantRange push = { rg_exec_stages(row), 0, row->push_size };
     VkResult result;
-    RG_TRY(exec,
-           exec->vk.CreatePipelineLayout(exec->device,
-                                         &(VkPipelineLayoutCreateInfo){
-                                             .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                             .setLayoutCount = 1,
-                                             .pSetLayouts = &pass->set_layout,
-                                             .pushConstantRangeCount = row->push_size ? 1 : 0,
-                                             .pPushConstantRanges = &push,
-                                         },
-                                         NULL, &pass->layout));
+    RG_MAKE(exec, row->name, CreatePipelineLayout, &pass->layout,
+            &(VkPipelineLayoutCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                .setLayoutCount = 1,
+                .pSetLayouts = &pass->set_layout,
+                .pushConstantRangeCount = row->push_size ? 1 : 0,
+                .pPushConstantRanges = &push,
+            });
     rg_exec_name(exec, VK_OBJECT_TYPE_PIPELINE_LAYOUT, (uint64_t)pass->layout, row->name);
 fail:
     return result;
@@ -40,14 +38,12 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
         .pName = "main",
         .pSpecializationInfo = params->constants,
     };
-    RG_TRY(exec,
-           exec->vk.CreateShaderModule(exec->device,
-                                       &(VkShaderModuleCreateInfo){
-                                           .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                           .codeSize = code->word_count * sizeof(uint32_t),
-                                           .pCode = code->words,
-                                       },
-                                       NULL, &info->module));
+    RG_MAKE(exec, shader->name, CreateShaderModule, &info->module,
+            &(VkShaderModuleCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                .codeSize = code->word_count * sizeof(uint32_t),
+                .pCode = code->words,
+            });
     rg_exec_name(exec, VK_OBJECT_TYPE_SHADER_MODULE, (uint64_t)info->module, shader->name);
 fail:
     return result;
@@ -184,8 +180,8 @@ static VkResult make_raster(struct rg_exec *exec, const struct rg_plan_pass *pla
         .layout = pass->layout,
         .renderPass = pass->render_pass,
     };
-    RG_TRY(exec, exec->vk.CreateGraphicsPipelines(exec->device, exec->params.pipeline_cache, 1,
-                                                  &info, NULL, &pass->pipeline));
+    RG_CALL(exec, row->name, CreateGraphicsPipelines, exec->device, exec->params.pipeline_cache, 1,
+            &info, NULL, &pass->pipeline);
 fail:
     exec->vk.DestroyShaderModule(exec->device, stages[0].module, NULL);
     exec->vk.DestroyShaderModule(exec->device, stages[1].module, NULL);
@@ -201,8 +197,8 @@ static VkResult make_compute(struct rg_exec *exec, const struct rg_pass *row,
     };
     VkResult result;
     RG_PASS(make_stage(exec, row->comp, VK_SHADER_STAGE_COMPUTE_BIT, &info.stage));
-    RG_TRY(exec, exec->vk.CreateComputePipelines(exec->device, exec->params.pipeline_cache, 1,
-                                                 &info, NULL, &pass->pipeline));
+    RG_CALL(exec, row->name, CreateComputePipelines, exec->device, exec->params.pipeline_cache, 1,
+            &info, NULL, &pass->pipeline);
 fail:
     exec->vk.DestroyShaderModule(exec->device, info.stage.module, NULL);
     return result;

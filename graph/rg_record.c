@@ -206,11 +206,11 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint
     VkCommandBuffer commands = exec->slots[exec->slot].commands;
     const struct rg_plan *plan = exec->plan;
     VkResult result;
-    RG_TRY(exec, exec->vk.BeginCommandBuffer(
-                     commands, &(VkCommandBufferBeginInfo){
-                                   .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                   .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
-                               }));
+    RG_CALL(exec, NULL, BeginCommandBuffer, commands,
+            &(VkCommandBufferBeginInfo){
+                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
+            });
     if (first == 0 && !exec->filled)
         rg_exec_record_fill(exec, commands);
     if (first == 0)
@@ -219,7 +219,7 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint
         record_pass(exec, p, commands, frame);
     if (first + count == plan->pass_count)
         rg_exec_record_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
-    RG_TRY(exec, exec->vk.EndCommandBuffer(commands));
+    RG_CALL(exec, NULL, EndCommandBuffer, commands);
 fail:
     return result;
 }

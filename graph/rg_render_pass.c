@@ -47,16 +47,14 @@ static VkResult make_view(struct rg_exec *exec, const struct part *part, VkImage
 {
     const struct rg_plan_image *image = &exec->plan->images[part->image];
     VkResult result;
-    RG_TRY(exec, exec->vk.CreateImageView(
-                     exec->device,
-                     &(VkImageViewCreateInfo){
-                         .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-                         .image = exec->images[part->image],
-                         .viewType = VK_IMAGE_VIEW_TYPE_2D,
-                         .format = image->image->format,
-                         .subresourceRange = { image->aspects, part->mip, 1, part->layer, 1 },
-                     },
-                     NULL, view));
+    RG_MAKE(exec, image->image->name, CreateImageView, view,
+            &(VkImageViewCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                .image = exec->images[part->image],
+                .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                .format = image->image->format,
+                .subresourceRange = { image->aspects, part->mip, 1, part->layer, 1 },
+            });
     rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE_VIEW, (uint64_t)*view, image->image->name);
 fail:
     return result;
@@ -111,15 +109,14 @@ static VkResult make_render_pass(struct rg_exec *exec, const struct rg_plan_pass
         .pResolveAttachments = resolves,
         .pDepthStencilAttachment = has_depth ? &references[plan->color_count] : NULL,
     };
-    RG_TRY(exec, exec->vk.CreateRenderPass(exec->device,
-                                           &(VkRenderPassCreateInfo){
-                                               .sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
-                                               .attachmentCount = count,
-                                               .pAttachments = attachments,
-                                               .subpassCount = 1,
-                                               .pSubpasses = &subpass,
-                                           },
-                                           NULL, &pass->render_pass));
+    RG_MAKE(exec, plan->pass->name, CreateRenderPass, &pass->render_pass,
+            &(VkRenderPassCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                .attachmentCount = count,
+                .pAttachments = attachments,
+                .subpassCount = 1,
+                .pSubpasses = &subpass,
+            });
 fail:
     return result;
 }
@@ -129,17 +126,16 @@ static VkResult make_framebuffer(struct rg_exec *exec, const struct rg_plan_pass
 {
     struct exec_targets *targets = rg_exec_targets(exec, pass);
     VkResult result;
-    RG_TRY(exec, exec->vk.CreateFramebuffer(exec->device,
-                                            &(VkFramebufferCreateInfo){
-                                                .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                                                .renderPass = pass->render_pass,
-                                                .attachmentCount = count,
-                                                .pAttachments = targets->views,
-                                                .width = plan->extent.width,
-                                                .height = plan->extent.height,
-                                                .layers = 1,
-                                            },
-                                            NULL, &targets->framebuffer));
+    RG_MAKE(exec, plan->pass->name, CreateFramebuffer, &targets->framebuffer,
+            &(VkFramebufferCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                .renderPass = pass->render_pass,
+                .attachmentCount = count,
+                .pAttachments = targets->views,
+                .width = plan->extent.width,
+                .height = plan->extent.height,
+                .layers = 1,
+            });
 fail:
     return result;
 }

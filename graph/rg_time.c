@@ -42,14 +42,16 @@ uint64_t rg_time_now(void)
 static VkResult make_pool(const struct rg_exec *exec, VkQueryType type, uint32_t count,
                           VkQueryPool *pool)
 {
-    const VkQueryPoolCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
-        .queryType = type,
-        .queryCount = count,
-        .pipelineStatistics = type == VK_QUERY_TYPE_PIPELINE_STATISTICS ? COUNTED : 0,
-    };
-    return rg_exec_check(exec, exec->vk.CreateQueryPool(exec->device, &info, NULL, pool),
-                         "vkCreateQueryPool");
+    VkResult result;
+    RG_MAKE(exec, NULL, CreateQueryPool, pool,
+            &(VkQueryPoolCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                .queryType = type,
+                .queryCount = count,
+                .pipelineStatistics = type == VK_QUERY_TYPE_PIPELINE_STATISTICS ? COUNTED : 0,
+            });
+fail:
+    return result;
 }
 
 /* Of the one family that is used; families beyond the 64th are not asked. */
@@ -79,7 +81,7 @@ VkResult rg_exec_make_time(struct rg_exec *exec)
         time->results = calloc((size_t)pass_count * COUNTED_COUNT + 1, sizeof(*time->results));
     }
     if (!time || !time->passes || !time->finished || !time->results)
-        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc");
+        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
     exec->vk.GetPhysicalDeviceProperties(exec->params.physical, &properties);
     time->period = (double)properties.limits.timestampPeriod;
     time->stamp_mask = stamp_mask(exec);
@@ -232,7 +234,7 @@ static VkResult read_pool(struct rg_exec *exec, VkQueryPool pool, uint32_t first
                          exec->vk.GetQueryPoolResults(
                              exec->device, pool, first, count, count * stride, exec->time->results,
                              stride, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-                         "vkGetQueryPoolResults");
+                         "vkGetQueryPoolResults", NULL);
 }
 
 static VkResult read_stamps(struct rg_exec *exec, uint32_t slot)

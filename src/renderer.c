@@ -100,10 +100,10 @@ enum status renderer_plan(struct frame_plan *plan, const struct renderer_params 
     return frame_plan_init(plan, &request);
 }
 
-static void log_exec(void *user, const char *line)
+static void log_exec(void *user, const char *what, VkResult result)
 {
     (void)user;
-    log_error("%s", line);
+    (void)gpu_failed(what, result);
 }
 
 /* Every frame that is on its way has its own buffers that the host sees. */

@@ -86,8 +86,11 @@ const char *gpu_result_name(VkResult result);
 
 enum status gpu_status(VkResult result); /* as above; STATUS_OK for VK_SUCCESS alone */
 
-/* Logs "<what>: <result's name>" and gives the status for it. */
+/* Logs "<what>: <result's name>", and what to do about it, and gives the status for it. */
 enum status gpu_failed(const char *what, VkResult result);
+
+/* The same, "<call> of <name>: ...". The name may be NULL. */
+enum status gpu_failed_for(const char *call, const char *name, VkResult result);
 
 struct gpu_buffer {
     VkBuffer buffer;

@@ -107,10 +107,14 @@ VkResult gpu_offer_find(VkPhysicalDevice physical, struct gpu_offer *offer)
     if (!list)
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     result = vkEnumerateDeviceExtensionProperties(physical, NULL, &count, list);
-    offer->portability_subset = gpu_has_extension(list, count, "VK_KHR_portability_subset");
-    offer->swapchain = gpu_has_extension(list, count, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    if (result == VK_INCOMPLETE)
+        result = VK_SUCCESS;
+    if (result == VK_SUCCESS) {
+        offer->portability_subset = gpu_has_extension(list, count, "VK_KHR_portability_subset");
+        offer->swapchain = gpu_has_extension(list, count, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    }
     free(list);
-    return result == VK_INCOMPLETE ? VK_SUCCESS : result;
+    return result;
 }
 
 static bool has_swapchain(VkPhysicalDevice physical)

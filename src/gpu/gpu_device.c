@@ -104,8 +104,10 @@ static enum status open_device(struct gpu *gpu)
         .queueFamilyIndex = gpu->queue_family,
     };
     result = vkCreateCommandPool(gpu->device, &pool, NULL, &gpu->pool);
-    if (result != VK_SUCCESS)
+    if (result != VK_SUCCESS) {
+        gpu->pool = VK_NULL_HANDLE;
         return gpu_failed("vkCreateCommandPool", result);
+    }
     return gpu_cache_load(gpu);
 }
 

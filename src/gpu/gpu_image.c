@@ -79,7 +79,7 @@ static enum status check_format(const struct gpu *gpu, const struct gpu_image_pa
     if (result == VK_SUCCESS)
         return STATUS_OK;
     if (result != VK_ERROR_FORMAT_NOT_SUPPORTED)
-        return gpu_failed("vkGetPhysicalDeviceImageFormatProperties", result);
+        return gpu_failed_for("vkGetPhysicalDeviceImageFormatProperties", name_of(params), result);
     log_error("%s: %s cannot sample%s VkFormat %d", name_of(params), gpu->properties.deviceName,
               params->mipmaps ? " and halve" : "", (int)params->format);
     return STATUS_NO_DEVICE;
@@ -127,7 +127,7 @@ static enum status create(struct gpu *gpu, struct gpu_image *image, VkImageUsage
     VkResult result = vkCreateImage(gpu->device, &info, NULL, &image->image);
     if (result != VK_SUCCESS) {
         image->image = VK_NULL_HANDLE;
-        return gpu_failed("vkCreateImage", result);
+        return gpu_failed_for("vkCreateImage", name, result);
     }
     gpu_debug_name(gpu, VK_OBJECT_TYPE_IMAGE, (uint64_t)image->image, name);
     vkGetImageMemoryRequirements(gpu->device, image->image, &needs);
@@ -135,7 +135,7 @@ static enum status create(struct gpu *gpu, struct gpu_image *image, VkImageUsage
     if (status != STATUS_OK)
         return status;
     result = vkBindImageMemory(gpu->device, image->image, image->memory, 0);
-    return result == VK_SUCCESS ? STATUS_OK : gpu_failed("vkBindImageMemory", result);
+    return result == VK_SUCCESS ? STATUS_OK : gpu_failed_for("vkBindImageMemory", name, result);
 }
 
 /* How an image is used before or after a barrier. */
@@ -232,7 +232,7 @@ static enum status fill(struct gpu *gpu, const struct gpu_image *image,
                         const struct gpu_image_params *params)
 {
     struct gpu_upload upload = { 0 };
-    enum status status = gpu_upload_begin(gpu, &upload, params->texels_size);
+    enum status status = gpu_upload_begin(gpu, &upload, params->texels_size, name_of(params));
     if (status == STATUS_OK) {
         record_use(upload.commands, image, 0, image->mips, &unused, &written);
         status = copy_texels(gpu, image, &upload, params->texels);

@@ -90,11 +90,13 @@ struct gpu_upload {
     void *mapped; /* staging.size bytes */
     VkCommandBuffer commands;
     VkFence fence;
+    const char *name; /* of what is filled, for messages; may be NULL */
+    bool submitted;   /* and not known to be done */
 };
 
 /* Staging for `size` bytes or GPU_STAGING_SIZE, whichever is less; `commands` records. */
-MUST_USE enum status gpu_upload_begin(struct gpu *gpu, struct gpu_upload *upload,
-                                      VkDeviceSize size);
+MUST_USE enum status gpu_upload_begin(struct gpu *gpu, struct gpu_upload *upload, VkDeviceSize size,
+                                      const char *name);
 
 /* Submits, waits until it is done, and lets `commands` record again. */
 MUST_USE enum status gpu_upload_flush(struct gpu *gpu, struct gpu_upload *upload);

@@ -67,7 +67,7 @@ enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *nee
     if (result == VK_SUCCESS)
         return STATUS_OK;
     *memory = VK_NULL_HANDLE;
-    return gpu_failed("vkAllocateMemory", result);
+    return gpu_failed_for("vkAllocateMemory", name, result);
 }
 
 enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer, VkBufferUsageFlags usage,
@@ -94,7 +94,7 @@ enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer, VkBuff
     VkResult result = vkCreateBuffer(gpu->device, &info, NULL, &buffer->buffer);
     if (result != VK_SUCCESS) {
         *buffer = (struct gpu_buffer){ 0 };
-        return gpu_failed("vkCreateBuffer", result);
+        return gpu_failed_for("vkCreateBuffer", name, result);
     }
     gpu_debug_name(gpu, VK_OBJECT_TYPE_BUFFER, (uint64_t)buffer->buffer, name);
     vkGetBufferMemoryRequirements(gpu->device, buffer->buffer, &needs);
@@ -102,7 +102,7 @@ enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer, VkBuff
     if (status == STATUS_OK) {
         result = vkBindBufferMemory(gpu->device, buffer->buffer, buffer->memory, 0);
         if (result != VK_SUCCESS)
-            status = gpu_failed("vkBindBufferMemory", result);
+            status = gpu_failed_for("vkBindBufferMemory", name, result);
     }
     if (status != STATUS_OK)
         gpu_buffer_destroy(gpu, buffer);
@@ -128,10 +128,11 @@ static void record_visible(VkCommandBuffer commands)
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-static enum status fill(struct gpu *gpu, const struct gpu_buffer *buffer, const void *data)
+static enum status fill(struct gpu *gpu, const struct gpu_buffer *buffer, const void *data,
+                        const char *name)
 {
     struct gpu_upload upload = { 0 };
-    enum status status = gpu_upload_begin(gpu, &upload, buffer->size);
+    enum status status = gpu_upload_begin(gpu, &upload, buffer->size, name);
     VkDeviceSize done = 0;
     while (status == STATUS_OK && done < buffer->size) {
         const VkDeviceSize left = buffer->size - done;
@@ -159,7 +160,7 @@ enum status gpu_buffer_create(struct gpu *gpu, struct gpu_buffer *buffer, VkBuff
     enum status status =
         gpu_memory_buffer(gpu, buffer, usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, size, false, name);
     if (status == STATUS_OK)
-        status = fill(gpu, buffer, data);
+        status = fill(gpu, buffer, data, name);
     if (status != STATUS_OK)
         gpu_buffer_destroy(gpu, buffer);
     return status;

@@ -1,26 +1,32 @@
 /* gpu_result.c: Vulkan's results in words and as a status. */
+#include <stdio.h>
+
 #include "src/gpu/gpu.h"
 #include "src/log.h"
 
-#define ROW(result) result, #result
+#define ROW(value) .result = (value), .name = #value
 
-static const struct {
+static const char lost[] = "the device stopped working: try again";
+static const char memory[] = "memory is short: end other programs, or ask for less (--size)";
+
+static const struct row {
     VkResult result;
     const char *name;
-} names[] = {
+    const char *mend; /* what to do about it; NULL: nothing is known */
+} rows[] = {
     { ROW(VK_SUCCESS) },
     { ROW(VK_NOT_READY) },
-    { ROW(VK_TIMEOUT) },
+    { ROW(VK_TIMEOUT), .mend = lost },
     { ROW(VK_EVENT_SET) },
     { ROW(VK_EVENT_RESET) },
     { ROW(VK_INCOMPLETE) },
     { ROW(VK_SUBOPTIMAL_KHR) },
     { ROW(VK_PIPELINE_COMPILE_REQUIRED) },
-    { ROW(VK_ERROR_OUT_OF_HOST_MEMORY) },
-    { ROW(VK_ERROR_OUT_OF_DEVICE_MEMORY) },
+    { ROW(VK_ERROR_OUT_OF_HOST_MEMORY), .mend = memory },
+    { ROW(VK_ERROR_OUT_OF_DEVICE_MEMORY), .mend = memory },
     { ROW(VK_ERROR_INITIALIZATION_FAILED) },
-    { ROW(VK_ERROR_DEVICE_LOST) },
-    { ROW(VK_ERROR_MEMORY_MAP_FAILED) },
+    { ROW(VK_ERROR_DEVICE_LOST), .mend = lost },
+    { ROW(VK_ERROR_MEMORY_MAP_FAILED), .mend = memory },
     { ROW(VK_ERROR_LAYER_NOT_PRESENT) },
     { ROW(VK_ERROR_EXTENSION_NOT_PRESENT) },
     { ROW(VK_ERROR_FEATURE_NOT_PRESENT) },
@@ -42,29 +48,59 @@ static const struct {
     { ROW(VK_ERROR_UNKNOWN) },
 };
 
+static const struct row *find_row(VkResult result)
+{
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        if (rows[i].result == result)
+            return &rows[i];
+    }
+    return NULL;
+}
+
 const char *gpu_result_name(VkResult result)
 {
-    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
-        if (names[i].result == result)
-            return names[i].name;
-    }
-    return "a VkResult without a name";
+    const struct row *row = find_row(result);
+    return row ? row->name : "a VkResult without a name";
 }
 
 enum status gpu_status(VkResult result)
 {
-    if (result == VK_SUCCESS)
+    switch ((int)result) {
+    case VK_SUCCESS:
         return STATUS_OK;
-    if (result == VK_ERROR_DEVICE_LOST || result == VK_ERROR_OUT_OF_HOST_MEMORY ||
-        result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
+    case VK_TIMEOUT: /* of a wait without end */
+    case VK_ERROR_DEVICE_LOST:
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+    case VK_ERROR_OUT_OF_POOL_MEMORY:
+    case VK_ERROR_FRAGMENTED_POOL:
+    case VK_ERROR_FRAGMENTATION:
+    case VK_ERROR_MEMORY_MAP_FAILED:
+    case VK_ERROR_TOO_MANY_OBJECTS:
+    case VK_ERROR_SURFACE_LOST_KHR:
         return STATUS_TRY_AGAIN;
-    if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_INITIALIZATION_FAILED)
+    case VK_ERROR_INCOMPATIBLE_DRIVER:
+    case VK_ERROR_INITIALIZATION_FAILED:
+    case VK_ERROR_FORMAT_NOT_SUPPORTED:
         return STATUS_NO_DEVICE;
-    return STATUS_FAILED;
+    default:
+        return STATUS_FAILED;
+    }
 }
 
 enum status gpu_failed(const char *what, VkResult result)
 {
-    log_error("%s: %s", what, gpu_result_name(result));
+    const struct row *row = find_row(result);
+    if (row && row->mend)
+        log_error("%s: %s: %s", what, row->name, row->mend);
+    else
+        log_error("%s: %s", what, gpu_result_name(result));
     return gpu_status(result);
+}
+
+enum status gpu_failed_for(const char *call, const char *name, VkResult result)
+{
+    char what[256];
+    snprintf(what, sizeof(what), "%s of %s", call, name ? name : "an object without a name");
+    return gpu_failed(what, result);
 }

@@ -122,10 +122,10 @@ struct test {
     struct rg_times times; /* of the last frame */
 };
 
-static void log_exec(void *user, const char *line)
+static void log_exec(void *user, const char *what, VkResult result)
 {
     (void)user;
-    log_error("testing the device's clock: %s", line);
+    (void)gpu_failed(what, result);
 }
 
 static struct rg_plan *compile(const struct rg_device *device)
@@ -179,7 +179,7 @@ static enum status open_test(struct test *test, const struct gpu *gpu)
             .log = log_exec,
         },
         &result);
-    return test->exec ? STATUS_OK : gpu_failed("testing the device's clock", result);
+    return gpu_status(result);
 }
 
 static VkResult draw(struct test *test, enum rg_clock clock, bool statistics)
@@ -299,7 +299,7 @@ enum status clock_test_run(struct gpu *gpu, struct profile_clock *clock)
         if (result == VK_SUCCESS)
             result = count_fragments(&test, clock);
         if (result != VK_SUCCESS)
-            status = gpu_failed("testing the device's clock", result);
+            status = gpu_status(result);
     }
     rg_exec_destroy(test.exec);
     rg_plan_destroy(test.plan);

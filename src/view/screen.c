@@ -95,10 +95,10 @@ enum status screen_report_faults(const struct rg_plan *plan)
     return plan->fault_count ? STATUS_FAILED : STATUS_OK;
 }
 
-static void log_exec(void *user, const char *line)
+static void log_exec(void *user, const char *what, VkResult result)
 {
     (void)user;
-    log_error("%s", line);
+    (void)gpu_failed(what, result);
 }
 
 struct rg_vulkan screen_vulkan(const struct gpu *gpu)

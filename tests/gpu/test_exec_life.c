@@ -330,7 +330,7 @@ static void missing_function_is_refused(void **state)
     assert_int_equal(run_create(&run, run.plan), VK_ERROR_INCOMPATIBLE_DRIVER);
     vkQueueSubmit2 = real;
     assert_int_equal(run.line_count, 1);
-    assert_string_equal(run.line, "VkResult -9 from finding vkQueueSubmit2");
+    assert_string_equal(run.line, "VkResult -9 from vkGetInstanceProcAddr of vkQueueSubmit2");
     run_close(&run);
 }
 

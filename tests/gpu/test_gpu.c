@@ -199,7 +199,7 @@ static void missing_barrier_is_seen(void **state)
     struct gpu_buffer buffer;
     struct gpu_upload upload;
     assert_int_equal(gpu_memory_buffer(gpu, &buffer, both_ways, 256, true, "victim"), STATUS_OK);
-    assert_int_equal(gpu_upload_begin(gpu, &upload, 4), STATUS_OK);
+    assert_int_equal(gpu_upload_begin(gpu, &upload, 4, "test"), STATUS_OK);
     vkCmdFillBuffer(upload.commands, buffer.buffer, 0, 256, 1);
     assert_int_equal(gpu->message_count, 0);
     vkCmdFillBuffer(upload.commands, buffer.buffer, 0, 256, 2);
@@ -217,7 +217,7 @@ static void missing_barrier_between_submissions_is_seen(void **state)
     struct gpu_upload uploads[2];
     assert_int_equal(gpu_memory_buffer(gpu, &buffer, both_ways, 256, true, "victim"), STATUS_OK);
     for (uint32_t i = 0; i < 2; i++) {
-        assert_int_equal(gpu_upload_begin(gpu, &uploads[i], 4), STATUS_OK);
+        assert_int_equal(gpu_upload_begin(gpu, &uploads[i], 4, "test"), STATUS_OK);
         vkCmdFillBuffer(uploads[i].commands, buffer.buffer, 0, 256, i);
         assert_int_equal(vkEndCommandBuffer(uploads[i].commands), VK_SUCCESS);
     }
@@ -254,7 +254,10 @@ static void results_have_names_and_statuses(void **state)
     assert_int_equal(gpu_failed("test", VK_ERROR_OUT_OF_DEVICE_MEMORY), STATUS_TRY_AGAIN);
     assert_int_equal(gpu_failed("test", VK_ERROR_INCOMPATIBLE_DRIVER), STATUS_NO_DEVICE);
     assert_int_equal(gpu_failed("test", VK_ERROR_INITIALIZATION_FAILED), STATUS_NO_DEVICE);
-    assert_int_equal(gpu_failed("test", VK_ERROR_FRAGMENTED_POOL), STATUS_FAILED);
+    assert_int_equal(gpu_failed("test", VK_TIMEOUT), STATUS_TRY_AGAIN);
+    assert_int_equal(gpu_failed("test", VK_ERROR_FRAGMENTED_POOL), STATUS_TRY_AGAIN);
+    assert_int_equal(gpu_failed("test", VK_ERROR_FORMAT_NOT_SUPPORTED), STATUS_NO_DEVICE);
+    assert_int_equal(gpu_failed("test", VK_ERROR_UNKNOWN), STATUS_FAILED);
 }
 
 /* The cache file that a device leaves behind, or 0. */

@@ -43,7 +43,7 @@ static void check_buffer(struct gpu *gpu, const struct gpu_buffer *buffer, const
     assert_int_equal(gpu_memory_buffer(gpu, &host, VK_BUFFER_USAGE_TRANSFER_DST_BIT, buffer->size,
                                        true, "read back"),
                      STATUS_OK);
-    assert_int_equal(gpu_upload_begin(gpu, &upload, 4), STATUS_OK);
+    assert_int_equal(gpu_upload_begin(gpu, &upload, 4, "test"), STATUS_OK);
     vkCmdCopyBuffer(upload.commands, buffer->buffer, host.buffer, 1, &copy);
     record_host_read(upload.commands);
     assert_int_equal(gpu_upload_flush(gpu, &upload), STATUS_OK);
@@ -82,7 +82,7 @@ static void read_image(struct gpu *gpu, const struct gpu_image *image, uint32_t 
     assert_int_equal(
         gpu_memory_buffer(gpu, &host, VK_BUFFER_USAGE_TRANSFER_DST_BIT, size, true, "read back"),
         STATUS_OK);
-    assert_int_equal(gpu_upload_begin(gpu, &upload, 4), STATUS_OK);
+    assert_int_equal(gpu_upload_begin(gpu, &upload, 4, "test"), STATUS_OK);
     vkCmdPipelineBarrier2(upload.commands, &dependency);
     vkCmdCopyImageToBuffer(upload.commands, image->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                            host.buffer, 1, &copy);

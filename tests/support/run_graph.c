@@ -6,11 +6,11 @@
 #include "graph/rg_functions.h"
 #include "tests/support/check.h"
 
-static void log_line(void *user, const char *line)
+static void log_line(void *user, const char *what, VkResult result)
 {
     struct run *run = user;
     run->line_count++;
-    (void)snprintf(run->line, sizeof(run->line), "%s", line);
+    (void)snprintf(run->line, sizeof(run->line), "VkResult %d from %s", (int)result, what);
 }
 
 /* What volk's pointers hold now: a test may have put functions of its own there. */
