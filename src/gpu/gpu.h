@@ -63,6 +63,9 @@ MUST_USE enum status gpu_create(struct gpu *gpu, const struct gpu_params *params
  */
 void gpu_destroy(struct gpu *gpu);
 
+/* Waits for the device. True: it is lost, and nothing can be done with it but gpu_destroy(). */
+bool gpu_is_lost(const struct gpu *gpu);
+
 /* One line of gpu_list(). */
 struct gpu_device {
     char name[VK_MAX_PHYSICAL_DEVICE_NAME_SIZE];

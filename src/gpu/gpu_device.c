@@ -144,6 +144,11 @@ void gpu_destroy(struct gpu *gpu)
     *gpu = (struct gpu){ .message_count = gpu->message_count };
 }
 
+bool gpu_is_lost(const struct gpu *gpu)
+{
+    return gpu->device && vkDeviceWaitIdle(gpu->device) == VK_ERROR_DEVICE_LOST;
+}
+
 void gpu_describe(const struct gpu *gpu, struct gpu_device *device)
 {
     gpu_choose_describe(gpu, gpu->physical, device);

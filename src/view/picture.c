@@ -42,7 +42,7 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
         status = app_camera(&p->camera, &p->scene, &p->o);
     p->first_camera = p->camera;
     if (status == STATUS_OK)
-        status = scene_gpu_upload(&p->uploaded, gpu, &p->scene);
+        status = picture_upload(p);
     if (status == STATUS_OK)
         *picture = p;
     else
@@ -50,13 +50,32 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
     return status;
 }
 
+static void forget_renderers(struct picture *p)
+{
+    renderer_destroy(p->renderer);
+    renderer_destroy(p->right);
+    p->renderer = NULL;
+    p->right = NULL;
+}
+
+void picture_leave_device(struct picture *p)
+{
+    if (!p)
+        return;
+    forget_renderers(p);
+    scene_gpu_finish(&p->uploaded, p->gpu);
+}
+
+enum status picture_upload(struct picture *p)
+{
+    return scene_gpu_upload(&p->uploaded, p->gpu, &p->scene);
+}
+
 void picture_destroy(struct picture *p)
 {
     if (!p)
         return;
-    renderer_destroy(p->renderer);
-    renderer_destroy(p->right);
-    scene_gpu_finish(&p->uploaded, p->gpu);
+    picture_leave_device(p);
     scene_finish(&p->scene);
     free(p->scene_name);
     free(p->environment_name);
@@ -92,14 +111,6 @@ static enum status make_renderer(struct picture *p, const struct rung *rung,
     if (status == STATUS_OK)
         renderer_measure(*renderer, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
     return status;
-}
-
-static void forget_renderers(struct picture *p)
-{
-    renderer_destroy(p->renderer);
-    renderer_destroy(p->right);
-    p->renderer = NULL;
-    p->right = NULL;
 }
 
 /* On failure those before stay. */

@@ -36,6 +36,11 @@ MUST_USE enum status picture_create(struct picture **picture, struct gpu *gpu,
                                     const struct app_options *options, struct watch *watch);
 void picture_destroy(struct picture *picture); /* may be NULL; waits for its frames */
 
+/* Frees all that it has on the device, and brings the scene onto another, opened in the same gpu.
+ * Between both, and if that fails, it may only be destroyed or given another try. */
+void picture_leave_device(struct picture *picture); /* may be NULL */
+MUST_USE enum status picture_upload(struct picture *picture);
+
 /* Makes a renderer of this size, if there is none. */
 MUST_USE enum status picture_resize(struct picture *picture, VkExtent2D size);
 

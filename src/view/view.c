@@ -65,6 +65,8 @@ void view_show_name(struct view *v)
 static enum status load(void *user)
 {
     struct view *v = user;
+    if (v->picture)
+        return picture_upload(v->picture);
     return picture_create(&v->picture, &v->gpu, v->options, v->watch);
 }
 
@@ -87,16 +89,27 @@ static enum status open_ui(struct view *v)
     return STATUS_OK;
 }
 
-static void finish(struct view *v)
+/* What is not the device's stays: window, scene, settings, camera. */
+static void leave_device(struct view *v)
 {
     v->window.listen = NULL;
     screen_finish(&v->screen);
     ui_destroy(v->ui);
-    picture_destroy(v->picture);
+    picture_leave_device(v->picture);
     if (v->surface)
         vkDestroySurfaceKHR(v->gpu.instance, v->surface, NULL);
-    watch_destroy(v->watch);
     gpu_destroy(&v->gpu);
+    v->ui = NULL;
+    v->surface = VK_NULL_HANDLE;
+    v->message_count += v->gpu.message_count;
+    v->gpu.message_count = 0;
+}
+
+static void finish(struct view *v)
+{
+    leave_device(v);
+    picture_destroy(v->picture);
+    watch_destroy(v->watch);
     window_finish(&v->window);
 }
 
@@ -236,23 +249,15 @@ static enum status warm_up(void *user)
     return status;
 }
 
-/* From the window, which is there at once, to the first picture. */
-static enum status begin(struct view *v)
+/* From the window to the first picture. */
+static enum status begin_device(struct view *v)
 {
-    const struct app_options *o = v->options;
     char words[200];
-    enum status status = picture_can_write(o->split, o->outputs, o->output_count);
-    if (status == STATUS_OK && o->watch)
-        status = watch_create(&v->watch, o->watch, o->quiet);
-    if (status == STATUS_OK)
-        status = open_window(v);
-    if (status != STATUS_OK)
-        return status;
     view_say(v, "loading the device");
-    status = background_run(&v->window, open_device, v);
+    enum status status = background_run(&v->window, open_device, v);
     if (status != STATUS_OK || window_is_closed(&v->window))
         return status;
-    snprintf(words, sizeof(words), "loading %s", o->positionals[0]);
+    snprintf(words, sizeof(words), "loading %s", v->options->positionals[0]);
     view_say(v, words);
     status = background_run(&v->window, load, v);
     if (status != STATUS_OK || window_is_closed(&v->window))
@@ -267,14 +272,47 @@ static enum status begin(struct view *v)
     return background_run(&v->window, warm_up, v);
 }
 
+/* The window is there at once. */
+static enum status begin(struct view *v)
+{
+    const struct app_options *o = v->options;
+    enum status status = picture_can_write(o->split, o->outputs, o->output_count);
+    if (status == STATUS_OK && o->watch)
+        status = watch_create(&v->watch, o->watch, o->quiet);
+    if (status == STATUS_OK)
+        status = open_window(v);
+    return status == STATUS_OK ? begin_device(v) : status;
+}
+
+/* Another device where the one before was lost, the first time; any other failure stays. */
+static enum status recover(struct view *v, enum status status)
+{
+    const bool has_ui = v->ui;
+    const bool shown = v->screen.font;
+    if (status != STATUS_TRY_AGAIN || v->recovered || !gpu_is_lost(&v->gpu))
+        return status;
+    v->recovered = true;
+    log_warning("the device is opened anew, once");
+    leave_device(v);
+    status = begin_device(v);
+    if (status == STATUS_OK && has_ui && v->ui)
+        view_show_ui(v, shown);
+    if (status == STATUS_OK)
+        view_show_name(v);
+    v->now = clock_seconds();
+    return status;
+}
+
 static enum status run(struct view *v)
 {
     const struct app_options *o = v->options;
-    enum status status = begin(v);
+    enum status status = recover(v, begin(v));
     v->quit = status == STATUS_OK && window_is_closed(&v->window);
     v->now = clock_seconds();
-    while (status == STATUS_OK && !v->quit)
-        status = run_frame(v);
+    while (status == STATUS_OK && !v->quit) {
+        status = recover(v, run_frame(v));
+        v->quit = v->quit || window_is_closed(&v->window);
+    }
     if (status == STATUS_OK && o->output_count && v->costs.frame_count)
         status = view_write_outputs(v);
     return status;
@@ -294,7 +332,7 @@ enum status view_run(const struct app_options *options)
     if (status == STATUS_OK && !options->quiet)
         view_costs_print(&v->costs, stderr);
     finish(v);
-    if (status == STATUS_OK && v->gpu.message_count)
+    if (status == STATUS_OK && v->message_count)
         status = STATUS_FAILED; /* the validation layer has said why */
     stop_end(&v->stop);
     free(v);

@@ -25,11 +25,13 @@ struct view {
     float shown;    /* time of the frame drawn last, seconds */
     double next;    /* the earliest moment for the next frame, seconds */
     bool paused, changed, quit;
-    bool redrawn;          /* the last frame has another picture than the one before */
-    VkExtent2D first_size; /* of the window, pixels */
-    bool shoot;            /* the next frame, to files */
-    bool shoot_all;        /* the same with what lies over it */
-    uint32_t shot_number;  /* of the screenshot written last */
+    bool recovered;         /* from the loss of a device: once is enough */
+    uint32_t message_count; /* of the validation layer, about a device that was lost */
+    bool redrawn;           /* the last frame has another picture than the one before */
+    VkExtent2D first_size;  /* of the window, pixels */
+    bool shoot;             /* the next frame, to files */
+    bool shoot_all;         /* the same with what lies over it */
+    uint32_t shot_number;   /* of the screenshot written last */
     struct view_costs costs;
 };
 
