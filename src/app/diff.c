@@ -216,10 +216,6 @@ static enum status print_report(const struct job *job)
         diff_report_text(&job->report, stdout);
     else if (!diff_report_json(&job->report, stdout))
         return out_of_memory();
-    if (fflush(stdout) || ferror(stdout)) {
-        log_error("stdout: cannot be written");
-        return STATUS_WRITE;
-    }
     return STATUS_OK;
 }
 

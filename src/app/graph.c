@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include "src/app/app.h"
 #include "src/frame_plan.h"
-#include "src/log.h"
 #include "src/renderer.h"
 
 typedef void dump_fn(const struct rg_plan *plan, FILE *out);
@@ -34,13 +33,8 @@ enum status app_graph(const struct app_options *given)
                                        .display = true,
                                        .sharing = o.sharing,
                                    });
-    if (status == STATUS_OK) {
+    if (status == STATUS_OK)
         dumps[o.format](frame.plan, stdout);
-        if (fflush(stdout) || ferror(stdout)) {
-            log_error("stdout: cannot be written");
-            status = STATUS_WRITE;
-        }
-    }
     frame_plan_finish(&frame);
     scene_finish(&scene);
     return status;

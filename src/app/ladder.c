@@ -218,10 +218,6 @@ static enum status report(const struct job *job)
         if (status == STATUS_OK)
             status = print(job);
     }
-    if (fflush(stdout) || ferror(stdout)) {
-        log_error("stdout: cannot be written");
-        return STATUS_WRITE;
-    }
     return status;
 }
 

@@ -102,9 +102,5 @@ enum status app_list(const struct app_options *o)
                   o->positionals[0]);
         return STATUS_USAGE;
     }
-    if (status == STATUS_OK && (fflush(stdout) || ferror(stdout))) {
-        log_error("stdout: cannot be written");
-        return STATUS_WRITE;
-    }
     return status;
 }

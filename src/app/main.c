@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/app/standard.h"
 #include "src/log.h"
 #include "src/scene/decode.h"
 #include "src/version.h"
@@ -71,13 +72,10 @@ static enum status help(const char *name)
     return STATUS_OK;
 }
 
-int main(int argc, char **argv)
+static enum status run(int argc, char **argv)
 {
     struct app_options options;
     bool done;
-    if (decode_is_wanted(argc, argv))
-        return decode_main(argc, argv);
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
     if (argc < 2) {
         log_error(
             "a command is missing: render, view, profile, graph, diff, ladder, bake, sheet or "
@@ -85,17 +83,26 @@ int main(int argc, char **argv)
         return STATUS_USAGE;
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))
-        return (int)help(argc > 2 ? argv[2] : NULL);
+        return help(argc > 2 ? argv[2] : NULL);
     if (!strcmp(argv[1], "--version")) {
         printf("firn %s\n", FIRN_VERSION);
         return STATUS_OK;
     }
     size_t i = find_command(argv[1]);
     if (i == COMMAND_COUNT)
-        return (int)unknown(argv[1]);
+        return unknown(argv[1]);
     enum status status = app_parse(&options, commands[i].command, argc - 2, argv + 2, &done);
     options.words = argv + 1;
     if (status == STATUS_OK && !done)
         status = commands[i].run(&options);
-    return (int)status;
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    if (decode_is_wanted(argc, argv))
+        return decode_main(argc, argv);
+    standard_begin();
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
+    return (int)standard_end(run(argc, argv));
 }

@@ -94,15 +94,6 @@ static enum status write_reports(const struct profile_job *job, const struct pro
     return status;
 }
 
-/* What stdout has taken, or not. */
-static enum status flush(void)
-{
-    if (!fflush(stdout) && !ferror(stdout))
-        return STATUS_OK;
-    log_error("stdout: cannot be written");
-    return STATUS_WRITE;
-}
-
 /* ---- one frame ---- */
 
 static enum status run_frame(struct profile_job *job)
@@ -121,8 +112,6 @@ static enum status run_frame(struct profile_job *job)
     }
     if (status == STATUS_OK && job->capture[0] && !job->o.quiet)
         fprintf(stderr, "RenderDoc has captured a frame: %s\n", job->capture);
-    if (status == STATUS_OK)
-        status = flush();
     profile_finish(&profile);
     return status == STATUS_OK && is_slower ? STATUS_FAILED : status;
 }
@@ -153,7 +142,7 @@ enum status profile_job_write_sweep(const struct profile_job *job)
         enum status made = profile_write_html(last, &job->sweep, &text, &size);
         status = write_text(to->html, made, text, size);
     }
-    return status == STATUS_OK ? flush() : status;
+    return status;
 }
 
 static enum status run_sweep(struct profile_job *job)

@@ -1,0 +1,23 @@
+/* standard.c: stdin, stdout and stderr. */
+#include "src/app/standard.h"
+#include <fcntl.h>
+#include <stdio.h>
+#include <unistd.h>
+#include "src/log.h"
+
+void standard_begin(void)
+{
+    for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++) {
+        /* the lowest number that is free is the one that is looked at */
+        if (fcntl(file, F_GETFD) < 0)
+            (void)open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
+
+enum status standard_end(enum status status)
+{
+    if (!fflush(stdout) && !ferror(stdout))
+        return status;
+    log_error("stdout: cannot be written");
+    return STATUS_WRITE;
+}
