@@ -16,7 +16,7 @@ enum status {
     STATUS_NO_DEVICE = 69,   /* no usable Vulkan device */
     STATUS_CANT_CREATE = 73, /* an output file cannot be created */
     STATUS_WRITE = 74,       /* an output file cannot be written to the end */
-    STATUS_TRY_AGAIN = 75,   /* device lost or out of memory: worth another try */
+    STATUS_TRY_AGAIN = 75,   /* device lost, out of memory, SIGUSR1: worth another try */
 };
 
 /* The caller must look at the result. */

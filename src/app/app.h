@@ -33,7 +33,7 @@ enum app_overlay {
     APP_OVERLAY_OFF,
 };
 
-/* Files of firn profile; NULL: not wanted. */
+/* Files of firn profile (of firn render: json); NULL: not wanted. */
 struct app_reports {
     const char *json, *csv, *trace, *html;
 };

@@ -77,6 +77,8 @@ static const struct option options[] = {
       "only part K of N of these frames, for several machines" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, option_resume,
       "draw only what is not there yet, whole and with the same options" },
+    { "Sequence", "json", 0, "FILE", APP_RENDER, option_json,
+      "write what became of each frame: state, seconds, hash; - is stdout" },
     { "Runs", "runs", 'n', "N", APP_PROFILE, option_runs, "runs that count (30)" },
     { "Runs", "warmup", 0, "N", APP_PROFILE, option_warmup, "runs before them (5)" },
     { "Runs", "time-step", 0, "SECONDS", APP_PROFILE, option_time_step,

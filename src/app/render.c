@@ -3,22 +3,22 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
-#include "src/app/frame_name.h"
-#include "src/app/frame_range.h"
 #include "src/app/output.h"
 #include "src/app/progress.h"
+#include "src/app/report.h"
+#include "src/app/sequence.h"
 #include "src/app/show.h"
 #include "src/app/stop.h"
+#include "src/clock.h"
 #include "src/image/file.h"
 #include "src/log.h"
 #include "src/reference/reference.h"
 #include "src/renderer.h"
-#include "src/scene_settings.h"
 
 struct job {
     struct app_options o;
-    struct frame_range range; /* without --frames: frame 0 */
-    struct frame_name names[APP_OUTPUT_COUNT];
+    struct sequence sequence;
+    struct report report;
     struct stop stop;
     struct scene scene;
     struct camera camera;
@@ -42,117 +42,6 @@ static enum status out_of_memory(void)
     return STATUS_TRY_AGAIN;
 }
 
-/* ---- what is wrong with the words ---- */
-
-static enum status parse_frames(struct job *job)
-{
-    if (job->o.frames)
-        return frame_range_parse(&job->range, job->o.frames);
-    job->range.frames = calloc(1, sizeof(*job->range.frames));
-    job->range.count = 1;
-    return job->range.frames ? STATUS_OK : out_of_memory();
-}
-
-/* After the names: those of all frames must differ, whoever draws them. */
-static enum status take_chunk(struct job *job)
-{
-    const struct app_options *o = &job->o;
-    if (!o->frames) {
-        log_error("--chunk %u/%u: it needs --frames", o->chunk, o->chunk_count);
-        return STATUS_USAGE;
-    }
-    frame_range_chunk(&job->range, o->chunk, o->chunk_count);
-    if (!job->range.count && !o->quiet)
-        fprintf(stderr, "--chunk %u/%u: has no frame\n", o->chunk, o->chunk_count);
-    return STATUS_OK;
-}
-
-static enum status parse_name(struct job *job, uint32_t i)
-{
-    const char *path = job->o.outputs[i];
-    struct frame_name *name = &job->names[i];
-
-    *name = (struct frame_name){ .path = path };
-    if (!job->o.frames) {
-        if (!frame_name_is_pattern(path))
-            return STATUS_OK;
-        log_error("--output %s: a place for the frame's number needs --frames", path);
-        return STATUS_USAGE;
-    }
-    enum status status = frame_name_parse(name, path);
-    if (status != STATUS_OK || job->range.count == 1 || name->length)
-        return status;
-    if (!strcmp(path, "-"))
-        log_error("--output -: stdout takes one picture, --frames names %u", job->range.count);
-    else
-        log_error("--output %s: %u frames need a place for their number, such as #### or %%04d",
-                  path, job->range.count);
-    return STATUS_USAGE;
-}
-
-static enum status parse_names(struct job *job)
-{
-    struct app_options *o = &job->o;
-    enum status status = STATUS_OK;
-    bool stdout_taken = false;
-    bool has_png = false;
-    if (!o->output_count)
-        o->outputs[o->output_count++] = o->frames ? "firn.####.exr" : "firn.exr";
-    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++) {
-        bool is_stdout = !strcmp(o->outputs[i], "-");
-        if (is_stdout && stdout_taken) {
-            log_error("-o - twice: stdout takes one picture");
-            return STATUS_USAGE;
-        }
-        stdout_taken = stdout_taken || is_stdout;
-        has_png = has_png || output_is_png(o->outputs[i]);
-        status = parse_name(job, i);
-    }
-    if (status == STATUS_OK && o->show && !has_png) {
-        log_error("--show %s: only PNG files show a layer; name one (-o FILE.png)", o->show->name);
-        return STATUS_USAGE;
-    }
-    return status;
-}
-
-static double frame_time(const struct job *job, int32_t frame)
-{
-    const struct motion_params *motion = settings_of(&job->o.settings, &motion_settings);
-    return (double)motion->time + frame / (double)motion->fps;
-}
-
-/* Every file can be created, and every time is one that --set motion.time takes. */
-static enum status check_frame(const struct job *job, int32_t frame)
-{
-    const struct setting *row = settings_find("motion.time");
-    double time = frame_time(job, frame);
-    enum status status = STATUS_OK;
-    if (time < row->min || time > row->max) {
-        log_error("--frames %s: frame %d would be at %.7g seconds, not within %.7g and %.7g "
-                  "(motion.time + frame / motion.fps)",
-                  job->o.frames, (int)frame, time, row->min, row->max);
-        return STATUS_USAGE;
-    }
-    for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++) {
-        char *path = frame_name_make(&job->names[i], frame);
-        status = path ? file_check(path) : out_of_memory();
-        free(path);
-    }
-    return status;
-}
-
-static enum status check(struct job *job)
-{
-    enum status status = parse_frames(job);
-    if (status == STATUS_OK)
-        status = parse_names(job);
-    if (status == STATUS_OK && job->o.chunk)
-        status = take_chunk(job);
-    for (uint32_t i = 0; i < job->range.count && status == STATUS_OK; i++)
-        status = check_frame(job, job->range.frames[i]);
-    return status;
-}
-
 /* ---- a frame ---- */
 
 static void frame_finish(struct frame *frame)
@@ -170,12 +59,12 @@ static enum status frame_init(struct frame *frame, const struct job *job, int32_
         .output = {
             .options = &job->o,
             .scene = &job->scene,
-            .shot = { .camera = job->camera, .time = (float)frame_time(job, number) },
+            .shot = { .camera = job->camera, .time = (float)sequence_time(&job->o, number) },
         },
     };
     enum status status = output_describe(&frame->output);
     for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++) {
-        frame->paths[i] = frame_name_make(&job->names[i], number);
+        frame->paths[i] = frame_name_make(&job->sequence.names[i], number);
         if (!frame->paths[i])
             status = out_of_memory();
         else if (job->o.resume)
@@ -308,11 +197,23 @@ static enum status write_outputs(struct job *job, const struct frame *frame)
     return status;
 }
 
-static enum status run_frame(struct job *job, int32_t number)
+static void note(struct job *job, uint32_t index, struct report_frame news)
 {
+    stop_hold(&job->stop);
+    job->report.frames[index] = news;
+    stop_release(&job->stop);
+}
+
+static enum status run_frame(struct job *job, uint32_t index)
+{
+    const double begin = clock_seconds();
+    struct report_frame news = { .state = REPORT_CURRENT };
     struct frame frame;
-    enum status status = frame_init(&frame, job, number);
+    enum status status = frame_init(&frame, job, job->sequence.range.frames[index]);
+    if (status == STATUS_OK)
+        report_hash(frame.output.settings, news.hash);
     if (status == STATUS_OK && !frame_is_current(&frame, job->o.output_count)) {
+        news.state = REPORT_DRAWN;
         if (!job->renderer && !job->reference)
             status = open_renderer(job);
         if (status == STATUS_OK)
@@ -320,30 +221,97 @@ static enum status run_frame(struct job *job, int32_t number)
     }
     if (status == STATUS_OK)
         status = write_outputs(job, &frame);
+    if (status != STATUS_OK)
+        news.state = REPORT_FAILED;
+    news.seconds = clock_seconds() - begin;
+    note(job, index, news);
     frame_finish(&frame);
     return status;
 }
 
 /*
- * Everything that can be wrong with the words and files is found before the device is opened. The
- * first frame that fails is the last: what fails one (a full disk, a lost device) fails the next.
+ * A frame that fails is the last, since what fails one (a full disk, a lost device) fails the next:
+ * unless its file alone cannot be created. With others there the status is then STATUS_FAILED.
  */
+static enum status run_frames(struct job *job)
+{
+    const uint32_t count = job->sequence.range.count;
+    enum status first = STATUS_OK, status = STATUS_OK;
+    progress_begin(&job->progress, count, job->o.rung == &reference_rung ? "tiles" : "samples",
+                   job->o.quiet);
+    for (uint32_t i = 0; i < count && (status == STATUS_OK || status == STATUS_CANT_CREATE); i++) {
+        job->progress.frame = i;
+        status = run_frame(job, i);
+        if (first == STATUS_OK)
+            first = status;
+    }
+    if (status != STATUS_OK && status != STATUS_CANT_CREATE)
+        return status;
+    return first != STATUS_OK && report_is_mixed(&job->report) ? STATUS_FAILED : first;
+}
+
+static enum status write_report(const struct job *job, int code)
+{
+    const char *path = job->o.reports.json;
+    size_t size;
+    char *text = report_json(&job->report, &job->sequence, &job->o, code, &size);
+    enum status status = text ? file_write(path, text, size) : out_of_memory();
+    free(text);
+    return status;
+}
+
+/* A signal ends the program; a pipe could hold it up for ever. */
+static void write_last_report(void *user, int code)
+{
+    const struct job *job = user;
+    if (job->report.count && !file_is_straight(job->o.reports.json) &&
+        write_report(job, code) != STATUS_OK)
+        return; /* it has said why */
+}
+
+static enum status begin_report(struct job *job)
+{
+    struct report report;
+    enum status status = report_init(&report, job->sequence.range.count);
+    stop_hold(&job->stop);
+    job->report = report;
+    stop_release(&job->stop);
+    return status;
+}
+
+/* Once there are frames to speak of: what was wrong with the words has been said. */
+static enum status end_report(struct job *job, enum status status)
+{
+    if (!job->o.reports.json || !job->report.frames)
+        return status;
+    const bool is_straight = file_is_straight(job->o.reports.json);
+    if (!is_straight)
+        stop_hold(&job->stop);
+    const enum status written = write_report(job, (int)status);
+    if (!is_straight)
+        stop_release(&job->stop);
+    return status == STATUS_OK ? written : status;
+}
+
+/* Everything that can be wrong with the words and files is found before the device is opened. */
 static enum status run(struct job *job)
 {
-    enum status status = check(job);
+    enum status status = sequence_parse(&job->sequence, &job->o);
+    if (status == STATUS_OK)
+        status = sequence_check(&job->sequence, &job->o);
+    if (status == STATUS_OK && job->o.reports.json)
+        status = file_check(job->o.reports.json);
     if (status == STATUS_OK)
         status = app_load_scene(&job->scene, &job->o);
     if (status == STATUS_OK)
         status = app_camera(&job->camera, &job->scene, &job->o);
-    progress_begin(&job->progress, job->range.count,
-                   job->o.rung == &reference_rung ? "tiles" : "samples", job->o.quiet);
-    for (uint32_t i = 0; i < job->range.count && status == STATUS_OK; i++) {
-        job->progress.frame = i;
-        status = run_frame(job, job->range.frames[i]);
-    }
+    if (status == STATUS_OK)
+        status = begin_report(job);
+    if (status == STATUS_OK)
+        status = run_frames(job);
     if (status == STATUS_OK && job->gpu.message_count)
         status = STATUS_FAILED; /* the validation layer has said why */
-    return status;
+    return end_report(job, status);
 }
 
 enum status app_render(const struct app_options *options)
@@ -354,6 +322,8 @@ enum status app_render(const struct app_options *options)
     job->o = *options;
     if (!job->o.samples)
         job->o.samples = 1;
+    if (job->o.reports.json)
+        job->stop = (struct stop){ .last = write_last_report, .user = job };
     enum status status = stop_begin(&job->stop);
     if (status == STATUS_OK)
         status = run(job);
@@ -362,7 +332,8 @@ enum status app_render(const struct app_options *options)
     reference_destroy(job->reference);
     gpu_destroy(&job->gpu);
     scene_finish(&job->scene);
-    frame_range_finish(&job->range);
+    report_finish(&job->report);
+    sequence_finish(&job->sequence);
     free(job);
     return status;
 }

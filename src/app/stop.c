@@ -14,7 +14,10 @@ static void *watch(void *user)
     /* what comes next on the terminal begins a line of its own */
     const ssize_t written = isatty(STDERR_FILENO) ? write(STDERR_FILENO, "\n", 1) : 0;
     (void)written;
-    _exit(128 + number);
+    const int code = number == SIGUSR1 ? STATUS_TRY_AGAIN : 128 + number;
+    if (stop->last)
+        stop->last(stop->user, code);
+    _exit(code);
 }
 
 static bool is_ignored(int number)
@@ -25,7 +28,7 @@ static bool is_ignored(int number)
 
 enum status stop_begin(struct stop *stop)
 {
-    static const int numbers[] = { SIGHUP, SIGINT, SIGTERM };
+    static const int numbers[] = { SIGHUP, SIGINT, SIGTERM, SIGUSR1 };
     sigemptyset(&stop->signals);
     for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++) {
         if (!is_ignored(numbers[i]))

@@ -1,7 +1,8 @@
 /*
  * stop.h: SIGHUP, SIGINT and SIGTERM end the program at once, whatever the device is doing, but
- * not while a file is being written: exit code 129, 130 or 143. A signal that was ignored when the
- * program began (nohup, a shell's background job) stays ignored.
+ * not while a file is being written: exit code 129, 130 or 143. So does SIGUSR1, with 75: whoever
+ * sends it wants the same to be started again later, as batch systems do before the time is up. A
+ * signal that was ignored when the program began (nohup, a shell's background job) stays ignored.
  */
 #ifndef FIRN_APP_STOP_H
 #define FIRN_APP_STOP_H
@@ -16,18 +17,20 @@ struct stop {
     pthread_mutex_t writing;
     sigset_t signals;
     bool begun;
+    void (*last)(void *user, int code); /* called before a signal ends the program; may be NULL */
+    void *user;
 };
 
 /*
- * Before any other thread exists, for it must inherit what is blocked. *stop must not move
- * afterwards. Logs: STATUS_TRY_AGAIN.
+ * Before any other thread exists, for it must inherit what is blocked. *stop is {0} but for `last`
+ * and `user`, and must not move afterwards. Logs: STATUS_TRY_AGAIN.
  */
 MUST_USE enum status stop_begin(struct stop *stop);
 
 /* From here on the signals are blocked and do nothing. {0} is fine. */
 void stop_end(struct stop *stop);
 
-/* Around the writing of a file. */
+/* Around the writing of a file, and the changing of what `last` reads. */
 void stop_hold(struct stop *stop);
 void stop_release(struct stop *stop);
 

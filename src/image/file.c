@@ -107,21 +107,36 @@ static long find_process(const char *temporary)
     return end - start < 10 ? strtol(temporary + start, NULL, 10) : 0;
 }
 
-/* Temporaries of this name that processes of this machine have left that have been killed. */
-static void remove_stale(int folder, const char *name)
+/*
+ * Whether a temporary of this name was left: by a process of this machine that is no more, or by
+ * one of another machine that has not written for an hour, both times by the clock of the disk.
+ */
+static bool is_stale(int folder, const char *name, const char *entry, time_t now)
+{
+    const time_t age = 3600;
+    const size_t length = strlen(name);
+    const long process = find_process(entry);
+    char temporary[NAME_MAX + 1];
+    struct stat info;
+
+    if (process <= 0 || process == (long)getpid())
+        return false;
+    name_temporary(name, process, temporary);
+    if (!strcmp(entry, temporary))
+        return kill((pid_t)process, 0) != 0 && errno == ESRCH;
+    return entry[0] == '.' && !strncmp(entry + 1, name, length) && entry[1 + length] == '.' &&
+           fstatat(folder, entry, &info, AT_SYMLINK_NOFOLLOW) == 0 && now - info.st_mtime > age;
+}
+
+static void remove_stale(int folder, const char *name, time_t now)
 {
     const int again = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     DIR *entries = again >= 0 ? fdopendir(again) : NULL;
     if (!entries && again >= 0)
         close(again);
     for (const struct dirent *entry; entries && (entry = readdir(entries));) {
-        char temporary[NAME_MAX + 1];
-        const long process = find_process(entry->d_name);
-        if (process <= 0 || process == (long)getpid())
-            continue;
-        name_temporary(name, process, temporary);
-        if (!strcmp(entry->d_name, temporary) && kill((pid_t)process, 0) != 0 && errno == ESRCH)
-            unlinkat(folder, temporary, 0);
+        if (is_stale(folder, name, entry->d_name, now))
+            unlinkat(folder, entry->d_name, 0);
     }
     if (entries)
         closedir(entries);
@@ -182,10 +197,10 @@ static enum status replace(const struct target *target, const char *path, const 
                            size_t size)
 {
     char temporary[NAME_MAX + 1];
+    struct stat info;
     int file;
     bool ok;
 
-    remove_stale(target->folder, target->name);
     name_temporary(target->name, (long)getpid(), temporary);
     file = create(target->folder, temporary);
     /* the name is this process's own, so this one was left by a dead process of the same number */
@@ -194,6 +209,8 @@ static enum status replace(const struct target *target, const char *path, const 
     if (file < 0)
         return cannot_create(path, strerror(errno));
 
+    if (fstat(file, &info) == 0)
+        remove_stale(target->folder, target->name, info.st_mtime);
     ok = write_all(file, data, size) && fsync(file) == 0;
     if (!ok) {
         const enum status status = cannot_write(path);

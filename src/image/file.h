@@ -3,8 +3,8 @@
  *
  * A file is written to a temporary beside it (".NAME.HOST.PID.tmp"), checked write by write,
  * fsynced, closed and renamed: whoever looks finds the older file whole or the new one whole. A
- * failure leaves the older file and no temporary. One that a process has left which was killed on
- * this machine goes when the file is written again.
+ * failure leaves the older file and no temporary. One that a process has left which was killed
+ * goes when the file is written again: on this machine at once, on another one an hour later.
  */
 #ifndef FIRN_IMAGE_FILE_H
 #define FIRN_IMAGE_FILE_H

@@ -1,8 +1,10 @@
 """test_frames.py: sequences, `firn render --frames`. Usage: see case.py."""
+import json
 import os
 import pty
 import re
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -243,12 +245,90 @@ class Resume(Frames):
         self.assertEqual(done.stderr, b'a b.exr: up to date\n')
 
 
+class Report(Frames):
+    """--json says what became of each frame."""
+
+    def report(self, name='report.json'):
+        return json.loads(self.read(name))
+
+    def test_drawn_then_current(self):
+        words = ('--resume', '--json', 'report.json', '-o', '#.exr', '-o', '#.png')
+        self.draw('2,1', *words)
+        first = self.report()
+        self.assertEqual((first['code'], first['scene']), (0, 'sphere'))
+        self.assertEqual([(f['frame'], f['state'], f['files']) for f in first['frames']],
+                         [(2, 'drawn', ['2.exr', '2.png']), (1, 'drawn', ['1.exr', '1.png'])])
+        for frame in first['frames']:
+            self.assertGreater(frame['seconds'], 0)
+            self.assertRegex(frame['hash'], r'\A[0-9a-f]{16}\Z')
+        self.draw('1-3', *words)
+        again = {f['frame']: f for f in self.report()['frames']}
+        self.assertEqual([again[i]['state'] for i in (1, 2, 3)], ['current', 'current', 'drawn'])
+        self.assertEqual([again[f['frame']]['hash'] for f in first['frames']],
+                         [f['hash'] for f in first['frames']])
+        self.assertEqual(len({f['hash'] for f in again.values()}), 3)  # of different times
+        self.draw('1', *words, '--fov', '40')
+        self.assertNotEqual(self.report()['frames'][0]['hash'], again[1]['hash'])
+
+    def test_to_stdout(self):
+        done = self.succeed('render', 'sphere', *SMALL, '-q', '-o', 'a.exr', '--json', '-')
+        self.assertEqual(json.loads(done.stdout)['frames'][0]['files'], ['a.exr'])
+        self.refuse(USAGE, 'render', 'sphere', *SMALL, '-o', '-', '--json', '-', names=['stdout'])
+        self.refuse(CANT_CREATE, 'render', 'sphere', *SMALL, '--json', 'gone/a', env=NO_DRIVER,
+                    names=['gone/a'])
+
+    def test_a_name_that_is_no_text(self):
+        name = b'\xff.exr'.decode(errors='surrogateescape')
+        done = self.firn('render', 'sphere', *SMALL, '-o', name, '--json', 'report.json')
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(self.report()['frames'][0]['files'], ['?.exr'])
+
+    def test_some_frames_failed(self):
+        """A file that cannot be created is no reason not to draw the others."""
+        with socket.socket(socket.AF_UNIX) as server:
+            os.chdir(self.folder)
+            self.addCleanup(os.chdir, '/')
+            server.bind('2.exr')  # looks as if it could be written to
+            words = ('render', 'sphere', *SMALL, '-q', '-o', '#.exr', '--json', 'report.json')
+            self.refuse(1, *words, '--frames', '1-3', names=['2.exr'])
+            self.assertEqual([f['state'] for f in self.report()['frames']],
+                             ['drawn', 'failed', 'drawn'])
+            self.assertEqual(self.report()['code'], 1)
+            self.refuse(CANT_CREATE, *words, '--frames', '2', names=['2.exr'])  # all of them
+            self.assertEqual(self.report()['code'], CANT_CREATE)
+
+    def test_an_end_before_the_end(self):
+        (self.folder / '2.exr').symlink_to('/dev/full')
+        done = self.firn('render', 'sphere', *SMALL, '--frames', '1-3', '-o', '#.exr', '--json',
+                         'report.json')
+        self.assertEqual(done.returncode, WRITE)
+        self.assertEqual([f['state'] for f in self.report()['frames']],
+                         ['drawn', 'failed', 'left'])
+
+
+class Together(Frames):
+    """Processes that know nothing of each other write the same files."""
+
+    def test_the_same_frames(self):
+        self.draw('1-6', '-o', 'alone.#.exr')
+        for more in ((), ('--resume',)):
+            words = [Case.program, 'render', 'sphere', *SMALL, '--frames', '1-6', '-o', '#.exr']
+            racers = [subprocess.Popen([*words, *more], env=environment({}), cwd=self.folder,
+                                       stderr=subprocess.PIPE) for _ in range(3)]
+            for racer in racers:
+                said = racer.communicate(timeout=120)[1]
+                self.assertEqual(racer.returncode, 0, said)
+        for i in range(1, 7):
+            self.assertTrue(self.read(f'{i}.exr') == self.read(f'alone.{i}.exr'), i)
+        self.assertEqual(len(self.files()), 12)  # and no temporaries
+
+
 class Stop(Frames):
     """A signal ends the program, and leaves only whole files."""
 
     def start(self, *arguments, handlers=(), stderr=subprocess.PIPE):
         def prepare():
-            for number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):
+            for number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM, signal.SIGUSR1):
                 signal.signal(number, dict(handlers).get(number, signal.SIG_DFL))
         process = subprocess.Popen(
             [Case.program, 'render', 'sphere', *arguments], env=environment({}), cwd=self.folder,
@@ -280,6 +360,22 @@ class Stop(Frames):
             self.assertEqual(process.wait(60), code, process.stderr.read())
             self.assertEqual(process.stderr.read(), b'')
         self.check_whole_files(9)
+
+    def test_to_be_started_again(self):
+        """SIGUSR1 of a batch system: with 75, and a report of what is left."""
+        process = self.start(*SMALL, '--frames', LONG, '-q', '-o', '#.exr', '--json', 'report.txt')
+        self.wait_for(process, ['3.exr'])
+        process.send_signal(signal.SIGUSR1)
+        self.assertEqual(process.wait(60), 75, process.stderr.read())
+        report = json.loads((self.folder / 'report.txt').read_text())
+        self.assertEqual(report['code'], 75)
+        states = [f['state'] for f in report['frames']]
+        self.assertEqual(sorted(states), states)  # drawn, then left
+        self.assertEqual(len(states), 9999)
+        (self.folder / 'report.txt').unlink()
+        count = len(self.files())
+        self.assertIn(count - states.count('drawn'), (0, 1))  # one is written, not yet counted
+        self.check_whole_files(3)
 
     def test_within_a_file(self):
         """The file is finished first."""

@@ -6,6 +6,7 @@ import os
 import pathlib
 import signal
 import sys
+import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import CANT_CREATE, WRITE, Case, main  # noqa: E402
@@ -75,12 +76,17 @@ class Output(Case):
         self.check('kill', (-signal.SIGKILL,))
 
     def test_others_temporaries_stay(self):
-        """Of a process that lives, of another machine, of another file."""
+        """Of a process that lives, of another machine within an hour, of another file."""
         host = os.uname().nodename
         names = [f'.a.exr.{host}.{os.getpid()}.tmp', '.a.exr.elsewhere.1.tmp',
                  f'.b.exr.{host}.999999999.tmp', f'.a.exr.{host}.tmp', f'.a.exr.{host}.x.tmp']
-        for name in (*names, f'.a.exr.{host}.999999999.tmp'):
+        old = '.b.exr.elsewhere.1.tmp', '.a.exr.elsewhere.x.tmp', f'.a.exr.{host}.1.tmp'
+        gone = f'.a.exr.{host}.999999999.tmp', '.a.exr.elsewhere.2.tmp'
+        names += old
+        for name in (*names, *gone):
             pathlib.Path(self.folder / name).touch()
+        for name in (*old, gone[1]):
+            os.utime(self.folder / name, (0, time.time() - 3700))
         self.assertEqual(self.draw().returncode, 0)
         self.assertEqual(self.files(), sorted([*NAMES, *names, 'one.exr']))
 

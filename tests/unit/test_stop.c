@@ -77,6 +77,21 @@ static void write_first(struct stop *stop, int number, int out)
         pause();
 }
 
+static void say_last(void *user, int code)
+{
+    const int *out = user;
+    dprintf(*out, "last %d", code);
+}
+
+static void wait_with_last_words(struct stop *stop, int number, int out)
+{
+    stop->user = &out; /* lives as long as the child */
+    stop->last = say_last;
+    kill(getpid(), number);
+    for (;;)
+        pause();
+}
+
 static void end_first(struct stop *stop, int number, int out)
 {
     stop_end(stop);
@@ -93,7 +108,8 @@ static void outlive(struct stop *stop, int number, int out)
     say(out, "alive");
 }
 
-static const int numbers[] = { SIGHUP, SIGINT, SIGTERM };
+static const int numbers[] = { SIGHUP, SIGINT, SIGTERM, SIGUSR1 };
+static const int codes[] = { 129, 130, 143, 75 };
 
 enum {
     NUMBER_COUNT = sizeof(numbers) / sizeof(numbers[0])
@@ -104,7 +120,7 @@ static void test_exit_codes(void **state)
     char words[64];
     (void)state;
     for (size_t i = 0; i < NUMBER_COUNT; i++)
-        assert_int_equal(run(wait_for_end, SIG_DFL, numbers[i], words), 128 + numbers[i]);
+        assert_int_equal(run(wait_for_end, SIG_DFL, numbers[i], words), codes[i]);
 }
 
 static void test_not_while_held(void **state)
@@ -112,8 +128,19 @@ static void test_not_while_held(void **state)
     char words[64];
     (void)state;
     for (size_t i = 0; i < NUMBER_COUNT; i++) {
-        assert_int_equal(run(write_first, SIG_DFL, numbers[i], words), 128 + numbers[i]);
+        assert_int_equal(run(write_first, SIG_DFL, numbers[i], words), codes[i]);
         assert_string_equal(words, "written");
+    }
+}
+
+static void test_last_words(void **state)
+{
+    static const char *const said[] = { "last 129", "last 130", "last 143", "last 75" };
+    char words[64];
+    (void)state;
+    for (size_t i = 0; i < NUMBER_COUNT; i++) {
+        assert_int_equal(run(wait_with_last_words, SIG_DFL, numbers[i], words), codes[i]);
+        assert_string_equal(words, said[i]);
     }
 }
 
@@ -148,7 +175,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_exit_codes),        cmocka_unit_test(test_not_while_held),
         cmocka_unit_test(test_not_after_the_end), cmocka_unit_test(test_ignored_ones_stay_ignored),
-        cmocka_unit_test(test_end_without_begin),
+        cmocka_unit_test(test_end_without_begin), cmocka_unit_test(test_last_words),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,134 @@
+/* sequence.c: frames, and the files that they go to. */
+#include "src/app/sequence.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/output.h"
+#include "src/image/file.h"
+#include "src/log.h"
+#include "src/scene_settings.h"
+
+static enum status out_of_memory(void)
+{
+    log_error("out of memory");
+    return STATUS_TRY_AGAIN;
+}
+
+static enum status parse_frames(struct sequence *sequence, const struct app_options *o)
+{
+    if (o->frames)
+        return frame_range_parse(&sequence->range, o->frames);
+    sequence->range.frames = calloc(1, sizeof(*sequence->range.frames));
+    sequence->range.count = 1;
+    return sequence->range.frames ? STATUS_OK : out_of_memory();
+}
+
+/* After the names: those of all frames must differ, whoever draws them. */
+static enum status take_chunk(struct sequence *sequence, const struct app_options *o)
+{
+    if (!o->frames) {
+        log_error("--chunk %u/%u: it needs --frames", o->chunk, o->chunk_count);
+        return STATUS_USAGE;
+    }
+    frame_range_chunk(&sequence->range, o->chunk, o->chunk_count);
+    if (!sequence->range.count && !o->quiet)
+        fprintf(stderr, "--chunk %u/%u: has no frame\n", o->chunk, o->chunk_count);
+    return STATUS_OK;
+}
+
+static enum status parse_name(struct sequence *sequence, const struct app_options *o, uint32_t i)
+{
+    const char *path = o->outputs[i];
+    const uint32_t count = sequence->range.count;
+    struct frame_name *name = &sequence->names[i];
+
+    *name = (struct frame_name){ .path = path };
+    if (!o->frames) {
+        if (!frame_name_is_pattern(path))
+            return STATUS_OK;
+        log_error("--output %s: a place for the frame's number needs --frames", path);
+        return STATUS_USAGE;
+    }
+    enum status status = frame_name_parse(name, path);
+    if (status != STATUS_OK || count == 1 || name->length)
+        return status;
+    if (!strcmp(path, "-"))
+        log_error("--output -: stdout takes one picture, --frames names %u", count);
+    else
+        log_error("--output %s: %u frames need a place for their number, such as #### or %%04d",
+                  path, count);
+    return STATUS_USAGE;
+}
+
+static enum status parse_names(struct sequence *sequence, struct app_options *o)
+{
+    enum status status = STATUS_OK;
+    bool stdout_taken = o->reports.json && !strcmp(o->reports.json, "-");
+    bool has_png = false;
+    if (!o->output_count)
+        o->outputs[o->output_count++] = o->frames ? "firn.####.exr" : "firn.exr";
+    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++) {
+        const bool is_stdout = !strcmp(o->outputs[i], "-");
+        if (is_stdout && stdout_taken) {
+            log_error("stdout takes one picture, or one report, and - names it twice");
+            return STATUS_USAGE;
+        }
+        stdout_taken = stdout_taken || is_stdout;
+        has_png = has_png || output_is_png(o->outputs[i]);
+        status = parse_name(sequence, o, i);
+    }
+    if (status == STATUS_OK && o->show && !has_png) {
+        log_error("--show %s: only PNG files show a layer; name one (-o FILE.png)", o->show->name);
+        return STATUS_USAGE;
+    }
+    return status;
+}
+
+enum status sequence_parse(struct sequence *sequence, struct app_options *o)
+{
+    enum status status = parse_frames(sequence, o);
+    if (status == STATUS_OK)
+        status = parse_names(sequence, o);
+    if (status == STATUS_OK && o->chunk)
+        status = take_chunk(sequence, o);
+    return status;
+}
+
+double sequence_time(const struct app_options *o, int32_t frame)
+{
+    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
+    return (double)motion->time + frame / (double)motion->fps;
+}
+
+static enum status check_frame(const struct sequence *sequence, const struct app_options *o,
+                               int32_t frame)
+{
+    const struct setting *row = settings_find("motion.time");
+    const double time = sequence_time(o, frame);
+    enum status status = STATUS_OK;
+    if (time < row->min || time > row->max) {
+        log_error("--frames %s: frame %d would be at %.7g seconds, not within %.7g and %.7g "
+                  "(motion.time + frame / motion.fps)",
+                  o->frames, (int)frame, time, row->min, row->max);
+        return STATUS_USAGE;
+    }
+    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++) {
+        char *path = frame_name_make(&sequence->names[i], frame);
+        status = path ? file_check(path) : out_of_memory();
+        free(path);
+    }
+    return status;
+}
+
+enum status sequence_check(const struct sequence *sequence, const struct app_options *o)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < sequence->range.count && status == STATUS_OK; i++)
+        status = check_frame(sequence, o, sequence->range.frames[i]);
+    return status;
+}
+
+void sequence_finish(struct sequence *sequence)
+{
+    frame_range_finish(&sequence->range);
+}
