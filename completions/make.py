@@ -47,7 +47,8 @@ class Facts:
         """Words that are no options; None: files alone."""
         if command.name == 'list':
             return list(CATEGORIES)
-        return None if command.name == 'diff' else list(self.lists['scenes'])
+        kinds = ['slurm', 'parallel', 'status'] if command.name == 'farm' else []
+        return None if command.name == 'diff' else kinds + list(self.lists['scenes'])
 
 
 def bash(facts):

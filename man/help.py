@@ -2,7 +2,8 @@
 import re
 import subprocess
 
-COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet', 'list')
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet',
+            'farm', 'list')
 LISTS = ('scenes', 'rungs', 'materials', 'layers', 'settings')
 
 

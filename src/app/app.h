@@ -3,6 +3,7 @@
 #define FIRN_APP_APP_H
 
 #include <stdbool.h>
+#include <stdio.h>
 #include "graph/rg_time.h"
 #include "src/frames.h"
 #include "src/gpu/gpu_swapchain.h"
@@ -15,6 +16,7 @@ enum {
     APP_OUTPUT_COUNT = 16,    /* -o options at most */
     APP_POSITIONAL_COUNT = 2, /* words that are no options */
     APP_SWEEP_COUNT = 4,      /* --sweep */
+    APP_SBATCH_COUNT = 16,    /* --sbatch */
 };
 
 /* How firn graph prints a plan. */
@@ -57,6 +59,15 @@ struct app_ladder {
     const char *truth; /* file; NULL: none */
 };
 
+/* Of firn farm. */
+struct app_farm {
+    uint32_t task_count; /* 0: one for each frame, up to FARM_TASKS */
+    const char *hosts;   /* of GNU parallel; NULL: this machine */
+    const char *sbatch[APP_SBATCH_COUNT];
+    uint32_t sbatch_count;
+    bool submit;
+};
+
 /* What the command line says; zero is the default everywhere. */
 struct app_options {
     const char *positionals[APP_POSITIONAL_COUNT]; /* SCENE, what to list, two files */
@@ -77,7 +88,8 @@ struct app_options {
     const char *frames;          /* --frames, not parsed; NULL: one picture */
     uint32_t chunk, chunk_count; /* of frames, from 1; 0: all of them */
     bool validate, no_cache, quiet, resume;
-    char *const *words; /* of the command line, from the command on; ends at NULL */
+    const char *program; /* as it was called */
+    char *const *words;  /* of the command line, from the command on; ends at NULL */
     enum app_format format;
     enum rg_clock clock;        /* to measure by; RG_CLOCK_NONE: what a test of the device finds */
     uint32_t warmup, run_count; /* of firn profile, as are: */
@@ -96,6 +108,7 @@ struct app_options {
     enum rg_sharing sharing;
     struct app_diff diff; /* its mask is of firn ladder's truth, too */
     struct app_ladder ladder;
+    struct app_farm farm;
 };
 
 enum app_command {
@@ -108,6 +121,7 @@ enum app_command {
     APP_LADDER = 64,
     APP_BAKE = 128,
     APP_SHEET = 256,
+    APP_FARM = 512,
 };
 
 /*
@@ -116,6 +130,12 @@ enum app_command {
  */
 MUST_USE enum status app_parse(struct app_options *options, enum app_command command, int argc,
                                char **argv, bool *done);
+
+/*
+ * Writes those of a command's words that firn render takes, too, quoted, with a space before each.
+ * The first `skip` words that are no options are left out.
+ */
+void app_print_render_words(char *const *words, enum app_command command, uint32_t skip, FILE *out);
 
 /* The help of a command, on stdout. */
 void app_help(enum app_command command);
@@ -138,6 +158,7 @@ enum status app_diff(const struct app_options *options);
 enum status app_ladder(const struct app_options *options);
 enum status app_bake(const struct app_options *options);
 enum status app_sheet(const struct app_options *options);
+enum status app_farm(const struct app_options *given);
 
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);

@@ -22,6 +22,7 @@ static const struct {
     { "ladder", APP_LADDER, app_ladder, "compare every way to refract with the traced truth" },
     { "bake", APP_BAKE, app_bake, "draw what surrounds a scene's object, once, for --env" },
     { "sheet", APP_SHEET, app_sheet, "draw every material, or value of a setting, side by side" },
+    { "farm", APP_FARM, app_farm, "a long sequence on many machines: Slurm, GNU parallel" },
     { "list", APP_LIST, app_list, "scenes, rungs, materials, layers, settings, devices" },
 };
 
@@ -77,9 +78,8 @@ static enum status run(int argc, char **argv)
     struct app_options options;
     bool done;
     if (argc < 2) {
-        log_error(
-            "a command is missing: render, view, profile, graph, diff, ladder, bake, sheet or "
-            "list (see --help)");
+        log_error("a command is missing: render, view, profile, graph, diff, ladder, bake, sheet, "
+                  "farm or list (see --help)");
         return STATUS_USAGE;
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))
@@ -92,6 +92,7 @@ static enum status run(int argc, char **argv)
     if (i == COMMAND_COUNT)
         return unknown(argv[1]);
     enum status status = app_parse(&options, commands[i].command, argc - 2, argv + 2, &done);
+    options.program = argv[0];
     options.words = argv + 1;
     if (status == STATUS_OK && !done)
         status = commands[i].run(&options);

@@ -7,12 +7,14 @@
 #include <string.h>
 #include "src/app/app.h"
 #include "src/app/option_diff.h"
+#include "src/app/option_farm.h"
 #include "src/app/option_ladder.h"
 #include "src/app/option_picture.h"
 #include "src/app/option_profile.h"
 #include "src/app/option_values.h"
 #include "src/app/option_view.h"
 #include "src/app/show.h"
+#include "src/app/words.h"
 #include "src/log.h"
 #include "src/reference/reference.h"
 #include "src/scene/material.h"
@@ -30,14 +32,14 @@ struct option {
 
 /* ---- the table ---- */
 
-#define FRAMES   (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW)
+#define FRAMES   (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW | APP_FARM)
 #define PICTURES (FRAMES | APP_LADDER | APP_SHEET)
 #define SCENES   (PICTURES | APP_BAKE)
-#define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW)
-#define DEVICES  (APP_RENDER | APP_PROFILE | APP_VIEW | APP_LADDER | APP_BAKE | APP_SHEET)
+#define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
+#define DEVICES  ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
 static const struct option options[] = {
-    { "Output", "output", 'o', "FILE", APP_RENDER, option_output,
+    { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, option_output,
       "write FILE.exr or FILE.png, may be repeated; - is an EXR on stdout (firn.exr)" },
     { "Output", "output", 'o', "FILE", APP_LADDER, option_ladder_output,
       "FILE.png: contact sheet, .exr: layers, .svg: plot, .html: page; may be repeated" },
@@ -54,7 +56,7 @@ static const struct option options[] = {
       "samples a pixel (1); a window shows one, its screenshots have all" },
     { "Output", "aov", 0, "LIST", FILES, option_aov,
       "extra layers of the EXR: names with commas between (firn list layers), or all" },
-    { "Output", "show", 0, "LAYER", APP_RENDER, option_show,
+    { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, option_show,
       "what PNG files show in place of the picture: one layer (firn list layers)" },
     { "Window", "frames", 0, "N", APP_VIEW, option_frame_count, "end after so many frames" },
     { "Window", "time-step", 0, "SECONDS", APP_VIEW, option_time_step,
@@ -71,7 +73,7 @@ static const struct option options[] = {
       "on the right of a divider: --refraction is on its left (S, [ and ] there)" },
     { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, option_watch,
       "compile shaders there when they are saved, and show them (shaders)" },
-    { "Sequence", "frames", 0, "LIST", APP_RENDER, option_frames,
+    { "Sequence", "frames", 0, "LIST", APP_RENDER | APP_FARM, option_frames,
       "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
     { "Sequence", "chunk", 0, "K/N", APP_RENDER, option_chunk,
       "only part K of N of these frames, for several machines" },
@@ -79,6 +81,14 @@ static const struct option options[] = {
       "draw only what is not there yet, whole and with the same options" },
     { "Sequence", "json", 0, "FILE", APP_RENDER, option_json,
       "write what became of each frame: state, seconds, hash; - is stdout" },
+    { "Farm", "tasks", 0, "N", APP_FARM, option_farm_tasks,
+      "jobs that share the frames (one for each frame, at most 100)" },
+    { "Farm", "submit", 0, NULL, APP_FARM, option_farm_submit,
+      "run the script at once in place of printing it" },
+    { "Farm", "sbatch", 0, "OPTION", APP_FARM, option_farm_sbatch,
+      "an option of sbatch, such as --time=2:00:00; may be repeated" },
+    { "Farm", "hosts", 0, "LIST", APP_FARM, option_farm_hosts,
+      "for ssh, with commas between, : is this machine (:)" },
     { "Runs", "runs", 'n', "N", APP_PROFILE, option_runs, "runs that count (30)" },
     { "Runs", "warmup", 0, "N", APP_PROFILE, option_warmup, "runs before them (5)" },
     { "Runs", "time-step", 0, "SECONDS", APP_PROFILE, option_time_step,
@@ -154,7 +164,7 @@ static const struct option options[] = {
       "print a Graphviz digraph, not text" },
     { "Format", "html", 0, NULL, APP_GRAPH, option_format_html,
       "print a page that shows passes and memory" },
-    { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER, option_format_json,
+    { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM, option_format_json,
       "print JSON, with everything" },
     { "Other", "quiet", 'q', NULL, SCENES, option_quiet, "no progress" },
 };
@@ -194,6 +204,13 @@ static const char *const examples[] = {
                    "--set refract.fresnel=crossfade -o fade.png\n"
                    "  firn sheet room --sweep refraction=paper,bounce --sweep "
                    "refract.lookup=infinite,box\n"),
+    [APP_FARM] = ("  firn farm slurm ice-cube --frames 1-250 -o turn.####.exr\n"
+                  "  firn farm slurm ice-cube --frames 1-250 -o turn.####.exr --tasks 25 "
+                  "--sbatch --time=1:00:00\n"
+                  "  firn farm parallel ice-cube --frames 1-250 -o turn.####.exr "
+                  "--hosts one,two,:\n"
+                  "  firn farm status ice-cube --frames 1-250 -o turn.####.exr\n"
+                  "  firn farm status turn.####.exr --frames 1-250\n"),
     [APP_LIST] = ("  firn list\n"
                   "  firn list settings\n"),
 };
@@ -207,6 +224,7 @@ static const char *const usages[] = {
     [APP_LADDER] = "firn ladder [options] [SCENE]: how far every rung is from the traced truth",
     [APP_BAKE] = "firn bake [options] SCENE: draw what surrounds its object, six ways",
     [APP_SHEET] = "firn sheet [options] SCENE: one picture for each value, side by side",
+    [APP_FARM] = "firn farm slurm|parallel|status [options] SCENE: a sequence on many machines",
     [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
 };
 
@@ -229,6 +247,11 @@ void app_help(enum app_command command)
         printf(
             "\nThe file is a strip of six faces, +X -X +Y -Y +Z -Z from the top, in half: R, G, B "
             "and\nA = 1 / distance from the object's centre, metres. --env takes it.\n");
+    if (command == APP_FARM)
+        printf("slurm prints a script for sh that gives the frames to Slurm, parallel one for GNU "
+               "parallel;\nstatus says which frames are there, with exit code 0 if all are. Of "
+               "files alone, without\nSCENE, it compares their settings with those of the newest "
+               "file.\n");
     if (command == APP_LADDER)
         printf("\nWithout SCENE it is the ice cube: the smooth object alone, with "
                "refract.fresnel=exact and\n"
@@ -317,7 +340,7 @@ static enum status parse_option(struct app_options *o, enum app_command command,
 
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
-    const uint32_t most = command == APP_DIFF ? 2 : 1;
+    const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2 : 1;
     uint32_t count = 0;
     while (count < most && o->positionals[count])
         count++;
@@ -391,9 +414,33 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
         if (status != STATUS_OK)
             return status;
     }
-    if (command != APP_RENDER && refuse_traced(o) != STATUS_OK)
+    if (!(command & (APP_RENDER | APP_FARM)) && refuse_traced(o) != STATUS_OK)
         return STATUS_USAGE;
     return settle_layers(o);
+}
+
+void app_print_render_words(char *const *words, enum app_command command, uint32_t skip, FILE *out)
+{
+    bool only_words = false;
+    for (; *words; words++) {
+        const char *value = "";
+        const bool is_option = !only_words && words[0][0] == '-' && words[0][1];
+        const bool is_last = is_option && !strcmp(*words, "--");
+        const struct option *option = is_option && !is_last ? split(*words, command, &value) : NULL;
+        const bool has_next = option && option->value && !value && !is_optional(option);
+        const bool skipped = !is_option && skip > 0;
+        only_words = only_words || is_last;
+        skip -= skipped;
+        if (!skipped && (!option || option->commands & APP_RENDER)) {
+            putc(' ', out);
+            words_quote(*words, out);
+            if (has_next) {
+                putc(' ', out);
+                words_quote(words[1], out);
+            }
+        }
+        words += has_next;
+    }
 }
 
 /* Options that say what is drawn. */

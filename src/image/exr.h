@@ -42,4 +42,10 @@ MUST_USE enum status exr_read(const char *path, struct image *image);
  */
 bool exr_matches(const char *path, const struct image *image, const struct exr_header *header);
 
+/*
+ * Reads a file to its end. *text: a text of its header, "" if there is none of that name; the
+ * caller frees it. Limits and errors as exr_read(); *text is then NULL.
+ */
+MUST_USE enum status exr_inspect(const char *path, const char *name, char **text);
+
 #endif

@@ -300,3 +300,33 @@ bool exr_matches(const char *path, const struct image *image, const struct exr_h
     fclose(source.file);
     return same;
 }
+
+enum status exr_inspect(const char *path, const char *name, char **text)
+{
+    struct source source = { 0 };
+    struct image image = { 0 };
+    struct reader reader = { .image = &image, .source = &source };
+    const char *value = NULL;
+    int32_t length;
+    exr_result_t result;
+    enum status status = file_open(path, &source.file, &source.size);
+
+    *text = NULL;
+    if (status != STATUS_OK)
+        return status;
+    result = open_reader(&reader, path);
+    if (result == EXR_ERR_SUCCESS)
+        result = read_part(&reader);
+    if (result == EXR_ERR_SUCCESS &&
+        exr_attr_get_string(reader.context, 0, name, &length, &value) != EXR_ERR_SUCCESS)
+        value = "";
+    status = report(path, &source, result);
+    if (status == STATUS_OK && !(*text = strdup(value))) {
+        log_error("%s: out of memory", path);
+        status = STATUS_TRY_AGAIN;
+    }
+    exr_finish(&reader.context);
+    image_finish(&image);
+    fclose(source.file);
+    return status;
+}

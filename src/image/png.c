@@ -240,3 +240,42 @@ bool png_matches(const char *path, const struct png_picture *picture)
     free(bytes);
     return same && has_texels && at == size && text_count == picture->text_count;
 }
+
+/* The value of such a text chunk, malloc'd; NULL: it is another chunk, or memory is short. */
+static char *copy_text(const uint8_t *chunk, const char *name)
+{
+    const size_t name_size = strlen(name) + 1;
+    const size_t gap = is_chunk(chunk, "iTXt") ? 4 : 0;
+    const size_t data_size = get_u32(chunk);
+
+    if ((!gap && !is_chunk(chunk, "tEXt")) || data_size < name_size + gap ||
+        memcmp(chunk + 8, name, name_size) != 0)
+        return NULL;
+    return strndup((const char *)chunk + 8 + name_size + gap, data_size - name_size - gap);
+}
+
+enum status png_inspect(const char *path, const char *name, char **text)
+{
+    size_t size = 0, at = 8, chunk_size = 1;
+    uint8_t *bytes = read_file(path, &size);
+    bool has_end = false;
+
+    *text = NULL;
+    if (!bytes)
+        return STATUS_NO_INPUT;
+    while (chunk_size > 0 && !has_end && at < size) {
+        chunk_size = measure_chunk(bytes + at, size - at);
+        if (chunk_size > 0 && !*text)
+            *text = copy_text(bytes + at, name);
+        has_end = chunk_size > 0 && is_chunk(bytes + at, "IEND");
+        at += chunk_size;
+    }
+    const bool is_whole = has_end && at == size && memcmp(bytes + 1, "PNG", 3) == 0;
+    free(bytes);
+    if (is_whole && (*text || (*text = strdup(""))))
+        return STATUS_OK;
+    free(*text);
+    *text = NULL;
+    log_error(is_whole ? "%s: out of memory" : "%s: no PNG file, or damaged", path);
+    return is_whole ? STATUS_TRY_AGAIN : STATUS_DATA;
+}

@@ -38,4 +38,7 @@ MUST_USE enum status png_read(const char *path, struct image *image);
  */
 bool png_matches(const char *path, const struct png_picture *picture);
 
+/* As exr_inspect(), by the check sums of all chunks. */
+MUST_USE enum status png_inspect(const char *path, const char *name, char **text);
+
 #endif

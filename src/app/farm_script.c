@@ -1,0 +1,117 @@
+/* farm_script.c: such scripts as a person would write. */
+#include "src/app/farm_script.h"
+#include <stdlib.h>
+#include "src/app/words.h"
+
+/* The words of the command line, without "farm" and what comes of it. */
+static void print_words(const struct farm_script *script, FILE *out)
+{
+    app_print_render_words(script->options->words + 1, APP_FARM, 1, out);
+}
+
+static void print_program(const struct farm_script *script, const char *what, FILE *out)
+{
+    words_quote(script->program, out);
+    fprintf(out, " %s", what);
+}
+
+static void print_head(const struct farm_script *script, FILE *out)
+{
+    fprintf(out,
+            "#!/bin/sh\n"
+            "# %u frame%s in %u task%s. To run it again does no harm: what is there stays.\n"
+            "set -eu\n"
+            "mkdir -p %s.logs\n\n",
+            script->frame_count, script->frame_count > 1 ? "s" : "", script->task_count,
+            script->task_count > 1 ? "s" : "", script->name);
+}
+
+/* ---- Slurm ---- */
+
+static void print_sbatch(const struct farm_script *script, FILE *out)
+{
+    for (uint32_t i = 0; i < script->options->farm.sbatch_count; i++)
+        fprintf(out, "#SBATCH %s\n", script->options->farm.sbatch[i]);
+}
+
+void farm_script_slurm(const struct farm_script *script, FILE *out)
+{
+    print_head(script, out);
+    fprintf(out,
+            "job=$(sbatch --parsable <<'END'\n"
+            "#!/bin/sh\n"
+            "#SBATCH --job-name=%s\n"
+            "#SBATCH --array=1-%u\n"
+            "#SBATCH --requeue\n"
+            "#SBATCH --open-mode=append\n"
+            "#SBATCH --output=%s.logs/%%A_%%a.log\n"
+            "#SBATCH --signal=USR1@60\n",
+            script->name, script->task_count, script->name);
+    print_sbatch(script, out);
+    fprintf(out, "srun ");
+    print_program(script, "render --resume --chunk ", out);
+    fprintf(out, "\"$SLURM_ARRAY_TASK_ID/%u\" \\\n   ", script->task_count);
+    print_words(script, out);
+    fprintf(out,
+            "\ncode=$?\n"
+            "# 75: worth another try. SIGUSR1 comes a minute before the time is up.\n"
+            "if [ $code -eq 75 ] && [ \"${SLURM_RESTART_COUNT:-0}\" -lt 20 ]; then\n"
+            "    scontrol requeue \"${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID\"\n"
+            "fi\n"
+            "exit $code\n"
+            "END\n)\n"
+            "echo \"job ${job%%%%;*}: %u tasks, logs in %s.logs\"\n\n",
+            script->task_count, script->name);
+    fprintf(out,
+            "sbatch --parsable --dependency=\"afterany:${job%%%%;*}\" <<'END' >/dev/null\n"
+            "#!/bin/sh\n"
+            "#SBATCH --job-name=%s.status\n"
+            "#SBATCH --output=%s.logs/status.log\n",
+            script->name, script->name);
+    print_sbatch(script, out);
+    print_program(script, "farm status \\\n   ", out);
+    print_words(script, out);
+    fprintf(out, "\nEND\n");
+}
+
+/* ---- GNU parallel ---- */
+
+/* It hands a line to the shell of the host, so what is quoted there is quoted once more here. */
+static void print_line(const struct farm_script *script, FILE *out)
+{
+    char *line = NULL;
+    size_t size;
+    FILE *words = open_memstream(&line, &size);
+    if (words) {
+        print_program(script, "render --resume --chunk ", words);
+        fprintf(words, "{}/%u", script->task_count);
+        print_words(script, words);
+        fclose(words);
+    }
+    if (line)
+        words_quote(line, out);
+    free(line);
+}
+
+void farm_script_parallel(const struct farm_script *script, FILE *out)
+{
+    const char *hosts = script->options->farm.hosts;
+    print_head(script, out);
+    fprintf(out, "# A host that does not answer is left alone, and its tasks go to the others.\n"
+                 ": \"${PARALLEL_SSH:=ssh -o BatchMode=yes -o ConnectTimeout=10}\"\n"
+                 "export PARALLEL_SSH\n"
+                 "parallel --sshlogin ");
+    words_quote(hosts ? hosts : ":", out);
+    fprintf(out,
+            " --workdir \"$PWD\" --jobs 1 --retries 4 \\\n"
+            "    --joblog %s.logs/joblog --resume-failed \\\n    ",
+            script->name);
+    print_line(script, out);
+    fprintf(out,
+            " \\\n"
+            "    ::: $(seq %u) </dev/null || echo \"tasks have failed: %s.logs/joblog\" >&2\n\n",
+            script->task_count, script->name);
+    print_program(script, "farm status \\\n   ", out);
+    print_words(script, out);
+    putc('\n', out);
+}

@@ -1,0 +1,23 @@
+/*
+ * farm_script.h: scripts for sh that give a sequence to Slurm or GNU parallel. What they start is
+ * firn render --resume --chunk K/N, so that whatever is lost is drawn by whoever comes next.
+ */
+#ifndef FIRN_APP_FARM_SCRIPT_H
+#define FIRN_APP_FARM_SCRIPT_H
+
+#include <stdio.h>
+#include "src/app/app.h"
+
+struct farm_script {
+    const struct app_options *options;
+    uint32_t frame_count;
+    uint32_t task_count; /* 1 to frame_count */
+    const char *program; /* firn, as the shell finds it */
+    const char *name;    /* of the job and of the folder of logs, letters and digits */
+};
+
+typedef void farm_script_fn(const struct farm_script *script, FILE *out);
+
+farm_script_fn farm_script_slurm, farm_script_parallel;
+
+#endif

@@ -1,0 +1,237 @@
+/* farm_status.c: which frames are done. */
+#include "src/app/farm_status.h"
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "src/app/output.h"
+#include "src/image/exr.h"
+#include "src/image/png.h"
+#include "src/log.h"
+
+/* A frame is as its worst file. */
+enum state {
+    DONE,
+    STALE, /* whole, but of other settings, or by another version of firn */
+    DAMAGED,
+    MISSING,
+    STATE_COUNT,
+};
+
+static const struct {
+    const char *name, *words;
+} states[STATE_COUNT] = {
+    [DONE] = { "done", "" },
+    [STALE] = { "stale", "whole, but of other settings or of another firn" },
+    [DAMAGED] = { "damaged", "" },
+    [MISSING] = { "missing", "" },
+};
+
+struct look {
+    const struct app_options *o;
+    const struct sequence *sequence;
+    struct scene scene;
+    struct camera camera;
+    char *newest[APP_OUTPUT_COUNT]; /* without a scene: settings of the newest file; may be NULL */
+    enum state *frames;
+    uint32_t counts[STATE_COUNT];
+};
+
+static enum status out_of_memory(void)
+{
+    log_error("out of memory");
+    return STATUS_TRY_AGAIN;
+}
+
+/* ---- files ---- */
+
+/* Reads a file to its end; NULL if that cannot be done. What differs from frame to frame is cut. */
+static char *read_settings(const char *path)
+{
+    static const char time[] = " motion.time=";
+    static const char name[] = "firn/settings";
+    char *text = NULL;
+    const enum status status =
+        output_is_png(path) ? png_inspect(path, name, &text) : exr_inspect(path, name, &text);
+    if (status != STATUS_OK)
+        return NULL;
+    char *at = strstr(text, time);
+    if (at) {
+        const char *end = at + sizeof(time) - 1;
+        end += strcspn(end, " ");
+        memmove(at, end, strlen(end) + 1);
+    }
+    return text;
+}
+
+static enum state judge(const struct look *look, const struct output *output, uint32_t i,
+                        const char *path)
+{
+    if (access(path, F_OK) != 0)
+        return MISSING;
+    if (output && output_is_current(output, path))
+        return DONE;
+    char *settings = read_settings(path);
+    const bool same = settings && !output && look->newest[i] && !strcmp(settings, look->newest[i]);
+    const enum state state = !settings ? DAMAGED : same ? DONE : STALE;
+    free(settings);
+    return state;
+}
+
+static enum status look_at_frame(struct look *look, uint32_t index)
+{
+    const int32_t number = look->sequence->range.frames[index];
+    struct output output = {
+        .options = look->o,
+        .scene = &look->scene,
+        .shot = { .camera = look->camera, .time = (float)sequence_time(look->o, number) },
+    };
+    const bool has_scene = look->o->positionals[0] != NULL;
+    enum status status = has_scene ? output_describe(&output) : STATUS_OK;
+    enum state worst = DONE;
+    for (uint32_t i = 0; i < look->o->output_count && status == STATUS_OK; i++) {
+        char *path = frame_name_make(&look->sequence->names[i], number);
+        const enum state state = path ? judge(look, has_scene ? &output : NULL, i, path) : DONE;
+        worst = state > worst ? state : worst;
+        if (!path)
+            status = out_of_memory();
+        free(path);
+    }
+    look->frames[index] = worst;
+    look->counts[worst]++;
+    output_finish(&output);
+    return status;
+}
+
+/* The newest that can be read. */
+static enum status find_newest(struct look *look, uint32_t i)
+{
+    struct timespec best = { 0 };
+    for (uint32_t f = 0; f < look->sequence->range.count; f++) {
+        char *path = frame_name_make(&look->sequence->names[i], look->sequence->range.frames[f]);
+        struct stat info;
+        if (!path)
+            return out_of_memory();
+        const bool newer =
+            stat(path, &info) == 0 && S_ISREG(info.st_mode) &&
+            (info.st_mtim.tv_sec > best.tv_sec ||
+             (info.st_mtim.tv_sec == best.tv_sec && info.st_mtim.tv_nsec > best.tv_nsec));
+        char *settings = newer ? read_settings(path) : NULL;
+        if (settings) {
+            best = info.st_mtim;
+            free(look->newest[i]);
+            look->newest[i] = settings;
+        }
+        free(path);
+    }
+    return STATUS_OK;
+}
+
+/* ---- words ---- */
+
+/* As --frames takes them, from `begin` on: the index after those that it could say at once. */
+static uint32_t print_run(const struct look *look, uint32_t begin, enum state state)
+{
+    const int32_t *frames = look->sequence->range.frames;
+    const uint32_t count = look->sequence->range.count;
+    const int64_t step = begin + 1 < count ? (int64_t)frames[begin + 1] - frames[begin] : 1;
+    uint32_t end = begin + 1;
+    while (end < count && look->frames[end] == state &&
+           (int64_t)frames[end] - frames[end - 1] == step)
+        end++;
+    printf("%d", (int)frames[begin]);
+    if (end - begin > 1)
+        printf("-%d", (int)frames[end - 1]);
+    if (end - begin > 1 && step != 1 && step != -1)
+        printf("x%lld", (long long)llabs(step));
+    return end;
+}
+
+static void print_text(const struct look *look)
+{
+    for (int state = 0; state < STATE_COUNT; state++) {
+        const char *before = "  ";
+        if (!look->counts[state])
+            continue;
+        printf("%-7s %6u", states[state].name, look->counts[state]);
+        for (uint32_t i = 0; i < look->sequence->range.count;) {
+            if (look->frames[i] != (enum state)state) {
+                i++;
+                continue;
+            }
+            printf("%s", before);
+            before = ",";
+            i = print_run(look, i, (enum state)state);
+        }
+        printf("%s%s\n", states[state].words[0] ? "  " : "", states[state].words);
+    }
+}
+
+static enum status print_json(const struct look *look)
+{
+    json_t *frames = json_array();
+    bool ok = frames != NULL;
+    for (uint32_t i = 0; i < look->sequence->range.count && ok; i++)
+        ok = json_array_append_new(frames, json_pack("{s:i, s:s}", "frame",
+                                                     (int)look->sequence->range.frames[i], "state",
+                                                     states[look->frames[i]].name)) == 0;
+    json_t *json =
+        ok ? json_pack("{s:i, s:i, s:i, s:i, s:O}", "done", (int)look->counts[DONE], "stale",
+                       (int)look->counts[STALE], "damaged", (int)look->counts[DAMAGED], "missing",
+                       (int)look->counts[MISSING], "frames", frames)
+           : NULL;
+    char *text = json ? json_dumps(json, JSON_INDENT(2)) : NULL;
+    if (text)
+        printf("%s\n", text);
+    ok = text != NULL;
+    free(text);
+    json_decref(json);
+    json_decref(frames);
+    return ok ? STATUS_OK : out_of_memory();
+}
+
+/* ---- all of it ---- */
+
+static enum status look_at_all(struct look *look)
+{
+    const uint32_t count = look->sequence->range.count;
+    struct app_options options = *look->o; /* the scene settles some */
+    enum status status = STATUS_OK;
+    look->o = &options;
+    look->frames = calloc(count, sizeof(*look->frames));
+    if (!look->frames)
+        return out_of_memory();
+    if (options.positionals[0]) {
+        status = app_load_scene(&look->scene, &options);
+        if (status == STATUS_OK)
+            status = app_camera(&look->camera, &look->scene, &options);
+    } else {
+        for (uint32_t i = 0; i < options.output_count && status == STATUS_OK; i++)
+            status = find_newest(look, i);
+    }
+    for (uint32_t i = 0; i < count && status == STATUS_OK; i++)
+        status = look_at_frame(look, i);
+    return status;
+}
+
+enum status farm_status(const struct app_options *options, const struct sequence *sequence)
+{
+    struct look look = { .o = options, .sequence = sequence };
+    enum status status = look_at_all(&look);
+    if (status == STATUS_OK && options->format == APP_FORMAT_JSON)
+        status = print_json(&look);
+    else if (status == STATUS_OK)
+        print_text(&look);
+    if (fflush(stdout) || ferror(stdout)) {
+        log_error("stdout: cannot be written");
+        status = STATUS_WRITE;
+    }
+    if (status == STATUS_OK && look.counts[DONE] < sequence->range.count)
+        status = STATUS_FAILED;
+    for (uint32_t i = 0; i < APP_OUTPUT_COUNT; i++)
+        free(look.newest[i]);
+    free(look.frames);
+    scene_finish(&look.scene);
+    return status;
+}
