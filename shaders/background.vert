@@ -22,8 +22,10 @@ layout(location = 4) flat out uint out_material;
 
 void main()
 {
-    vec3 point = pose_surroundings(position, material);
-    gl_Position = push.clip_from_world * vec4(point, 1.0);
+    /* two passes must agree: layers are tested against the depth that the picture wrote */
+    precise vec3 point = pose_surroundings(position, material);
+    precise vec4 clip = push.clip_from_world * vec4(point, 1.0);
+    gl_Position = clip;
     out_eye_to_point = point - push.eye;
     out_normal = pose_surroundings_normal(normal, material);
     out_color = color;

@@ -8,19 +8,9 @@
 #ifndef REFRACT_GLSL
 #define REFRACT_GLSL
 #include "lib/constants.glsl"
-#include "lib/optics.glsl"
 #include "refract_environment.glsl"
-#include "refract_front.glsl"
+#include "refract_way.glsl"
 #include "surface.glsl"
-
-/* Light through the ice, against its direction: from the eye to where it leaves. */
-struct refract_way {
-    vec3 dir;      /* in which it leaves */
-    vec3 point;    /* from where, world */
-    float path;    /* inside, metres; 0 where a rung knows no back */
-    float bounces; /* how often it is totally reflected inside */
-    float tir;     /* 1 if so at the first surface that it meets inside, else 0 */
-};
 
 struct refract_result {
     refract_way way;
@@ -28,9 +18,6 @@ struct refract_result {
     vec3 reflection; /* radiance along the reflected direction */
     float fresnel;   /* share of the reflection */
 };
-
-/* The rung's. `channel` is that of the colour: its index is frame.etas[channel]. */
-refract_way refract_follow(vec3 e, vec3 n_f, int channel);
 
 #ifdef REFRACT_PER_VERTEX
 layout(location = REFRACT_REFLECTED) in vec3 reflected;
@@ -45,21 +32,10 @@ vec3 refract_mirrored(vec3 e, vec3 n_f)
 #endif
 }
 
-vec3 refract_front_point()
-{
-    return frame.eye + eye_to_point;
-}
-
 /* Of a cube with the object's diagonal: of what has no other size, metres. */
 float refract_width()
 {
     return 2.0 * frame.radius * inversesqrt(3.0);
-}
-
-/* One bend at the front, and straight on from there. */
-refract_way refract_leave_at_front(vec3 dir)
-{
-    return refract_way(dir, refract_front_point(), 0.0, 0.0, 0.0);
 }
 
 vec3 refract_transmitted(refract_way way)

@@ -1,4 +1,5 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define REFRACT_BOUNCE
+#include "refract.glsl"
 #include "refract_march.glsl"

@@ -29,9 +29,9 @@ ivec2 refract_texel(vec4 clip)
 }
 
 /* Between texels that all show a face, linear; else that of the nearest. */
-float refract_depth_at(sampler2D depths, vec4 clip)
+float refract_depth_at_uv(sampler2D depths, vec2 uv)
 {
-    vec2 at = refract_uv(clip) * vec2(textureSize(depths, 0)) - 0.5;
+    vec2 at = uv * vec2(textureSize(depths, 0)) - 0.5;
     vec2 corner = floor(at);
     vec2 share = at - corner;
     vec4 d = textureGather(depths, (corner + 1.0) / vec2(textureSize(depths, 0)));
@@ -39,6 +39,11 @@ float refract_depth_at(sampler2D depths, vec4 clip)
         return mix(mix(d.w, d.z, share.x), mix(d.x, d.y, share.x), share.y);
     vec2 low = share.x < 0.5 ? d.wx : d.zy;
     return share.y < 0.5 ? low.x : low.y;
+}
+
+float refract_depth_at(sampler2D depths, vec4 clip)
+{
+    return refract_depth_at_uv(depths, refract_uv(clip));
 }
 
 /* Unit; the mean of the nearest texels that show a face, {0} if none does. */

@@ -6,14 +6,18 @@
  */
 #ifndef REFRACT_MARCH_GLSL
 #define REFRACT_MARCH_GLSL
-#include "refract.glsl"
 #include "refract_maps.glsl"
 #include "refract_march.h"
+#include "refract_way.glsl"
 
+#ifndef REFRACT_MARCH /* a struct refract_march */
 layout(push_constant, scalar) uniform Push
 {
     refract_march march;
 };
+
+#define REFRACT_MARCH march
+#endif
 
 #ifdef REFRACT_BOUNCE
 layout(set = 0, binding = REFRACT_NORMAL_FRONT) uniform sampler2D normal_front;
@@ -52,15 +56,15 @@ float march_length(vec3 point, vec3 dir)
     float within = march_start * frame.radius;
     float room = max(march_room(point, dir), within);
     float beyond = room;
-    for (uint i = 1u; i <= march.steps; i++) {
-        float t = mix(march_start * frame.radius, room, float(i) / float(march.steps));
+    for (uint i = 1u; i <= REFRACT_MARCH.steps; i++) {
+        float t = mix(march_start * frame.radius, room, float(i) / float(REFRACT_MARCH.steps));
         if (!march_is_inside(clip + t * way)) {
             beyond = t;
             break;
         }
         within = t;
     }
-    for (uint i = 0u; i < march.halvings; i++) {
+    for (uint i = 0u; i < REFRACT_MARCH.halvings; i++) {
         float t = 0.5 * (within + beyond);
         if (march_is_inside(clip + t * way))
             within = t;
@@ -88,11 +92,13 @@ vec3 march_normal(vec3 point, vec3 dir)
 #endif
 }
 
-refract_way refract_follow(vec3 e, vec3 n_f, int channel)
+/* `leaving` is the share that the last surface lets through: 0 where light does not get out. */
+refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
 {
     float eta = frame.etas[channel];
     refract_way way = refract_leave_at_front(optics_refract(e, n_f, eta));
-    for (uint i = 0u; i <= march.bounces; i++) {
+    leaving = 0.0;
+    for (uint i = 0u; i <= REFRACT_MARCH.bounces; i++) {
         float t = march_length(way.point, way.dir);
         way.point += t * way.dir;
         way.path += t;
@@ -100,6 +106,7 @@ refract_way refract_follow(vec3 e, vec3 n_f, int channel)
         if (dot(n, way.dir) <= 0.0) /* no face to leave through: straight on */
             break;
         bool total = optics_refract_k(way.dir, n, 1.0 / eta) < 0.0;
+        leaving = 1.0 - optics_fresnel(way.dir, n, 1.0 / eta);
         way.dir = optics_refract(way.dir, -n, 1.0 / eta);
         if (!total)
             break;
@@ -107,6 +114,12 @@ refract_way refract_follow(vec3 e, vec3 n_f, int channel)
         way.bounces += 1.0;
     }
     return way;
+}
+
+refract_way refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    float leaving;
+    return march_follow(e, n_f, channel, leaving);
 }
 
 #endif

@@ -21,6 +21,7 @@ struct rg_frame {
     struct rg_mesh air;          /* planes */
     uint32_t bubble_count;       /* in bubbles_spheres */
     struct background_push view;
+    vec2s jitter;                       /* of the sample, pixels */
     struct background_push faces[6];    /* of the cube around the object, Vulkan's order */
     struct present_push present;        /* but for the edge, which each pass has its own */
     const struct overlay_list *overlay; /* tech/overlay_list.h; NULL: nothing */

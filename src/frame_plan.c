@@ -83,11 +83,6 @@ static void want_all(struct frame_plan *p, const struct frame_request *request)
         keep(p, &tonemap_color);
 }
 
-static bool makes_cube(const struct frame_request *request)
-{
-    return request->list.techniques[0] == &env_cube;
-}
-
 static void bring(struct frame_plan *p, const struct frame_request *request)
 {
     p->imports[FRAME_IMPORT_ENVIRONMENT] = (struct rg_import){
@@ -119,7 +114,7 @@ static void bring(struct frame_plan *p, const struct frame_request *request)
     p->imports[FRAME_IMPORT_CUBE] = (struct rg_import){ .image = &env_cube_color,
                                                         .access = RG_SAMPLED,
                                                         .extent = request->cube };
-    p->import_count = makes_cube(request) ? FRAME_IMPORT_CUBE : FRAME_IMPORT_COUNT;
+    p->import_count = is_drawn(p, &env_cube_color) ? FRAME_IMPORT_CUBE : FRAME_IMPORT_COUNT;
 }
 
 static enum status report_faults(const struct rg_plan *plan)

@@ -6,6 +6,7 @@
 #include "src/scene_settings.h"
 #include "src/tech/bump.h"
 #include "src/tech/env_cube.h"
+#include "src/tech/ice_caustics.h"
 #include "src/tech/refract.h"
 #include "src/tech/surface.h"
 #include "src/tech/tonemap.h"
@@ -214,6 +215,40 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [CONSTANT_REFRACT_STEPS] = refract->steps,
         [CONSTANT_TONEMAP_CURVE] = screen->curve,
     } };
+}
+
+/* So far away that its rays are nearly parallel. The map is the same picture, wider. */
+struct frame_view_sun frame_view_sun(const struct frame_view *view, const struct globals *globals)
+{
+    const struct ice_caustics_params *params = settings_of(view->settings, &ice_caustics_settings);
+    const float radius = fmaxf(globals->radius, 1e-6f);
+    const float distance = ICE_CAUSTICS_DISTANCE * radius;
+    const struct camera camera = {
+        .eye = glms_vec3_add(globals->center, glms_vec3_scale(globals->sun_dir, distance)),
+        .target = globals->center,
+        .fov_deg = 2.0f * atanf(ICE_CAUSTICS_MARGIN / ICE_CAUSTICS_DISTANCE) / radians(1.0f),
+    };
+    struct frame_view_sun sun = {
+        .globals = *globals,
+        .map = {
+            .reach = params->reach,
+            .front = distance - radius,
+            .shadow = params->shadow,
+        },
+    };
+    sun.globals.eye = camera.eye;
+    sun.globals.forward = glms_vec3_negate(globals->sun_dir);
+    sun.globals.clip_from_world =
+        camera_clip_from_world(&camera, ICE_CAUSTICS_PHOTONS, ICE_CAUSTICS_PHOTONS,
+                               frame_view_near_plane(view->scene), view->jitter);
+    sun.map.clip_from_world =
+        camera_clip_from_world(&camera, ICE_CAUSTICS_PHOTONS, ICE_CAUSTICS_PHOTONS,
+                               frame_view_near_plane(view->scene), (vec2s){ { 0.0f, 0.0f } });
+    for (int column = 0; column < 4; column++) {
+        sun.map.clip_from_world.raw[column][0] /= params->reach;
+        sun.map.clip_from_world.raw[column][1] /= params->reach;
+    }
+    return sun;
 }
 
 struct far_sphere {

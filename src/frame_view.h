@@ -6,6 +6,7 @@
 
 #include "shaders/bubbles.h"
 #include "shaders/constants.h"
+#include "shaders/ice_caustics.h"
 #include "src/frame.h"
 #include "src/scene/camera.h"
 #include "src/scene/scene.h"
@@ -34,6 +35,15 @@ struct frame_constants {
 };
 struct frame_constants frame_view_constants(const struct scene *scene,
                                             const struct settings *settings);
+
+/* What the sun sees of the object: src/tech/ice_caustics.h. */
+struct frame_view_sun {
+    struct globals globals; /* the view's, but for who looks */
+    struct ice_caustics_light map;
+};
+
+/* `globals` is frame_view_globals(). */
+struct frame_view_sun frame_view_sun(const struct frame_view *view, const struct globals *globals);
 
 /* The scene's bubbles in the world, farthest first: none can hide one that comes after it. */
 void frame_view_bubbles(const struct frame_view *view, const struct globals *globals,

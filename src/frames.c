@@ -13,6 +13,7 @@
 #include "src/tech/env_cube.h"
 #include "src/tech/frost.h"
 #include "src/tech/gbuffer.h"
+#include "src/tech/ice_caustics.h"
 #include "src/tech/ice_depth.h"
 #include "src/tech/ice_interval.h"
 #include "src/tech/ice_normal.h"
@@ -111,9 +112,12 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
     struct frame_list list = { { 0 } };
     if (water_is_on(settings))
         return frame_of_pool(settings);
+    const bool shines = ice_caustics_is_on(settings);
+    if (shines)
+        add(&list, is_bumped(settings) ? &ice_caustics_bumped : &ice_caustics);
     if (frame_cube_is_dynamic(settings))
-        add(&list, &env_cube);
-    add(&list, &background);
+        add(&list, shines ? &env_cube_shine : &env_cube);
+    add(&list, shines ? &background_shine : &background);
     add(&list, &gbuffer);
     add(&list, &ice_depth);
     add(&list, &ice_interval[ice_interval_index(settings)]);
@@ -130,6 +134,8 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
         add(&list, &surface);
     if (is_frosted(settings))
         add(&list, &frost);
+    if (shines)
+        add(&list, &ice_caustics_seen);
     add(&list, &tonemap);
     return list;
 }
@@ -294,11 +300,11 @@ const struct frame_layer frame_layers[] = {
     },
     {
         .name = "caustics",
-        .image = &water_caustics,
+        .image = &caustics_seen,
         .planes = { "caustics.Z" },
         .mean = true,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "the sun's light on the ground that is seen in water; 1: below water at rest",
+        .help = "the sun's light on the ground; 1: below water at rest, or without the ice",
     },
     { 0 },
 };

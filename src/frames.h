@@ -20,7 +20,7 @@ extern const struct rung frame_rungs[]; /* ends at a row of zeros */
 const struct rung *frame_find_rung(const char *name);
 
 enum {
-    FRAME_TECHNIQUE_COUNT = 16
+    FRAME_TECHNIQUE_COUNT = 18
 }; /* at most, in one frame */
 
 /* The techniques of a frame in their order; ends at NULL. */

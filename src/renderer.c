@@ -16,6 +16,7 @@
 #include "src/scene_settings.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/env_cube.h"
+#include "src/tech/ice_caustics.h"
 #include "src/tech/resolve.h"
 #include "src/tech/tonemap.h"
 
@@ -255,6 +256,21 @@ static struct rg_mesh draw_mesh(const struct gpu_buffer *vertices, const struct 
     };
 }
 
+/* The sun's view, where the plan has it. */
+static void write_caustics(const struct frame_view *view, const struct globals *globals,
+                           struct rg_exec *exec, uint32_t slot)
+{
+    struct globals *sun = rg_exec_mapped(exec, &ice_caustics_globals, slot);
+    struct ice_caustics_light *map = rg_exec_mapped(exec, &ice_caustics_light, slot);
+    if (!sun && !map)
+        return;
+    const struct frame_view_sun found = frame_view_sun(view, globals);
+    if (sun)
+        *sun = found.globals;
+    if (map)
+        *map = found.map;
+}
+
 static enum status run_stage(const struct renderer *r, struct stage *stage,
                              const struct renderer_shot *shot, vec2s jitter, uint32_t *slot)
 {
@@ -276,6 +292,7 @@ static enum status run_stage(const struct renderer *r, struct stage *stage,
         .bubble_count = r->params.scene->bubbles.count,
         .cracks = draw_mesh(&s->cracks_vertices, &s->cracks_indices),
         .view = frame_view_push(&view),
+        .jitter = jitter,
     };
     for (uint32_t face = 0; face < 6; face++)
         frame.faces[face] = frame_view_face(&view, face);
@@ -288,6 +305,7 @@ static enum status run_stage(const struct renderer *r, struct stage *stage,
         void *spheres = rg_exec_mapped(stage->exec, &bubbles_spheres, *slot);
         if (spheres)
             frame_view_bubbles(&view, &globals, spheres);
+        write_caustics(&view, &globals, stage->exec, *slot);
         result = rg_exec_submit(stage->exec, &frame);
     }
     return gpu_status(result);

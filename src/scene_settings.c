@@ -24,6 +24,13 @@ static const struct setting landscape_rows[] = {
         .max = GENERATE_TRIANGLES_MAX,
         .help = "triangles of the landscape (0: 2340)",
     },
+    {
+        .name = "landscape.flat",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct landscape_params, flat),
+        .max = 1,
+        .help = "a level floor of tiles under the object, in place of the valley",
+    },
 };
 
 const struct setting_group landscape_settings =

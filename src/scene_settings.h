@@ -10,6 +10,7 @@ struct object_params {
 
 struct landscape_params {
     uint32_t triangles; /* 0: its default */
+    uint32_t flat;      /* 1: a level floor in its place */
 };
 
 struct sky_params {

@@ -15,6 +15,7 @@
 #include "src/tech/cracks.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/frost.h"
+#include "src/tech/ice_caustics.h"
 #include "src/tech/ice_interval.h"
 #include "src/tech/refract.h"
 #include "src/tech/refract_blend.h"
@@ -26,15 +27,34 @@
 #include "src/tech/water.h"
 
 const struct setting_group *const setting_groups[] = {
-    &object_settings,        &landscape_settings,      &sky_settings,
-    &texture_settings,       &motion_settings,         &light_settings,
-    &env_cube_settings,      &refract_settings,        &refract_paper_settings,
-    &refract_blend_settings, &refract_search_settings, &refract_bounce_settings,
-    &absorb_settings,        &local_settings,          &reference_settings,
-    &air_settings,           &bubbles_settings,        &cracks_settings,
-    &ice_interval_settings,  &bump_settings,           &surface_settings,
-    &frost_settings,         &pool_settings,           &water_settings,
-    &caustics_settings,      &tonemap_settings,        NULL,
+    &object_settings,
+    &landscape_settings,
+    &sky_settings,
+    &texture_settings,
+    &motion_settings,
+    &light_settings,
+    &env_cube_settings,
+    &refract_settings,
+    &refract_paper_settings,
+    &refract_blend_settings,
+    &refract_search_settings,
+    &refract_bounce_settings,
+    &absorb_settings,
+    &local_settings,
+    &reference_settings,
+    &air_settings,
+    &bubbles_settings,
+    &cracks_settings,
+    &ice_interval_settings,
+    &bump_settings,
+    &surface_settings,
+    &frost_settings,
+    &ice_caustics_settings,
+    &pool_settings,
+    &water_settings,
+    &caustics_settings,
+    &tonemap_settings,
+    NULL,
 };
 
 /* Where a group's struct begins; groups lie one after another, 16 bytes aligned. */

@@ -88,6 +88,7 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
                    .background = o->has_background ? &o->background : NULL,
                    .object_triangles = object->triangles,
                    .landscape_triangles = landscape->triangles,
+                   .flat = landscape->flat,
                    .mover_count = motion->count,
                    .bump = frame_reads_bump_maps(&o->settings) ? &maps : NULL,
                    .air = { planes->count, planes->seed, planes->size, planes->frequency },
@@ -122,6 +123,7 @@ bool app_same_scene(const struct app_options *a, const struct app_options *b)
         "bump.seed",        "air.count",           "air.seed",     "air.size",
         "air.frequency",    "bubbles.count",       "bubbles.seed", "bubbles.size",
         "cracks.count",     "cracks.seed",         "pool.size",    "pool.depth",
+        "landscape.flat",
     };
     const struct settings *before = &a->settings;
     const struct settings *after = &b->settings;

@@ -9,6 +9,7 @@
 #include "src/tech/bump.h"
 #include "src/tech/cracks.h"
 #include "src/tech/frost.h"
+#include "src/tech/ice_caustics.h"
 #include "src/tech/surface.h"
 
 const struct rung reference_rung = { .name = "reference" };
@@ -89,5 +90,6 @@ bool reference_leaves_out(const struct settings *settings, char *names, size_t s
     add_name(names, size, "frost", rough->amount > 0.0f);
     add_name(names, size, "highlights",
              lights->count > 0 && lights->strength > 0.0f && shine->strength > 0.0f);
+    add_name(names, size, "light through the ice", ice_caustics_is_on(settings));
     return names[0] != '\0';
 }

@@ -47,6 +47,12 @@ bool generate_teapot(struct mesh *mesh, uint32_t triangles);
 bool generate_landscape(struct mesh *mesh, uint32_t triangles);
 
 /*
+ * A level floor of pale tiles on which the object stands, as far as the eye sees: for light that
+ * comes through the object. Lit, facing up.
+ */
+bool generate_floor(struct mesh *mesh, struct box object);
+
+/*
  * A closed room, 11.7 x 6.3 x 9.9 m, with a table under the object, which stands off its middle.
  * Walls, floor and ceiling are tiled with coloured lines, a lamp and a window are bright; colours
  * are what is seen (MESH_UNLIT), with the shadows of furniture.

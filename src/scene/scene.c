@@ -97,6 +97,9 @@ static enum status add_landscape(struct scene *scene, const struct scene_params 
 {
     uint32_t triangles =
         params->landscape_triangles ? params->landscape_triangles : GENERATE_LANDSCAPE_TRIANGLES;
+    if (params->flat)
+        return generate_floor(&scene->model.surroundings, scene->box) ? STATUS_OK
+                                                                      : out_of_memory("floor");
     if (!generate_landscape(&scene->model.surroundings, triangles))
         return out_of_memory("landscape");
     if (!find_builtin(params->name))

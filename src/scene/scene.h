@@ -48,6 +48,7 @@ struct scene_params {
     const vec3s *background;         /* NULL: the sky */
     uint32_t object_triangles;       /* of a built-in object; 0: its default */
     uint32_t landscape_triangles;    /* 0: default */
+    bool flat;                       /* a level floor in the landscape's place */
     uint32_t mover_count;            /* objects that move around it */
     struct generate_air air;         /* count 0: none */
     struct generate_bubbles bubbles; /* the same */

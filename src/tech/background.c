@@ -4,6 +4,7 @@
 #include "src/tech/background.h"
 #include "shaders/embedded.h"
 #include "src/frame.h"
+#include "src/tech/ice_caustics.h"
 
 static rg_record_fn record_surroundings, record_sky;
 
@@ -28,28 +29,41 @@ const struct rg_use background_sky_uses[] = {
     { 0 },
 };
 
-const struct rg_use background_uses[] = {
+#define USE_TEXTURES \
+    { \
+        .image = &frame_textures, .access = RG_SAMPLED, .binding = BACKGROUND_TEXTURES, \
+        .sampler = &frame_texture_sampler \
+    }
+
+const struct rg_use background_uses[] = { FRAME_USE_GLOBALS, USE_TEXTURES, { 0 } };
+
+const struct rg_use background_shine_uses[] = {
     FRAME_USE_GLOBALS,
-    {
-        .image = &frame_textures,
-        .access = RG_SAMPLED,
-        .binding = BACKGROUND_TEXTURES,
-        .sampler = &frame_texture_sampler,
-    },
+    USE_TEXTURES,
+    ICE_CAUSTICS_USES,
     { 0 },
 };
 
+#define SURROUNDINGS_ROW(surroundings) \
+    { \
+        .name = "background.surroundings", surroundings(&background_color, &background_depth), \
+        .record = record_surroundings \
+    }
+
+#define SKY_ROW \
+    { \
+        .name = "background.sky", BACKGROUND_SKY(&background_color, &background_depth), \
+        .record = record_sky \
+    }
+
 static const struct rg_pass passes[] = {
-    {
-        .name = "background.surroundings",
-        BACKGROUND_SURROUNDINGS(&background_color, &background_depth),
-        .record = record_surroundings,
-    },
-    {
-        .name = "background.sky",
-        BACKGROUND_SKY(&background_color, &background_depth),
-        .record = record_sky,
-    },
+    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS),
+    SKY_ROW,
+};
+
+static const struct rg_pass shine_passes[] = {
+    SURROUNDINGS_ROW(BACKGROUND_SHINING_SURROUNDINGS),
+    SKY_ROW,
 };
 
 static void record_sky(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -67,4 +81,9 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
 const struct technique background = {
     .graph = RG_TECHNIQUE("background", passes),
     .help = "sky or environment picture, and the surroundings",
+};
+
+const struct technique background_shine = {
+    .graph = RG_TECHNIQUE("background", shine_passes),
+    .help = "the same with light that comes through the ice",
 };

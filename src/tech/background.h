@@ -6,13 +6,22 @@
 extern const struct rg_image background_color; /* linear radiance, alpha 1 */
 extern const struct rg_image background_depth; /* reversed: 1 near, 0 infinitely far */
 extern const struct technique background;
+extern const struct technique background_shine; /* in the light of ice_caustics.h */
 
 /* Rows that draw the surroundings, and then the sky where there are none; both push a struct
  * background_push. */
 #define BACKGROUND_SURROUNDINGS(color_image, depth_image) \
+    BACKGROUND_SURROUNDINGS_BY(color_image, depth_image, &background_frag, background_uses)
+
+/* The same in the light of ice_caustics.h. */
+#define BACKGROUND_SHINING_SURROUNDINGS(color_image, depth_image) \
+    BACKGROUND_SURROUNDINGS_BY(color_image, depth_image, &background_shine_frag, \
+                               background_shine_uses)
+
+#define BACKGROUND_SURROUNDINGS_BY(color_image, depth_image, shader, used) \
     .color[0] = { (color_image), RG_LOAD_DISCARD }, /* the sky fills what is left */ \
         .depth = { (depth_image), RG_LOAD_CLEAR },  /* 0 is infinity */ \
-        .uses = background_uses, .vert = &background_vert, .frag = &background_frag, \
+        .uses = (used), .vert = &background_vert, .frag = (shader), \
     .vertices = &frame_mesh_layout, .depth_compare = VK_COMPARE_OP_GREATER, \
     .push_size = sizeof(struct background_push)
 
@@ -22,6 +31,6 @@ extern const struct technique background;
     .uses = background_sky_uses, .vert = &background_sky_vert, .frag = &background_sky_frag, \
     .push_size = sizeof(struct background_push)
 
-extern const struct rg_use background_sky_uses[], background_uses[];
+extern const struct rg_use background_sky_uses[], background_uses[], background_shine_uses[];
 
 #endif

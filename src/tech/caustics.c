@@ -38,6 +38,11 @@ static rg_record_fn record_map, record_grid, record_photons, record_screen, reco
     }
 
 const struct rg_image caustics_light = MAP("caustics.light", VK_FORMAT_R16_SFLOAT);
+const struct rg_image caustics_seen = {
+    .name = "caustics.seen",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
 static const struct rg_image caustics_counts = MAP("caustics.counts", VK_FORMAT_R32_UINT);
 static const struct rg_image caustics_raw = MAP("caustics.raw", VK_FORMAT_R32_SFLOAT);
 

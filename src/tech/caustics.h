@@ -8,6 +8,10 @@
  * it below water at rest with nothing around it. */
 extern const struct rg_image caustics_light;
 
+/* The layer: the light on the ground that a pixel shows, as in caustics_light, or as much as
+ * without the ice (ice_caustics.h); 0 elsewhere. */
+extern const struct rg_image caustics_seen;
+
 extern const struct setting_group caustics_settings; /* struct caustics_params */
 
 /* The technique of the method that the settings choose, or NULL: none. */

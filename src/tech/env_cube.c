@@ -14,6 +14,7 @@
 #include "shaders/embedded.h"
 #include "src/frame.h"
 #include "src/tech/background.h"
+#include "src/tech/ice_caustics.h"
 
 enum {
     FACE_SIZE = 512
@@ -37,19 +38,26 @@ static const struct rg_image env_cube_depth = {
     .layers = 6,
 };
 
+#define SURROUNDINGS_ROW(surroundings) \
+    { \
+        .name = "env_cube.surroundings", .repeat = RG_PER_LAYER, \
+        surroundings(&env_cube_color, &env_cube_depth), .record = record_surroundings \
+    }
+
+#define SKY_ROW \
+    { \
+        .name = "env_cube.sky", .repeat = RG_PER_LAYER, \
+        BACKGROUND_SKY(&env_cube_color, &env_cube_depth), .record = record_sky \
+    }
+
 static const struct rg_pass passes[] = {
-    {
-        .name = "env_cube.surroundings",
-        .repeat = RG_PER_LAYER,
-        BACKGROUND_SURROUNDINGS(&env_cube_color, &env_cube_depth),
-        .record = record_surroundings,
-    },
-    {
-        .name = "env_cube.sky",
-        .repeat = RG_PER_LAYER,
-        BACKGROUND_SKY(&env_cube_color, &env_cube_depth),
-        .record = record_sky,
-    },
+    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS),
+    SKY_ROW,
+};
+
+static const struct rg_pass shine_passes[] = {
+    SURROUNDINGS_ROW(BACKGROUND_SHINING_SURROUNDINGS),
+    SKY_ROW,
 };
 
 static void push_face(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -87,4 +95,10 @@ const struct technique env_cube = {
     .graph = RG_TECHNIQUE("env_cube", passes),
     .settings = &env_cube_settings,
     .help = "the scene without the ice, six ways from its centre",
+};
+
+const struct technique env_cube_shine = {
+    .graph = RG_TECHNIQUE("env_cube", shine_passes),
+    .settings = &env_cube_settings,
+    .help = "the same with light that comes through the ice",
 };

@@ -5,6 +5,7 @@
 
 extern const struct rg_image env_cube_color; /* linear radiance; a: 1 / distance, 1 / metre */
 extern const struct technique env_cube;
+extern const struct technique env_cube_shine; /* in the light of ice_caustics.h */
 extern const struct setting_group env_cube_settings;
 
 struct env_cube_params {

@@ -23,11 +23,6 @@
 
 static rg_record_fn record_surface;
 
-const struct rg_image water_caustics = {
-    .name = "water.caustics",
-    .format = VK_FORMAT_R32_SFLOAT,
-};
-
 #define SURFACE \
     .vert = &water_vert, .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP, \
     .push_size = sizeof(struct water_push), .record = record_surface
@@ -84,7 +79,7 @@ static const struct rg_pass lit_passes[] = {
     },
     {
         .name = "water.layers",
-        .color[0] = { &water_caustics, RG_LOAD_CLEAR },
+        .color[0] = { &caustics_seen, RG_LOAD_CLEAR },
         .depth = { &background_depth, RG_LOAD_KEEP },
         .depth_read_only = true,
         .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,

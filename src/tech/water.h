@@ -4,9 +4,6 @@
 #include "shaders/water.h"
 #include "src/technique.h"
 
-/* The sun's light on the ground that is seen in the water, as in caustics_light; 0 elsewhere. */
-extern const struct rg_image water_caustics;
-
 extern const struct technique water;     /* its ground under even light */
 extern const struct technique water_lit; /* under caustics_light */
 extern const struct setting_group water_settings, pool_settings;

@@ -412,6 +412,37 @@ static bool is_covered(const struct mesh *mesh, int axis, vec3s point)
     return false;
 }
 
+/* Level, under the object, lit from above, without holes: its area is that of a square. */
+static void test_floor(void **state)
+{
+    const struct box object = { { { 1, 2, 3 } }, { { 3, 5, 9 } } };
+    struct mesh mesh;
+    double area = 0;
+    (void)state;
+    assert_true(generate_floor(&mesh, object));
+    for (uint32_t i = 0; i < mesh.index_count; i += 3) {
+        const struct mesh_vertex *v = mesh.vertices;
+        const uint32_t *corner = &mesh.indices[i];
+        const vec3s a = glms_vec3_sub(v[corner[1]].position, v[corner[0]].position);
+        const vec3s b = glms_vec3_sub(v[corner[2]].position, v[corner[0]].position);
+        const vec3s square = glms_vec3_cross(a, b);
+        assert_true(square.y > 0); /* counter-clockwise from above */
+        area += (double)square.y / 2;
+    }
+    for (uint32_t i = 0; i < mesh.vertex_count; i++) {
+        CHECK_NEAR(mesh.vertices[i].position.y, 2, 0);
+        CHECK_NEAR(mesh.vertices[i].normal.y, 1, 0);
+        assert_true((mesh.vertices[i].material & MESH_UNLIT) == 0);
+    }
+    const struct box box = mesh_box(&mesh);
+    const double side = (double)(box.max.x - box.min.x);
+    CHECK_NEAR(box_center(box).x, 2, 1e-3);
+    CHECK_NEAR(box_center(box).z, 6, 1e-3);
+    CHECK_NEAR(side, 200 * 7, 0.1); /* of the object's diagonal */
+    CHECK_NEAR(area / (side * side), 1, 1e-4);
+    mesh_finish(&mesh);
+}
+
 /* Six whole walls; the object lies on the table, off the middle. */
 static void test_room(void **state)
 {
@@ -496,6 +527,7 @@ int main(void)
         cmocka_unit_test(test_solids_have_no_walls_inside),
         cmocka_unit_test(test_teapot_looks_like_one),
         cmocka_unit_test(test_landscape),
+        cmocka_unit_test(test_floor),
         cmocka_unit_test(test_room),
         cmocka_unit_test(test_pool),
         cmocka_unit_test(test_same_mesh_every_time),

@@ -12,8 +12,8 @@
 #include "src/frame_plan.h"
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
+#include "src/tech/caustics.h"
 #include "src/tech/ice_normal.h"
-#include "src/tech/water.h"
 #include "tests/support/check.h"
 #include "tests/support/feature.h"
 
@@ -29,7 +29,7 @@ struct golden {
     const char *rung;
     bool layers;                   /* all of them */
     bool static_cube;              /* that comes from outside */
-    bool pool;                     /* instead of the object */
+    const char *setting;           /* that is changed; NULL: none */
     const struct feature *feature; /* instead of a list */
     const char *program, *folder;
     bool update;
@@ -42,8 +42,12 @@ static const struct golden goldens[] = {
     { .name = "plan_one_sided", .rung = "one-sided" },
     { .name = "plan_one_sided_layers", .rung = "one-sided", .layers = true },
     { .name = "plan_bounce", .rung = "bounce" },
-    { .name = "plan_pool", .rung = "paper", .pool = true },
-    { .name = "plan_pool_layers", .rung = "paper", .pool = true, .layers = true },
+    { .name = "plan_pool", .rung = "paper", .setting = "pool.water=on" },
+    { .name = "plan_pool_layers", .rung = "paper", .setting = "pool.water=on", .layers = true },
+    { .name = "plan_shine_layers",
+      .rung = "paper",
+      .setting = "ice_caustics.light=sun",
+      .layers = true },
     { .name = "plan_capture", .list = LIST_CAPTURE },
     { .name = "plan_resolve", .list = LIST_RESOLVE },
 };
@@ -73,8 +77,8 @@ static struct frame_request request_of(const struct golden *golden)
         struct settings settings = settings_default();
         if (golden->static_cube)
             assert_int_equal(settings_set(&settings, "env_cube.dynamic=off"), STATUS_OK);
-        if (golden->pool)
-            assert_int_equal(settings_set(&settings, "pool.water=on"), STATUS_OK);
+        if (golden->setting)
+            assert_int_equal(settings_set(&settings, golden->setting), STATUS_OK);
         request.list = frame_with(rung, &settings);
     }
     return request;
@@ -273,8 +277,7 @@ static uint32_t check_inside(const char *setting, bool air_is_on, bool bubbles_a
     for (uint32_t i = 0; frame_layers[i].name; i++) {
         const struct rg_image *image = frame_layers[i].image;
         const bool is_off = !image || (image == &air_color && !air_is_on) ||
-                            (image == &bubbles_color && !bubbles_are_on) ||
-                            image == &water_caustics;
+                            (image == &bubbles_color && !bubbles_are_on) || image == &caustics_seen;
         assert_true(!frame_plan_buffer(&plan, image) == is_off);
     }
     const uint32_t count = plan.plan->pass_count;

@@ -12,6 +12,7 @@
 #include "shaders/frost.h"
 #include "shaders/gbuffer.h"
 #include "shaders/globals.h"
+#include "shaders/ice_caustics.h"
 #include "shaders/overlay.h"
 #include "shaders/present.h"
 #include "shaders/refract_blend.h"
@@ -130,6 +131,26 @@ static const struct shared shared_structs[] = {
             FIELD(globals, surface),
             FIELD(globals, local_min),
             FIELD(globals, local_max),
+        },
+    },
+    {
+        "ice_caustics_light",
+        sizeof(struct ice_caustics_light),
+        {
+            FIELD(ice_caustics_light, clip_from_world),
+            FIELD(ice_caustics_light, reach),
+            FIELD(ice_caustics_light, front),
+            FIELD(ice_caustics_light, shadow),
+        },
+    },
+    {
+        "ice_caustics_push",
+        sizeof(struct ice_caustics_push),
+        {
+            FIELD(ice_caustics_push, march),
+            FIELD(ice_caustics_push, sun_x),
+            FIELD(ice_caustics_push, sun_y),
+            FIELD(ice_caustics_push, sun),
         },
     },
     {
@@ -392,12 +413,13 @@ static const char *const variants[] = {
     "ice_interval.count=8", "pool.water=on",
 };
 
-static size_t check_variants(const struct rung *rung, struct seen *seen)
+static size_t check_variants(const struct rung *rung, const char *also, struct seen *seen)
 {
     size_t rows = 0;
     for (size_t i = 0; i < sizeof(variants) / sizeof(variants[0]); i++) {
         struct settings settings = settings_default();
         assert_int_equal(settings_set(&settings, variants[i]), STATUS_OK);
+        assert_int_equal(settings_set(&settings, also), STATUS_OK);
         const struct frame_list list = frame_with(rung, &settings);
         rows += check_list(&list, seen);
     }
@@ -410,7 +432,8 @@ static void test_rows_and_shaders_agree(void **state)
     struct seen seen = { 0 };
     size_t rows = 0;
     for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        rows += check_variants(rung, &seen);
+        rows += check_variants(rung, "ice_caustics.light=none", &seen);
+        rows += check_variants(rung, "ice_caustics.light=sun", &seen);
     }
     const struct frame_list capture = frame_capture();
     const struct frame_list resolve = frame_resolve();

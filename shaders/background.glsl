@@ -1,0 +1,54 @@
+/* background.glsl: main() of the surroundings; with BACKGROUND_SHINE in the light that comes
+ * through the ice, and in its shadow. */
+#include "background.h"
+#include "lib/constants.glsl"
+#include "lib/globals.glsl"
+#include "lib/sky.glsl"
+#include "mesh.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    background_push push;
+};
+
+layout(set = 0, binding = BACKGROUND_TEXTURES) uniform sampler2DArray textures;
+
+layout(location = 0) in vec3 eye_to_point;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 base_color;
+layout(location = 3) in vec2 uv;
+layout(location = 4) flat in uint material;
+layout(location = 0) out vec4 color;
+
+#ifdef BACKGROUND_SHINE
+#include "lib/ice_shine.glsl"
+
+/* What is unlit shows all its light already, but that which comes through the ice. */
+vec3 light_on(vec3 n, bool unlit)
+{
+    ice_shine shine = ice_shine_at(push.eye + eye_to_point);
+    vec3 sun = sky_sun() * max(dot(n, frame.sun_dir), 0.0);
+    return unlit ? 1.0 + sun * shine.through : sky_ambient(n) + sun * (shine.own + shine.through);
+}
+#else
+vec3 light_on(vec3 n, bool unlit)
+{
+    return constant_lit == 0u || unlit ? vec3(1.0) : sky_light(n);
+}
+#endif
+
+/* Matt surfaces of vertex colour times texture; both sides alike. */
+void main()
+{
+    uint layer = material & MESH_TEXTURE_MASK;
+    vec3 albedo = base_color;
+    if (constant_textured != 0u && layer != 0u) {
+        vec4 texel = texture(textures, vec3(uv, float(layer - 1u)));
+        if ((material & MESH_CUTOUT) != 0u && texel.a < 0.5)
+            discard;
+        albedo *= texel.rgb;
+    }
+    vec3 n = normalize(normal);
+    albedo *= light_on(dot(n, eye_to_point) > 0.0 ? -n : n, (material & MESH_UNLIT) != 0u);
+    color = vec4(albedo, push.inverse != 0u ? 1.0 / length(eye_to_point) : 1.0);
+}

@@ -1,0 +1,37 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/ice_light.glsl"
+
+layout(set = 0, binding = ICE_CAUSTICS_COUNTS) uniform usampler2D counts;
+layout(set = 0, binding = ICE_CAUSTICS_NORMAL) uniform sampler2D normal_front;
+
+layout(location = 0) out vec4 map; /* rgb: 1 is what falls here without ice; a: cover of the ice */
+
+/* rgb: light; a: cover */
+vec4 counted(ivec2 texel)
+{
+    ivec2 at = clamp(texel, ivec2(0), ivec2(ICE_CAUSTICS_SIZE - 1));
+    vec4 found;
+    for (int channel = 0; channel < 3; channel++)
+        found[channel] = float(texelFetch(counts, at + ivec2(channel * ICE_CAUSTICS_SIZE, 0), 0).r);
+    vec2 uv = (vec2(texel) + 0.5) / float(ICE_CAUSTICS_SIZE);
+    found.a = ice_light_ice(normal_front, uv).w;
+    return found;
+}
+
+/* Photons are spread over the nine texels around where they land, and the shadow's edge with them.
+ * Against the area of a photon in the sun's view stands that of a texel. */
+void main()
+{
+    const float weights[3] = { 0.25, 0.5, 0.25 };
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    vec4 sum = vec4(0.0);
+    for (int y = 0; y < 3; y++) {
+        for (int x = 0; x < 3; x++)
+            sum += weights[x] * weights[y] * counted(texel + ivec2(x - 1, y - 1));
+    }
+    float photon = float(ICE_CAUSTICS_SIZE) / (float(ICE_CAUSTICS_PHOTONS) * light.reach);
+    map.rgb = sum.rgb * (photon * photon / ICE_CAUSTICS_WEIGHT);
+    map.rgb = min(map.rgb, vec3(65504.0)); /* a half's largest, in a focus */
+    map.a = sum.a;
+}

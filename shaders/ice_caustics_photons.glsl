@@ -1,0 +1,121 @@
+/*
+ * ice_caustics_photons.glsl: main() of photons: drawn as the ice's front faces that the sun sees, a
+ * texel each; with REFRACT_BUMP through its bumps. Where they land in the map, and what they bring.
+ */
+#define REFRACT_BOUNCE
+#define REFRACT_MARCH push.march
+#include "lib/constants.glsl"
+#include "lib/ice_light.glsl"
+
+layout(push_constant, scalar) uniform Push
+{
+    ice_caustics_push push;
+};
+
+#include "refract_march.glsl"
+
+layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D ground;
+
+/* xy: place in the map; z: share of the photon that gets there */
+layout(location = 0) out vec4 landed_red;
+layout(location = 1) out vec4 landed_green;
+layout(location = 2) out vec4 landed_blue;
+
+const int ground_steps = 24;
+const int ground_halvings = 12;
+const float ground_first = 0.02; /* of the steps, radii of the ice's sphere; each is longer */
+const float ground_last = 64.0;  /* where a ray ends that stays above the map */
+
+/* Two numbers from 0 to 1 for a texel: pcg2d of Jarzynski and Olano 2020. */
+vec2 random(uvec2 v)
+{
+    v = v * 1664525u + 1013904223u;
+    v.x += v.y * 1664525u;
+    v.y += v.x * 1664525u;
+    v ^= v >> 16u;
+    v.x += v.y * 1664525u;
+    v.y += v.x * 1664525u;
+    v ^= v >> 16u;
+    return vec2(v >> 8u) / 16777216.0;
+}
+
+/* A direction from somewhere on the sun's disc: another for each texel and sample. */
+vec3 sun_ray(vec3 e)
+{
+    vec2 u = fract(random(uvec2(gl_FragCoord.xy)) + vec2(push.sun_x, push.sun_y));
+    vec3 a = normalize(cross(e, abs(e.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+    vec3 b = cross(e, a);
+    float away = tan(0.5 * radians(push.sun)) * sqrt(u.x);
+    float angle = 6.28318530718 * u.y;
+    return normalize(e + away * (cos(angle) * a + sin(angle) * b));
+}
+
+/* How far along a ray the map's edge is: where one of |x|, |y| comes to w. */
+float map_room(vec4 clip, vec4 way)
+{
+    float room = ground_last * frame.radius;
+    for (int axis = 0; axis < 2; axis++) {
+        for (float side = -1.0; side < 2.0; side += 2.0) {
+            float gap = clip.w - side * clip[axis];
+            float closing = side * way[axis] - way.w;
+            if (closing > 0.0)
+                room = min(room, gap / closing);
+        }
+    }
+    return room;
+}
+
+bool is_below(vec4 clip)
+{
+    float depth = refract_depth_at_uv(ground, ice_light_uv(clip));
+    return depth > 0.0 && clip.z / clip.w <= depth;
+}
+
+/* Where a ray meets the ground, in the map; z: 1, or 0 where it does not. Behind what hides the
+ * ground from the sun a ray lands on that. */
+vec3 land(vec3 point, vec3 dir)
+{
+    vec4 clip = ice_light_clip(point);
+    vec4 way = light.clip_from_world * vec4(dir, 0.0);
+    float first = ground_first * frame.radius;
+    float growth = max(map_room(clip, way), first) / first;
+    float above = 0.0;
+    float below = 0.0;
+    bool found = is_below(clip);
+    for (int i = 0; i <= ground_steps && !found; i++) {
+        above = below;
+        below = first * pow(growth, float(i) / float(ground_steps));
+        found = is_below(clip + below * way);
+    }
+    for (int i = 0; i < ground_halvings; i++) {
+        float t = 0.5 * (above + below);
+        if (is_below(clip + t * way))
+            below = t;
+        else
+            above = t;
+    }
+    return vec3(ice_light_uv(clip + below * way), found ? 1.0 : 0.0);
+}
+
+void main()
+{
+    vec3 e = sun_ray(normalize(eye_to_point));
+    vec3 n_f = refract_front_normal();
+    vec4 landed[3];
+    refract_way way;
+    float leaving;
+    vec3 place;
+    for (uint i = 0u; i < 3u; i++) {
+        int channel = int(i + 1u) % 3;
+        if (i < constant_refract_colors) {
+            way = march_follow(e, n_f, channel, leaving);
+            place = land(way.point, way.dir);
+            leaving *= 1.0 - optics_fresnel(e, n_f, frame.etas[channel]);
+        }
+        float kept = leaving * exp(-frame.absorb[channel] * way.path);
+        landed[channel] = vec4(place.xy, place.z * kept, 0.0);
+    }
+    landed_red = landed[0];
+    landed_green = landed[1];
+    landed_blue = landed[2];
+}

@@ -1,0 +1,27 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "ice_caustics.h"
+
+layout(local_size_x = ICE_CAUSTICS_GROUP, local_size_y = ICE_CAUSTICS_GROUP) in;
+layout(set = 0, binding = ICE_CAUSTICS_LANDED) uniform sampler2D landed_red;
+layout(set = 0, binding = ICE_CAUSTICS_LANDED + 1) uniform sampler2D landed_green;
+layout(set = 0, binding = ICE_CAUSTICS_LANDED + 2) uniform sampler2D landed_blue;
+layout(set = 0, binding = ICE_CAUSTICS_COUNTS, r32ui) uniform uimage2D counts;
+
+/* Whole numbers are added, so that their order does not matter. */
+void splat(vec4 landed, int channel)
+{
+    ivec2 texel = ivec2(floor(landed.xy * float(ICE_CAUSTICS_SIZE)));
+    uint weight = uint(landed.z * ICE_CAUSTICS_WEIGHT + 0.5);
+    if (weight > 0u && all(greaterThanEqual(texel, ivec2(0))) &&
+        all(lessThan(texel, ivec2(ICE_CAUSTICS_SIZE))))
+        imageAtomicAdd(counts, texel + ivec2(channel * ICE_CAUSTICS_SIZE, 0), weight);
+}
+
+void main()
+{
+    ivec2 photon = ivec2(gl_GlobalInvocationID.xy);
+    splat(texelFetch(landed_red, photon, 0), 0);
+    splat(texelFetch(landed_green, photon, 0), 1);
+    splat(texelFetch(landed_blue, photon, 0), 2);
+}

@@ -1,0 +1,39 @@
+/*
+ * ice_light.glsl: the sun's view of ground and ice (ice_caustics_light), as `light`. There the
+ * depth is near over the distance along the view's axis, 0 for none, as in the picture's.
+ */
+#ifndef LIB_ICE_LIGHT_GLSL
+#define LIB_ICE_LIGHT_GLSL
+#include "ice_caustics.h"
+
+layout(set = 0, binding = ICE_CAUSTICS_LIGHT, scalar) uniform Light
+{
+    ice_caustics_light light;
+};
+
+vec4 ice_light_clip(vec3 point)
+{
+    return light.clip_from_world * vec4(point, 1.0);
+}
+
+vec2 ice_light_uv(vec4 clip)
+{
+    return clip.xy / clip.w * 0.5 + 0.5;
+}
+
+/* What a picture of the sun's view of the ice shows at a place of the map; 0 beside it. */
+vec4 ice_light_ice(sampler2D picture, vec2 uv)
+{
+    vec2 at = (uv - 0.5) * light.reach + 0.5;
+    bool beside = any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)));
+    return beside ? vec4(0.0) : texture(picture, at);
+}
+
+/* Whether a place lies before the ice's front faces. */
+bool ice_light_is_before(sampler2D front, vec4 clip)
+{
+    float depth = ice_light_ice(front, ice_light_uv(clip)).r;
+    return depth > 0.0 && clip.z / clip.w > depth;
+}
+
+#endif

@@ -1,0 +1,32 @@
+/* ice_shine.glsl: the sun's light on what lies around the ice, by the map of ice_caustics.c. */
+#ifndef LIB_ICE_SHINE_GLSL
+#define LIB_ICE_SHINE_GLSL
+#include "lib/ice_light.glsl"
+
+layout(set = 0, binding = ICE_CAUSTICS_MAP) uniform sampler2D shine_map;
+layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D shine_ground;
+layout(set = 0, binding = ICE_CAUSTICS_FRONT) uniform sampler2D shine_front;
+
+struct ice_shine {
+    vec3 through; /* light that has gone through the ice; 1: as much as the sun's own */
+    float own;    /* share of the sun's own light that the ice does not cover */
+};
+
+/* Places count as ground which the map's nearest texels show, by a little more than rounding. */
+ice_shine ice_shine_at(vec3 point)
+{
+    const float slack = 0.02 / ICE_CAUSTICS_DISTANCE;
+    vec4 clip = ice_light_clip(point);
+    vec2 uv = ice_light_uv(clip);
+    if (clip.w <= 0.0 || any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0))))
+        return ice_shine(vec3(0.0), 1.0);
+    vec4 found = texture(shine_map, uv);
+    vec4 d = textureGather(shine_ground, uv);
+    float farthest = min(min(d.x, d.y), min(d.z, d.w));
+    if (clip.z / clip.w < farthest * (1.0 - slack))
+        found.rgb = vec3(0.0);
+    bool covered = light.shadow != 0u && !ice_light_is_before(shine_front, clip);
+    return ice_shine(found.rgb, covered ? 1.0 - found.a : 1.0);
+}
+
+#endif

@@ -1,0 +1,41 @@
+/* ice_caustics.h: the sun's light that comes through the ice, on what lies around it. */
+#ifndef TECH_ICE_CAUSTICS_H
+#define TECH_ICE_CAUSTICS_H
+#include "shaders/ice_caustics.h"
+#include "src/technique.h"
+
+struct ice_caustics_params {
+    uint32_t light;  /* ICE_CAUSTICS_NONE ... */
+    float reach;     /* half width of the map, radii of the object's bounding sphere */
+    uint32_t shadow; /* as in struct ice_caustics_light */
+};
+
+/* Of the host, each frame: what the sun's view of the ice has for globals, and the map's place. */
+extern const struct rg_buffer ice_caustics_globals; /* struct globals */
+extern const struct rg_buffer ice_caustics_light;   /* struct ice_caustics_light */
+
+/* In that view: 1 is the sun's own light (rgb); cover of the ice (a) */
+extern const struct rg_image ice_caustics_map;
+extern const struct rg_image ice_caustics_ground, ice_caustics_front_depth;
+
+extern const struct setting_group ice_caustics_settings;
+
+/* The maps, which come first in a frame, and the layer `caustics`, which comes after the rung. */
+extern const struct technique ice_caustics, ice_caustics_bumped, ice_caustics_seen;
+
+/* Whether settings ask for them. */
+bool ice_caustics_is_on(const struct settings *settings);
+
+/* The uses of rows whose shaders include lib/ice_shine.glsl. */
+#define ICE_CAUSTICS_USES \
+    { .buffer = &ice_caustics_light, .access = RG_UNIFORM, .binding = ICE_CAUSTICS_LIGHT }, \
+        { .image = &ice_caustics_map, \
+          .access = RG_SAMPLED, \
+          .binding = ICE_CAUSTICS_MAP, \
+          .sampler = &frame_linear }, \
+        { .image = &ice_caustics_ground, .access = RG_SAMPLED, .binding = ICE_CAUSTICS_GROUND }, \
+    { \
+        .image = &ice_caustics_front_depth, .access = RG_SAMPLED, .binding = ICE_CAUSTICS_FRONT \
+    }
+
+#endif
