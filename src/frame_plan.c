@@ -30,7 +30,7 @@ static void want(struct frame_plan *p, const struct rg_image *image)
     snprintf(r->name, sizeof(r->name), "readback.%s", image->name);
     r->buffer = (struct rg_buffer){
         .name = r->name,
-        .size_per_texel = rg_format_info(image->format)->size,
+        .size_per_texel = (image->cube ? 6 : (VkDeviceSize)1) * rg_format_info(image->format)->size,
         .memory = RG_MEMORY_READBACK,
     };
     r->uses[0] = (struct rg_use){ .image = image, .access = RG_COPY_SRC };
@@ -76,11 +76,16 @@ static void want_all(struct frame_plan *p, const struct frame_request *request)
     if (request->display)
         want(p, &tonemap_color);
     if (request->cube_back)
-        want(p, &env_cube_color);
+        want(p, &env_cube_baked);
     if (request->keep_cube)
         keep(p, &env_cube_color);
     if (request->keep_display)
         keep(p, &tonemap_color);
+}
+
+static bool makes_cube(const struct frame_plan *p)
+{
+    return is_drawn(p, &env_cube_color) || is_drawn(p, &env_cube_baked);
 }
 
 static void bring(struct frame_plan *p, const struct frame_request *request)
@@ -114,7 +119,7 @@ static void bring(struct frame_plan *p, const struct frame_request *request)
     p->imports[FRAME_IMPORT_CUBE] = (struct rg_import){ .image = &env_cube_color,
                                                         .access = RG_SAMPLED,
                                                         .extent = request->cube };
-    p->import_count = is_drawn(p, &env_cube_color) ? FRAME_IMPORT_CUBE : FRAME_IMPORT_COUNT;
+    p->import_count = makes_cube(p) ? FRAME_IMPORT_CUBE : FRAME_IMPORT_COUNT;
 }
 
 static enum status report_faults(const struct rg_plan *plan)

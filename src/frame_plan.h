@@ -28,7 +28,7 @@ struct frame_request {
     VkExtent2D view;
     uint32_t layers;      /* bit i: frame_layers[i], if it is drawn */
     bool beauty, display; /* the linear picture; the 8-bit one */
-    bool cube_back;       /* bring env_cube_color back; the view is as large as its six faces */
+    bool cube_back;       /* bring env_cube_baked back */
     bool keep_cube;       /* leave env_cube_color ready to be sampled elsewhere */
     bool keep_display;    /* the same of the 8-bit picture */
     enum rg_sharing sharing;

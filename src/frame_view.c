@@ -73,7 +73,7 @@ struct background_push frame_view_face(const struct frame_view *view, uint32_t f
         .clip_from_world =
             camera_cube_clip_from_world(face, center, frame_view_near_plane(view->scene)),
         .eye = center,
-        .environment_lod = environment_lod(view->scene, 2.0f / (float)env_cube_color.width),
+        .environment_lod = environment_lod(view->scene, 2.0f / (float)view->face_size),
         .right = basis.right,
         .up = basis.up,
         .forward = basis.forward,

@@ -18,6 +18,7 @@ struct frame_view {
     float time;             /* seconds */
     uint32_t width, height; /* pixels */
     vec2s jitter;           /* of the sample, pixels */
+    uint32_t face_size;     /* of the cube around the object, texels */
 };
 
 struct background_push frame_view_push(const struct frame_view *view);

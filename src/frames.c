@@ -145,6 +145,11 @@ struct frame_list frame_capture(void)
     return (struct frame_list){ { &env_cube } };
 }
 
+struct frame_list frame_bake(void)
+{
+    return (struct frame_list){ { &env_cube_bake } };
+}
+
 struct frame_list frame_resolve(void)
 {
     return (struct frame_list){ { &resolve, &tonemap } };

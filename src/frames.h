@@ -36,8 +36,9 @@ bool frame_cube_is_dynamic(const struct settings *settings);
 /* Whether such a frame reads a map of the ice's surface. */
 bool frame_reads_bump_maps(const struct settings *settings);
 
-/* Only the environment cube. */
+/* Only the environment cube; and one whose faces are as large as the view. */
 struct frame_list frame_capture(void);
+struct frame_list frame_bake(void);
 
 /* The mean of many samples, tonemapped. */
 struct frame_list frame_resolve(void);

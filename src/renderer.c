@@ -38,6 +38,7 @@ struct renderer {
     struct stage picture;          /* a sample */
     struct stage resolve;          /* the mean of many samples, tonemapped */
     bool captured;
+    uint32_t face_size;          /* of the cubes that it draws, texels */
     struct renderer_costs costs; /* of the picture's */
     uint32_t last_slot;          /* of the picture's executor, where the last sample is */
 };
@@ -72,11 +73,11 @@ static struct frame_request capture_request(const struct renderer_params *params
     return request;
 }
 
-/* A view as large as the strip of its faces. */
+/* A view as large as a face. */
 static struct frame_request bake_request(const struct renderer_params *params)
 {
     struct frame_request request = {
-        .list = frame_capture(),
+        .list = frame_bake(),
         .view = { params->width, params->height },
         .cube_back = true,
         .sharing = params->sharing,
@@ -214,6 +215,7 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
         return status;
     }
     r->params = *params;
+    r->face_size = env_cube_color.width;
     r->params.samples = params->samples ? params->samples : 1;
     const double start = clock_ms();
     status = gpu_fit_size(params->gpu, params->width, params->height);
@@ -283,6 +285,7 @@ static enum status run_stage(const struct renderer *r, struct stage *stage,
         .width = r->params.width,
         .height = r->params.height,
         .jitter = jitter,
+        .face_size = r->face_size,
     };
     struct rg_frame frame = {
         .settings = r->params.settings,
@@ -503,24 +506,24 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
 static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *image)
 {
     static const struct frame_layer cube = {
-        .image = &env_cube_color,
+        .image = &env_cube_baked,
         .planes = { "R", "G", "B", "A" },
         .half = true,
         .mean = true,
     };
-    image_init(image, r->params.width, r->params.height);
+    image_init(image, r->face_size, 6 * r->face_size);
     if (!accumulate_add_planes(image, &cube)) {
         log_error("out of memory");
         image_finish(image);
         return STATUS_TRY_AGAIN;
     }
-    accumulate_sample(image, &cube, read_back(&r->capture, &env_cube_color, slot), 0);
+    accumulate_sample(image, &cube, read_back(&r->capture, &env_cube_baked, slot), 0);
     return STATUS_OK;
 }
 
 enum status renderer_bake(const struct renderer_params *params, float time, struct image *image)
 {
-    struct renderer r = { .params = *params };
+    struct renderer r = { .params = *params, .face_size = params->width };
     const vec3s center = box_center(params->scene->box);
     const vec3s ahead = glms_vec3_add(center, (vec3s){ { 0.0f, 0.0f, -1.0f } });
     const struct renderer_shot shot = {
@@ -528,9 +531,10 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
         .time = time,
     };
     uint32_t slot;
-    r.params.width = env_cube_color.width;
-    r.params.height = 6 * env_cube_color.height;
-    enum status status = upload(&r);
+    r.params.height = params->width;
+    enum status status = gpu_fit_cube(params->gpu, params->width);
+    if (status == STATUS_OK)
+        status = upload(&r);
     if (status == STATUS_OK)
         status = stage_create(&r.capture, &r, bake_request(&r.params));
     if (status == STATUS_OK)

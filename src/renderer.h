@@ -72,8 +72,8 @@ MUST_USE enum status renderer_draw(struct renderer *renderer, const struct rende
 
 /*
  * The environment cube at a time, as environment.h has it: six faces, one below the other, planes
- * R, G, B, A of half. Only gpu, scene, uploaded, settings and sharing of params count. *image must
- * be {0}; on failure it is.
+ * R, G, B, A of half. Only gpu, scene, uploaded, settings, sharing and width (of a face) of params
+ * count. *image must be {0}; on failure it is.
  */
 MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
                                    struct image *image);

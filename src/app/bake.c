@@ -11,6 +11,7 @@
 #include "src/version.h"
 
 static const char default_output[] = "env.exr";
+static const uint32_t default_size = 512;
 
 struct job {
     struct app_options o;
@@ -34,6 +35,7 @@ static enum status draw(struct job *job)
                 .gpu = &job->gpu,
                 .scene = &job->scene,
                 .settings = &o->settings,
+                .width = o->width,
                 .sharing = o->sharing,
             },
             job->output.shot.time, &job->strip);
@@ -109,6 +111,8 @@ static enum status run(struct job *job)
     if (!job->o.output_count)
         job->o.outputs[job->o.output_count++] = default_output;
     job->o.samples = 1;
+    if (!job->o.width)
+        job->o.width = job->o.height = default_size;
     enum status status = app_need_scene(&job->o);
     if (status == STATUS_OK)
         status = file_check(job->o.outputs[0]);

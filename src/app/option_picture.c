@@ -68,6 +68,16 @@ enum status option_size(struct app_options *o, const char *value)
     return STATUS_OK;
 }
 
+/* Of a face, which is square. */
+enum status option_bake_size(struct app_options *o, const char *value)
+{
+    const char *rest;
+    if (!option_parse_count(value, 1, 4096, &o->width, &rest) || *rest)
+        return option_refuse("size", value, "texels along a face's sides are wanted, 1 to 4096");
+    o->height = o->width;
+    return STATUS_OK;
+}
+
 enum status option_samples(struct app_options *o, const char *value)
 {
     const char *rest;

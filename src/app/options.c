@@ -50,6 +50,7 @@ static const struct option options[] = {
     { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, option_sweep,
       "one picture for each; of several all products (every material)" },
     { "Output", "size", 's', "WxH", APP_SHEET, option_size, "pixels of each picture (320x240)" },
+    { "Output", "size", 's', "N", APP_BAKE, option_bake_size, "texels along a face's sides (512)" },
     { "Output", "size", 's', "WxH", FRAMES, option_size, "pixels (1024x768)" },
     { "Output", "size", 's', "WxH", APP_LADDER, option_size, "pixels (512x512)" },
     { "Output", "samples", 'n', "N", FILES | APP_LADDER | APP_SHEET, option_samples,
@@ -198,6 +199,7 @@ static const char *const examples[] = {
                     "  firn ladder statue.glb --rungs paper,search,bounce --runs 0 --json\n"
                     "  firn ladder ice-cube --furnace\n"),
     [APP_BAKE] = ("  firn bake room -o env.exr\n"
+                  "  firn bake room --size 1024 -o fine.exr\n"
                   "  firn render room --env env.exr -o room.png\n"),
     [APP_SHEET] = ("  firn sheet teapot -o materials.png\n"
                    "  firn sheet sphere --sweep refract.crossfade=0,0.5,1 "

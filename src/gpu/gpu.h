@@ -146,6 +146,7 @@ void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
  * sees, for its heaps (STATUS_TRY_AGAIN).
  */
 MUST_USE enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height);
+MUST_USE enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side); /* of its faces */
 MUST_USE enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view,
                                     VkDeviceSize device_size, VkDeviceSize host_size);
 void gpu_image_destroy(struct gpu *gpu, struct gpu_image *image);

@@ -27,6 +27,16 @@ enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height)
     return STATUS_USAGE;
 }
 
+enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side)
+{
+    const uint32_t side_max = gpu->properties.limits.maxImageDimensionCube;
+    if (side <= side_max)
+        return gpu_fit_size(gpu, side, side);
+    log_error("faces of %u x %u: %s draws at most %u x %u; ask for fewer pixels (--size)", side,
+              side, gpu->properties.deviceName, side_max, side_max);
+    return STATUS_USAGE;
+}
+
 /* The largest heap with memory of this kind; UINT32_MAX if there is none. */
 static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
                           VkMemoryPropertyFlags kind)

@@ -38,26 +38,44 @@ static const struct rg_image env_cube_depth = {
     .layers = 6,
 };
 
-#define SURROUNDINGS_ROW(surroundings) \
+/* As large as the view. */
+const struct rg_image env_cube_baked = {
+    .name = "env_cube.baked",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .cube = true,
+};
+
+static const struct rg_image env_cube_baked_depth = {
+    .name = "env_cube.baked_depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .layers = 6,
+};
+
+#define SURROUNDINGS_ROW(surroundings, target, target_depth) \
     { \
         .name = "env_cube.surroundings", .repeat = RG_PER_LAYER, \
-        surroundings(&env_cube_color, &env_cube_depth), .record = record_surroundings \
+        surroundings(&(target), &(target_depth)), .record = record_surroundings \
     }
 
-#define SKY_ROW \
+#define SKY_ROW(target, target_depth) \
     { \
         .name = "env_cube.sky", .repeat = RG_PER_LAYER, \
-        BACKGROUND_SKY(&env_cube_color, &env_cube_depth), .record = record_sky \
+        BACKGROUND_SKY(&(target), &(target_depth)), .record = record_sky \
     }
 
 static const struct rg_pass passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS),
-    SKY_ROW,
+    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS, env_cube_color, env_cube_depth),
+    SKY_ROW(env_cube_color, env_cube_depth),
 };
 
 static const struct rg_pass shine_passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SHINING_SURROUNDINGS),
-    SKY_ROW,
+    SURROUNDINGS_ROW(BACKGROUND_SHINING_SURROUNDINGS, env_cube_color, env_cube_depth),
+    SKY_ROW(env_cube_color, env_cube_depth),
+};
+
+static const struct rg_pass bake_passes[] = {
+    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS, env_cube_baked, env_cube_baked_depth),
+    SKY_ROW(env_cube_baked, env_cube_baked_depth),
 };
 
 static void push_face(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -101,4 +119,10 @@ const struct technique env_cube_shine = {
     .graph = RG_TECHNIQUE("env_cube", shine_passes),
     .settings = &env_cube_settings,
     .help = "the same with light that comes through the ice",
+};
+
+const struct technique env_cube_bake = {
+    .graph = RG_TECHNIQUE("env_cube", bake_passes),
+    .settings = &env_cube_settings,
+    .help = "the same in faces as large as the view",
 };

@@ -4,7 +4,9 @@
 #include "src/technique.h"
 
 extern const struct rg_image env_cube_color; /* linear radiance; a: 1 / distance, 1 / metre */
+extern const struct rg_image env_cube_baked; /* the same, its faces as large as the view */
 extern const struct technique env_cube;
+extern const struct technique env_cube_bake;  /* env_cube_baked */
 extern const struct technique env_cube_shine; /* in the light of ice_caustics.h */
 extern const struct setting_group env_cube_settings;
 

@@ -49,6 +49,24 @@ class Bake(Case):
         self.assertEqual(piped.stdout, (self.folder / 'env.exr').read_bytes())
         self.assertEqual(piped.stderr, b'')
 
+    def test_faces_of_any_size(self):
+        """A texel of a coarse cube shows what the four do that it covers, where all is smooth."""
+        fine, coarse = (self.planes(self.bake('room', '--size', str(side))) for side in (40, 20))
+        self.assertEqual(len(coarse['R']), 6 * 20 * 20)
+        differences = []
+        for i in range(6 * 20 * 20):
+            at = i // 20 * 2 * 40 + i % 20 * 2
+            four = [fine['A'][at + step] for step in (0, 1, 40, 41)]
+            differences.append(abs(sum(four) / 4 / coarse['A'][i] - 1))
+        differences.sort()
+        self.assertLess(differences[len(differences) // 2], 5e-3)
+        done = self.succeed('bake', 'sphere', '--size', '1')
+        self.assertEqual(done.stderr, b'env.exr: six faces of 1x1\n')
+        exr = self.bake('sphere', '--size', '24')
+        self.assertEqual(exr.size, (24, 144))
+        drawn = self.draw('a.exr', 'sphere', *SMALL, '--env', 'env.exr')
+        self.assertIn('env_cube.dynamic=off', drawn.text('firn/settings'))
+
     def test_walls_are_as_far_as_they_are(self):
         """The middles of the faces of a room whose walls are known."""
         side = 512
@@ -153,7 +171,8 @@ class Bake(Case):
         self.refuse(USAGE, 'bake', 'room', '-o', 'a.png', names=['a.png', '.exr'])
         self.refuse(USAGE, 'bake', 'room', '-o', 'a.exr', '-o', 'b.exr', names=['b.exr'])
         self.refuse(USAGE, 'bake', 'room', '--env', 'faces.exr', names=['--env', 'faces.exr'])
-        self.refuse(USAGE, 'bake', 'room', '--size', '64x64', names=['--size'])
+        for wrong in ('64x64', '0', '4097', '-1', '9.5', ''):
+            self.refuse(USAGE, 'bake', 'room', '--size', wrong, names=['--size', '1 to 4096'])
         self.refuse(NO_INPUT, 'bake', 'gone.obj', names=['gone.obj'])
         self.refuse(CANT_CREATE, 'bake', 'room', '-o', 'gone/a.exr', names=['gone/a.exr'])
         self.assertEqual([name for name in self.files() if pathlib.Path(name).stem != 'faces'], [])

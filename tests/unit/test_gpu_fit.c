@@ -13,6 +13,7 @@ static struct gpu make_gpu(VkPhysicalDeviceType type)
             .deviceName = "made up",
             .limits = {
                 .maxImageDimension2D = 4096,
+                .maxImageDimensionCube = 512,
                 .maxFramebufferWidth = 2048,
                 .maxFramebufferHeight = 8192,
                 .maxViewportDimensions = { 8192, 1024 },
@@ -38,6 +39,8 @@ static void sizes(void **state)
     assert_int_equal(gpu_fit_size(&gpu, 2049, 1), STATUS_USAGE);
     assert_int_equal(gpu_fit_size(&gpu, 1, 1025), STATUS_USAGE);
     assert_int_equal(gpu_fit_size(&gpu, UINT32_MAX, 2), STATUS_USAGE);
+    assert_int_equal(gpu_fit_cube(&gpu, 512), STATUS_OK);
+    assert_int_equal(gpu_fit_cube(&gpu, 513), STATUS_USAGE);
 }
 
 static void heaps(void **state)

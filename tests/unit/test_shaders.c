@@ -436,9 +436,11 @@ static void test_rows_and_shaders_agree(void **state)
         rows += check_variants(rung, "ice_caustics.light=sun", &seen);
     }
     const struct frame_list capture = frame_capture();
+    const struct frame_list bake = frame_bake();
     const struct frame_list resolve = frame_resolve();
     const struct frame_list window = { { &present, &overlay } };
-    rows += check_list(&capture, &seen) + check_list(&resolve, &seen) + check_list(&window, &seen);
+    rows += check_list(&capture, &seen) + check_list(&bake, &seen) + check_list(&resolve, &seen) +
+            check_list(&window, &seen);
     print_message("%zu rows\n", rows);
     assert_true(rows > 0);
     for (size_t i = 0; i < SHARED_COUNT; i++)
