@@ -11,6 +11,7 @@ enum {
     MAGIC_END = 0x444e4546,
     HAS_CAMERA = 1,
     HAS_IOR = 2,
+    HAS_BOX = 4,
     TEXEL_SIZE = 4,             /* bytes of a texture's */
     ENVIRONMENT_TEXEL_SIZE = 8, /* of four halfs */
     HALF_MAX = 0x7bff,          /* the largest finite one's bits; of negative ones they are more */
@@ -28,6 +29,7 @@ struct model_head {
     uint32_t texture_size, texture_count;
     struct camera camera;
     float ior;
+    struct box box;
 };
 
 struct environment_head {
@@ -35,7 +37,7 @@ struct environment_head {
     uint32_t width, height;
 };
 
-_Static_assert(sizeof(struct model_head) == 76, "no padding, so no bytes of this process in it");
+_Static_assert(sizeof(struct model_head) == 100, "no padding, so no bytes of this process in it");
 
 const char *mesh_pipe_words(enum mesh_pipe_fault fault)
 {
@@ -48,7 +50,7 @@ const char *mesh_pipe_words(enum mesh_pipe_fault fault)
         [MESH_PIPE_NUMBER] = "a number that is not finite or too large",
         [MESH_PIPE_INDEX] = "an index beyond the vertices",
         [MESH_PIPE_MATERIAL] = "a material that is not there",
-        [MESH_PIPE_CAMERA] = "a camera or an index of refraction out of range",
+        [MESH_PIPE_CAMERA] = "a camera, a box or an index of refraction out of range",
         [MESH_PIPE_TEXEL] = "a texel out of range",
         [MESH_PIPE_END] = "more than it announced",
     };
@@ -83,13 +85,15 @@ bool mesh_pipe_write_model(const struct mesh_pipe_sink *sink, const struct model
 {
     const struct model_head head = {
         .magic = MAGIC_MODEL,
-        .flags = (model->has_camera ? HAS_CAMERA : 0u) | (model->has_ior ? HAS_IOR : 0u),
+        .flags = (model->has_camera ? HAS_CAMERA : 0u) | (model->has_ior ? HAS_IOR : 0u) |
+                 (model->has_box ? HAS_BOX : 0u),
         .object = { model->object.vertex_count, model->object.index_count },
         .surroundings = { model->surroundings.vertex_count, model->surroundings.index_count },
         .texture_size = model->textures.size,
         .texture_count = model->textures.count,
         .camera = model->camera,
         .ior = model->ior,
+        .box = model->box,
     };
     return write_bytes(sink, &head, sizeof(head)) && write_mesh(sink, &model->object) &&
            write_mesh(sink, &model->surroundings) &&
@@ -212,10 +216,18 @@ static enum mesh_pipe_fault check_sizes(const struct mesh_pipe_source *source,
     return MESH_PIPE_OK;
 }
 
+static bool is_box(const struct box *box)
+{
+    return is_within(box->min, MODEL_COORDINATE_MAX) && is_within(box->max, MODEL_COORDINATE_MAX) &&
+           box->min.x < box->max.x && box->min.y < box->max.y && box->min.z < box->max.z;
+}
+
 static bool has_sound_optics(const struct model_head *head)
 {
     const struct camera *camera = &head->camera;
-    if (head->flags & ~(uint32_t)(HAS_CAMERA | HAS_IOR))
+    if (head->flags & ~(uint32_t)(HAS_CAMERA | HAS_IOR | HAS_BOX))
+        return false;
+    if (head->flags & HAS_BOX && !is_box(&head->box))
         return false;
     if (head->flags & HAS_IOR && !(head->ior >= 1 && head->ior <= 4))
         return false;
@@ -264,6 +276,9 @@ enum mesh_pipe_fault mesh_pipe_read_model(const struct mesh_pipe_source *source,
         model->camera = head.camera;
     if (model->has_ior)
         model->ior = head.ior;
+    model->has_box = head.flags & HAS_BOX;
+    if (model->has_box)
+        model->box = head.box;
     return MESH_PIPE_OK;
 }
 

@@ -150,6 +150,8 @@ static enum status convert(struct model_import *import, struct model *model,
         status = model_mesh_build(import, model, everything_is);
     if (status == STATUS_OK)
         status = model_camera_read(import, model);
+    if (status == STATUS_OK)
+        status = model_box_read(import, model);
     return status;
 }
 
@@ -204,6 +206,10 @@ enum status model_add_surroundings(struct model *model, struct model *other)
     free(model->textures.texels);
     model->textures = textures;
     textures.texels = NULL;
+    if (other->has_box) {
+        model->has_box = true;
+        model->box = other->box;
+    }
 fail:
     free(textures.texels);
     model_finish(other);

@@ -15,13 +15,17 @@
  * colours as sRGB. KHR_texture_transform and a texture's own way to repeat are ignored. What
  * files a model names must lie within its folder. decode.h reads models that nobody vouches for.
  *
+ * A node's extras in a glTF file may name a box, { "firn": { "box": [[x,y,z],[x,y,z]] } }, its
+ * least corner first, in metres of the file's space whatever the node's place. The first counts.
+ *
  * Ownership: model_finish() frees what a model holds; a {0} model is fine.
  * Threads:   one model_load() at a time in a process (assimp's log has no owner)
  * Errors:    one line is logged, with the file's name and the place, and *model is {0}:
  *            STATUS_NO_INPUT  missing or unreadable
  *            STATUS_DATA      of no known kind, cannot be parsed, empty, no triangles, a number
  *                             not finite, a coordinate beyond 1e6, an index too large, an index
- *                             of refraction not within 1 to 4, a bad or missing picture
+ *                             of refraction not within 1 to 4, a bad or missing picture, a box
+ *                             that is none
  *            STATUS_TRY_AGAIN out of memory
  */
 #ifndef FIRN_SCENE_MODEL_H
@@ -46,7 +50,9 @@ struct model {
     struct texture_layers textures; /* of both meshes */
     struct camera camera;           /* valid if has_camera; target as far as the object */
     float ior;                      /* KHR_materials_ior of the object; valid if has_ior */
+    struct box box; /* around the object (refract.lookup=box); valid if has_box */
     bool has_camera;
+    bool has_box;
     bool has_ior;
 };
 
@@ -60,9 +66,9 @@ MUST_USE enum status model_load(struct model *model, const char *path,
 
 /*
  * Appends everything of `other` (its object too, as surroundings) to the surroundings of *model,
- * renumbering textures and bringing them to the larger size. `other` is left {0} in any case;
- * *model is unchanged on failure: STATUS_TRY_AGAIN when memory is short, STATUS_DATA when there
- * would be more than 4096 textures.
+ * renumbering textures and bringing them to the larger size; its box counts before that of *model.
+ * `other` is left {0} in any case; *model is unchanged on failure: STATUS_TRY_AGAIN when memory is
+ * short, STATUS_DATA when there would be more than 4096 textures.
  */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
 

@@ -84,6 +84,9 @@ MUST_USE enum status model_texture_merge(struct texture_layers *both,
 /* Looks for the first perspective camera. The object's mesh must be there. */
 MUST_USE enum status model_camera_read(const struct model_import *import, struct model *model);
 
+/* Looks for the first node that names a box. */
+MUST_USE enum status model_box_read(const struct model_import *import, struct model *model);
+
 MUST_USE enum status model_no_memory(const char *path);
 
 #endif

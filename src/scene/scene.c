@@ -212,7 +212,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
         status = add_builtin_surroundings(scene, builtin);
     else if (status == STATUS_OK && bare && scene->background == SCENE_SKY)
         status = add_landscape(scene, params);
-    scene->around = mesh_box(&scene->model.surroundings);
+    scene->around = scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
     if (status == STATUS_OK && !scene->has_pool)

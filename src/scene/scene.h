@@ -26,7 +26,8 @@ struct scene {
     struct environment cube;      /* in place of what env_cube draws if that is not dynamic */
     struct bump_maps bump;        /* of the object's surface; {0}: none */
     struct box box;               /* of the object, or of the pool */
-    struct box around;            /* of its surroundings, but for what moves; {0}: there are none */
+    struct box around;            /* that a model names, or of the surroundings but for what moves;
+                                   * {0}: there are none */
     struct mesh cracks;           /* in the object's space; may be empty */
     struct mesh air;              /* in the object's space, as are the bubbles; may be empty */
     struct air_layers air_layers; /* on it */

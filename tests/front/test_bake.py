@@ -1,5 +1,8 @@
 """test_bake.py: what surrounds an object, baked by `firn bake`. Usage: see case.py."""
+import base64
+import json
 import pathlib
+import struct
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -142,6 +145,40 @@ class Bake(Case):
             said = self.succeed(*box, *bare, *wrong).stderr.decode()
             self.assertEqual(len(said.splitlines()), 1, said)
             self.assertIn('refract.lookup=box', said)
+
+    def write_walls(self, box):
+        """A far triangle, and the box that its node names."""
+        corners = struct.pack('<9f', 90, 0, 0, 91, 0, 0, 90, 1, 0)
+        data = base64.b64encode(corners).decode()
+        model = {
+            'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0]}],
+            'nodes': [{'name': 'walls', 'mesh': 0, 'extras': {'firn': {'box': box}}}],
+            'meshes': [{'primitives': [{'attributes': {'POSITION': 0}}]}],
+            'accessors': [{'bufferView': 0, 'componentType': 5126, 'count': 3, 'type': 'VEC3',
+                           'min': [90, 0, 0], 'max': [91, 1, 0]}],
+            'bufferViews': [{'buffer': 0, 'byteLength': len(corners)}],
+            'buffers': [{'byteLength': len(corners),
+                         'uri': f'data:application/octet-stream;base64,{data}'}],
+        }
+        (self.folder / 'walls.gltf').write_text(json.dumps(model))
+
+    def test_box_of_a_model(self):
+        """It is as good as one of the settings, which count before it."""
+        sides = dict(left=-2, right=3, bottom=-1.5, top=2, back=-4, front=2.5)
+        words = [word for side, at in sides.items() for word in ('--set', f'local.{side}={at}')]
+        common = ('sphere', *SMALL, *SMOOTH, '--surroundings', 'walls.gltf', '--set',
+                  'refract.lookup=box')
+        (self.folder / 'faces.exr').write_bytes(strip(4))
+        def draw(*more):
+            return self.planes(self.draw('a.exr', *common, '--env', 'faces.exr', *more))
+        self.write_walls([[-2, -1.5, -4], [3, 2, 2.5]])
+        named = draw()
+        self.assertEqual(named, draw(*words))
+        self.write_walls([[-9, -9, -9], [9, 9, 9]])
+        self.assertEqual(named, draw(*words))
+        self.assertNotEqual(named, draw())
+        self.write_walls([[3, 0, 0], [1, 1, 1]])
+        self.refuse(DATA, 'render', *common, '-o', 'a.exr', names=['walls.gltf', '"walls"', 'box'])
 
     def test_plan_imports_it(self):
         (self.folder / 'faces.exr').write_bytes(strip(4))

@@ -14,7 +14,8 @@ enum {
     TEXTURE_COUNT_AT = 28,
     CAMERA_AT = 32, /* eye, target, up, angle */
     IOR_AT = 72,
-    VERTICES_AT = 76,
+    BOX_AT = 76,
+    VERTICES_AT = 100,
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
 };
@@ -70,7 +71,9 @@ static struct model make_model(void)
         .textures = { .texels = malloc(32), .size = 2, .count = 2 },
         .camera = { .eye = { { 1, 2, 3 } }, .up = { { 0, 1, 0 } }, .fov_deg = 40 },
         .ior = 1.5F,
+        .box = { .max = { { 1, 2, 3 } } },
         .has_camera = true,
+        .has_box = true,
         .has_ior = true,
     };
     assert_non_null(model.textures.texels);
@@ -117,7 +120,8 @@ static void model_comes_through(void **state)
     assert_memory_equal(model.textures.texels, wanted.textures.texels, 32);
     assert_memory_equal(&model.camera, &wanted.camera, sizeof(wanted.camera));
     CHECK_NEAR(model.ior, 1.5, 1e-6);
-    assert_true(model.has_camera && model.has_ior);
+    assert_memory_equal(&model.box, &wanted.box, sizeof(wanted.box));
+    assert_true(model.has_camera && model.has_ior && model.has_box);
     model_finish(&model);
     model_finish(&wanted);
 }
@@ -150,7 +154,7 @@ static void heads_are_checked(void **state)
 {
     (void)state;
     refuse_word(0, 0x464c457f, MESH_PIPE_HEAD);
-    refuse_word(FLAGS_AT, 4, MESH_PIPE_CAMERA);
+    refuse_word(FLAGS_AT, 8, MESH_PIPE_CAMERA);
     for (size_t i = 0; i < 4; i++) {
         refuse_word(COUNTS_AT + 4 * i, UINT32_MAX, MESH_PIPE_SIZE);
         refuse_word(COUNTS_AT + 4 * i, 0, MESH_PIPE_SIZE);
@@ -177,6 +181,10 @@ static void cameras_are_checked(void **state)
     refuse(CAMERA_AT, &(vec3s){ { 0, 0, 0 } }, sizeof(vec3s), MESH_PIPE_CAMERA);
     refuse_number(IOR_AT, NAN, MESH_PIPE_CAMERA);
     refuse_number(IOR_AT, 0.9F, MESH_PIPE_CAMERA);
+    for (size_t i = 0; i < 6; i++)
+        refuse_number(BOX_AT + 4 * i, NAN, MESH_PIPE_CAMERA);
+    refuse_number(BOX_AT, 1, MESH_PIPE_CAMERA); /* no wider than nothing */
+    refuse_number(BOX_AT + 12, 2e6F, MESH_PIPE_CAMERA);
 }
 
 static void vertices_are_checked(void **state)

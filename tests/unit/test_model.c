@@ -427,6 +427,25 @@ static void camera(void **state)
     model_finish(&model);
 }
 
+#define BOXED(extras) \
+    "'scenes':[{'nodes':[0,1]}],'nodes':[{'mesh':0},{'name':'walls','extras':" extras \
+    "}],'meshes':[" PLAIN "]"
+
+/* Whole numbers, too; whatever else is in the extras. */
+static void box(void **state)
+{
+    (void)state;
+    struct model model =
+        load_glb(BOXED("{'other':[1,{'a':2}],'firn':{'more':1,'box':[[-1.5,-2,0],[2,3.25,1e3]]}}"));
+    assert_true(model.has_box);
+    check_vec3(model.box.min, -1.5F, -2, 0);
+    check_vec3(model.box.max, 2, 3.25F, 1000);
+    model_finish(&model);
+    model = load_glb(BOXED("{'firn':{'bax':3},'box':[1]}"));
+    assert_false(model.has_box);
+    model_finish(&model);
+}
+
 /* Loading must fail so, with one line that has `words`, and leave nothing. */
 static void check_error(const char *path, enum status expected, const char *words)
 {
@@ -509,6 +528,21 @@ static void bad_numbers(void **state)
         STATUS_DATA, "4.5");
 }
 
+static void bad_boxes(void **state)
+{
+    static const char boxes[] = "[]|7|'a'|{}|[[0,0,0]]|[[0,0,0],[1,1]]|[[0,0,0],[1,1,1,1]]|"
+                                "[[0,0,0],[1,1,1],[2,2,2]]|[0,0,0,1,1,1]|[[0,0,0],[1,1,'1']]|"
+                                "[[0,0,0],[1,1,true]]|[[0,0,0],[1,0,1]]|[[0,0,2],[1,1,1]]|"
+                                "[[0,0,0],[1,1,1e7]]|[[0,0,0],[1,[1],1]]";
+    (void)state;
+    for (size_t at = 0, length; at < sizeof(boxes); at += length + 1) {
+        char text[1024];
+        length = strcspn(boxes + at, "|");
+        (void)snprintf(text, sizeof(text), BOXED("{'firn':{'box':%.*s}}"), (int)length, boxes + at);
+        check_error(write_glb("e.glb", text, &unit_square), STATUS_DATA, "firn.box");
+    }
+}
+
 static void bad_textures(void **state)
 {
     (void)state;
@@ -558,7 +592,8 @@ int main(void)
         cmocka_unit_test(transforms),     cmocka_unit_test(transmission_splits),
         cmocka_unit_test(gltf_materials), cmocka_unit_test(vertex_colors),
         cmocka_unit_test(textures),       cmocka_unit_test(smaller_joins_larger),
-        cmocka_unit_test(camera),         cmocka_unit_test(bad_files),
+        cmocka_unit_test(camera),         cmocka_unit_test(box),
+        cmocka_unit_test(bad_boxes),      cmocka_unit_test(bad_files),
         cmocka_unit_test(bad_numbers),    cmocka_unit_test(bad_textures),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
