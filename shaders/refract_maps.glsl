@@ -7,8 +7,10 @@
  */
 #ifndef REFRACT_MAPS_GLSL
 #define REFRACT_MAPS_GLSL
-#include "refract_thickness.glsl"
+#include "lib/globals.glsl"
+#include "refract.h"
 
+layout(set = 0, binding = REFRACT_DEPTH_BACK) uniform sampler2D depth_back;
 layout(set = 0, binding = REFRACT_NORMAL_BACK) uniform sampler2D normal_back;
 
 vec4 refract_clip(vec3 point)

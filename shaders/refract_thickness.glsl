@@ -2,8 +2,7 @@
 #ifndef REFRACT_THICKNESS_GLSL
 #define REFRACT_THICKNESS_GLSL
 #include "refract_front.glsl"
-
-layout(set = 0, binding = REFRACT_DEPTH_BACK) uniform sampler2D depth_back;
+#include "refract_maps.glsl"
 
 /* Metres along the straight ray. Distances along the view's axis are as near / depth; 0 where there
  * is no back face. */

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "refract.glsl"
-#include "refract_maps.glsl"
+#include "refract_thickness.glsl"
 
 /* How thick the ice is along the front normal: to the back face that is seen where a sphere would
  * end that fits the object, or not so far where this is beside the ice. */

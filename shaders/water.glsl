@@ -1,5 +1,7 @@
-/* water.glsl: what an eye above the water sees on it and in it; with WATER_WITH_CAUSTICS the light
- * on the ground is uneven. */
+/*
+ * water.glsl: what an eye above the water sees on it and in it; with WATER_WITH_CAUSTICS the light
+ * on the ground is uneven, with WATER_WITH_ICE there is ice on the way to it.
+ */
 #ifndef WATER_GLSL
 #define WATER_GLSL
 #include "lib/environment.glsl"
@@ -13,8 +15,6 @@ layout(push_constant, scalar) uniform Push
 };
 
 layout(set = 0, binding = WATER_ENVIRONMENT) uniform sampler2D environment;
-
-layout(location = 0) in vec3 point; /* pool coordinates, as all below */
 
 const vec3 up = vec3(0.0, 0.0, 1.0);
 
@@ -91,21 +91,6 @@ vec3 light_below(vec3 at, vec3 n, float share)
     return sun + sky;
 }
 
-struct water_view {
-    vec3 refraction; /* radiance of the ground seen through the surface */
-    vec3 reflection;
-    float fresnel;  /* share of the reflection */
-    float caustics; /* sun_share() of the ground that is seen */
-};
-
-/* Unit normal of the surface, turned to the eye where the grid shows what faces away. */
-vec3 water_normal(vec3 e)
-{
-    vec3 n = wave_normal(wave_at(push.water, point.xy, frame.time));
-    float away = dot(n, e) + 1e-3;
-    return away > 0.0 ? normalize(n - away * e) : n;
-}
-
 vec3 box_normal(vec3 at, vec3 upper)
 {
     vec3 side = abs(at) / upper;
@@ -115,40 +100,54 @@ vec3 box_normal(vec3 at, vec3 upper)
 }
 
 /* What the rest of the pool is to a ray that goes up: dry walls, then the sky. */
-vec3 radiance_above(vec3 r)
+vec3 radiance_above(vec3 from, vec3 r)
 {
     float half_size = 0.5 * push.pool.size;
     vec3 upper = vec3(half_size, half_size, 1e6);
-    vec3 at = point + pool_exit(point, r, -upper, upper) * r;
+    vec3 at = from + pool_exit(from, r, -upper, upper) * r;
     if (at.z >= POOL_RIM)
         return environment_radiance(environment, pool_to_world(r), 0.0);
     vec3 n = abs(at.x) > abs(at.y) ? vec3(-sign(at.x), 0.0, 0.0) : vec3(0.0, -sign(at.y), 0.0);
     return vec3(POOL_STONE) * sky_light(pool_to_world(n));
 }
 
-water_view water_look()
+/* The way of light against its direction, as far as it is known. */
+struct water_ray {
+    vec3 from;
+    vec3 dir;   /* unit; down, unless: */
+    bool above; /* it goes up in air */
+    vec3 kept;  /* share of light that gets through what is behind */
+};
+
+struct water_ground {
+    vec3 radiance;
+    float caustics; /* sun_share() of the ground that is seen */
+};
+
+/* What a ray shows in the end: the ground, seen through water, or what is above. */
+water_ground look_along(water_ray ray)
 {
-    water_view view;
+    water_ground ground;
     float half_size = 0.5 * push.pool.size;
     vec3 upper = vec3(half_size, half_size, push.pool.depth);
-    vec3 e = normalize(point - pool_from_world(frame.eye));
-    vec3 n = water_normal(e);
-    vec3 r = optics_reflect(e, n);
-    vec3 t = optics_refract(e, n, 1.0 / push.water.ior);
-    /* neither goes through a second wave */
-    r = normalize(vec3(r.xy, max(r.z, 1e-3)));
-    t = normalize(vec3(t.xy, min(t.z, -1e-3)));
-    float path = pool_exit(point, t, -upper, vec3(upper.xy, 1e6));
-    vec3 at = point + path * t;
-    vec3 ground = box_normal(at, upper);
+    vec3 dir = normalize(vec3(ray.dir.xy, min(ray.dir.z, -1e-3)));
+    float path = pool_exit(ray.from, dir, -upper, vec3(upper.xy, 1e6));
+    vec3 at = ray.from + path * dir;
+    vec3 n = box_normal(at, upper);
     at.z = min(at.z, 0.0); /* light comes from above even where a wave's crest is */
-    view.caustics = sun_share(at, pool_sun_inside(push.water.ior));
-    vec2 on_tiles = ground.z > 0.5 ? at.xy : vec2(ground.x != 0.0 ? at.y : at.x, at.z);
-    vec3 light = light_below(at, ground, view.caustics);
-    view.refraction = tiles(on_tiles) * light * passed(path);
-    view.reflection = radiance_above(r);
-    view.fresnel = optics_fresnel(e, n, 1.0 / push.water.ior);
-    return view;
+    ground.caustics = sun_share(at, pool_sun_inside(push.water.ior));
+    vec2 on_tiles = n.z > 0.5 ? at.xy : vec2(n.x != 0.0 ? at.y : at.x, at.z);
+    vec3 light = light_below(at, n, ground.caustics);
+    ground.radiance = ray.kept * tiles(on_tiles) * light * passed(path);
+    if (ray.above) {
+        ground.radiance = ray.kept * radiance_above(ray.from, ray.dir);
+        ground.caustics = 0.0;
+    }
+    return ground;
 }
+
+#ifdef WATER_WITH_ICE
+#include "water_ice.glsl"
+#endif
 
 #endif

@@ -4,7 +4,7 @@
 #include "abi.h"
 
 #define WATER_ENVIRONMENT 1 /* equirectangular picture, -Z in the middle */
-#define WATER_CAUSTICS    2 /* caustics_light; water_caustics*.frag */
+#define WATER_CAUSTICS    6 /* caustics_light; water_caustics*.frag */
 
 #define WATER_GRID 128 /* cells of the drawn surface along each side */
 
@@ -30,6 +30,7 @@ struct pool_params {
     float size;     /* metres a side */
     float depth;    /* metres */
     float tile;     /* metres a side */
+    float ice;      /* width of what floats in it, metres; 0: nothing */
 };
 
 #define POOL_RIM   0.2f                   /* height of the rim above the water at rest, metres */

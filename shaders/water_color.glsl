@@ -1,5 +1,5 @@
 /* water_color.glsl: main() of the picture of the water. */
-#include "water.glsl"
+#include "water_surface.glsl"
 
 layout(location = 0) out vec4 color;
 

@@ -157,7 +157,10 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
 {
     const struct sky_params *sky = settings_of(view->settings, &sky_settings);
     const struct motion_params *motion = settings_of(view->settings, &motion_settings);
-    vec3s center = box_center(view->scene->box);
+    const struct scene *scene = view->scene;
+    const struct box box =
+        scene->has_pool && scene->model.object.index_count ? scene->floe : scene->box;
+    vec3s center = box_center(box);
     struct globals g = {
         .clip_from_world = push->clip_from_world,
         .world_from_object = turned(center, radians(motion->ice * view->time)),
@@ -169,7 +172,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .sun_dir = direction(radians(sky->sun_azimuth), radians(sky->sun_elevation)),
         .sun_strength = sky->sun_strength,
         .center = center,
-        .radius = box_diagonal(view->scene->box) / 2.0f,
+        .radius = box_diagonal(box) / 2.0f,
         .time = view->time,
         .surface = *(const struct surface_params *)settings_of(view->settings, &surface_settings),
     };

@@ -93,14 +93,16 @@ bool frame_reads_bump_maps(const struct settings *settings)
     return is_bumped(settings) || is_frosted(settings);
 }
 
-/* No object, and so nothing of the ice. */
+/* No rung, and nothing in or on the ice. */
 static struct frame_list frame_of_pool(const struct settings *settings)
 {
     const struct technique *light = caustics_find(settings);
     struct frame_list list = { { &background, &gbuffer } };
     if (light)
         add(&list, light);
-    add(&list, light ? &water_lit : &water);
+    if (water_has_ice(settings))
+        add(&list, &ice_normal);
+    add(&list, water_find(settings));
     add(&list, &tonemap);
     return list;
 }

@@ -95,7 +95,7 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
                    .bubbles = { spheres->count, spheres->seed, spheres->size },
                    .cracks = { cracks->count, cracks->seed, cracks->clip == CRACKS_CLIP_PRECUT },
                    .decode = &decode,
-                   .pool = { pool->size, pool->depth },
+                   .pool = { pool->size, pool->depth, pool->ice },
                });
     if (status == STATUS_OK)
         status = check_pool(o, scene);
@@ -119,11 +119,15 @@ bool app_same_scene(const struct app_options *a, const struct app_options *b)
 {
     /* what app_load_scene() reads */
     static const char *const rows[] = {
-        "object.triangles", "landscape.triangles", "motion.count", "bump.mask",
-        "bump.seed",        "air.count",           "air.seed",     "air.size",
-        "air.frequency",    "bubbles.count",       "bubbles.seed", "bubbles.size",
-        "cracks.count",     "cracks.seed",         "pool.size",    "pool.depth",
-        "landscape.flat",
+        "object.triangles", "landscape.triangles",
+        "motion.count",     "bump.mask",
+        "bump.seed",        "air.count",
+        "air.seed",         "air.size",
+        "air.frequency",    "bubbles.count",
+        "bubbles.seed",     "bubbles.size",
+        "cracks.count",     "cracks.seed",
+        "pool.size",        "pool.depth",
+        "landscape.flat",   "pool.ice",
     };
     const struct settings *before = &a->settings;
     const struct settings *after = &b->settings;

@@ -67,11 +67,16 @@ bool generate_movers(struct mesh *mesh, struct box box, uint32_t count);
 
 struct generate_pool {
     float size, depth; /* of the water, metres */
+    float ice;         /* width of what floats in it, metres; 0: nothing */
 };
 
 /* What is dry of a square pool around the origin, its water at height 0: walls down to the floor,
  * which is not there, and stone all around. */
 bool generate_pool(struct mesh *mesh, const struct generate_pool *pool);
+
+/* What floats in it: the ice cube, in the middle, as deep as its density has it were it a box; its
+ * width is pool->ice. */
+bool generate_floe(struct mesh *mesh, const struct generate_pool *pool, uint32_t triangles);
 
 struct generate_air {
     uint32_t count, seed; /* of planes, from 1 to GENERATE_AIR_MAX */

@@ -1,11 +1,13 @@
-/* generate_pool.c: what is dry of a pool: its walls' upper ends, a coping, paving all around. */
+/* generate_pool.c: what is dry of a pool: its walls' upper ends, a coping, paving all around; and
+ * ice that floats in it. */
 #include "shaders/water.h"
 #include "src/scene/generate.h"
 
 static const vec3s stone = { { POOL_STONE } };
 static const vec3s paving = { { 0.400F, 0.385F, 0.360F } };
-static const float coping = 0.3F; /* metres wide */
-static const float paved = 2000;  /* metres from the middle: as far as the eye sees */
+static const float coping = 0.3F;   /* metres wide */
+static const float sunken = 0.917F; /* share of ice that is below: its density over water's */
+static const float paved = 2000;    /* metres from the middle: as far as the eye sees */
 
 /* Corners in their order around the normal. */
 static void add_quad(struct mesh *mesh, uint32_t *count, const vec3s corners[4], vec3s color)
@@ -73,5 +75,17 @@ bool generate_pool(struct mesh *mesh, const struct generate_pool *pool)
     add_walls(mesh, &count, half, pool->depth);
     add_frame(mesh, &count, half, half + coping, stone);
     add_frame(mesh, &count, half + coping, paved, paving);
+    return true;
+}
+
+bool generate_floe(struct mesh *mesh, const struct generate_pool *pool, uint32_t triangles)
+{
+    if (!generate_ice_cube(mesh, triangles))
+        return false;
+    mesh_fit(mesh, pool->ice);
+    const struct box box = mesh_box(mesh);
+    const float height = box.max.y - box.min.y;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        mesh->vertices[i].position.y -= box.min.y + sunken * height;
     return true;
 }

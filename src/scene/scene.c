@@ -54,9 +54,26 @@ static enum status out_of_memory(const char *what)
     return STATUS_TRY_AGAIN;
 }
 
-/* No object, but a box to be looked at. */
-static enum status make_pool(struct scene *scene, const struct generate_pool *pool)
+/* Ice must find room, also where it turns, and water below. */
+static enum status add_floe(struct scene *scene, const struct scene_params *params)
 {
+    const struct generate_pool *pool = &params->pool;
+    const uint32_t triangles =
+        params->object_triangles ? params->object_triangles : GENERATE_ICE_CUBE_TRIANGLES;
+    if (!generate_floe(&scene->model.object, pool, triangles))
+        return out_of_memory("ice");
+    scene->floe = mesh_box(&scene->model.object);
+    if (1.5f * pool->ice < pool->size && -scene->floe.min.y < pool->depth)
+        return STATUS_OK;
+    log_error("pool.ice=%g: ice so wide needs a pool.size above %g and a pool.depth above %g",
+              (double)pool->ice, 1.5 * (double)pool->ice, (double)-scene->floe.min.y);
+    return STATUS_USAGE;
+}
+
+/* A box to be looked at. */
+static enum status make_pool(struct scene *scene, const struct scene_params *params)
+{
+    const struct generate_pool *pool = &params->pool;
     const float half = 0.5f * pool->size;
     scene->has_pool = true;
     scene->box = (struct box){ { { -half, -pool->depth, -half } }, { { half, 0.0f, half } } };
@@ -66,7 +83,9 @@ static enum status make_pool(struct scene *scene, const struct generate_pool *po
         .target = { { 0.02f * half, -0.3f * half, -0.02f * half } },
         .fov_deg = 45.0f,
     };
-    return generate_pool(&scene->model.surroundings, pool) ? STATUS_OK : out_of_memory("pool");
+    if (!generate_pool(&scene->model.surroundings, pool))
+        return out_of_memory("pool");
+    return pool->ice > 0.0f ? add_floe(scene, params) : STATUS_OK;
 }
 
 static enum status load_object(struct scene *scene, const struct scene_params *params)
@@ -75,7 +94,7 @@ static enum status load_object(struct scene *scene, const struct scene_params *p
     if (!builtin)
         return decode_model(&scene->model, params->name, MODEL_OBJECT, params->decode);
     if (!builtin->generate)
-        return make_pool(scene, &params->pool);
+        return make_pool(scene, params);
     uint32_t triangles = params->object_triangles ? params->object_triangles : builtin->triangles;
     if (!builtin->generate(&scene->model.object, triangles))
         return out_of_memory(builtin->name);

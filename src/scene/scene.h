@@ -26,13 +26,14 @@ struct scene {
     struct environment cube;      /* in place of what env_cube draws if that is not dynamic */
     struct bump_maps bump;        /* of the object's surface; {0}: none */
     struct box box;               /* of the object, or of the pool */
+    struct box floe;              /* of the object in the pool; {0}: there is none */
     struct box around;            /* that a model names, or of the surroundings but for what moves;
                                    * {0}: there are none */
     struct mesh cracks;           /* in the object's space; may be empty */
     struct mesh air;              /* in the object's space, as are the bubbles; may be empty */
     struct air_layers air_layers; /* on it */
     struct bubbles bubbles;
-    bool has_pool; /* in place of the object */
+    bool has_pool; /* with the object in it, if there is one */
 };
 
 /* Cracks inside the object. */
@@ -70,7 +71,8 @@ struct scene_builtin {
 
 extern const struct scene_builtin scene_builtins[]; /* ends at a row of zeros */
 
-/* Logs and returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *scene is then {0}. */
+/* Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (ice that finds no room in the pool)
+ * or STATUS_TRY_AGAIN; *scene is then {0}. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
 
 /* Replaces the cracks of a scene; done by scene_load() too. Logs and returns STATUS_TRY_AGAIN when

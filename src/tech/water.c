@@ -11,7 +11,13 @@
  * Limits: no ray meets a second wave; the reflection has the sky and the pool's dry walls, not what
  * stands around it; the ground does not light itself, nor the surface from below, which stands for
  * the loss of radiance by the square of the index that light has when it leaves water. The eye is
- * above the water. What floats in it is not drawn.
+ * above the water.
+ *
+ * Ice that floats in it (pool.ice) is drawn above the water, and met by rays below, by the maps of
+ * ice_normal.c in the eye's view, with the bends that air and water at rest give it. The limits
+ * are those of refract_bounce.c, and: colours do not part; the ice mirrors nothing but the sky and
+ * the dry walls, the water no ice; no ray meets the ice twice; sun and waves are as if it were not
+ * there.
  */
 #include "src/tech/water.h"
 #include "shaders/embedded.h"
@@ -21,7 +27,7 @@
 #include "src/tech/gbuffer.h"
 #include "src/tech/refract.h"
 
-static rg_record_fn record_surface;
+static rg_record_fn record_surface, record_ice;
 
 #define SURFACE \
     .vert = &water_vert, .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP, \
@@ -41,52 +47,65 @@ static rg_record_fn record_surface;
         .uses = RG_USES(FRAME_USE_GLOBALS), .frag = &water_gbuffer_frag, SURFACE, \
     }
 
+#define USE_CAUSTICS \
+    { \
+        .image = &caustics_light, .access = RG_SAMPLED, .binding = WATER_CAUSTICS, \
+        .sampler = &frame_linear, \
+    }
+
+/* Where the ice is: shaders/refract_inside.glsl. */
+#define USE_ICE \
+    REFRACT_USE_NORMAL_BACK, REFRACT_USE_DEPTH_BACK, REFRACT_USE_NORMAL_FRONT, \
+        REFRACT_USE_DEPTH_FRONT
+
+#define COLOR_TARGETS \
+    .color[0] = { &background_color, RG_LOAD_KEEP }, .depth = { &background_depth, RG_LOAD_KEEP }, \
+    .depth_compare = VK_COMPARE_OP_GREATER
+
+#define COLOR_ROW(shader, ...) \
+    { \
+        .name = "water.color", COLOR_TARGETS, .uses = RG_USES(FRAME_USE_GLOBALS, __VA_ARGS__), \
+        .frag = (shader), SURFACE, \
+    }
+
+/* What of it stands out of the water. */
+#define ICE_ROW(shader, ...) \
+    { \
+        .name = "water.ice", COLOR_TARGETS, .uses = RG_USES(FRAME_USE_GLOBALS, __VA_ARGS__), \
+        .frag = (shader), REFRACT_FRONT_FACES, .push_size = sizeof(struct water_push), \
+        .record = record_ice, \
+    }
+
+#define LAYERS_ROW(shader, ...) \
+    { \
+        .name = "water.layers", .color[0] = { &caustics_seen, RG_LOAD_CLEAR }, \
+        .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
+        .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL, \
+        .uses = RG_USES(FRAME_USE_GLOBALS, __VA_ARGS__), .frag = (shader), SURFACE, \
+    }
+
 static const struct rg_pass passes[] = {
     GBUFFER_ROW,
-    {
-        .name = "water.color",
-        .color[0] = { &background_color, RG_LOAD_KEEP },
-        .depth = { &background_depth, RG_LOAD_KEEP },
-        .depth_compare = VK_COMPARE_OP_GREATER,
-        .uses = RG_USES(FRAME_USE_GLOBALS, USE_ENVIRONMENT),
-        .frag = &water_frag,
-        SURFACE,
-    },
-};
-
-static const struct rg_use lit_uses[] = {
-    FRAME_USE_GLOBALS,
-    USE_ENVIRONMENT,
-    {
-        .image = &caustics_light,
-        .access = RG_SAMPLED,
-        .binding = WATER_CAUSTICS,
-        .sampler = &frame_linear,
-    },
-    { 0 },
+    COLOR_ROW(&water_frag, USE_ENVIRONMENT),
 };
 
 static const struct rg_pass lit_passes[] = {
     GBUFFER_ROW,
-    {
-        .name = "water.color",
-        .color[0] = { &background_color, RG_LOAD_KEEP },
-        .depth = { &background_depth, RG_LOAD_KEEP },
-        .depth_compare = VK_COMPARE_OP_GREATER,
-        .uses = lit_uses,
-        .frag = &water_caustics_frag,
-        SURFACE,
-    },
-    {
-        .name = "water.layers",
-        .color[0] = { &caustics_seen, RG_LOAD_CLEAR },
-        .depth = { &background_depth, RG_LOAD_KEEP },
-        .depth_read_only = true,
-        .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
-        .uses = lit_uses,
-        .frag = &water_caustics_aov_frag,
-        SURFACE,
-    },
+    COLOR_ROW(&water_caustics_frag, USE_ENVIRONMENT, USE_CAUSTICS),
+    LAYERS_ROW(&water_caustics_aov_frag, USE_ENVIRONMENT, USE_CAUSTICS),
+};
+
+static const struct rg_pass iced_passes[] = {
+    GBUFFER_ROW,
+    COLOR_ROW(&water_iced_frag, USE_ENVIRONMENT, USE_ICE),
+    ICE_ROW(&water_ice_frag, USE_ENVIRONMENT, USE_ICE),
+};
+
+static const struct rg_pass iced_lit_passes[] = {
+    GBUFFER_ROW,
+    COLOR_ROW(&water_iced_caustics_frag, USE_ENVIRONMENT, USE_CAUSTICS, USE_ICE),
+    ICE_ROW(&water_ice_caustics_frag, USE_ENVIRONMENT, USE_CAUSTICS, USE_ICE),
+    LAYERS_ROW(&water_iced_caustics_aov_frag, USE_ENVIRONMENT, USE_CAUSTICS, USE_ICE),
 };
 
 struct water_push water_push_of(const struct settings *settings)
@@ -96,6 +115,12 @@ struct water_push water_push_of(const struct settings *settings)
     struct water_push push = { *params, *pool };
     push.water.ior /= REFRACT_IOR_AIR;
     return push;
+}
+
+bool water_has_ice(const struct settings *settings)
+{
+    const struct pool_params *pool = settings_of(settings, &pool_settings);
+    return pool->water && pool->ice > 0.0f;
 }
 
 bool water_is_on(const struct settings *settings)
@@ -109,6 +134,13 @@ static void record_surface(struct rg_cmd *cmd, const struct rg_frame *frame)
     const struct water_push push = water_push_of(frame->settings);
     rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw(cmd, WATER_GRID * (2 * WATER_GRID + 4));
+}
+
+static void record_ice(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct water_push push = water_push_of(frame->settings);
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw_mesh(cmd, &frame->object);
 }
 
 static const char *const waves[] = {
@@ -176,18 +208,39 @@ static const struct setting pool_rows[] = {
     POOL(size, .initial = 4, .min = 0.1, .max = 100, .help = "length of the pool's sides"),
     POOL(depth, .initial = 1.2, .min = 0.01, .max = 100, .help = "depth of its water"),
     POOL(tile, .initial = 0.25, .min = 0.01, .max = 100, .help = "length of its tiles' sides"),
+    POOL(ice, .max = 50, .help = "width of the ice that floats in it (0: none)"),
 };
 
 const struct setting_group pool_settings = SETTING_GROUP("pool", pool_rows, struct pool_params);
 
-const struct technique water = {
-    .graph = RG_TECHNIQUE("water", passes),
-    .settings = &water_settings,
-    .help = "a pool of water and the ground below it",
+static const struct technique techniques[2][2] = {
+    {
+        {
+            .graph = RG_TECHNIQUE("water", passes),
+            .settings = &water_settings,
+            .help = "a pool of water and the ground below it",
+        },
+        {
+            .graph = RG_TECHNIQUE("water", lit_passes),
+            .settings = &water_settings,
+            .help = "the same under the light of caustics",
+        },
+    },
+    {
+        {
+            .graph = RG_TECHNIQUE("water", iced_passes),
+            .settings = &water_settings,
+            .help = "a pool in which ice floats",
+        },
+        {
+            .graph = RG_TECHNIQUE("water", iced_lit_passes),
+            .settings = &water_settings,
+            .help = "the same under the light of caustics",
+        },
+    },
 };
 
-const struct technique water_lit = {
-    .graph = RG_TECHNIQUE("water", lit_passes),
-    .settings = &water_settings,
-    .help = "the same under the light of caustics",
-};
+const struct technique *water_find(const struct settings *settings)
+{
+    return &techniques[water_has_ice(settings)][caustics_find(settings) != NULL];
+}

@@ -4,8 +4,10 @@
 #include "shaders/water.h"
 #include "src/technique.h"
 
-extern const struct technique water;     /* its ground under even light */
-extern const struct technique water_lit; /* under caustics_light */
+/* What the settings choose: its ground under even light or caustics_light; ice that floats in it.
+ * Comes after ice_normal where there is ice. */
+const struct technique *water_find(const struct settings *settings);
+bool water_has_ice(const struct settings *settings);
 extern const struct setting_group water_settings, pool_settings;
 
 /* What shaders of the pool are told: struct water_push. */

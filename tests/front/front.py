@@ -114,6 +114,8 @@ class CommandLine(Case):
 
     def test_no_reference_of_water(self):
         self.refuse(USAGE, 'render', 'pool', '-r', 'reference', '-o', 'a.exr', names=['pool'])
+        for wrong in ('pool.ice=3', 'pool.ice=1.4'):  # too wide, too deep
+            self.refuse(USAGE, 'render', 'pool', '--set', wrong, '-o', 'a.exr', names=[wrong])
         self.assertEqual(self.files(), [])
 
     def test_list(self):

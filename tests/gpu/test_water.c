@@ -1,11 +1,14 @@
-/* test_water.c: level water against closed forms: what it mirrors, refracts and absorbs. */
+/* test_water.c: level water against closed forms, by what it mirrors, refracts and absorbs; and
+ * ice in it. */
 #include <math.h>
 
 #include "tests/support/check.h"
 
 #include "shaders/water.h"
+#include "src/tech/water.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
+#include "tests/support/trace.h"
 
 enum {
     WIDTH = 96,
@@ -29,6 +32,18 @@ static const struct picture_request request = {
     .layers = PICTURE_ALL_LAYERS,
 };
 
+/* Ice in it hides less of what is below. */
+static const struct picture_request low = {
+    .camera = {
+        .eye = { { 1.1F, 0.7F, 1.2F } },
+        .target = { { 0, -0.2F, 0 } },
+        .fov_deg = 50,
+    },
+    .width = WIDTH,
+    .height = HEIGHT,
+    .layers = PICTURE_ALL_LAYERS,
+};
+
 static const char *const level[] = {
     "pool.water=on",  "pool.size=3",          "pool.depth=0.8",
     "water.height=0", "caustics.method=none", NULL,
@@ -40,20 +55,27 @@ static void set_all(struct settings *settings, const char *const *assignments)
         assert_int_equal(settings_set(settings, assignments[i]), STATUS_OK);
 }
 
-static struct render_result draw(struct gpu *gpu, float background, const char *const *assignments)
+static struct scene load(float background, float ice)
 {
     const vec3s color = { { background, background, background } };
     const struct scene_params params = {
         .name = "pool",
         .background = &color,
-        .pool = { 2 * (float)half, (float)depth },
+        .pool = { 2 * (float)half, (float)depth, ice },
     };
-    struct settings settings = settings_default();
     struct scene scene;
+    assert_int_equal(scene_load(&scene, &params), STATUS_OK);
+    return scene;
+}
+
+static struct render_result draw_from(const struct picture_request *view, struct gpu *gpu,
+                                      float background, const char *const *assignments)
+{
+    struct settings settings = settings_default();
     set_all(&settings, level);
     set_all(&settings, assignments);
-    assert_int_equal(scene_load(&scene, &params), STATUS_OK);
-    struct picture_request drawn = request;
+    struct scene scene = load(background, water_push_of(&settings).pool.ice);
+    struct picture_request drawn = *view;
     drawn.scene = &scene;
     drawn.settings = &settings;
     struct render_result result = picture_render(gpu, &drawn);
@@ -61,14 +83,20 @@ static struct render_result draw(struct gpu *gpu, float background, const char *
     return result;
 }
 
+static struct render_result draw(struct gpu *gpu, float background, const char *const *assignments)
+{
+    return draw_from(&request, gpu, background, assignments);
+}
+
 /* ---- a ray ---- */
 
 struct seen {
-    struct vec at;  /* on the water */
-    double fresnel; /* share of what is mirrored */
-    bool is_sky;    /* that is */
-    double path;    /* to the ground, metres */
-    double below;   /* how deep the ground lies there */
+    struct vec at;     /* on the water */
+    double fresnel;    /* share of what is mirrored */
+    bool is_sky;       /* that is */
+    double path;       /* to the ground, metres */
+    double below;      /* how deep the ground lies there */
+    struct vec inside; /* direction in the water */
     struct vec ground;
 };
 
@@ -78,10 +106,10 @@ static double to_walls(struct vec from, struct vec dir)
     return fmin((copysign(half, dir.x) - from.x) / dir.x, (copysign(half, dir.z) - from.z) / dir.z);
 }
 
-static struct seen look(size_t i)
+static struct seen look_from(const struct picture_request *view, size_t i)
 {
-    const struct vec eye = vec_from(request.camera.eye);
-    const struct vec e = picture_pixel_ray(&request, i);
+    const struct vec eye = vec_from(view->camera.eye);
+    const struct vec e = picture_pixel_ray(view, i);
     struct seen seen = { .at = vec_add(eye, -eye.y / e.y, e) };
     const double ci = -e.y;
     const double st = sqrt(1 - ci * ci) / index_ratio;
@@ -90,12 +118,18 @@ static struct seen look(size_t i)
     const double rp = (index_ratio * ci - ct) / (index_ratio * ci + ct);
     const struct vec mirrored = { e.x, -e.y, e.z };
     const struct vec inside = { e.x / index_ratio, -ct, e.z / index_ratio };
+    seen.inside = inside;
     seen.fresnel = (rs * rs + rp * rp) / 2;
     seen.is_sky = to_walls(seen.at, mirrored) * mirrored.y > (double)POOL_RIM + 0.01;
     seen.path = fmin(to_walls(seen.at, inside), depth / ct);
     seen.below = seen.path * ct;
     seen.ground = vec_add(seen.at, seen.path, inside);
     return seen;
+}
+
+static struct seen look(size_t i)
+{
+    return look_from(&request, i);
 }
 
 /* A pixel in the middle of what it shows, and not near an edge of it. */
@@ -206,6 +240,73 @@ static void rim_casts_a_shadow(void **state)
     render_result_finish(&result);
 }
 
+/* ---- ice ---- */
+
+/* What stands out of the water hides it. */
+static bool is_dry(const struct render_result *result, size_t i)
+{
+    return image_find(&result->image, "P.Y")[i] > 1e-3F;
+}
+
+/* Ice of the water's own index and absorption shows only where it stands out. */
+static void ice_like_water_is_not_seen(void **state)
+{
+    static const char *const both[] = { "water.red=0.3",  "water.green=0.1",  "water.blue=0.2",
+                                        "absorb.red=0.3", "absorb.green=0.1", "absorb.blue=0.2",
+                                        "water.ior=1.35", "refract.ior=1.35", "pool.ice=0.8" };
+    const char *words[16] = { NULL };
+    for (size_t i = 0; i < sizeof(both) / sizeof(both[0]); i++)
+        words[i] = both[i];
+    struct render_result iced = draw(*state, 0.4F, words);
+    words[sizeof(both) / sizeof(both[0]) - 1] = NULL;
+    struct render_result bare = draw(*state, 0.4F, words);
+    const float *seen = image_find(&iced.image, "G");
+    const float *wanted = image_find(&bare.image, "G");
+    size_t dry = 0;
+    size_t off = 0;
+    for (size_t i = 0; i < PIXEL_COUNT; i++) {
+        dry += is_dry(&iced, i) && !is_dry(&bare, i);
+        off += !is_dry(&iced, i) && fabs((double)seen[i] / (double)wanted[i] - 1) > 2e-3;
+    }
+    print_message("%zu pixels dry, %zu off\n", dry, off);
+    assert_true(dry > 100 && off < 20); /* beside what is dry tiles are drawn as if far away */
+    render_result_finish(&iced);
+    render_result_finish(&bare);
+}
+
+/* As long as rays are in the ice by its triangles, so much is absorbed. */
+static void ice_below_absorbs(void **state)
+{
+    const char *words[] = { "water.red=0",  "water.green=0",  "water.blue=0",
+                            "pool.ice=0.8", "absorb.green=2", NULL };
+    struct scene scene = load(0, 0.8F);
+    struct render_result dim = draw_from(&low, *state, 0, words);
+    words[4] = NULL;
+    struct render_result clear = draw_from(&low, *state, 0, words);
+    const float *after = image_find(&dim.image, "G");
+    const float *before = image_find(&clear.image, "G");
+    double errors[PIXEL_COUNT];
+    size_t count = 0;
+    for (size_t i = 0; i < PIXEL_COUNT; i++) {
+        const struct seen seen = look_from(&low, i);
+        if (fmax(fabs(seen.at.x), fabs(seen.at.z)) > half - 0.01 || is_dry(&dim, i))
+            continue;
+        const struct trace_way way =
+            trace_through(&scene.model.object, seen.at, seen.inside, 1.333 / 1.3091, 4);
+        const double path = -log((double)after[i] / (double)before[i]) / 2;
+        if (way.hit || path > 0.01)
+            errors[count++] = fabs(path - way.path);
+    }
+    assert_true(count > 500);
+    const double median = picture_quantile(errors, count, 0.5);
+    const double most = picture_quantile(errors, count, 0.9);
+    print_message("%zu pixels of ice: path off by %.4f, 90 %%: %.4f metres\n", count, median, most);
+    assert_true(median < 0.01 && most < 0.05);
+    render_result_finish(&dim);
+    render_result_finish(&clear);
+    scene_finish(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -213,6 +314,8 @@ int main(void)
         ON_DEVICE(refracts_and_absorbs),
         ON_DEVICE(layers_show_the_surface),
         ON_DEVICE(rim_casts_a_shadow),
+        ON_DEVICE(ice_like_water_is_not_seen),
+        ON_DEVICE(ice_below_absorbs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -474,6 +474,19 @@ static void test_room(void **state)
     mesh_finish(&mesh);
 }
 
+/* As wide as it is told, nine tenths below. */
+static void test_floe(void **state)
+{
+    (void)state;
+    struct mesh mesh;
+    const struct generate_pool pool = { .size = 4, .depth = 2, .ice = 1.25F };
+    assert_true(generate_floe(&mesh, &pool, 300));
+    const struct box box = mesh_box(&mesh);
+    CHECK_NEAR(box.max.x - box.min.x, 1.25, 1e-5);
+    CHECK_NEAR(-box.min.y / (box.max.y - box.min.y), 0.917, 1e-4);
+    mesh_finish(&mesh);
+}
+
 static void test_same_mesh_every_time(void **state)
 {
     (void)state;
@@ -530,6 +543,7 @@ int main(void)
         cmocka_unit_test(test_floor),
         cmocka_unit_test(test_room),
         cmocka_unit_test(test_pool),
+        cmocka_unit_test(test_floe),
         cmocka_unit_test(test_same_mesh_every_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -413,13 +413,23 @@ static const char *const variants[] = {
     "ice_interval.count=8", "pool.water=on",
 };
 
-static size_t check_variants(const struct rung *rung, const char *also, struct seen *seen)
+/* Each together with these. */
+static const char *const also[][3] = {
+    { NULL },
+    { "ice_caustics.light=sun" },
+    { "pool.ice=1" },
+    { "pool.ice=1", "caustics.method=none" },
+    { "caustics.method=none" },
+};
+
+static size_t check_variants(const struct rung *rung, const char *const *more, struct seen *seen)
 {
     size_t rows = 0;
     for (size_t i = 0; i < sizeof(variants) / sizeof(variants[0]); i++) {
         struct settings settings = settings_default();
         assert_int_equal(settings_set(&settings, variants[i]), STATUS_OK);
-        assert_int_equal(settings_set(&settings, also), STATUS_OK);
+        for (size_t k = 0; more[k]; k++)
+            assert_int_equal(settings_set(&settings, more[k]), STATUS_OK);
         const struct frame_list list = frame_with(rung, &settings);
         rows += check_list(&list, seen);
     }
@@ -432,8 +442,8 @@ static void test_rows_and_shaders_agree(void **state)
     struct seen seen = { 0 };
     size_t rows = 0;
     for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        rows += check_variants(rung, "ice_caustics.light=none", &seen);
-        rows += check_variants(rung, "ice_caustics.light=sun", &seen);
+        for (size_t i = 0; i < sizeof(also) / sizeof(also[0]); i++)
+            rows += check_variants(rung, also[i], &seen);
     }
     const struct frame_list capture = frame_capture();
     const struct frame_list bake = frame_bake();

@@ -1,0 +1,10 @@
+/* water_aov.glsl: main() of the layer of light on the ground that is seen in the water. */
+#define WATER_WITH_CAUSTICS
+#include "water_surface.glsl"
+
+layout(location = 0) out float out_caustics;
+
+void main()
+{
+    out_caustics = water_look().caustics;
+}

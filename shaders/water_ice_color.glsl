@@ -1,0 +1,21 @@
+/* water_ice_color.glsl: main() of the ice that stands out of the water. What it mirrors is above,
+ * or looks as if it were: the water mirrors that once more. */
+#define WATER_WITH_ICE
+#include "water.glsl"
+
+layout(location = REFRACT_EYE_TO_POINT) in vec3 eye_to_point;
+layout(location = REFRACT_NORMAL) in vec3 normal;
+layout(location = 0) out vec4 color;
+
+void main()
+{
+    vec3 point = pool_from_world(frame.eye + eye_to_point);
+    vec3 e = normalize(pool_from_world(eye_to_point));
+    vec3 n = normalize(pool_from_world(normal));
+    vec3 inside = optics_refract(e, n, frame.eta);
+    water_ground ground = look_along(ice_through(water_ray(point, inside, false, vec3(1.0))));
+    vec3 r = optics_reflect(e, n);
+    vec3 reflection = radiance_above(point, vec3(r.xy, abs(r.z)));
+    vec3 radiance = optics_compose(reflection, ground.radiance, optics_fresnel(e, n, frame.eta));
+    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* a half's largest */
+}

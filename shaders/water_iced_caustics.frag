@@ -1,0 +1,5 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define WATER_WITH_CAUSTICS
+#define WATER_WITH_ICE
+#include "water_color.glsl"
