@@ -15,10 +15,10 @@ enum {
     WORD_COUNT = 6, /* program, DECODE_WORD, kind, path, seconds, GiB */
 };
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define MAPS_SHADOWS 1 /* and so needs terabytes of addresses */
 #elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define MAPS_SHADOWS 1
 #endif
 #endif

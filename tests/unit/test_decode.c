@@ -14,10 +14,10 @@
 #include "src/scene/mesh_pipe.h"
 #include "tests/support/check.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define MAPS_SHADOWS 1
 #elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define MAPS_SHADOWS 1
 #endif
 #endif
