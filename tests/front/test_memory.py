@@ -1,0 +1,93 @@
+"""test_memory.py: firn when memory ends, at many places. Usage: see case.py.
+
+What the driver's compiler and Embree's threads do then is to crash, now and then, with words of
+their own or none: firn can only see to it that no file is damaged.
+"""
+import concurrent.futures
+import os
+import pathlib
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import NO_DEVICE, Case, environment, main  # noqa: E402
+
+TRY_AGAIN = 75
+CRASHES = (-signal.SIGSEGV, -signal.SIGABRT, -signal.SIGBUS, -signal.SIGILL, -signal.SIGTRAP)
+NOT_STARTED = 127  # by the dynamic linker
+OLDER = b'what was there before'
+MIB = 1 << 20
+
+
+class Memory(Case):
+    def run_within(self, arguments, size):
+        """Its code, its words, and what it leaves: {name: bytes}."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (size * MIB, size * MIB))
+            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        with tempfile.TemporaryDirectory(prefix='firn ') as folder:
+            (pathlib.Path(folder) / 'a.exr').write_bytes(OLDER)
+            done = subprocess.run([Case.program, *arguments], cwd=folder, stdin=subprocess.DEVNULL,
+                                  env=environment({}), capture_output=True, timeout=240,
+                                  check=False, preexec_fn=limit)
+            left = {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir()}
+        return done.returncode, done.stderr.decode(), left
+
+    def squeeze(self, *arguments, sizes, may_crash):
+        """How many ended with which code."""
+        self.succeed(*arguments)
+        whole = (self.folder / 'a.exr').read_bytes()
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            ends = list(pool.map(lambda size: self.run_within(arguments, size), sizes))
+        codes = {}
+        for size, (code, words, left) in zip(sizes, ends):
+            codes[code] = codes.get(code, 0) + 1
+            with self.subTest(f'{arguments} in {size} MiB: {code}: {words}'):
+                self.assertEqual(list(left), ['a.exr'])
+                self.assertIn(left['a.exr'], (whole,) if code == 0 else (OLDER,))
+                if code in CRASHES and may_crash or code == NOT_STARTED:
+                    continue
+                self.assertIn(code, (0, 1, NO_DEVICE, TRY_AGAIN))
+                self.assertEqual(len(words.splitlines()), 1 if code else 0)
+                if code == 1:  # a driver that does not know what it lacks
+                    self.assertIn('VK_ERROR_UNKNOWN', words)
+        print(f"{' '.join(arguments[:2])}: {len(sizes)} limits; exit codes "
+              + ', '.join(f'{code}: {count}' for code, count in sorted(codes.items())),
+              file=sys.stderr)
+        return codes
+
+    def test_render(self):
+        codes = self.squeeze('render', 'sphere', '--size', '256x192', '--aov', 'all', '-q',
+                             '-o', 'a.exr', sizes=range(200, 920, 24), may_crash=True)
+        self.assertTrue(codes.get(TRY_AGAIN), codes)
+
+    def test_reference(self):
+        self.squeeze('render', 'sphere', '-r', 'reference', '--size', '64x48', '-q', '-o', 'a.exr',
+                     sizes=range(80, 400, 16), may_crash=True)
+
+    def test_diff(self):
+        """Nobody's memory but firn's."""
+        self.succeed('render', 'sphere', '--size', '640x480', '-q', '-o', self.folder / 'b.exr')
+        path = str(self.folder / 'b.exr')
+        codes = self.squeeze('diff', path, path, '-o', 'a.exr', sizes=range(64, 320, 8),
+                             may_crash=False)
+        self.assertTrue(codes.get(TRY_AGAIN), codes)
+        self.assertTrue(codes.get(0), codes)
+
+    def test_a_picture_that_is_too_large(self):
+        """Within the device's limits, but in no memory: found before it is drawn."""
+        for size in ('16384x16384', '16384x8192'):
+            code, words, left = self.run_within(
+                ('render', 'sphere', '--size', size, '-q', '-o', 'a.exr'), 2048)
+            with self.subTest(f'{size}: {words}'):
+                self.assertEqual(code, TRY_AGAIN)
+                self.assertEqual(len(words.splitlines()), 1)
+                self.assertIn('--size', words)
+                self.assertEqual(left, {'a.exr': OLDER})
+
+
+if __name__ == '__main__':
+    main()
