@@ -48,7 +48,7 @@ class Facts:
         if command.name == 'list':
             return list(CATEGORIES)
         kinds = ['slurm', 'parallel', 'status'] if command.name == 'farm' else []
-        return None if command.name == 'diff' else kinds + list(self.lists['scenes'])
+        return None if command.name in ('diff', 'merge') else kinds + list(self.lists['scenes'])
 
 
 def bash(facts):

@@ -3,7 +3,7 @@ import re
 import subprocess
 
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet',
-            'farm', 'list')
+            'farm', 'merge', 'list')
 LISTS = ('scenes', 'rungs', 'materials', 'layers', 'settings')
 
 

@@ -2,6 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "air.h"
 #include "ice_depth.h"
+#include "lib/constants.glsl"
+#include "lib/globals.glsl"
 
 layout(set = 0, binding = AIR_LAYERS) uniform sampler2DArray layers;
 
@@ -22,6 +24,8 @@ layout(location = 0) out vec4 air; /* premultiplied */
 void main()
 {
     vec2 texel = texture(layers, uv).rg; /* before any discard: derivatives */
+    if (constant_tiled != 0u)
+        texel = texture(layers, uv, frame.lod_bias).rg;
     if (gl_FragCoord.z < texelFetch(ice_front, ivec2(gl_FragCoord.xy), 0).r)
         discard;
     texel *= smoothstep(0.0, AIR_EDGE, abs(dot(normalize(eye_to_point), normal)));

@@ -43,7 +43,10 @@ void main()
     uint layer = material & MESH_TEXTURE_MASK;
     vec3 albedo = base_color;
     if (constant_textured != 0u && layer != 0u) {
-        vec4 texel = texture(textures, vec3(uv, float(layer - 1u)));
+        vec3 at = vec3(uv, float(layer - 1u));
+        vec4 texel = texture(textures, at);
+        if (constant_tiled != 0u && push.inverse == 0u)
+            texel = texture(textures, at, frame.lod_bias);
         if ((material & MESH_CUTOUT) != 0u && texel.a < 0.5)
             discard;
         albedo *= texel.rgb;

@@ -12,6 +12,11 @@
 
 layout(set = 0, binding = BUMP_MAP) uniform sampler2D bump_map;
 
+vec4 bump_read(vec2 at)
+{
+    return constant_tiled != 0u ? texture(bump_map, at, frame.lod_bias) : texture(bump_map, at);
+}
+
 struct bump_planes {
     vec4 texels[3]; /* of the planes across x, y and z: yz, zx, xy */
     vec3 shares;    /* of the planes; their sum is 1 */
@@ -24,9 +29,9 @@ bump_planes bump_read_planes(vec3 point, vec3 normal)
     vec3 p = object_from_world * (point - frame.center) * frame.bump_scale;
     vec3 n = object_from_world * normal;
     bump_planes planes;
-    planes.texels[0] = texture(bump_map, p.yz);
-    planes.texels[1] = texture(bump_map, p.zx + vec2(0.37, 0.61)); /* else the three planes' */
-    planes.texels[2] = texture(bump_map, p.xy + vec2(0.71, 0.23)); /* middles look alike */
+    planes.texels[0] = bump_read(p.yz);
+    planes.texels[1] = bump_read(p.zx + vec2(0.37, 0.61)); /* else the three planes' */
+    planes.texels[2] = bump_read(p.xy + vec2(0.71, 0.23)); /* middles look alike */
     planes.shares = n * n * n * n;
     planes.shares /= planes.shares.x + planes.shares.y + planes.shares.z;
     return planes;
@@ -34,7 +39,7 @@ bump_planes bump_read_planes(vec3 point, vec3 normal)
 
 vec4 bump_read_uv(vec2 uv)
 {
-    return texture(bump_map, uv * frame.bump_scale);
+    return bump_read(uv * frame.bump_scale);
 }
 
 /* How smooth the ice is, and how thick its crystals stand. */

@@ -35,6 +35,7 @@ struct globals {
     float refract_crossfade; /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
     ABI_STRUCT(surface_params) surface;
     vec3s local_min, local_max; /* of the box around the object, world, metres */
+    float lod_bias; /* of the view's textures: below 0 where it has every nth pixel alone */
 };
 
 #endif

@@ -45,7 +45,7 @@ vec3 tiles(vec2 at)
 {
     const float joint = 0.06;
     vec2 x = at / push.pool.tile;
-    vec2 width = clamp(fwidth(x), 1e-4, 16.0);
+    vec2 width = clamp(fwidth(x) * exp2(frame.lod_bias), 1e-4, 16.0);
     float shown = clamp(1.5 - max(width.x, width.y), 0.0, 1.0);
     float shade = mix(0.5, tile_noise(floor(x)), shown);
     vec3 tile = mix(vec3(0.20, 0.46, 0.56), vec3(0.34, 0.62, 0.68), shade);

@@ -52,11 +52,12 @@ struct background_push frame_view_push(const struct frame_view *view)
     float up = tanf(radians(camera->fov_deg) / 2.0f);
     float right = up * width / height;
     /* a pixel to the right is 2 right / width; a pixel down is the other way than up */
-    vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * view->jitter.x * right / width),
-                                glms_vec3_scale(basis.up, 2.0f * view->jitter.y * up / height));
+    const vec2s at = glms_vec2_add(view->jitter, view->tile);
+    vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * at.x * right / width),
+                                glms_vec3_scale(basis.up, 2.0f * at.y * up / height));
     return (struct background_push){
         .clip_from_world = camera_clip_from_world(camera, view->width, view->height,
-                                                  frame_view_near_plane(view->scene), view->jitter),
+                                                  frame_view_near_plane(view->scene), at),
         .eye = camera->eye,
         .environment_lod = environment_lod(view->scene, 2.0f * up / height),
         .right = glms_vec3_scale(basis.right, right),
@@ -175,6 +176,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .radius = box_diagonal(box) / 2.0f,
         .time = view->time,
         .surface = *(const struct surface_params *)settings_of(view->settings, &surface_settings),
+        .lod_bias = view->lod_bias,
     };
     g.fitted_clip_from_world = frame_view_fit(&view->camera, push->clip_from_world, center,
                                               fmaxf(g.radius, 1e-6f), &g.fitted);

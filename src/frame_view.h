@@ -19,6 +19,9 @@ struct frame_view {
     uint32_t width, height; /* pixels */
     vec2s jitter;           /* of the sample, pixels */
     uint32_t face_size;     /* of the cube around the object, texels */
+    vec2s tile;             /* where the tile's pixels are, in pixels: from the middle of those
+                               that all tiles have at one place */
+    float lod_bias;         /* log2 of the distance of neighbours, in pixels, times -1 */
 };
 
 struct background_push frame_view_push(const struct frame_view *view);

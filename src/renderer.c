@@ -1,5 +1,6 @@
 /* renderer.c: plans, executors and frames behind a picture. */
 #include "src/renderer.h"
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,7 +32,8 @@ struct stage {
 };
 
 struct renderer {
-    struct renderer_params params;
+    struct renderer_params params; /* but of a tile's size */
+    uint32_t width, height;        /* of the picture */
     struct scene_gpu own;          /* {0} if it comes uploaded */
     const struct scene_gpu *scene; /* on the device */
     struct stage capture;          /* the environment cube, once, if it is not dynamic */
@@ -126,7 +128,8 @@ static enum status make_exec(struct stage *stage, const struct renderer *rendere
     const struct renderer_params *params = &renderer->params;
     struct gpu *gpu = params->gpu;
     const struct texture_params *texture = settings_of(params->settings, &texture_settings);
-    const struct frame_constants constants = frame_view_constants(params->scene, params->settings);
+    struct frame_constants constants = frame_view_constants(params->scene, params->settings);
+    constants.values[CONSTANT_TILED] = params->columns * params->rows > 1;
     VkSpecializationMapEntry entries[CONSTANT_COUNT];
     for (uint32_t i = 0; i < CONSTANT_COUNT; i++)
         entries[i] = (VkSpecializationMapEntry){ i, i * sizeof(uint32_t), sizeof(uint32_t) };
@@ -205,6 +208,28 @@ static enum status upload(struct renderer *r)
     return scene_gpu_upload(&r->own, r->params.gpu, r->params.scene);
 }
 
+/* From the middle of the pixels that all tiles have at one place, in pixels of the picture. */
+static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
+{
+    const uint32_t column = tile % params->columns, row = tile / params->columns;
+    return (vec2s){ { (float)column + 0.5f - (float)params->columns / 2.0f,
+                      (float)row + 0.5f - (float)params->rows / 2.0f } };
+}
+
+/* Sizes become those of a tile. */
+static void take_params(struct renderer *r, const struct renderer_params *params)
+{
+    r->params = *params;
+    r->params.samples = params->samples ? params->samples : 1;
+    r->params.columns = params->columns ? params->columns : 1;
+    r->params.rows = params->rows ? params->rows : 1;
+    r->width = params->width;
+    r->height = params->height;
+    assert(r->width % r->params.columns == 0 && r->height % r->params.rows == 0);
+    r->params.width = r->width / r->params.columns;
+    r->params.height = r->height / r->params.rows;
+}
+
 enum status renderer_create(struct renderer **renderer, const struct renderer_params *params)
 {
     struct renderer *r = calloc(1, sizeof(*r));
@@ -214,19 +239,18 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
         log_error("out of memory");
         return status;
     }
-    r->params = *params;
+    take_params(r, params);
     r->face_size = env_cube_color.width;
-    r->params.samples = params->samples ? params->samples : 1;
     const double start = clock_ms();
-    status = gpu_fit_size(params->gpu, params->width, params->height);
+    status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
     if (status == STATUS_OK)
         status = upload(r);
     r->costs.upload = clock_ms() - start;
     if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings) &&
         !params->scene->cube.texels)
-        status = stage_create(&r->capture, r, capture_request(params));
+        status = stage_create(&r->capture, r, capture_request(&r->params));
     if (status == STATUS_OK && params->display && r->params.samples > 1)
-        status = stage_create(&r->resolve, r, resolve_request(params));
+        status = stage_create(&r->resolve, r, resolve_request(&r->params));
     if (status == STATUS_OK) /* last: its costs stay */
         status = stage_create(&r->picture, r, picture_request(&r->params));
     if (status == STATUS_OK)
@@ -282,9 +306,11 @@ static enum status run_stage(const struct renderer *r, struct stage *stage,
         .settings = r->params.settings,
         .camera = shot->camera,
         .time = shot->time,
-        .width = r->params.width,
-        .height = r->params.height,
+        .width = r->width,
+        .height = r->height,
         .jitter = jitter,
+        .tile = tile_offset(&r->params, shot->tile),
+        .lod_bias = -0.5f * log2f((float)(r->params.columns * r->params.rows)),
         .face_size = r->face_size,
     };
     struct rg_frame frame = {
@@ -523,15 +549,17 @@ static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *i
 
 enum status renderer_bake(const struct renderer_params *params, float time, struct image *image)
 {
-    struct renderer r = { .params = *params, .face_size = params->width };
+    struct renderer r = { .face_size = params->width };
     const vec3s center = box_center(params->scene->box);
     const vec3s ahead = glms_vec3_add(center, (vec3s){ { 0.0f, 0.0f, -1.0f } });
     const struct renderer_shot shot = {
         .camera = { .eye = center, .target = ahead, .fov_deg = 90.0f }, /* no face has to do with */
         .time = time,
     };
+    struct renderer_params strip = *params;
     uint32_t slot;
-    r.params.height = params->width;
+    strip.height = params->width;
+    take_params(&r, &strip);
     enum status status = gpu_fit_cube(params->gpu, params->width);
     if (status == STATUS_OK)
         status = upload(&r);

@@ -29,6 +29,7 @@ struct renderer_params {
     const struct settings *settings;
     const struct rung *rung;
     uint32_t width, height;  /* pixels */
+    uint32_t columns, rows;  /* of tiles, of which each shot draws one; 0 means 1 */
     uint32_t samples;        /* a pixel; 0 means 1 */
     uint32_t layers;         /* bit i: frame_layers[i]; 0 where the settings switch it off */
     bool linear;             /* the beauty, in render_result.image */
@@ -53,13 +54,19 @@ typedef bool renderer_progress_fn(void *user, uint32_t done, uint32_t all);
 MUST_USE enum status renderer_create(struct renderer **renderer,
                                      const struct renderer_params *params);
 
-/* What one picture shows. */
+/*
+ * What one picture shows. With tiles, one of them: pixel (x, y) of tile i is pixel
+ * (columns x + i % columns, rows y + i / columns) of the picture, so each tile shows all of it,
+ * and what looks elsewhere in the picture finds it there. They divide its width and height.
+ */
 struct renderer_shot {
     struct camera camera;
-    float time; /* seconds: what turns and moves has turned so long */
+    float time;    /* seconds: what turns and moves has turned so long */
+    uint32_t tile; /* below columns * rows */
 };
 
-/* *result must be {0} or finished; on failure it is {0}. `progress` may be NULL. */
+/* *result must be {0} or finished; on failure it is {0}; with tiles it has the pixels of one.
+ * `progress` may be NULL. */
 MUST_USE enum status renderer_render(struct renderer *renderer, const struct renderer_shot *shot,
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);

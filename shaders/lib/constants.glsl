@@ -13,5 +13,6 @@ layout(constant_id = CONSTANT_REFRACT_FRESNEL) const uint constant_refract_fresn
 layout(constant_id = CONSTANT_REFRACT_LOOKUP) const uint constant_refract_lookup = 0u;
 layout(constant_id = CONSTANT_REFRACT_STEPS) const uint constant_refract_steps = 0u;
 layout(constant_id = CONSTANT_TONEMAP_CURVE) const uint constant_tonemap_curve = 0u;
+layout(constant_id = CONSTANT_TILED) const uint constant_tiled = 0u;
 
 #endif

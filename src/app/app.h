@@ -13,10 +13,10 @@
 #include "src/status.h"
 
 enum {
-    APP_OUTPUT_COUNT = 16,    /* -o options at most */
-    APP_POSITIONAL_COUNT = 2, /* words that are no options */
-    APP_SWEEP_COUNT = 4,      /* --sweep */
-    APP_SBATCH_COUNT = 16,    /* --sbatch */
+    APP_OUTPUT_COUNT = 16,      /* -o options at most */
+    APP_POSITIONAL_COUNT = 256, /* words that are no options */
+    APP_SWEEP_COUNT = 4,        /* --sweep */
+    APP_SBATCH_COUNT = 16,      /* --sbatch */
 };
 
 /* How firn graph prints a plan. */
@@ -70,13 +70,15 @@ struct app_farm {
 
 /* What the command line says; zero is the default everywhere. */
 struct app_options {
-    const char *positionals[APP_POSITIONAL_COUNT]; /* SCENE, what to list, two files */
+    const char *positionals[APP_POSITIONAL_COUNT]; /* SCENE, what to list, files; end at NULL */
     const char *outputs[APP_OUTPUT_COUNT];
     uint32_t output_count;
     uint32_t width, height, samples;
-    uint32_t layers;                /* bit i: frame_layers[i] */
-    bool all_layers;                /* that the rung makes; app_parse() puts them into `layers` */
-    const struct frame_layer *show; /* what PNG files show; NULL: the tonemapped picture */
+    uint32_t tile_columns, tile_rows; /* that a picture is drawn in; 0: it is not */
+    uint32_t tile;                    /* the one to draw, from 1; 0: all of them */
+    uint32_t layers;                  /* bit i: frame_layers[i] */
+    bool all_layers;                  /* that the rung makes; app_parse() puts them into `layers` */
+    const struct frame_layer *show;   /* what PNG files show; NULL: the tonemapped picture */
     const struct rung *rung;
     const char *material, *environment, *surroundings, *device;
     vec3s background, eye, target, orbit;   /* orbit: azimuth, elevation (degrees), distance */
@@ -122,6 +124,7 @@ enum app_command {
     APP_BAKE = 128,
     APP_SHEET = 256,
     APP_FARM = 512,
+    APP_MERGE = 1024,
 };
 
 /*
@@ -159,6 +162,7 @@ enum status app_ladder(const struct app_options *options);
 enum status app_bake(const struct app_options *options);
 enum status app_sheet(const struct app_options *options);
 enum status app_farm(const struct app_options *given);
+enum status app_merge(const struct app_options *options);
 
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);

@@ -206,6 +206,8 @@ static enum status look_at_all(struct look *look)
         status = app_load_scene(&look->scene, &options);
         if (status == STATUS_OK)
             status = app_camera(&look->camera, &look->scene, &options);
+        if (status == STATUS_OK)
+            status = output_check_tiles(&options);
     } else {
         for (uint32_t i = 0; i < options.output_count && status == STATUS_OK; i++)
             status = find_newest(look, i);

@@ -23,6 +23,7 @@ static const struct {
     { "bake", APP_BAKE, app_bake, "draw what surrounds a scene's object, once, for --env" },
     { "sheet", APP_SHEET, app_sheet, "draw every material, or value of a setting, side by side" },
     { "farm", APP_FARM, app_farm, "a long sequence on many machines: Slurm, GNU parallel" },
+    { "merge", APP_MERGE, app_merge, "put the tiles of a picture together" },
     { "list", APP_LIST, app_list, "scenes, rungs, materials, layers, settings, devices" },
 };
 
@@ -55,8 +56,8 @@ static size_t find_command(const char *name)
 
 static enum status unknown(const char *word)
 {
-    log_error("unknown command %s: render, view, profile, graph, diff, ladder, bake, sheet or list "
-              "is wanted (see --help)",
+    log_error("unknown command %s: render, view, profile, graph, diff, ladder, bake, sheet, farm, "
+              "merge or list is wanted (see --help)",
               word);
     return STATUS_USAGE;
 }
@@ -79,7 +80,7 @@ static enum status run(int argc, char **argv)
     bool done;
     if (argc < 2) {
         log_error("a command is missing: render, view, profile, graph, diff, ladder, bake, sheet, "
-                  "farm or list (see --help)");
+                  "farm, merge or list (see --help)");
         return STATUS_USAGE;
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))

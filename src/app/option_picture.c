@@ -86,6 +86,27 @@ enum status option_samples(struct app_options *o, const char *value)
     return STATUS_OK;
 }
 
+enum {
+    TILES_MAX = 16 /* in a row or column */
+};
+
+enum status option_tiles(struct app_options *o, const char *value)
+{
+    const char *rest;
+    if (!option_parse_count(value, 1, TILES_MAX, &o->tile_columns, &rest) || *rest != 'x' ||
+        !option_parse_count(rest + 1, 1, TILES_MAX, &o->tile_rows, &rest) || *rest)
+        return option_refuse("tiles", value, "COLUMNSxROWS, 1x1 to 16x16, is wanted");
+    return STATUS_OK;
+}
+
+enum status option_tile(struct app_options *o, const char *value)
+{
+    const char *rest;
+    if (!option_parse_count(value, 1, TILES_MAX * TILES_MAX, &o->tile, &rest) || *rest)
+        return option_refuse("tile", value, "the number of a tile, from 1, is wanted");
+    return STATUS_OK;
+}
+
 static enum status add_layer(struct app_options *o, const char *name, size_t length,
                              const char *value)
 {

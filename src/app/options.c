@@ -47,6 +47,8 @@ static const struct option options[] = {
       "write FILE.exr; - is stdout (env.exr)" },
     { "Output", "output", 'o', "FILE", APP_SHEET, option_sheet_output,
       "write FILE.png (sheet.png)" },
+    { "Output", "output", 'o', "FILE", APP_MERGE, option_bake_output,
+      "write FILE.exr; - is stdout (merged.exr)" },
     { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, option_sweep,
       "one picture for each; of several all products (every material)" },
     { "Output", "size", 's', "WxH", APP_SHEET, option_size, "pixels of each picture (320x240)" },
@@ -57,6 +59,10 @@ static const struct option options[] = {
       "samples a pixel (1); a window shows one, its screenshots have all" },
     { "Output", "aov", 0, "LIST", FILES, option_aov,
       "extra layers of the EXR: names with commas between (firn list layers), or all" },
+    { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, option_tiles,
+      "draw it in C x R tiles, each every Cth pixel of every Rth row, with less memory" },
+    { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, option_tile,
+      "only that tile, from 1; firn merge puts the files together" },
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, option_show,
       "what PNG files show in place of the picture: one layer (firn list layers)" },
     { "Window", "frames", 0, "N", APP_VIEW, option_frame_count, "end after so many frames" },
@@ -167,7 +173,7 @@ static const struct option options[] = {
       "print a page that shows passes and memory" },
     { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM, option_format_json,
       "print JSON, with everything" },
-    { "Other", "quiet", 'q', NULL, SCENES, option_quiet, "no progress" },
+    { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, option_quiet, "no progress" },
 };
 
 enum {
@@ -213,6 +219,8 @@ static const char *const examples[] = {
                   "--hosts one,two,:\n"
                   "  firn farm status ice-cube --frames 1-250 -o turn.####.exr\n"
                   "  firn farm status turn.####.exr --frames 1-250\n"),
+    [APP_MERGE] = ("  firn render ice-cube --size 16384x8192 --tiles 4x2 --tile 1 -o tile.1.exr\n"
+                   "  firn merge tile.*.exr -o still.exr\n"),
     [APP_LIST] = ("  firn list\n"
                   "  firn list settings\n"),
 };
@@ -227,6 +235,7 @@ static const char *const usages[] = {
     [APP_BAKE] = "firn bake [options] SCENE: draw what surrounds its object, six ways",
     [APP_SHEET] = "firn sheet [options] SCENE: one picture for each value, side by side",
     [APP_FARM] = "firn farm slurm|parallel|status [options] SCENE: a sequence on many machines",
+    [APP_MERGE] = "firn merge [options] TILE...: put the tiles of a picture together",
     [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
 };
 
@@ -342,7 +351,9 @@ static enum status parse_option(struct app_options *o, enum app_command command,
 
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
-    const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2 : 1;
+    const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2
+                          : command == APP_MERGE          ? APP_POSITIONAL_COUNT - 1
+                                                          : 1;
     uint32_t count = 0;
     while (count < most && o->positionals[count])
         count++;

@@ -10,15 +10,20 @@
 #include "src/image/file.h"
 #include "src/image/png.h"
 #include "src/log.h"
+#include "src/reference/reference.h"
 #include "src/scene_settings.h"
 #include "src/version.h"
 
 /* In the order of the files; the device comes last, for it does not count in comparisons. */
 enum {
-    TEXT_VERSION,
-    TEXT_SETTINGS,
-    TEXT_DEVICE,
-    TEXT_COUNT,
+    TEXT_COUNT_MAX = 4
+};
+
+/* The words of a file. */
+struct texts {
+    struct image_text all[TEXT_COUNT_MAX];
+    uint32_t count, compared_count;
+    char tile[32];
 };
 
 bool output_is_png(const char *path)
@@ -66,6 +71,8 @@ static bool describe(const struct output *output, const struct frame_layer *show
     if (out) {
         fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", o->positionals[0],
                 o->rung->name, o->width, o->height, o->samples);
+        if (o->tile_columns)
+            fprintf(out, " tiles=%ux%u", o->tile_columns, o->tile_rows);
         if (o->split)
             fprintf(out, " split=%s", o->split->name);
         if (show)
@@ -102,15 +109,58 @@ void output_finish(struct output *output)
     free(output->png_settings);
 }
 
-static void fill_texts(struct image_text texts[static TEXT_COUNT], const struct output *output,
-                       bool is_png, const char *device)
+static void add_text(struct texts *texts, const char *name, const char *value)
 {
-    texts[TEXT_VERSION] = (struct image_text){ "firn/version", FIRN_VERSION };
-    texts[TEXT_SETTINGS] = (struct image_text){
-        "firn/settings",
-        is_png ? output->png_settings : output->settings,
-    };
-    texts[TEXT_DEVICE] = (struct image_text){ "firn/device", device };
+    texts->all[texts->count++] = (struct image_text){ name, value };
+}
+
+static void fill_texts(struct texts *texts, const struct output *output, bool is_png,
+                       const char *device)
+{
+    const struct app_options *o = output->options;
+    texts->count = 0;
+    add_text(texts, "firn/version", FIRN_VERSION);
+    add_text(texts, "firn/settings", is_png ? output->png_settings : output->settings);
+    if (o->tile) {
+        snprintf(texts->tile, sizeof(texts->tile), "%u of %ux%u", o->tile, o->tile_columns,
+                 o->tile_rows);
+        add_text(texts, "firn/tile", texts->tile);
+    }
+    texts->compared_count = texts->count;
+    add_text(texts, "firn/device", device);
+}
+
+/* Pixels of a file. */
+static uint32_t width_of(const struct app_options *o)
+{
+    return o->tile ? o->width / o->tile_columns : o->width;
+}
+
+static uint32_t height_of(const struct app_options *o)
+{
+    return o->tile ? o->height / o->tile_rows : o->height;
+}
+
+enum status output_check_tiles(const struct app_options *o)
+{
+    const char *wrong = NULL;
+    if (!o->tile_columns && o->tile) {
+        wrong = "--tile needs --tiles";
+    } else if (o->tile_columns) {
+        if (o->rung == &reference_rung)
+            wrong = "--refraction reference: it needs no --tiles, it traces the picture as it is";
+        else if (o->tile > o->tile_columns * o->tile_rows)
+            wrong = "--tile: there are not so many --tiles";
+        else if (o->width % o->tile_columns || o->height % o->tile_rows)
+            wrong =
+                "--tiles: their columns must divide the width, and their rows the height (--size)";
+        for (uint32_t i = 0; i < o->output_count && o->tile && !wrong; i++)
+            wrong = output_is_png(o->outputs[i]) ? "--tile: a tile is an .exr file, no .png" : NULL;
+    }
+    if (!wrong)
+        return STATUS_OK;
+    log_error("%s", wrong);
+    return STATUS_USAGE;
 }
 
 /* ---- files that are there ---- */
@@ -128,13 +178,12 @@ static void add_layer(struct image *image, const struct frame_layer *layer)
     }
 }
 
-static bool exr_is_current(const struct output *output, const char *path,
-                           const struct image_text *texts)
+static bool exr_is_current(const struct output *output, const char *path, const struct texts *texts)
 {
     const struct app_options *o = output->options;
     struct image_plane planes[PLANE_COUNT_MAX] = { 0 };
-    struct image image = { .width = o->width, .height = o->height, .planes = planes };
-    const struct exr_header header = { .texts = texts, .text_count = TEXT_DEVICE };
+    struct image image = { .width = width_of(o), .height = height_of(o), .planes = planes };
+    const struct exr_header header = { .texts = texts->all, .text_count = texts->compared_count };
 
     add_layer(&image, &frame_beauty);
     for (uint32_t i = 0; frame_layers[i].name; i++) {
@@ -146,19 +195,18 @@ static bool exr_is_current(const struct output *output, const char *path,
 
 bool output_is_current(const struct output *output, const char *path)
 {
-    struct image_text texts[TEXT_COUNT];
-    const struct png_picture picture = {
-        .width = output->options->width,
-        .height = output->options->height,
-        .texts = texts,
-        .text_count = TEXT_DEVICE,
-    };
-
+    struct texts texts;
     if (file_is_straight(path) || access(path, R_OK) != 0)
         return false;
     const bool is_png = output_is_png(path);
-    fill_texts(texts, output, is_png, "");
-    return is_png ? png_matches(path, &picture) : exr_is_current(output, path, texts);
+    fill_texts(&texts, output, is_png, "");
+    const struct png_picture picture = {
+        .width = width_of(output->options),
+        .height = height_of(output->options),
+        .texts = texts.all,
+        .text_count = texts.compared_count,
+    };
+    return is_png ? png_matches(path, &picture) : exr_is_current(output, path, &texts);
 }
 
 /* ---- new files ---- */
@@ -178,7 +226,7 @@ static void select_planes(struct image *image, const struct image *drawn,
 }
 
 static enum status encode_exr(const struct output *output, const struct render_result *result,
-                              const struct image_text *texts, void **data, size_t *size)
+                              const struct texts *texts, void **data, size_t *size)
 {
     const struct app_options *o = output->options;
     const struct camera *camera = &output->shot.camera;
@@ -188,13 +236,13 @@ static enum status encode_exr(const struct output *output, const struct render_r
                                (vec2s){ { 0.0f, 0.0f } });
     /* column-major matrices for column vectors are row-major ones for row vectors */
     const struct exr_header header = {
-        .texts = texts,
-        .text_count = TEXT_COUNT,
+        .texts = texts->all,
+        .text_count = texts->count,
         .world_to_camera = &view.raw[0][0],
         .world_to_ndc = &ndc.raw[0][0],
     };
     struct image_plane planes[PLANE_COUNT_MAX];
-    struct image image = { .width = o->width, .height = o->height, .planes = planes };
+    struct image image = { .width = width_of(o), .height = height_of(o), .planes = planes };
     select_planes(&image, &result->image, o);
     return exr_encode(&image, &header, data, size);
 }
@@ -203,17 +251,16 @@ enum status output_encode(const struct output *output, const char *path,
                           const struct render_result *result, const char *device, void **data,
                           size_t *size)
 {
-    struct image_text texts[TEXT_COUNT];
+    struct texts texts;
+    const bool is_png = output_is_png(path);
+    fill_texts(&texts, output, is_png, device);
     const struct png_picture picture = {
         .rgba = result->rgba,
-        .width = output->options->width,
-        .height = output->options->height,
-        .texts = texts,
-        .text_count = TEXT_COUNT,
+        .width = width_of(output->options),
+        .height = height_of(output->options),
+        .texts = texts.all,
+        .text_count = texts.count,
     };
-
-    const bool is_png = output_is_png(path);
-    fill_texts(texts, output, is_png, device);
     return is_png ? png_encode(&picture, data, size)
-                  : encode_exr(output, result, texts, data, size);
+                  : encode_exr(output, result, &texts, data, size);
 }

@@ -35,6 +35,12 @@ void output_finish(struct output *output);
  */
 bool output_is_current(const struct output *output, const char *path);
 
+/*
+ * Whether --tiles and --tile go with the size, as app_load_scene() left it, and with the rest.
+ * Logs: STATUS_USAGE.
+ */
+MUST_USE enum status output_check_tiles(const struct app_options *options);
+
 /* Encodes it for file_write(); the caller frees *data. Logs. */
 MUST_USE enum status output_encode(const struct output *output, const char *path,
                                    const struct render_result *result, const char *device,

@@ -23,8 +23,9 @@ struct job {
     struct scene scene;
     struct camera camera;
     struct gpu gpu;
-    struct renderer *renderer;   /* it or ... */
-    struct reference *reference; /* ... it draws; NULL until a frame needs it */
+    struct renderer *renderer;      /* it or ... */
+    struct reference *reference;    /* ... it draws; NULL until a frame needs it */
+    uint32_t tile_done, tile_count; /* of the frame at work */
     struct progress progress;
 };
 
@@ -59,7 +60,8 @@ static enum status frame_init(struct frame *frame, const struct job *job, int32_
         .output = {
             .options = &job->o,
             .scene = &job->scene,
-            .shot = { .camera = job->camera, .time = (float)sequence_time(&job->o, number) },
+            .shot = { .camera = job->camera, .time = (float)sequence_time(&job->o, number),
+                      .tile = job->o.tile ? job->o.tile - 1 : 0 },
         },
     };
     enum status status = output_describe(&frame->output);
@@ -84,8 +86,72 @@ static bool frame_is_current(const struct frame *frame, uint32_t output_count)
 static bool show_progress(void *user, uint32_t done, uint32_t all)
 {
     const struct job *job = user;
-    progress_show(&job->progress, done, all);
+    const uint32_t tiles = job->tile_count ? job->tile_count : 1;
+    progress_show(&job->progress, job->tile_done * all + done, tiles * all);
     return true;
+}
+
+/* An image of the whole picture, with the planes of a tile. */
+static bool make_whole(const struct job *job, const struct render_result *tile,
+                       struct render_result *whole)
+{
+    image_init(&whole->image, job->o.width, job->o.height);
+    for (uint32_t p = 0; p < tile->image.plane_count; p++) {
+        const struct image_plane *plane = &tile->image.planes[p];
+        if (!image_add_plane(&whole->image, plane->name, plane->half))
+            return false;
+    }
+    if (tile->rgba)
+        whole->rgba = malloc((size_t)job->o.width * job->o.height * 4);
+    return !tile->rgba || whole->rgba;
+}
+
+/* Its pixels to where they are in the picture. */
+static void put_tile(const struct job *job, uint32_t index, const struct render_result *tile,
+                     struct render_result *whole)
+{
+    const uint32_t columns = job->o.tile_columns, rows = job->o.tile_rows;
+    for (size_t y = 0; y < tile->image.height; y++) {
+        for (size_t x = 0; x < tile->image.width; x++) {
+            const size_t from = y * tile->image.width + x;
+            const size_t to =
+                (rows * y + index / columns) * job->o.width + columns * x + index % columns;
+            for (uint32_t p = 0; p < whole->image.plane_count; p++)
+                whole->image.planes[p].texels[to] = tile->image.planes[p].texels[from];
+            if (whole->rgba)
+                memcpy(&whole->rgba[4 * to], &tile->rgba[4 * from], 4);
+        }
+    }
+}
+
+static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
+                              struct render_result *whole)
+{
+    enum status status = STATUS_OK;
+    job->tile_count = job->o.tile_columns * job->o.tile_rows;
+    for (uint32_t i = 0; i < job->tile_count && status == STATUS_OK; i++) {
+        struct renderer_shot part = *shot;
+        struct render_result tile = { 0 };
+        part.tile = i;
+        job->tile_done = i;
+        status = renderer_render(job->renderer, &part, &tile, show_progress, job);
+        if (status == STATUS_OK && i == 0 && !make_whole(job, &tile, whole))
+            status = out_of_memory();
+        if (status == STATUS_OK)
+            put_tile(job, i, &tile, whole);
+        render_result_finish(&tile);
+    }
+    return status;
+}
+
+static enum status draw_picture(struct job *job, const struct renderer_shot *shot,
+                                struct render_result *result)
+{
+    if (job->reference)
+        return reference_render(job->reference, shot, result, show_progress, job);
+    if (job->o.tile_columns && !job->o.tile)
+        return draw_tiles(job, shot, result);
+    return renderer_render(job->renderer, shot, result, show_progress, job);
 }
 
 static enum status draw(struct job *job, struct frame *frame)
@@ -94,9 +160,7 @@ static enum status draw(struct job *job, struct frame *frame)
     const struct renderer_shot *shot = &frame->output.shot;
     struct render_result *result = &frame->result;
     progress_show(&job->progress, 0, job->o.samples);
-    enum status status = job->reference
-                             ? reference_render(job->reference, shot, result, show_progress, job)
-                             : renderer_render(job->renderer, shot, result, show_progress, job);
+    enum status status = draw_picture(job, shot, result);
     progress_clear(&job->progress);
     if (status == STATUS_OK && show) {
         result->rgba = show_rgba(&result->image, show);
@@ -136,6 +200,8 @@ static enum status open_renderer(struct job *job)
         .rung = o->rung,
         .width = o->width,
         .height = o->height,
+        .columns = o->tile_columns,
+        .rows = o->tile_rows,
         .samples = o->samples,
         .sharing = o->sharing,
     };
@@ -305,6 +371,8 @@ static enum status run(struct job *job)
         status = app_load_scene(&job->scene, &job->o);
     if (status == STATUS_OK)
         status = app_camera(&job->camera, &job->scene, &job->o);
+    if (status == STATUS_OK)
+        status = output_check_tiles(&job->o);
     if (status == STATUS_OK)
         status = begin_report(job);
     if (status == STATUS_OK)

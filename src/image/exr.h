@@ -27,6 +27,37 @@ struct exr_header {
 MUST_USE enum status exr_encode(const struct image *image, const struct exr_header *header,
                                 void **data, size_t *size);
 
+/* Fills the planes of *rows, as many rows as it has, from row y of the picture on. */
+typedef enum status exr_rows_fn(void *user, uint32_t y, struct image *rows);
+
+/*
+ * The same of a picture that is never whole in memory: `image` says its size and planes, whose
+ * texels do not count; `fill` is called for its rows in their order, some at a time. Passes on what
+ * it returns.
+ */
+MUST_USE enum status exr_encode_rows(const struct image *image, const struct exr_header *header,
+                                     exr_rows_fn *fill, void *user, void **data, size_t *size);
+
+/* A file whose rows are read some at a time. */
+struct exr_file;
+
+/*
+ * Opens it, and reads its header: *image ({0} before) gets size and planes, without texels, until
+ * exr_close(). Only scan lines are read. Limits and errors as exr_read(); *file is then NULL.
+ */
+MUST_USE enum status exr_open(struct exr_file **file, const char *path, struct image *image);
+
+/* A text of the header, the file's; NULL if there is none of that name. */
+const char *exr_text(const struct exr_file *file, const char *name);
+
+/* 16 floats of the header, EXR's order; false if there are none of that name. */
+bool exr_matrix(const struct exr_file *file, const char *name, float *matrix);
+
+/* Row y of a plane, the file's until the next call. Rows in their order cost least. Logs: NULL. */
+const float *exr_row(struct exr_file *file, uint32_t plane, uint32_t y);
+
+void exr_close(struct exr_file *file); /* may be NULL */
+
 /*
  * Reads a file into *image ({0} before): the data window of its first part, channels in the file's
  * order, texels that are not finite as they are. The limits of image.h are checked before anything

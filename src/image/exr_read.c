@@ -83,7 +83,8 @@ static exr_result_t add_planes(struct reader *reader, const exr_attr_chlist_t *c
     return EXR_ERR_SUCCESS;
 }
 
-static exr_result_t prepare(struct reader *reader)
+/* Without planes: those of the image may be of fewer rows. */
+static exr_result_t read_size(struct reader *reader, const exr_attr_chlist_t **list)
 {
     const exr_attr_chlist_t *channels;
     exr_result_t result = exr_get_storage(reader->context, 0, &reader->storage);
@@ -107,7 +108,15 @@ static exr_result_t prepare(struct reader *reader)
     if (count < 1 || count > IMAGE_MAX_PLANES || width * height > IMAGE_MAX_SAMPLES / count)
         return fault(reader, "the number of channels is out of range");
     image_init(reader->image, (uint32_t)width, (uint32_t)height);
-    return add_planes(reader, channels);
+    *list = channels;
+    return EXR_ERR_SUCCESS;
+}
+
+static exr_result_t prepare(struct reader *reader)
+{
+    const exr_attr_chlist_t *channels;
+    const exr_result_t result = read_size(reader, &channels);
+    return result == EXR_ERR_SUCCESS ? add_planes(reader, channels) : result;
 }
 
 /* Channels stand in the order of the file's list, as the planes do. */
@@ -329,4 +338,113 @@ enum status exr_inspect(const char *path, const char *name, char **text)
     image_finish(&image);
     fclose(source.file);
     return status;
+}
+
+/* ---- some rows at a time ---- */
+
+struct exr_file {
+    struct source source;
+    struct reader reader;
+    struct image rows; /* one chunk */
+    uint32_t height;   /* of the picture */
+    uint32_t first;    /* row of the picture that the first of `rows` is */
+    bool is_read;      /* they are */
+    char *path;
+};
+
+static exr_result_t open_rows(struct exr_file *file)
+{
+    struct reader *reader = &file->reader;
+    const exr_attr_chlist_t *channels;
+    int32_t lines;
+    exr_result_t result = open_reader(reader, file->path);
+
+    if (result == EXR_ERR_SUCCESS)
+        result = read_size(reader, &channels);
+    if (result == EXR_ERR_SUCCESS && reader->storage != EXR_STORAGE_SCANLINE)
+        result = fault(reader, "scan lines are wanted");
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_get_scanlines_per_chunk(reader->context, 0, &lines);
+    if (result != EXR_ERR_SUCCESS)
+        return result;
+    file->height = file->rows.height;
+    file->rows.height = (uint32_t)lines;
+    return add_planes(reader, channels);
+}
+
+enum status exr_open(struct exr_file **opened, const char *path, struct image *image)
+{
+    struct exr_file *file = calloc(1, sizeof(*file));
+    enum status status = STATUS_TRY_AGAIN;
+
+    *opened = NULL;
+    if (file)
+        file->path = strdup(path);
+    if (!file || !file->path) {
+        log_error("%s: out of memory", path);
+        free(file);
+        return status;
+    }
+    file->reader = (struct reader){ .image = &file->rows, .source = &file->source };
+    status = file_open(path, &file->source.file, &file->source.size);
+    if (status == STATUS_OK)
+        status = report(path, &file->source, open_rows(file));
+    if (status != STATUS_OK) {
+        exr_close(file);
+        return status;
+    }
+    *image = file->rows;
+    image->height = file->height;
+    *opened = file;
+    return STATUS_OK;
+}
+
+void exr_close(struct exr_file *file)
+{
+    if (!file)
+        return;
+    if (file->reader.context)
+        exr_finish(&file->reader.context);
+    image_finish(&file->rows);
+    if (file->source.file)
+        fclose(file->source.file);
+    free(file->path);
+    free(file);
+}
+
+const char *exr_text(const struct exr_file *file, const char *name)
+{
+    const char *value;
+    int32_t length;
+    return exr_attr_get_string(file->reader.context, 0, name, &length, &value) == EXR_ERR_SUCCESS
+               ? value
+               : NULL;
+}
+
+bool exr_matrix(const struct exr_file *file, const char *name, float *matrix)
+{
+    exr_attr_m44f_t value;
+    if (exr_attr_get_m44f(file->reader.context, 0, name, &value) != EXR_ERR_SUCCESS)
+        return false;
+    memcpy(matrix, value.m, sizeof(value.m));
+    return true;
+}
+
+const float *exr_row(struct exr_file *file, uint32_t plane, uint32_t y)
+{
+    const struct reader *reader = &file->reader;
+    const uint32_t lines = file->rows.height;
+    const uint32_t first = y / lines * lines;
+    exr_chunk_info_t chunk;
+
+    if (!file->is_read || file->first != first) {
+        exr_result_t result = exr_read_scanline_chunk_info(
+            reader->context, 0, reader->window.min.y + (int)first, &chunk);
+        if (result == EXR_ERR_SUCCESS)
+            result = read_chunk(reader, &chunk, 0, 0);
+        file->is_read = report(file->path, &file->source, result) == STATUS_OK;
+        file->first = first;
+    }
+    return file->is_read ? file->rows.planes[plane].texels + (size_t)(y - first) * file->rows.width
+                         : NULL;
 }

@@ -126,7 +126,16 @@ static const struct image_plane *find_plane(const struct image *image, const cha
     return plane;
 }
 
-/* Gives the pipeline the rows from y on; those of half planes by way of `halves`. */
+/* What is encoded: all of a picture, or rows that `fill` brings, some at a time. */
+struct origin {
+    const struct image *image;
+    exr_rows_fn *fill; /* NULL: the image has its texels */
+    void *user;
+    struct image rows;  /* `height` of them, for fill */
+    enum status status; /* of the last fill */
+};
+
+/* Gives the pipeline the image's rows from y on; those of half planes by way of `halves`. */
 static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *image, uint32_t y,
                          uint16_t *halves)
 {
@@ -171,7 +180,7 @@ static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
 }
 
 /* A pipeline per chunk: reused ones keep pointers and buffers that must be mended by hand. */
-static exr_result_t write_chunk(exr_context_t context, const struct image *image, uint32_t y,
+static exr_result_t write_chunk(exr_context_t context, struct origin *origin, uint32_t y,
                                 uint16_t *halves)
 {
     exr_chunk_info_t chunk;
@@ -183,7 +192,10 @@ static exr_result_t write_chunk(exr_context_t context, const struct image *image
         return result;
     result = exr_encoding_initialize(context, 0, &chunk, &pipeline);
     if (result == EXR_ERR_SUCCESS) {
-        set_channels(&pipeline, image, y, halves);
+        if (origin->fill)
+            set_channels(&pipeline, &origin->rows, 0, halves);
+        else
+            set_channels(&pipeline, origin->image, y, halves);
         result = exr_encoding_choose_default_routines(context, 0, &pipeline);
     }
     if (result == EXR_ERR_SUCCESS) {
@@ -196,8 +208,31 @@ static exr_result_t write_chunk(exr_context_t context, const struct image *image
     return result;
 }
 
-static exr_result_t write_chunks(exr_context_t context, const struct image *image)
+static bool make_rows(struct origin *origin, uint32_t lines)
 {
+    bool ok = true;
+    image_init(&origin->rows, origin->image->width, lines);
+    for (uint32_t p = 0; p < origin->image->plane_count && ok; p++) {
+        const struct image_plane *plane = &origin->image->planes[p];
+        ok = image_add_plane(&origin->rows, plane->name, plane->half) != NULL;
+    }
+    return ok;
+}
+
+/* The last rows may be fewer. */
+static exr_result_t fill_rows(struct origin *origin, uint32_t y, uint32_t lines)
+{
+    const uint32_t left = origin->image->height - y;
+    if (!origin->fill)
+        return EXR_ERR_SUCCESS;
+    origin->rows.height = left < lines ? left : lines;
+    origin->status = origin->fill(origin->user, y, &origin->rows);
+    return origin->status == STATUS_OK ? EXR_ERR_SUCCESS : EXR_ERR_READ_IO;
+}
+
+static exr_result_t write_chunks(exr_context_t context, struct origin *origin)
+{
+    const struct image *image = origin->image;
     int32_t lines;
     exr_result_t result = exr_get_scanlines_per_chunk(context, 0, &lines);
 
@@ -205,17 +240,21 @@ static exr_result_t write_chunks(exr_context_t context, const struct image *imag
         return result;
     const size_t plane_size = (size_t)lines * image->width * sizeof(uint16_t);
     uint16_t *halves = malloc(plane_size * image->plane_count);
-    if (!halves)
-        return EXR_ERR_OUT_OF_MEMORY;
-    for (uint32_t y = 0; y < image->height && result == EXR_ERR_SUCCESS; y += (uint32_t)lines)
-        result = write_chunk(context, image, y, halves);
+    if (!halves || (origin->fill && !make_rows(origin, (uint32_t)lines)))
+        result = EXR_ERR_OUT_OF_MEMORY;
+    for (uint32_t y = 0; y < image->height && result == EXR_ERR_SUCCESS; y += (uint32_t)lines) {
+        result = fill_rows(origin, y, (uint32_t)lines);
+        if (result == EXR_ERR_SUCCESS)
+            result = write_chunk(context, origin, y, halves);
+    }
     free(halves);
     return result;
 }
 
-enum status exr_encode(const struct image *image, const struct exr_header *header, void **data,
-                       size_t *size)
+static enum status encode(struct origin *origin, const struct exr_header *header, void **data,
+                          size_t *size)
 {
+    const struct image *image = origin->image;
     struct sink sink = { 0 };
     exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
     exr_context_t context = NULL;
@@ -239,7 +278,7 @@ enum status exr_encode(const struct image *image, const struct exr_header *heade
     if (result == EXR_ERR_SUCCESS)
         result = exr_write_header(context);
     if (result == EXR_ERR_SUCCESS)
-        result = write_chunks(context, image);
+        result = write_chunks(context, origin);
     finished = exr_finish(&context);
     if (result == EXR_ERR_SUCCESS)
         result = finished;
@@ -250,8 +289,26 @@ enum status exr_encode(const struct image *image, const struct exr_header *heade
         return STATUS_OK;
     }
     free(sink.bytes);
+    if (origin->status != STATUS_OK)
+        return origin->status; /* has been said */
     if (sink.out_of_memory)
         result = EXR_ERR_OUT_OF_MEMORY;
     log_error("an EXR picture could not be encoded: %s", exr_get_default_error_message(result));
     return result == EXR_ERR_OUT_OF_MEMORY ? STATUS_TRY_AGAIN : STATUS_FAILED;
+}
+
+enum status exr_encode(const struct image *image, const struct exr_header *header, void **data,
+                       size_t *size)
+{
+    struct origin origin = { .image = image };
+    return encode(&origin, header, data, size);
+}
+
+enum status exr_encode_rows(const struct image *image, const struct exr_header *header,
+                            exr_rows_fn *fill, void *user, void **data, size_t *size)
+{
+    struct origin origin = { .image = image, .fill = fill, .user = user };
+    const enum status status = encode(&origin, header, data, size);
+    image_finish(&origin.rows);
+    return status;
 }

@@ -28,8 +28,8 @@ struct camera_basis camera_basis(const struct camera *camera);
 
 /*
  * clip_from_world of a picture of width x height pixels. `near` in metres. `jitter` moves the
- * samples by a fraction of a pixel, in (-1, 1), x to the right and y down: with (0.5, 0) a pixel
- * shows what lies half a pixel further right.
+ * samples by so many pixels, x to the right and y down: with (0.5, 0) a pixel shows what lies half
+ * a pixel further right.
  */
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter);

@@ -23,14 +23,14 @@ if NO_WINDOW:
 
 ROOT = pathlib.Path(__file__).parents[2]
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list', 'bake', 'sheet',
-            'farm')
+            'farm', 'merge')
 # Settings of a technique that a reader is to write
 TO_BE_WRITTEN = 'fog.density'
 SMALL = {
     'render': '--size 48x36', 'view': '--size 48x36 --frames 1 -q',
     'profile': '--runs 2 --warmup 0', 'ladder': '--size 48x36 --runs 0',
     'graph': '', 'diff': '', 'list': '', 'bake': '', 'sheet': '--size 48x36',
-    'farm': '',
+    'farm': '', 'merge': '',
 }
 # Takes minutes even so; test_profile.py measures its experiments.
 LONG = 'profile paper'
@@ -121,6 +121,9 @@ class Examples(Case):
             shutil.copy(self.folder / 'reference.exr', self.folder / f'{name}.exr')
         shutil.copy(self.folder / 'before.png', self.folder / 'after.png')
         self.succeed('render', 'sphere', '--size', '16x8', '-o', 'studio.exr')
+        for i in range(1, 9):
+            self.succeed('render', 'ice-cube', '--size', '48x36', '--tiles', '4x2', '--tile', i,
+                         '-o', f'tile.{i}.exr')
         (self.folder / 'shaders').symlink_to(ROOT / 'shaders')
         (self.folder / 'FOLDER').symlink_to(ROOT / 'shaders')
 

@@ -131,6 +131,7 @@ static const struct shared shared_structs[] = {
             FIELD(globals, surface),
             FIELD(globals, local_min),
             FIELD(globals, local_max),
+            FIELD(globals, lod_bias),
         },
     },
     {

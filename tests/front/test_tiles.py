@@ -1,0 +1,121 @@
+"""test_tiles.py: pictures in tiles, `firn render --tiles`, `firn merge`. Usage: see case.py."""
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import (  # noqa: E402
+    CANT_CREATE, DATA, NO_DRIVER, NO_INPUT, USAGE, WRITE, Case, main)
+from exr_file import Exr  # noqa: E402
+
+ICE = ('ice-cube', '--refraction', 'bounce', '--size', '96x64', '--set', 'cracks.count=4', '--set',
+       'air.count=3', '--aov', 'Z,N,thickness', '-q')
+
+
+class Tiled(Case):
+    def read(self, name):
+        return (self.folder / name).read_bytes()
+
+    def draw_tiles(self, tiles, count, *more):
+        names = [f'tile.{i}.exr' for i in range(1, count + 1)]
+        for i, name in enumerate(names, 1):
+            self.succeed('render', *ICE, *more, '--tiles', tiles, '--tile', i, '-o', name)
+        return names
+
+
+class Tiles(Tiled):
+    def test_merged_is_what_one_process_draws(self):
+        for tiles, count, samples in (('2x2', 4, '1'), ('3x1', 3, '2')):
+            with self.subTest(tiles=tiles, samples=samples):
+                more = ('--samples', samples)
+                names = self.draw_tiles(tiles, count, *more)
+                self.succeed('merge', *reversed(names), '-o', 'merged.exr')
+                self.succeed('render', *ICE, *more, '--tiles', tiles, '-o', 'whole.exr')
+                self.assertTrue(self.read('merged.exr') == self.read('whole.exr'))
+                self.assertEqual(len({self.read(name) for name in names}), count)
+
+    def test_one_tile_is_the_picture(self):
+        self.succeed('render', *ICE, '-o', 'whole.exr', '-o', 'whole.png')
+        self.succeed('render', *ICE, '--tiles', '1x1', '-o', 'tiled.exr', '-o', 'tiled.png')
+        self.assertTrue(Exr(self.read('whole.exr')).pixels == Exr(self.read('tiled.exr')).pixels)
+
+    def test_near_the_picture_in_one(self):
+        """Maps are coarser and numbers round in another way: no pixel is misplaced."""
+        for scene, rung, tiles, limit in (('ice-cube', 'bounce', '2x2', 0.03),
+                                          ('room', 'paper', '3x1', 0.02),
+                                          ('pool', 'paper', '1x2', 0.02)):
+            words = (scene, '-r', rung, '--size', '96x72', '--samples', '4', '-q')
+            self.succeed('render', *words, '-o', 'whole.exr', '-o', 'whole.png')
+            self.succeed('render', *words, '--tiles', tiles, '-o', 'tiled.exr', '-o', 'tiled.png')
+            for kind in ('exr', 'png'):
+                self.succeed('diff', f'whole.{kind}', f'tiled.{kind}', '--fail-above',
+                             f'flip={limit}')
+
+    def test_resume(self):
+        words = ('render', *ICE, '--tiles', '2x2', '--tile')
+        self.succeed(*words, '2', '-o', 'tile.exr')
+        self.succeed(*words, '2', '-o', 'tile.exr', '--resume', env=NO_DRIVER)
+        older = self.read('tile.exr')
+        self.succeed(*words, '3', '-o', 'tile.exr', '--resume')
+        self.assertFalse(self.read('tile.exr') == older)
+        self.assertEqual(Exr(older).size, (48, 32))
+        self.assertEqual(Exr(older).text('firn/tile'), '2 of 2x2')
+
+    def test_bad_words(self):
+        for words, names in (
+                (('--tiles', '2'), ['--tiles']), (('--tiles', '0x1'), ['--tiles']),
+                (('--tiles', '17x1'), ['--tiles']), (('--tile', '1'), ['--tiles']),
+                (('--tiles', '2x2', '--tile', '5'), ['--tile']),
+                (('--tiles', '5x1'), ['--tiles', '--size']),
+                (('--tiles', '1x5'), ['--tiles', '--size']),
+                (('--tiles', '2x2', '-r', 'reference'), ['reference']),
+                (('--tiles', '2x2', '--tile', '1', '-o', 'a.png'), ['--tile', '.png'])):
+            self.refuse(USAGE, 'render', 'sphere', '--size', '96x64', *words, env=NO_DRIVER,
+                        names=names)
+        self.assertEqual(self.files(), [])
+
+
+class Merge(Tiled):
+    def setUp(self):
+        super().setUp()
+        self.names = self.draw_tiles('2x1', 2)
+
+    def refuse_merge(self, code, *words, names=()):
+        self.refuse(code, 'merge', *words, '-o', 'merged.exr', names=names)
+        self.assertNotIn('merged.exr', self.files())
+
+    def test_what_is_wrong(self):
+        self.refuse_merge(USAGE, names=['tiles'])
+        self.refuse_merge(NO_INPUT, 'gone.exr', names=['gone.exr'])
+        self.refuse_merge(NO_INPUT, 'tile.1.exr', names=['tile 2 of 2x1'])
+        self.refuse_merge(DATA, *self.names, 'tile.1.exr', names=['tile.1.exr'])
+        self.refuse(CANT_CREATE, 'merge', *self.names, '-o', 'gone/a.exr', names=['gone/a.exr'])
+        self.refuse(USAGE, 'merge', *self.names, '-o', 'a.png', names=['a.png'])
+        (self.folder / 'bad.exr').write_bytes(b'no picture')
+        self.refuse_merge(DATA, 'tile.1.exr', 'bad.exr', names=['bad.exr'])
+
+    def test_of_other_pictures(self):
+        self.succeed('render', *ICE, '-o', 'whole.exr')
+        self.refuse_merge(DATA, 'tile.1.exr', 'whole.exr', names=['whole.exr'])
+        for more in (('--fov', '40'), ('--aov', 'P'), ('--size', '98x64')):
+            self.succeed('render', *ICE, '--tiles', '2x1', '--tile', '2', *more, '-o', 'other.exr')
+            self.refuse_merge(DATA, 'tile.1.exr', 'other.exr', names=['other.exr'])
+        self.succeed('render', *ICE, '--tiles', '2x2', '--tile', '2', '-o', 'other.exr')
+        self.refuse_merge(DATA, 'tile.1.exr', 'other.exr', names=['other.exr', '2x1'])
+
+    def test_damaged(self):
+        data = self.read('tile.2.exr')
+        for size in (len(data) - 1, len(data) // 2, 100, 0):
+            (self.folder / 'tile.2.exr').write_bytes(data[:size])
+            self.refuse_merge(DATA, *self.names, names=['tile.2.exr'])
+
+    def test_to_stdout(self):
+        done = self.succeed('merge', *self.names, '-q', '-o', '-')
+        self.assertEqual(done.stderr, b'')
+        self.succeed('merge', *self.names)
+        self.assertTrue(self.read('merged.exr') == done.stdout)
+        with open('/dev/full', 'wb') as full:
+            self.assertEqual(self.firn('merge', *self.names, '-o', '-', stdout=full).returncode,
+                             WRITE)
+
+
+if __name__ == '__main__':
+    main()
