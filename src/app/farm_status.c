@@ -29,7 +29,7 @@ static const struct {
 };
 
 struct look {
-    const struct app_options *o;
+    struct app_options o; /* the scene settles some of them */
     const struct sequence *sequence;
     struct scene scene;
     struct camera camera;
@@ -83,14 +83,14 @@ static enum status look_at_frame(struct look *look, uint32_t index)
 {
     const int32_t number = look->sequence->range.frames[index];
     struct output output = {
-        .options = look->o,
+        .options = &look->o,
         .scene = &look->scene,
-        .shot = { .camera = look->camera, .time = (float)sequence_time(look->o, number) },
+        .shot = { .camera = look->camera, .time = (float)sequence_time(&look->o, number) },
     };
-    const bool has_scene = look->o->positionals[0] != NULL;
+    const bool has_scene = look->o.positionals[0] != NULL;
     enum status status = has_scene ? output_describe(&output) : STATUS_OK;
     enum state worst = DONE;
-    for (uint32_t i = 0; i < look->o->output_count && status == STATUS_OK; i++) {
+    for (uint32_t i = 0; i < look->o.output_count && status == STATUS_OK; i++) {
         char *path = frame_name_make(&look->sequence->names[i], number);
         const enum state state = path ? judge(look, has_scene ? &output : NULL, i, path) : DONE;
         worst = state > worst ? state : worst;
@@ -196,20 +196,19 @@ static enum status print_json(const struct look *look)
 static enum status look_at_all(struct look *look)
 {
     const uint32_t count = look->sequence->range.count;
-    struct app_options options = *look->o; /* the scene settles some */
+    struct app_options *o = &look->o;
     enum status status = STATUS_OK;
-    look->o = &options;
     look->frames = calloc(count, sizeof(*look->frames));
     if (!look->frames)
         return out_of_memory();
-    if (options.positionals[0]) {
-        status = app_load_scene(&look->scene, &options);
+    if (o->positionals[0]) {
+        status = app_load_scene(&look->scene, o);
         if (status == STATUS_OK)
-            status = app_camera(&look->camera, &look->scene, &options);
+            status = app_camera(&look->camera, &look->scene, o);
         if (status == STATUS_OK)
-            status = output_check_tiles(&options);
+            status = output_check_tiles(o);
     } else {
-        for (uint32_t i = 0; i < options.output_count && status == STATUS_OK; i++)
+        for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
             status = find_newest(look, i);
     }
     for (uint32_t i = 0; i < count && status == STATUS_OK; i++)
@@ -219,7 +218,7 @@ static enum status look_at_all(struct look *look)
 
 enum status farm_status(const struct app_options *options, const struct sequence *sequence)
 {
-    struct look look = { .o = options, .sequence = sequence };
+    struct look look = { .o = *options, .sequence = sequence };
     enum status status = look_at_all(&look);
     if (status == STATUS_OK && options->format == APP_FORMAT_JSON)
         status = print_json(&look);
