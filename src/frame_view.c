@@ -241,6 +241,7 @@ struct frame_view_sun frame_view_sun(const struct frame_view *view, const struct
             .shadow = params->shadow,
         },
     };
+    sun.globals.lod_bias = 0.0f; /* its picture is whole, whatever tiles the view is drawn in */
     sun.globals.eye = camera.eye;
     sun.globals.forward = glms_vec3_negate(globals->sun_dir);
     sun.globals.clip_from_world =

@@ -50,7 +50,7 @@ struct model {
     struct texture_layers textures; /* of both meshes */
     struct camera camera;           /* valid if has_camera; target as far as the object */
     float ior;                      /* KHR_materials_ior of the object; valid if has_ior */
-    struct box box; /* around the object (refract.lookup=box); valid if has_box */
+    struct box box;                 /* around the object (refract.lookup=box); valid if has_box */
     bool has_camera;
     bool has_box;
     bool has_ior;

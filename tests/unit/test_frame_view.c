@@ -100,6 +100,35 @@ static void test_bubbles_are_sorted(void **state)
     assert_float_equal(sorted[2].radius, 0.8f, 0.0f);
 }
 
+/* The sun looks at the middle of the object, whatever the view is and in what tiles it is drawn. */
+static void test_sun_sees_all_of_it(void **state)
+{
+    (void)state;
+    const struct settings settings = settings_default();
+    const struct scene scene = { .box = { { { -1, -1, -1 } }, { { 1, 1, 1 } } } };
+    const struct frame_view view = {
+        .scene = &scene,
+        .settings = &settings,
+        .tile = { { 300, -200 } },
+        .lod_bias = -3,
+    };
+    const struct globals globals = {
+        .sun_dir = { { 0.6F, 0.8F, 0 } },
+        .radius = 2,
+        .lod_bias = -3,
+    };
+    const struct frame_view_sun sun = frame_view_sun(&view, &globals);
+    const vec4s middle = { { 0, 0, 0, 1 } };
+    const vec4s clip = glms_mat4_mulv(sun.globals.clip_from_world, middle);
+    const vec4s edge = glms_mat4_mulv(sun.map.clip_from_world, (vec4s){ { 0, 0, 2, 1 } });
+    CHECK_NEAR(clip.x / clip.w, 0, 1e-3);
+    CHECK_NEAR(clip.y / clip.w, 0, 1e-3);
+    CHECK_NEAR(fmax(fabs((double)edge.x), fabs((double)edge.y)) / (double)edge.w,
+               1 / (1.02 * (double)sun.map.reach), 1e-3);
+    CHECK_NEAR(sun.globals.lod_bias, 0, 0);
+    CHECK_NEAR(glms_vec3_norm(sun.globals.eye) / 2, 1000, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -107,6 +136,7 @@ int main(void)
         cmocka_unit_test(test_fitted_depth_is_finer),
         cmocka_unit_test(test_eye_inside),
         cmocka_unit_test(test_bubbles_are_sorted),
+        cmocka_unit_test(test_sun_sees_all_of_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
