@@ -306,7 +306,8 @@ class Slurm(Farm):
         mine = [number for number, _, env in processes()
                 if f'SLURMD_NODENAME={node}'.encode() in env and
                 f'FIRN_FARM_TEST={self.folder}'.encode() in env]
-        return mine if any(self.program_of(n) == Case.program for n in mine) else None
+        return mine if any(self.program_of(n) == os.path.realpath(Case.program)
+                           for n in mine) else None
 
     def kill(self, numbers):
         """The daemons of their steps first, which would tell of the others' end."""
