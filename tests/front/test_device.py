@@ -135,7 +135,9 @@ class LayerCase(Case):
     def check(self, fault, words, code, left, picture):
         lines = words.splitlines()
         self.assertIn(f'fail_layer: {fault.command} {fault.call}', lines)
-        lines = [line for line in lines if not line.startswith('fail_layer: ')]
+        # a busy machine's clocks may be warned of
+        lines = [line for line in lines
+                 if not line.startswith(('fail_layer: ', 'firn: warning: --clock: '))]
         if code == 0:
             if CODES[fault.result]:
                 self.assertIn(fault.command, NEEDLESS)
