@@ -106,8 +106,8 @@
 
 /* clang-format off */
 enum call {
-    CALL_CreateInstance,
-    CALL_CreateDevice,
+    CALL_CREATE_INSTANCE,
+    CALL_CREATE_DEVICE,
 #define ROW(name, ...) CALL_##name,
     MAKERS(ROW) OTHERS(ROW) INSTANCE(ROW)
 #undef ROW
@@ -115,8 +115,8 @@ enum call {
 };
 
 static const char *const names[] = {
-    [CALL_CreateInstance] = "vkCreateInstance",
-    [CALL_CreateDevice] = "vkCreateDevice",
+    [CALL_CREATE_INSTANCE] = "vkCreateInstance",
+    [CALL_CREATE_DEVICE] = "vkCreateDevice",
 #define ROW(name, ...) [CALL_##name] = "vk" #name,
     MAKERS(ROW) OTHERS(ROW) INSTANCE(ROW)
 #undef ROW
@@ -137,8 +137,8 @@ static struct {
     OTHERS(ROW)
     INSTANCE(ROW)
 #undef ROW
-    PFN_vkDestroyDevice DestroyDevice;
-    PFN_vkDestroyInstance DestroyInstance;
+    PFN_vkDestroyDevice destroy_device;
+    PFN_vkDestroyInstance destroy_instance;
 } next;
 
 /* Whatever may return VK_ERROR_DEVICE_LOST once it is. */
@@ -169,6 +169,8 @@ static VkResult fails(enum call call)
     }
     return failure;
 }
+
+/* NOLINTBEGIN(bugprone-macro-parentheses,readability-*): as Vulkan has them */
 
 #define MAKER(name, info, handle) \
     static VKAPI_ATTR VkResult VKAPI_CALL name(VkDevice d, const info *i, \
@@ -212,12 +214,12 @@ static VKAPI_ATTR void VKAPI_CALL destroy_instance(VkInstance old, const VkAlloc
 {
     write_counts();
     memset(counts, 0, sizeof(counts));
-    next.DestroyInstance(old, a);
+    next.destroy_instance(old, a);
 }
 
 static VKAPI_ATTR void VKAPI_CALL destroy_device(VkDevice old, const VkAllocationCallbacks *a)
 {
-    next.DestroyDevice(old, a);
+    next.destroy_device(old, a);
     device = VK_NULL_HANDLE;
     lost = false; /* the next one is another */
 }
@@ -241,7 +243,7 @@ static VKAPI_ATTR VkResult VKAPI_CALL create_instance(const VkInstanceCreateInfo
 {
     VkLayerInstanceCreateInfo *link;
     FIND_LINK(link, info, VkLayerInstanceCreateInfo, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
-    VkResult result = fails(CALL_CreateInstance);
+    VkResult result = fails(CALL_CREATE_INSTANCE);
     if (!link)
         return VK_ERROR_INITIALIZATION_FAILED;
     if (result != VK_SUCCESS)
@@ -257,7 +259,7 @@ static VKAPI_ATTR VkResult VKAPI_CALL create_instance(const VkInstanceCreateInfo
 #define ROW(name, ...) next.name = (PFN_vk##name)next_instance(instance, "vk" #name);
     INSTANCE(ROW)
 #undef ROW
-    next.DestroyInstance = (PFN_vkDestroyInstance)next_instance(instance, "vkDestroyInstance");
+    next.destroy_instance = (PFN_vkDestroyInstance)next_instance(instance, "vkDestroyInstance");
     return VK_SUCCESS;
 }
 
@@ -267,7 +269,7 @@ static VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical,
 {
     VkLayerDeviceCreateInfo *link;
     FIND_LINK(link, info, VkLayerDeviceCreateInfo, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
-    VkResult result = fails(CALL_CreateDevice);
+    VkResult result = fails(CALL_CREATE_DEVICE);
     if (!link)
         return VK_ERROR_INITIALIZATION_FAILED;
     if (result != VK_SUCCESS)
@@ -285,7 +287,7 @@ static VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical,
     MAKERS(ROW)
     OTHERS(ROW)
 #undef ROW
-    next.DestroyDevice = (PFN_vkDestroyDevice)next_device(device, "vkDestroyDevice");
+    next.destroy_device = (PFN_vkDestroyDevice)next_device(device, "vkDestroyDevice");
     return VK_SUCCESS;
 }
 
@@ -333,3 +335,5 @@ vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface *with)
     with->pfnGetPhysicalDeviceProcAddr = NULL;
     return VK_SUCCESS;
 }
+
+/* NOLINTEND(bugprone-macro-parentheses,readability-*) */
