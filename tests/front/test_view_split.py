@@ -54,7 +54,7 @@ class Split(WindowCase):
 
     def test_hands_move_the_divider(self):
         pictures = self.pictures('--set', 'motion.count=2')
-        window = self.start('sphere', '--split', 'one-sided', '--time-step', 1e-9, title=TITLE)
+        window = self.start('sphere', '--split', 'one-sided', '--time-step', 1e-15, title=TITLE)
         self.press(window, 'space')
         self.find(f'{TITLE}, paused')
         self.settle(window, 100, pictures)
@@ -75,7 +75,7 @@ class Split(WindowCase):
 
     def test_the_key(self):
         pictures = self.pictures('--set', 'motion.count=2', right='bounce')
-        window = self.start('sphere', '--time-step', 1e-9)
+        window = self.start('sphere', '--time-step', 1e-15)
         self.press(window, 'space')
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
         self.press(window, 's')
