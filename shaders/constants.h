@@ -19,6 +19,7 @@
 #define CONSTANT_REFRACT_STEPS   8  /* of REFRACT_LOOKUP_DISTANCE, in which a ray is followed */
 #define CONSTANT_TONEMAP_CURVE   9  /* TONEMAP_NEUTRAL ... */
 #define CONSTANT_TILED           10 /* 1: globals.lod_bias counts */
-#define CONSTANT_COUNT           11
+#define CONSTANT_ICE_SHADOW      11 /* 1: the ice casts one, where light goes through it */
+#define CONSTANT_COUNT           12
 
 #endif

@@ -31,8 +31,7 @@
 struct ice_caustics_light {
     mat4s clip_from_world;
     float reach;
-    float front;     /* metres from the eye to where the ground begins */
-    uint32_t shadow; /* 1: what the ice covers gets only what goes through it */
+    float front; /* metres from the eye to where the ground begins */
 };
 
 struct ice_caustics_push {

@@ -207,6 +207,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
     const struct refract_params *refract = settings_of(settings, &refract_settings);
     const struct bump_params *bump = settings_of(settings, &bump_settings);
     const struct light_params *light = settings_of(settings, &light_settings);
+    const struct ice_caustics_params *shine = settings_of(settings, &ice_caustics_settings);
     const struct tonemap_params *screen = settings_of(settings, &tonemap_settings);
     return (struct frame_constants){ {
         [CONSTANT_BACKGROUND] = backgrounds[scene->background],
@@ -219,6 +220,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [CONSTANT_REFRACT_LOOKUP] = refract->lookup,
         [CONSTANT_REFRACT_STEPS] = refract->steps,
         [CONSTANT_TONEMAP_CURVE] = screen->curve,
+        [CONSTANT_ICE_SHADOW] = shine->shadow,
     } };
 }
 
@@ -238,7 +240,6 @@ struct frame_view_sun frame_view_sun(const struct frame_view *view, const struct
         .map = {
             .reach = params->reach,
             .front = distance - radius,
-            .shadow = params->shadow,
         },
     };
     sun.globals.lod_bias = 0.0f; /* its picture is whole, whatever tiles the view is drawn in */

@@ -14,5 +14,6 @@ layout(constant_id = CONSTANT_REFRACT_LOOKUP) const uint constant_refract_lookup
 layout(constant_id = CONSTANT_REFRACT_STEPS) const uint constant_refract_steps = 0u;
 layout(constant_id = CONSTANT_TONEMAP_CURVE) const uint constant_tonemap_curve = 0u;
 layout(constant_id = CONSTANT_TILED) const uint constant_tiled = 0u;
+layout(constant_id = CONSTANT_ICE_SHADOW) const uint constant_ice_shadow = 1u;
 
 #endif

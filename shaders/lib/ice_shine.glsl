@@ -1,6 +1,7 @@
 /* ice_shine.glsl: the sun's light on what lies around the ice, by the map of ice_caustics.c. */
 #ifndef LIB_ICE_SHINE_GLSL
 #define LIB_ICE_SHINE_GLSL
+#include "lib/constants.glsl"
 #include "lib/ice_light.glsl"
 
 layout(set = 0, binding = ICE_CAUSTICS_MAP) uniform sampler2D shine_map;
@@ -25,7 +26,7 @@ ice_shine ice_shine_at(vec3 point)
     float farthest = min(min(d.x, d.y), min(d.z, d.w));
     if (clip.z / clip.w < farthest * (1.0 - slack))
         found.rgb = vec3(0.0);
-    bool covered = light.shadow != 0u && !ice_light_is_before(shine_front, clip);
+    bool covered = constant_ice_shadow != 0u && !ice_light_is_before(shine_front, clip);
     return ice_shine(found.rgb, covered ? 1.0 - found.a : 1.0);
 }
 

@@ -7,7 +7,7 @@
 struct ice_caustics_params {
     uint32_t light;  /* ICE_CAUSTICS_NONE ... */
     float reach;     /* half width of the map, radii of the object's bounding sphere */
-    uint32_t shadow; /* as in struct ice_caustics_light */
+    uint32_t shadow; /* 1: what the ice covers gets only what goes through it */
 };
 
 /* Of the host, each frame: what the sun's view of the ice has for globals, and the map's place. */

@@ -141,7 +141,6 @@ static const struct shared shared_structs[] = {
             FIELD(ice_caustics_light, clip_from_world),
             FIELD(ice_caustics_light, reach),
             FIELD(ice_caustics_light, front),
-            FIELD(ice_caustics_light, shadow),
         },
     },
     {
