@@ -58,8 +58,10 @@ static json_t *word(const char *text)
 {
     json_t *json = json_string(text);
     char *copy = json ? NULL : strdup(text);
-    for (char *c = copy; c && *c; c++)
-        *c = (unsigned char)*c < 0x80 ? *c : '?';
+    for (char *c = copy; c && *c; c++) {
+        if ((unsigned char)*c >= 0x80)
+            *c = '?';
+    }
     if (copy)
         json = json_string(copy);
     free(copy);
