@@ -9,10 +9,17 @@ XDND = pathlib.Path(__file__).with_name('xdnd.py')
 PATIENCE = 120  # seconds until something that should happen is taken for missing
 
 
-def wait_until(what, happens, words=lambda: '', patience=PATIENCE):
-    """The first true value of happens(). A failure quotes words()."""
+def wait_until(what, happens, words=lambda: '', patience=PATIENCE, act=None):
+    """
+    The first true value of happens(). A failure quotes words(). What act() does is done first, and
+    again if it is in vain: on a busy machine a key or a click now and then reaches no window.
+    """
     end = time.monotonic() + patience
+    again = 0.0
     while time.monotonic() < end:
+        if act and time.monotonic() > again:
+            again = time.monotonic() + patience / 4
+            act()
         value = happens()
         if value:
             return value

@@ -58,12 +58,12 @@ class WindowCase(Case):
             self.process.kill()
         self.process.communicate(timeout=PATIENCE)
 
-    def find(self, scene):
+    def find(self, scene, act=None):
         def look():
             self.assertIsNone(self.process.poll(), self.words())
             return self.desktop.ask('xdotool', 'search', '--onlyvisible', '--name',
                                     f'^firn: {scene}$').split()
-        window = wait_until(f'a window with {scene}', look)[0]
+        window = wait_until(f'a window with {scene}', look, self.words, act=act)[0]
         self.desktop.do('windowfocus', '--sync', window)
         return window
 
@@ -73,25 +73,30 @@ class WindowCase(Case):
     def press(self, window, key):
         self.desktop.do('windowfocus', '--sync', window, 'key', key)
 
+    def press_until(self, window, key, what, happens):
+        wait_until(what, happens, self.words, act=lambda: self.press(window, key))
+
+    def press_for(self, window, key, scene):
+        """Until the title says so."""
+        self.find(scene, act=lambda: self.press(window, key))
+
     def shoot(self, window, number, *endings):
         """Presses the key; what it writes."""
         paths = [self.folder / f'firn-{number:04}{end}' for end in endings or ('.png', '.exr')]
-        again = 0.0
 
         def look():
-            nonlocal again
             self.assertIsNone(self.process.poll(), self.words())
-            if time.monotonic() > again:  # on a busy machine a key now and then reaches no window
-                again = time.monotonic() + PATIENCE / 3
-                self.press(window, 'p')
             return all(path.exists() for path in paths)
-        wait_until(f'screenshot {number}', look, self.words)
+        self.press_until(window, 'p', f'screenshot {number}', look)
         return paths[0]
+
+    def press_to_end(self, window, key):
+        self.press_until(window, key, 'the end', lambda: self.process.poll() is not None)
+        self.assertEqual(self.process.returncode, 0, self.words())
 
     def close(self, window):
         """As the window manager does it."""
-        self.desktop.do('windowfocus', '--sync', window, 'key', 'alt+F4')
-        self.assertEqual(self.process.wait(timeout=PATIENCE), 0, self.words())
+        self.press_to_end(window, 'alt+F4')
         self.assertNotIn('firn: ', self.words())  # nothing went wrong
         self.assertRegex(self.words(), r'\d+ frames')
 
@@ -104,8 +109,7 @@ class Hands(WindowCase):
 
     def test_mouse_and_keys_move_the_camera(self):
         window = self.start('ice-cube')
-        self.press(window, 'space')
-        self.find('ice-cube, paused')
+        self.press_for(window, 'space', 'ice-cube, paused')
         first = self.shoot(window, 1)
         shown = self.desktop.pixels(window)
         self.assertEqual(png_size(first), (200, 150))
@@ -118,10 +122,12 @@ class Hands(WindowCase):
         )
         pictures = {png_pixels(first)}
         for number, move in enumerate(moves, 2):
-            move()
+            wait_until(f'move {number}', lambda: self.desktop.pixels(window) not in pictures,
+                       act=move)
             pictures.add(png_pixels(self.shoot(window, number)))
             self.assertEqual(len(pictures), number)
-        self.press(window, 'r')
+        self.press_until(window, 'r', 'the first camera',
+                         lambda: self.desktop.pixels(window) == shown)
         last = self.shoot(window, len(moves) + 2)
         self.assertEqual(last.read_bytes(), first.read_bytes())
         self.close(window)
@@ -138,9 +144,8 @@ class Hands(WindowCase):
     def test_help_and_quit(self):
         window = self.start('sphere')
         self.press(window, 'F1')
-        self.press(window, 'q')
+        self.press_to_end(window, 'q')
         text = self.process.communicate(timeout=PATIENCE)[0].decode()
-        self.assertEqual(self.process.returncode, 0, self.words())
         for word in ('Space', 'Esc, Q', 'drop a file'):
             self.assertIn(word, text)
 
@@ -166,11 +171,11 @@ class Hands(WindowCase):
 
     def test_fullscreen_and_back(self):
         window = self.start('sphere')
-        self.press(window, 'f')
-        wait_until('the whole screen', lambda: len(self.desktop.pixels(window)) == 800 * 600 * 3)
+        self.press_until(window, 'f', 'the whole screen',
+                         lambda: len(self.desktop.pixels(window)) == 800 * 600 * 3)
         self.assertEqual(png_size(self.shoot(window, 1)), (800, 600))
-        self.press(window, 'f')
-        wait_until('the window', lambda: len(self.desktop.pixels(window)) == 200 * 150 * 3)
+        self.press_until(window, 'f', 'the window',
+                         lambda: len(self.desktop.pixels(window)) == 200 * 150 * 3)
         self.close(window)
 
 
@@ -183,8 +188,7 @@ class Panels(WindowCase):
         self.addCleanup(printed.close)
         window = self.start('sphere', '--size', '360x340', '--overlay', 'on', *arguments,
                             stdout=printed)
-        self.press(window, 'space')
-        self.find('sphere, paused')
+        self.press_for(window, 'space', 'sphere, paused')
         return window
 
     def command(self, window):
@@ -202,12 +206,12 @@ class Panels(WindowCase):
             return None
         return wait_until('a command', look)
 
-    def wait_for_command(self, window, *words, without=None):
+    def wait_for_command(self, window, *words, without=None, act=None):
         def look():
             command = self.command(window)
             old = without and without in command
             return not old and all(word in command for word in words) and command
-        return wait_until(' '.join(words), look)
+        return wait_until(' '.join(words), look, self.words, act=act)
 
     def move(self, window, start, *ends):
         """Presses the button, goes along, lets it go."""
@@ -221,22 +225,25 @@ class Panels(WindowCase):
         for keys in (('key', 'slash', 'key', 'ctrl+a'), ('type', name), ('key', 'Return')):
             self.desktop.do(*keys)
 
+    def drag_row(self, window, name, *places):
+        """Along the widget of a setting, which is left alone in the panel."""
+        self.find_row(window, name)
+        self.move(window, *[(place, self.FIRST_ROW) for place in places])
+
     def test_settings_change_by_mouse_and_the_command_draws_the_same(self):
         window = self.start_with_panels('--set', 'cracks.count=3')
         self.assertNotIn('exposure', self.command(window))
         first = self.shoot(window, 1)
-        self.find_row(window, 'tonemap.exposure')
-        self.move(window, (90, self.FIRST_ROW), (100, self.FIRST_ROW), (130, self.FIRST_ROW))
-        self.wait_for_command(window, 'tonemap.exposure=')
-        self.find_row(window, 'cracks.surface')
-        self.move(window, (23, self.FIRST_ROW))
-        self.wait_for_command(window, 'cracks.surface=on')
-        self.find_row(window, 'cracks.count')
-        self.move(window, (40, self.FIRST_ROW), (110, self.FIRST_ROW))
-        command = self.wait_for_command(window, 'cracks.count=', without='cracks.count=3 ')
+        for row, change, places in (
+                ('tonemap.exposure', 'tonemap.exposure=', (90, 100, 130)),
+                ('cracks.surface', 'cracks.surface=on', (23,)),
+                ('cracks.count', 'cracks.count=', (40, 110))):
+            command = self.wait_for_command(
+                window, change, without='cracks.count=3 ' if row == 'cracks.count' else None,
+                act=lambda row=row, places=places: self.drag_row(window, row, *places))
         self.assertNotIn('--eye', command)  # nothing of this was for the camera
-        self.move(window, self.BESIDE, (340, 220), (330, 240))
-        command = self.wait_for_command(window, '--eye')
+        command = self.wait_for_command(
+            window, '--eye', act=lambda: self.move(window, self.BESIDE, (340, 220), (330, 240)))
         shown = self.shoot(window, 2)
         self.assertNotEqual(png_pixels(shown), png_pixels(first))
         words = shlex.split(command)
@@ -250,52 +257,57 @@ class Panels(WindowCase):
         return [line.split()[0] for line in lines if line.startswith('  ')]
 
     def choose(self, window, row, entry):
-        """From a list that opens: heights in the window."""
+        """Clicks on an entry of a list, when this is open and still. Heights in the window."""
         def look():
             pixels = self.desktop.pixels(window)
             return [pixels[3 * (y * 360 + 100):3 * (y * 360 + 160)]
                     for y in range(entry - 3, entry + 3)]
-        before = look()
+
+        def still():
+            last = look()
+            time.sleep(0.3)
+            return look() == last and last
+        self.desktop.do('mousemove', '--window', window, *self.BESIDE)  # no words about a row
+        before = wait_until('a panel at rest', still)
         self.move(window, (60, row))
-        wait_until('a list', lambda: look() != before)
-        self.move(window, (60, entry))
+        time.sleep(0.5)
+        if wait_until('a list at rest', still) != before:
+            self.move(window, (60, entry))
 
     def test_lists_choose_rungs_and_materials(self):
         first, second, *_ = self.names('rungs')
         material = self.names('materials')[-1]
         window = self.start_with_panels()
-        self.choose(window, 149, 188)
-        self.wait_for_command(window, f' --refraction {second} ')
-        self.choose(window, 169, 208)
-        self.find(rf'sphere, {second} \| {first}, paused')
+        self.wait_for_command(window, f' --refraction {second} ',
+                              act=lambda: self.choose(window, 149, 188))
+        self.find(rf'sphere, {second} \| {first}, paused',
+                  act=lambda: self.choose(window, 169, 208))
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
-        self.press(window, 's')
-        self.find('sphere, paused')
-        self.choose(window, 189, 150)
-        self.wait_for_command(window, f' --material {material} ')
+        self.press_for(window, 's', 'sphere, paused')
+        self.wait_for_command(window, f' --material {material} ',
+                              act=lambda: self.choose(window, 189, 150))
         self.close(window)
 
     def test_only_some_screenshots_have_panels(self):
         window = self.start_with_panels()
         alone = self.shoot(window, 1)
-        self.press(window, 'P')
         path = self.folder / 'firn-0002.png'
-        wait_until('the screenshot of all', path.exists)
+        self.press_until(window, 'P', 'the screenshot of all', path.exists)
         self.assertNotIn('firn-0002.exr', self.files())
         self.assertNotEqual(png_pixels(path), png_pixels(alone))
-        self.press(window, 'h')
-        wait_until('no panels', lambda: self.desktop.pixels(window) == png_pixels(alone))
+        self.press_until(window, 'h', 'no panels',
+                         lambda: self.desktop.pixels(window) == png_pixels(alone))
         self.assertEqual(self.shoot(window, 3).read_bytes(), alone.read_bytes())
-        self.press(window, 'h')
-        wait_until('panels', lambda: self.desktop.pixels(window) != png_pixels(alone))
+        self.press_until(window, 'h', 'panels',
+                         lambda: self.desktop.pixels(window) != png_pixels(alone))
         self.close(window)
 
     def test_all_panels_by_key(self):
         window = self.start_with_panels()
         shown = {self.desktop.pixels(window)}
         for key in ('t', 'g', 'F1'):
-            self.press(window, key)
-            wait_until(f'the panel of {key}', lambda: self.desktop.pixels(window) not in shown)
+            self.press_until(window, key, f'the panel of {key}',
+                             lambda: self.desktop.pixels(window) not in shown)
             shown.add(self.desktop.pixels(window))
         self.close(window)
 
@@ -308,8 +320,7 @@ class Panels(WindowCase):
         self.assertNotIn('--eye', self.command(window))
         self.press(window, 'Left')
         self.wait_for_command(window, '--eye')
-        self.press(window, 'Escape')  # nothing has the keys but the picture
-        self.assertEqual(self.process.wait(timeout=PATIENCE), 0, self.words())
+        self.press_to_end(window, 'Escape')  # nothing has the keys but the picture
 
     def test_panels_in_files_if_asked_for(self):
         words = ('sphere', *CHECKED, '--time-step', 1, '--frames', 3)
@@ -333,15 +344,13 @@ class Drop(WindowCase):
         wait_until('a line about it', lambda: 'broken.obj' in self.words())
         self.find(str(model))
         self.shoot(window, 2)
-        self.press(window, 'Escape')
-        self.assertEqual(self.process.wait(timeout=PATIENCE), 0, self.words())
+        self.press_to_end(window, 'Escape')
         self.assertEqual(self.words().count('firn: '), 1, self.words())
 
     def test_an_environment(self):
         self.succeed('render', 'sphere', '--size', '64x32', '-o', 'around.exr')
         window = self.start('sphere')
-        self.press(window, 'space')
-        self.find('sphere, paused')
+        self.press_for(window, 'space', 'sphere, paused')
         before = self.desktop.pixels(window)
         self.assertTrue(self.desktop.drop(window, self.folder / 'around.exr'))
         wait_until('another picture', lambda: self.desktop.pixels(window) != before)

@@ -47,46 +47,42 @@ class Split(WindowCase):
             self.assertNotIn('a.exr', self.files())
         self.assertIn(b' split=one-sided ', (self.folder / 'a.png').read_bytes())
 
-    def settle(self, window, line, pictures):
+    def settle(self, window, line, pictures, act=None):
         wait_until(f'a line in column {line}', lambda: columns(
-            self.desktop.pixels(window), line, line + 2) == [BRIGHT + DARK] * HEIGHT)
+            self.desktop.pixels(window), line, line + 2) == [BRIGHT + DARK] * HEIGHT, act=act)
         self.expect(self.desktop.pixels(window), line, *pictures)
 
     def test_hands_move_the_divider(self):
         pictures = self.pictures('--set', 'motion.count=2')
         window = self.start('sphere', '--split', 'one-sided', '--time-step', 1e-15, title=TITLE)
-        self.press(window, 'space')
-        self.find(f'{TITLE}, paused')
+        self.press_for(window, 'space', f'{TITLE}, paused')
         self.settle(window, 100, pictures)
-        self.desktop.do('mousemove', '--window', window, 103, 20, 'mousedown', 1, 'mousemove',
-                        '--window', window, 60, 90, 'mousemove', '--window', window, 50, 60,
-                        'mouseup', 1)
-        self.settle(window, 50, pictures)  # and the camera is where it was
+        self.settle(window, 50, pictures, lambda: self.desktop.do(
+            'mousemove', '--window', window, 103, 20, 'mousedown', 1, 'mousemove',
+            '--window', window, 60, 90, 'mousemove', '--window', window, 50, 60,
+            'mouseup', 1))  # and the camera is where it was
         self.desktop.do('mousemove', '--window', window, 150, 60)  # without it
         for key, line in (('bracketright', 56), ('bracketleft', 50), ('bracketleft', 44)):
-            self.press(window, key)
-            self.settle(window, line, pictures)
+            self.settle(window, line, pictures, lambda key=key: self.press(window, key))
         shot = self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
         self.expect(png_pixels(shot), 44, *pictures)
-        self.desktop.do('mousemove', '--window', window, 47, 20, 'mousedown', 1,
-                        'mousemove_relative', '--', -60, 0, 'mouseup', 1)  # beyond the edge
-        self.settle(window, 0, pictures)
+        self.settle(window, 0, pictures, lambda: self.desktop.do(
+            'mousemove', '--window', window, 47, 20, 'mousedown', 1,
+            'mousemove_relative', '--', -60, 0, 'mouseup', 1))  # beyond the edge
         self.close(window)
 
     def test_the_key(self):
         pictures = self.pictures('--set', 'motion.count=2', right='bounce')
         window = self.start('sphere', '--time-step', 1e-15)
-        self.press(window, 'space')
+        self.press_for(window, 'space', 'sphere, paused')
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
-        self.press(window, 's')
-        self.find(r'sphere, paper \| bounce, paused')
+        self.press_for(window, 's', r'sphere, paper \| bounce, paused')
         self.settle(window, 100, pictures)
         self.desktop.do('windowsize', '--sync', window, 80, 60)
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
         self.desktop.do('windowsize', '--sync', window, WIDTH, HEIGHT)
         self.settle(window, 100, pictures)
-        self.press(window, 's')
-        self.find('sphere, paused')
+        self.press_for(window, 's', 'sphere, paused')
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
         self.shoot(window, 2)  # 1 is taken
         self.close(window)

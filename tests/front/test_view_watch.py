@@ -21,8 +21,7 @@ class WatchCase(WindowCase):
         self.shaders = self.folder / 'my shaders'
         shutil.copytree(SHADERS, self.shaders)
         self.window = self.start('sphere', f'--watch={self.shaders}', *self.WORDS)
-        self.press(self.window, 'space')
-        self.find('sphere, paused')
+        self.press_for(self.window, 'space', 'sphere, paused')
         self.first = self.desktop.pixels(self.window)
 
     def save(self, name, before, after):
@@ -42,8 +41,7 @@ class WatchCase(WindowCase):
                                       for line in self.words().splitlines()))
 
     def quit(self):
-        self.press(self.window, 'q')
-        self.assertEqual(self.process.wait(timeout=60), 0, self.words())
+        self.press_to_end(self.window, 'q')
 
 
 class Watch(WatchCase):
