@@ -112,7 +112,8 @@ struct rg_image {
     bool array;             /* an array for shaders even with one layer; with more it always is */
     uint32_t samples;       /* a texel: 1 (0 means 1), 2, 4 ... 64; with more than 1: a target, or
                                sampled by texelFetch; one mip, no cube */
-    bool persistent;        /* keeps its content from frame to frame; never shares memory */
+    bool persistent;        /* keeps its content from frame to frame; never shares memory. Where it
+                               is imported, it is as it comes */
 };
 
 struct rg_buffer {
@@ -189,12 +190,14 @@ typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 /*
  * Whether a conditional pass runs in this frame; asked once for each recording of each pass, and
- * to answer the same for the same frame. A pass that does not run leaves everything as it was, its
- * clears included; its barriers are recorded all the same. So what only conditional passes write
- * is there only for passes of the same condition (of several, that of the last one that writes it),
- * unless it is persistent or imported.
+ * to answer the same for the same frame and repetition (0 for a row without). A pass that does not
+ * run leaves everything as it was, its clears included; its barriers are recorded all the same. So
+ * what only conditional passes write is there only for passes of the same condition (of several,
+ * that of the last one that writes it), unless it is persistent or imported. A condition is a
+ * function: where its answer depends on the repetition, let a pass read of such content only what
+ * was written by the same repetition.
  */
-typedef bool rg_when_fn(const struct rg_frame *frame);
+typedef bool rg_when_fn(const struct rg_frame *frame, uint32_t repetition);
 
 struct rg_pass {
     const char *name; /* unique */
@@ -324,7 +327,7 @@ enum rg_error {
     RG_ERROR_REPEAT,             /* a repeated row without an image to count */
     RG_ERROR_LISTED_TWICE,       /* an import or output listed twice */
     RG_ERROR_SAMPLES,            /* numbers of samples, or a resolve, that Vulkan does not have */
-    RG_ERROR_PERSISTENT,         /* a persistent resource that is imported or in host memory */
+    RG_ERROR_PERSISTENT,         /* a persistent resource in host memory */
     RG_ERROR_VALUE,              /* a number where an enum has no such constant */
     RG_ERROR_COUNT,
 };

@@ -33,10 +33,6 @@ static void check_import(struct compiler *c, const struct rg_import *import)
     if (import->access && (import->access == RG_HOST_READ ||
                            !end_fits(import->image, import->buffer, import->access)))
         rg_fault_add(c, RG_ERROR_ACCESS, place, "an import cannot arrive in this state");
-    if (import->image ? import->image->persistent : import->buffer->persistent)
-        rg_fault_add(c, RG_ERROR_PERSISTENT, place,
-                     "what comes from outside keeps its content there; import it or make it "
-                     "persistent");
 }
 
 static void check_output(struct compiler *c, const struct rg_output *output)

@@ -193,7 +193,7 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
     rg_time_begin_pass(exec, commands, index);
     rg_exec_record_batch(exec, commands, cmd.plan_pass->first_barrier,
                          cmd.plan_pass->barrier_count);
-    if (!row->when || row->when(frame))
+    if (!row->when || row->when(frame, cmd.plan_pass->repetition))
         record_work(&cmd, frame);
     rg_time_end_pass(exec, commands, index);
     if (exec->vk.CmdEndDebugUtilsLabelEXT)

@@ -66,6 +66,7 @@ static void resolve_import(struct resource *r, const struct rg_import *import)
         r->all.levelCount = import->mips;
     if (import->size)
         r->size = import->size;
+    r->persistent = false;
 }
 
 /* Whether it has content when the frame begins. */

@@ -1,6 +1,7 @@
 /* accumulate.c: texels of any layer's format, added up in float. */
 #include "src/accumulate.h"
 #include <assert.h>
+#include <math.h>
 #include <string.h>
 #include "src/image/half.h"
 
@@ -72,4 +73,16 @@ void accumulate_mean(struct image *image, const struct frame_layer *layer, uint3
         for (size_t i = 0; i < count; i++)
             plane[i] /= (float)samples;
     }
+}
+
+vec2s accumulate_jitter(uint32_t sample)
+{
+    /* powers of 1 / g, g the real root of g^3 = g + 1 */
+    const double a[2] = { 0.7548776662466927, 0.5698402909980532 };
+    vec2s jitter;
+    for (int i = 0; i < 2; i++) {
+        double x = 0.5 + sample * a[i];
+        jitter.raw[i] = fminf((float)(x - floor(x) - 0.5), nextafterf(0.5f, 0.0f));
+    }
+    return jitter;
 }

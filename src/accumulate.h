@@ -4,6 +4,7 @@
 #ifndef FIRN_ACCUMULATE_H
 #define FIRN_ACCUMULATE_H
 
+#include <cglm/struct.h>
 #include "src/frames.h"
 #include "src/image/image.h"
 #include "src/status.h"
@@ -20,5 +21,11 @@ void accumulate_sample(struct image *image, const struct frame_layer *layer, con
 
 /* Divides an averaged layer's planes by the number of samples. */
 void accumulate_mean(struct image *image, const struct frame_layer *layer, uint32_t samples);
+
+/*
+ * Where in its pixel sample i lies, in pixels from the pixel's centre, in [-0.5, 0.5). Sample 0 is
+ * the centre; the others follow Roberts' R2 sequence, which fills the pixel evenly at any count.
+ */
+vec2s accumulate_jitter(uint32_t sample);
 
 #endif

@@ -23,6 +23,7 @@ struct rg_frame {
     struct background_push view;
     vec2s jitter;                       /* of the sample, pixels */
     struct background_push faces[6];    /* of the cube around the object, Vulkan's order */
+    uint32_t faces_due;                 /* those that are drawn, a bit each */
     struct present_push present;        /* but for the edge, which each pass has its own */
     const struct overlay_list *overlay; /* tech/overlay_list.h; NULL: nothing */
 };

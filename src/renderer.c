@@ -9,6 +9,7 @@
 #include "src/accumulate.h"
 #include "src/clock.h"
 #include "src/frame.h"
+#include "src/frame_cube.h"
 #include "src/frame_plan.h"
 #include "src/frame_view.h"
 #include "src/image/half.h"
@@ -40,6 +41,7 @@ struct renderer {
     struct stage picture;          /* a sample */
     struct stage resolve;          /* the mean of many samples, tonemapped */
     bool captured;
+    struct frame_cube cube;      /* that of the picture's frames */
     uint32_t face_size;          /* of the cubes that it draws, texels */
     struct renderer_costs costs; /* of the picture's */
     uint32_t last_slot;          /* of the picture's executor, where the last sample is */
@@ -244,6 +246,8 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     const double start = clock_ms();
     status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
     if (status == STATUS_OK)
+        status = frame_cube_init(&r->cube, params->scene);
+    if (status == STATUS_OK)
         status = upload(r);
     r->costs.upload = clock_ms() - start;
     if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings) &&
@@ -267,6 +271,7 @@ void renderer_destroy(struct renderer *renderer)
     stage_destroy(&renderer->resolve);
     stage_destroy(&renderer->picture);
     stage_destroy(&renderer->capture);
+    frame_cube_finish(&renderer->cube);
     scene_gpu_finish(&renderer->own, renderer->params.gpu);
     free(renderer);
 }
@@ -297,7 +302,7 @@ static void write_caustics(const struct frame_view *view, const struct globals *
         *map = found.map;
 }
 
-static enum status run_stage(const struct renderer *r, struct stage *stage,
+static enum status run_stage(struct renderer *r, struct stage *stage,
                              const struct renderer_shot *shot, vec2s jitter, uint32_t *slot)
 {
     const struct scene_gpu *s = r->scene;
@@ -323,12 +328,15 @@ static enum status run_stage(const struct renderer *r, struct stage *stage,
         .view = frame_view_push(&view),
         .jitter = jitter,
     };
-    for (uint32_t face = 0; face < 6; face++)
+    const struct globals globals = frame_view_globals(&view, &frame.view);
+    for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
         frame.faces[face] = frame_view_face(&view, face);
+    frame.faces_due = FRAME_CUBE_ALL;
+    if (stage == &r->picture)
+        frame.faces_due = frame_cube_due(&r->cube, &view, &globals);
     VkResult result = rg_exec_begin(stage->exec, slot);
     if (result == VK_SUCCESS) {
         void *mapped = rg_exec_mapped(stage->exec, &frame_globals, *slot);
-        const struct globals globals = frame_view_globals(&view, &frame.view);
         if (mapped)
             memcpy(mapped, &globals, sizeof(globals));
         void *spheres = rg_exec_mapped(stage->exec, &bubbles_spheres, *slot);
@@ -337,6 +345,8 @@ static enum status run_stage(const struct renderer *r, struct stage *stage,
         write_caustics(&view, &globals, stage->exec, *slot);
         result = rg_exec_submit(stage->exec, &frame);
     }
+    if (stage == &r->picture && result == VK_SUCCESS)
+        frame_cube_drawn(&r->cube, &globals, frame.faces_due);
     return gpu_status(result);
 }
 
@@ -378,7 +388,7 @@ static enum status capture_cube(struct renderer *r, const struct renderer_shot *
     uint32_t slot;
     if (!r->capture.exec || r->captured)
         return STATUS_OK;
-    enum status status = run_stage(r, &r->capture, &first, renderer_jitter(0), &slot);
+    enum status status = run_stage(r, &r->capture, &first, accumulate_jitter(0), &slot);
     r->captured = status == STATUS_OK;
     return status;
 }
@@ -386,8 +396,9 @@ static enum status capture_cube(struct renderer *r, const struct renderer_shot *
 enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
 {
     enum status status = capture_cube(r, shot);
+    r->cube.in_turn = true;
     if (status == STATUS_OK)
-        status = run_stage(r, &r->picture, shot, renderer_jitter(0), &r->last_slot);
+        status = run_stage(r, &r->picture, shot, accumulate_jitter(0), &r->last_slot);
     return status;
 }
 
@@ -430,11 +441,12 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
                                 struct image *image, renderer_progress_fn *progress, void *user)
 {
     enum status status = capture_cube(r, shot);
+    r->cube.in_turn = false; /* a picture does not depend on those before it */
     /* one sample is drawn while the one before is added up */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
         uint32_t slot_before = r->last_slot;
         if (i < r->params.samples)
-            status = run_stage(r, &r->picture, shot, renderer_jitter(i), &r->last_slot);
+            status = run_stage(r, &r->picture, shot, accumulate_jitter(i), &r->last_slot);
         if (i == 0 || status != STATUS_OK)
             continue;
         status = fetch_sample(r, image, i - 1, slot_before);
@@ -566,7 +578,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
     if (status == STATUS_OK)
         status = stage_create(&r.capture, &r, bake_request(&r.params));
     if (status == STATUS_OK)
-        status = run_stage(&r, &r.capture, &shot, renderer_jitter(0), &slot);
+        status = run_stage(&r, &r.capture, &shot, accumulate_jitter(0), &slot);
     if (status == STATUS_OK)
         status = gpu_status(rg_exec_wait(r.capture.exec, slot));
     if (status == STATUS_OK)
@@ -581,16 +593,4 @@ void render_result_finish(struct render_result *result)
     image_finish(&result->image);
     free(result->rgba);
     *result = (struct render_result){ 0 };
-}
-
-vec2s renderer_jitter(uint32_t sample)
-{
-    /* powers of 1 / g, g the real root of g^3 = g + 1 */
-    const double a[2] = { 0.7548776662466927, 0.5698402909980532 };
-    vec2s jitter;
-    for (int i = 0; i < 2; i++) {
-        double x = 0.5 + sample * a[i];
-        jitter.raw[i] = fminf((float)(x - floor(x) - 0.5), nextafterf(0.5f, 0.0f));
-    }
-    return jitter;
 }

@@ -109,12 +109,6 @@ void renderer_destroy(struct renderer *renderer); /* may be NULL */
 
 void render_result_finish(struct render_result *result);
 
-/*
- * Where in its pixel sample i lies, in pixels from the pixel's centre, in [-0.5, 0.5). Sample 0 is
- * the centre; the others follow Roberts' R2 sequence, which fills the pixel evenly at any count.
- */
-vec2s renderer_jitter(uint32_t sample);
-
 /* The plan of a frame as the renderer would compile it, without a device: for `firn graph`.
  * Only rung, size, layers, linear, display, keep, sharing, scene and settings of params count. */
 struct frame_plan;

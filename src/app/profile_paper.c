@@ -27,7 +27,7 @@ struct paper_case {
 #define INSIDE(cracks, air) \
     "cracks.count=" cracks, "cracks.clip=convex", "air.count=" air, "bubbles.count=0"
 #define STILL "env_cube.dynamic=off"
-#define MOVED "env_cube.dynamic=on", "motion.count=3"
+#define MOVED "env_cube.dynamic=on", "env_cube.always=on", "motion.count=3"
 
 enum {
     SPHERE_PLAIN,

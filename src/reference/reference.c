@@ -122,7 +122,7 @@ static void trace_pixel(const struct job *job, uint32_t x, uint32_t y)
     double sums[REFERENCE_SEEN_COUNT] = { 0 };
     float first[REFERENCE_SEEN_COUNT];
     for (uint32_t s = 0; s < samples; s++) {
-        const struct bvh_ray ray = ray_of(job, x, y, renderer_jitter(s));
+        const struct bvh_ray ray = ray_of(job, x, y, accumulate_jitter(s));
         const struct reference_seen seen = tree_look(&job->tree, &ray, job->globals.forward);
         float values[REFERENCE_SEEN_COUNT];
         memcpy(values, &seen, sizeof(values));

@@ -21,6 +21,7 @@ enum {
 };
 
 static rg_record_fn record_surroundings, record_sky;
+static rg_when_fn is_due;
 
 const struct rg_image env_cube_color = {
     .name = "env_cube.color",
@@ -28,6 +29,7 @@ const struct rg_image env_cube_color = {
     .width = FACE_SIZE,
     .height = FACE_SIZE,
     .cube = true,
+    .persistent = true, /* of a face that is not due, the last picture */
 };
 
 static const struct rg_image env_cube_depth = {
@@ -54,13 +56,13 @@ static const struct rg_image env_cube_baked_depth = {
 #define SURROUNDINGS_ROW(surroundings, target, target_depth) \
     { \
         .name = "env_cube.surroundings", .repeat = RG_PER_LAYER, \
-        surroundings(&(target), &(target_depth)), .record = record_surroundings \
+        surroundings(&(target), &(target_depth)), .record = record_surroundings, .when = is_due \
     }
 
 #define SKY_ROW(target, target_depth) \
     { \
         .name = "env_cube.sky", .repeat = RG_PER_LAYER, \
-        BACKGROUND_SKY(&(target), &(target_depth)), .record = record_sky \
+        BACKGROUND_SKY(&(target), &(target_depth)), .record = record_sky, .when = is_due \
     }
 
 static const struct rg_pass passes[] = {
@@ -77,6 +79,11 @@ static const struct rg_pass bake_passes[] = {
     SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS, env_cube_baked, env_cube_baked_depth),
     SKY_ROW(env_cube_baked, env_cube_baked_depth),
 };
+
+static bool is_due(const struct rg_frame *frame, uint32_t repetition)
+{
+    return frame->faces_due & 1u << repetition;
+}
 
 static void push_face(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
@@ -102,7 +109,23 @@ static const struct setting rows[] = {
         .offset = offsetof(struct env_cube_params, dynamic),
         .initial = 1,
         .max = 1,
-        .help = "draw the environment cube in every frame (off: once, at motion.time)",
+        .help = "draw the environment cube as it changes (off: once, at motion.time)",
+    },
+    {
+        .name = "env_cube.always",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct env_cube_params, always),
+        .max = 1,
+        .help = "and all six faces of it in every frame (off: those in which something changed)",
+    },
+    {
+        .name = "env_cube.faces",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct env_cube_params, faces),
+        .initial = 6,
+        .min = 1,
+        .max = 6,
+        .help = "or at most so many a frame of a window, in turn",
     },
 };
 

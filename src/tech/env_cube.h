@@ -11,7 +11,9 @@ extern const struct technique env_cube_shine; /* in the light of ice_caustics.h 
 extern const struct setting_group env_cube_settings;
 
 struct env_cube_params {
-    uint32_t dynamic; /* captured in every frame, else once, at motion.time */
+    uint32_t dynamic; /* drawn by the frames, else once, at motion.time */
+    uint32_t always;  /* in all of them */
+    uint32_t faces;   /* at most, in a frame of a window */
 };
 
 #endif

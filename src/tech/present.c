@@ -52,8 +52,9 @@ static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-static bool is_split(const struct rg_frame *frame)
+static bool is_split(const struct rg_frame *frame, uint32_t repetition)
 {
+    (void)repetition;
     return frame->present.line != PRESENT_NO_LINE;
 }
 

@@ -124,8 +124,9 @@ static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
     (void)frame;
 }
 
-static bool when(const struct rg_frame *frame)
+static bool when(const struct rg_frame *frame, uint32_t repetition)
 {
+    (void)repetition;
     return frame != NULL;
 }
 

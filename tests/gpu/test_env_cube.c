@@ -115,6 +115,7 @@ static struct rg_frame make_frame(const struct scene_gpu *on_gpu, vec3s center)
     };
     for (uint32_t i = 0; i < 6; i++) {
         const struct camera_basis basis = camera_cube_basis(i);
+        frame.faces_due |= 1u << i;
         frame.faces[i] = (struct background_push){
             .clip_from_world = camera_cube_clip_from_world(i, center, near),
             .eye = center,

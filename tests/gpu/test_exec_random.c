@@ -153,7 +153,7 @@ static void interpret(struct fixture *f, uint32_t number)
         memcpy(f->expected[number][i], interpret_words(&f->in, buffer), (size_t)buffer->size);
     }
     for (uint32_t p = 0; p < tables->pass_count; p++)
-        f->seen[SKIPPED] += tables->passes[p].when && !tables->passes[p].when(&frame);
+        f->seen[SKIPPED] += tables->passes[p].when && !tables->passes[p].when(&frame, 0);
 }
 
 static void compare(struct fixture *f, uint32_t number, uint32_t slot)

@@ -9,6 +9,9 @@ enum {
 };
 
 static const bool wanted[FRAMES] = { false, true, false, false, true, true, false };
+enum {
+    LAYER_LEFT_OUT = 4, /* a frame that draws only one of two layers */
+};
 static uint32_t asked; /* in frames of one series */
 
 #define PAINTS(number) \
@@ -32,6 +35,7 @@ static void begin(struct run *run, uint32_t number, struct rg_frame *frame)
     frame->asked = &asked;
     frame->paints = paints[number];
     frame->wanted = wanted[number];
+    frame->left_out = number == LAYER_LEFT_OUT ? 1u << 1 : 0;
     *(struct data_seed *)run_data(run, &feature_seed) = (struct data_seed){ 1000 * (number + 1) };
 }
 
@@ -60,9 +64,10 @@ static void check_left(struct run *run, uint32_t number, uint32_t last)
     const uint32_t *numbers = run_data(run, outputs[WHEN_NUMBERS_OUT]);
     const uint32_t *list = run_data(run, outputs[WHEN_LIST_OUT]);
     const float n = (float)(last + 1);
+    const float shown = last == LAYER_LEFT_OUT ? 2 : n; /* of frame 1 */
     const float marks = (float)(number - last + 1);
     painted_check_all(run, outputs[WHEN_SHOWN_OUT], FEATURE_TEXELS,
-                      painted_color(10 * n + 2, 101, 2, 3));
+                      painted_color(10 * shown + 2, 101, 2, 3));
     painted_check_all(run, outputs[WHEN_SNAPSHOT_OUT], FEATURE_TEXELS,
                       painted_color(10 * n + 1, 1, 2, 3));
     for (uint32_t i = 0; i < FEATURE_TEXELS; i++) {

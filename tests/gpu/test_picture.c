@@ -5,6 +5,7 @@
 #include "tests/support/check.h"
 
 #include "shaders/tonemap.h"
+#include "src/accumulate.h"
 #include "src/tech/tonemap.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
@@ -294,7 +295,7 @@ static void sky_is_above_and_sun_where_it_is_set(void **state)
 /* Where a sample of a pixel looks. */
 static struct vec sample_ray(const struct picture_request *request, size_t i, uint32_t sample)
 {
-    const vec2s jitter = renderer_jitter(sample);
+    const vec2s jitter = accumulate_jitter(sample);
     const size_t column = i % request->width;
     const size_t row = i / request->width;
     return picture_ray(request, (double)column + 0.5 + (double)jitter.x,

@@ -44,9 +44,10 @@ const char *const dump_plan_awkward_names[DUMP_PLAN_NAMES] = {
     " spaces  ",
 };
 
-static bool never(const struct rg_frame *frame)
+static bool never(const struct rg_frame *frame, uint32_t repetition)
 {
     (void)frame;
+    (void)repetition;
     return false;
 }
 

@@ -37,7 +37,7 @@ static void fill_image(const struct hazard *h, struct hazard_resource *resource)
             resource->mips++;
     }
     resource->samples = image->samples ? image->samples : 1;
-    resource->persistent = image->persistent;
+    resource->persistent = image->persistent && !import;
     resource->aspects = hazard_aspects(image->format);
 }
 
@@ -48,7 +48,7 @@ static void fill_buffer(const struct hazard *h, struct hazard_resource *resource
     resource->size = buffer->size + buffer->size_per_texel * view.width * view.height;
     if (resource->import && resource->import->size)
         resource->size = resource->import->size;
-    resource->persistent = buffer->persistent;
+    resource->persistent = buffer->persistent && !resource->import;
 }
 
 static void find_in_plan(const struct hazard *h, struct hazard_resource *resource)

@@ -505,11 +505,11 @@ void interpret_frame(struct interpret *in, const struct rg_frame *frame)
     };
     for (uint32_t p = 0; p < in->tables->pass_count; p++) {
         const struct rg_pass *pass = &in->tables->passes[p];
-        if (pass->when && !pass->when(frame))
-            continue;
         struct running run = { .in = in, .pass = pass, .push = interpret_push(frame, pass) };
-        for (; run.repetition < repetitions(in->tables, pass); run.repetition++)
-            kinds[pass->kind](&run);
+        for (; run.repetition < repetitions(in->tables, pass); run.repetition++) {
+            if (!pass->when || pass->when(frame, run.repetition))
+                kinds[pass->kind](&run);
+        }
     }
 }
 

@@ -23,11 +23,11 @@ void painted_record_number(struct rg_cmd *cmd, const struct rg_frame *frame)
     painted_draw(cmd, &paint);
 }
 
-bool painted_when(const struct rg_frame *frame)
+bool painted_when(const struct rg_frame *frame, uint32_t repetition)
 {
     if (frame->asked)
         ++*frame->asked;
-    return frame->wanted;
+    return frame->wanted && !(frame->left_out & 1u << repetition);
 }
 
 /* ---- series ---- */

@@ -211,19 +211,12 @@ static void draw_import(struct random_tables *t, struct rg_import *import, uint3
     memset(known->defined, import->access != RG_ACCESS_NONE, sizeof(known->defined));
 }
 
-static bool is_persistent(const struct random_tables *t, uint32_t resource)
-{
-    return resource < IMAGES ? t->images[resource].persistent
-                             : t->buffers[resource - IMAGES].persistent;
-}
-
 static void draw_imports(struct random_tables *t, struct rg_compile_params *params)
 {
     params->imports = t->imports;
     for (uint32_t r = 0; r < RESOURCES; r++) {
         bool device = r < IMAGES || t->buffers[r - IMAGES].memory == RG_MEMORY_DEVICE;
-        if (random_graph_exists(t, r) && device && !is_persistent(t, r) &&
-            random_graph_chance(t, 15))
+        if (random_graph_exists(t, r) && device && random_graph_chance(t, 15))
             draw_import(t, &t->imports[params->import_count++], r);
     }
 }

@@ -9,19 +9,22 @@ static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 static const struct rg_shader shader = { .name = "none" };
 
-static bool is_dark(const struct rg_frame *frame)
+static bool is_dark(const struct rg_frame *frame, uint32_t repetition)
 {
+    (void)repetition;
     return frame == NULL;
 }
 
-static bool is_bright(const struct rg_frame *frame)
+static bool is_bright(const struct rg_frame *frame, uint32_t repetition)
 {
+    (void)repetition;
     return frame != NULL;
 }
 
-static bool is_never(const struct rg_frame *frame)
+static bool is_never(const struct rg_frame *frame, uint32_t repetition)
 {
     (void)frame;
+    (void)repetition;
     return false;
 }
 

@@ -38,13 +38,15 @@ static const struct program compute_programs[] = {
     { &random_list_load_comp, .loaded = true },
 };
 
-static bool is_even(const struct rg_frame *frame)
+static bool is_even(const struct rg_frame *frame, uint32_t repetition)
 {
+    (void)repetition;
     return frame->number % 2 == 0;
 }
 
-static bool is_later(const struct rg_frame *frame)
+static bool is_later(const struct rg_frame *frame, uint32_t repetition)
 {
+    (void)repetition;
     return frame->number > 0;
 }
 

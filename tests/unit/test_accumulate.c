@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "src/image/half.h"
-#include "src/renderer.h"
 #include "tests/support/check.h"
 
 enum {
@@ -173,13 +172,13 @@ static void test_layers_of_the_frame(void **state)
 static void test_jitter_stays_in_the_pixel(void **state)
 {
     (void)state;
-    assert_true(renderer_jitter(0).x == 0.0f && renderer_jitter(0).y == 0.0f);
+    assert_true(accumulate_jitter(0).x == 0.0f && accumulate_jitter(0).y == 0.0f);
     for (uint32_t i = 0; i < 100000; i++) {
         /* small counts, the last ones there are, and those around one that is nearly 0.5 */
         const vec2s jitters[] = {
-            renderer_jitter(i),
-            renderer_jitter(UINT32_MAX - i),
-            renderer_jitter(7913000 + i),
+            accumulate_jitter(i),
+            accumulate_jitter(UINT32_MAX - i),
+            accumulate_jitter(7913000 + i),
         };
         for (size_t k = 0; k < sizeof(jitters) / sizeof(jitters[0]); k++) {
             assert_true(jitters[k].x >= -0.5f && jitters[k].x < 0.5f);
@@ -195,7 +194,7 @@ static void test_jitter_is_even(void **state)
     double x = 0.0, y = 0.0;
     int quarters[4] = { 0 };
     for (uint32_t i = 0; i < 1024; i++) {
-        vec2s jitter = renderer_jitter(i);
+        vec2s jitter = accumulate_jitter(i);
         int count = (int)i + 1;
         x += (double)jitter.x;
         y += (double)jitter.y;

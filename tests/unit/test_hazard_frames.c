@@ -63,8 +63,9 @@ static const struct rg_use keep_uses[] = {
     { 0 },
 };
 
-static bool is_kept(const struct rg_frame *frame)
+static bool is_kept(const struct rg_frame *frame, uint32_t repetition)
 {
+    (void)repetition;
     return frame != NULL;
 }
 

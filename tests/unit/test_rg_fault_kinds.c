@@ -15,7 +15,6 @@ static const struct rg_image deep = { "deep", VK_FORMAT_D32_SFLOAT, .samples = 4
 static const struct rg_image flat = { "flat", VK_FORMAT_D32_SFLOAT };
 static const struct rg_image floats = { "floats", VK_FORMAT_R32_SFLOAT };
 static const struct rg_image half = { "half", COLOR_FORMAT, .scale = 0.5f };
-static const struct rg_image kept = { "kept", COLOR_FORMAT, .persistent = true };
 static const struct rg_buffer upload = {
     .name = "upload",
     .size = 64,
@@ -67,19 +66,20 @@ static const struct fault_case sample_cases[] = {
 };
 
 static const struct fault_case history_cases[] = {
-    { IMPORT(RG_ERROR_PERSISTENT, "kept", { .image = &kept, .access = RG_SAMPLED }) },
     { AROUND(RG_ERROR_PERSISTENT, "upload", ALSO(.buffer = &upload, .access = RG_UNIFORM)) },
 };
 
-static bool sometimes(const struct rg_frame *frame)
+static bool sometimes(const struct rg_frame *frame, uint32_t repetition)
 {
     (void)frame;
+    (void)repetition;
     return false;
 }
 
-static bool rarely(const struct rg_frame *frame)
+static bool rarely(const struct rg_frame *frame, uint32_t repetition)
 {
     (void)frame;
+    (void)repetition;
     return false;
 }
 

@@ -24,7 +24,8 @@ enum {
 #define MOST 1.05
 
 static const char *const plain[] = {
-    "air.count=0", "cracks.count=0", "bubbles.count=0", "light.count=0", "bump.strength=0",
+    "air.count=0",   "cracks.count=0",  "bubbles.count=0",
+    "light.count=0", "bump.strength=0", "env_cube.always=on",
 };
 
 static int compare(const void *a, const void *b)
