@@ -2,7 +2,6 @@
 #include "src/frame_cube.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "shaders/mesh.h"
 #include "src/log.h"
 #include "src/tech/env_cube.h"
@@ -34,7 +33,7 @@ static struct frame_cube_mover sphere_around(const struct mesh *mesh, const uint
 
 static bool moves(const struct mesh *mesh, uint32_t triangle)
 {
-    return mesh->vertices[mesh->indices[3 * triangle]].material & MESH_MOVES;
+    return mesh->vertices[mesh->indices[(size_t)3 * triangle]].material & MESH_MOVES;
 }
 
 enum status frame_cube_init(struct frame_cube *cube, const struct scene *scene)
@@ -99,13 +98,22 @@ static bool same_light(const struct frame_cube_state *a, const struct frame_cube
            a->sky_strength == b->sky_strength && a->sun_strength == b->sun_strength;
 }
 
+static bool same_place(const struct frame_cube_state *a, const struct frame_cube_state *b)
+{
+    for (int i = 0; i < 4; i++) {
+        if (!glms_vec4_eqv(a->world_from_movers.col[i], b->world_from_movers.col[i]))
+            return false;
+    }
+    return true;
+}
+
 static bool has_changed(const struct frame_cube *cube, uint32_t face,
                         const struct frame_cube_state *now)
 {
     const struct frame_cube_state *before = &cube->states[face];
     if (!(cube->drawn & 1u << face) || !same_light(before, now))
         return true;
-    if (!memcmp(&before->world_from_movers, &now->world_from_movers, sizeof(mat4s)))
+    if (same_place(before, now))
         return false;
     for (uint32_t i = 0; i < cube->mover_count; i++) {
         if (sees(face, before, &cube->movers[i]) || sees(face, now, &cube->movers[i]))
