@@ -96,6 +96,10 @@ struct air_layers {
  */
 bool generate_air_planes(struct mesh *mesh, struct box box, const struct generate_air *air);
 
+/* Cuts off what of these squares cannot be in the object: they become polygons, or nothing. False
+ * when memory is short; they are unchanged then. */
+bool generate_air_cut(struct mesh *planes, const struct mesh *object);
+
 /* Bubbles of three sizes, each half of the last and twice as frequent, and haze: dense in the
  * middle, nothing at the edges. False when memory is short; *layers is then {0}. */
 bool generate_air_layers(struct air_layers *layers, const struct generate_air *air);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "src/scene/generate.h"
+#include "src/scene/hull.h"
 #include "src/scene/noise.h"
 #include "src/scene/random.h"
 
@@ -46,6 +47,38 @@ bool generate_air_planes(struct mesh *mesh, struct box box, const struct generat
         const vec3s offset = glms_vec3_scale(random_box(&random), off_center * radius);
         make_plane(mesh, i, axes, glms_vec3_add(box_center(box), offset), radius);
     }
+    return true;
+}
+
+/* Appends a convex polygon as a fan. */
+static void add_polygon(struct mesh *mesh, const struct mesh_vertex *corners, uint32_t count)
+{
+    for (uint32_t i = 2; i < count; i++) {
+        const uint32_t fan[3] = { 0, i - 1, i };
+        for (uint32_t k = 0; k < 3; k++)
+            mesh->indices[mesh->index_count++] = mesh->vertex_count + fan[k];
+    }
+    for (uint32_t i = 0; i < count; i++)
+        mesh->vertices[mesh->vertex_count++] = corners[i];
+}
+
+bool generate_air_cut(struct mesh *planes, const struct mesh *object)
+{
+    static const uint32_t around[4] = { 0, 1, 3, 2 };
+    const struct hull hull = hull_of(object);
+    const uint32_t count = planes->vertex_count / 4;
+    struct mesh cut;
+    if (!mesh_init(&cut, count * HULL_CORNER_COUNT, count * 3 * (HULL_CORNER_COUNT - 2)))
+        return false;
+    cut.vertex_count = cut.index_count = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        struct mesh_vertex corners[HULL_CORNER_COUNT];
+        for (uint32_t k = 0; k < 4; k++)
+            corners[k] = planes->vertices[4 * i + around[k]];
+        add_polygon(&cut, corners, hull_cut(&hull, corners, 4));
+    }
+    mesh_finish(planes);
+    *planes = cut;
     return true;
 }
 

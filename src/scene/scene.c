@@ -176,6 +176,7 @@ static enum status add_movers(struct scene *scene, uint32_t count)
 static enum status add_air(struct scene *scene, const struct generate_air *air)
 {
     bool done = generate_air_planes(&scene->air, scene->box, air) &&
+                generate_air_cut(&scene->air, &scene->model.object) &&
                 generate_air_layers(&scene->air_layers, air);
     return done ? STATUS_OK : out_of_memory("air");
 }

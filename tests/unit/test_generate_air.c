@@ -93,6 +93,114 @@ static void sizes_and_frequencies(void **state)
     assert_true(covered(most) > 128);
 }
 
+static double area(const struct mesh *mesh)
+{
+    double sum = 0;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const vec3s a = mesh->vertices[mesh->indices[i]].position;
+        const vec3s b = mesh->vertices[mesh->indices[i + 1]].position;
+        const vec3s c = mesh->vertices[mesh->indices[i + 2]].position;
+        sum += (double)glms_vec3_norm(glms_vec3_cross(glms_vec3_sub(b, a), glms_vec3_sub(c, a)));
+    }
+    return sum / 2;
+}
+
+/* Whether a point of the plane is in one of its triangles, or hardly beyond. */
+static bool covers(const struct mesh *mesh, vec3s normal, vec3s point)
+{
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        vec3s corners[3];
+        float most = 0;
+        for (uint32_t k = 0; k < 3; k++)
+            corners[k] = mesh->vertices[mesh->indices[i + k]].position;
+        if (!glms_vec3_eqv(mesh->vertices[mesh->indices[i]].normal, normal))
+            continue;
+        const vec3s whole = glms_vec3_cross(glms_vec3_sub(corners[1], corners[0]),
+                                            glms_vec3_sub(corners[2], corners[0]));
+        for (uint32_t k = 0; k < 3; k++) {
+            const vec3s along = glms_vec3_sub(corners[(k + 1) % 3], corners[k]);
+            const vec3s part = glms_vec3_cross(along, glms_vec3_sub(point, corners[k]));
+            const float away = -glms_vec3_dot(part, glms_vec3_normalize(whole));
+            most = fmaxf(most, away / glms_vec3_norm(along));
+        }
+        if (most < 1e-4F)
+            return true;
+    }
+    return false;
+}
+
+/* Where the object's edges go through the square, the polygon is. Returns how many do. */
+static size_t check_section(const struct mesh *object, const struct mesh_vertex *square,
+                            const struct mesh *cut)
+{
+    size_t crossings = 0;
+    for (uint32_t i = 0; i < object->index_count; i++) {
+        const uint32_t next = i % 3 == 2 ? i - 2 : i + 1;
+        const vec3s a = object->vertices[object->indices[i]].position;
+        const vec3s b = object->vertices[object->indices[next]].position;
+        const float at_a = glms_vec3_dot(glms_vec3_sub(a, square->position), square->normal);
+        const float at_b = glms_vec3_dot(glms_vec3_sub(b, square->position), square->normal);
+        if ((at_a < 0) == (at_b < 0))
+            continue;
+        const vec3s point = glms_vec3_lerp(a, b, at_a / (at_a - at_b));
+        assert_true(covers(cut, square->normal, point));
+        crossings++;
+    }
+    return crossings;
+}
+
+static void planes_end_near_the_object(void **state)
+{
+    static const struct {
+        bool (*generate)(struct mesh *mesh, uint32_t triangles);
+        uint32_t triangles;
+        double most; /* of the area that was there */
+    } objects[] = { { generate_sphere, 320, 0.8 }, { generate_teapot, 1440, 0.5 } };
+
+    (void)state;
+    for (size_t o = 0; o < sizeof(objects) / sizeof(objects[0]); o++) {
+        struct mesh object, squares, cut;
+        size_t crossings = 0;
+        assert_true(objects[o].generate(&object, objects[o].triangles));
+        const struct box around = mesh_box(&object);
+        assert_true(generate_air_planes(&squares, around, &usual));
+        assert_true(generate_air_planes(&cut, around, &usual));
+        assert_true(generate_air_cut(&cut, &object));
+        for (uint32_t i = 0; i < usual.count; i++)
+            crossings += check_section(&object, &squares.vertices[(size_t)4 * i], &cut);
+        const double left = area(&cut) / area(&squares);
+        print_message("%zu points of the object; %.2f of the squares is left\n", crossings, left);
+        assert_true(crossings > 300);
+        assert_true(left < objects[o].most);
+        mesh_finish(&object);
+        mesh_finish(&squares);
+        mesh_finish(&cut);
+    }
+}
+
+/* What is nowhere near is gone; what lies within is as it was. */
+static void planes_without_object(void **state)
+{
+    struct mesh mesh, object;
+    (void)state;
+    assert_true(generate_sphere(&object, 320));
+    for (uint32_t i = 0; i < object.vertex_count; i++)
+        object.vertices[i].position = glms_vec3_scale(object.vertices[i].position, 100);
+    assert_true(generate_air_planes(&mesh, box, &usual));
+    const double before = area(&mesh);
+    assert_true(generate_air_cut(&mesh, &object));
+    CHECK_NEAR(area(&mesh), before, 1e-3 * before);
+    for (uint32_t i = 0; i < object.vertex_count; i++)
+        object.vertices[i].position.y += 1000;
+    mesh_finish(&mesh);
+    assert_true(generate_air_planes(&mesh, box, &usual));
+    assert_true(generate_air_cut(&mesh, &object));
+    assert_int_equal(mesh.vertex_count, 0);
+    assert_int_equal(mesh.index_count, 0);
+    mesh_finish(&mesh);
+    mesh_finish(&object);
+}
+
 static void seeds_repeat(void **state)
 {
     (void)state;
@@ -120,6 +228,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planes_pass_near_the_middle),
+        cmocka_unit_test(planes_end_near_the_object),
+        cmocka_unit_test(planes_without_object),
         cmocka_unit_test(density_rises_towards_the_middle),
         cmocka_unit_test(sizes_and_frequencies),
         cmocka_unit_test(seeds_repeat),
