@@ -79,6 +79,24 @@ class CommandLine(Case):
             for value in ('0', '-1', '1e9', '', '2x'):
                 self.refuse(USAGE, 'graph', 'sphere', option, value, names=[option, value])
 
+    def test_too_many(self):
+        for *words, option, most in (('render', 'sphere', '-o', 16), ('diff', 'a', 'b', '-o', 16),
+                                     ('ladder', 'sphere', '-o', 16),
+                                     ('profile', 'sphere', '--sweep', 4),
+                                     ('farm', 'slurm', 'sphere', '--sbatch', 16)):
+            values = [f'--{i}.exr' for i in range(most + 1)]
+            more = [word for value in values for word in (option, value)]
+            self.refuse(USAGE, *words, *more, names=[values[-1], f'at most {most}'])
+
+    def test_counts_and_places_that_cannot_be(self):
+        for option, value in (('--samples', '0'), ('--samples', '65537'), ('--tile', '0'),
+                              ('--tile', 'x')):
+            self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', option, value,
+                        names=[option, value])
+        self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--eye', '0,0,5', '--orbit', '1,2,3',
+                    env=NO_DRIVER, names=['--eye', '--orbit'])
+        self.assertEqual(self.files(), [])
+
     def test_bad_sharing(self):
         for how in ('all', 'batch', 'Memory', ''):
             for command in (('graph', 'sphere'), ('render', 'sphere', '-o', 'a.exr')):

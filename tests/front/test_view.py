@@ -311,6 +311,41 @@ class Panels(WindowCase):
             shown.add(self.desktop.pixels(window))
         self.close(window)
 
+    def test_buttons(self):
+        def click(x, y):
+            return lambda: self.move(window, (x, y))
+        window = self.start_with_panels('--size', '640x560')
+        self.find('sphere', act=click(38, 90))
+        self.find('sphere, paused', act=click(38, 90))
+        first = self.shoot(window, 1)
+        self.wait_for_command(window, '--eye',
+                              act=lambda: self.move(window, (500, 200), (520, 220), (540, 210)))
+        self.wait_for_command(window, without='--eye', act=click(279, 90))
+        self.wait_for_command(window, 'cracks.count=',
+                              act=lambda: self.move(window, (30, 229), (60, 229), (90, 229)))
+        self.wait_for_command(window, 'cracks.count=', without='motion.count',
+                              act=click(280, 371))  # of its group
+        self.wait_for_command(window, without='cracks.count', act=click(208, 271))
+        size = (self.folder / 'stdout').stat().st_size
+        wait_until('a command', lambda: (self.folder / 'stdout').stat().st_size > size,
+                   act=click(115, 90))
+        second = self.folder / 'firn-0002.png'
+        wait_until('a screenshot', second.exists, act=click(206, 90))
+        self.assertNotEqual(png_pixels(second), png_pixels(first))  # nothing moves around it
+        self.close(window)
+
+    def test_words_about_what_is_below_the_mouse(self):
+        window = self.start_with_panels('--size', '640x560')
+        shown = [self.desktop.pixels(window)]
+        self.press_until(window, 'g', 'the plan',
+                         lambda: self.desktop.pixels(window) not in shown)
+        for place in ((400, 472), (400, 479), (400, 500), (110, 90), (90, 229)):
+            shown.append(self.desktop.pixels(window))
+            wait_until(f'words at {place}', lambda: self.desktop.pixels(window) not in shown,
+                       act=lambda place=place: self.desktop.do('mousemove', '--window', window,
+                                                               *place))
+        self.close(window)
+
     def test_keys_move_in_a_panel_until_escape(self):
         window = self.start_with_panels()
         self.press(window, 'Tab')
