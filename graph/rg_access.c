@@ -197,6 +197,20 @@ uint32_t rg_visibility(enum rg_access access, VkPipelineStageFlags2 stages)
     return visibility;
 }
 
+struct effect rg_effect(enum rg_access access, bool reads, VkPipelineStageFlags2 stages)
+{
+    const struct rg_access_info *info = &rg_access_table[access];
+    return (struct effect){
+        .access = access,
+        .visibility = info->writes_content ? 0 : rg_visibility(access, stages),
+        .layout = info->layout,
+        .usage = info->image_usage,
+        .stages = stages,
+        .mask = (reads ? info->reads : VK_ACCESS_2_NONE) | info->writes,
+        .writes = info->writes,
+    };
+}
+
 #define KIND_BIT(kind) (1u << (kind))
 
 /* The kinds of pass that may have such a use. */
@@ -233,24 +247,18 @@ void rg_meaning_learn(struct meaning *m, enum rg_kind kind, enum rg_access acces
 {
     const struct rg_access_info *info = &rg_access_table[access];
     bool fits = kinds_of_use[access] & KIND_BIT(kind);
-    unsigned flags = info->reads ? ACCESS_READS : 0;
-    if (info->reads_content)
-        flags |= ACCESS_READS_CONTENT;
+    unsigned flags = info->reads_content ? ACCESS_READS_CONTENT : 0;
     if (info->writes_content)
         flags |= ACCESS_WRITES_CONTENT | (info->reads_content ? 0 : ACCESS_OVERWRITES);
     *m = (struct meaning){
-        .access = {
-            .access = (uint16_t)access,
-            .flags = (uint16_t)flags,
-            .layout = info->layout,
-            .stages = stages_of_use(kind, access),
-            .usage = info->image_usage,
-        },
+        .on_image = rg_effect(access, true, stages_of_use(kind, access)),
         .shaders = stages_of_kind[kind],
+        .flags = flags,
         .fits = fits,
         .image = fits && info->image_usage,
         .buffer = fits && info->buffer_usage,
     };
-    if (!info->writes_content)
-        m->access.visibility = rg_visibility(access, m->access.stages);
+    m->on_buffer = m->on_image;
+    m->on_buffer.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    m->on_buffer.usage = info->buffer_usage;
 }

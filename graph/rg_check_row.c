@@ -11,7 +11,7 @@ static const char *use_trouble(const struct rg_use *use, const struct meaning *m
     if (!(use->image ? m->image : m->buffer))
         return use->image ? "an image cannot be used so" : "a buffer cannot be used so";
     if (use->buffer && use->buffer->memory == RG_MEMORY_UPLOAD &&
-        (m->access.flags & ACCESS_WRITES_CONTENT))
+        (m->flags & ACCESS_WRITES_CONTENT))
         return "the CPU writes this buffer; a pass may only read it";
     return NULL;
 }

@@ -58,7 +58,7 @@ static bool is_alive(struct compiler *c, const struct pass *pass)
         if (!(a->flags & ACCESS_WRITES_CONTENT))
             continue;
         bool needed = is_wanted(c, a);
-        a->flags = (uint16_t)(needed ? a->flags | ACCESS_NEEDED : a->flags & ~ACCESS_NEEDED);
+        a->flags = needed ? a->flags | ACCESS_NEEDED : a->flags & ~(uint32_t)ACCESS_NEEDED;
         alive = alive || needed;
     }
     return alive;

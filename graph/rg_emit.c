@@ -1,5 +1,5 @@
 /* rg_emit.c: the plan's passes, their targets and uses. */
-#include "graph/rg_internal.h"
+#include "graph/rg_sync.h"
 
 static const VkAttachmentLoadOp load_ops[] = {
     [RG_LOAD_KEEP] = VK_ATTACHMENT_LOAD_OP_LOAD,
@@ -19,7 +19,7 @@ static struct rg_plan_target plan_target(const struct compiler *c, const struct 
         .layer = rg_range_of(c, a)->baseArrayLayer,
         .load = writes ? load_ops[target->load] : VK_ATTACHMENT_LOAD_OP_LOAD,
         .store = writes ? store : VK_ATTACHMENT_STORE_OP_NONE,
-        .layout = a->layout,
+        .layout = a->effect->layout,
         .resolve = RG_NONE,
     };
 }
@@ -48,9 +48,9 @@ static void begin_pass(const struct compiler *c, const struct pass *pass, struct
 
 static void emit_target(const struct compiler *c, const struct access *a, struct rg_plan_pass *out)
 {
-    if (a->access == RG_COLOR)
+    if (a->effect->access == RG_COLOR)
         out->color[out->color_count++] = plan_target(c, a);
-    else if (a->access == RG_RESOLVE)
+    else if (a->effect->access == RG_RESOLVE)
         add_resolve(c, a, &out->color[out->color_count - 1]);
     else
         out->depth = plan_target(c, a);
@@ -65,9 +65,13 @@ static inline void emit_use(const struct compiler *c, const struct resource *r,
     use->image = r->plan_image;
     use->buffer = r->plan_buffer;
     use->range = *range;
-    use->layout = a->layout;
+    use->layout = a->effect->layout;
 }
 
+/*
+ * Barriers of memory that is used for the first time come last: if the pass needs a new batch
+ * anyway, they lie in it, and the memory changes hands as late as it can.
+ */
 static void emit_pass(struct sync *sync, const struct pass *pass, struct rg_plan_use *uses,
                       uint32_t index)
 {
@@ -76,24 +80,29 @@ static void emit_pass(struct sync *sync, const struct pass *pass, struct rg_plan
     struct rg_plan_use *use = &uses[c->plan->use_count];
     struct resource *resources = c->resources;
     const struct access *a = &c->accesses[pass->first_access];
-    const struct access **early = sync->early;
-    const struct access **late = sync->late;
+    const struct access **late_end = sync->late;
     begin_pass(c, pass, out);
     for (const struct access *end = a + pass->access_count; a < end; a++) {
         struct resource *r = &resources[a->resource];
-        rg_follow(c, r, a->usage, index);
-        if (a->access > RG_RESOLVE)
+        rg_follow(c, r, a->effect->usage, index);
+        if (a->effect->access > RG_RESOLVE)
             emit_use(c, r, a, use++);
         else
             emit_target(c, a, out);
-        bool is_late = r->first == index;
-        *early = *late = a;
-        early += !is_late;
-        late += is_late;
+        if (r->first == index)
+            *late_end++ = a;
+        else
+            rg_sync_access(sync, r, a, index);
     }
     out->use_count = (uint32_t)(use - uses) - out->first_use;
     c->plan->use_count += out->use_count;
-    rg_sync_pass(sync, early, late, index);
+    for (const struct access *const *late = sync->late; late < late_end; late++) {
+        struct resource *r = &resources[(*late)->resource];
+        if (r->cell_count == 1 && r->cell.fresh)
+            rg_sync_fresh(sync, r, *late, index);
+        else
+            rg_sync_access(sync, r, *late, index);
+    }
 }
 
 static void list_culled(struct compiler *c)

@@ -46,7 +46,8 @@ static inline unsigned enter_cell(struct compiler *c, const struct pass *pass, s
     cell->last_access = c->access_count + 1;
     if (last > pass->first_access) {
         const struct access *b = &c->accesses[last - 1];
-        if (((a->flags | b->flags) & ACCESS_WRITES_CONTENT) || a->layout != b->layout)
+        if (((a->flags | b->flags) & ACCESS_WRITES_CONTENT) ||
+            a->effect->layout != b->effect->layout)
             found |= FOUND_CONFLICT;
     }
     if ((a->flags & ACCESS_READS_CONTENT) && !is_filled(c, cell, pass))
@@ -111,6 +112,15 @@ static void set_range(struct compiler *c, struct access *a, const VkImageSubreso
     a->range = c->range_count;
 }
 
+/* For what no other access does; NULL: memory is short. */
+static struct effect *new_effect(const struct compiler *c, const struct effect *effect)
+{
+    struct effect *new = ARENA_ARRAY(c->arena, struct effect, 1);
+    if (new)
+        *new = *effect;
+    return new;
+}
+
 /* Appends the access to the pass, unless its range is a fault. */
 static void add_access(struct expansion *e, struct access *a, const VkImageSubresourceRange *range,
                        const char *unfilled_hint)
@@ -122,7 +132,7 @@ static void add_access(struct expansion *e, struct access *a, const VkImageSubre
         fault(e, RG_ERROR_RANGE, r, "name a mip, layer and aspect that the image has");
         return;
     }
-    if ((aspects & (aspects - 1)) && rg_is_shader_access(a->access))
+    if ((aspects & (aspects - 1)) && rg_is_shader_access(a->effect->access))
         fault(e, RG_ERROR_RANGE, r, "a shader sees one aspect: name depth or stencil");
     if (r->cell_count > 1)
         set_range(e->c, a, range);
@@ -183,21 +193,19 @@ static VkImageSubresourceRange target_range(const struct pass *pass, const struc
 
 static void add_resolve(struct expansion *e, const struct rg_target *target)
 {
-    const struct rg_access_info *info = &rg_access_table[RG_RESOLVE];
+    const struct effect effect = rg_effect(RG_RESOLVE, false, rg_access_table[RG_RESOLVE].stages);
+    const struct effect *kept = new_effect(e->c, &effect);
     uint32_t index = rg_resource_of(e->c, target->resolve, NULL);
     struct access *a = next_access(e->c);
-    if (index == RG_NONE || !a)
+    if (index == RG_NONE || !a || !kept)
         return;
     const struct resource *r = &e->c->resources[index];
     *a = (struct access){
         .resource = index,
-        .access = RG_RESOLVE,
+        .effect = kept,
+        .declared = target,
         .flags =
             ACCESS_WRITES_CONTENT | (e->pass->rg->when ? ACCESS_CONDITIONAL : ACCESS_OVERWRITES),
-        .layout = info->layout,
-        .stages = info->stages,
-        .usage = info->image_usage,
-        .declared = target,
     };
     const VkImageSubresourceRange range =
         target_range(e->pass, r, target->resolve_mip, target->resolve_layer);
@@ -218,28 +226,25 @@ static void add_target(struct expansion *e, const struct rg_target *target)
                           : rg->depth_read_only ? RG_DEPTH_READ
                                                 : RG_DEPTH;
     const struct rg_access_info *info = &rg_access_table[kind];
+    bool keeps = target->load == RG_LOAD_KEEP;
+    bool reads = keeps || target->blend || kind != RG_COLOR;
+    const struct effect effect = rg_effect(kind, reads, info->stages);
+    const struct effect *kept = new_effect(e->c, &effect);
     uint32_t index = rg_resource_of(e->c, target->image, NULL);
     struct access *a = next_access(e->c);
-    if (index == RG_NONE || !a)
+    if (index == RG_NONE || !a || !kept)
         return;
     const struct resource *r = &e->c->resources[index];
-    bool keeps = target->load == RG_LOAD_KEEP;
     unsigned flags = rg->when ? ACCESS_CONDITIONAL : 0;
-    if (keeps || target->blend || kind != RG_COLOR)
-        flags |= ACCESS_READS;
     if (keeps || kind == RG_DEPTH_READ)
         flags |= ACCESS_READS_CONTENT;
     if (info->writes_content)
         flags |= ACCESS_WRITES_CONTENT | (keeps || rg->when ? 0 : ACCESS_OVERWRITES);
     *a = (struct access){
         .resource = index,
-        .access = (uint16_t)kind,
-        .flags = (uint16_t)flags,
-        .visibility = kind == RG_DEPTH_READ ? rg_visibility(kind, info->stages) : 0,
-        .layout = info->layout,
-        .stages = info->stages,
-        .usage = info->image_usage,
+        .effect = kept,
         .declared = target,
+        .flags = flags,
     };
     const VkImageSubresourceRange range = target_range(e->pass, r, target->mip, target->layer);
     check_target(e, target, r, range.baseMipLevel);
@@ -291,12 +296,16 @@ static void refine_use(struct expansion *e, const struct rg_use *use, struct acc
     const struct resource *r = &e->c->resources[a->resource];
     const VkImageSubresourceRange range = r->image ? use_range(r, &use->range, e->pass) : none;
     if (use->stages && !rg_access_table[use->access].stages) {
-        a->stages = use->stages;
+        struct effect *effect = new_effect(e->c, a->effect);
+        if (!effect)
+            return;
+        effect->stages = use->stages;
         if (!(a->flags & ACCESS_WRITES_CONTENT))
-            a->visibility = rg_visibility(use->access, use->stages);
+            effect->visibility = rg_visibility(use->access, use->stages);
+        a->effect = effect;
     }
     if (use->partial || e->pass->rg->when)
-        a->flags &= (uint16_t)~ACCESS_OVERWRITES;
+        a->flags &= ~(uint32_t)ACCESS_OVERWRITES;
     if (e->pass->rg->when)
         a->flags |= ACCESS_CONDITIONAL;
     add_access(e, a, &range, unwritten_hint);
@@ -315,18 +324,17 @@ static bool add_use(struct expansion *e, const struct rg_use *use)
         fine = fine && !(e->bindings & binding);
         e->bindings |= binding;
     }
-    e->flags |= m->access.flags;
+    e->flags |= m->flags;
     uint32_t index = rg_resource_of(c, use->image, use->buffer);
     struct access *a = next_access(c);
     if (index == RG_NONE || !a)
         return fine;
-    *a = m->access;
-    a->resource = index;
-    a->declared = use;
-    if (use->buffer) {
-        a->layout = VK_IMAGE_LAYOUT_UNDEFINED;
-        a->usage = rg_access_table[use->access].buffer_usage;
-    }
+    *a = (struct access){
+        .resource = index,
+        .effect = use->image ? &m->on_image : &m->on_buffer,
+        .declared = use,
+        .flags = m->flags,
+    };
     refine_use(e, use, a);
     return fine;
 }
@@ -355,18 +363,20 @@ static const struct rg_use *add_plain_uses(struct expansion *e, const struct rg_
             break;
         const struct meaning *m = &meanings[use->access];
         struct resource *r = &c->resources[index];
-        bool unfilled = m->access.flags & ACCESS_READS_CONTENT && r->cell.filled != CELL_FILLED;
+        bool unfilled = m->flags & ACCESS_READS_CONTENT && r->cell.filled != CELL_FILLED;
         if (!r->plain || r->cell.last_access > first || unfilled)
             break;
         struct access *a = &c->accesses[count++];
-        *a = m->access;
         a->resource = index;
+        a->range = 0;
+        a->effect = &m->on_image;
         a->declared = use;
+        a->flags = m->flags;
         r->cell.last_access = count;
-        if (m->access.flags & ACCESS_WRITES_CONTENT)
+        if (m->flags & ACCESS_WRITES_CONTENT)
             r->cell.filled = CELL_FILLED;
         bindings |= UINT64_C(1) << use->binding;
-        flags |= m->access.flags;
+        flags |= m->flags;
     }
     c->access_count = count;
     e->bindings = bindings;

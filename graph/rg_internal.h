@@ -100,21 +100,27 @@ enum {
     ACCESS_READS_CONTENT = 1 << 0,  /* needs what earlier passes left */
     ACCESS_WRITES_CONTENT = 1 << 1, /* leaves something for later ones */
     ACCESS_OVERWRITES = 1 << 2,     /* nothing of the range's earlier content remains */
-    ACCESS_READS = 1 << 3,          /* has the access mask for reading */
-    ACCESS_NEEDED = 1 << 4,         /* somebody wants what it writes: STORE */
-    ACCESS_CONDITIONAL = 1 << 5,    /* does not happen in every frame */
+    ACCESS_NEEDED = 1 << 3,         /* somebody wants what it writes: STORE */
+    ACCESS_CONDITIONAL = 1 << 4,    /* does not happen in every frame */
+};
+
+/* What an access does, in Vulkan's words; many accesses share one. */
+struct effect {
+    enum rg_access access;
+    uint32_t visibility; /* that it needs (rg_visibility) */
+    VkImageLayout layout;
+    VkFlags usage; /* VkImageUsageFlags or VkBufferUsageFlags */
+    VkPipelineStageFlags2 stages;
+    VkAccessFlags2 mask;   /* all it does */
+    VkAccessFlags2 writes; /* of it */
 };
 
 struct access {
     uint32_t resource;
-    uint16_t access; /* enum rg_access; no character type, which might alias everything */
-    uint16_t flags;
-    uint32_t visibility; /* that it needs (rg_visibility) */
-    VkImageLayout layout;
-    VkPipelineStageFlags2 stages;
+    uint32_t range; /* one more than its index in compiler.ranges; 0: all (rg_range_of) */
+    const struct effect *effect;
     const void *declared; /* const struct rg_use or rg_target */
-    uint32_t range;       /* one more than its index in compiler.ranges; 0: all (rg_range_of) */
-    VkFlags usage;        /* VkImageUsageFlags or VkBufferUsageFlags */
+    uint32_t flags;
 };
 
 struct pass {
@@ -149,8 +155,9 @@ struct name_map {
 
 /* What an access means as a use of a kind of pass, as long as the use says nothing special. */
 struct meaning {
-    struct access access;          /* of no resource yet */
+    struct effect on_image, on_buffer;
     VkPipelineStageFlags2 shaders; /* that such a pass has */
+    uint32_t flags;                /* of the access */
     bool fits;                     /* the kind of pass */
     bool image, buffer;            /* fits, and either can be used so */
 };
@@ -323,7 +330,7 @@ static inline bool rg_is_fine_use(const struct rg_use *use, const struct meaning
     if (use->image)
         return m->image && use->image->samples <= 1;
     return m->buffer &&
-           (use->buffer->memory != RG_MEMORY_UPLOAD || !(m->access.flags & ACCESS_WRITES_CONTENT));
+           (use->buffer->memory != RG_MEMORY_UPLOAD || !(m->flags & ACCESS_WRITES_CONTENT));
 }
 
 /* Whether targets are written, or the lack of them is another fault. */
@@ -357,6 +364,9 @@ extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT]; /* rg_acces
 uint32_t rg_visibility(enum rg_access access, VkPipelineStageFlags2 stages);
 
 #define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
+
+/* On an image; `reads` says whether the mask has what the access may read. */
+struct effect rg_effect(enum rg_access access, bool reads, VkPipelineStageFlags2 stages);
 
 /* Of a valid access. */
 void rg_meaning_learn(struct meaning *m, enum rg_kind kind, enum rg_access access);
@@ -404,7 +414,7 @@ void rg_follow_outputs(struct compiler *c);
 /* Of all that was followed. */
 void rg_list(struct compiler *c);
 
-/* ---- rg_sync.c: barriers, in batches ---- */
+/* ---- rg_sync.c: barriers, in batches; rg_sync.h has the rest of it ---- */
 
 struct sync {
     struct compiler *c;
@@ -415,14 +425,11 @@ struct sync {
     uint32_t batch_position; /* the pass it lies before; RG_NONE: there is none yet */
     struct takeover *takeovers;
     uint32_t takeover_count, takeover_room;
-    const struct access **early, **late; /* of a pass: its first uses of resources are late */
+    const struct access **late; /* a pass's first uses of resources */
+    bool changes_early;         /* memory changes hands in the batch, which may be an earlier one */
 };
 
 void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes);
-
-/* Adds the barriers that the plan's pass `index` needs for its accesses, which end there. */
-void rg_sync_pass(struct sync *sync, const struct access *const *early_end,
-                  const struct access *const *late_end, uint32_t index);
 
 /* The barriers after the last pass, and before the first frame. */
 void rg_sync_end(struct sync *sync);
@@ -437,22 +444,14 @@ void rg_state_begin(struct compiler *c);
 
 /* ---- rg_end.c: what is done to a whole resource outside the frame ---- */
 
-struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg_access access);
+/* `effect` is for what it does. */
+struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg_access access,
+                            struct effect *effect);
 
 static inline VkFlags rg_usage(const struct resource *r, enum rg_access access)
 {
     const struct rg_access_info *info = &rg_access_table[access];
     return r->image ? info->image_usage : info->buffer_usage;
-}
-
-static inline VkAccessFlags2 rg_access_reads(const struct access *a)
-{
-    return a->flags & ACCESS_READS ? rg_access_table[a->access].reads : VK_ACCESS_2_NONE;
-}
-
-static inline VkAccessFlags2 rg_access_mask(const struct access *a)
-{
-    return rg_access_reads(a) | rg_access_table[a->access].writes;
 }
 
 /* All shader stages that the graph knows: those of imports and outputs. */

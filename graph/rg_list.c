@@ -25,13 +25,14 @@ static void check_format(struct compiler *c, const struct pass *pass, const stru
 {
     const struct rg_device *device = c->params->device;
     const struct resource *r = &c->resources[access->resource];
-    VkFormatFeatureFlags wanted = rg_access_table[access->access].format_features;
-    if (access->access == RG_SAMPLED) {
+    enum rg_access kind = access->effect->access;
+    VkFormatFeatureFlags wanted = rg_access_table[kind].format_features;
+    if (kind == RG_SAMPLED) {
         const struct rg_use *use = access->declared;
         if (use->sampler && use->sampler->linear)
             wanted |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
     }
-    if (access->access == RG_COLOR) {
+    if (kind == RG_COLOR) {
         const struct rg_target *target = access->declared;
         if (target->blend)
             wanted |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
@@ -93,7 +94,7 @@ void rg_follow_passes(struct compiler *c)
         const struct pass *pass = &c->passes[p];
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
             const struct access *a = &c->accesses[pass->first_access + i];
-            rg_follow(c, &c->resources[a->resource], a->usage, index);
+            rg_follow(c, &c->resources[a->resource], a->effect->usage, index);
         }
         index += pass->alive;
     }

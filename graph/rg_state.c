@@ -61,7 +61,8 @@ static void rehearse(struct compiler *c)
         const struct resource *r = &c->resources[i];
         if (!r->persistent || r->output == RG_NONE)
             continue;
-        const struct access a = rg_end_access(c, i, c->params->outputs[r->output].access);
+        struct effect effect;
+        const struct access a = rg_end_access(c, i, c->params->outputs[r->output].access, &effect);
         rehearse_access(r, &a, &r->all);
     }
 }

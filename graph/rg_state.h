@@ -6,24 +6,39 @@
 
 #include "graph/rg_internal.h"
 
+/* Whether an access only reads what is visible to it already. */
+static inline bool rg_state_is_covered(const struct cell *s, const struct access *a)
+{
+    const struct effect *e = a->effect;
+    return !(a->flags & ACCESS_WRITES_CONTENT) && s->layout == e->layout &&
+           !(e->visibility & ~s->visible);
+}
+
+/* Whether an access could use what an earlier barrier has made visible. */
+static inline bool rg_state_may_widen(const struct cell *s, const struct access *a)
+{
+    return !(a->flags & ACCESS_WRITES_CONTENT) && s->layout == a->effect->layout;
+}
+
 /* Fills `b` but for resource and range, and *release: the first pass before which it may lie.
  * False if nothing is needed. */
 static inline bool rg_state_decide(const struct cell *restrict s, const struct access *restrict a,
                                    struct rg_barrier *restrict b, uint32_t *restrict release)
 {
-    bool moves = s->layout != a->layout;
+    const struct effect *e = a->effect;
+    bool moves = s->layout != e->layout;
     bool writes = a->flags & ACCESS_WRITES_CONTENT;
-    if (!writes && !moves && !(a->visibility & ~s->visible))
+    if (rg_state_is_covered(s, a))
         return false;
     VkPipelineStageFlags2 readers = writes || moves ? s->read_stages : VK_PIPELINE_STAGE_2_NONE;
     /* who read it has waited for the write, and a barrier made the write available then */
     bool awaited = readers && s->awaited;
     b->src_stages = awaited ? readers : readers | s->write_stages;
     b->src_access = awaited ? VK_ACCESS_2_NONE : s->write_access;
-    b->dst_stages = a->stages;
-    b->dst_access = rg_access_mask(a);
+    b->dst_stages = e->stages;
+    b->dst_access = e->mask;
     b->old_layout = a->flags & ACCESS_OVERWRITES ? VK_IMAGE_LAYOUT_UNDEFINED : s->layout;
-    b->new_layout = a->layout;
+    b->new_layout = e->layout;
     *release = writes || moves ? s->touched : s->written;
     return moves || b->src_stages || s->fresh;
 }
@@ -31,10 +46,10 @@ static inline bool rg_state_decide(const struct cell *restrict s, const struct a
 /* A write, or a change of layout, which is one. */
 static inline void rg_state_write(struct cell *s, const struct access *a, uint32_t pass)
 {
-    s->write_stages = a->stages;
-    s->write_access = rg_access_table[a->access].writes;
+    s->write_stages = a->effect->stages;
+    s->write_access = a->effect->writes;
     s->read_stages = VK_PIPELINE_STAGE_2_NONE;
-    s->layout = a->layout;
+    s->layout = a->effect->layout;
     s->written = s->touched = pass + 1;
     s->first_barrier = s->barrier_end = 0;
     s->visible = 0;
@@ -43,22 +58,27 @@ static inline void rg_state_write(struct cell *s, const struct access *a, uint32
     s->awaited = s->fresh = false;
 }
 
+static inline void rg_state_read(struct cell *s, const struct access *a, uint32_t pass)
+{
+    s->touched = pass + 1;
+    s->fresh = false;
+    s->read_stages |= a->effect->stages;
+    /* the synchronization validation of some releases takes a read only for that in the frame of
+     * the write, and no barrier for one */
+    s->awaited = s->awaited || (s->certain && !(a->flags & ACCESS_CONDITIONAL));
+}
+
 static inline void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass,
                                   bool made_visible)
 {
     bool writes = a->flags & ACCESS_WRITES_CONTENT;
-    if (writes || s->layout != a->layout)
+    if (writes || s->layout != a->effect->layout)
         rg_state_write(s, a, pass);
     if (writes)
         return;
-    s->touched = pass + 1;
-    s->fresh = false;
-    s->read_stages |= a->stages;
-    /* the synchronization validation of some releases takes a read only for that in the frame of
-     * the write, and no barrier for one */
-    s->awaited = s->awaited || (s->certain && !(a->flags & ACCESS_CONDITIONAL));
+    rg_state_read(s, a, pass);
     if (made_visible)
-        s->visible |= a->visibility & RG_VISIBLE_TO_ALL;
+        s->visible |= a->effect->visibility & RG_VISIBLE_TO_ALL;
 }
 
 #endif

@@ -7,7 +7,7 @@
  * batch if that is not before its release, or else opens one at its deadline. No set of batches
  * for the same order of passes is smaller, and none waits earlier than it has to.
  */
-#include "graph/rg_state.h"
+#include "graph/rg_sync.h"
 
 static void close_batch(struct sync *sync)
 {
@@ -65,55 +65,15 @@ static bool join(struct sync *sync, uint32_t before)
     return true;
 }
 
-/* Room for the next barrier, which is not there before put() says so. */
-static inline struct rg_barrier *next_barrier(struct sync *sync)
-{
-    return ARENA_ROOM(sync->c->arena, sync->barriers, sync->barrier_count, sync->barrier_room, 64)
-               ? &sync->barriers[sync->barrier_count]
-               : NULL;
-}
-
-/* Notes that the next barrier takes over a resource's memory. */
-static inline void take_over(struct sync *sync, const struct resource *r)
-{
-    struct compiler *c = sync->c;
-    struct pack_item *item = &c->items[r->item];
-    bool earlier = c->params->sharing == RG_SHARE_FEWEST_BATCHES;
-    if (earlier && item->first > sync->batch_position)
-        item->first = sync->batch_position; /* its memory changes hands here */
-    if (ARENA_ROOM(c->arena, sync->takeovers, sync->takeover_count, sync->takeover_room, 64))
-        sync->takeovers[sync->takeover_count++] = (struct takeover){ sync->barrier_count, r->item };
-}
-
-static void open_batch(struct sync *sync, uint32_t position)
+void rg_sync_open_batch(struct sync *sync, uint32_t position)
 {
     close_batch(sync);
     sync->batch_first = sync->barrier_count;
     sync->batch_position = position;
 }
 
-static inline void put(struct sync *sync, struct resource *r, const struct cell *cell,
-                       uint32_t release, uint32_t deadline)
-{
-    if (sync->batch_position == RG_NONE || release > sync->batch_position)
-        open_batch(sync, deadline);
-    if (cell->fresh)
-        take_over(sync, r);
-    r->last_barrier = sync->barrier_count++;
-}
-
-/* Whether an access could use what an earlier barrier has made visible. */
-static inline bool can_widen(const struct cell *s, const struct access *a)
-{
-    return !(a->flags & ACCESS_WRITES_CONTENT) && s->layout == a->layout;
-}
-
-/*
- * Another stage reads what an earlier barrier of this frame has made visible to some: that barrier
- * makes it visible to this one too, instead of a barrier more. `next` is what would be added.
- */
-static bool widen(struct sync *sync, const struct cell *s, const struct access *a,
-                  const struct rg_barrier *next)
+bool rg_sync_widen(struct sync *sync, const struct cell *s, const struct access *a,
+                   const struct rg_barrier *next)
 {
     for (uint32_t i = s->first_barrier; i < s->barrier_end && i < sync->barrier_count; i++) {
         struct rg_barrier *b = &sync->barriers[i];
@@ -125,60 +85,11 @@ static bool widen(struct sync *sync, const struct cell *s, const struct access *
                                     one->baseMipLevel - all->baseMipLevel >= all->levelCount ||
                                     one->baseArrayLayer - all->baseArrayLayer >= all->layerCount))
             continue;
-        b->dst_stages |= a->stages;
-        b->dst_access |= rg_access_reads(a);
+        b->dst_stages |= a->effect->stages;
+        b->dst_access |= a->effect->mask;
         return true;
     }
     return false;
-}
-
-static inline void name_barrier(struct rg_barrier *b, const struct resource *r)
-{
-    b->image = r->plan_image;
-    b->buffer = r->plan_buffer;
-}
-
-static inline void sync_whole(struct sync *sync, struct resource *r, const struct access *a,
-                              uint32_t pass)
-{
-    struct cell *cell = &r->cell;
-    struct rg_barrier *b = next_barrier(sync);
-    uint32_t release;
-    if (!b)
-        return;
-    bool needed = rg_state_decide(cell, a, b, &release);
-    bool added = false;
-    if (needed) {
-        name_barrier(b, r);
-        b->range = r->all;
-        added = !can_widen(cell, a) || !widen(sync, cell, a, b);
-        if (added)
-            put(sync, r, cell, release, pass);
-    }
-    rg_state_apply(cell, a, pass, needed);
-    if (added && !(a->flags & ACCESS_WRITES_CONTENT)) {
-        cell->first_barrier = r->last_barrier;
-        cell->barrier_end = r->last_barrier + 1;
-    }
-}
-
-/* The first use of a single cell in shared memory is a write, else it would be a fault. */
-static inline void sync_fresh(struct sync *sync, struct resource *r, const struct access *a,
-                              uint32_t pass)
-{
-    struct rg_barrier *b = next_barrier(sync);
-    if (!b)
-        return;
-    name_barrier(b, r);
-    b->src_stages = VK_PIPELINE_STAGE_2_NONE; /* not yet known (rg_sync_takeovers) */
-    b->src_access = VK_ACCESS_2_NONE;
-    b->dst_stages = a->stages;
-    b->dst_access = rg_access_mask(a);
-    b->old_layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    b->new_layout = a->layout;
-    b->range = r->all;
-    put(sync, r, &r->cell, r->cell.touched, pass);
-    rg_state_write(&r->cell, a, pass);
 }
 
 static VkImageAspectFlags aspect_bit(VkImageAspectFlags aspects, uint32_t index)
@@ -202,7 +113,7 @@ static void put_cell(struct sync *sync, struct resource *r, const struct cell_wa
                      uint32_t release, uint32_t pass)
 {
     uint32_t before = r->last_barrier;
-    put(sync, r, w->cell, release, pass);
+    rg_sync_put(sync, r, w->cell->fresh, release, pass);
     if (before != RG_NONE && r->image && join(sync, before))
         r->last_barrier = before;
 }
@@ -219,24 +130,25 @@ static bool has_to_go_back(const struct cell *s, const struct access *arrival)
 {
     if (!(arrival->flags & ACCESS_WRITES_CONTENT))
         return s->changed;
-    return s->layout != arrival->layout || s->write_stages != arrival->stages ||
-           s->write_access != rg_access_table[arrival->access].writes || s->read_stages;
+    const struct effect *e = arrival->effect;
+    return s->layout != e->layout || s->write_stages != e->stages || s->write_access != e->writes ||
+           s->read_stages;
 }
 
 /* Returns whether it has added a barrier. */
 static bool sync_cell(struct sync *sync, struct resource *r, const struct cell_walk *w,
                       const struct access *a, uint32_t pass)
 {
-    struct rg_barrier *b = next_barrier(sync);
+    struct rg_barrier *b = rg_sync_next(sync);
     uint32_t release;
     if (!b)
         return false;
     bool needed = rg_state_decide(w->cell, a, b, &release);
     bool added = false;
     if (needed) {
-        name_barrier(b, r);
+        rg_sync_name(b, r);
         b->range = cell_range(r, w);
-        added = !can_widen(w->cell, a) || !widen(sync, w->cell, a, b);
+        added = !rg_state_may_widen(w->cell, a) || !rg_sync_widen(sync, w->cell, a, b);
         if (added)
             put_cell(sync, r, w, release, pass);
     }
@@ -273,32 +185,9 @@ static void sync_cells(struct sync *sync, struct resource *r, const struct acces
     }
 }
 
-static inline void sync_access(struct sync *sync, struct resource *r, const struct access *a,
-                               uint32_t pass)
+void rg_sync_cells(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass)
 {
-    if (r->cell_count == 1)
-        sync_whole(sync, r, a, pass);
-    else
-        sync_cells(sync, r, a, pass, false);
-}
-
-/*
- * Barriers of memory that is used for the first time come last: if the pass needs a new batch
- * anyway, they lie in it, and the memory changes hands as late as it can.
- */
-void rg_sync_pass(struct sync *sync, const struct access *const *early_end,
-                  const struct access *const *late_end, uint32_t index)
-{
-    struct resource *resources = sync->c->resources;
-    for (const struct access *const *a = sync->early; a < early_end; a++)
-        sync_access(sync, &resources[(*a)->resource], *a, index);
-    for (const struct access *const *a = sync->late; a < late_end; a++) {
-        struct resource *r = &resources[(*a)->resource];
-        if (r->cell_count == 1 && r->cell.fresh)
-            sync_fresh(sync, r, *a, index);
-        else
-            sync_access(sync, r, *a, index);
-    }
+    sync_cells(sync, r, a, pass, false);
 }
 
 void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes)
@@ -306,7 +195,7 @@ void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes)
     struct compiler *c = sync->c;
     sync->passes = passes;
     sync->batch_position = RG_NONE;
-    sync->early = ARENA_ARRAY(c->arena, const struct access *, c->most_accesses);
+    sync->changes_early = c->params->sharing == RG_SHARE_FEWEST_BATCHES;
     sync->late = ARENA_ARRAY(c->arena, const struct access *, c->most_accesses);
     sync->takeover_room = c->resource_count;
     sync->takeovers = ARENA_ARRAY(c->arena, struct takeover, sync->takeover_room);
@@ -328,7 +217,8 @@ static void end_resource(struct sync *sync, uint32_t index)
         access = c->params->outputs[r->output].access;
     if (access == RG_ACCESS_NONE)
         return;
-    const struct access a = rg_end_access(c, index, access);
+    struct effect effect;
+    const struct access a = rg_end_access(c, index, access, &effect);
     sync_cells(sync, r, &a, c->plan->pass_count, hand_back);
 }
 
@@ -341,7 +231,7 @@ static void begin_history(struct sync *sync, struct resource *r)
         if (w.mip != mip)
             join_rows(sync, r, start);
         mip = w.mip;
-        struct rg_barrier *b = next_barrier(sync);
+        struct rg_barrier *b = rg_sync_next(sync);
         if (!b)
             return;
         *b = (struct rg_barrier){
@@ -350,7 +240,7 @@ static void begin_history(struct sync *sync, struct resource *r)
             .dst_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
             .dst_access = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
         };
-        name_barrier(b, r);
+        rg_sync_name(b, r);
         b->range = cell_range(r, &w);
         if (r->image) {
             b->old_layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
