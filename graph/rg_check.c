@@ -149,8 +149,8 @@ static const char *buffer_trouble(const struct resource *r, enum rg_error *error
                : NULL;
 }
 
-static void tell(struct compiler *c, const struct resource *r, enum rg_error error,
-                 const char *hint)
+void rg_check_tell(struct compiler *c, const struct resource *r, enum rg_error error,
+                   const char *hint)
 {
     const struct place place = { .row = RG_NONE, .resource = rg_resource_name(r) };
     rg_fault_add(c, error, place, hint);
@@ -159,16 +159,10 @@ static void tell(struct compiler *c, const struct resource *r, enum rg_error err
 /* Leaves faulty resources with a size that later steps can work with. */
 void rg_check_resource(struct compiler *c, struct resource *r)
 {
-    const char *name = r->image ? r->image->name : r->buffer->name;
-    if (!name)
-        tell(c, r, RG_ERROR_NO_NAME, "give the resource a name");
-    else if (!rg_name_is_new(c, NAME_RESOURCE, name))
-        tell(c, r, RG_ERROR_DUPLICATE_NAME, RG_HINT_NAME);
-
     enum rg_error error = RG_ERROR_NONE;
     const char *hint = r->image ? image_trouble(c, r, &error) : buffer_trouble(r, &error);
     if (hint) {
-        tell(c, r, error, hint);
+        rg_check_tell(c, r, error, hint);
         r->all.layerCount = r->all.levelCount = r->image ? 1 : 0;
     }
 }

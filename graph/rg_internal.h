@@ -144,7 +144,10 @@ struct resource_map {
     uint32_t mask;   /* one less than how many */
 };
 
-struct name_slot;
+struct name_slot {
+    uint32_t hash;  /* of the text and its kind, never 0; 0: an empty slot */
+    uint32_t index; /* in names */
+};
 
 struct name_map {
     struct name_slot *slots;
@@ -238,8 +241,43 @@ enum name_kind {
 /* Room for about so many. */
 void rg_name_expect(struct compiler *c, uint32_t count);
 
+/* rg_name_is_new() of a name that the map has, or one of its hash, or that it has no room for. */
+bool rg_name_look_closer(struct compiler *c, uint32_t hash, const char *name);
+
+/* FNV-1a. */
+static inline uint32_t rg_name_hash(enum name_kind kind, const char *text)
+{
+    uint32_t hash = UINT32_C(2166136261) ^ (uint32_t)kind;
+    for (unsigned char c = (unsigned char)*text; c; c = (unsigned char)*++text)
+        hash = (hash ^ c) * UINT32_C(16777619);
+    return hash ? hash : 1;
+}
+
+static inline uint32_t rg_name_slot(const struct name_map *map, uint32_t hash)
+{
+    return (hash ^ hash >> 15) & map->mask;
+}
+
+static inline void rg_name_add(struct name_map *map, struct name_slot *slot, uint32_t hash,
+                               const char *name)
+{
+    *slot = (struct name_slot){ hash, map->count };
+    map->names[map->count++] = name;
+}
+
 /* False if there was one of this name; else adds it. */
-bool rg_name_is_new(struct compiler *c, enum name_kind kind, const char *name);
+static inline bool rg_name_is_new(struct compiler *c, enum name_kind kind, const char *name)
+{
+    struct name_map *map = &c->names;
+    uint32_t hash = rg_name_hash(kind, name);
+    uint32_t i = rg_name_slot(map, hash);
+    while (map->slots[i].hash && map->slots[i].hash != hash)
+        i = (i + 1) & map->mask;
+    if (map->slots[i].hash || map->count == map->room)
+        return rg_name_look_closer(c, hash, name);
+    rg_name_add(map, &map->slots[i], hash, name);
+    return true;
+}
 
 #define RG_HINT_NAME "give each a name of its own"
 
@@ -315,7 +353,19 @@ bool rg_walk_next(struct cell_walk *walk);
 
 void rg_check_params(struct compiler *c);
 void rg_check_output_memory(struct compiler *c, const struct resource *r);
-void rg_check_resource(struct compiler *c, struct resource *r);
+void rg_check_resource(struct compiler *c, struct resource *r); /* but for its name */
+void rg_check_tell(struct compiler *c, const struct resource *r, enum rg_error error,
+                   const char *hint);
+
+static inline void rg_check_name(struct compiler *c, const struct resource *r)
+{
+    const char *name = r->image ? r->image->name : r->buffer->name;
+    if (!name)
+        rg_check_tell(c, r, RG_ERROR_NO_NAME, "give the resource a name");
+    else if (!rg_name_is_new(c, NAME_RESOURCE, name))
+        rg_check_tell(c, r, RG_ERROR_DUPLICATE_NAME, RG_HINT_NAME);
+}
+
 void rg_check_row(struct compiler *c, const struct rg_pass *pass, const struct place *place);
 
 /* The rest of it: faults of its uses, and that neither these nor its targets write. Not needed if

@@ -127,55 +127,97 @@ void rg_resource_expect(struct compiler *c, uint32_t count)
     grow_map(c, count);
 }
 
-static const struct resource blank = {
-    .import = RG_NONE,
-    .output = RG_NONE,
-    .first = RG_NONE,
-    .plan_image = RG_NONE,
-    .plan_buffer = RG_NONE,
-    .item = RG_NONE,
-    .last_barrier = RG_NONE,
-};
+/* ---- adding ---- */
 
-uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
-                         const struct rg_buffer *buffer, const struct rg_import *import,
-                         uint32_t *slot)
+/* What is the same for all. Field by field: clearing the whole at once takes longer. */
+static inline void begin_resource(struct resource *r, const struct rg_image *image,
+                                  const struct rg_buffer *buffer)
 {
-    const void *address = image ? (const void *)image : (const void *)buffer;
-    if (c->resource_count >= c->map.mask / 2) {
-        if (!grow_map(c, c->resource_count))
-            return RG_NONE;
-        slot = rg_resource_slot(c, address);
-    }
-    if (c->resource_count == c->resource_room && !grow_resources(c))
-        return RG_NONE;
-    struct resource *r = &c->resources[c->resource_count];
-    *r = blank;
-    r->address = address;
+    r->address = image ? (const void *)image : (const void *)buffer;
     r->image = image;
     r->buffer = image ? NULL : buffer;
+    r->cells = &r->cell;
+    r->cell_count = 1;
+    r->persistent = r->shared = r->plain = false;
+    r->all = (VkImageSubresourceRange){ 0 };
+    r->extent = (VkExtent2D){ 0 };
+    r->format = NULL;
+    r->size = 0;
+    r->import = r->output = r->first = r->last = RG_NONE;
+    r->usage = 0;
+    r->plan_image = r->plan_buffer = r->item = r->last_barrier = RG_NONE;
+    r->cell = (struct cell){ 0 };
+}
+
+/* A transient image of one cell, as most are. */
+static inline bool is_simple(const struct rg_image *image)
+{
+    return !(image->layers | image->mips | image->samples | image->cube | image->persistent);
+}
+
+/* Returns false if it is not simple after all. */
+static inline bool begin_simple(const struct compiler *c, struct resource *r)
+{
+    const struct rg_image *image = r->image;
+    const struct rg_format_info *format = rg_format_info(image->format);
+    const VkExtent2D view = c->params->view;
+    const VkExtent2D extent = {
+        image->width ? image->width : scaled(view.width, image->scale),
+        image->height ? image->height : scaled(view.height, image->scale),
+    };
+    if (!format || (format->aspects & (format->aspects - 1)) || !(image->scale >= 0.0f) ||
+        extent.width > c->max_image_size || extent.height > c->max_image_size)
+        return false;
+    r->format = format;
+    r->extent = extent;
+    r->all = (VkImageSubresourceRange){ format->aspects, 0, 1, 0, 1 };
+    r->shared = r->plain = r->cell.fresh = true;
+    return true;
+}
+
+/* All others. False: memory is short. */
+__attribute__((noinline)) static bool begin_other(struct compiler *c, struct resource *r,
+                                                  const struct rg_import *import)
+{
     if (import)
         r->import = (uint32_t)(import - c->params->imports);
-    if (image)
+    if (r->image)
         resolve_image(r, c->params->view);
     else
         resolve_buffer(r, c->params->view);
     if (import)
         resolve_import(r, import);
-    r->shared = !import && !r->persistent && (image || buffer->memory == RG_MEMORY_DEVICE);
+    r->shared = !import && !r->persistent && (r->image || r->buffer->memory == RG_MEMORY_DEVICE);
     rg_check_resource(c, r);
     /* as a frame finds it, unless it is imported, persistent or takes over memory (rg_state.c) */
     r->cell.filled = arrives_filled(c, r) ? CELL_FILLED : CELL_EMPTY;
     r->cell.fresh = r->shared;
     if (r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD)
         r->cell.visible = RG_VISIBLE_TO_ALL; /* a submit shows all of it to all */
+    c->persistent_count += r->persistent;
     uint64_t cells = count_cells(r);
     r->cell_count = (uint32_t)cells;
-    r->cells = &r->cell;
-    if (cells != 1 && !add_cells(c, r, cells))
+    r->plain = cells == 1 && r->image && r->image->samples <= 1;
+    return cells == 1 || add_cells(c, r, cells);
+}
+
+uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
+                         const struct rg_buffer *buffer, const struct rg_import *import,
+                         uint32_t *slot)
+{
+    if (c->resource_count >= c->map.mask / 2) {
+        if (!grow_map(c, c->resource_count))
+            return RG_NONE;
+        slot = rg_resource_slot(c, image ? (const void *)image : (const void *)buffer);
+    }
+    if (c->resource_count == c->resource_room && !grow_resources(c))
         return RG_NONE;
-    r->plain = cells == 1 && (image ? image->samples <= 1 : buffer->memory != RG_MEMORY_UPLOAD);
-    c->persistent_count += r->persistent;
+    struct resource *r = &c->resources[c->resource_count];
+    begin_resource(r, image, buffer);
+    rg_check_name(c, r);
+    if ((!image || import || !is_simple(image) || !begin_simple(c, r)) &&
+        !begin_other(c, r, import))
+        return RG_NONE;
     *slot = ++c->resource_count;
     return *slot - 1;
 }
