@@ -203,10 +203,10 @@ struct rg_pass {
     const char *name; /* unique */
     enum rg_kind kind;
     enum rg_repeat repeat;
-    struct rg_target color[RG_COLOR_COUNT];  /* ends at the first without an image */
-    struct rg_target depth;                  /* no image: none */
-    bool depth_read_only;                    /* tested, not written */
+    const struct rg_target *color;           /* RG_TARGETS(); NULL means none */
+    uint32_t color_count;                    /* at most RG_COLOR_COUNT; the last may be zeros */
     VkCompareOp depth_compare;               /* 0 means LESS_OR_EQUAL */
+    struct rg_target depth;                  /* no image: none */
     const struct rg_use *uses;               /* ends at a row of zeros; NULL means none */
     const struct rg_shader *vert, *frag;     /* raster; without frag only depth is written */
     const struct rg_shader *comp;            /* compute */
@@ -217,6 +217,7 @@ struct rg_pass {
     uint32_t push_size;                      /* bytes of push constants */
     rg_record_fn *record;                    /* required */
     rg_when_fn *when;                        /* NULL: it runs in every frame */
+    bool depth_read_only;                    /* tested, not written */
 };
 
 /* Passes that belong together. */
@@ -231,6 +232,13 @@ struct rg_technique {
     { \
         .name = (title), .passes = (table), .pass_count = sizeof(table) / sizeof((table)[0]) \
     }
+
+/* The colour targets of a row and their number:
+ * .color = RG_TARGETS({ &a, RG_LOAD_CLEAR }, { &b, RG_LOAD_KEEP }) */
+#define RG_TARGETS(...) \
+    (const struct rg_target[]){ __VA_ARGS__ }, \
+        .color_count = \
+            sizeof((const struct rg_target[]){ __VA_ARGS__ }) / sizeof(struct rg_target)
 
 /* The uses of a row, ended: .uses = RG_USES({ .image = &a, .access = RG_SAMPLED }, ...) */
 #define RG_USES(...) ((const struct rg_use[]){ __VA_ARGS__, { 0 } })

@@ -86,30 +86,12 @@ void rg_check_uses(struct compiler *c, const struct rg_pass *pass, const struct 
         rg_fault_add(c, RG_ERROR_WRITES_NOTHING, *place, "a pass without a result is never needed");
 }
 
-_Static_assert(RG_COLOR_COUNT == 8, "has_gap() writes them out");
-
-static uintptr_t names_any(const struct rg_target *target)
-{
-    return (uintptr_t)target->image | (uintptr_t)target->resolve;
-}
-
-/* Whether anything follows the colour targets, of which there are `count`. */
-static bool has_gap(const struct rg_pass *pass, uint32_t count)
-{
-    const struct rg_target *t = pass->color;
-    if (!count) /* as of the most rows: nothing at all */
-        return names_any(&t[0]) | names_any(&t[1]) | names_any(&t[2]) | names_any(&t[3]) |
-               names_any(&t[4]) | names_any(&t[5]) | names_any(&t[6]) | names_any(&t[7]);
-    uintptr_t any = 0;
-    for (uint32_t i = count; i < RG_COLOR_COUNT; i++)
-        any |= names_any(&t[i]);
-    return any;
-}
-
+/* Nothing is to follow the colour targets, of which there are `count`. */
 static void check_gap(struct compiler *c, const struct rg_pass *pass, uint32_t count,
                       struct place place)
 {
-    for (uint32_t i = count; i < RG_COLOR_COUNT; i++) {
+    uint32_t room = rg_color_room(pass);
+    for (uint32_t i = count; i < room; i++) {
         const struct rg_target *target = &pass->color[i];
         place.resource = target->image     ? target->image->name
                          : target->resolve ? target->resolve->name
@@ -128,8 +110,7 @@ static void check_target_list(struct compiler *c, const struct rg_pass *pass, ui
         rg_fault_add(c, RG_ERROR_ACCESS, *place, "only a raster pass has targets");
     if (pass->kind == RG_RASTER && !any)
         rg_fault_add(c, RG_ERROR_NO_TARGET, *place, "name an image in .color or .depth");
-    if (has_gap(pass, color_count))
-        check_gap(c, pass, color_count, *place);
+    check_gap(c, pass, color_count, *place);
 }
 
 static const char *value_trouble(const struct rg_pass *pass, uint32_t color_count)
@@ -138,6 +119,8 @@ static const char *value_trouble(const struct rg_pass *pass, uint32_t color_coun
         return "a kind is one of enum rg_kind";
     if ((unsigned)pass->repeat > RG_PER_MIP)
         return "a repeat is one of enum rg_repeat";
+    if (pass->color_count > (pass->color ? RG_COLOR_COUNT : 0))
+        return "color_count is that of .color (RG_TARGETS), at most 8";
     for (uint32_t i = 0; i < color_count; i++) {
         if ((unsigned)pass->color[i].load > RG_LOAD_DISCARD ||
             (unsigned)pass->color[i].blend > RG_BLEND_ADD)
@@ -148,9 +131,9 @@ static const char *value_trouble(const struct rg_pass *pass, uint32_t color_coun
     return NULL;
 }
 
-static const char *shader_trouble(const struct rg_pass *pass)
+static const char *shader_trouble(const struct rg_pass *pass, uint32_t color_count)
 {
-    if (pass->kind == RG_RASTER && !(pass->vert && (pass->frag || !pass->color[0].image)))
+    if (pass->kind == RG_RASTER && !(pass->vert && (pass->frag || !color_count)))
         return "a raster pass needs .vert, and .frag unless it has depth alone";
     if (pass->kind == RG_COMPUTE && !pass->comp)
         return "a compute pass needs .comp";
@@ -159,9 +142,7 @@ static const char *shader_trouble(const struct rg_pass *pass)
 
 void rg_check_row(struct compiler *c, const struct rg_pass *pass, const struct place *place)
 {
-    uint32_t color_count = 0;
-    while (color_count < RG_COLOR_COUNT && pass->color[color_count].image)
-        color_count++;
+    uint32_t color_count = rg_color_count(pass);
     if (!pass->name)
         rg_fault_add(c, RG_ERROR_NO_NAME, *place, "give the pass a name");
     else if (!rg_name_is_new(c, NAME_PASS, pass->name))
@@ -171,7 +152,7 @@ void rg_check_row(struct compiler *c, const struct rg_pass *pass, const struct p
     const char *hint = value_trouble(pass, color_count);
     if (hint)
         rg_fault_add(c, RG_ERROR_VALUE, *place, hint);
-    hint = shader_trouble(pass);
+    hint = shader_trouble(pass, color_count);
     if (hint)
         rg_fault_add(c, RG_ERROR_NO_SHADER, *place, hint);
     if (pass->push_size > RG_MAX_PUSH || pass->push_size % 4)

@@ -418,7 +418,8 @@ static bool add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t rep
     pass->first_access = c->access_count;
     e->pass = pass;
     e->target_samples = 0;
-    for (size_t i = 0; i < RG_COLOR_COUNT && rg->color[i].image; i++)
+    uint32_t color_count = rg_color_count(rg);
+    for (uint32_t i = 0; i < color_count; i++)
         add_target(e, &rg->color[i]);
     if (rg->depth.image)
         add_target(e, &rg->depth);
@@ -434,7 +435,7 @@ static bool add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t rep
  * a first one that is not there becomes a fault of ranges. 0: there is no such image. */
 static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
 {
-    const struct rg_target *target = pass->color[0].image ? &pass->color[0] : &pass->depth;
+    const struct rg_target *target = rg_color_count(pass) ? pass->color : &pass->depth;
     const struct rg_image *image = target->image;
     uint32_t mip = target->mip;
     uint32_t layer = target->layer;

@@ -383,11 +383,29 @@ static inline bool rg_is_fine_use(const struct rg_use *use, const struct meaning
            (use->buffer->memory != RG_MEMORY_UPLOAD || !(m->flags & ACCESS_WRITES_CONTENT));
 }
 
+/* Entries of .color that can be looked at, whatever the row says. */
+static inline uint32_t rg_color_room(const struct rg_pass *pass)
+{
+    if (!pass->color)
+        return 0;
+    return pass->color_count < RG_COLOR_COUNT ? pass->color_count : RG_COLOR_COUNT;
+}
+
+/* Colour targets: they end at the first entry without an image. */
+static inline uint32_t rg_color_count(const struct rg_pass *pass)
+{
+    uint32_t room = rg_color_room(pass);
+    uint32_t count = 0;
+    while (count < room && pass->color[count].image)
+        count++;
+    return count;
+}
+
 /* Whether targets are written, or the lack of them is another fault. */
 static inline bool rg_draws(const struct rg_pass *pass)
 {
     return pass->kind == RG_RASTER &&
-           (pass->color[0].image || !pass->depth.image || !pass->depth_read_only);
+           (rg_color_count(pass) || !pass->depth.image || !pass->depth_read_only);
 }
 
 /* The row's kind; a wild value counts as compute. */

@@ -51,7 +51,7 @@ static bool is_drawn(const struct frame_plan *p, const struct rg_image *image)
     for (size_t t = 0; image && t < p->technique_count; t++) {
         const struct rg_technique *technique = p->techniques[t];
         for (size_t i = 0; i < technique->pass_count; i++) {
-            for (uint32_t c = 0; c < RG_COLOR_COUNT; c++) {
+            for (uint32_t c = 0; c < technique->passes[i].color_count; c++) {
                 if (technique->passes[i].color[c].image == image)
                     return true;
             }

@@ -79,9 +79,9 @@ static void record_nothing(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 #define SCREEN(title, target, load, record_function) \
     { \
-        .name = "clock_test." title, .color[0] = { &(target), (load) }, .vert = &screen_vert, \
-        .frag = &clock_test_frag, .push_size = sizeof(struct clock_test_push), \
-        .record = (record_function), \
+        .name = "clock_test." title, .color = RG_TARGETS({ &(target), (load) }), \
+        .vert = &screen_vert, .frag = &clock_test_frag, \
+        .push_size = sizeof(struct clock_test_push), .record = (record_function), \
     }
 
 static const struct rg_pass passes[CLOCK_TEST_PASS_COUNT] = {

@@ -56,7 +56,7 @@ static const struct rg_use uses[] = {
 static const struct rg_pass passes[] = {
     {
         .name = "air.planes",
-        .color[0] = { &air_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER },
+        .color = RG_TARGETS({ &air_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
         ICE_DEPTH_BEFORE_BACK,
         .uses = uses,
         .vert = &air_vert,

@@ -19,16 +19,17 @@ extern const struct technique background_shine; /* in the light of ice_caustics.
                                background_shine_uses)
 
 #define BACKGROUND_SURROUNDINGS_BY(color_image, depth_image, shader, used) \
-    .color[0] = { (color_image), RG_LOAD_DISCARD }, /* the sky fills what is left */ \
-        .depth = { (depth_image), RG_LOAD_CLEAR },  /* 0 is infinity */ \
+    .color = RG_TARGETS({ (color_image), RG_LOAD_DISCARD }), /* the sky fills what is left */ \
+        .depth = { (depth_image), RG_LOAD_CLEAR },           /* 0 is infinity */ \
         .uses = (used), .vert = &background_vert, .frag = (shader), \
     .vertices = &frame_mesh_layout, .depth_compare = VK_COMPARE_OP_GREATER, \
     .push_size = sizeof(struct background_push)
 
 #define BACKGROUND_SKY(color_image, depth_image) \
-    .color[0] = { (color_image), RG_LOAD_KEEP }, .depth = { (depth_image), RG_LOAD_KEEP }, \
-    .depth_read_only = true, .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL, \
-    .uses = background_sky_uses, .vert = &background_sky_vert, .frag = &background_sky_frag, \
+    .color = RG_TARGETS({ (color_image), RG_LOAD_KEEP }), \
+    .depth = { (depth_image), RG_LOAD_KEEP }, .depth_read_only = true, \
+    .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL, .uses = background_sky_uses, \
+    .vert = &background_sky_vert, .frag = &background_sky_frag, \
     .push_size = sizeof(struct background_push)
 
 extern const struct rg_use background_sky_uses[], background_uses[], background_shine_uses[];

@@ -57,7 +57,7 @@ static const struct rg_use uses[] = {
 static const struct rg_pass passes[] = {
     {
         .name = "bubbles.spheres",
-        .color[0] = { &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER },
+        .color = RG_TARGETS({ &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
         .uses = uses,
         .vert = &bubbles_vert,
         .frag = &bubbles_frag,

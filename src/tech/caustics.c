@@ -62,7 +62,7 @@ static const struct rg_buffer caustics_sum = {
 
 /* The last row of each method: the map itself. */
 #define LIGHT \
-    .name = "caustics.light", .color[0] = { &caustics_light, RG_LOAD_DISCARD }, \
+    .name = "caustics.light", .color = RG_TARGETS({ &caustics_light, RG_LOAD_DISCARD }), \
     .vert = &screen_vert, .record = record_screen
 
 #define USE_RAW \
@@ -120,7 +120,7 @@ static const struct rg_pass gather_passes[] = {
 static const struct rg_pass backtrace_passes[] = {
     {
         .name = "caustics.backtrace",
-        .color[0] = { &caustics_raw, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &caustics_raw, RG_LOAD_DISCARD }),
         .uses = RG_USES(FRAME_USE_GLOBALS),
         .vert = &screen_vert,
         .frag = &caustics_backtrace_frag,
@@ -170,7 +170,7 @@ static const struct rg_pass area_passes[] = {
     },
     {
         .name = "caustics.splat",
-        .color[0] = { &caustics_raw, RG_LOAD_CLEAR, .blend = RG_BLEND_ADD },
+        .color = RG_TARGETS({ &caustics_raw, RG_LOAD_CLEAR, .blend = RG_BLEND_ADD }),
         .uses = splat_uses,
         .vert = &caustics_splat_vert,
         .frag = &caustics_splat_frag,

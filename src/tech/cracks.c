@@ -75,7 +75,8 @@ enum clipping {
 #define COLOR(...) \
     { \
         .name = "cracks.color", \
-        .color[0] = { &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }, DRAW(__VA_ARGS__) \
+        .color = RG_TARGETS({ &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }), \
+        DRAW(__VA_ARGS__) \
     }
 
 #define OVER_ICE \
@@ -88,7 +89,7 @@ enum clipping {
 #define OVER_ALL \
     { \
         .name = "cracks.over", \
-        .color[0] = { &background_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }, \
+        .color = RG_TARGETS({ &background_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }), \
         .uses = RG_USES(REFRACT_USE_OVER(&cracks_color)), .vert = &screen_vert, \
         .frag = &refract_over_frag, .record = record_screen \
     }
@@ -96,7 +97,7 @@ enum clipping {
 #define NORMAL(...) \
     { \
         { \
-            .name = "cracks.normal", .color[0] = { &ice_normal_back, RG_LOAD_KEEP }, \
+            .name = "cracks.normal", .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }), \
             .depth = { &cracks_depth, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } }, \
             .depth_compare = VK_COMPARE_OP_LESS, DRAW(cracks_vert, __VA_ARGS__) \
         } \

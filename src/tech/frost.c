@@ -36,7 +36,7 @@ static const struct rg_pass passes[] = {
     {
         .name = "frost.cube",
         .repeat = RG_PER_LAYER,
-        .color[0] = { &frost_blurred, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &frost_blurred, RG_LOAD_DISCARD }),
         .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &env_cube_color,
                                              .access = RG_SAMPLED,
                                              .binding = FROST_ENV_CUBE,

@@ -34,8 +34,8 @@ const struct rg_image gbuffer_depth = {
 static const struct rg_pass passes[] = {
     {
         .name = "gbuffer.surroundings",
-        .color[0] = { &gbuffer_normal, RG_LOAD_CLEAR },
-        .color[1] = { &gbuffer_position, RG_LOAD_CLEAR, NOTHING },
+        .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_CLEAR },
+                            { &gbuffer_position, RG_LOAD_CLEAR, NOTHING }),
         .depth = { &gbuffer_depth, RG_LOAD_CLEAR },
         .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = RG_USES(FRAME_USE_GLOBALS),
@@ -47,8 +47,7 @@ static const struct rg_pass passes[] = {
     },
     {
         .name = "gbuffer.object",
-        .color[0] = { &gbuffer_normal, RG_LOAD_KEEP },
-        .color[1] = { &gbuffer_position, RG_LOAD_KEEP },
+        .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP }),
         .depth = { &gbuffer_depth, RG_LOAD_KEEP },
         .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = RG_USES(FRAME_USE_GLOBALS),

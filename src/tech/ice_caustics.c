@@ -96,7 +96,7 @@ static const struct rg_image counts = {
 /* What the sun sees of the ice, as ice_normal.c. */
 #define FACES(title, normals, depths, hidden) \
     { \
-        .name = (title), .color[0] = { (normals), RG_LOAD_CLEAR }, \
+        .name = (title), .color = RG_TARGETS({ (normals), RG_LOAD_CLEAR }), \
         .depth = { (depths), RG_LOAD_CLEAR }, .depth_compare = VK_COMPARE_OP_GREATER, \
         .uses = RG_USES(USE_GLOBALS), .vert = &ice_normal_vert, .frag = &ice_normal_frag, \
         .vertices = &frame_mesh_layout, .cull = (hidden), .record = frame_draw_object \
@@ -120,8 +120,9 @@ static const struct rg_image counts = {
 
 #define PHOTONS(...) \
     { \
-        .name = "ice_caustics.photons", .color[0] = { &landed_red, RG_LOAD_CLEAR }, \
-        .color[1] = { &landed_green, RG_LOAD_CLEAR }, .color[2] = { &landed_blue, RG_LOAD_CLEAR }, \
+        .name = "ice_caustics.photons", \
+        .color = RG_TARGETS({ &landed_red, RG_LOAD_CLEAR }, { &landed_green, RG_LOAD_CLEAR }, \
+                            { &landed_blue, RG_LOAD_CLEAR }), \
         .depth = { &photons_depth, RG_LOAD_CLEAR }, .depth_compare = VK_COMPARE_OP_GREATER, \
         .vertices = &frame_mesh_layout, .cull = VK_CULL_MODE_BACK_BIT, \
         .push_size = sizeof(struct ice_caustics_push), .record = record_photons, __VA_ARGS__ \
@@ -150,7 +151,7 @@ static const struct rg_image counts = {
           .comp = &ice_caustics_splat_comp, \
           .record = record_splat }, \
     { \
-        .name = "ice_caustics.map", .color[0] = { &ice_caustics_map, RG_LOAD_DISCARD }, \
+        .name = "ice_caustics.map", .color = RG_TARGETS({ &ice_caustics_map, RG_LOAD_DISCARD }), \
         .uses = RG_USES(USE_LIGHT, USE_IMAGE(&counts, ICE_CAUSTICS_COUNTS), \
                         USE_LINEAR(&front, ICE_CAUSTICS_NORMAL)), \
         .vert = &screen_vert, .frag = &ice_caustics_map_frag, .record = record_map, \
@@ -173,7 +174,7 @@ static const struct rg_pass bumped_passes[] = {
 static const struct rg_pass seen_passes[] = {
     {
         .name = "ice_caustics.layers",
-        .color[0] = { &caustics_seen, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &caustics_seen, RG_LOAD_CLEAR }),
         .depth = { &background_depth, RG_LOAD_KEEP },
         .depth_read_only = true,
         .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,

@@ -53,7 +53,7 @@ static const struct rg_pass passes[] = {
     },
     {
         .name = "ice_depth.layers",
-        .color[0] = { &ice_depth_layers, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &ice_depth_layers, RG_LOAD_DISCARD }),
         .uses =
             RG_USES(FRAME_USE_GLOBALS,
                     { .image = &ice_depth_front, .access = RG_SAMPLED, .binding = ICE_DEPTH_FRONT },

@@ -60,7 +60,7 @@ const struct rg_image ice_interval_layers[ICE_INTERVAL_MAX] = {
             }, \
             { \
                 .name = "ice_interval.count", \
-                .color[0] = { &ice_interval_count, RG_LOAD_DISCARD }, \
+                .color = RG_TARGETS({ &ice_interval_count, RG_LOAD_DISCARD }), \
                 .uses = RG_USES(USE(k, .range = { 0 })), \
                 .vert = &screen_vert, \
                 .frag = &ice_interval_count_frag, \

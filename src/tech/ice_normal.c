@@ -33,7 +33,7 @@ const struct rg_image ice_normal_front_depth = {
 static const struct rg_pass passes[] = {
     {
         .name = "ice_normal.back",
-        .color[0] = { &ice_normal_back, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_CLEAR }),
         .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
         .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = RG_USES(FRAME_USE_GLOBALS),
@@ -45,7 +45,7 @@ static const struct rg_pass passes[] = {
     },
     {
         .name = "ice_normal.front",
-        .color[0] = { &ice_normal_front, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &ice_normal_front, RG_LOAD_CLEAR }),
         .depth = { &ice_normal_front_depth, RG_LOAD_CLEAR },
         .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = RG_USES(FRAME_USE_GLOBALS),

@@ -72,7 +72,7 @@ static const struct rg_use uses[] = {
 static const struct rg_pass passes[OVERLAY_PASS_COUNT] = {
     {
         .name = "overlay.parts",
-        .color[0] = { &present_window, RG_LOAD_KEEP, .blend = RG_BLEND_OVER },
+        .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
         .uses = uses,
         .vert = &overlay_vert,
         .frag = &overlay_frag,
@@ -109,7 +109,10 @@ const struct technique overlay = {
 void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window)
 {
     memcpy(tables->passes, passes, sizeof(passes));
-    for (size_t i = 0; i < OVERLAY_PASS_COUNT; i++)
-        tables->passes[i].color[0].image = window;
+    for (size_t i = 0; i < OVERLAY_PASS_COUNT; i++) {
+        tables->targets[i] = passes[i].color[0];
+        tables->targets[i].image = window;
+        tables->passes[i].color = &tables->targets[i];
+    }
     tables->technique = (struct rg_technique)RG_TECHNIQUE("overlay", tables->passes);
 }

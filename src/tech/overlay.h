@@ -14,6 +14,7 @@ enum {
 
 /* Rows for a window of any format. Points into itself: must not move. */
 struct overlay_tables {
+    struct rg_target targets[OVERLAY_PASS_COUNT];
     struct rg_pass passes[OVERLAY_PASS_COUNT];
     struct rg_technique technique;
 };

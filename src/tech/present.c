@@ -22,7 +22,7 @@ const struct rg_image present_right = {
 static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
     {
         .name = "present.screen",
-        .color[0] = { &present_window, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &present_window, RG_LOAD_DISCARD }),
         .uses =
             RG_USES({ .image = &tonemap_color, .access = RG_SAMPLED, .binding = PRESENT_PICTURE }),
         .vert = &present_vert,
@@ -32,7 +32,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
     },
     {
         .name = "present.split",
-        .color[0] = { &present_window, RG_LOAD_KEEP },
+        .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
         .uses =
             RG_USES({ .image = &present_right, .access = RG_SAMPLED, .binding = PRESENT_PICTURE }),
         .vert = &present_vert,
@@ -76,7 +76,10 @@ void present_tables_init(struct present_tables *tables, VkFormat format)
     tables->window = present_window;
     tables->window.format = format;
     memcpy(tables->passes, passes, sizeof(passes));
-    for (size_t i = 0; i < PRESENT_PASS_COUNT; i++)
-        tables->passes[i].color[0].image = &tables->window;
+    for (size_t i = 0; i < PRESENT_PASS_COUNT; i++) {
+        tables->targets[i] = passes[i].color[0];
+        tables->targets[i].image = &tables->window;
+        tables->passes[i].color = &tables->targets[i];
+    }
     tables->technique = (struct rg_technique)RG_TECHNIQUE("present", tables->passes);
 }

@@ -16,6 +16,7 @@ enum {
 /* Points into itself: must not move. */
 struct present_tables {
     struct rg_image window;
+    struct rg_target targets[PRESENT_PASS_COUNT];
     struct rg_pass passes[PRESENT_PASS_COUNT];
     struct rg_technique technique;
 };

@@ -80,17 +80,17 @@ struct refract_params {
 
 /* The targets of a rung's row for the picture ... */
 #define REFRACT_COLOR_TARGETS \
-    .color[REFRACT_OUT_COLOR] = { &background_color, RG_LOAD_KEEP }, \
-    .color[REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_DISCARD }, \
+    .color = RG_TARGETS([REFRACT_OUT_COLOR] = { &background_color, RG_LOAD_KEEP }, \
+                        [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_DISCARD }), \
     .depth = { &background_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER
 
 /* ... and of its row for the layers, which may come after it, on the depth it wrote. */
 #define REFRACT_LAYER_TARGETS \
-    .color[REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR }, \
-    .color[REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR }, \
-    .color[REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR }, \
-    .color[REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR }, \
-    .color[REFRACT_OUT_WAY] = { &refract_way, RG_LOAD_CLEAR }, \
+    .color = RG_TARGETS([REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR }, \
+                        [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR }, \
+                        [REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR }, \
+                        [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR }, \
+                        [REFRACT_OUT_WAY] = { &refract_way, RG_LOAD_CLEAR }), \
     .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
     .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL
 
@@ -108,7 +108,7 @@ struct refract_params {
 /* What lies in or on the ice is drawn over the rung's picture, on the front faces that it drew:
  * premultiplied colour. The vertex shader is refract.vert, or one as precise. */
 #define REFRACT_OVER_TARGETS \
-    .color[0] = { &background_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }, \
+    .color = RG_TARGETS({ &background_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }), \
     .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
     .depth_compare = VK_COMPARE_OP_EQUAL
 

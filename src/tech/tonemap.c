@@ -21,7 +21,7 @@ const struct rg_image tonemap_color = {
 static const struct rg_pass passes[] = {
     {
         .name = "tonemap.screen",
-        .color[0] = { &tonemap_color, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &tonemap_color, RG_LOAD_DISCARD }),
         .uses =
             RG_USES({ .image = &background_color, .access = RG_SAMPLED, .binding = TONEMAP_COLOR }),
         .vert = &screen_vert,

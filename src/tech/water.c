@@ -41,8 +41,9 @@ static rg_record_fn record_surface, record_ice;
 
 #define GBUFFER_ROW \
     { \
-        .name = "water.gbuffer", .color[0] = { &gbuffer_normal, RG_LOAD_KEEP }, \
-        .color[1] = { &gbuffer_position, RG_LOAD_KEEP }, \
+        .name = "water.gbuffer", \
+        .color = \
+            RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP }), \
         .depth = { &gbuffer_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER, \
         .uses = RG_USES(FRAME_USE_GLOBALS), .frag = &water_gbuffer_frag, SURFACE, \
     }
@@ -59,8 +60,8 @@ static rg_record_fn record_surface, record_ice;
         REFRACT_USE_DEPTH_FRONT
 
 #define COLOR_TARGETS \
-    .color[0] = { &background_color, RG_LOAD_KEEP }, .depth = { &background_depth, RG_LOAD_KEEP }, \
-    .depth_compare = VK_COMPARE_OP_GREATER
+    .color = RG_TARGETS({ &background_color, RG_LOAD_KEEP }), \
+    .depth = { &background_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER
 
 #define COLOR_ROW(shader, ...) \
     { \
@@ -78,7 +79,7 @@ static rg_record_fn record_surface, record_ice;
 
 #define LAYERS_ROW(shader, ...) \
     { \
-        .name = "water.layers", .color[0] = { &caustics_seen, RG_LOAD_CLEAR }, \
+        .name = "water.layers", .color = RG_TARGETS({ &caustics_seen, RG_LOAD_CLEAR }), \
         .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
         .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL, \
         .uses = RG_USES(FRAME_USE_GLOBALS, __VA_ARGS__), .frag = (shader), SURFACE, \

@@ -40,6 +40,7 @@ enum kind {
     VERTICES,
     SAMPLER,
     USES_OF,
+    TARGETS_OF,
 };
 
 struct field {
@@ -97,6 +98,7 @@ static const struct field pass_fields[] = {
     FIELD(rg_pass, U32, topology),      FIELD(rg_pass, U32, cull),
     FIELD(rg_pass, U32, front),         FIELD(rg_pass, U32, push_size),
     FIELD(rg_pass, RECORD, record),     FIELD(rg_pass, WHEN, when),
+    FIELD(rg_pass, TARGETS_OF, color),  FIELD(rg_pass, U32, color_count),
 };
 
 static const struct field import_fields[] = {
@@ -238,6 +240,9 @@ static void change(struct random_tables *t, void *row, const struct field *field
     case USES_OF:
         SET(const struct rg_use *, none ? NULL : t->uses[value[1] % t->pass_count]);
         break;
+    case TARGETS_OF:
+        SET(const struct rg_target *, none ? NULL : t->targets[value[1] % t->pass_count]);
+        break;
     }
 }
 
@@ -248,7 +253,7 @@ static void change_pass(struct random_tables *t, const uint8_t *edit)
 {
     uint32_t index = edit[1] % t->pass_count;
     struct rg_pass *pass = &t->passes[index];
-    struct rg_target *target = &pass->color[edit[2] % RG_COLOR_COUNT];
+    struct rg_target *target = &t->targets[index][edit[2] % RG_COLOR_COUNT];
     switch (edit[0] >> 4 & 3) {
     case 0:
         CHANGE(pass, pass_fields);

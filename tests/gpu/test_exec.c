@@ -27,14 +27,14 @@ static const struct rg_buffer load_second_out = COLOR_BUFFER("second out");
 static const struct rg_pass load_rows[] = {
     {
         .name = "clear",
-        .color[0] = { &load_color, RG_LOAD_CLEAR, .clear.color = { { 0.25F, 0.5F, 0.75F, 1 } } },
+        .color = RG_TARGETS(
+            { &load_color, RG_LOAD_CLEAR, .clear.color = { { 0.25F, 0.5F, 0.75F, 1 } } }),
         PAINTED,
     },
-    { .name = "keep", .color[0] = { &load_color, RG_LOAD_KEEP }, PAINTED },
+    { .name = "keep", .color = RG_TARGETS({ &load_color, RG_LOAD_KEEP }), PAINTED },
     {
         .name = "discard",
-        .color[0] = { &load_first, RG_LOAD_DISCARD },
-        .color[1] = { &load_second, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &load_first, RG_LOAD_DISCARD }, { &load_second, RG_LOAD_DISCARD }),
         PAINTED_BY(painted_record, &paint_two_frag),
     },
     RUN_READ("read color", load_color, load_color_out),
@@ -177,7 +177,7 @@ static void mips_from_mips(void **state)
         };
         rows[i] = (struct rg_pass){
             .name = names[i],
-            .color[0] = { &chain, RG_LOAD_DISCARD, .mip = i },
+            .color = RG_TARGETS({ &chain, RG_LOAD_DISCARD, .mip = i }),
             .uses = i ? uses[i] : NULL,
             PAINTED_BY(painted_record, i ? &halve_frag : &pattern_frag),
         };
@@ -213,7 +213,7 @@ static const struct rg_buffer size_out[] = {
 #define SIZE_ROWS(title, index) \
     { \
         .name = (title), \
-        .color[0] = { &size_images[index], RG_LOAD_DISCARD }, \
+        .color = RG_TARGETS({ &size_images[index], RG_LOAD_DISCARD }), \
         PAINTED_BY(record_extent, &paint_frag), \
     }, \
         RUN_READ("read " title, size_images[index], size_out[index])
@@ -251,7 +251,7 @@ static const struct rg_buffer links_out = COLOR_BUFFER("out");
 
 #define LINK(title, from, to) \
     { \
-        .name = (title), .color[0] = { &links[to], RG_LOAD_DISCARD }, \
+        .name = (title), .color = RG_TARGETS({ &links[to], RG_LOAD_DISCARD }), \
         .uses = RG_USES({ \
             .image = &links[from], \
             .access = RG_SAMPLED, \
@@ -261,7 +261,7 @@ static const struct rg_buffer links_out = COLOR_BUFFER("out");
     }
 
 static const struct rg_pass link_rows[] = {
-    { .name = "first", .color[0] = { &links[0], RG_LOAD_DISCARD }, PAINTED },
+    { .name = "first", .color = RG_TARGETS({ &links[0], RG_LOAD_DISCARD }), PAINTED },
     LINK("second", 0, 1),
     LINK("third", 1, 2),
     LINK("fourth", 2, 3),

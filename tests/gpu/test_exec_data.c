@@ -323,15 +323,15 @@ static const struct rg_image taken = COLOR_IMAGE("taken");
 static const struct rg_buffer taken_out = COLOR_BUFFER("taken out");
 
 static const struct rg_pass keep_rows[] = {
-    { .name = "paint", .color[0] = { &kept, RG_LOAD_DISCARD }, PAINTED },
+    { .name = "paint", .color = RG_TARGETS({ &kept, RG_LOAD_DISCARD }), PAINTED },
 };
 
 /* Adds to what has come, and hands it back. */
 static const struct rg_pass take_rows[] = {
-    { .name = "add", .color[0] = { &kept, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }, PAINTED },
+    { .name = "add", .color = RG_TARGETS({ &kept, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }), PAINTED },
     {
         .name = "take",
-        .color[0] = { &taken, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &taken, RG_LOAD_DISCARD }),
         .uses = RG_USES({ .image = &kept, .access = RG_SAMPLED, .binding = PAINT_SOURCE }),
         PAINTED_BY(painted_record, &fetch_frag),
     },

@@ -181,7 +181,7 @@ static const struct rg_pass rows[] = {
     { .name = "fill", FEATURE_FILL(texels, numbers) },
     {
         .name = "draw",
-        .color[0] = { &drawn, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &drawn, RG_LOAD_DISCARD }),
         .depth = { &depth, RG_LOAD_CLEAR, .clear.depthStencil.depth = 1 },
         .uses = RG_USES(FEATURE_SEED,
                         { .image = &texels, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
@@ -361,7 +361,7 @@ static void missing_import_is_refused(void **state)
     const struct rg_pass draw[] = {
         {
             .name = "draw",
-            .color[0] = { &drawn, RG_LOAD_DISCARD },
+            .color = RG_TARGETS({ &drawn, RG_LOAD_DISCARD }),
             .uses = RG_USES(FEATURE_SEED,
                             { .image = &texels, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
             PAINTED_BY(record_rectangle, &next_frag),

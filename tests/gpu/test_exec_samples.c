@@ -292,8 +292,8 @@ static void device_says_how_many(void **state)
 static void plan_asks_the_device(void **state)
 {
     static const struct rg_image many = COLOR_IMAGE("many", .samples = 64);
-    static const struct rg_pass rows[] = {
-        { .name = "paint", .color[0] = { &many, RG_LOAD_CLEAR }, PAINTED },
+    const struct rg_pass rows[] = {
+        { .name = "paint", .color = RG_TARGETS({ &many, RG_LOAD_CLEAR }), PAINTED },
     };
     const struct rg_technique technique = RG_TECHNIQUE("test", rows);
     const struct rg_technique *const techniques[] = { &technique };

@@ -38,7 +38,7 @@ static const struct rg_pass depth_rows[] = {
     },
     {
         .name = "nearer",
-        .color[0] = { &near, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &near, RG_LOAD_CLEAR }),
         .depth = { &depth, RG_LOAD_KEEP },
         PAINTED,
     },
@@ -50,21 +50,21 @@ static const struct rg_pass depth_rows[] = {
     },
     {
         .name = "reversed nearer",
-        .color[0] = { &reversed_near, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &reversed_near, RG_LOAD_CLEAR }),
         .depth = { &reversed, RG_LOAD_KEEP },
         .depth_compare = VK_COMPARE_OP_GREATER,
         PAINTED,
     },
     {
         .name = "only tested",
-        .color[0] = { &tested, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &tested, RG_LOAD_CLEAR }),
         .depth = { &depth },
         .depth_read_only = true,
         PAINTED,
     },
     {
         .name = "look",
-        .color[0] = { &seen, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &seen, RG_LOAD_DISCARD }),
         .uses = RG_USES({ .image = &depth, .access = RG_SAMPLED, .binding = PAINT_SOURCE }),
         PAINTED_BY(painted_record, &fetch_frag),
     },
@@ -122,16 +122,15 @@ static const struct rg_buffer sum_out = COLOR_BUFFER("sum out");
 static const struct rg_pass blend_rows[] = {
     {
         .name = "blend",
-        .color[0] = { &over, RG_LOAD_CLEAR, .clear.color = { { 0.5F, 0.25F, 1, 1 } },
-                      .blend = RG_BLEND_OVER },
-        .color[1] = { &sum, RG_LOAD_CLEAR, .clear.color = { { 1, 2, 3, 4 } },
-                      .blend = RG_BLEND_ADD },
+        .color = RG_TARGETS(
+            { &over, RG_LOAD_CLEAR, .clear.color = { { 0.5F, 0.25F, 1, 1 } },
+              .blend = RG_BLEND_OVER },
+            { &sum, RG_LOAD_CLEAR, .clear.color = { { 1, 2, 3, 4 } }, .blend = RG_BLEND_ADD }),
         PAINTED_BY(painted_record, &paint_two_frag),
     },
     {
         .name = "blend the second",
-        .color[0] = { &over, RG_LOAD_KEEP },
-        .color[1] = { &sum, RG_LOAD_KEEP, .blend = RG_BLEND_ADD },
+        .color = RG_TARGETS({ &over, RG_LOAD_KEEP }, { &sum, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }),
         PAINTED_BY(painted_record, &paint_two_frag),
     },
     RUN_READ("read over", over, over_out),
@@ -168,17 +167,17 @@ static const struct rg_buffer faces_out = COLOR_BUFFER("faces out");
 /* The rectangle is counter-clockwise. */
 static const struct rg_pass faces_rows[] = {
     { .name = "front",
-      .color[0] = { &faces, RG_LOAD_CLEAR },
+      .color = RG_TARGETS({ &faces, RG_LOAD_CLEAR }),
       .cull = VK_CULL_MODE_BACK_BIT,
       PAINTED },
-    { .name = "back", .color[0] = { &faces }, .cull = VK_CULL_MODE_FRONT_BIT, PAINTED },
+    { .name = "back", .color = RG_TARGETS({ &faces }), .cull = VK_CULL_MODE_FRONT_BIT, PAINTED },
     { .name = "front of clockwise",
-      .color[0] = { &faces },
+      .color = RG_TARGETS({ &faces }),
       .cull = VK_CULL_MODE_BACK_BIT,
       .front = VK_FRONT_FACE_CLOCKWISE,
       PAINTED },
     { .name = "lines",
-      .color[0] = { &faces },
+      .color = RG_TARGETS({ &faces }),
       .topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST,
       PAINTED },
     RUN_READ("read", faces, faces_out),
@@ -246,13 +245,13 @@ static void record_part(struct rg_cmd *cmd, const struct rg_frame *frame)
 static const struct rg_pass drawn_rows[] = {
     {
         .name = "draw",
-        .color[0] = { &drawn, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &drawn, RG_LOAD_CLEAR }),
         .record = record_mesh,
         DRAWN,
     },
     {
         .name = "part",
-        .color[0] = { &part, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &part, RG_LOAD_CLEAR }),
         .record = record_part,
         DRAWN,
     },
@@ -314,7 +313,7 @@ static const struct rg_buffer special_out = COLOR_BUFFER("special out");
 static const struct rg_pass special_rows[] = {
     {
         .name = "special",
-        .color[0] = { &special, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &special, RG_LOAD_DISCARD }),
         .vert = &paint_vert,
         .frag = &constant_frag,
         .push_size = sizeof(struct paint_push),

@@ -23,25 +23,25 @@ static const struct rg_buffer out = COLOR_BUFFER("out");
 
 #define FETCH(title, from, to) \
     { \
-        .name = (title), .color[0] = { &(to), RG_LOAD_DISCARD }, \
+        .name = (title), .color = RG_TARGETS({ &(to), RG_LOAD_DISCARD }), \
         .uses = RG_USES({ .image = &(from), .access = RG_SAMPLED, .binding = PAINT_SOURCE }), \
         PAINTED_BY(painted_record, &fetch_frag), \
     }
 
 /* The memory of the first image serves the third one again. */
 static const struct rg_pass color_rows[] = {
-    { .name = "paint", .color[0] = { &first, RG_LOAD_CLEAR }, PAINTED },
+    { .name = "paint", .color = RG_TARGETS({ &first, RG_LOAD_CLEAR }), PAINTED },
     FETCH("fetch", first, second),
     FETCH("fetch again", second, third),
     RUN_READ("read", third, out),
 };
 
 static const struct rg_pass again_rows[] = {
-    { .name = "paint", .color[0] = { &first, RG_LOAD_CLEAR }, PAINTED },
+    { .name = "paint", .color = RG_TARGETS({ &first, RG_LOAD_CLEAR }), PAINTED },
     FETCH("fetch", first, second),
     {
         .name = "paint again",
-        .color[0] = { &first, RG_LOAD_KEEP },
+        .color = RG_TARGETS({ &first, RG_LOAD_KEEP }),
         .uses = RG_USES({ .image = &second, .access = RG_SAMPLED, .binding = PAINT_SOURCE }),
         PAINTED_BY(painted_record, &fetch_frag),
     },

@@ -22,7 +22,7 @@ static const struct rg_buffer whole_out = COLOR_BUFFER("whole out");
 static const struct rg_buffer numbers = FEATURE_NUMBERS("numbers");
 
 static const struct rg_pass rows[PASS_COUNT] = {
-    [LEFT] = { .name = "left", .color[0] = { &half, RG_LOAD_CLEAR }, PAINTED },
+    [LEFT] = { .name = "left", .color = RG_TARGETS({ &half, RG_LOAD_CLEAR }), PAINTED },
     [ALL_OF_IT] = PAINTED_FETCH("all of it", half, whole),
     [FILL] = { .name = "fill", FEATURE_FILL(texels, numbers) },
     [READ] = RUN_READ("read", whole, whole_out),

@@ -21,7 +21,7 @@ static const struct rg_image pixel = {
 
 /* The compiler takes a shorter way through accesses that it has met. */
 static const struct rg_pass good_rows[] = {
-    DRAW("fill", .color[0] = { CLEARED(fault_case_picture) }),
+    DRAW("fill", .color = RG_TARGETS({ CLEARED(fault_case_picture) })),
     COMPUTE("meet", { .image = &fault_case_picture, .access = RG_SAMPLED },
             { .image = &pixel, .access = RG_STORAGE_WRITE, .binding = 1 }),
     COMPUTE("read", { .image = &pixel, .access = RG_STORAGE_READ_WRITE }),

@@ -17,7 +17,7 @@ enum {
 extern const struct rg_image fault_case_picture, fault_case_other;
 
 /* Rows that say little more than one resource; ALSO reads it and writes another. */
-#define FILL(to)    DRAW("draw", .color[0] = { CLEARED(to) })
+#define FILL(to)    DRAW("draw", .color = RG_TARGETS({ CLEARED(to) }))
 #define COPY_TO(to) COPY("copy", { .buffer = &(to), .access = RG_COPY_DST })
 #define ALSO(...)   COMPUTE("compute", { WRITE_OTHER }, { __VA_ARGS__ })
 #define WRITE_OTHER .image = &fault_case_other, .access = RG_STORAGE_WRITE, .binding = 9

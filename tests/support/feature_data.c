@@ -22,7 +22,7 @@ static const struct rg_pass storage_rows[] = {
     FEATURE_ADD("add", numbers, list),
     {
         .name = "next",
-        .color[0] = { &next, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &next, RG_LOAD_DISCARD }),
         .uses = RG_USES(FEATURE_SEED,
                         { .image = &numbers, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
         PAINTED_BY(record_triangles, &next_frag),
@@ -110,13 +110,13 @@ static const struct rg_pass indirect_rows[] = {
     },
     {
         .name = "draw",
-        .color[0] = { &drawn, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &drawn, RG_LOAD_CLEAR }),
         .uses = RG_USES({ .buffer = &commands, .access = RG_INDIRECT }),
         PAINTED_BY(record_drawn, &paint_frag),
     },
     {
         .name = "mesh",
-        .color[0] = { &mesh, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &mesh, RG_LOAD_CLEAR }),
         .uses = RG_USES({ .buffer = &commands, .access = RG_INDIRECT }),
         .vert = &paint_mesh_vert,
         .frag = &paint_frag,
@@ -155,7 +155,7 @@ static const struct rg_buffer totals_out = FEATURE_NUMBERS("totals out");
 static const struct rg_pass import_rows[] = {
     [IMPORTS_ADD] = {
         .name = "add",
-        .color[0] = { &feature_imports_picture, RG_LOAD_KEEP, .blend = RG_BLEND_ADD },
+        .color = RG_TARGETS({ &feature_imports_picture, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }),
         PAINTED,
     },
     [IMPORTS_LOOK] = PAINTED_FETCH("look", feature_imports_picture, seen),
@@ -195,7 +195,7 @@ static const struct rg_buffer picture_out = COLOR_BUFFER("picture out");
 static const struct rg_pass present_rows[] = {
     [PRESENT_PAINT] = {
         .name = "paint",
-        .color[0] = { &feature_present_picture, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &feature_present_picture, RG_LOAD_CLEAR }),
         PAINTED,
     },
     [PRESENT_LOOK] = PAINTED_FETCH("look", feature_present_picture, seen),

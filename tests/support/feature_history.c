@@ -41,19 +41,19 @@ static const struct rg_buffer depth_out = {
 static const struct rg_pass image_rows[] = {
     [HISTORY_SUM] = {
         .name = "sum",
-        .color[0] = { &sum, RG_LOAD_KEEP, .blend = RG_BLEND_ADD },
+        .color = RG_TARGETS({ &sum, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }),
         PAINTED,
     },
     [HISTORY_SEE] = PAINTED_FETCH("see", sum, seen),
     [HISTORY_BEFORE] = PAINTED_FETCH("before", kept, before),
     [HISTORY_KEEP] = {
         .name = "keep",
-        .color[0] = { &kept, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &kept, RG_LOAD_DISCARD }),
         PAINTED,
     },
     [HISTORY_NEAREST] = {
         .name = "nearest",
-        .color[0] = { &nearest, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &nearest, RG_LOAD_CLEAR }),
         .depth = { &depth, RG_LOAD_KEEP },
         .depth_compare = VK_COMPARE_OP_GREATER,
         PAINTED,
@@ -61,13 +61,13 @@ static const struct rg_pass image_rows[] = {
     [HISTORY_LAYERS] = {
         .name = "layers",
         .repeat = RG_PER_LAYER,
-        .color[0] = { &layers, RG_LOAD_KEEP, .blend = RG_BLEND_ADD },
+        .color = RG_TARGETS({ &layers, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }),
         PAINTED_BY(painted_record_number, &paint_frag),
     },
     [HISTORY_MIPS] = {
         .name = "mips",
         .repeat = RG_PER_MIP,
-        .color[0] = { &mips, RG_LOAD_KEEP, .blend = RG_BLEND_ADD },
+        .color = RG_TARGETS({ &mips, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }),
         PAINTED_BY(painted_record_number, &paint_frag),
     },
     RUN_READ("read seen", seen, seen_out),

@@ -31,7 +31,7 @@ static const struct rg_pass layer_rows[] = {
     {
         .name = "draw",
         .repeat = RG_PER_LAYER,
-        .color[0] = { &cube, RG_LOAD_CLEAR, .clear.color = { { 7, 7, 7, 7 } } },
+        .color = RG_TARGETS({ &cube, RG_LOAD_CLEAR, .clear.color = { { 7, 7, 7, 7 } } }),
         .depth = { &cube_depth, RG_LOAD_CLEAR },
         .depth_compare = VK_COMPARE_OP_GREATER,
         PAINTED_BY(painted_record_number, &paint_frag),
@@ -39,7 +39,7 @@ static const struct rg_pass layer_rows[] = {
     {
         .name = "copy",
         .repeat = RG_PER_LAYER,
-        .color[0] = { &cube_copy, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &cube_copy, RG_LOAD_DISCARD }),
         .uses = RG_USES({
             .image = &cube,
             .access = RG_SAMPLED,
@@ -86,13 +86,13 @@ static const struct rg_pass mip_rows[] = {
     {
         .name = "number",
         .repeat = RG_PER_MIP,
-        .color[0] = { &mip_from, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &mip_from, RG_LOAD_DISCARD }),
         PAINTED_BY(painted_record_number, &paint_frag),
     },
     {
         .name = "copy",
         .repeat = RG_PER_MIP,
-        .color[0] = { &mip_to, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &mip_to, RG_LOAD_DISCARD }),
         .uses = RG_USES({
             .image = &mip_from,
             .access = RG_SAMPLED,

@@ -59,43 +59,46 @@ static const struct rg_buffer numbers_out = FEATURE_NUMBERS("numbers out");
 static const struct rg_pass resolve_rows[] = {
     [RESOLVE_TRIANGLE] = {
         .name = "triangle",
-        .color[0] = { &samples, RG_LOAD_CLEAR, EIGHTS, .resolve = &triangle },
+        .color = RG_TARGETS({ &samples, RG_LOAD_CLEAR, EIGHTS, .resolve = &triangle }),
         .depth = { &samples_depth, RG_LOAD_CLEAR, .clear.depthStencil.depth = 0.5F },
         TRIANGLE_BY(painted_record),
     },
     [RESOLVE_OTHER] = {
         .name = "other",
-        .color[0] = { &other_samples, RG_LOAD_CLEAR, EIGHTS, .resolve = &feature_resolve_part,
-                      .resolve_mip = 1, .resolve_layer = 1 },
+        .color = RG_TARGETS({ &other_samples, RG_LOAD_CLEAR, EIGHTS,
+                              .resolve = &feature_resolve_part,
+                              .resolve_mip = 1, .resolve_layer = 1 }),
         TRIANGLE_BY(painted_record),
     },
     [RESOLVE_PART] = {
         .name = "part",
-        .color[0] = { &part_samples, RG_LOAD_CLEAR, EIGHTS, .resolve = &feature_resolve_part,
-                      .resolve_mip = 1 },
+        .color = RG_TARGETS({ &part_samples, RG_LOAD_CLEAR, EIGHTS,
+                              .resolve = &feature_resolve_part, .resolve_mip = 1 }),
         TRIANGLE_BY(painted_record),
     },
     [RESOLVE_LAYERS] = {
         .name = "layers",
         .repeat = RG_PER_LAYER,
-        .color[0] = { &layers_samples, RG_LOAD_CLEAR, EIGHTS, .resolve = &feature_resolve_layers },
+        .color = RG_TARGETS({ &layers_samples, RG_LOAD_CLEAR, EIGHTS,
+                              .resolve = &feature_resolve_layers }),
         TRIANGLE_BY(painted_record_number),
     },
     [RESOLVE_TWO] = {
         .name = "two",
-        .color[0] = { &first_samples, RG_LOAD_DISCARD },
-        .color[1] = { &second_samples, RG_LOAD_DISCARD, .resolve = &second },
+        .color = RG_TARGETS({ &first_samples, RG_LOAD_DISCARD },
+                            { &second_samples, RG_LOAD_DISCARD, .resolve = &second }),
         PAINTED_BY(painted_record, &paint_two_frag),
     },
     [RESOLVE_KEEP] = {
         .name = "keep",
-        .color[0] = { &kept_samples, RG_LOAD_KEEP, .blend = RG_BLEND_ADD, .resolve = &kept },
+        .color = RG_TARGETS({ &kept_samples, RG_LOAD_KEEP, .blend = RG_BLEND_ADD,
+                              .resolve = &kept }),
         TRIANGLE_BY(painted_record),
     },
     [RESOLVE_NUMBERS] = {
         .name = "numbers",
-        .color[0] = { &numbers_samples, RG_LOAD_CLEAR, .clear.color.uint32 = { 1000 },
-                      .resolve = &numbers },
+        .color = RG_TARGETS({ &numbers_samples, RG_LOAD_CLEAR, .clear.color.uint32 = { 1000 },
+                              .resolve = &numbers }),
         PAINTED_BY(painted_record, &sample_zero_frag),
     },
     RUN_READ("read triangle", triangle, triangle_out),
@@ -130,7 +133,7 @@ static const struct rg_buffer depth_sum_out = COLOR_BUFFER("depth out");
 
 #define WEIGH(title, from, to) \
     { \
-        .name = (title), .color[0] = { &(to), RG_LOAD_DISCARD }, \
+        .name = (title), .color = RG_TARGETS({ &(to), RG_LOAD_DISCARD }), \
         .uses = RG_USES(PAINTED_SOURCE(from)), .vert = &triangle_vert, \
         .frag = &fetch_samples_frag, .push_size = sizeof(struct paint_push), \
         .record = record_screen, \
@@ -146,7 +149,7 @@ static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 static const struct rg_pass sample_rows[] = {
     [SAMPLES_TRIANGLE] = {
         .name = "triangle",
-        .color[0] = { &samples, RG_LOAD_CLEAR, EIGHTS },
+        .color = RG_TARGETS({ &samples, RG_LOAD_CLEAR, EIGHTS }),
         .depth = { &samples_depth, RG_LOAD_CLEAR, .clear.depthStencil.depth = 0.5F },
         TRIANGLE_BY(painted_record),
     },

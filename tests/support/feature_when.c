@@ -42,13 +42,13 @@ static const struct rg_pass rows[] = {
     [WHEN_CAPTURE] = {
         .name = "capture",
         .repeat = RG_PER_LAYER,
-        .color[0] = { &captured, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &captured, RG_LOAD_DISCARD }),
         PAINTED_BY(painted_record_number, &paint_frag),
         WANTED,
     },
     [WHEN_SHOW] = {
         .name = "show",
-        .color[0] = { &shown, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &shown, RG_LOAD_DISCARD }),
         .uses = RG_USES({
             .image = &captured,
             .access = RG_SAMPLED,
@@ -59,24 +59,24 @@ static const struct rg_pass rows[] = {
     },
     [WHEN_CLEAR] = {
         .name = "clear",
-        .color[0] = { &board, RG_LOAD_CLEAR, .clear.color = { { 7, 7, 7, 7 } } },
+        .color = RG_TARGETS({ &board, RG_LOAD_CLEAR, .clear.color = { { 7, 7, 7, 7 } } }),
         PAINTED,
         WANTED,
     },
     [WHEN_MARK] = {
         .name = "mark",
-        .color[0] = { &board, RG_LOAD_KEEP, .blend = RG_BLEND_ADD },
+        .color = RG_TARGETS({ &board, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }),
         PAINTED,
     },
     [WHEN_FIRST] = {
         .name = "first",
-        .color[0] = { &link, RG_LOAD_CLEAR, .clear.color = { { 5, 5, 5, 5 } } },
+        .color = RG_TARGETS({ &link, RG_LOAD_CLEAR, .clear.color = { { 5, 5, 5, 5 } } }),
         PAINTED,
         WANTED,
     },
     [WHEN_SECOND] = {
         .name = "second",
-        .color[0] = { &result, RG_LOAD_DISCARD },
+        .color = RG_TARGETS({ &result, RG_LOAD_DISCARD }),
         .uses = RG_USES(PAINTED_SOURCE(link)),
         PAINTED_BY(painted_record, &fetch_frag),
         WANTED,

@@ -142,7 +142,8 @@ static uint32_t repetitions(struct hazard *h, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)
         return 1;
-    const struct rg_target *target = pass->color[0].image ? &pass->color[0] : &pass->depth;
+    const struct rg_target *target =
+        pass->color_count && pass->color[0].image ? &pass->color[0] : &pass->depth;
     const struct rg_image *image = target->image;
     struct rg_range range = { .mip = target->mip, .layer = target->layer };
     for (const struct rg_use *use = pass->uses; !image && use && use->access; use++)
@@ -248,7 +249,7 @@ static void add_repetition(struct hazard *h, struct hazard_pass pass)
     const struct rg_pass *row = pass.pass;
     pass.condition = condition_of(h, row->when);
     pass.first_use = h->use_count;
-    for (uint32_t i = 0; i < RG_COLOR_COUNT && row->color[i].image; i++)
+    for (uint32_t i = 0; i < row->color_count && row->color[i].image; i++)
         add_target(h, &pass, &row->color[i], RG_COLOR);
     if (row->depth.image)
         add_target(h, &pass, &row->depth, row->depth_read_only ? RG_DEPTH_READ : RG_DEPTH);

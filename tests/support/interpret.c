@@ -179,7 +179,7 @@ struct random_push interpret_push(const struct rg_frame *frame, const struct rg_
         .to = { row->to[0], row->to[1] },
         .depth = row->depth,
     };
-    for (uint32_t i = 0; i < RANDOM_TARGETS && pass->color[i].image; i++)
+    for (uint32_t i = 0; i < RANDOM_TARGETS && i < pass->color_count && pass->color[i].image; i++)
         push.masks[i] = mask_of(pass->color[i].image->format);
     if (pass->kind == RG_COMPUTE) {
         const struct rg_image *image = interpret_written(pass)->image;
@@ -356,6 +356,8 @@ static void run_raster(const struct running *run)
     struct bound targets[RG_COLOR_COUNT + 1] = { 0 };
     struct interpret_part area = { 0 };
     for (uint32_t i = 0; i <= RG_COLOR_COUNT; i++) {
+        if (i < RG_COLOR_COUNT && i >= pass->color_count)
+            continue;
         const struct rg_target *target = i < RG_COLOR_COUNT ? &pass->color[i] : &pass->depth;
         targets[i] = bind(run, target);
         if (!targets[i].image)
@@ -483,7 +485,8 @@ static void run_copy(const struct running *run)
 
 static uint32_t repetitions(const struct interpret_tables *tables, const struct rg_pass *pass)
 {
-    const struct rg_target *target = pass->color[0].image ? &pass->color[0] : &pass->depth;
+    const struct rg_target *target =
+        pass->color_count && pass->color[0].image ? &pass->color[0] : &pass->depth;
     struct rg_use use = { .image = target->image };
     use.range.mip = target->mip;
     use.range.layer = target->layer;

@@ -45,7 +45,7 @@ rg_when_fn painted_when;
     }
 #define PAINTED_FETCH(title, from, to) \
     { \
-        .name = (title), .color[0] = { &(to), RG_LOAD_DISCARD }, \
+        .name = (title), .color = RG_TARGETS({ &(to), RG_LOAD_DISCARD }), \
         .uses = RG_USES(PAINTED_SOURCE(from)), PAINTED_BY(painted_record, &fetch_frag), \
     }
 

@@ -1,4 +1,5 @@
 /* Draws passes, keeping book of what has been written, so that each is valid where it stands. */
+#include <string.h>
 #include "tests/support/random_graph_private.h"
 
 static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -274,6 +275,11 @@ static bool fits(const struct rg_pass *pass, const struct random_known *main,
     return pass->repeat != RG_PER_MIP || known->mips - target->mip == main->mips - first->mip;
 }
 
+static struct rg_target *colors_of(struct random_tables *t, const struct rg_pass *pass)
+{
+    return t->targets[pass - t->passes];
+}
+
 /* Sometimes a colour target with several samples is resolved. */
 static void draw_resolve(struct random_tables *t, const struct rg_pass *pass,
                          struct rg_target *target, uint32_t of)
@@ -311,7 +317,8 @@ static void draw_other_targets(struct random_tables *t, struct rg_pass *pass, ui
                                     .layer = random_graph_below(t, known->layers) };
         if (known->samples != main->samples || !fits(pass, main, first, known, &target))
             continue;
-        struct rg_target *place = known->depth ? &pass->depth : &pass->color[colors % 8];
+        struct rg_target *place =
+            known->depth ? &pass->depth : &colors_of(t, pass)[colors % RG_COLOR_COUNT];
         if (place->image || (!known->depth && colors >= 4))
             continue;
         *place = target;
@@ -330,7 +337,7 @@ static bool draw_targets(struct random_tables *t, struct rg_pass *pass)
 {
     uint32_t resource = pick_image(t);
     struct random_known *known = &t->known[resource];
-    struct rg_target *target = known->depth ? &pass->depth : &pass->color[0];
+    struct rg_target *target = known->depth ? &pass->depth : colors_of(t, pass);
     if (known->layers > 1 && random_graph_chance(t, 50))
         pass->repeat = RG_PER_LAYER;
     else if (known->mips > 1 && random_graph_chance(t, 50))
@@ -370,7 +377,7 @@ static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
         add_use(t, resource, pass->kind == RG_TRANSFER ? RG_COPY_DST : RG_STORAGE_WRITE)->range =
             each;
     else
-        pass->color[0] =
+        *colors_of(t, pass) =
             (struct rg_target){ .image = &t->images[resource], .load = RG_LOAD_DISCARD, .mip = 1 };
     return true;
 }
@@ -416,9 +423,12 @@ void random_graph_draw(struct random_tables *t)
         .kind = random_graph_chance(t, 50)   ? RG_RASTER
                 : random_graph_chance(t, 60) ? RG_COMPUTE
                                              : RG_TRANSFER,
+        .color = colors_of(t, pass),
+        .color_count = RG_COLOR_COUNT,
         .uses = t->uses[t->pass_count],
         .record = record,
     };
+    memset(colors_of(t, pass), 0, sizeof(t->targets[0]));
     t->claim_count = t->use_count = 0;
     t->condition = 0;
     if (t->condition_count && random_graph_chance(t, 35)) {
@@ -453,9 +463,12 @@ void random_graph_draw_last(struct random_tables *t)
     *pass = (struct rg_pass){
         .name = "last",
         .kind = RG_TRANSFER,
+        .color = colors_of(t, pass),
+        .color_count = RG_COLOR_COUNT,
         .uses = t->uses[t->pass_count],
         .record = record,
     };
+    memset(colors_of(t, pass), 0, sizeof(t->targets[0]));
     t->use_count = 0;
     add_use(t, 0, RG_COPY_DST);
     t->uses[t->pass_count][1] = (struct rg_use){ 0 };

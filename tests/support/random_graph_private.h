@@ -41,6 +41,7 @@ struct random_tables {
     struct rg_image images[IMAGES];
     struct rg_buffer buffers[BUFFERS];
     struct rg_pass passes[PASSES];
+    struct rg_target targets[PASSES][RG_COLOR_COUNT]; /* of each pass */
     struct rg_use uses[PASSES][USES + 1];
     char names[RESOURCES + PASSES][16];
     struct rg_technique techniques[TECHNIQUES];

@@ -50,6 +50,7 @@ struct run_random_tables {
     struct rg_image images[IMAGES];
     struct rg_buffer buffers[BUFFERS];
     struct rg_pass passes[ROWS];
+    struct rg_target targets[ROWS][RG_COLOR_COUNT]; /* of each pass */
     struct interpret_row rows[ROWS];
     struct rg_use uses[ROWS][USES + 1];
     char names[RESOURCES + ROWS][16];

@@ -1,5 +1,6 @@
 /* Draws passes with shaders, keeping book of what has been filled, so that each is valid where it
  * stands. */
+#include <string.h>
 #include "tests/gpu/test_shaders.h"
 #include "tests/support/run_random_private.h"
 
@@ -148,9 +149,12 @@ struct rg_pass *run_random_begin(struct run_random_tables *t, enum rg_kind kind)
     struct rg_pass *pass = &t->passes[t->pass_count];
     *pass = (struct rg_pass){
         .kind = kind,
+        .color = t->targets[t->pass_count],
+        .color_count = RG_COLOR_COUNT,
         .uses = t->uses[t->pass_count],
         .record = run_random_record,
     };
+    memset(t->targets[t->pass_count], 0, sizeof(t->targets[0]));
     t->rows[t->pass_count] = (struct interpret_row){
         .salt = run_random_below(t, UINT32_MAX),
         .shift = run_random_below(t, 16),
@@ -432,7 +436,7 @@ static uint32_t draw_other_targets(struct run_random_tables *t, uint32_t first_i
             .mip = pass->repeat == RG_PER_MIP ? first->mip : run_random_below(t, known->mips),
             .layer = run_random_below(t, known->layers),
         };
-        struct rg_target *place = known->depth ? &pass->depth : &pass->color[colors];
+        struct rg_target *place = known->depth ? &pass->depth : &t->targets[t->pass_count][colors];
         if ((known->depth ? !depth || place->image : colors >= wanted) ||
             target.mip >= known->mips || !fits(t, first_image, first, image, &target))
             continue;
@@ -471,7 +475,7 @@ static bool draw_mip_chain(struct run_random_tables *t)
     range.mip = 1;
     if (!run_random_claim(t, image, range, RG_COLOR))
         return false;
-    pass->color[0] = (struct rg_target){
+    t->targets[t->pass_count][0] = (struct rg_target){
         .image = &t->images[image],
         .load = RG_LOAD_DISCARD,
         .mip = 1,
@@ -495,7 +499,8 @@ static bool draw_raster(struct run_random_tables *t)
         .mip = pass->repeat == RG_PER_MIP ? start : run_random_below(t, known->mips),
         .layer = pass->repeat == RG_PER_LAYER ? start : run_random_below(t, known->layers),
     };
-    if (!add_target(t, image, known->depth ? &pass->depth : &pass->color[0], first, whole))
+    if (!add_target(t, image, known->depth ? &pass->depth : t->targets[t->pass_count], first,
+                    whole))
         return false;
     const uint32_t colors = draw_other_targets(t, image, whole);
     if (!colors && pass->depth_read_only)

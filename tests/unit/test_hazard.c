@@ -52,7 +52,7 @@ static const struct rg_use draw_uses[] = {
 static const struct rg_pass rows[] = {
     { .name = "compute", .kind = RG_COMPUTE, .uses = compute_uses },
     { .name = "copy", .kind = RG_TRANSFER, .uses = copy_uses },
-    { .name = "draw", .color[0] = { &third, RG_LOAD_CLEAR }, .uses = draw_uses },
+    { .name = "draw", .color = RG_TARGETS({ &third, RG_LOAD_CLEAR }), .uses = draw_uses },
 };
 
 static const struct rg_technique technique = RG_TECHNIQUE("by hand", rows);

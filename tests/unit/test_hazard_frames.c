@@ -113,7 +113,8 @@ struct by_hand {
 static const struct by_hand right = {
     .rows = {
         {
-            .name = "draw", .color[0] = { .image = &many, .load = RG_LOAD_CLEAR, .resolve = &now },
+            .name = "draw",
+            .color = RG_TARGETS({ .image = &many, .load = RG_LOAD_CLEAR, .resolve = &now }),
             .uses = draw_uses,
         },
         { .name = "keep", .kind = RG_TRANSFER, .uses = keep_uses, .when = is_kept },

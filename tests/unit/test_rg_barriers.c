@@ -85,9 +85,9 @@ static void test_barriers_of_drawing(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("to a", .color[0] = { CLEARED(a) }),
-        DRAW("to b", .color[0] = { CLEARED(b) }, SAMPLING(a)),
-        DRAW("over b", .color[0] = { &b }),
+        DRAW("to a", .color = RG_TARGETS({ CLEARED(a) })),
+        DRAW("to b", .color = RG_TARGETS({ CLEARED(b) }), SAMPLING(a)),
+        DRAW("over b", .color = RG_TARGETS({ &b })),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(b) });
     /* both wait for who used them last in the frame before */
@@ -113,10 +113,10 @@ static void test_barriers_of_overwriting(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("to a", .color[0] = { CLEARED(a) }),
-        DRAW("to b", .color[0] = { CLEARED(b) }, SAMPLING(a)),
-        DRAW("to a again", .color[0] = { CLEARED(a) }),
-        DRAW("to c", .color[0] = { CLEARED(c) }, SAMPLING(a)),
+        DRAW("to a", .color = RG_TARGETS({ CLEARED(a) })),
+        DRAW("to b", .color = RG_TARGETS({ CLEARED(b) }), SAMPLING(a)),
+        DRAW("to a again", .color = RG_TARGETS({ CLEARED(a) })),
+        DRAW("to c", .color = RG_TARGETS({ CLEARED(c) }), SAMPLING(a)),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){
         PASSES(passes),
@@ -138,8 +138,9 @@ static void test_barriers_of_depth(void **state)
     (void)state;
     const struct rg_pass passes[] = {
         DRAW("lay", .depth = { CLEARED(depth) }),
-        DRAW("test", .color[0] = { CLEARED(a) }, .depth = { &depth }, .depth_read_only = true),
-        DRAW("fog", .color[0] = { &a }, SAMPLING(depth)),
+        DRAW("test", .color = RG_TARGETS({ CLEARED(a) }), .depth = { &depth },
+             .depth_read_only = true),
+        DRAW("fog", .color = RG_TARGETS({ &a }), SAMPLING(depth)),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(a) });
     CHECK_BARRIERS(
@@ -161,7 +162,7 @@ static void test_barriers_of_a_buffer(void **state)
     (void)state;
     const struct rg_pass passes[] = {
         COMPUTE("sum", { .buffer = &bytes, .access = RG_STORAGE_WRITE }),
-        DRAW("draw", .color[0] = { CLEARED(a) },
+        DRAW("draw", .color = RG_TARGETS({ CLEARED(a) }),
              .uses = RG_USES({ .buffer = &bytes, .access = RG_VERTEX })),
         COMPUTE("more", { .buffer = &bytes, .access = RG_STORAGE_READ_WRITE }),
     };
@@ -193,7 +194,7 @@ static void test_barriers_of_an_import(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("over", .color[0] = { &a }),
+        DRAW("over", .color = RG_TARGETS({ &a })),
         COMPUTE("compute", { TEXTURE(a) },
                 { .image = &b, .access = RG_STORAGE_WRITE, .binding = 1 }),
     };
@@ -220,9 +221,9 @@ static void test_reads_after_reads_are_merged(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("to a", .color[0] = { CLEARED(a) }),
-        DRAW("to b", .color[0] = { CLEARED(b) }, SAMPLING(a)),
-        DRAW("to c", .color[0] = { CLEARED(c) }, SAMPLING(a)),
+        DRAW("to a", .color = RG_TARGETS({ CLEARED(a) })),
+        DRAW("to b", .color = RG_TARGETS({ CLEARED(b) }), SAMPLING(a)),
+        DRAW("to c", .color = RG_TARGETS({ CLEARED(c) }), SAMPLING(a)),
         COMPUTE("to d", { TEXTURE(a) }, { .image = &d, .access = RG_STORAGE_WRITE, .binding = 1 }),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){
@@ -246,10 +247,10 @@ static void test_barriers_of_shared_memory(void **state)
 {
     (void)state;
     const struct rg_pass relay[] = {
-        DRAW("to a", .color[0] = { CLEARED(a) }),
-        DRAW("to b", .color[0] = { CLEARED(b) }, SAMPLING(a)),
-        DRAW("to c", .color[0] = { CLEARED(c) }, SAMPLING(b)),
-        DRAW("to d", .color[0] = { CLEARED(d) }, SAMPLING(c)),
+        DRAW("to a", .color = RG_TARGETS({ CLEARED(a) })),
+        DRAW("to b", .color = RG_TARGETS({ CLEARED(b) }), SAMPLING(a)),
+        DRAW("to c", .color = RG_TARGETS({ CLEARED(c) }), SAMPLING(b)),
+        DRAW("to d", .color = RG_TARGETS({ CLEARED(d) }), SAMPLING(c)),
     };
     for (int sharing = 0; sharing <= RG_SHARE_NOTHING; sharing++) {
         struct rg_plan *plan = small_graph_compile(
@@ -271,10 +272,10 @@ static void test_fewest_batches_or_least_memory(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("to a", .color[0] = { CLEARED(a) }),
-        DRAW("to b", .color[0] = { CLEARED(b) }, SAMPLING(a)),
-        DRAW("to c", .color[0] = { CLEARED(c) }),
-        DRAW("over c", .color[0] = { &c }, SAMPLING(b)),
+        DRAW("to a", .color = RG_TARGETS({ CLEARED(a) })),
+        DRAW("to b", .color = RG_TARGETS({ CLEARED(b) }), SAMPLING(a)),
+        DRAW("to c", .color = RG_TARGETS({ CLEARED(c) })),
+        DRAW("over c", .color = RG_TARGETS({ &c }), SAMPLING(b)),
     };
     struct small_graph graph = { PASSES(passes), WANTS(c) };
     struct rg_plan *plan = small_graph_compile(&graph);

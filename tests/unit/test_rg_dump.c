@@ -136,7 +136,7 @@ static void test_what_is_absent_is_not_said(void **state)
         "samples", "persistent", "resolve", "conditional", "initial", "least", "culled",
     };
     static const struct rg_image image = IMAGE(.name = "image");
-    static const struct rg_pass passes[] = { DRAW("draw", .color[0] = { CLEARED(image) }) };
+    const struct rg_pass passes[] = { DRAW("draw", .color = RG_TARGETS({ CLEARED(image) })) };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){
         PASSES(passes),
         WANTS(image),

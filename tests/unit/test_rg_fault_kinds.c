@@ -38,15 +38,15 @@ static VkSampleCountFlags one_sample(const void *user, const VkImageCreateInfo *
 static const struct rg_device plain_device = { .sample_counts = one_sample };
 
 #define RESOLVE(from, to) \
-    DRAW("draw", .color[0] = { .image = &(from), .load = RG_LOAD_CLEAR, .resolve = &(to) })
+    DRAW("draw", .color = RG_TARGETS({ .image = &(from), .load = RG_LOAD_CLEAR, .resolve = &(to) }))
 
 static const struct fault_case sample_cases[] = {
     { AROUND(RG_ERROR_SAMPLES, "three", FILL(three)) },
     { AROUND(RG_ERROR_SAMPLES, "chained", FILL(chained)) },
     { ROW(RG_ERROR_SAMPLES, "deep",
-          DRAW("draw", .color[0] = { CLEARED(OTHER) }, .depth = { CLEARED(deep) })) },
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .depth = { CLEARED(deep) })) },
     { ROW(RG_ERROR_SAMPLES, "other",
-          DRAW("draw", .color = { { CLEARED(four) }, { CLEARED(OTHER) } })) },
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(four) }, { CLEARED(OTHER) }))) },
     { ROW(RG_ERROR_SAMPLES, "picture", RESOLVE(OTHER, PICTURE)) },
     { ROW(RG_ERROR_SAMPLES, "deep",
           DRAW("draw", .depth = { .image = &deep, .load = RG_LOAD_CLEAR, .resolve = &flat })) },
@@ -83,19 +83,20 @@ static bool rarely(const struct rg_frame *frame, uint32_t repetition)
     return false;
 }
 
-#define MAYBE DRAW("maybe", .color[0] = { CLEARED(OTHER) }, .when = sometimes)
+#define MAYBE DRAW("maybe", .color = RG_TARGETS({ CLEARED(OTHER) }), .when = sometimes)
 
 static const struct fault_case condition_cases[] = {
     { .error = RG_ERROR_READ_BEFORE_WRITE, /* if the first does not run */
       .resource = "other",
       .row = true,
       .row_count = 2,
-      .rows = { MAYBE, DRAW("draw", .color[0] = { &PICTURE }, SAMPLING(OTHER)) } },
+      .rows = { MAYBE, DRAW("draw", .color = RG_TARGETS({ &PICTURE }), SAMPLING(OTHER)) } },
     { .error = RG_ERROR_READ_BEFORE_WRITE,
       .resource = "other",
       .row = true,
       .row_count = 2,
-      .rows = { MAYBE, DRAW("draw", .color[0] = { &PICTURE }, SAMPLING(OTHER), .when = rarely) } },
+      .rows = { MAYBE, DRAW("draw", .color = RG_TARGETS({ &PICTURE }), SAMPLING(OTHER),
+                            .when = rarely) } },
     { .error = RG_ERROR_OUTPUT_NOT_WRITTEN,
       .resource = "other",
       .row_count = 1,
@@ -121,12 +122,15 @@ static const struct fault_case value_cases[] = {
             .kind = (enum rg_kind)7,
             .record = small_graph_record,
             .uses = RG_USES({ WRITE_OTHER }) }) },
-    { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .color[0] = { &OTHER, (enum rg_load)77 })) },
+    { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .color = RG_TARGETS({ &OTHER, (enum rg_load)77 }))) },
     { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .depth = { &flat, (enum rg_load)INT32_MAX })) },
     { ROW(RG_ERROR_VALUE, NULL,
-          DRAW("draw", .color[0] = { CLEARED(OTHER), .blend = (enum rg_blend)3 })) },
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER), .blend = (enum rg_blend)3 }))) },
     { ROW(RG_ERROR_VALUE, NULL,
-          DRAW("draw", .color[0] = { CLEARED(OTHER) }, .repeat = (enum rg_repeat)3)) },
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .repeat = (enum rg_repeat)3)) },
+    { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .color_count = 1, .depth = { CLEARED(deep) })) },
+    { ROW(RG_ERROR_VALUE, NULL,
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }, [8] = { 0 }))) },
     { AROUND(RG_ERROR_VALUE, "nowhere",
              COPY("copy", { .buffer = &nowhere, .access = RG_COPY_DST })) },
 };
@@ -150,8 +154,8 @@ static void test_one_condition(void **state)
     (void)state;
     const struct fault_case fc = {
         .row_count = 2,
-        .rows = { MAYBE,
-                  DRAW("draw", .color[0] = { &PICTURE }, SAMPLING(OTHER), .when = sometimes) },
+        .rows = { MAYBE, DRAW("draw", .color = RG_TARGETS({ &PICTURE }), SAMPLING(OTHER),
+                              .when = sometimes) },
     };
     struct rg_plan *plan = fault_case_compile(&fc);
     assert_non_null(plan);

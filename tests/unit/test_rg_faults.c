@@ -101,7 +101,7 @@ static const struct fault_case params_cases[] = {
 static const struct fault_case resource_cases[] = {
     { AROUND(RG_ERROR_NO_NAME, "?", FILL(nameless)) },
     { AROUND(RG_ERROR_DUPLICATE_NAME, "other",
-             DRAW("draw", .color = { { CLEARED(OTHER) }, { CLEARED(twin) } })) },
+             DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }, { CLEARED(twin) }))) },
     { AROUND(RG_ERROR_FORMAT, "formatless", FILL(formatless)) },
     { AROUND(RG_ERROR_TOO_LARGE, "wide", FILL(wide)) },
     { AROUND(RG_ERROR_TOO_LARGE, "thick", FILL(thick)) },
@@ -124,41 +124,44 @@ static const struct fault_case resource_cases[] = {
 };
 
 static const struct fault_case row_cases[] = {
-    { ROW(RG_ERROR_NO_NAME, NULL, DRAW(NULL, .color[0] = { CLEARED(OTHER) })) },
-    { ROW(RG_ERROR_DUPLICATE_NAME, NULL, DRAW("fill", .color[0] = { CLEARED(OTHER) })) },
+    { ROW(RG_ERROR_NO_NAME, NULL, DRAW(NULL, .color = RG_TARGETS({ CLEARED(OTHER) }))) },
+    { ROW(RG_ERROR_DUPLICATE_NAME, NULL, DRAW("fill", .color = RG_TARGETS({ CLEARED(OTHER) }))) },
     { ROW(RG_ERROR_NO_RECORD, NULL,
           { .name = "draw",
             .vert = &small_graph_shader,
             .frag = &small_graph_shader,
-            .color[0] = { CLEARED(OTHER) } }) },
+            .color = RG_TARGETS({ CLEARED(OTHER) }) }) },
     { ROW(RG_ERROR_NO_SHADER, NULL,
           { .name = "draw",
             .frag = &small_graph_shader,
             .record = small_graph_record,
-            .color[0] = { CLEARED(OTHER) } }) },
+            .color = RG_TARGETS({ CLEARED(OTHER) }) }) },
     { ROW(RG_ERROR_NO_SHADER, NULL,
           { .name = "draw",
             .vert = &small_graph_shader,
             .record = small_graph_record,
-            .color[0] = { CLEARED(OTHER) } }) },
+            .color = RG_TARGETS({ CLEARED(OTHER) }) }) },
     { ROW(RG_ERROR_NO_SHADER, NULL,
           { "compute", RG_COMPUTE, .record = small_graph_record,
             .uses = RG_USES({ WRITE_OTHER }) }) },
     { ROW(RG_ERROR_PUSH_SIZE, NULL,
-          DRAW("draw", .color[0] = { CLEARED(OTHER) }, .push_size = 132)) },
-    { ROW(RG_ERROR_PUSH_SIZE, NULL, DRAW("draw", .color[0] = { CLEARED(OTHER) }, .push_size = 6)) },
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .push_size = 132)) },
+    { ROW(RG_ERROR_PUSH_SIZE, NULL,
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .push_size = 6)) },
     { ROW(RG_ERROR_NO_TARGET, NULL, DRAW("draw", .uses = NULL)) },
     { ROW(RG_ERROR_NO_TARGET, "third",
-          { "compute", RG_COMPUTE, .color[7] = { CLEARED(third) }, .comp = &small_graph_shader,
-            .record = small_graph_record, .uses = RG_USES({ WRITE_OTHER }) }) },
+          { "compute", RG_COMPUTE, .color = RG_TARGETS([7] = { CLEARED(third) }),
+            .comp = &small_graph_shader, .record = small_graph_record,
+            .uses = RG_USES({ WRITE_OTHER }) }) },
     { ROW(RG_ERROR_NO_TARGET, "third",
-          DRAW("draw", .color = { { CLEARED(OTHER) }, { 0 }, { &third } })) },
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }, { 0 }, { &third }))) },
     { ROW(RG_ERROR_TARGET_SIZE, "small",
-          DRAW("draw", .color = { { CLEARED(OTHER) }, { CLEARED(small) } })) },
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }, { CLEARED(small) }))) },
     { ROW(RG_ERROR_TARGET_SIZE, "depth",
-          DRAW("draw", .color[0] = { CLEARED(small) }, .depth = { CLEARED(depth) })) },
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(small) }), .depth = { CLEARED(depth) })) },
     { ROW(RG_ERROR_TARGET_SIZE, "chain",
-          DRAW("draw", .color = { { CLEARED(OTHER) }, { &chain, RG_LOAD_CLEAR, .mip = 1 } })) },
+          DRAW("draw",
+               .color = RG_TARGETS({ CLEARED(OTHER) }, { &chain, RG_LOAD_CLEAR, .mip = 1 }))) },
     { ROW(RG_ERROR_FORMAT, "other", DRAW("draw", .depth = { CLEARED(OTHER) })) },
     { ROW(RG_ERROR_FORMAT, "depth", FILL(depth)) },
     { ROW(RG_ERROR_WRITES_NOTHING, NULL,
@@ -171,20 +174,20 @@ static const struct fault_case row_cases[] = {
     { ROW(RG_ERROR_READ_BEFORE_WRITE, "other",
           COMPUTE("compute", { .image = &OTHER, .access = RG_STORAGE_READ_WRITE })) },
     { ROW(RG_ERROR_READ_BEFORE_WRITE, "bytes", ALSO(.buffer = &bytes, .access = RG_UNIFORM)) },
-    { ROW(RG_ERROR_READ_BEFORE_WRITE, "other", DRAW("draw", .color[0] = { &OTHER })) },
+    { ROW(RG_ERROR_READ_BEFORE_WRITE, "other", DRAW("draw", .color = RG_TARGETS({ &OTHER }))) },
     { ROW(RG_ERROR_READ_BEFORE_WRITE, "depth",
-          DRAW("draw", .color[0] = { CLEARED(OTHER) }, .depth = { &depth },
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .depth = { &depth },
                .depth_read_only = true)) },
     {
         .error = RG_ERROR_READ_BEFORE_WRITE, /* only the first mip is there */
         .resource = "chain",
         .row = true,
         .row_count = 2,
-        .rows = { DRAW("first", .color[0] = { CLEARED(chain) }),
+        .rows = { DRAW("first", .color = RG_TARGETS({ CLEARED(chain) })),
                   ALSO(&chain, .access = RG_SAMPLED) },
     },
     /* an import of undefined content */
-    { ROW(RG_ERROR_READ_BEFORE_WRITE, "other", DRAW("draw", .color[0] = { &OTHER })),
+    { ROW(RG_ERROR_READ_BEFORE_WRITE, "other", DRAW("draw", .color = RG_TARGETS({ &OTHER }))),
       .imports = { { .image = &OTHER } } },
 };
 
@@ -210,21 +213,22 @@ static const struct fault_case use_cases[] = {
     { ROW(RG_ERROR_ACCESS, "upload",
           COMPUTE("compute", { .buffer = &upload, .access = RG_STORAGE_WRITE })) },
     { ROW(RG_ERROR_ACCESS, NULL,
-          { "compute", RG_COMPUTE, .color[0] = { CLEARED(third) }, .comp = &small_graph_shader,
-            .record = small_graph_record, .uses = RG_USES({ WRITE_OTHER }) }) },
+          { "compute", RG_COMPUTE, .color = RG_TARGETS({ CLEARED(third) }),
+            .comp = &small_graph_shader, .record = small_graph_record,
+            .uses = RG_USES({ WRITE_OTHER }) }) },
     {
         .error = RG_ERROR_ACCESS, /* a clear that would not happen */
         .resource = "depth",
         .row = true,
         .row_count = 2,
         .rows = { DRAW("first", .depth = { CLEARED(depth) }),
-                  DRAW("second", .color[0] = { CLEARED(OTHER) }, .depth = { CLEARED(depth) },
-                       .depth_read_only = true) },
+                  DRAW("second", .color = RG_TARGETS({ CLEARED(OTHER) }),
+                       .depth = { CLEARED(depth) }, .depth_read_only = true) },
     },
     { ROW(RG_ERROR_CONFLICT, "other",
-          DRAW("draw", .color = { { CLEARED(OTHER) }, { CLEARED(OTHER) } })) },
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }, { CLEARED(OTHER) }))) },
     { ROW(RG_ERROR_CONFLICT, "picture",
-          DRAW("draw", .color[0] = { &PICTURE },
+          DRAW("draw", .color = RG_TARGETS({ &PICTURE }),
                .uses = RG_USES({ &PICTURE, .access = RG_SAMPLED }))) },
     { ROW(RG_ERROR_CONFLICT, "picture",
           COMPUTE("compute", { &PICTURE, .access = RG_STORAGE_READ },
@@ -237,8 +241,8 @@ static const struct fault_case use_cases[] = {
         COMPUTE("compute", { .buffer = &bytes, .access = RG_STORAGE_WRITE },
                 { .buffer = &bytes, .access = RG_STORAGE_WRITE, .binding = 1, .partial = true })) },
     { ROW(RG_ERROR_CONFLICT, "pages", /* in layer 1 */
-          DRAW("draw", .color = { { &pages, RG_LOAD_CLEAR, .layer = 1 },
-                                  { &pages, RG_LOAD_CLEAR, .layer = 1 } })) },
+          DRAW("draw", .color = RG_TARGETS({ &pages, RG_LOAD_CLEAR, .layer = 1 },
+                                           { &pages, RG_LOAD_CLEAR, .layer = 1 }))) },
 };
 
 #define READ_PICTURE(...) \
@@ -247,17 +251,17 @@ static const struct fault_case use_cases[] = {
 #define RANGE(name, ...) ROW(RG_ERROR_RANGE, name, __VA_ARGS__)
 
 static const struct fault_case range_cases[] = {
-    { RANGE("other", DRAW("draw", .color[0] = { &OTHER, RG_LOAD_CLEAR, .mip = 1 })) },
-    { RANGE("other", DRAW("draw", .color[0] = { &OTHER, RG_LOAD_CLEAR, .mip = WILD })) },
-    { RANGE("other", DRAW("draw", .color[0] = { &OTHER, RG_LOAD_CLEAR, .layer = 1 })) },
-    { RANGE("other", DRAW("draw", .color[0] = { &OTHER, RG_LOAD_CLEAR, .layer = WILD })) },
-    { RANGE("pages", DRAW("draw", .color[0] = { &pages, RG_LOAD_CLEAR, .layer = 4 },
+    { RANGE("other", DRAW("draw", .color = RG_TARGETS({ &OTHER, RG_LOAD_CLEAR, .mip = 1 }))) },
+    { RANGE("other", DRAW("draw", .color = RG_TARGETS({ &OTHER, RG_LOAD_CLEAR, .mip = WILD }))) },
+    { RANGE("other", DRAW("draw", .color = RG_TARGETS({ &OTHER, RG_LOAD_CLEAR, .layer = 1 }))) },
+    { RANGE("other", DRAW("draw", .color = RG_TARGETS({ &OTHER, RG_LOAD_CLEAR, .layer = WILD }))) },
+    { RANGE("pages", DRAW("draw", .color = RG_TARGETS({ &pages, RG_LOAD_CLEAR, .layer = 4 }),
                           .repeat = RG_PER_LAYER)) },
-    { RANGE("chain",
-            DRAW("draw", .color[0] = { &chain, RG_LOAD_CLEAR, .mip = 3 }, .repeat = RG_PER_MIP)) },
-    { RANGE("few", DRAW("draw", .color = { { CLEARED(pages) }, { CLEARED(few) } },
+    { RANGE("chain", DRAW("draw", .color = RG_TARGETS({ &chain, RG_LOAD_CLEAR, .mip = 3 }),
+                          .repeat = RG_PER_MIP)) },
+    { RANGE("few", DRAW("draw", .color = RG_TARGETS({ CLEARED(pages) }, { CLEARED(few) }),
                         .repeat = RG_PER_LAYER)) },
-    { RANGE("depth", DRAW("draw", .color[0] = { CLEARED(chain) }, .repeat = RG_PER_MIP,
+    { RANGE("depth", DRAW("draw", .color = RG_TARGETS({ CLEARED(chain) }), .repeat = RG_PER_MIP,
                           .depth = { &depth, RG_LOAD_CLEAR, .mip = WILD })) },
     { RANGE("picture", READ_PICTURE(.mip = 1)) },
     { RANGE("picture", READ_PICTURE(.mip = WILD, .mip_count = WILD)) },
@@ -287,14 +291,14 @@ static const struct fault_case range_cases[] = {
 /* The device's word on formats counts for passes that run. */
 static const struct fault_case device_cases[] = {
     { ROW(RG_ERROR_FORMAT, "depth",
-          DRAW("draw", .color[0] = { &PICTURE }, .depth = { CLEARED(depth) })),
+          DRAW("draw", .color = RG_TARGETS({ &PICTURE }), .depth = { CLEARED(depth) })),
       .device = &plain_device },
     { ROW(RG_ERROR_FORMAT, "other",
-          DRAW("draw", .color[0] = { &PICTURE },
+          DRAW("draw", .color = RG_TARGETS({ &PICTURE }),
                .uses = RG_USES({ &OTHER, .access = RG_SAMPLED, .sampler = &linear }))),
       .imports = { { .image = &OTHER, .access = RG_SAMPLED } }, .device = &plain_device },
     { ROW(RG_ERROR_FORMAT, "picture",
-          DRAW("draw", .color[0] = { &PICTURE, .blend = RG_BLEND_ADD })),
+          DRAW("draw", .color = RG_TARGETS({ &PICTURE, .blend = RG_BLEND_ADD }))),
       .device = &plain_device },
 };
 
@@ -341,7 +345,7 @@ static void test_all_at_once(void **state)
     const struct fault_case fc = {
         .row_count = 2,
         .rows = {
-            { .name = "fill", .color[0] = { CLEARED(wide) }, .push_size = 7 },
+            { .name = "fill", .color = RG_TARGETS({ CLEARED(wide) }), .push_size = 7 },
             COMPUTE("compute", { .buffer = &bytes, .access = RG_UNIFORM },
                     { .image = &pages, .access = RG_STORAGE_WRITE, .range.layer = 5 }),
         },
@@ -370,7 +374,7 @@ static void test_repetitions_report_once(void **state)
     (void)state;
     const struct fault_case fc = {
         .row_count = 1,
-        .rows = { DRAW("draw", .repeat = RG_PER_LAYER, .color[0] = { &pages },
+        .rows = { DRAW("draw", .repeat = RG_PER_LAYER, .color = RG_TARGETS({ &pages }),
                        .uses = RG_USES({ &OTHER, .access = RG_SAMPLED })) },
     };
     struct rg_plan *plan = fault_case_compile(&fc);
@@ -387,8 +391,8 @@ static void test_faults_of_formats(void **state)
     (void)state;
     const struct fault_case fc = {
         .row_count = 2,
-        .rows = { DRAW("culled", .color[0] = { CLEARED(OTHER) }),
-                  DRAW("draw", .color[0] = { &PICTURE }) },
+        .rows = { DRAW("culled", .color = RG_TARGETS({ CLEARED(OTHER) })),
+                  DRAW("draw", .color = RG_TARGETS({ &PICTURE })) },
         .device = &sampling_device,
     };
     struct rg_plan *plan = fault_case_compile(&fc);

@@ -59,10 +59,10 @@ static void test_culling_is_transitive(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("first", .color[0] = { CLEARED(a) }),
-        DRAW("unwanted", .color[0] = { CLEARED(c) }, SAMPLING(a)),
-        DRAW("unwanted too", .color[0] = { CLEARED(d) }, SAMPLING(c)),
-        DRAW("last", .color[0] = { CLEARED(b) }, SAMPLING(a)),
+        DRAW("first", .color = RG_TARGETS({ CLEARED(a) })),
+        DRAW("unwanted", .color = RG_TARGETS({ CLEARED(c) }), SAMPLING(a)),
+        DRAW("unwanted too", .color = RG_TARGETS({ CLEARED(d) }), SAMPLING(c)),
+        DRAW("last", .color = RG_TARGETS({ CLEARED(b) }), SAMPLING(a)),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(b) });
     CHECK_PASSES(plan, "first", "last");
@@ -81,8 +81,8 @@ static void test_culling_of_repetitions(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("page", .repeat = RG_PER_LAYER, .color[0] = { CLEARED(pages) }),
-        DRAW("last", .color[0] = { CLEARED(a) },
+        DRAW("page", .repeat = RG_PER_LAYER, .color = RG_TARGETS({ CLEARED(pages) })),
+        DRAW("last", .color = RG_TARGETS({ CLEARED(a) }),
              .uses = RG_USES({ TEXTURE(pages), .range = { .layer = 1, .layer_count = 2 } })),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(a) });
@@ -99,11 +99,11 @@ static void test_overwritten_content_is_not_wanted(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("lost", .color[0] = { CLEARED(a) }),
-        DRAW("lost too", .color[0] = { &a }, .cull = VK_CULL_MODE_BACK_BIT),
-        DRAW("new", .color[0] = { &a, RG_LOAD_DISCARD }),
+        DRAW("lost", .color = RG_TARGETS({ CLEARED(a) })),
+        DRAW("lost too", .color = RG_TARGETS({ &a }), .cull = VK_CULL_MODE_BACK_BIT),
+        DRAW("new", .color = RG_TARGETS({ &a, RG_LOAD_DISCARD })),
         COMPUTE("part", { .image = &a, .access = RG_STORAGE_WRITE, .partial = true }),
-        DRAW("over", .color[0] = { &a }),
+        DRAW("over", .color = RG_TARGETS({ &a })),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(a) });
     CHECK_PASSES(plan, "new", "part", "over");
@@ -126,9 +126,10 @@ static void test_load_and_store(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("clear", .color = { { CLEARED(a) }, { CLEARED(b) } }, .depth = { CLEARED(depth) }),
-        DRAW("keep", .color = { { &a }, { &c, RG_LOAD_DISCARD } }, .depth = { &depth }),
-        DRAW("test", .color = { { &a } }, .depth = { &depth }, .depth_read_only = true,
+        DRAW("clear", .color = RG_TARGETS({ CLEARED(a) }, { CLEARED(b) }),
+             .depth = { CLEARED(depth) }),
+        DRAW("keep", .color = RG_TARGETS({ &a }, { &c, RG_LOAD_DISCARD }), .depth = { &depth }),
+        DRAW("test", .color = RG_TARGETS({ &a }), .depth = { &depth }, .depth_read_only = true,
              SAMPLING(c)),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(a) });
@@ -152,8 +153,8 @@ static void test_row_per_face(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("face", .repeat = RG_PER_LAYER, .color[0] = { CLEARED(cube) }),
-        DRAW("last", .color[0] = { CLEARED(a) }, SAMPLING(cube)),
+        DRAW("face", .repeat = RG_PER_LAYER, .color = RG_TARGETS({ CLEARED(cube) })),
+        DRAW("last", .color = RG_TARGETS({ CLEARED(a) }), SAMPLING(cube)),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(a) });
     assert_int_equal(plan->pass_count, 7);
@@ -178,8 +179,8 @@ static void test_row_per_mip(void **state)
     static const struct rg_image chain =
         IMAGE(.name = "chain", .width = 9, .height = 5, .mips = RG_ALL_MIPS);
     const struct rg_pass passes[] = {
-        DRAW("top", .color[0] = { CLEARED(chain) }),
-        DRAW("halve", .repeat = RG_PER_MIP, .color[0] = { CLEARED(chain), .mip = 1 },
+        DRAW("top", .color = RG_TARGETS({ CLEARED(chain) })),
+        DRAW("halve", .repeat = RG_PER_MIP, .color = RG_TARGETS({ CLEARED(chain), .mip = 1 }),
              .uses = RG_USES({ TEXTURE(chain), .range = { .mip = 0, .each = true } })),
     };
     static const VkExtent2D sizes[] = { { 9, 5 }, { 4, 2 }, { 2, 1 }, { 1, 1 } };
@@ -207,7 +208,7 @@ static void test_row_per_mip(void **state)
 static void check_extent(VkExtent2D view, float scale, uint32_t width, uint32_t height)
 {
     const struct rg_image scaled = IMAGE(.name = "scaled", .scale = scale);
-    const struct rg_pass passes[] = { DRAW("draw", .color[0] = { CLEARED(scaled) }) };
+    const struct rg_pass passes[] = { DRAW("draw", .color = RG_TARGETS({ CLEARED(scaled) })) };
     struct rg_plan *plan =
         small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(scaled), .view = view });
     assert_int_equal(image_of(plan, &scaled)->extent.width, width);
@@ -264,7 +265,7 @@ static void test_size_of_an_import(void **state)
     (void)state;
     static const struct rg_image photo = IMAGE(.name = "photo", .mips = RG_ALL_MIPS);
     const struct rg_pass passes[] = {
-        DRAW("draw", .color[0] = { CLEARED(a) }, SAMPLING(photo)),
+        DRAW("draw", .color = RG_TARGETS({ CLEARED(a) }), SAMPLING(photo)),
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){
         PASSES(passes),
@@ -281,10 +282,10 @@ static void test_size_of_an_import(void **state)
 /* ---- memory ---- */
 
 static const struct rg_pass relay[] = {
-    DRAW("to a", .color[0] = { CLEARED(a) }),
-    DRAW("to b", .color[0] = { CLEARED(b) }, SAMPLING(a)),
-    DRAW("to c", .color[0] = { CLEARED(c) }, SAMPLING(b)),
-    DRAW("to d", .color[0] = { CLEARED(d) }, SAMPLING(c)),
+    DRAW("to a", .color = RG_TARGETS({ CLEARED(a) })),
+    DRAW("to b", .color = RG_TARGETS({ CLEARED(b) }), SAMPLING(a)),
+    DRAW("to c", .color = RG_TARGETS({ CLEARED(c) }), SAMPLING(b)),
+    DRAW("to d", .color = RG_TARGETS({ CLEARED(d) }), SAMPLING(c)),
 };
 
 static void test_disjoint_lives_share_memory(void **state)
@@ -325,8 +326,9 @@ static void test_memory_of_layers_and_mips(void **state)
     static const struct rg_image chain =
         IMAGE(.name = "chain", .width = 8, .height = 8, .mips = RG_ALL_MIPS);
     const struct rg_pass passes[] = {
-        DRAW("mip", .repeat = RG_PER_MIP, .color[0] = { CLEARED(chain) }),
-        DRAW("face", .repeat = RG_PER_LAYER, .color[0] = { CLEARED(cube) }, SAMPLING(chain)),
+        DRAW("mip", .repeat = RG_PER_MIP, .color = RG_TARGETS({ CLEARED(chain) })),
+        DRAW("face", .repeat = RG_PER_LAYER, .color = RG_TARGETS({ CLEARED(cube) }),
+             SAMPLING(chain)),
     };
     struct rg_plan *plan =
         small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(cube) });
@@ -351,6 +353,7 @@ struct tables {
     struct rg_image images[COPIES];
     struct rg_use uses[COPIES][2];
     struct rg_pass passes[COPIES];
+    struct rg_target targets[COPIES];
 };
 
 static struct tables *make_tables(bool backwards)
@@ -362,8 +365,9 @@ static struct tables *make_tables(bool backwards)
         snprintf(t->names[0][i], sizeof(t->names[0][i]), "i%zu", i);
         snprintf(t->names[1][i], sizeof(t->names[1][i]), "p%zu", i);
         *image = (struct rg_image)IMAGE(.name = t->names[0][i], .layers = (uint32_t)i + 1);
-        t->passes[i] = (struct rg_pass)DRAW(t->names[1][i], .color = { { CLEARED(*image) } },
-                                            .repeat = RG_PER_LAYER);
+        t->targets[i] = (struct rg_target){ CLEARED(*image) };
+        t->passes[i] = (struct rg_pass)DRAW(t->names[1][i], .color = &t->targets[i],
+                                            .color_count = 1, .repeat = RG_PER_LAYER);
         if (i == 0)
             continue;
         t->uses[i][0] = (struct rg_use){ TEXTURE(*t->passes[i - 1].color[0].image) };
@@ -412,6 +416,7 @@ struct many {
     char names[MANY_IMAGES + MANY_PASSES][8];
     struct rg_image images[MANY_IMAGES];
     struct rg_pass passes[MANY_PASSES];
+    struct rg_target targets[MANY_PASSES][2];
     struct rg_use uses[MANY_PASSES][2];
     struct rg_use last_uses[MANY_USES + 1];
 };
@@ -427,9 +432,10 @@ static void make_many(struct many *m)
         m->images[i] = (struct rg_image)IMAGE(.name = m->names[i]);
     for (size_t i = 0; i < MANY_PASSES; i++) {
         struct rg_pass *pass = &m->passes[i];
-        *pass = (struct rg_pass)DRAW(m->names[MANY_IMAGES + i], .uses = m->uses[i]);
+        *pass = (struct rg_pass)DRAW(m->names[MANY_IMAGES + i], .color = m->targets[i],
+                                     .color_count = 2, .uses = m->uses[i]);
         for (size_t k = 0; k < 1 + i % 2; k++)
-            pass->color[k] = (struct rg_target){ CLEARED(m->images[image++]) };
+            m->targets[i][k] = (struct rg_target){ CLEARED(m->images[image++]) };
         if (i > 0)
             m->uses[i][0] = (struct rg_use){ TEXTURE(*m->passes[i - 1].color[0].image) };
     }

@@ -359,7 +359,7 @@ static void check_raster(const struct rg_pass *row, struct seen *seen)
     uint32_t passed = locations(&vert, SPIRV_OUTPUT);
     spirv_finish(&vert);
     uint32_t color_count = 0;
-    while (color_count < RG_COLOR_COUNT && row->color[color_count].image)
+    while (color_count < row->color_count && row->color[color_count].image)
         color_count++;
     if (!row->frag) {
         assert_int_equal(color_count, 0);

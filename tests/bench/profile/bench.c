@@ -48,9 +48,9 @@ static void record_light(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 #define SCREEN(target, record_function) \
     { \
-        .name = #target, .color[0] = { &(target), RG_LOAD_DISCARD }, .vert = &screen_vert, \
-        .frag = &clock_test_frag, .push_size = sizeof(struct clock_test_push), \
-        .record = (record_function), \
+        .name = #target, .color = RG_TARGETS({ &(target), RG_LOAD_DISCARD }), \
+        .vert = &screen_vert, .frag = &clock_test_frag, \
+        .push_size = sizeof(struct clock_test_push), .record = (record_function), \
     }
 
 static const struct rg_pass both[] = {
