@@ -1,7 +1,7 @@
 /* rg_arena.c: memory that is given back all at once: the caller's first, then from malloc. */
+#include "graph/rg_arena.h"
 #include <stdlib.h>
 #include <string.h>
-#include "graph/rg_internal.h"
 
 enum {
     CHUNK_SIZE = 65536
@@ -12,14 +12,9 @@ struct arena_chunk {
     max_align_t data[];
 };
 
-static size_t align_up(size_t size)
-{
-    return (size + _Alignof(max_align_t) - 1) & ~(_Alignof(max_align_t) - 1);
-}
-
 void rg_arena_init(struct arena *arena, void *memory, size_t size)
 {
-    size_t gap = memory ? align_up((uintptr_t)memory) - (uintptr_t)memory : 0;
+    size_t gap = memory ? rg_arena_align((uintptr_t)memory) - (uintptr_t)memory : 0;
     *arena = (struct arena){ 0 };
     if (memory && gap <= size) {
         arena->next = (char *)memory + gap;
@@ -43,7 +38,7 @@ static bool add_chunk(struct arena *arena, size_t size)
     return true;
 }
 
-void *rg_arena_alloc(struct arena *arena, size_t count, size_t element_size)
+void *rg_arena_alloc_more(struct arena *arena, size_t count, size_t element_size)
 {
     size_t size;
     if (arena->failed || __builtin_mul_overflow(count, element_size, &size) ||
@@ -51,7 +46,7 @@ void *rg_arena_alloc(struct arena *arena, size_t count, size_t element_size)
         arena->failed = true;
         return NULL;
     }
-    size = align_up(size);
+    size = rg_arena_align(size);
     if (size > (size_t)(arena->end - arena->next) && !add_chunk(arena, size)) {
         arena->failed = true;
         return NULL;

@@ -143,10 +143,6 @@ static const char *shader_trouble(const struct rg_pass *pass, uint32_t color_cou
 void rg_check_row(struct compiler *c, const struct rg_pass *pass, const struct place *place)
 {
     uint32_t color_count = rg_color_count(pass);
-    if (!pass->name)
-        rg_fault_add(c, RG_ERROR_NO_NAME, *place, "give the pass a name");
-    else if (!rg_name_is_new(c, NAME_PASS, pass->name))
-        rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, *place, RG_HINT_NAME);
     if (!pass->record)
         rg_fault_add(c, RG_ERROR_NO_RECORD, *place, "name its record function");
     const char *hint = value_trouble(pass, color_count);
@@ -155,7 +151,7 @@ void rg_check_row(struct compiler *c, const struct rg_pass *pass, const struct p
     hint = shader_trouble(pass, color_count);
     if (hint)
         rg_fault_add(c, RG_ERROR_NO_SHADER, *place, hint);
-    if (pass->push_size > RG_MAX_PUSH || pass->push_size % 4)
+    if (!rg_is_push_size(pass->push_size))
         rg_fault_add(c, RG_ERROR_PUSH_SIZE, *place, "at most 128 bytes, a multiple of 4");
     check_target_list(c, pass, color_count, place);
 }

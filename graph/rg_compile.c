@@ -1,5 +1,5 @@
 /* rg_compile.c: the compiler's steps, in their order. */
-#include "graph/rg_internal.h"
+#include "graph/rg_name.h"
 
 /* The plan and what it lives in. */
 struct owned_plan {

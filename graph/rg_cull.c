@@ -11,6 +11,20 @@ enum {
     MAX_ROUNDS = 4 /* then all of every persistent resource counts as wanted */
 };
 
+static void set_cell(struct compiler *c, const struct resource *r, uint32_t cell, bool value)
+{
+    if (r->cell_count == 1)
+        c->wanted[r - c->resources] = value ? WANT_ALL : WANT_NOTHING;
+    else
+        r->cells[cell].wanted = value;
+}
+
+static bool is_cell_wanted(const struct compiler *c, const struct resource *r, uint32_t cell)
+{
+    return r->cell_count == 1 ? c->wanted[r - c->resources] == WANT_ALL
+                              : r->cells[cell].wanted;
+}
+
 static void begin_round(struct compiler *c, uint32_t round)
 {
     uint32_t count = c->persistent_count ? c->resource_count : c->end_count;
@@ -22,73 +36,80 @@ static void begin_round(struct compiler *c, uint32_t round)
         for (uint32_t k = 0; k < r->cell_count; k++) {
             struct cell *cell = &r->cells[k];
             cell->wanted_next = r->persistent && (cell->wanted_next || round == MAX_ROUNDS);
-            cell->wanted = output || cell->wanted_next;
+            set_cell(c, r, k, output || cell->wanted_next);
         }
     }
 }
 
-/* Whether later passes or outputs want any of what this access leaves. */
-static inline bool is_wanted(const struct compiler *c, const struct access *access)
+static bool is_any_cell_wanted(const struct compiler *c, const struct access *access)
 {
     const struct resource *r = &c->resources[access->resource];
     bool any = false;
-    if (r->cell_count == 1)
-        return r->cell.wanted;
     for (struct cell_walk w = rg_walk(r, rg_range_of(c, access)); rg_walk_next(&w);)
         any = any || w.cell->wanted;
     return any;
 }
 
-static inline void mark(const struct compiler *c, const struct access *access, bool value)
+static void mark_cells(const struct compiler *c, const struct access *access, bool value)
 {
-    struct resource *r = &c->resources[access->resource];
-    if (r->cell_count == 1) {
-        r->cell.wanted = value;
-        return;
-    }
+    const struct resource *r = &c->resources[access->resource];
     for (struct cell_walk w = rg_walk(r, rg_range_of(c, access)); rg_walk_next(&w);)
         w.cell->wanted = value;
 }
 
-static bool is_alive(struct compiler *c, const struct pass *pass)
+/* Whether later passes or outputs want any of what this access leaves. */
+static inline bool is_wanted(const struct compiler *c, const struct access *access)
 {
-    bool alive = false;
-    struct access *end = &c->accesses[pass->first_access + pass->access_count];
-    for (struct access *a = &c->accesses[pass->first_access]; a < end; a++) {
-        if (!(a->flags & ACCESS_WRITES_CONTENT))
-            continue;
-        bool needed = is_wanted(c, a);
-        a->flags = needed ? a->flags | ACCESS_NEEDED : a->flags & ~(uint32_t)ACCESS_NEEDED;
-        alive = alive || needed;
-    }
-    return alive;
+    enum wanted wanted = c->wanted[access->resource];
+    return wanted == WANT_CELLS ? is_any_cell_wanted(c, access) : wanted == WANT_ALL;
+}
+
+static inline void mark(const struct compiler *c, const struct access *access)
+{
+    bool value = access->flags & ACCESS_READS_CONTENT;
+    enum wanted *wanted = &c->wanted[access->resource];
+    if (*wanted == WANT_CELLS)
+        mark_cells(c, access, value);
+    else
+        *wanted = value ? WANT_ALL : WANT_NOTHING;
 }
 
 /* What one access of a pass overwrites no other one of it reads. */
-static void cull_pass(struct compiler *c, struct pass *pass)
+static inline void cull_pass(struct compiler *c, struct pass *pass)
 {
-    pass->alive = is_alive(c, pass);
+    struct access *first = &c->accesses[pass->first_access];
+    struct access *end = first + pass->access_count;
+    pass->alive = false;
+    for (struct access *a = first; a < end; a++) {
+        if (!(a->flags & ACCESS_WRITES_CONTENT))
+            continue;
+        a->flags &= ~(uint32_t)ACCESS_NEEDED;
+        if (is_wanted(c, a)) {
+            a->flags |= ACCESS_NEEDED;
+            pass->alive = true;
+        }
+    }
     if (!pass->alive)
         return;
     c->alive_access_count += pass->access_count;
     c->plan->pass_count++;
-    const struct access *end = &c->accesses[pass->first_access + pass->access_count];
-    for (const struct access *a = &c->accesses[pass->first_access]; a < end; a++) {
+    for (const struct access *a = first; a < end; a++) {
         if (a->flags & (ACCESS_OVERWRITES | ACCESS_READS_CONTENT))
-            mark(c, a, a->flags & ACCESS_READS_CONTENT);
+            mark(c, a);
     }
 }
 
 /* Whether the next frame wants more than the walk was told. */
-static bool want_more(struct compiler *c)
+static bool want_more(const struct compiler *c)
 {
     bool more = false;
     for (uint32_t i = 0; i < c->resource_count && c->persistent_count; i++) {
         const struct resource *r = &c->resources[i];
         for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {
             struct cell *cell = &r->cells[k];
-            more = more || (cell->wanted && !cell->wanted_next);
-            cell->wanted_next = cell->wanted_next || cell->wanted;
+            bool wanted = is_cell_wanted(c, r, k);
+            more = more || (wanted && !cell->wanted_next);
+            cell->wanted_next = cell->wanted_next || wanted;
         }
     }
     return more;
@@ -98,7 +119,8 @@ static void reset(struct compiler *c)
 {
     for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = &c->resources[i];
-        for (uint32_t k = 0; k < r->cell_count; k++)
+        c->wanted[i] = r->cell_count == 1 ? WANT_NOTHING : WANT_CELLS;
+        for (uint32_t k = 0; k < r->cell_count && r->cell_count > 1; k++)
             r->cells[k].wanted = false;
     }
 }

@@ -60,11 +60,10 @@ static void emit_target(const struct compiler *c, const struct access *a, struct
 static inline void emit_use(const struct compiler *c, const struct resource *r,
                             const struct access *a, struct rg_plan_use *use)
 {
-    const VkImageSubresourceRange *range = a->range ? &c->ranges[a->range - 1] : &r->all;
     use->use = a->declared;
     use->image = r->plan_image;
     use->buffer = r->plan_buffer;
-    use->range = *range;
+    use->range = a->range ? c->ranges[a->range - 1] : r->all;
     use->layout = a->effect->layout;
 }
 

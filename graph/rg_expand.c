@@ -2,7 +2,7 @@
  * rg_expand.c: rows become passes (one for each repetition), uses and targets become accesses.
  * What is wrong with a row together with those before it is found on the way.
  */
-#include "graph/rg_internal.h"
+#include "graph/rg_name.h"
 
 /* The pass being made. */
 struct expansion {
@@ -473,7 +473,12 @@ static void expand_row(struct expansion *e, const struct rg_pass *rg)
 {
     struct compiler *c = e->c;
     c->row_first_fault = c->fault_count;
-    rg_check_row(c, rg, &e->place);
+    if (!rg->name)
+        rg_fault_add(c, RG_ERROR_NO_NAME, e->place, "give the pass a name");
+    else if (!rg_name_is_new(c, NAME_PASS, rg->name))
+        rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, e->place, RG_HINT_NAME);
+    if (!rg_is_fine_row(rg))
+        rg_check_row(c, rg, &e->place);
     uint32_t first_fault = c->fault_count;
     bool fine = rg->repeat == RG_ONCE ? add_pass(e, rg, 0) : repeat_row(e, rg);
     if (fine)

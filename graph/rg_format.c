@@ -1,5 +1,5 @@
 /* rg_format.c: names, sizes and aspects of formats a pass can draw to, sample or store. */
-#include "graph/rg.h"
+#include "graph/rg_internal.h"
 
 #define COLOR(format, bytes) \
     [VK_FORMAT_##format] = { \
@@ -9,7 +9,7 @@
         VK_IMAGE_ASPECT_COLOR_BIT, \
     }
 
-static const struct rg_format_info formats[] = {
+const struct rg_format_info rg_format_table[RG_FORMAT_COUNT] = {
     COLOR(R8_UNORM, 1),
     COLOR(R8_UINT, 1),
     COLOR(R8G8_UNORM, 2),
@@ -52,7 +52,5 @@ static const struct rg_format_info formats[] = {
 
 const struct rg_format_info *rg_format_info(VkFormat format)
 {
-    if ((size_t)format >= sizeof(formats) / sizeof(formats[0]) || !formats[format].name)
-        return NULL;
-    return &formats[format];
+    return rg_format_find(format);
 }

@@ -9,38 +9,7 @@
 #define RG_INTERNAL_H
 
 #include "graph/rg.h"
-
-/* ---- rg_arena.c ---- */
-
-/* Memory that is given back all at once. After a failed allocation `failed` stays true. */
-struct arena {
-    char *next, *end;           /* room left in the newest chunk */
-    struct arena_chunk *chunks; /* from malloc */
-    size_t used;                /* bytes handed out, with what alignment takes */
-    bool failed;
-};
-
-/* `memory` may be NULL. */
-void rg_arena_init(struct arena *arena, void *memory, size_t size);
-void rg_arena_finish(struct arena *arena);
-
-/* Room for count elements, aligned for any type; NULL when memory is short. */
-void *rg_arena_alloc(struct arena *arena, size_t count, size_t element_size);
-void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size);
-
-#define ARENA_ARRAY(arena, type, count)  ((type *)rg_arena_alloc((arena), (count), sizeof(type)))
-#define ARENA_ZEROED(arena, type, count) ((type *)rg_arena_zeroed((arena), (count), sizeof(type)))
-
-/* A larger copy of a full array of *room elements: doubled, at least `least`. The array itself when
- * memory is short. */
-void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t least,
-                    size_t element_size);
-
-/* Room for one more element at array[count]; false when memory is short. */
-#define ARENA_ROOM(arena, array, count, room, least) \
-    ((count) < (room) || \
-     ((array) = rg_arena_grow((arena), (array), &(room), (least), sizeof(*(array))), \
-      !(arena)->failed))
+#include "graph/rg_arena.h"
 
 /* ---- what the tables say ---- */
 
@@ -61,7 +30,7 @@ struct cell {
     uint32_t first_barrier, barrier_end; /* of the access that made the write visible first */
     uint32_t last_access;                /* one more than the index of the latest one found */
     uint32_t filled;
-    bool wanted;      /* by later passes or outputs, while culling */
+    bool wanted;      /* by later passes or outputs, while culling; of one of several */
     bool wanted_next; /* of a persistent resource: by the next frame */
     bool changed;     /* content or layout, by this frame */
     bool certain;     /* the last write is of this frame, and of every frame */
@@ -142,6 +111,7 @@ struct place {
 struct resource_map {
     uint32_t *slots; /* one more than a resource's index */
     uint32_t mask;   /* one less than how many */
+    uint32_t room;   /* resources: half of the slots stay empty */
 };
 
 struct name_slot {
@@ -190,6 +160,13 @@ struct takeover {
     uint32_t item; /* as numbered when the barrier was made */
 };
 
+/* What later passes or outputs want of a resource, while culling. */
+enum wanted {
+    WANT_NOTHING,
+    WANT_ALL,
+    WANT_CELLS, /* it has several, and each says it */
+};
+
 struct compiler {
     const struct rg_compile_params *params;
     struct rg_plan *plan;
@@ -197,7 +174,8 @@ struct compiler {
     uint32_t max_image_size, max_layers; /* the device's, or Vulkan's where it has no limit */
     struct resource *resources;
     uint32_t resource_count, resource_room;
-    uint32_t end_count; /* of the first resources: imports and outputs are among them */
+    enum wanted *wanted; /* of each; apart, since the walk goes back and forth among them */
+    uint32_t end_count;  /* of the first resources: imports and outputs are among them */
     uint32_t persistent_count;
     struct resource_map map;
     struct name_map names;
@@ -231,55 +209,21 @@ void rg_fault_add(struct compiler *c, enum rg_error error, struct place place, c
 /* Brings the faults from `later` on before those from `first` on. */
 void rg_fault_reorder(struct compiler *c, uint32_t first, uint32_t later);
 
-/* ---- rg_name.c: names that come twice, among resources and among passes ---- */
+/* ---- rg_format.c ---- */
 
-enum name_kind {
-    NAME_RESOURCE,
-    NAME_PASS,
+enum {
+    RG_FORMAT_COUNT = VK_FORMAT_D32_SFLOAT_S8_UINT + 1, /* from 0 to the last one known */
 };
 
-/* Room for about so many. */
-void rg_name_expect(struct compiler *c, uint32_t count);
+extern const struct rg_format_info rg_format_table[RG_FORMAT_COUNT];
 
-/* rg_name_is_new() of a name that the map has, or one of its hash, or that it has no room for. */
-bool rg_name_look_closer(struct compiler *c, uint32_t hash, const char *name);
-
-/* FNV-1a. */
-static inline uint32_t rg_name_hash(enum name_kind kind, const char *text)
+/* rg_format_info() */
+static inline const struct rg_format_info *rg_format_find(VkFormat format)
 {
-    uint32_t hash = UINT32_C(2166136261) ^ (uint32_t)kind;
-    for (unsigned char c = (unsigned char)*text; c; c = (unsigned char)*++text)
-        hash = (hash ^ c) * UINT32_C(16777619);
-    return hash ? hash : 1;
+    if ((size_t)format >= RG_FORMAT_COUNT || !rg_format_table[format].name)
+        return NULL;
+    return &rg_format_table[format];
 }
-
-static inline uint32_t rg_name_slot(const struct name_map *map, uint32_t hash)
-{
-    return (hash ^ hash >> 15) & map->mask;
-}
-
-static inline void rg_name_add(struct name_map *map, struct name_slot *slot, uint32_t hash,
-                               const char *name)
-{
-    *slot = (struct name_slot){ hash, map->count };
-    map->names[map->count++] = name;
-}
-
-/* False if there was one of this name; else adds it. */
-static inline bool rg_name_is_new(struct compiler *c, enum name_kind kind, const char *name)
-{
-    struct name_map *map = &c->names;
-    uint32_t hash = rg_name_hash(kind, name);
-    uint32_t i = rg_name_slot(map, hash);
-    while (map->slots[i].hash && map->slots[i].hash != hash)
-        i = (i + 1) & map->mask;
-    if (map->slots[i].hash || map->count == map->room)
-        return rg_name_look_closer(c, hash, name);
-    rg_name_add(map, &map->slots[i], hash, name);
-    return true;
-}
-
-#define RG_HINT_NAME "give each a name of its own"
 
 /* ---- rg_resource.c ---- */
 
@@ -357,15 +301,7 @@ void rg_check_resource(struct compiler *c, struct resource *r); /* but for its n
 void rg_check_tell(struct compiler *c, const struct resource *r, enum rg_error error,
                    const char *hint);
 
-static inline void rg_check_name(struct compiler *c, const struct resource *r)
-{
-    const char *name = r->image ? r->image->name : r->buffer->name;
-    if (!name)
-        rg_check_tell(c, r, RG_ERROR_NO_NAME, "give the resource a name");
-    else if (!rg_name_is_new(c, NAME_RESOURCE, name))
-        rg_check_tell(c, r, RG_ERROR_DUPLICATE_NAME, RG_HINT_NAME);
-}
-
+/* But for its name. Not needed if rg_is_fine_row(). */
 void rg_check_row(struct compiler *c, const struct rg_pass *pass, const struct place *place);
 
 /* The rest of it: faults of its uses, and that neither these nor its targets write. Not needed if
@@ -399,6 +335,20 @@ static inline uint32_t rg_color_count(const struct rg_pass *pass)
     while (count < room && pass->color[count].image)
         count++;
     return count;
+}
+
+static inline bool rg_is_push_size(uint32_t size)
+{
+    return size <= RG_MAX_PUSH && size % 4 == 0;
+}
+
+/* Whether a row by itself cannot have faults, its name and uses left out: one that computes, and
+ * says nothing of drawing. */
+static inline bool rg_is_fine_row(const struct rg_pass *pass)
+{
+    return pass->kind == RG_COMPUTE && (unsigned)pass->repeat <= RG_PER_MIP && pass->comp &&
+           pass->record && !pass->color_count && !pass->depth.image &&
+           rg_is_push_size(pass->push_size);
 }
 
 /* Whether targets are written, or the lack of them is another fault. */
@@ -464,7 +414,22 @@ void rg_check_formats(struct compiler *c);
 void rg_follow_begin(struct compiler *c);
 
 /* Numbers a resource: a living pass is the first to name it. */
-void rg_meet(struct compiler *c, struct resource *r, uint32_t pass);
+static inline void rg_meet(struct compiler *c, struct resource *r, uint32_t pass)
+{
+    uint32_t index = r->image ? c->plan->image_count++ : c->plan->buffer_count++;
+    *(r->image ? &r->plan_image : &r->plan_buffer) = index;
+    r->first = pass;
+    if (r->persistent)
+        r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    if (!r->shared)
+        return;
+    struct pack_item *item = &c->items[c->item_count];
+    r->item = c->item_count++;
+    item->first = item->first_use = pass;
+    item->resource = (uint32_t)(r - c->resources);
+    item->plan_index = index;
+    item->buffer = !r->image;
+}
 
 static inline void rg_follow(struct compiler *c, struct resource *r, VkFlags usage, uint32_t pass)
 {

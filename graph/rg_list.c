@@ -68,25 +68,6 @@ void rg_follow_begin(struct compiler *c)
     c->items = ARENA_ARRAY(c->arena, struct pack_item, c->resource_count);
 }
 
-void rg_meet(struct compiler *c, struct resource *r, uint32_t pass)
-{
-    r->first = pass;
-    if (r->image)
-        r->plan_image = c->plan->image_count++;
-    else
-        r->plan_buffer = c->plan->buffer_count++;
-    if (r->persistent)
-        r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    if (!r->shared)
-        return;
-    r->item = c->item_count++;
-    struct pack_item *item = &c->items[r->item];
-    item->first = item->first_use = pass;
-    item->resource = (uint32_t)(r - c->resources);
-    item->plan_index = r->image ? r->plan_image : r->plan_buffer;
-    item->buffer = !r->image;
-}
-
 void rg_follow_passes(struct compiler *c)
 {
     uint32_t index = 0;

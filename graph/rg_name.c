@@ -1,6 +1,6 @@
 /* rg_name.c: names that come twice. A hash table of what was named so far. */
+#include "graph/rg_name.h"
 #include <string.h>
-#include "graph/rg_internal.h"
 
 /* Where a name is, or would be. */
 static struct name_slot *slot_of(const struct name_map *map, uint32_t hash, const char *text)

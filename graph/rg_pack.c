@@ -16,7 +16,8 @@ enum {
 
 /* In falling order of size and life, each to a power, multiplied. */
 static const struct rule {
-    unsigned size_power, life_power;
+    unsigned size_power; /* 0, 1 or 4 */
+    unsigned life_power; /* 0 or 1 */
 } rules[] = {
     { 4, 1 },
     { 1, 0 },
@@ -46,12 +47,17 @@ struct moment {
     uint32_t gap;   /* index of the span above the gap in which the item at work fits */
 };
 
+/* The moments of an item. */
+struct life {
+    uint32_t first, last;
+};
+
 struct packing {
     const struct pack_item *items; /* in the order of first use */
     uint32_t count;
     uint32_t end;             /* the last pass of all */
     struct moment *moments;   /* in the order of time */
-    uint32_t *first, *last;   /* of each item: moments of its life */
+    struct life *lives;       /* of each item */
     VkDeviceSize *offsets;    /* of each item, by the rule at work */
     uint64_t *order, *sorted; /* scratch */
 };
@@ -75,14 +81,15 @@ static uint64_t find_moments(struct packing *p, uint32_t *begun)
         if (!begun[first])
             p->moments[++moment + 1].alive = 0; /* that of the one after: the last has one, too */
         begun[first] = moment + 1;
-        p->first[i] = moment;
+        p->lives[i].first = moment;
         p->moments[moment].alive++;
     }
     for (uint32_t pass = 1; pass <= p->end; pass++)
         begun[pass] = begun[pass] ? begun[pass] : begun[pass - 1];
     for (uint32_t i = 0; i < p->count; i++) {
-        p->last[i] = begun[p->items[i].last] - 1;
-        p->moments[p->last[i] + 1].alive--;
+        uint32_t end = begun[p->items[i].last];
+        p->lives[i].last = end - 1;
+        p->moments[end].alive--;
     }
     for (uint32_t m = 0; m <= moment; m++) {
         alive += p->moments[m].alive;
@@ -95,7 +102,7 @@ static uint64_t find_moments(struct packing *p, uint32_t *begun)
 /* Room for the spans of each moment. */
 static void share_spans(const struct packing *p, struct span *spans)
 {
-    for (uint32_t m = 0; m <= p->first[p->count - 1]; m++) {
+    for (uint32_t m = 0; m <= p->lives[p->count - 1].first; m++) {
         p->moments[m].spans = spans;
         spans += p->moments[m].alive;
     }
@@ -106,8 +113,7 @@ static bool begin_rules(struct arena *arena, struct packing *p)
 {
     uint32_t *begun = ARENA_ZEROED(arena, uint32_t, (size_t)p->end + 1); /* moments, to a pass */
     p->moments = ARENA_ARRAY(arena, struct moment, (size_t)p->count + 1);
-    p->first = ARENA_ARRAY(arena, uint32_t, p->count);
-    p->last = ARENA_ARRAY(arena, uint32_t, p->count);
+    p->lives = ARENA_ARRAY(arena, struct life, p->count);
     if (arena->failed)
         return false;
     uint64_t lived = find_moments(p, begun);
@@ -133,11 +139,13 @@ enum {
 /* The upper half of the product as a double, whose bits rise with it. */
 static uint32_t product_of(const struct rule *rule, const struct pack_item *item)
 {
-    double product = rule->life_power ? (double)(item->last - item->first + 1) : 1;
+    double product = rule->life_power ? (double)(int32_t)(item->last - item->first + 1) : 1;
     double size = (double)(int64_t)item->size;
     uint64_t bits;
-    for (unsigned i = 0; i < rule->size_power; i++)
+    if (rule->size_power)
         product *= size;
+    if (rule->size_power == 4)
+        product = product * size * size * size;
     memcpy(&bits, &product, sizeof(bits));
     return (uint32_t)(bits >> 32);
 }
@@ -256,13 +264,30 @@ static inline VkDeviceSize rise(struct moment *m, const struct pack_item *item, 
     return begin;
 }
 
+/* At all moments of a life: in circles, until no other one raises it. */
+static VkDeviceSize rise_all(struct moment *first, struct moment *last,
+                             const struct pack_item *item, VkDeviceSize begin)
+{
+    const struct moment *raised = last; /* the last one that did */
+    struct moment *m = first;
+    for (;;) {
+        VkDeviceSize before = begin;
+        begin = rise(m, item, begin);
+        if (begin != before)
+            raised = m == first ? last : m - 1;
+        else if (m == raised)
+            return begin;
+        m = m == last ? first : m + 1;
+    }
+}
+
 /* Returns the lowest offset that is free in the life of an item, which it takes. */
 static VkDeviceSize place(const struct packing *p, uint32_t index)
 {
     const struct pack_item *item = &p->items[index];
-    struct moment *first = &p->moments[p->first[index]];
-    struct moment *last = &p->moments[p->last[index]];
-    uint32_t life = p->last[index] - p->first[index] + 1;
+    const struct life life = p->lives[index];
+    struct moment *first = &p->moments[life.first];
+    struct moment *last = &p->moments[life.last];
     VkDeviceSize begin = 0;
     VkDeviceSize ceiling = UINT64_MAX;
     for (struct moment *m = first; m <= last; m++) {
@@ -271,14 +296,8 @@ static VkDeviceSize place(const struct packing *p, uint32_t index)
         m->gap = 0;
     }
     begin = align_up(begin, item->alignment);
-    bool fits = ceiling >= begin + item->size;
-    struct moment *m = first; /* in circles, until no other one raises it */
-    for (uint32_t left = fits ? 0 : life; left > 0; left--) {
-        VkDeviceSize before = begin;
-        begin = rise(m, item, begin);
-        left = begin == before ? left : life;
-        m = m == last ? first : m + 1;
-    }
+    if (ceiling < begin + item->size)
+        begin = rise_all(first, last, item, begin);
     for (struct moment *taken = first; taken <= last; taken++)
         take(taken, (struct span){ begin, begin + item->size });
     return begin;
@@ -289,7 +308,7 @@ static VkDeviceSize apply_rule(struct packing *p, const struct rule *rule, VkDev
 {
     VkDeviceSize size = 0;
     sort(p, rule);
-    for (uint32_t m = 0; m <= p->first[p->count - 1]; m++) {
+    for (uint32_t m = 0; m <= p->lives[p->count - 1].first; m++) {
         p->moments[m].floor = p->moments[m].count = 0;
         p->moments[m].ceiling = UINT64_MAX;
     }

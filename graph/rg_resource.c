@@ -1,6 +1,6 @@
 /* rg_resource.c: what the tables name: found, sized and given cells. */
 #include <math.h>
-#include "graph/rg_internal.h"
+#include "graph/rg_name.h"
 
 const char *rg_resource_name(const struct resource *r)
 {
@@ -30,7 +30,7 @@ static uint32_t full_chain(VkExtent2D extent)
 static void resolve_image(struct resource *r, VkExtent2D view)
 {
     const struct rg_image *image = r->image;
-    r->format = rg_format_info(image->format);
+    r->format = rg_format_find(image->format);
     r->extent.width = image->width ? image->width : scaled(view.width, image->scale);
     r->extent.height = image->height ? image->height : scaled(view.height, image->scale);
     r->all.layerCount = image->layers ? image->layers : image->cube ? 6 : 1;
@@ -95,7 +95,9 @@ static bool add_cells(struct compiler *c, struct resource *r, uint64_t count)
 /* Room for one more; single cells lie in the array. */
 static bool grow_resources(struct compiler *c)
 {
-    if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room, 64))
+    uint32_t room = c->resource_room;
+    if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room, 64) ||
+        !ARENA_ROOM(c->arena, c->wanted, c->resource_count, room, 64))
         return false;
     for (uint32_t i = 0; i < c->resource_count; i++) {
         struct resource *r = &c->resources[i];
@@ -114,7 +116,7 @@ static bool grow_map(struct compiler *c, uint32_t count)
     uint32_t *slots = ARENA_ZEROED(c->arena, uint32_t, (size_t)mask + 1);
     if (!slots)
         return false;
-    c->map = (struct resource_map){ slots, mask };
+    c->map = (struct resource_map){ slots, mask, mask / 2 };
     for (uint32_t i = 0; i < c->resource_count; i++)
         *rg_resource_slot(c, c->resources[i].address) = i + 1;
     return true;
@@ -124,24 +126,27 @@ void rg_resource_expect(struct compiler *c, uint32_t count)
 {
     c->resource_room = count;
     c->resources = ARENA_ARRAY(c->arena, struct resource, count);
+    c->wanted = ARENA_ARRAY(c->arena, enum wanted, count);
     grow_map(c, count);
 }
 
 /* ---- adding ---- */
 
-/* What is the same for all. Field by field: clearing the whole at once takes longer. */
-static inline void begin_resource(struct resource *r, const struct rg_image *image,
-                                  const struct rg_buffer *buffer)
+static inline void check_name(struct compiler *c, const struct resource *r)
 {
-    r->address = image ? (const void *)image : (const void *)buffer;
-    r->image = image;
-    r->buffer = image ? NULL : buffer;
+    const char *name = r->image ? r->image->name : r->buffer->name;
+    if (!name)
+        rg_check_tell(c, r, RG_ERROR_NO_NAME, "give the resource a name");
+    else if (!rg_name_is_new(c, NAME_RESOURCE, name))
+        rg_check_tell(c, r, RG_ERROR_DUPLICATE_NAME, RG_HINT_NAME);
+}
+
+/* What is the same for all. Field by field: clearing the whole at once takes longer. */
+static inline void begin_resource(struct resource *r)
+{
     r->cells = &r->cell;
     r->cell_count = 1;
     r->persistent = r->shared = r->plain = false;
-    r->all = (VkImageSubresourceRange){ 0 };
-    r->extent = (VkExtent2D){ 0 };
-    r->format = NULL;
     r->size = 0;
     r->import = r->output = r->first = r->last = RG_NONE;
     r->usage = 0;
@@ -149,25 +154,24 @@ static inline void begin_resource(struct resource *r, const struct rg_image *ima
     r->cell = (struct cell){ 0 };
 }
 
-/* A transient image of one cell, as most are. */
-static inline bool is_simple(const struct rg_image *image)
+/* As most are: a transient image of one cell. Returns false, and nothing is done, if it is another
+ * one, or there is something to be said of it. */
+static inline bool begin_simple(const struct compiler *c, struct resource *r,
+                                const struct rg_image *image)
 {
-    return !(image->layers | image->mips | image->samples | image->cube | image->persistent);
-}
-
-/* Returns false if it is not simple after all. */
-static inline bool begin_simple(const struct compiler *c, struct resource *r)
-{
-    const struct rg_image *image = r->image;
-    const struct rg_format_info *format = rg_format_info(image->format);
+    const struct rg_format_info *format = rg_format_find(image->format);
     const VkExtent2D view = c->params->view;
     const VkExtent2D extent = {
         image->width ? image->width : scaled(view.width, image->scale),
         image->height ? image->height : scaled(view.height, image->scale),
     };
     if (!format || (format->aspects & (format->aspects - 1)) || !(image->scale >= 0.0f) ||
+        (image->layers | image->mips | image->samples | image->cube | image->persistent) ||
         extent.width > c->max_image_size || extent.height > c->max_image_size)
         return false;
+    begin_resource(r);
+    r->address = r->image = image;
+    r->buffer = NULL;
     r->format = format;
     r->extent = extent;
     r->all = (VkImageSubresourceRange){ format->aspects, 0, 1, 0, 1 };
@@ -177,17 +181,27 @@ static inline bool begin_simple(const struct compiler *c, struct resource *r)
 
 /* All others. False: memory is short. */
 __attribute__((noinline)) static bool begin_other(struct compiler *c, struct resource *r,
+                                                  const struct rg_image *image,
+                                                  const struct rg_buffer *buffer,
                                                   const struct rg_import *import)
 {
+    begin_resource(r);
+    r->address = image ? (const void *)image : (const void *)buffer;
+    r->image = image;
+    r->buffer = image ? NULL : buffer;
+    r->all = (VkImageSubresourceRange){ 0 };
+    r->extent = (VkExtent2D){ 0 };
+    r->format = NULL;
     if (import)
         r->import = (uint32_t)(import - c->params->imports);
-    if (r->image)
+    if (image)
         resolve_image(r, c->params->view);
     else
         resolve_buffer(r, c->params->view);
     if (import)
         resolve_import(r, import);
-    r->shared = !import && !r->persistent && (r->image || r->buffer->memory == RG_MEMORY_DEVICE);
+    r->shared = !import && !r->persistent && (image || buffer->memory == RG_MEMORY_DEVICE);
+    check_name(c, r);
     rg_check_resource(c, r);
     /* as a frame finds it, unless it is imported, persistent or takes over memory (rg_state.c) */
     r->cell.filled = arrives_filled(c, r) ? CELL_FILLED : CELL_EMPTY;
@@ -197,27 +211,37 @@ __attribute__((noinline)) static bool begin_other(struct compiler *c, struct res
     c->persistent_count += r->persistent;
     uint64_t cells = count_cells(r);
     r->cell_count = (uint32_t)cells;
-    r->plain = cells == 1 && r->image && r->image->samples <= 1;
+    r->plain = cells == 1 && image && image->samples <= 1;
     return cells == 1 || add_cells(c, r, cells);
+}
+
+/* Returns false if memory is short. */
+__attribute__((noinline)) static bool make_room(struct compiler *c)
+{
+    if (c->resource_count >= c->map.room && !grow_map(c, c->resource_count))
+        return false;
+    return c->resource_count < c->resource_room || grow_resources(c);
 }
 
 uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
                          const struct rg_buffer *buffer, const struct rg_import *import,
                          uint32_t *slot)
 {
-    if (c->resource_count >= c->map.mask / 2) {
-        if (!grow_map(c, c->resource_count))
+    if (c->resource_count >= c->map.room || c->resource_count == c->resource_room) {
+        if (!make_room(c))
             return RG_NONE;
         slot = rg_resource_slot(c, image ? (const void *)image : (const void *)buffer);
     }
-    if (c->resource_count == c->resource_room && !grow_resources(c))
-        return RG_NONE;
     struct resource *r = &c->resources[c->resource_count];
-    begin_resource(r, image, buffer);
-    rg_check_name(c, r);
-    if ((!image || import || !is_simple(image) || !begin_simple(c, r)) &&
-        !begin_other(c, r, import))
-        return RG_NONE;
+    enum wanted wanted = WANT_NOTHING;
+    if (image && !import && begin_simple(c, r, image)) {
+        check_name(c, r);
+    } else {
+        if (!begin_other(c, r, image, buffer, import))
+            return RG_NONE;
+        wanted = r->cell_count == 1 ? WANT_NOTHING : WANT_CELLS;
+    }
+    c->wanted[c->resource_count] = wanted;
     *slot = ++c->resource_count;
     return *slot - 1;
 }

@@ -219,7 +219,10 @@ static void end_resource(struct sync *sync, uint32_t index)
         return;
     struct effect effect;
     const struct access a = rg_end_access(c, index, access, &effect);
-    sync_cells(sync, r, &a, c->plan->pass_count, hand_back);
+    if (r->cell_count > 1)
+        sync_cells(sync, r, &a, c->plan->pass_count, hand_back);
+    else if (!hand_back || has_to_go_back(&r->cell, &a))
+        rg_sync_whole(sync, r, &a, c->plan->pass_count);
 }
 
 /* From the zeros of the very first frame to what every frame finds: what every frame leaves. */

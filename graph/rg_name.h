@@ -1,0 +1,58 @@
+/*
+ * rg_name.h: names that come twice, among resources and among passes. What nearly every name needs
+ * is here, so that it is inlined.
+ */
+#ifndef RG_NAME_H
+#define RG_NAME_H
+
+#include "graph/rg_internal.h"
+
+enum name_kind {
+    NAME_RESOURCE,
+    NAME_PASS,
+};
+
+/* Room for about so many. */
+void rg_name_expect(struct compiler *c, uint32_t count);
+
+/* rg_name_is_new() of a name that the map has, or one of its hash, or that it has no room for. */
+bool rg_name_look_closer(struct compiler *c, uint32_t hash, const char *name);
+
+/* FNV-1a. */
+static inline uint32_t rg_name_hash(enum name_kind kind, const char *text)
+{
+    uint32_t hash = UINT32_C(2166136261) ^ (uint32_t)kind;
+    for (unsigned char c = (unsigned char)*text; c; c = (unsigned char)*++text)
+        hash = (hash ^ c) * UINT32_C(16777619);
+    return hash | UINT32_C(1) << 31;
+}
+
+static inline uint32_t rg_name_slot(const struct name_map *map, uint32_t hash)
+{
+    return (hash ^ hash >> 15) & map->mask;
+}
+
+static inline void rg_name_add(struct name_map *map, struct name_slot *slot, uint32_t hash,
+                               const char *name)
+{
+    *slot = (struct name_slot){ hash, map->count };
+    map->names[map->count++] = name;
+}
+
+/* False if there was one of this name; else adds it. */
+static inline bool rg_name_is_new(struct compiler *c, enum name_kind kind, const char *name)
+{
+    struct name_map *map = &c->names;
+    uint32_t hash = rg_name_hash(kind, name);
+    uint32_t i = rg_name_slot(map, hash);
+    while (map->slots[i].hash && map->slots[i].hash != hash)
+        i = (i + 1) & map->mask;
+    if (map->slots[i].hash || map->count == map->room)
+        return rg_name_look_closer(c, hash, name);
+    rg_name_add(map, &map->slots[i], hash, name);
+    return true;
+}
+
+#define RG_HINT_NAME "give each a name of its own"
+
+#endif
