@@ -40,6 +40,12 @@ static bool is_same(const struct former *a, const struct former *b)
     return a->stages == b->stages && a->writes == b->writes;
 }
 
+/* Whether `b` adds nothing to `a`. */
+static inline bool has_all(const struct former *a, const struct former *b)
+{
+    return !((b->stages & ~a->stages) | (b->writes & ~a->writes));
+}
+
 static struct class *find_class(struct owners *o, const struct former *left)
 {
     for (uint32_t i = 0; i < o->count; i++) {
@@ -109,24 +115,23 @@ void rg_former_left(struct arena *arena, const struct pack_item *items, struct f
         anybody.stages |= formers[i].stages;
         anybody.writes |= formers[i].writes;
     }
-    if (is_same(&everybody, &anybody))
+    if (has_all(&everybody, &anybody))
         return;
     struct owners *owners = ARENA_ARRAY(arena, struct owners, 1);
     if (!owners)
         return;
     owners->count = 0;
     for (uint32_t i = 0; i < count; i++) {
-        if (!is_same(&formers[i], &everybody))
+        if (!has_all(&everybody, &formers[i]))
             add_span(find_class(owners, &formers[i]), span_of(&items[i]));
     }
-    for (uint32_t i = 0; i < count; i++) {
-        if (is_same(&formers[i], &anybody))
-            continue;
-        for (uint32_t k = 0; k < owners->count; k++) {
-            const struct class *c = &owners->classes[k];
-            bool any = has_any(c, span_of(&items[i]));
-            formers[i].stages |= any ? c->left.stages : 0;
-            formers[i].writes |= any ? c->left.writes : 0;
+    for (uint32_t k = 0; k < owners->count; k++) {
+        const struct class *c = &owners->classes[k];
+        for (uint32_t i = 0; i < count; i++) {
+            if (has_all(&formers[i], &c->left) || !has_any(c, span_of(&items[i])))
+                continue;
+            formers[i].stages |= c->left.stages;
+            formers[i].writes |= c->left.writes;
         }
     }
 }

@@ -93,24 +93,26 @@ void rg_follow_outputs(struct compiler *c)
 /* ---- the lists ---- */
 
 /* Without a device: tight sizes, so that plans are the same everywhere. */
-static struct rg_memory_need estimate_image(const struct rg_plan_image *image, uint32_t texel_size)
+static VkDeviceSize estimate_image(const struct resource *r)
 {
-    VkDeviceSize texels = (VkDeviceSize)image->extent.width * image->extent.height;
-    for (uint32_t mip = 1; mip < image->mips; mip++) {
-        VkDeviceSize width = image->extent.width >> mip;
-        VkDeviceSize height = image->extent.height >> mip;
+    VkDeviceSize texels = (VkDeviceSize)r->extent.width * r->extent.height;
+    if (r->plain)
+        return texels * r->format->size;
+    for (uint32_t mip = 1; mip < r->all.levelCount; mip++) {
+        VkDeviceSize width = r->extent.width >> mip;
+        VkDeviceSize height = r->extent.height >> mip;
         texels += (width ? width : 1) * (height ? height : 1);
     }
-    texels *= (VkDeviceSize)image->layers * image->samples;
-    return (struct rg_memory_need){ texels * texel_size, 256, 1 };
+    texels *= (VkDeviceSize)r->all.layerCount * (r->image->samples ? r->image->samples : 1);
+    return texels * r->format->size;
 }
 
-static struct rg_memory_need image_need(const struct compiler *c, const struct resource *r,
-                                        const struct rg_plan_image *image)
+static inline struct rg_memory_need image_need(const struct compiler *c, const struct resource *r,
+                                               const struct rg_plan_image *image)
 {
     const struct rg_device *device = c->params->device;
     if (!device || !device->image_memory)
-        return estimate_image(image, r->format->size);
+        return (struct rg_memory_need){ estimate_image(r), 256, 1 };
     const VkImageCreateInfo info = rg_image_create_info(image);
     return device->image_memory(device->user, &info);
 }
@@ -208,8 +210,9 @@ void rg_list(struct compiler *c)
     struct rg_plan *plan = c->plan;
     plan->images = c->images = ARENA_ARRAY(c->arena, struct rg_plan_image, plan->image_count);
     plan->buffers = c->buffers = ARENA_ARRAY(c->arena, struct rg_plan_buffer, plan->buffer_count);
-    for (uint32_t i = 0; i < c->resource_count && !c->arena->failed; i++) {
-        const struct resource *r = &c->resources[i];
+    if (c->arena->failed)
+        return;
+    for (const struct resource *r = c->resources, *end = r + c->resource_count; r < end; r++) {
         if (r->first == RG_NONE)
             continue;
         if (r->image)

@@ -133,7 +133,8 @@ static bool begin_rules(struct arena *arena, struct packing *p)
 enum {
     KEY_BITS = 32,
     MAX_DIGIT_BITS = 11,
-    FEW = 64, /* items, of which one digit is sorted, and the rest by comparing */
+    VERY_FEW = 64, /* items, */
+    FEW = 256,     /* of which one digit is sorted, and the rest by comparing */
 };
 
 /* The upper half of the product as a double, whose bits rise with it. */
@@ -187,7 +188,7 @@ static void insert_each(uint64_t *order, uint32_t count)
 static void sort(struct packing *p, const struct rule *rule)
 {
     bool few = p->count < FEW;
-    uint32_t digit_bits = few ? 6 : p->count < 2048 ? 8 : MAX_DIGIT_BITS;
+    uint32_t digit_bits = p->count < VERY_FEW ? 5 : p->count < 2048 ? 8 : MAX_DIGIT_BITS;
     uint32_t common = UINT32_MAX;
     uint32_t any = 0;
     for (uint32_t i = 0; i < p->count; i++) {
@@ -198,8 +199,8 @@ static void sort(struct packing *p, const struct rule *rule)
     }
     uint32_t differing = any & ~common;
     uint32_t shift = 0;
-    while (few && differing >> shift >> digit_bits)
-        shift++; /* to the highest digit */
+    if (few && differing >> digit_bits) /* to the highest digit */
+        shift = KEY_BITS - digit_bits - (uint32_t)__builtin_clz(differing);
     for (; shift < KEY_BITS && differing >> shift; shift += digit_bits)
         sort_digit(p, KEY_BITS + shift, digit_bits);
     if (few)

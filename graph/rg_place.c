@@ -103,15 +103,19 @@ void rg_place(struct compiler *c)
 }
 
 /* What its last users do, and what of it is not yet available when the frame is over. */
-static struct former left_by(const struct resource *r)
+static inline void add_left(struct former *left, const struct cell *s)
 {
-    struct former left = { 0 };
-    for (uint32_t k = 0; k < r->cell_count; k++) {
-        const struct cell *s = &r->cells[k];
-        left.stages |= s->awaited ? s->read_stages : s->read_stages | s->write_stages;
-        left.writes |= s->awaited ? VK_ACCESS_2_NONE : s->write_access;
-    }
-    return left;
+    left->stages |= s->read_stages | (s->awaited ? VK_PIPELINE_STAGE_2_NONE : s->write_stages);
+    left->writes |= s->awaited ? VK_ACCESS_2_NONE : s->write_access;
+}
+
+static inline void find_left(struct former *left, const struct resource *r)
+{
+    left->stages = VK_PIPELINE_STAGE_2_NONE;
+    left->writes = VK_ACCESS_2_NONE;
+    add_left(left, r->cells);
+    for (uint32_t k = 1; k < r->cell_count; k++)
+        add_left(left, &r->cells[k]);
 }
 
 typedef void former_fn(struct arena *arena, const struct pack_item *items, struct former *formers,
@@ -143,7 +147,7 @@ void rg_place_left(struct compiler *c)
     if (c->arena->failed)
         return;
     for (uint32_t i = 0; i < c->item_count; i++)
-        c->formers[i] = left_by(&c->resources[c->items[i].resource]);
+        find_left(&c->formers[i], &c->resources[c->items[i].resource]);
     if (c->params->sharing != RG_SHARE_NOTHING) /* else each follows itself */
         each_block(c, rg_former_left);
 }
