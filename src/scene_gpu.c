@@ -1,6 +1,7 @@
 /* scene_gpu.c: a scene's meshes and pictures on the device. */
 #include "src/scene_gpu.h"
 #include "src/frame.h"
+#include "src/scene/mips.h"
 #include "src/tech/bump.h"
 #include "src/tech/env_cube.h"
 
@@ -113,16 +114,16 @@ static enum status upload_bump(struct scene_gpu *on_gpu, struct gpu *gpu,
                                const struct bump_maps *maps)
 {
     static const uint16_t even[4] = { 0 };
-    uint32_t side = maps->size ? maps->size : 1;
+    const struct mips mips = { .side = maps->size ? maps->size : 1, .layers = 1, .channels = 4 };
     return gpu_image_create(gpu, &on_gpu->bump_map,
                             &(struct gpu_image_params){
                                 .name = bump_map.name,
                                 .format = bump_map.format,
-                                .width = side,
-                                .height = side,
-                                .mipmaps = maps->size,
+                                .width = mips.side,
+                                .height = mips.side,
+                                .levels = true,
                                 .texels = maps->size ? maps->texels : even,
-                                .texels_size = (size_t)side * side * sizeof(even),
+                                .texels_size = mips_count(&mips) * sizeof(*even),
                             });
 }
 
@@ -131,18 +132,17 @@ static enum status upload_air(struct scene_gpu *on_gpu, struct gpu *gpu,
 {
     static const uint8_t clear[2] = { 0 };
     bool real = layers->texels;
-    uint32_t size = real ? layers->size : 1;
-    uint32_t count = real ? layers->count : 1;
+    const struct mips mips = { real ? layers->size : 1, real ? layers->count : 1, .channels = 2 };
     return gpu_image_create(gpu, &on_gpu->air_layers,
                             &(struct gpu_image_params){
                                 .name = frame_air.name,
                                 .format = frame_air.format,
-                                .width = size,
-                                .height = size,
-                                .layers = count,
-                                .mipmaps = real,
+                                .width = mips.side,
+                                .height = mips.side,
+                                .layers = mips.layers,
+                                .levels = true,
                                 .texels = real ? layers->texels : clear,
-                                .texels_size = (size_t)size * size * count * sizeof(clear),
+                                .texels_size = mips_count(&mips),
                             });
 }
 

@@ -124,7 +124,8 @@ struct gpu_image_params {
     uint32_t layers;         /* 0 means 1 */
     bool cube;               /* of six square layers */
     bool mipmaps;            /* makes the whole chain by halving; needs blit support, queried */
-    const void *texels;      /* layers one after another, rows tight, mip 0 only */
+    bool levels;             /* instead: `texels` has it, level after level */
+    const void *texels;      /* layers one after another, rows tight; of mip 0 only, or `levels` */
     size_t texels_size;      /* bytes; checked against the format */
     VkImageUsageFlags usage; /* besides SAMPLED and TRANSFER */
 };

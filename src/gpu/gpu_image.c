@@ -50,6 +50,12 @@ static uint32_t mip_size(uint32_t size, uint32_t mip)
     return size >> mip ? size >> mip : 1;
 }
 
+/* Mip levels that come with the texels. */
+static uint32_t count_given(const struct gpu_image *image, const struct gpu_image_params *params)
+{
+    return params->levels ? image->mips : 1;
+}
+
 static VkImageCreateFlags create_flags(const struct gpu_image_params *params)
 {
     return params->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
@@ -99,7 +105,10 @@ static enum status check_size(const struct gpu_image_params *params, const struc
         return STATUS_DATA;
     }
     /* within the limits, hence no overflow */
-    const uint64_t size = (uint64_t)extent.width * extent.height * image->layers * texel_size;
+    uint64_t size = 0;
+    for (uint32_t mip = 0; mip < count_given(image, params); mip++)
+        size += (uint64_t)mip_size(extent.width, mip) * mip_size(extent.height, mip) *
+                image->layers * texel_size;
     if (size == 0 || size != params->texels_size) {
         log_error("%s has %zu bytes of texels instead of %llu", name_of(params),
                   params->texels_size, (unsigned long long)size);
@@ -182,29 +191,45 @@ static void record_use(VkCommandBuffer commands, const struct gpu_image *image, 
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-static enum status copy_texels(struct gpu *gpu, const struct gpu_image *image,
-                               struct gpu_upload *upload, const char *texels)
+/* Of one mip level, as much at a time as the staging buffer holds. */
+static enum status copy_level(struct gpu *gpu, const struct gpu_image *image,
+                              struct gpu_upload *upload, const char *texels, uint32_t mip)
 {
-    const uint32_t height = image->extent.height;
-    const size_t row_size = (size_t)image->extent.width * find_texel_size(image->format);
+    const uint32_t width = mip_size(image->extent.width, mip);
+    const uint32_t height = mip_size(image->extent.height, mip);
+    const size_t row_size = (size_t)width * find_texel_size(image->format);
     const uint32_t rows_max = (uint32_t)(upload->staging.size / row_size);
+    const uint32_t layers = rows_max / height >= image->layers ? image->layers : 1; /* at once */
     enum status status = STATUS_OK;
     assert(rows_max > 0); /* the widest image's row is much less than GPU_STAGING_SIZE */
-    for (uint32_t layer = 0; layer < image->layers; layer++) {
+    for (uint32_t layer = 0; layer < image->layers; layer += layers) {
         uint32_t rows = 0;
         for (uint32_t y = 0; y < height && status == STATUS_OK; y += rows) {
             rows = height - y < rows_max ? height - y : rows_max;
             const VkBufferImageCopy copy = {
-                .imageSubresource = { VK_IMAGE_ASPECT_COLOR_BIT, 0, layer, 1 },
+                .imageSubresource = { VK_IMAGE_ASPECT_COLOR_BIT, mip, layer, layers },
                 .imageOffset = { 0, (int32_t)y, 0 },
-                .imageExtent = { image->extent.width, rows, 1 },
+                .imageExtent = { width, rows, 1 },
             };
-            memcpy(upload->mapped, texels, rows * row_size);
+            memcpy(upload->mapped, texels, layers * rows * row_size);
             vkCmdCopyBufferToImage(upload->commands, upload->staging.buffer, image->image,
                                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-            texels += rows * row_size;
+            texels += layers * rows * row_size;
             status = gpu_upload_flush(gpu, upload);
         }
+    }
+    return status;
+}
+
+static enum status copy_texels(struct gpu *gpu, const struct gpu_image *image,
+                               struct gpu_upload *upload, const struct gpu_image_params *params)
+{
+    const char *texels = params->texels;
+    enum status status = STATUS_OK;
+    for (uint32_t mip = 0; mip < count_given(image, params) && status == STATUS_OK; mip++) {
+        status = copy_level(gpu, image, upload, texels, mip);
+        texels += (size_t)mip_size(image->extent.width, mip) * mip_size(image->extent.height, mip) *
+                  image->layers * find_texel_size(image->format);
     }
     return status;
 }
@@ -235,14 +260,15 @@ static enum status fill(struct gpu *gpu, const struct gpu_image *image,
     enum status status = gpu_upload_begin(gpu, &upload, params->texels_size, name_of(params));
     if (status == STATUS_OK) {
         record_use(upload.commands, image, 0, image->mips, &unused, &written);
-        status = copy_texels(gpu, image, &upload, params->texels);
+        status = copy_texels(gpu, image, &upload, params);
     }
     if (status == STATUS_OK) {
-        const uint32_t last = image->mips - 1;
-        record_mips(upload.commands, image);
-        if (last > 0)
-            record_use(upload.commands, image, 0, last, &halved, &sampled);
-        record_use(upload.commands, image, last, 1, &written, &sampled);
+        const uint32_t halves = image->mips - count_given(image, params);
+        if (halves > 0) {
+            record_mips(upload.commands, image);
+            record_use(upload.commands, image, 0, halves, &halved, &sampled);
+        }
+        record_use(upload.commands, image, halves, image->mips - halves, &written, &sampled);
         status = gpu_upload_flush(gpu, &upload);
     }
     gpu_upload_finish(gpu, &upload);
@@ -259,7 +285,7 @@ enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
     *image = (struct gpu_image){
         .extent = { params->width, params->height, 1 },
         .format = params->format,
-        .mips = params->mipmaps ? count_mips(params->width, params->height) : 1,
+        .mips = params->mipmaps || params->levels ? count_mips(params->width, params->height) : 1,
         .layers = params->layers ? params->layers : 1,
     };
     enum status status = check_format(gpu, params, usage, &limits);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/image/half.h"
+#include "src/scene/mips.h"
 #include "src/scene/noise.h"
 
 enum {
@@ -33,21 +34,25 @@ static vec2s corner(const struct lattice *lattice, uint32_t x, uint32_t y)
     return lattice->corners[y % lattice->period][x % lattice->period];
 }
 
-/* A texel in cells: the whole ones, and the rest. */
-struct place {
-    uint32_t x, y;
-    vec2s rest;
+/* Texels side by side in one cell. */
+struct run {
+    uint32_t x, y;         /* of the cell */
+    uint32_t first, count; /* of the texels, along x */
+    float rest_y;          /* from the cell's top, in cells */
 };
 
-static struct place find_place(const struct lattice *lattice, uint32_t x, uint32_t y)
+static struct run find_run(const struct lattice *lattice, uint32_t x, uint32_t y)
 {
-    uint32_t in_x = x * lattice->period;
-    uint32_t in_y = y * lattice->period;
-    return (struct place){
-        .x = in_x / SIZE,
-        .y = in_y / SIZE,
-        .rest = { { (float)(in_x % SIZE) / SIZE, (float)(in_y % SIZE) / SIZE } },
-    };
+    const uint32_t cell = x * lattice->period / SIZE;
+    const uint32_t end = ((cell + 1) * SIZE + lattice->period - 1) / lattice->period;
+    const uint32_t in_y = y * lattice->period;
+    return (struct run){ cell, in_y / SIZE, x, end - x, (float)(in_y % SIZE) / SIZE };
+}
+
+/* From the cell's left, in cells. */
+static float rest_x(const struct lattice *lattice, const struct run *run, uint32_t i)
+{
+    return (float)((run->first + i) * lattice->period - run->x * SIZE) / SIZE;
 }
 
 static float fade(float t)
@@ -56,50 +61,57 @@ static float fade(float t)
 }
 
 /* Gradient noise (Perlin 2002): about -1 to 1, one cell wide. */
-static float wave(const struct lattice *lattice, uint32_t x, uint32_t y)
+static void wave(const struct lattice *lattice, const struct run *run, float *values)
 {
-    const struct place p = find_place(lattice, x, y);
-    float value[2][2];
-    for (uint32_t j = 0; j < 2; j++) {
-        for (uint32_t i = 0; i < 2; i++) {
-            vec2s from = { { p.rest.x - (float)i, p.rest.y - (float)j } };
-            value[j][i] = glms_vec2_dot(corner(lattice, p.x + i, p.y + j), from);
-        }
+    const vec2s upper[2] = { corner(lattice, run->x, run->y), corner(lattice, run->x + 1, run->y) };
+    const vec2s lower[2] = { corner(lattice, run->x, run->y + 1),
+                             corner(lattice, run->x + 1, run->y + 1) };
+    const float down = run->rest_y, up = down - 1;
+    for (uint32_t i = 0; i < run->count; i++) {
+        const float right = rest_x(lattice, run, i), left = right - 1;
+        const float across = fade(right);
+        const float above = glm_lerp(upper[0].x * right + upper[0].y * down,
+                                     upper[1].x * left + upper[1].y * down, across);
+        const float below = glm_lerp(lower[0].x * right + lower[0].y * up,
+                                     lower[1].x * left + lower[1].y * up, across);
+        values[i] = 1.6F * glm_lerp(above, below, fade(down));
     }
-    float upper = glm_lerp(value[0][0], value[0][1], fade(p.rest.x));
-    float lower = glm_lerp(value[1][0], value[1][1], fade(p.rest.x));
-    return 1.6F * glm_lerp(upper, lower, fade(p.rest.y));
 }
 
 /* Square of the distance to the nearest of scattered points, about 0 to 1, with rounded ridges:
  * bowls side by side. */
-static float dimple(const struct lattice *lattice, uint32_t x, uint32_t y)
+static void dimple(const struct lattice *lattice, const struct run *run, float *values)
 {
-    const struct place p = find_place(lattice, x, y);
-    float sum = 0;
-    for (uint32_t j = 0; j < 5; j++) {
-        for (uint32_t i = 0; i < 5; i++) {
-            vec2s at =
-                corner(lattice, p.x + lattice->period + i - 2, p.y + lattice->period + j - 2);
-            vec2s from = { { p.rest.x - (float)i + 2 - 0.4F * at.x,
-                             p.rest.y - (float)j + 2 - 0.4F * at.y } };
-            float d = glms_vec2_norm2(from) + 0.1F;
-            sum += 1 / (d * d * d * d);
+    memset(values, 0, run->count * sizeof(*values));
+    for (uint32_t point = 0; point < 25; point++) {
+        const uint32_t x = point % 5, y = point / 5;
+        const vec2s at =
+            corner(lattice, run->x + lattice->period + x - 2, run->y + lattice->period + y - 2);
+        const float from_y = run->rest_y - (float)y + 2 - 0.4F * at.y;
+        for (uint32_t i = 0; i < run->count; i++) {
+            const float from_x = rest_x(lattice, run, i) - (float)x + 2 - 0.4F * at.x;
+            const float d = from_x * from_x + from_y * from_y + 0.1F;
+            values[i] += 1 / (d * d * d * d);
         }
     }
-    return 1 / sqrtf(sqrtf(sum));
+    for (uint32_t i = 0; i < run->count; i++)
+        values[i] = 1 / sqrtf(sqrtf(values[i]));
 }
 
-typedef float field_fn(const struct lattice *lattice, uint32_t x, uint32_t y);
+/* Its values at all texels of a run. */
+typedef void field_fn(const struct lattice *lattice, const struct run *run, float *values);
 
 /* Adds a field to a tile of heights. */
 static void add_field(float *heights, struct lattice *lattice, field_fn *field, uint32_t period,
                       float height, uint32_t seed)
 {
+    float values[SIZE];
     lattice_init(lattice, period, seed);
-    for (uint32_t y = 0; y < SIZE; y++) {
-        for (uint32_t x = 0; x < SIZE; x++)
-            heights[y * SIZE + x] += height * field(lattice, x, y);
+    for (uint32_t i = 0; i < SIZE * SIZE;) {
+        const struct run run = find_run(lattice, i % SIZE, i / SIZE);
+        field(lattice, &run, values);
+        for (uint32_t k = 0; k < run.count; k++)
+            heights[i++] += height * values[k];
     }
 }
 
@@ -188,17 +200,20 @@ static void make(struct bump_maps *maps, const struct bump_maps_params *params, 
 
 bool bump_maps_init(struct bump_maps *maps, const struct bump_maps_params *params)
 {
+    const struct mips mips = { .side = SIZE, .layers = 1, .channels = 4 };
     float *field = malloc((size_t)SIZE * SIZE * sizeof(*field));
     struct lattice *lattice = malloc(sizeof(*lattice));
     *maps = (struct bump_maps){
-        .texels = malloc((size_t)SIZE * SIZE * 4 * sizeof(*maps->texels)),
+        .texels = malloc(mips_count(&mips) * sizeof(*maps->texels)),
         .size = SIZE,
     };
     bool done = field && lattice && maps->texels;
-    if (done)
+    if (done) {
         make(maps, params, field, lattice);
-    else
+        mips_fill_halves(maps->texels, &mips);
+    } else {
         bump_maps_finish(maps);
+    }
     free(field);
     free(lattice);
     return done;

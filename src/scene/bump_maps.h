@@ -18,7 +18,8 @@ enum {
 
 struct bump_maps {
     uint16_t *texels; /* half, four each: rise along u and v, 1 in the root mean square; how smooth
-                         the surface is and how thick its crystals stand, 0 to 1 */
+                         the surface is and how thick its crystals stand, 0 to 1; all levels of
+                         mips.h */
     uint32_t size;    /* texels, both ways; 0: none */
 };
 

@@ -86,7 +86,7 @@ struct generate_air {
 
 /* Square pictures, one after another, two bytes a texel: opacity of bubbles, opacity of haze. */
 struct air_layers {
-    uint8_t *texels;      /* size * size * 2 * count bytes; the caller frees it */
+    uint8_t *texels;      /* two a texel, all levels of mips.h; the caller frees it */
     uint32_t size, count; /* size is a power of two; both 0 when there are none */
 };
 

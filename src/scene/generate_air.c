@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include "src/scene/generate.h"
 #include "src/scene/hull.h"
+#include "src/scene/mips.h"
 #include "src/scene/noise.h"
 #include "src/scene/random.h"
 
@@ -133,12 +134,14 @@ static void draw_bubbles(uint8_t *texels, float frequency, float size, struct ra
 
 static void draw_haze(uint8_t *texels, uint32_t seed)
 {
+    struct noise_plane plane;
+    noise_plane_init(&plane, 3, seed);
     for (int i = 0; i < LAYER_SIZE * LAYER_SIZE; i++) {
         const int row = i / LAYER_SIZE;
         const float u = ((float)(i % LAYER_SIZE) + 0.5f) / LAYER_SIZE;
         const float v = ((float)row + 0.5f) / LAYER_SIZE;
         const float thin = density(u, v);
-        const float noise = thin > 0 ? noise_fractal((vec3s){ { 6 * u, 6 * v, 0 } }, 3, seed) : 0;
+        const float noise = thin > 0 ? noise_plane_at(&plane, 6 * u, 6 * v) : 0;
         const float cloud = thin * (0.5f + 0.8f * noise);
         texels[2 * i + 1] = (uint8_t)(255 * fminf(fmaxf(cloud, 0), 1));
     }
@@ -147,7 +150,8 @@ static void draw_haze(uint8_t *texels, uint32_t seed)
 bool generate_air_layers(struct air_layers *layers, const struct generate_air *air)
 {
     const size_t layer_size = (size_t)LAYER_SIZE * LAYER_SIZE * 2;
-    *layers = (struct air_layers){ .texels = calloc(LAYER_COUNT, layer_size) };
+    const struct mips mips = { .side = LAYER_SIZE, .layers = LAYER_COUNT, .channels = 2 };
+    *layers = (struct air_layers){ .texels = calloc(mips_count(&mips), 1) };
     if (!layers->texels)
         return false;
     layers->size = LAYER_SIZE;
@@ -160,5 +164,6 @@ bool generate_air_layers(struct air_layers *layers, const struct generate_air *a
                          &random);
         draw_haze(texels, air->seed * LAYER_COUNT + layer);
     }
+    mips_fill_bytes(layers->texels, &mips);
     return true;
 }

@@ -61,6 +61,36 @@ vec3s noise_vector(vec3s p, uint32_t seed)
     } };
 }
 
+void noise_plane_init(struct noise_plane *plane, int octaves, uint32_t seed)
+{
+    plane->octaves = octaves;
+    for (uint32_t i = 0; i < (uint32_t)octaves; i++) {
+        for (uint32_t x = 0; x < NOISE_PLANE_SIDE_MAX; x++) {
+            for (uint32_t y = 0; y < NOISE_PLANE_SIDE_MAX; y++)
+                plane->corners[i][x][y] =
+                    value(noise_hash(noise_hash(noise_hash(noise_hash(seed + i) ^ x) ^ y)));
+        }
+    }
+}
+
+float noise_plane_at(const struct noise_plane *plane, float x, float y)
+{
+    float sum = 0;
+    float height = 1;
+    for (int i = 0; i < plane->octaves; i++) {
+        const uint32_t column = (uint32_t)x, row = (uint32_t)y;
+        const float down = fade(y - (float)row);
+        const float *left = &plane->corners[i][column][row];
+        const float *right = &plane->corners[i][column + 1][row];
+        sum += height * glm_lerp(glm_lerp(left[0], left[1], down),
+                                 glm_lerp(right[0], right[1], down), fade(x - (float)column));
+        x *= 2;
+        y *= 2;
+        height /= 2;
+    }
+    return sum;
+}
+
 float noise_fractal(vec3s p, int octaves, uint32_t seed)
 {
     float sum = 0;

@@ -23,4 +23,21 @@ vec3s noise_vector(vec3s p, uint32_t seed);
 /* A sum of `octaves` fields, each of twice the frequency and half the height, in (-2, 2). */
 float noise_fractal(vec3s p, int octaves, uint32_t seed);
 
+enum {
+    NOISE_PLANE_OCTAVES_MAX = 3,
+    NOISE_PLANE_SIDE_MAX = 32,
+};
+
+/* The random values of noise_fractal() where z is 0, kept for those who ask often. */
+struct noise_plane {
+    int octaves;
+    float corners[NOISE_PLANE_OCTAVES_MAX][NOISE_PLANE_SIDE_MAX][NOISE_PLANE_SIDE_MAX]; /* x, y */
+};
+
+/* For x and y from 0 on; in the last octave they stay below NOISE_PLANE_SIDE_MAX - 1. */
+void noise_plane_init(struct noise_plane *plane, int octaves, uint32_t seed);
+
+/* What noise_fractal() gives, to the bit. */
+float noise_plane_at(const struct noise_plane *plane, float x, float y);
+
 #endif

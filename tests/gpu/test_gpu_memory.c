@@ -354,6 +354,38 @@ static void half_float_mips(void **state)
     gpu_image_destroy(gpu, &image);
 }
 
+/* 5 x 2 texels in two layers, then 2 x 1, then 1 x 1: as they came. */
+static void given_levels_stay(void **state)
+{
+    struct gpu *gpu = *state;
+    struct gpu_image image;
+    unsigned char texels[2 * (10 + 2 + 1)];
+    unsigned char back[10];
+    for (size_t i = 0; i < sizeof(texels); i++)
+        texels[i] = (unsigned char)(7 * i + 1);
+    const struct gpu_image_params params = {
+        .name = "levels",
+        .format = VK_FORMAT_R8_UNORM,
+        .width = 5,
+        .height = 2,
+        .layers = 2,
+        .levels = true,
+        .texels = texels,
+        .texels_size = sizeof(texels),
+    };
+    assert_int_equal(gpu_image_create(gpu, &image, &params), STATUS_OK);
+    assert_int_equal(image.mips, 3);
+    const unsigned char *next = texels;
+    for (uint32_t mip = 0; mip < 3; mip++) {
+        static const size_t sizes[3] = { 10, 2, 1 };
+        for (uint32_t layer = 0; layer < 2; layer++, next += sizes[mip]) {
+            read_image(gpu, &image, mip, layer, back, sizes[mip]);
+            assert_memory_equal(back, next, sizes[mip]);
+        }
+    }
+    gpu_image_destroy(gpu, &image);
+}
+
 static void wrong_images_are_refused(void **state)
 {
     static const unsigned char texels[64] = { 0 };
@@ -365,6 +397,7 @@ static void wrong_images_are_refused(void **state)
         /* a byte short, a byte long, no width, no height, over the limits, overflowing */
         { { .width = 4, .height = 4, .texels_size = 63 }, STATUS_DATA },
         { { .width = 4, .height = 4, .texels_size = 65 }, STATUS_DATA },
+        { { .width = 4, .height = 4, .levels = true, .texels_size = 64 }, STATUS_DATA },
         { { .width = 0, .height = 4, .texels_size = 0 }, STATUS_DATA },
         { { .width = 4, .height = 0, .texels_size = 0 }, STATUS_DATA },
         { { .width = 1 << 20, .height = 1, .texels_size = 1 << 22 }, STATUS_DATA },
@@ -397,11 +430,17 @@ static void wrong_images_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(memory_type_fits),       ON_DEVICE(buffer_comes_back),
-        ON_DEVICE(empty_buffer_is_nothing),       ON_DEVICE(too_large_buffer_is_refused),
-        ON_DEVICE(more_than_the_heap_is_refused), ON_DEVICE(layers_come_back),
-        ON_DEVICE(large_image_comes_back),        ON_DEVICE(mips_are_means),
-        ON_DEVICE(srgb_mips_are_linear),          ON_DEVICE(half_float_mips),
+        cmocka_unit_test(memory_type_fits),
+        ON_DEVICE(buffer_comes_back),
+        ON_DEVICE(empty_buffer_is_nothing),
+        ON_DEVICE(too_large_buffer_is_refused),
+        ON_DEVICE(more_than_the_heap_is_refused),
+        ON_DEVICE(layers_come_back),
+        ON_DEVICE(large_image_comes_back),
+        ON_DEVICE(mips_are_means),
+        ON_DEVICE(srgb_mips_are_linear),
+        ON_DEVICE(half_float_mips),
+        ON_DEVICE(given_levels_stay),
         ON_DEVICE(wrong_images_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

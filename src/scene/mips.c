@@ -1,0 +1,74 @@
+/* mips.c: halves pictures. */
+#include "src/scene/mips.h"
+#include <math.h>
+#include "src/image/half.h"
+
+size_t mips_count(const struct mips *mips)
+{
+    size_t count = 0;
+    for (size_t side = mips->side; side > 0; side /= 2)
+        count += side * side * mips->layers * mips->channels;
+    return count;
+}
+
+/* Of the numbers at four places, to another one. */
+typedef void mean_fn(void *texels, size_t to, const size_t from[4]);
+
+static void fill(void *texels, const struct mips *mips, mean_fn *mean)
+{
+    const size_t channels = mips->channels;
+    size_t from = 0;
+    for (size_t side = mips->side; side > 1; side /= 2) {
+        const size_t row = side * channels;
+        size_t to = from + side * row * mips->layers;
+        for (size_t y = 0; y < side / 2 * mips->layers; y++) {
+            for (size_t i = 0; i < row / 2; i++) {
+                const size_t at = from + 2 * y * row + i / channels * 2 * channels + i % channels;
+                mean(texels, to++, (size_t[]){ at, at + channels, at + row, at + row + channels });
+            }
+        }
+        from += side * row * mips->layers;
+    }
+}
+
+static float middle(float a, float b)
+{
+    return a + 0.5f * (b - a);
+}
+
+static uint16_t half_towards_zero(float value)
+{
+    const uint16_t half = half_from_float(value);
+    return fabsf(half_to_float(half)) > fabsf(value) ? half - 1 : half;
+}
+
+static void mean_half(void *texels, size_t to, const size_t from[4])
+{
+    uint16_t *halves = texels;
+    float of[4];
+    for (int i = 0; i < 4; i++)
+        of[i] = half_to_float(halves[from[i]]);
+    halves[to] = half_towards_zero(middle(middle(of[0], of[1]), middle(of[2], of[3])));
+}
+
+void mips_fill_halves(uint16_t *texels, const struct mips *mips)
+{
+    fill(texels, mips, mean_half);
+}
+
+static uint32_t middle_byte(uint32_t a, uint32_t b)
+{
+    return (a + b + 1) / 2;
+}
+
+static void mean_byte(void *texels, size_t to, const size_t from[4])
+{
+    uint8_t *bytes = texels;
+    bytes[to] = (uint8_t)middle_byte(middle_byte(bytes[from[0]], bytes[from[1]]),
+                                     middle_byte(bytes[from[2]], bytes[from[3]]));
+}
+
+void mips_fill_bytes(uint8_t *texels, const struct mips *mips)
+{
+    fill(texels, mips, mean_byte);
+}
