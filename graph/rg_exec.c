@@ -87,8 +87,8 @@ static bool make_arrays(struct rg_exec *exec)
 static VkResult make_all(struct rg_exec *exec)
 {
     VkResult (*const steps[])(struct rg_exec *) = {
-        rg_exec_make_memory,    rg_exec_make_targets, rg_exec_make_descriptors,
-        rg_exec_make_pipelines, make_slots,           rg_exec_make_time,
+        rg_exec_make_memory, rg_exec_make_targets, rg_exec_make_descriptors, rg_exec_make_pipelines,
+        make_slots,          rg_exec_make_time,    rg_exec_make_blank,
     };
     VkResult counted = rg_exec_count_choices(exec);
     if (counted != VK_SUCCESS)
@@ -113,6 +113,8 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
         .slot_count = params->frames_in_flight ? params->frames_in_flight : 2,
     };
     start.slot = start.slot_count - 1;
+    if (params->hollow)
+        start.params.import_count = 0;
     VkResult outcome = rg_exec_find_functions(&start);
     struct rg_exec *exec = outcome == VK_SUCCESS ? calloc(1, sizeof(*exec)) : NULL;
     if (exec) {
@@ -151,6 +153,7 @@ void rg_exec_destroy(struct rg_exec *exec)
     rg_exec_free_descriptors(exec);
     rg_exec_free_memory(exec);
     rg_exec_free_time(exec);
+    rg_exec_free_blank(exec);
     free(exec->blocks);
     free(exec->images);
     free(exec->choices);

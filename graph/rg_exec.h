@@ -62,6 +62,9 @@ struct rg_exec_params {
     /* Record through VkRenderPass objects: some releases of the synchronization validation do not
      * look into dynamic rendering. */
     bool render_passes;
+    /* For rg_exec_prime() alone: imports are stood in for, `imports` do not count, and nothing has
+     * content. Without render_passes. */
+    bool hollow;
     bool measured;   /* rg_time.h */
     bool statistics; /* the same: pipelineStatisticsQuery and occlusionQueryPrecise are enabled */
     /* Specialization constants of all shaders; an id that a shader lacks is none of its business.
@@ -79,6 +82,14 @@ RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkRes
 
 /* Waits for all frames. May be NULL. */
 RG_API void rg_exec_destroy(struct rg_exec *exec);
+
+/*
+ * Has a pass compiled, for drivers that leave that to its first draw, as those do that run on the
+ * CPU: draws a triangle of each of its draws where nothing of it can be seen, and waits. A hollow
+ * executor on a device of its own does so beside another one, in another thread, and leaves the
+ * result in the driver's cache. Passes that would not run, or do not draw, are passed over.
+ */
+RG_API VkResult rg_exec_prime(struct rg_exec *exec, const struct rg_frame *frame, uint32_t pass);
 
 /* Takes the next slot, 0..frames_in_flight - 1, waiting until its earlier frame is finished. */
 RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);

@@ -67,9 +67,11 @@ struct rg_exec {
     VkDescriptorPool descriptor_pool;
     VkCommandPool command_pool;
     struct exec_slot *slots;
-    struct rg_exec_ties ties;           /* of the frame submitted last */
-    struct exec_time *time;             /* NULL: not made to measure */
-    bool filled;                        /* the persistent resources are */
+    struct rg_exec_ties ties; /* of the frame submitted last */
+    struct exec_time *time;   /* NULL: not made to measure */
+    bool filled;              /* the persistent resources are */
+    VkBuffer blank;           /* a hollow executor's triangle: zeros */
+    VkDeviceMemory blank_memory;
     VkImageMemoryBarrier2 *image_batch; /* room to record any batch from */
     VkBufferMemoryBarrier2 *buffer_batch;
 };
@@ -80,6 +82,7 @@ struct rg_cmd {
     const struct rg_plan_pass *plan_pass;
     const struct exec_pass *pass;
     VkCommandBuffer commands;
+    bool prime; /* draw a triangle of everything, nowhere */
 };
 
 /* Logs the call and the name of what it was for (NULL: the whole frame) if it failed, and returns
@@ -133,6 +136,10 @@ VkResult rg_exec_find_functions(struct rg_exec *exec);
 
 /* rg_memory.c */
 VkResult rg_exec_make_memory(struct rg_exec *exec);
+/* Of the first type that has all of `wanted`, else of `needed`. */
+VkResult rg_exec_allocate(const struct rg_exec *exec, const VkMemoryRequirements *needs,
+                          VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags needed,
+                          const char *name, VkDeviceMemory *memory);
 void rg_exec_free_memory(struct rg_exec *exec);
 VkBuffer rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);
 VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory memory);
@@ -160,6 +167,12 @@ void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32
 /* Passes `first` to `first + count - 1`; with the last one what ends the frame. */
 VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                         uint32_t count);
+/* What a pass does between its barriers. */
+void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame);
+
+/* rg_prime.c */
+VkResult rg_exec_make_blank(struct rg_exec *exec); /* if it is hollow */
+void rg_exec_free_blank(struct rg_exec *exec);
 
 /* rg_time.c: */
 VkResult rg_exec_make_time(struct rg_exec *exec);

@@ -33,16 +33,29 @@ fail:
     return result;
 }
 
-/* Memory of a persistent resource, which shares it with nothing. */
-static VkResult allocate_own(const struct rg_exec *exec, const VkMemoryRequirements *needs,
-                             const char *name, VkDeviceMemory *memory)
+VkResult rg_exec_allocate(const struct rg_exec *exec, const VkMemoryRequirements *needs,
+                          VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags needed,
+                          const char *name, VkDeviceMemory *memory)
 {
-    uint32_t type = find_type(exec, needs->memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0);
+    uint32_t type = find_type(exec, needs->memoryTypeBits, wanted, needed);
     VkResult result;
     RG_PASS(allocate(exec, needs->size, type, name, memory));
     rg_exec_name(exec, VK_OBJECT_TYPE_DEVICE_MEMORY, (uint64_t)*memory, name);
 fail:
     return result;
+}
+
+/* Memory of a persistent resource, which shares it with nothing. */
+static VkResult allocate_own(const struct rg_exec *exec, const VkMemoryRequirements *needs,
+                             const char *name, VkDeviceMemory *memory)
+{
+    return rg_exec_allocate(exec, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, name, memory);
+}
+
+/* A hollow executor makes what others import. */
+static bool is_foreign(const struct rg_exec *exec, bool imported)
+{
+    return imported && !exec->params.hollow;
 }
 
 static VkResult make_blocks(struct rg_exec *exec)
@@ -76,7 +89,7 @@ static VkResult make_image(struct rg_exec *exec, uint32_t index)
     const VkImageCreateInfo info = rg_image_create_info(image);
     VkMemoryRequirements needs;
     VkResult result = VK_SUCCESS;
-    if (image->imported) {
+    if (is_foreign(exec, image->imported)) {
         if (image->import >= exec->params.import_count)
             RG_PASS(rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the object", name));
         exec->images[index] = exec->params.imports[image->import].image;
@@ -86,7 +99,7 @@ static VkResult make_image(struct rg_exec *exec, uint32_t index)
     RG_MAKE(exec, name, CreateImage, &exec->images[index], &info);
     rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE, (uint64_t)exec->images[index], name);
     exec->vk.GetImageMemoryRequirements(exec->device, exec->images[index], &needs);
-    if (image->persistent) {
+    if (image->persistent || image->imported) {
         VkDeviceMemory *memory = &exec->image_memory[index];
         RG_PASS(allocate_own(exec, &needs, name, memory));
         RG_CALL(exec, name, BindImageMemory, exec->device, exec->images[index], *memory, 0);
@@ -125,7 +138,7 @@ static VkResult make_device_buffer(struct rg_exec *exec, const struct rg_plan_bu
     VkResult result;
     RG_PASS(create_buffer(exec, plan, &buffer->buffers[0]));
     exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffers[0], &needs);
-    if (plan->persistent) {
+    if (plan->persistent || plan->imported) {
         RG_PASS(allocate_own(exec, &needs, name, &buffer->own));
         RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffers[0], buffer->own, 0);
         return VK_SUCCESS;
@@ -175,7 +188,7 @@ static VkResult make_buffer(struct rg_exec *exec, uint32_t index)
     }
     if (!buffer->buffers || (host && (!buffer->memory || !buffer->mapped)))
         return rg_exec_check(exec, result, "calloc", plan->buffer->name);
-    if (plan->imported) {
+    if (is_foreign(exec, plan->imported)) {
         if (plan->import >= exec->params.import_count)
             RG_PASS(rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the object",
                                   plan->buffer->name));
@@ -207,7 +220,7 @@ void rg_exec_free_memory(struct rg_exec *exec)
 {
     const struct rg_plan *plan = exec->plan;
     for (uint32_t i = 0; exec->images && i < plan->image_count; i++) {
-        if (!plan->images[i].imported)
+        if (!is_foreign(exec, plan->images[i].imported))
             exec->vk.DestroyImage(exec->device, exec->images[i], NULL);
     }
     for (uint32_t i = 0; exec->image_memory && i < plan->image_count; i++)
@@ -215,7 +228,7 @@ void rg_exec_free_memory(struct rg_exec *exec)
     for (uint32_t i = 0; exec->buffers && i < plan->buffer_count; i++) {
         struct exec_buffer *buffer = &exec->buffers[i];
         for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
-            if (buffer->buffers && !plan->buffers[i].imported)
+            if (buffer->buffers && !is_foreign(exec, plan->buffers[i].imported))
                 exec->vk.DestroyBuffer(exec->device, buffer->buffers[slot], NULL);
             if (buffer->memory)
                 exec->vk.FreeMemory(exec->device, buffer->memory[slot], NULL);

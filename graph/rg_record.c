@@ -76,6 +76,14 @@ static VkRenderingAttachmentInfo attachment(const struct rg_plan_target *target,
     };
 }
 
+/* What is drawn nowhere leaves its targets alone. */
+static VkRenderingAttachmentInfo untouched(VkRenderingAttachmentInfo info)
+{
+    info.loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    return info;
+}
+
 /* Vulkan's names of formats tell the type of their numbers. */
 static VkResolveModeFlagBits resolve_mode(const struct rg_plan_image *image)
 {
@@ -105,6 +113,8 @@ static void begin_rendering(const struct rg_cmd *cmd)
         attachments[count] = attachment(&plan->depth, &plan->pass->depth, views[count]);
     bool has_stencil = has_depth && cmd->exec->plan->images[plan->depth.image].aspects &
                                         VK_IMAGE_ASPECT_STENCIL_BIT;
+    for (uint32_t i = 0; cmd->prime && i < count + has_depth; i++)
+        attachments[i] = untouched(attachments[i]);
     const VkRenderingInfo info = {
         .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
         .renderArea = { .extent = plan->extent },
@@ -156,10 +166,11 @@ static void bind(const struct rg_cmd *cmd)
         .maxDepth = 1.0f,
     };
     cmd->exec->vk.CmdSetViewport(cmd->commands, 0, 1, &viewport);
-    cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &(VkRect2D){ .extent = plan->extent });
+    const VkRect2D all = { .extent = plan->extent };
+    cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, cmd->prime ? &(VkRect2D){ 0 } : &all);
 }
 
-static void record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
+void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     bool raster = cmd->plan_pass->pass->kind == RG_RASTER;
     if (raster && cmd->pass->render_pass)
@@ -194,7 +205,7 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
     rg_exec_record_batch(exec, commands, cmd.plan_pass->first_barrier,
                          cmd.plan_pass->barrier_count);
     if (!row->when || row->when(frame, cmd.plan_pass->repetition))
-        record_work(&cmd, frame);
+        rg_exec_record_work(&cmd, frame);
     rg_time_end_pass(exec, commands, index);
     if (exec->vk.CmdEndDebugUtilsLabelEXT)
         exec->vk.CmdEndDebugUtilsLabelEXT(commands);
@@ -249,14 +260,17 @@ void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size)
 
 void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count)
 {
-    cmd->exec->vk.CmdDraw(cmd->commands, vertex_count, 1, 0, 0);
+    cmd->exec->vk.CmdDraw(cmd->commands, cmd->prime ? 3 : vertex_count, 1, 0, 0);
 }
 
 static void bind_mesh(const struct rg_cmd *cmd, const struct rg_mesh *mesh)
 {
+    const struct rg_exec *exec = cmd->exec;
     const VkDeviceSize offset = 0;
-    cmd->exec->vk.CmdBindVertexBuffers(cmd->commands, 0, 1, &mesh->vertices, &offset);
-    cmd->exec->vk.CmdBindIndexBuffer(cmd->commands, mesh->indices, 0, VK_INDEX_TYPE_UINT32);
+    const VkBuffer *vertices = cmd->prime ? &exec->blank : &mesh->vertices;
+    exec->vk.CmdBindVertexBuffers(cmd->commands, 0, 1, vertices, &offset);
+    exec->vk.CmdBindIndexBuffer(cmd->commands, cmd->prime ? exec->blank : mesh->indices, 0,
+                                VK_INDEX_TYPE_UINT32);
 }
 
 void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint32_t first,
@@ -265,7 +279,10 @@ void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint3
     if (!count)
         return;
     bind_mesh(cmd, mesh);
-    cmd->exec->vk.CmdDrawIndexed(cmd->commands, count, 1, first, 0, 0);
+    if (cmd->prime)
+        cmd->exec->vk.CmdDrawIndexed(cmd->commands, 3, 1, 0, 0, 0);
+    else
+        cmd->exec->vk.CmdDrawIndexed(cmd->commands, count, 1, first, 0, 0);
 }
 
 void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
@@ -275,7 +292,8 @@ void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
 
 void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle)
 {
-    cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &rectangle);
+    if (!cmd->prime)
+        cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &rectangle);
 }
 
 void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)
@@ -306,12 +324,19 @@ static VkBuffer indirect_buffer(const struct rg_cmd *cmd, const struct rg_buffer
 
 void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer, VkDeviceSize offset)
 {
-    cmd->exec->vk.CmdDrawIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
+    if (cmd->prime)
+        rg_cmd_draw(cmd, 3);
+    else
+        cmd->exec->vk.CmdDrawIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
 }
 
 void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                const struct rg_buffer *buffer, VkDeviceSize offset)
 {
+    if (cmd->prime) {
+        rg_cmd_draw_mesh_part(cmd, mesh, 0, 3);
+        return;
+    }
     bind_mesh(cmd, mesh);
     cmd->exec->vk.CmdDrawIndexedIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
 }

@@ -14,23 +14,15 @@
 #include "src/frame_view.h"
 #include "src/image/half.h"
 #include "src/log.h"
+#include "src/prime.h"
 #include "src/scene_gpu.h"
 #include "src/scene_settings.h"
+#include "src/stage.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/ice_caustics.h"
 #include "src/tech/resolve.h"
 #include "src/tech/tonemap.h"
-
-enum {
-    FRAMES_IN_FLIGHT = 2,
-};
-
-/* A plan, realised. */
-struct stage {
-    struct frame_plan frame;
-    struct rg_exec *exec; /* NULL: not needed */
-};
 
 struct renderer {
     struct renderer_params params; /* but of a tile's size */
@@ -40,6 +32,7 @@ struct renderer {
     struct stage capture;          /* the environment cube, once, if it is not dynamic */
     struct stage picture;          /* a sample */
     struct stage resolve;          /* the mean of many samples, tonemapped */
+    struct prime *prime;           /* compiles for the first picture; may be NULL */
     bool captured;
     struct frame_cube cube;      /* that of the picture's frames */
     uint32_t face_size;          /* of the cubes that it draws, texels */
@@ -106,100 +99,32 @@ enum status renderer_plan(struct frame_plan *plan, const struct renderer_params 
     return frame_plan_init(plan, &request);
 }
 
-static void log_exec(void *user, const char *what, VkResult result)
+/* What its plans import. */
+static void find_imports(const struct renderer *r, struct rg_exec_import *imports)
 {
-    (void)user;
-    (void)gpu_failed(what, result);
+    const struct scene_gpu *scene = r->scene;
+    imports[FRAME_IMPORT_ENVIRONMENT].image = scene->environment.image;
+    imports[FRAME_IMPORT_TEXTURES].image = scene->textures.image;
+    imports[FRAME_IMPORT_BUMP_MAP].image = scene->bump_map.image;
+    imports[FRAME_IMPORT_AIR].image = scene->air_layers.image;
+    imports[FRAME_IMPORT_CUBE].image =
+        r->capture.exec ? rg_exec_image(r->capture.exec, &env_cube_color) : scene->cube.image;
 }
 
-/* Every frame that is on its way has its own buffers that the host sees. */
-static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
+static enum status realise(struct renderer *r, struct stage *stage)
 {
-    VkDeviceSize host_size = 0;
-    for (uint32_t i = 0; i < plan->buffer_count; i++) {
-        const struct rg_plan_buffer *buffer = &plan->buffers[i];
-        if (!buffer->imported && buffer->buffer->memory != RG_MEMORY_DEVICE)
-            host_size += FRAMES_IN_FLIGHT * buffer->size;
-    }
-    return gpu_fit_memory(gpu, view, plan->memory_used + plan->memory_persistent, host_size);
+    struct rg_exec_import imports[FRAME_IMPORT_COUNT] = { { 0 } };
+    find_imports(r, imports);
+    return stage_realise(stage, &r->params, imports);
 }
 
-/* Realises stage->frame. */
-static enum status make_exec(struct stage *stage, const struct renderer *renderer)
-{
-    const struct renderer_params *params = &renderer->params;
-    struct gpu *gpu = params->gpu;
-    const struct texture_params *texture = settings_of(params->settings, &texture_settings);
-    struct frame_constants constants = frame_view_constants(params->scene, params->settings);
-    constants.values[CONSTANT_TILED] = params->columns * params->rows > 1;
-    VkSpecializationMapEntry entries[CONSTANT_COUNT];
-    for (uint32_t i = 0; i < CONSTANT_COUNT; i++)
-        entries[i] = (VkSpecializationMapEntry){ i, i * sizeof(uint32_t), sizeof(uint32_t) };
-    const VkSpecializationInfo info = { CONSTANT_COUNT, entries, sizeof(constants), &constants };
-    const struct rg_exec_import imports[FRAME_IMPORT_COUNT] = {
-        [FRAME_IMPORT_ENVIRONMENT].image = renderer->scene->environment.image,
-        [FRAME_IMPORT_TEXTURES].image = renderer->scene->textures.image,
-        [FRAME_IMPORT_BUMP_MAP].image = renderer->scene->bump_map.image,
-        [FRAME_IMPORT_AIR].image = renderer->scene->air_layers.image,
-        [FRAME_IMPORT_CUBE].image = renderer->capture.exec
-                                        ? rg_exec_image(renderer->capture.exec, &env_cube_color)
-                                        : renderer->scene->cube.image,
-    };
-    VkResult result;
-    stage->exec = rg_exec_create(
-        &(struct rg_exec_params){
-            .plan = stage->frame.plan,
-            .instance = gpu->instance,
-            .get_proc_addr = vkGetInstanceProcAddr,
-            .physical = gpu->physical,
-            .device = gpu->device,
-            .queue = gpu->queue,
-            .queue_family = gpu->queue_family,
-            .pipeline_cache = gpu->pipeline_cache,
-            .imports = imports,
-            .import_count = stage->frame.import_count,
-            .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
-            .frames_in_flight = FRAMES_IN_FLIGHT,
-            .render_passes = gpu->validated, /* see rg_exec.h */
-            .measured = params->measured,
-            .statistics = gpu->has_statistics,
-            .constants = &info,
-            .replace = params->replace,
-            .log = log_exec,
-            .user = params->replace_user,
-        },
-        &result);
-    return gpu_status(result);
-}
-
-static enum status stage_create(struct stage *stage, struct renderer *renderer,
+static enum status stage_create(struct stage *stage, struct renderer *r,
                                 struct frame_request request)
 {
-    const struct gpu *gpu = renderer->params.gpu;
-    const struct rg_vulkan vulkan = {
-        gpu->instance,
-        vkGetInstanceProcAddr,
-        gpu->physical,
-        gpu->device,
-    };
-    const struct rg_device device = rg_exec_device(&vulkan);
-    request.device = &device;
-    const double start = clock_ms();
-    enum status status = frame_plan_init(&stage->frame, &request);
+    enum status status = stage_compile(stage, &r->params, request);
     if (status == STATUS_OK)
-        status = check_memory(gpu, stage->frame.plan, request.view);
-    const double compiled = clock_ms();
-    if (status == STATUS_OK)
-        status = make_exec(stage, renderer);
-    renderer->costs.compile = compiled - start;
-    renderer->costs.realise = clock_ms() - compiled;
+        status = realise(r, stage);
     return status;
-}
-
-static void stage_destroy(struct stage *stage)
-{
-    rg_exec_destroy(stage->exec);
-    frame_plan_finish(&stage->frame);
 }
 
 static enum status upload(struct renderer *r)
@@ -243,20 +168,28 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     }
     take_params(r, params);
     r->face_size = env_cube_color.width;
-    const double start = clock_ms();
     status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
+    const double start = clock_ms();
+    if (status == STATUS_OK)
+        status = stage_compile(&r->picture, &r->params, picture_request(&r->params));
+    r->costs.compile = clock_ms() - start;
+    if (status == STATUS_OK && params->prime)
+        r->prime = prime_begin(&r->picture, &r->params);
+    const double compiled = clock_ms();
     if (status == STATUS_OK)
         status = frame_cube_init(&r->cube, params->scene);
     if (status == STATUS_OK)
         status = upload(r);
-    r->costs.upload = clock_ms() - start;
+    r->costs.upload = clock_ms() - compiled;
     if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings) &&
         !params->scene->cube.texels)
         status = stage_create(&r->capture, r, capture_request(&r->params));
     if (status == STATUS_OK && params->display && r->params.samples > 1)
         status = stage_create(&r->resolve, r, resolve_request(&r->params));
-    if (status == STATUS_OK) /* last: its costs stay */
-        status = stage_create(&r->picture, r, picture_request(&r->params));
+    const double begin = clock_ms();
+    if (status == STATUS_OK)
+        status = realise(r, &r->picture);
+    r->costs.realise = clock_ms() - begin;
     if (status == STATUS_OK)
         *renderer = r;
     else
@@ -268,6 +201,7 @@ void renderer_destroy(struct renderer *renderer)
 {
     if (!renderer)
         return;
+    prime_end(renderer->prime);
     stage_destroy(&renderer->resolve);
     stage_destroy(&renderer->picture);
     stage_destroy(&renderer->capture);
@@ -528,6 +462,7 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
         status = draw_samples(r, shot, &result->image, progress, user);
     else
         log_error("out of memory");
+    prime_stop(r->prime);
     if (status == STATUS_OK)
         take_means(r, &result->image);
     if (status == STATUS_OK && r->resolve.exec) {

@@ -36,6 +36,7 @@ struct renderer_params {
     bool display;            /* the tonemapped picture, in render_result.rgba */
     bool keep;               /* the same on the device, of the last sample: renderer_picture() */
     bool measured;           /* renderer_measure() may be called */
+    bool prime;              /* compile shaders on all cores: prime.h */
     enum rg_sharing sharing; /* which transient images share memory */
     rg_replace_fn *replace;  /* of rg_exec_params, as is: */
     void *replace_user;

@@ -204,6 +204,7 @@ static enum status open_renderer(struct job *job)
         .rows = o->tile_rows,
         .samples = o->samples,
         .sharing = o->sharing,
+        .prime = true,
     };
     for (uint32_t i = 0; i < o->output_count; i++) {
         if (output_is_png(o->outputs[i]))

@@ -45,11 +45,12 @@ struct gpu {
     VkPhysicalDeviceProperties properties;
     VkPhysicalDeviceMemoryProperties memory;
     VkPipelineCache pipeline_cache;
-    bool no_cache;        /* of the params: it begins empty and ends with the run */
-    VkCommandPool pool;   /* for uploads */
-    float max_anisotropy; /* of samplers; 0: not to be had */
-    bool has_statistics;  /* pipeline statistics and exact occlusion queries */
-    bool validated;       /* the layer is really on */
+    bool no_cache;           /* of the params: it begins empty and ends with the run */
+    VkCommandPool pool;      /* for uploads */
+    bool portability_subset; /* must be enabled */
+    float max_anisotropy;    /* of samplers; 0: not to be had */
+    bool has_statistics;     /* pipeline statistics and exact occlusion queries */
+    bool validated;          /* the layer is really on */
     VkDebugUtilsMessengerEXT messenger;
     uint32_t message_count; /* warnings and errors of the validation layer so far */
 };
@@ -65,6 +66,16 @@ void gpu_destroy(struct gpu *gpu);
 
 /* Waits for the device. True: it is lost, and nothing can be done with it but gpu_destroy(). */
 bool gpu_is_lost(const struct gpu *gpu);
+
+/* A second device of the same kind, with a queue and nothing else, for one other thread. */
+struct gpu_twin {
+    VkDevice device;
+    VkQueue queue; /* of gpu->queue_family */
+};
+
+/* Logs nothing. */
+MUST_USE bool gpu_twin_create(struct gpu_twin *twin, const struct gpu *gpu);
+void gpu_twin_destroy(struct gpu_twin *twin); /* waits for it */
 
 /* One line of gpu_list(). */
 struct gpu_device {

@@ -57,22 +57,17 @@ static enum status choose(struct gpu *gpu, const char *wanted)
     return STATUS_OK;
 }
 
-static enum status open_device(struct gpu *gpu)
+/* With all that gpu->physical has of what firn knows how to use. */
+static VkResult create_device(const struct gpu *gpu, const struct gpu_features *features,
+                              VkDevice *device)
 {
     const float priority = 1.0F;
     const char *extensions[2];
     uint32_t extension_count = 0;
-    struct gpu_features features;
-    struct gpu_offer offer;
-
-    VkResult result = gpu_offer_find(gpu->physical, &offer);
-    if (result != VK_SUCCESS)
-        return gpu_failed("vkEnumerateDeviceExtensionProperties", result);
-    if (offer.portability_subset) /* who offers it must have it enabled */
+    if (gpu->portability_subset) /* who offers it must have it enabled */
         extensions[extension_count++] = "VK_KHR_portability_subset";
     if (gpu->windows)
         extensions[extension_count++] = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
-    (void)gpu_features_choose(gpu->physical, &features); /* has all, or it was not chosen */
     const VkDeviceQueueCreateInfo queue = {
         .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
         .queueFamilyIndex = gpu->queue_family,
@@ -81,13 +76,26 @@ static enum status open_device(struct gpu *gpu)
     };
     const VkDeviceCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
-        .pNext = &features.core,
+        .pNext = &features->core,
         .queueCreateInfoCount = 1,
         .pQueueCreateInfos = &queue,
         .enabledExtensionCount = extension_count,
         .ppEnabledExtensionNames = extensions,
     };
-    result = vkCreateDevice(gpu->physical, &info, NULL, &gpu->device);
+    return vkCreateDevice(gpu->physical, &info, NULL, device);
+}
+
+static enum status open_device(struct gpu *gpu)
+{
+    struct gpu_features features;
+    struct gpu_offer offer;
+
+    VkResult result = gpu_offer_find(gpu->physical, &offer);
+    if (result != VK_SUCCESS)
+        return gpu_failed("vkEnumerateDeviceExtensionProperties", result);
+    (void)gpu_features_choose(gpu->physical, &features); /* has all, or it was not chosen */
+    gpu->portability_subset = offer.portability_subset;
+    result = create_device(gpu, &features, &gpu->device);
     if (result != VK_SUCCESS) {
         gpu->device = VK_NULL_HANDLE;
         return gpu_failed("vkCreateDevice", result);
@@ -142,6 +150,22 @@ void gpu_destroy(struct gpu *gpu)
         vkDestroyInstance(gpu->instance, NULL);
     }
     *gpu = (struct gpu){ .message_count = gpu->message_count };
+}
+
+bool gpu_twin_create(struct gpu_twin *twin, const struct gpu *gpu)
+{
+    struct gpu_features features;
+    (void)gpu_features_choose(gpu->physical, &features);
+    if (create_device(gpu, &features, &twin->device) != VK_SUCCESS)
+        return false;
+    vkGetDeviceQueue(twin->device, gpu->queue_family, 0, &twin->queue);
+    return true;
+}
+
+void gpu_twin_destroy(struct gpu_twin *twin)
+{
+    (void)vkDeviceWaitIdle(twin->device);
+    vkDestroyDevice(twin->device, NULL);
 }
 
 bool gpu_is_lost(const struct gpu *gpu)

@@ -9,7 +9,8 @@
  *
  * It says on stderr which call it was: "fail_layer: vkCreateImage 3". A call that fails does
  * nothing, and leaves nonsense in what it should have made, as Vulkan allows. A device that is lost
- * stays lost: whatever can say so does. One instance and one device at a time.
+ * stays lost: whatever can say so does. One instance and one device at a time: there is no second
+ * one to be had.
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -269,6 +270,8 @@ static VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical,
 {
     VkLayerDeviceCreateInfo *link;
     FIND_LINK(link, info, VkLayerDeviceCreateInfo, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    if (device)
+        return VK_ERROR_TOO_MANY_OBJECTS;
     VkResult result = fails(CALL_CREATE_DEVICE);
     if (!link)
         return VK_ERROR_INITIALIZATION_FAILED;

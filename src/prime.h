@@ -1,0 +1,29 @@
+/*
+ * prime.h: shaders compiled side by side, before and while the first picture is drawn.
+ *
+ * Mesa's drivers for the CPU compile a pipeline at its first draw, one after another, and keep the
+ * result in a cache on disk. So threads draw the same passes from the last one on, nowhere, each
+ * on a device of its own; what they have compiled the renderer's device finds in the cache. Where
+ * there is no such cache the work is done twice, on cores that have nothing to do. Nothing depends
+ * on it: whatever fails, or comes too late, the picture is the same.
+ */
+#ifndef FIRN_PRIME_H
+#define FIRN_PRIME_H
+
+#include "src/stage.h"
+
+struct prime;
+
+/*
+ * Begins with a stage that is compiled, which outlives the result, as gpu and scene do. NULL:
+ * nothing to be done, since the device is no CPU, there is one core only, or validation watches.
+ */
+struct prime *prime_begin(const struct stage *stage, const struct renderer_params *params);
+
+/* Begins no further pass. Does not wait. May be NULL, as in the next one. */
+void prime_stop(struct prime *prime);
+
+/* Stops, waits for the threads, frees. */
+void prime_end(struct prime *prime);
+
+#endif

@@ -1,0 +1,96 @@
+/* stage.c: plans for the device, and executors of them. */
+#include "src/stage.h"
+#include <math.h>
+#include "src/gpu/gpu.h"
+#include "src/scene_settings.h"
+
+enum {
+    FRAMES_IN_FLIGHT = 2,
+};
+
+static void log_exec(void *user, const char *what, VkResult result)
+{
+    (void)user;
+    (void)gpu_failed(what, result);
+}
+
+/* Every frame that is on its way has its own buffers that the host sees. */
+static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
+{
+    VkDeviceSize host_size = 0;
+    for (uint32_t i = 0; i < plan->buffer_count; i++) {
+        const struct rg_plan_buffer *buffer = &plan->buffers[i];
+        if (!buffer->imported && buffer->buffer->memory != RG_MEMORY_DEVICE)
+            host_size += FRAMES_IN_FLIGHT * buffer->size;
+    }
+    return gpu_fit_memory(gpu, view, plan->memory_used + plan->memory_persistent, host_size);
+}
+
+enum status stage_compile(struct stage *stage, const struct renderer_params *params,
+                          struct frame_request request)
+{
+    const struct gpu *gpu = params->gpu;
+    const struct rg_vulkan vulkan = {
+        gpu->instance,
+        vkGetInstanceProcAddr,
+        gpu->physical,
+        gpu->device,
+    };
+    const struct rg_device device = rg_exec_device(&vulkan);
+    request.device = &device;
+    enum status status = frame_plan_init(&stage->frame, &request);
+    if (status == STATUS_OK)
+        status = check_memory(gpu, stage->frame.plan, request.view);
+    return status;
+}
+
+void stage_describe(struct stage_exec *described, const struct stage *stage,
+                    const struct renderer_params *params)
+{
+    const struct gpu *gpu = params->gpu;
+    const struct texture_params *texture = settings_of(params->settings, &texture_settings);
+    struct stage_exec *d = described;
+    d->constants = frame_view_constants(params->scene, params->settings);
+    d->constants.values[CONSTANT_TILED] = params->columns * params->rows > 1;
+    for (uint32_t i = 0; i < CONSTANT_COUNT; i++)
+        d->entries[i] = (VkSpecializationMapEntry){ i, i * sizeof(uint32_t), sizeof(uint32_t) };
+    d->info =
+        (VkSpecializationInfo){ CONSTANT_COUNT, d->entries, sizeof(d->constants), &d->constants };
+    d->params = (struct rg_exec_params){
+        .plan = stage->frame.plan,
+        .instance = gpu->instance,
+        .get_proc_addr = vkGetInstanceProcAddr,
+        .physical = gpu->physical,
+        .device = gpu->device,
+        .queue = gpu->queue,
+        .queue_family = gpu->queue_family,
+        .pipeline_cache = gpu->pipeline_cache,
+        .import_count = stage->frame.import_count,
+        .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
+        .frames_in_flight = FRAMES_IN_FLIGHT,
+        .render_passes = gpu->validated, /* see rg_exec.h */
+        .measured = params->measured,
+        .statistics = gpu->has_statistics,
+        .constants = &d->info,
+        .replace = params->replace,
+        .log = log_exec,
+        .user = params->replace_user,
+    };
+}
+
+enum status stage_realise(struct stage *stage, const struct renderer_params *params,
+                          const struct rg_exec_import *imports)
+{
+    struct stage_exec described;
+    VkResult result;
+    stage_describe(&described, stage, params);
+    described.params.imports = imports;
+    stage->exec = rg_exec_create(&described.params, &result);
+    return gpu_status(result);
+}
+
+void stage_destroy(struct stage *stage)
+{
+    rg_exec_destroy(stage->exec);
+    frame_plan_finish(&stage->frame);
+}
