@@ -1,40 +1,14 @@
-/*
- * three.mjs: draws an object in a landscape with three.js and times whole frames.
- *
- * The page has set window.SCENE = { object, landscape (texts of .obj files), eye, material, size }.
- * What comes of it is written into the document, as JSON.
- */
+/* three.mjs: an object in a landscape by three.js. */
 import * as THREE from 'three';
+import { BACKGROUND, FAR, FOV, IOR, NEAR, read, run, scene as given } from './page.mjs';
 
 const ETA = 1.0003 / 1.3091;
-const WARM = 6, RUNS = 30;
 
-/* Triangles of an .obj file as firn writes them: v (with colours, or not), vn, f. */
-function read(text) {
-    const points = [], normals = [], position = [], normal = [], color = [];
-    for (const line of text.split('\n')) {
-        const [kind, ...words] = line.trim().split(/\s+/);
-        if (kind === 'v')
-            points.push(words.map(Number));
-        else if (kind === 'vn')
-            normals.push(words.map(Number));
-        else if (kind === 'f')
-            for (const corner of words) {
-                const [v, , n] = corner.split('/');
-                const point = points[v - 1];
-                position.push(...point.slice(0, 3));
-                if (point.length > 3)
-                    color.push(...point.slice(3, 6));
-                if (n)
-                    normal.push(...normals[n - 1]);
-            }
-    }
+function makeGeometry(text) {
     const geometry = new THREE.BufferGeometry();
-    const add = (name, list) => list.length &&
-        geometry.setAttribute(name, new THREE.Float32BufferAttribute(list, 3));
-    add('position', position);
-    add('normal', normal);
-    add('color', color);
+    for (const [name, list] of Object.entries(read(text)))
+        if (list.length)
+            geometry.setAttribute(name, new THREE.Float32BufferAttribute(list, 3));
     return geometry;
 }
 
@@ -80,7 +54,7 @@ const materials = {
     },
     physical() {
         return { material: new THREE.MeshPhysicalMaterial({
-            transmission: 1, ior: 1.31, thickness: 1, roughness: 0, metalness: 0 }) };
+            transmission: 1, ior: IOR, thickness: 1, roughness: 0, metalness: 0 }) };
     },
     paper(cube, renderer, camera, [width, height]) {
         const back = new THREE.WebGLRenderTarget(width, height, {
@@ -103,29 +77,26 @@ const materials = {
     },
 };
 
-function run() {
-    const { object, landscape, eye, material: name, size } = window.SCENE;
+function open() {
+    const { object, landscape, eye, material: name, size } = given;
     const renderer = new THREE.WebGLRenderer({ antialias: false });
     renderer.setSize(...size);
     document.body.appendChild(renderer.domElement);
     const scene = new THREE.Scene();
-    scene.background = new THREE.Color().setRGB(0.75, 0.8, 0.88, THREE.LinearSRGBColorSpace);
-    const land = new THREE.Mesh(read(landscape),
+    scene.background = new THREE.Color().setRGB(...BACKGROUND, THREE.LinearSRGBColorSpace);
+    const land = new THREE.Mesh(makeGeometry(landscape),
         new THREE.MeshBasicMaterial({ vertexColors: true, side: THREE.DoubleSide }));
     scene.add(land);
-    const camera = new THREE.PerspectiveCamera(45, size[0] / size[1], 0.05, 200);
+    const camera = new THREE.PerspectiveCamera(FOV, size[0] / size[1], NEAR, FAR);
     camera.position.set(...eye);
     camera.lookAt(0, 0, 0);
     camera.updateMatrixWorld();
     const target = new THREE.WebGLCubeRenderTarget(512, { type: THREE.HalfFloatType });
-    const cube = new THREE.CubeCamera(0.05, 200, target);
+    const cube = new THREE.CubeCamera(NEAR, FAR, target);
     const { material, before, cube: reads } = materials[name](target, renderer, camera, size);
-    const mesh = new THREE.Mesh(read(object), material);
+    const mesh = new THREE.Mesh(makeGeometry(object), material);
     scene.add(mesh);
-    const gl = renderer.getContext(), pixel = new Uint8Array(4);
-    const times = [];
-    for (let i = 0; i < WARM + RUNS; i++) {
-        const start = performance.now();
+    const draw = () => {
         if (reads) {
             mesh.visible = false;
             cube.update(renderer, scene);
@@ -134,19 +105,8 @@ function run() {
         if (before)
             before(mesh);
         renderer.render(scene, camera);
-        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel); // waits
-        if (i >= WARM)
-            times.push(performance.now() - start);
-    }
-    const info = gl.getExtension('WEBGL_debug_renderer_info');
-    return { times, renderer: info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '',
-        version: THREE.REVISION };
+    };
+    return { gl: renderer.getContext(), draw, version: `three.js r${THREE.REVISION}` };
 }
 
-let result;
-try {
-    result = run();
-} catch (error) {
-    result = { error: String(error) };
-}
-document.body.textContent = JSON.stringify(result);
+run(open);
