@@ -108,25 +108,25 @@ enum {
 static const struct rg_pass rows[] = {
     [SEE] = {
         .name = "see",
-        .color[0] = { &seen, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &seen, RG_LOAD_CLEAR }),
         .uses = RG_USES(PAINTED_SOURCE(given)),
         PAINTED_BY(record_rectangle, &fetch_frag),
     },
     [LAYERS] = {
         .name = "layers",
-        .color[0] = { &layers, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &layers, RG_LOAD_CLEAR }),
         .repeat = RG_PER_LAYER,
         PAINTED_BY(record_rectangle, &paint_frag),
     },
     [UNWANTED] = {
         .name = "unwanted",
-        .color[0] = { &kept, RG_LOAD_KEEP },
+        .color = RG_TARGETS({ &kept, RG_LOAD_KEEP }),
         .when = painted_when,
         PAINTED_BY(record_rectangle, &paint_frag),
     },
     [MESH] = {
         .name = "mesh",
-        .color[0] = { &kept, RG_LOAD_KEEP },
+        .color = RG_TARGETS({ &kept, RG_LOAD_KEEP }),
         .depth = { &depth, RG_LOAD_CLEAR, .clear.depthStencil.depth = 1 },
         .uses = RG_USES(PAINTED_SOURCE(layers)),
         .vert = &paint_mesh_vert,
