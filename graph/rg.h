@@ -119,7 +119,7 @@ struct rg_image {
 struct rg_buffer {
     const char *name;            /* unique among images and buffers */
     VkDeviceSize size;           /* bytes, plus: */
-    VkDeviceSize size_per_texel; /* bytes for every texel of the view */
+    VkDeviceSize size_per_texel; /* bytes for every texel of the view, or of its part */
     enum rg_memory memory;
     bool persistent; /* as of an image; RG_MEMORY_DEVICE alone */
 };
@@ -153,6 +153,8 @@ struct rg_use {
     VkPipelineStageFlags2 stages;     /* of the pass's shaders; 0: fragment or compute, and vertex
                                          too for RG_UNIFORM */
     bool partial;                     /* a write that leaves some of the range as it was */
+    bool here;                        /* RG_SAMPLED: fragments read the texel alone that they
+                                         draw; what counts is told at rg_exec_limit() */
 };
 
 struct rg_target {
@@ -234,7 +236,8 @@ struct rg_technique {
     }
 
 /* The colour targets of a row and their number:
- * .color = RG_TARGETS({ &a, RG_LOAD_CLEAR }, { &b, RG_LOAD_KEEP }) */
+ * .color = RG_TARGETS({ &a, RG_LOAD_CLEAR }, { &b, RG_LOAD_KEEP }). As RG_USES(), a literal of the
+ * scope that it is in: for rows made in a loop keep an array of targets. */
 #define RG_TARGETS(...) \
     (const struct rg_target[]){ __VA_ARGS__ }, \
         .color_count = \
@@ -297,6 +300,7 @@ struct rg_compile_params {
     const struct rg_technique *const *techniques;
     size_t technique_count;
     VkExtent2D view; /* texels; not 0 */
+    VkExtent2D part; /* the largest that rg_exec_limit() is given; 0 means the view */
     const struct rg_output *outputs;
     size_t output_count; /* 0 is a fault: everything would be culled */
     const struct rg_import *imports;
@@ -433,7 +437,7 @@ struct rg_culled {
 struct rg_plan {
     const struct rg_fault *faults;
     uint32_t fault_count; /* not 0: nothing below is to be used */
-    VkExtent2D view;
+    VkExtent2D view, part;
     uint32_t pass_count, image_count, buffer_count, barrier_count, use_count, block_count;
     uint32_t culled_count;
     uint32_t batch_count; /* passes with barriers before them, and the end if it has some */

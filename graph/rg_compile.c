@@ -88,6 +88,7 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
         .max_layers = device && device->max_layers ? device->max_layers : 1u << 11,
     };
     owned->plan.view = params->view;
+    owned->plan.part = params->part.width ? params->part : params->view;
     run(&c);
     owned->arena = arena;
     if (arena.failed) {
@@ -95,7 +96,7 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
         return NULL;
     }
     if (c.fault_count) /* nothing half-made is to be seen */
-        owned->plan = (struct rg_plan){ .view = params->view };
+        owned->plan = (struct rg_plan){ .view = params->view, .part = owned->plan.part };
     owned->plan.faults = c.faults;
     owned->plan.fault_count = c.fault_count;
     owned->plan.arena_size = arena.used + _Alignof(max_align_t);

@@ -88,7 +88,7 @@ static VkResult make_all(struct rg_exec *exec)
 {
     VkResult (*const steps[])(struct rg_exec *) = {
         rg_exec_make_memory, rg_exec_make_targets, rg_exec_make_descriptors, rg_exec_make_pipelines,
-        make_slots,          rg_exec_make_time,    rg_exec_make_blank,
+        make_slots,          rg_exec_make_time,    rg_exec_make_spans,       rg_exec_make_blank,
     };
     VkResult counted = rg_exec_count_choices(exec);
     if (counted != VK_SUCCESS)

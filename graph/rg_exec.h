@@ -109,6 +109,21 @@ struct rg_exec_ties {
 RG_API VkResult rg_exec_submit_tied(struct rg_exec *exec, const struct rg_frame *frame,
                                     const struct rg_exec_ties *ties);
 
+/*
+ * Part of the view, for pictures that are too large to be drawn at once: from the next submit on
+ * frames draw no more than that, with the bits that the whole picture has there, and leave
+ * undefined what lies outside. It counts for images of the view's size, neither imported nor
+ * persistent: rows that draw into them, and rows that only copy from them to buffers, which get
+ * `part` alone, rows tight. What a row reads without rg_use.here is drawn in `reach` as well.
+ * Everything else is drawn whole. Fragments that take derivatives want even offsets.
+ */
+struct rg_exec_part {
+    VkRect2D part;  /* within the view; not empty, no more texels than rg_compile_params.part */
+    VkRect2D reach; /* the same, of any size: where fragments look beside their own texel */
+};
+
+RG_API void rg_exec_limit(struct rg_exec *exec, const struct rg_exec_part *part);
+
 /* Waits for the frame submitted in a slot; readback buffers are then up to date. */
 RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
 

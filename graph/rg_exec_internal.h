@@ -31,6 +31,7 @@ struct exec_pass {
     bool owner; /* of the three above */
     VkRenderPass render_pass;
     VkDescriptorSet *sets; /* of each choice, one a slot */
+    uint32_t span;         /* rg_part.c: how much of a part it draws */
 };
 
 struct exec_slot {
@@ -67,6 +68,7 @@ struct rg_exec {
     VkDescriptorPool descriptor_pool;
     VkCommandPool command_pool;
     struct exec_slot *slots;
+    struct rg_exec_part part; /* {0}: the whole view */
     struct rg_exec_ties ties; /* of the frame submitted last */
     struct exec_time *time;   /* NULL: not made to measure */
     bool filled;              /* the persistent resources are */
@@ -130,6 +132,14 @@ struct exec_targets *rg_exec_targets(const struct rg_exec *exec, const struct ex
 VkDescriptorSet *rg_exec_set(const struct rg_exec *exec, const struct exec_pass *pass,
                              uint32_t slot);
 VkImageView *rg_exec_use_view(const struct rg_exec *exec, uint32_t use);
+
+/* rg_part.c */
+VkResult rg_exec_make_spans(struct rg_exec *exec);
+/* Whether a pass of the plan draws or copies less than all now. */
+bool rg_exec_is_divided(const struct rg_exec *exec, const struct rg_plan_pass *pass);
+/* What it draws. */
+VkRect2D rg_exec_area(const struct rg_exec *exec, const struct rg_plan_pass *pass);
+VkRect2D rg_exec_within(VkRect2D inner, VkRect2D outer); /* what both have */
 
 /* rg_functions.c: fills exec->vk */
 VkResult rg_exec_find_functions(struct rg_exec *exec);

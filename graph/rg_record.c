@@ -117,7 +117,7 @@ static void begin_rendering(const struct rg_cmd *cmd)
         attachments[i] = untouched(attachments[i]);
     const VkRenderingInfo info = {
         .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-        .renderArea = { .extent = plan->extent },
+        .renderArea = rg_exec_area(cmd->exec, plan),
         .layerCount = 1,
         .colorAttachmentCount = count,
         .pColorAttachments = attachments,
@@ -138,7 +138,7 @@ static void begin_render_pass(const struct rg_cmd *cmd)
         .sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
         .renderPass = cmd->pass->render_pass,
         .framebuffer = rg_exec_targets(cmd->exec, cmd->pass)->framebuffer,
-        .renderArea = { .extent = plan->extent },
+        .renderArea = rg_exec_area(cmd->exec, plan),
         .clearValueCount = plan->color_count + 1,
         .pClearValues = clears,
     };
@@ -166,8 +166,8 @@ static void bind(const struct rg_cmd *cmd)
         .maxDepth = 1.0f,
     };
     cmd->exec->vk.CmdSetViewport(cmd->commands, 0, 1, &viewport);
-    const VkRect2D all = { .extent = plan->extent };
-    cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, cmd->prime ? &(VkRect2D){ 0 } : &all);
+    const VkRect2D area = cmd->prime ? (VkRect2D){ 0 } : rg_exec_area(cmd->exec, plan);
+    cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &area);
 }
 
 void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -292,8 +292,9 @@ void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
 
 void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle)
 {
+    const VkRect2D both = rg_exec_within(rectangle, rg_exec_area(cmd->exec, cmd->plan_pass));
     if (!cmd->prime)
-        cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &rectangle);
+        cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &both);
 }
 
 void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)
@@ -354,11 +355,15 @@ static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_p
     uint32_t mip = use->range.baseMipLevel;
     uint32_t width = image->extent.width >> mip;
     uint32_t height = image->extent.height >> mip;
+    const VkRect2D whole = { .extent = { width ? width : 1, height ? height : 1 } };
+    const VkRect2D area =
+        rg_exec_is_divided(cmd->exec, cmd->plan_pass) ? cmd->exec->part.part : whole;
     return (VkBufferImageCopy){
         .bufferOffset = offset,
         .imageSubresource = { use->range.aspectMask, mip, use->range.baseArrayLayer,
                               use->range.layerCount },
-        .imageExtent = { width ? width : 1, height ? height : 1, 1 },
+        .imageOffset = { area.offset.x, area.offset.y, 0 },
+        .imageExtent = { area.extent.width, area.extent.height, 1 },
     };
 }
 

@@ -41,10 +41,10 @@ static void resolve_image(struct resource *r, VkExtent2D view)
     r->persistent = image->persistent;
 }
 
-static void resolve_buffer(struct resource *r, VkExtent2D view)
+static void resolve_buffer(struct resource *r, VkExtent2D part)
 {
     VkDeviceSize size;
-    if (__builtin_mul_overflow((uint64_t)view.width * view.height, r->buffer->size_per_texel,
+    if (__builtin_mul_overflow((uint64_t)part.width * part.height, r->buffer->size_per_texel,
                                &size) ||
         __builtin_add_overflow(size, r->buffer->size, &size) || size > UINT64_MAX >> 16)
         size = RG_SIZE_OVERFLOW;
@@ -197,7 +197,7 @@ __attribute__((noinline)) static bool begin_other(struct compiler *c, struct res
     if (image)
         resolve_image(r, c->params->view);
     else
-        resolve_buffer(r, c->params->view);
+        resolve_buffer(r, c->plan->part);
     if (import)
         resolve_import(r, import);
     r->shared = !import && !r->persistent && (image || buffer->memory == RG_MEMORY_DEVICE);

@@ -36,7 +36,7 @@ static const struct rg_sampler layers_sampler = {
 
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
-    { .image = &ice_depth_front, .access = RG_SAMPLED, .binding = ICE_DEPTH_FRONT },
+    { .image = &ice_depth_front, .access = RG_SAMPLED, .binding = ICE_DEPTH_FRONT, .here = true },
     {
         .image = &frame_air,
         .access = RG_SAMPLED,

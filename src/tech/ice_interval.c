@@ -40,7 +40,7 @@ const struct rg_image ice_interval_layers[ICE_INTERVAL_MAX] = {
 #define USE(k, ...) \
     { \
         .image = &ice_interval_layers[(k)-1], .access = RG_SAMPLED, \
-        .binding = ICE_INTERVAL_LAYERS, __VA_ARGS__ \
+        .binding = ICE_INTERVAL_LAYERS, .here = true, __VA_ARGS__ \
     }
 
 #define ROWS(k) \

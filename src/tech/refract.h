@@ -54,6 +54,17 @@ struct refract_params {
     { \
         .image = &ice_normal_back_depth, .access = RG_SAMPLED, .binding = REFRACT_DEPTH_BACK \
     }
+/* The same of rungs that read the pixel's own alone. */
+#define REFRACT_USE_NORMAL_BACK_HERE \
+    { \
+        .image = &ice_normal_back, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_BACK, \
+        .sampler = &frame_linear, .here = true \
+    }
+#define REFRACT_USE_DEPTH_BACK_HERE \
+    { \
+        .image = &ice_normal_back_depth, .access = RG_SAMPLED, .binding = REFRACT_DEPTH_BACK, \
+        .here = true \
+    }
 #define REFRACT_USE_NORMAL_FRONT \
     { \
         .image = &ice_normal_front, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_FRONT, \
@@ -67,7 +78,7 @@ struct refract_params {
 /* The use that refract_over.frag has: what is drawn over the picture, of the view's size. */
 #define REFRACT_USE_OVER(target) \
     { \
-        .image = (target), .access = RG_SAMPLED, .binding = REFRACT_OVER \
+        .image = (target), .access = RG_SAMPLED, .binding = REFRACT_OVER, .here = true \
     }
 
 /* What is drawn: the front faces, with eq. 4 at the vertices. */

@@ -20,12 +20,12 @@ static rg_record_fn record_object;
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     REFRACT_USE_ENV_CUBE,
-    REFRACT_USE_NORMAL_BACK,
+    REFRACT_USE_NORMAL_BACK_HERE,
     { 0 },
 };
 
 static const struct rg_use bumped_uses[] = {
-    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK, BUMP_USE_MAP, { 0 },
+    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK_HERE, BUMP_USE_MAP, { 0 },
 };
 
 static const struct rg_pass passes[] = {

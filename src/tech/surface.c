@@ -25,9 +25,10 @@ static const struct rg_pass passes[] = {
     {
         .name = "surface.over",
         REFRACT_OVER_TARGETS,
-        .uses = RG_USES(
-            FRAME_USE_GLOBALS,
-            { .image = &surface_highlight, .access = RG_SAMPLED, .binding = SURFACE_HIGHLIGHTS }),
+        .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &surface_highlight,
+                                             .access = RG_SAMPLED,
+                                             .binding = SURFACE_HIGHLIGHTS,
+                                             .here = true }),
         REFRACT_FRONT_FACES,
         .frag = &surface_frag,
         .record = frame_draw_object,

@@ -22,8 +22,10 @@ static const struct rg_pass passes[] = {
     {
         .name = "tonemap.screen",
         .color = RG_TARGETS({ &tonemap_color, RG_LOAD_DISCARD }),
-        .uses =
-            RG_USES({ .image = &background_color, .access = RG_SAMPLED, .binding = TONEMAP_COLOR }),
+        .uses = RG_USES({ .image = &background_color,
+                          .access = RG_SAMPLED,
+                          .binding = TONEMAP_COLOR,
+                          .here = true }),
         .vert = &screen_vert,
         .frag = &tonemap_frag,
         .push_size = sizeof(struct tonemap_push),

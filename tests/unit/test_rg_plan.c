@@ -228,6 +228,36 @@ static void test_sizes_relative_to_the_view(void **state)
     check_extent((VkExtent2D){ 1, 1 }, 0.001f, 1, 1);
 }
 
+/* Copies bring no more than the part; images are of the view all the same. */
+static void test_buffers_of_a_part(void **state)
+{
+    (void)state;
+    static const struct rg_buffer down = { "down", 3, 4, RG_MEMORY_READBACK };
+    static const struct rg_image image = { "image", VK_FORMAT_R8_UNORM };
+    const struct rg_pass passes[] = {
+        COPY("copy", { .image = &image, .access = RG_COPY_SRC },
+             { .buffer = &down, .access = RG_COPY_DST }),
+    };
+    const struct rg_technique technique = RG_TECHNIQUE("test", passes);
+    const struct rg_technique *techniques = &technique;
+    struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
+        .techniques = &techniques,
+        .technique_count = 1,
+        .view = { 7, 5 },
+        .part = { 3, 2 },
+        .outputs = &(struct rg_output){ .buffer = &down, .access = RG_HOST_READ },
+        .output_count = 1,
+        .imports = &(struct rg_import){ .image = &image, .access = RG_SAMPLED },
+        .import_count = 1,
+    });
+    assert_non_null(plan);
+    assert_int_equal(plan->fault_count, 0);
+    assert_int_equal(buffer_of(plan, &down)->size, 3 + 4 * 6);
+    assert_int_equal(plan->images[0].extent.width, 7);
+    assert_int_equal(plan->part.height, 2);
+    rg_plan_destroy(plan);
+}
+
 static void test_buffers(void **state)
 {
     (void)state;
@@ -511,6 +541,7 @@ int main(void)
         cmocka_unit_test(test_row_per_mip),
         cmocka_unit_test(test_sizes_relative_to_the_view),
         cmocka_unit_test(test_buffers),
+        cmocka_unit_test(test_buffers_of_a_part),
         cmocka_unit_test(test_size_of_an_import),
         cmocka_unit_test(test_disjoint_lives_share_memory),
         cmocka_unit_test(test_share_nothing),
