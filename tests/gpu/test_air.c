@@ -87,6 +87,25 @@ static void clipped_to_the_ice(void **state)
     }
 }
 
+/* Nothing but one plane as wide as the sphere, square to the z axis. */
+static void set_plane(struct scene *scene, float z)
+{
+    static const uint32_t corners[6] = { 0, 1, 2, 2, 1, 3 };
+    mesh_finish(&scene->air);
+    assert_true(mesh_init(&scene->air, 4, 6));
+    for (uint32_t i = 0; i < 6; i++)
+        scene->air.indices[i] = corners[i];
+    for (uint32_t i = 0; i < 4; i++) {
+        const vec2s uv = { { (float)(i % 2), i < 2 ? 0 : 1 } };
+        scene->air.vertices[i] = (struct mesh_vertex){
+            .position = { { 2 * uv.x - 1, 1 - 2 * uv.y, z } },
+            .normal = { { 0, 0, 1 } },
+            .uv = uv,
+            .material = 1,
+        };
+    }
+}
+
 /* A plane behind the sphere, one through it, one before it: only the middle one is seen. */
 static void clipped_in_depth(void **state)
 {
@@ -94,11 +113,7 @@ static void clipped_in_depth(void **state)
     open_scene(&scene, "sphere", 1, 1);
     double sums[3] = { 0 };
     for (size_t k = 0; k < 3; k++) {
-        for (uint32_t i = 0; i < 4; i++) {
-            struct mesh_vertex *v = &scene.air.vertices[i];
-            v->position = (vec3s){ { 2 * v->uv.x - 1, 1 - 2 * v->uv.y, 1.02F * ((float)k - 1) } };
-            v->normal = (vec3s){ { 0, 0, 1 } };
-        }
+        set_plane(&scene, 1.02F * ((float)k - 1));
         const struct picture_request request = request_of(&scene, 0, 0);
         struct render_result result = picture_render(*state, &request);
         const float *alpha = image_find(&result.image, "air.A");
@@ -116,11 +131,7 @@ static float seen_at(struct gpu *gpu, float azimuth)
 {
     struct scene scene;
     open_scene(&scene, "sphere", 1, 1);
-    for (uint32_t i = 0; i < 4; i++) {
-        struct mesh_vertex *v = &scene.air.vertices[i];
-        v->position = (vec3s){ { 2 * v->uv.x - 1, 1 - 2 * v->uv.y, 0 } };
-        v->normal = (vec3s){ { 0, 0, 1 } };
-    }
+    set_plane(&scene, 0);
     const struct picture_request request = request_of(&scene, azimuth, 0);
     struct render_result result = picture_render(gpu, &request);
     const float *alpha = image_find(&result.image, "air.A");

@@ -166,9 +166,11 @@ static void mips_from_mips(void **state)
     struct rg_use uses[CHAIN_MIPS][2] = { 0 };
     struct rg_use reads[CHAIN_MIPS][3] = { 0 };
     struct rg_pass rows[2 * CHAIN_MIPS] = { 0 };
+    struct rg_target targets[CHAIN_MIPS];
     struct paint_push paints[CHAIN_MIPS];
     for (uint32_t i = 0; i < CHAIN_MIPS; i++) {
         paints[i] = (struct paint_push){ ALL };
+        targets[i] = (struct rg_target){ &chain, RG_LOAD_DISCARD, .mip = i };
         uses[i][0] = (struct rg_use){
             .image = &chain,
             .access = RG_SAMPLED,
@@ -177,7 +179,8 @@ static void mips_from_mips(void **state)
         };
         rows[i] = (struct rg_pass){
             .name = names[i],
-            .color = RG_TARGETS({ &chain, RG_LOAD_DISCARD, .mip = i }),
+            .color = &targets[i],
+            .color_count = 1,
             .uses = i ? uses[i] : NULL,
             PAINTED_BY(painted_record, i ? &halve_frag : &pattern_frag),
         };
