@@ -21,8 +21,7 @@ static void set_cell(struct compiler *c, const struct resource *r, uint32_t cell
 
 static bool is_cell_wanted(const struct compiler *c, const struct resource *r, uint32_t cell)
 {
-    return r->cell_count == 1 ? c->wanted[r - c->resources] == WANT_ALL
-                              : r->cells[cell].wanted;
+    return r->cell_count == 1 ? c->wanted[r - c->resources] == WANT_ALL : r->cells[cell].wanted;
 }
 
 static void begin_round(struct compiler *c, uint32_t round)

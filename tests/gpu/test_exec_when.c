@@ -9,9 +9,11 @@ enum {
 };
 
 static const bool wanted[FRAMES] = { false, true, false, false, true, true, false };
+
 enum {
     LAYER_LEFT_OUT = 4, /* a frame that draws only one of two layers */
 };
+
 static uint32_t asked; /* in frames of one series */
 
 #define PAINTS(number) \
