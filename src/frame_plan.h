@@ -26,6 +26,7 @@ enum {
 struct frame_request {
     struct frame_list list;
     VkExtent2D view;
+    VkExtent2D part;      /* of it, that is drawn at once; 0: all */
     uint32_t layers;      /* bit i: frame_layers[i], if it is drawn */
     bool beauty, display; /* the linear picture; the 8-bit one */
     bool cube_back;       /* bring env_cube_baked back */

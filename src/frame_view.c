@@ -11,6 +11,14 @@
 #include "src/tech/surface.h"
 #include "src/tech/tonemap.h"
 
+/* Of frame_view_reach(): rays begin a little outside of the sphere (refract_inside.glsl), and what
+ * they look up is between texels, which jitter moves. */
+#define REACH_ROOM 1.05f
+
+enum {
+    REACH_MARGIN = 4 /* pixels */
+};
+
 static float radians(float degrees)
 {
     return degrees * 0.01745329252f;
@@ -96,6 +104,49 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
     clip_from_world.raw[3][2] -= scale * near;
     *fitted = (vec2s){ { near, far } };
     return clip_from_world;
+}
+
+/* The tangents of a sphere, seen from where it is `ahead` and `aside`, in pixels from the picture's
+ * edge, whose middle is `half` of them away and shows the tangent `edge`. */
+static void span(float aside, float ahead, float radius, float half, float edge, int32_t ends[2])
+{
+    const float most = 4.0f * half;
+    const float middle = atan2f(aside, ahead);
+    const float around = asinf(fminf(radius / hypotf(aside, ahead), 1.0f));
+    const float limit = 1.57f;
+    const float low = tanf(fmaxf(middle - around, -limit)) / edge;
+    const float high = tanf(fminf(middle + around, limit)) / edge;
+    ends[0] = (int32_t)floorf(half + fminf(fmaxf(low * half, -most), most)) - REACH_MARGIN;
+    ends[1] = (int32_t)ceilf(half + fminf(fmaxf(high * half, -most), most)) + REACH_MARGIN;
+}
+
+/* One pixel at least, within the picture. */
+static void clip(int32_t ends[2], uint32_t side, int32_t *offset, uint32_t *extent)
+{
+    const int32_t last = (int32_t)side - 1;
+    const int32_t low = ends[0] < 0 ? 0 : ends[0] > last ? last : ends[0] & ~1;
+    const int32_t high = ends[1] > last ? last : ends[1] < low ? low : ends[1];
+    *offset = low;
+    *extent = (uint32_t)(high - low) + 1;
+}
+
+VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals, float radii)
+{
+    const struct camera_basis basis = camera_basis(&view->camera);
+    const vec3s to = glms_vec3_sub(globals->center, globals->eye);
+    const float radius = REACH_ROOM * globals->radius * (radii > 0.0f ? radii : 1.0f);
+    const float up = tanf(radians(view->camera.fov_deg) / 2.0f);
+    const float ahead = glms_vec3_dot(to, basis.forward);
+    const float width = (float)view->width, height = (float)view->height;
+    VkRect2D reach = { .extent = { view->width, view->height } };
+    int32_t x[2], y[2];
+    if (!(ahead > 1.01f * radius))
+        return reach;
+    span(glms_vec3_dot(to, basis.right), ahead, radius, width / 2.0f, up * width / height, x);
+    span(-glms_vec3_dot(to, basis.up), ahead, radius, height / 2.0f, up, y);
+    clip(x, view->width, &reach.offset.x, &reach.extent.width);
+    clip(y, view->height, &reach.offset.y, &reach.extent.height);
+    return reach;
 }
 
 /* About the vertical axis through a point, `turn` radians. */

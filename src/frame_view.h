@@ -26,6 +26,14 @@ struct frame_view {
 
 struct background_push frame_view_push(const struct frame_view *view);
 
+/*
+ * Where in the picture points are that lie within so many radii (0: one) of the object's centre,
+ * and a little more: so much as rays may overshoot. All of it where the eye is among them, or
+ * they are behind it.
+ */
+VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
+                          float radii);
+
 /* Of one face of the cube around the object. */
 struct background_push frame_view_face(const struct frame_view *view, uint32_t face);
 

@@ -39,7 +39,7 @@ const struct rung frame_rungs[] = {
     { "slab", &refract_slab, &refract_slab_bumped },
     { "sphere", &refract_sphere, &refract_sphere_bumped },
     { "blend", &refract_blend, &refract_blend_bumped },
-    { "wyman", &refract_wyman, &refract_wyman_bumped },
+    { "wyman", &refract_wyman, &refract_wyman_bumped, .reach = 3.0f }, /* a diameter further */
     { "search", &refract_search, &refract_search_bumped },
     { "bounce", &refract_bounce, &refract_bounce_bumped },
     { 0 },

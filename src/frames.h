@@ -12,6 +12,7 @@ struct rung {
     const char *name;
     const struct technique *technique;
     const struct technique *bumped; /* the same where the ice has bumps; NULL: it shows none */
+    float reach; /* where it looks for the ice's faces: radii of the bounding sphere; 0: 1 */
 };
 
 extern const struct rung frame_rungs[]; /* ends at a row of zeros */

@@ -15,6 +15,7 @@
 #include "src/image/half.h"
 #include "src/log.h"
 #include "src/prime.h"
+#include "src/renderer_request.h"
 #include "src/scene_gpu.h"
 #include "src/scene_settings.h"
 #include "src/stage.h"
@@ -27,6 +28,8 @@
 struct renderer {
     struct renderer_params params; /* but of a tile's size */
     uint32_t width, height;        /* of the picture */
+    struct tiling tiling;          /* of what is drawn into images of one size */
+    struct tile tile;              /* of them, that is drawn now: what results have */
     struct scene_gpu own;          /* {0} if it comes uploaded */
     const struct scene_gpu *scene; /* on the device */
     struct stage capture;          /* the environment cube, once, if it is not dynamic */
@@ -41,63 +44,6 @@ struct renderer {
 };
 
 /* ---- plans ---- */
-
-static struct frame_request picture_request(const struct renderer_params *params)
-{
-    bool many = params->samples > 1;
-    struct frame_request request = {
-        .list = frame_with(params->rung, params->settings),
-        .view = { params->width, params->height },
-        .layers = params->layers,
-        .beauty = params->linear || (params->display && many),
-        .display = params->display && !many,
-        .keep_display = params->keep,
-        .sharing = params->sharing,
-    };
-    scene_gpu_describe(params->scene, &request);
-    return request;
-}
-
-static struct frame_request capture_request(const struct renderer_params *params)
-{
-    struct frame_request request = {
-        .list = frame_capture(),
-        .view = { params->width, params->height },
-        .keep_cube = true,
-        .sharing = params->sharing,
-    };
-    scene_gpu_describe(params->scene, &request);
-    return request;
-}
-
-/* A view as large as a face. */
-static struct frame_request bake_request(const struct renderer_params *params)
-{
-    struct frame_request request = {
-        .list = frame_bake(),
-        .view = { params->width, params->height },
-        .cube_back = true,
-        .sharing = params->sharing,
-    };
-    scene_gpu_describe(params->scene, &request);
-    return request;
-}
-
-static struct frame_request resolve_request(const struct renderer_params *params)
-{
-    return (struct frame_request){
-        .list = frame_resolve(),
-        .view = { params->width, params->height },
-        .display = true,
-        .sharing = params->sharing,
-    };
-}
-
-enum status renderer_plan(struct frame_plan *plan, const struct renderer_params *params)
-{
-    const struct frame_request request = picture_request(params);
-    return frame_plan_init(plan, &request);
-}
 
 /* What its plans import. */
 static void find_imports(const struct renderer *r, struct rg_exec_import *imports)
@@ -138,12 +84,14 @@ static enum status upload(struct renderer *r)
 /* From the middle of the pixels that all tiles have at one place, in pixels of the picture. */
 static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
 {
+    if (!renderer_is_interleaved(params))
+        return (vec2s){ { 0.0f, 0.0f } };
     const uint32_t column = tile % params->columns, row = tile / params->columns;
     return (vec2s){ { (float)column + 0.5f - (float)params->columns / 2.0f,
                       (float)row + 0.5f - (float)params->rows / 2.0f } };
 }
 
-/* Sizes become those of a tile. */
+/* Sizes become those of an interleaved tile. */
 static void take_params(struct renderer *r, const struct renderer_params *params)
 {
     r->params = *params;
@@ -152,9 +100,13 @@ static void take_params(struct renderer *r, const struct renderer_params *params
     r->params.rows = params->rows ? params->rows : 1;
     r->width = params->width;
     r->height = params->height;
-    assert(r->width % r->params.columns == 0 && r->height % r->params.rows == 0);
-    r->params.width = r->width / r->params.columns;
-    r->params.height = r->height / r->params.rows;
+    if (renderer_is_interleaved(params)) {
+        assert(r->width % params->columns == 0 && r->height % params->rows == 0);
+        r->params.width = r->width / params->columns;
+        r->params.height = r->height / params->rows;
+    }
+    r->tiling = renderer_tiling(&r->params);
+    r->tile = tile_at(&r->tiling, 0);
 }
 
 enum status renderer_create(struct renderer **renderer, const struct renderer_params *params)
@@ -171,7 +123,7 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
     const double start = clock_ms();
     if (status == STATUS_OK)
-        status = stage_compile(&r->picture, &r->params, picture_request(&r->params));
+        status = stage_compile(&r->picture, &r->params, renderer_picture_request(&r->params));
     r->costs.compile = clock_ms() - start;
     if (status == STATUS_OK && params->prime)
         r->prime = prime_begin(&r->picture, &r->params);
@@ -183,9 +135,9 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     r->costs.upload = clock_ms() - compiled;
     if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings) &&
         !params->scene->cube.texels)
-        status = stage_create(&r->capture, r, capture_request(&r->params));
+        status = stage_create(&r->capture, r, renderer_capture_request(&r->params));
     if (status == STATUS_OK && params->display && r->params.samples > 1)
-        status = stage_create(&r->resolve, r, resolve_request(&r->params));
+        status = stage_create(&r->resolve, r, renderer_resolve_request(&r->params));
     const double begin = clock_ms();
     if (status == STATUS_OK)
         status = realise(r, &r->picture);
@@ -236,6 +188,19 @@ static void write_caustics(const struct frame_view *view, const struct globals *
         *map = found.map;
 }
 
+/* The next frame draws a tile, and what its rays may meet. */
+static void limit(const struct renderer *r, const struct frame_view *view,
+                  const struct globals *globals)
+{
+    const struct tile *t = &r->tile;
+    const struct rg_exec_part part = {
+        .part = { { (int32_t)t->x, (int32_t)t->y }, { t->width, t->height } },
+        .reach = frame_view_reach(view, globals, r->params.rung->reach),
+    };
+    if (r->tiling.columns * r->tiling.rows > 1)
+        rg_exec_limit(r->picture.exec, &part);
+}
+
 static enum status run_stage(struct renderer *r, struct stage *stage,
                              const struct renderer_shot *shot, vec2s jitter, uint32_t *slot)
 {
@@ -249,7 +214,9 @@ static enum status run_stage(struct renderer *r, struct stage *stage,
         .height = r->height,
         .jitter = jitter,
         .tile = tile_offset(&r->params, shot->tile),
-        .lod_bias = -0.5f * log2f((float)(r->params.columns * r->params.rows)),
+        .lod_bias = renderer_is_interleaved(&r->params)
+                        ? -0.5f * log2f((float)(r->params.columns * r->params.rows))
+                        : 0.0f,
         .face_size = r->face_size,
     };
     struct rg_frame frame = {
@@ -277,6 +244,8 @@ static enum status run_stage(struct renderer *r, struct stage *stage,
         if (spheres)
             frame_view_bubbles(&view, &globals, spheres);
         write_caustics(&view, &globals, stage->exec, *slot);
+        if (stage == &r->picture)
+            limit(r, &view, &globals);
         result = rg_exec_submit(stage->exec, &frame);
     }
     if (stage == &r->picture && result == VK_SUCCESS)
@@ -390,21 +359,23 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
     return status;
 }
 
-static uint8_t *copy_display(struct renderer *r, struct stage *stage, uint32_t slot)
+/* `width`: pixels from row to row in the stage's picture. */
+static uint8_t *copy_display(struct renderer *r, struct stage *stage, uint32_t slot, uint32_t width)
 {
-    size_t size = (size_t)r->params.width * r->params.height * 4;
-    uint8_t *rgba = malloc(size);
-    const void *source = read_back(stage, &tonemap_color, slot);
-    if (rgba && source)
-        memcpy(rgba, source, size);
-    else
+    const size_t row_size = (size_t)r->tile.width * 4;
+    uint8_t *rgba = malloc(row_size * r->tile.height);
+    const uint8_t *source = read_back(stage, &tonemap_color, slot);
+    if (!rgba || !source)
         log_error("out of memory");
+    for (size_t y = 0; y < r->tile.height && rgba && source; y++)
+        memcpy(rgba + y * row_size, source + y * width * 4, row_size);
     return rgba;
 }
 
 /* Sends the mean back to the device, in half as the device would have drawn it. */
 static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
 {
+    const uint32_t width = r->resolve.frame.plan->view.width;
     uint32_t slot;
     enum status status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
     uint16_t *texels =
@@ -412,8 +383,10 @@ static enum status resolve_display(struct renderer *r, const struct image *image
     size_t count = (size_t)image->width * image->height;
     for (size_t p = 0; p < 4 && texels; p++) {
         const float *plane = image_find(image, frame_beauty.planes[p]);
-        for (size_t i = 0; i < count; i++)
-            texels[i * 4 + p] = half_from_float(plane[i]);
+        for (size_t i = 0; i < count; i++) {
+            const size_t to = i / image->width * width + i % image->width;
+            texels[to * 4 + p] = half_from_float(plane[i]);
+        }
     }
     const struct rg_frame frame = { .settings = r->params.settings };
     if (status == STATUS_OK)
@@ -421,7 +394,7 @@ static enum status resolve_display(struct renderer *r, const struct image *image
     if (status == STATUS_OK)
         status = gpu_status(rg_exec_wait(r->resolve.exec, slot));
     if (status == STATUS_OK) {
-        *rgba = copy_display(r, &r->resolve, slot);
+        *rgba = copy_display(r, &r->resolve, slot, width);
         status = *rgba ? STATUS_OK : STATUS_TRY_AGAIN;
     }
     return status;
@@ -430,7 +403,7 @@ static enum status resolve_display(struct renderer *r, const struct image *image
 static bool make_planes(const struct renderer *r, struct image *image)
 {
     bool many = r->params.samples > 1;
-    image_init(image, r->params.width, r->params.height);
+    image_init(image, r->tile.width, r->tile.height);
     if (r->params.linear || (r->params.display && many)) {
         if (!accumulate_add_planes(image, &frame_beauty))
             return false;
@@ -458,6 +431,8 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
 {
     *result = (struct render_result){ 0 };
     enum status status = STATUS_TRY_AGAIN;
+    if (!renderer_is_interleaved(&r->params))
+        r->tile = tile_at(&r->tiling, shot->tile);
     if (make_planes(r, &result->image))
         status = draw_samples(r, shot, &result->image, progress, user);
     else
@@ -468,7 +443,7 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
     if (status == STATUS_OK && r->resolve.exec) {
         status = resolve_display(r, &result->image, &result->rgba);
     } else if (status == STATUS_OK && r->params.display) {
-        result->rgba = copy_display(r, &r->picture, r->last_slot);
+        result->rgba = copy_display(r, &r->picture, r->last_slot, r->tile.width);
         status = result->rgba ? STATUS_OK : STATUS_TRY_AGAIN;
     }
     if (status != STATUS_OK)
@@ -511,7 +486,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
     if (status == STATUS_OK)
         status = upload(&r);
     if (status == STATUS_OK)
-        status = stage_create(&r.capture, &r, bake_request(&r.params));
+        status = stage_create(&r.capture, &r, renderer_bake_request(&r.params));
     if (status == STATUS_OK)
         status = run_stage(&r, &r.capture, &shot, accumulate_jitter(0), &slot);
     if (status == STATUS_OK)

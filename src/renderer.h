@@ -30,6 +30,7 @@ struct renderer_params {
     const struct rung *rung;
     uint32_t width, height;  /* pixels */
     uint32_t columns, rows;  /* of tiles, of which each shot draws one; 0 means 1 */
+    bool interleaved;        /* what tiles are: see renderer_shot */
     uint32_t samples;        /* a pixel; 0 means 1 */
     uint32_t layers;         /* bit i: frame_layers[i]; 0 where the settings switch it off */
     bool linear;             /* the beauty, in render_result.image */
@@ -56,9 +57,11 @@ MUST_USE enum status renderer_create(struct renderer **renderer,
                                      const struct renderer_params *params);
 
 /*
- * What one picture shows. With tiles, one of them: pixel (x, y) of tile i is pixel
- * (columns x + i % columns, rows y + i / columns) of the picture, so each tile shows all of it,
- * and what looks elsewhere in the picture finds it there. They divide its width and height.
+ * What one picture shows. With tiles, one of them: a part of the picture (src/tile.h), with the
+ * bits that it has there, for which images of the whole picture's size are made, of which only
+ * some is touched. Interleaved ones are small pictures: pixel (x, y) of tile i is pixel
+ * (columns x + i % columns, rows y + i / columns) of the picture, so each tile shows all of it;
+ * they divide its width and height.
  */
 struct renderer_shot {
     struct camera camera;

@@ -2,6 +2,7 @@
 #include "src/stage.h"
 #include <math.h>
 #include "src/gpu/gpu.h"
+#include "src/renderer_request.h"
 #include "src/scene_settings.h"
 
 enum {
@@ -14,16 +15,22 @@ static void log_exec(void *user, const char *what, VkResult result)
     (void)gpu_failed(what, result);
 }
 
-/* Every frame that is on its way has its own buffers that the host sees. */
+/* Every frame that is on its way has its own buffers that the host sees. A CPU's memory is taken
+ * as it is touched: of a picture in tiles about as much as of one. */
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
+    const bool is_cpu = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    const VkDeviceSize texels = (VkDeviceSize)plan->part.width * plan->part.height;
+    const VkDeviceSize parts =
+        is_cpu ? (VkDeviceSize)plan->view.width * plan->view.height / texels : 1;
     VkDeviceSize host_size = 0;
     for (uint32_t i = 0; i < plan->buffer_count; i++) {
         const struct rg_plan_buffer *buffer = &plan->buffers[i];
         if (!buffer->imported && buffer->buffer->memory != RG_MEMORY_DEVICE)
             host_size += FRAMES_IN_FLIGHT * buffer->size;
     }
-    return gpu_fit_memory(gpu, view, plan->memory_used + plan->memory_persistent, host_size);
+    return gpu_fit_memory(gpu, view, plan->memory_used / parts + plan->memory_persistent,
+                          host_size);
 }
 
 enum status stage_compile(struct stage *stage, const struct renderer_params *params,
@@ -51,7 +58,7 @@ void stage_describe(struct stage_exec *described, const struct stage *stage,
     const struct texture_params *texture = settings_of(params->settings, &texture_settings);
     struct stage_exec *d = described;
     d->constants = frame_view_constants(params->scene, params->settings);
-    d->constants.values[CONSTANT_TILED] = params->columns * params->rows > 1;
+    d->constants.values[CONSTANT_TILED] = renderer_is_interleaved(params);
     for (uint32_t i = 0; i < CONSTANT_COUNT; i++)
         d->entries[i] = (VkSpecializationMapEntry){ i, i * sizeof(uint32_t), sizeof(uint32_t) };
     d->info =

@@ -76,6 +76,7 @@ struct app_options {
     uint32_t width, height, samples;
     uint32_t tile_columns, tile_rows; /* that a picture is drawn in; 0: it is not */
     uint32_t tile;                    /* the one to draw, from 1; 0: all of them */
+    bool interleaved;                 /* tiles are so: renderer.h */
     uint32_t layers;                  /* bit i: frame_layers[i] */
     bool all_layers;                  /* that the rung makes; app_parse() puts them into `layers` */
     const struct frame_layer *show;   /* what PNG files show; NULL: the tonemapped picture */

@@ -6,55 +6,101 @@
 #include "src/image/exr.h"
 #include "src/image/file.h"
 #include "src/log.h"
+#include "src/tile.h"
 
 static const char default_output[] = "merged.exr";
 
-struct tile {
+/* A file. */
+struct input {
     const char *path; /* NULL: it is missing */
     struct exr_file *file;
     struct image image; /* size and planes, the file's */
 };
 
 struct job {
-    uint32_t columns, rows;                  /* of tiles */
-    struct tile tiles[APP_POSITIONAL_COUNT]; /* by their numbers */
-    const struct tile *first;                /* that was opened */
-    struct image image;                      /* the picture; its planes are those of `first` */
+    struct tiling tiling;                     /* of the picture; no columns: unknown yet */
+    bool interleaved;                         /* tiles are every so many-th pixel */
+    struct input tiles[APP_POSITIONAL_COUNT]; /* by their numbers */
+    const struct input *first;                /* that was opened */
+    struct image image;                       /* the picture; its planes are those of `first` */
 };
 
-/* The number of a file in "number of columns x rows", from 0. */
-static enum status read_number(const struct tile *tile, struct job *job, uint32_t *number)
+/* The number of a file, from 0, in "number of columns x rows", and whether that is interleaved. */
+static bool read_text(const char *text, struct tiling *tiling, uint32_t *number, bool *interleaved)
 {
-    const char *text = exr_text(tile->file, "firn/tile");
     unsigned columns, rows, at;
-    if (!text || sscanf(text, "%u of %ux%u", &at, &columns, &rows) != 3 || !columns || !rows ||
-        columns > APP_POSITIONAL_COUNT || rows > APP_POSITIONAL_COUNT ||
-        columns * rows > APP_POSITIONAL_COUNT || at < 1 || at > columns * rows) {
-        log_error("%s: it is no tile of a picture (firn render --tile)", tile->path);
-        return STATUS_DATA;
-    }
-    if (job->columns && (columns != job->columns || rows != job->rows)) {
-        log_error("%s: one of %ux%u tiles, but %s is one of %ux%u", tile->path, columns, rows,
-                  job->first->path, job->columns, job->rows);
-        return STATUS_DATA;
-    }
-    job->columns = columns;
-    job->rows = rows;
+    int length = 0;
+    if (!text || sscanf(text, "%u of %ux%u%n", &at, &columns, &rows, &length) != 3 || !columns ||
+        !rows || columns > APP_POSITIONAL_COUNT || rows > APP_POSITIONAL_COUNT ||
+        columns * rows > APP_POSITIONAL_COUNT || at < 1 || at > columns * rows)
+        return false;
     *number = at - 1;
+    *interleaved = !strcmp(text + length, " interleaved");
+    tiling->columns = columns;
+    tiling->rows = rows;
+    return *interleaved || !text[length];
+}
+
+/* The picture's size; false if the file's pixels are not where the tile's are. */
+static bool find_size(const struct input *input, struct tiling *tiling, uint32_t number,
+                      bool interleaved)
+{
+    const struct image *image = &input->image;
+    struct exr_place place;
+    if (interleaved) { /* image.h has the limits of files */
+        tiling->width = image->width * tiling->columns;
+        tiling->height = image->height * tiling->rows;
+        return true;
+    }
+    if (!exr_find_place(input->file, &place))
+        return false;
+    tiling->width = place.width;
+    tiling->height = place.height;
+    if (!tile_fits(tiling))
+        return false;
+    const struct tile tile = tile_at(tiling, number);
+    return tile.x == place.x && tile.y == place.y && tile.width == image->width &&
+           tile.height == image->height;
+}
+
+static enum status read_number(const struct input *input, struct job *job, uint32_t *number)
+{
+    const struct tiling before = job->tiling;
+    struct tiling tiling;
+    bool interleaved;
+    if (!read_text(exr_text(input->file, "firn/tile"), &tiling, number, &interleaved) ||
+        !find_size(input, &tiling, *number, interleaved)) {
+        log_error("%s: it is no tile of a picture (firn render --tile)", input->path);
+        return STATUS_DATA;
+    }
+    if (job->first && (tiling.columns != before.columns || tiling.rows != before.rows ||
+                       interleaved != job->interleaved)) {
+        log_error("%s: one of %ux%u %stiles, but %s is one of %ux%u", input->path, tiling.columns,
+                  tiling.rows, interleaved ? "interleaved " : "", job->first->path, before.columns,
+                  before.rows);
+        return STATUS_DATA;
+    }
+    if (job->first && (tiling.width != before.width || tiling.height != before.height)) {
+        log_error("%s: a tile of %ux%u pixels, but %s is one of %ux%u", input->path, tiling.width,
+                  tiling.height, job->first->path, before.width, before.height);
+        return STATUS_DATA;
+    }
+    job->tiling = tiling;
+    job->interleaved = interleaved;
     return STATUS_OK;
 }
 
-static bool is_same_text(const struct tile *a, const struct tile *b, const char *name)
+static bool is_same_text(const struct input *a, const struct input *b, const char *name)
 {
     const char *x = exr_text(a->file, name), *y = exr_text(b->file, name);
     return x && y && !strcmp(x, y);
 }
 
-/* Of the same picture: what --resume compares, and size and planes. */
-static enum status check_same(const struct tile *tile, const struct tile *first)
+/* Of the same picture: what --resume compares, and planes. */
+static enum status check_same(const struct input *tile, const struct input *first)
 {
     const struct image *a = &tile->image, *b = &first->image;
-    bool same = a->width == b->width && a->height == b->height && a->plane_count == b->plane_count;
+    bool same = a->plane_count == b->plane_count;
     for (uint32_t p = 0; p < b->plane_count && same; p++)
         same =
             !strcmp(a->planes[p].name, b->planes[p].name) && a->planes[p].half == b->planes[p].half;
@@ -68,7 +114,7 @@ static enum status check_same(const struct tile *tile, const struct tile *first)
 
 static enum status add_tile(struct job *job, const char *path)
 {
-    struct tile tile = { .path = path };
+    struct input tile = { .path = path };
     uint32_t number = 0;
     enum status status = exr_open(&tile.file, path, &tile.image);
     if (status != STATUS_OK)
@@ -95,17 +141,18 @@ static enum status open_tiles(struct job *job, const struct app_options *o)
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < APP_POSITIONAL_COUNT && o->positionals[i] && status == STATUS_OK; i++)
         status = add_tile(job, o->positionals[i]);
-    for (uint32_t i = 0; i < job->columns * job->rows && status == STATUS_OK; i++) {
+    const struct tiling *tiling = &job->tiling;
+    for (uint32_t i = 0; i < tiling->columns * tiling->rows && status == STATUS_OK; i++) {
         if (job->tiles[i].path)
             continue;
-        log_error("tile %u of %ux%u is missing", i + 1, job->columns, job->rows);
+        log_error("tile %u of %ux%u is missing", i + 1, tiling->columns, tiling->rows);
         status = STATUS_NO_INPUT;
     }
     if (status != STATUS_OK)
         return status;
     job->image = job->first->image;
-    job->image.width *= job->columns;
-    job->image.height *= job->rows;
+    job->image.width = tiling->width;
+    job->image.height = tiling->height;
     if (job->image.width <= IMAGE_MAX_SIDE && job->image.height <= IMAGE_MAX_SIDE)
         return STATUS_OK;
     log_error("%s: the picture would have more than %d pixels on a side", job->first->path,
@@ -113,22 +160,50 @@ static enum status open_tiles(struct job *job, const struct app_options *o)
     return STATUS_DATA;
 }
 
+/* The row of tiles in which a row of the picture is. */
+static uint32_t find_row(const struct job *job, uint32_t y)
+{
+    uint32_t row = 0;
+    struct tile tile = tile_at(&job->tiling, 0);
+    if (job->interleaved)
+        return y % job->tiling.rows;
+    while (y >= tile.y + tile.height)
+        tile = tile_at(&job->tiling, ++row * job->tiling.columns);
+    return row;
+}
+
+/* A tile's share of a plane's row. */
+static enum status fill_from(const struct job *job, uint32_t index, uint32_t plane, uint32_t y,
+                             float *row)
+{
+    const struct input *input = &job->tiles[index];
+    const struct tiling *tiling = &job->tiling;
+    const struct tile tile = tile_at(tiling, index);
+    const bool apart = job->interleaved;
+    const float *from = exr_row(input->file, plane, apart ? y / tiling->rows : y - tile.y);
+    if (!from)
+        return STATUS_DATA;
+    if (!apart)
+        memcpy(row + tile.x, from, tile.width * sizeof(*row));
+    for (uint32_t x = 0; x < input->image.width && apart; x++)
+        row[(size_t)x * tiling->columns + index % tiling->columns] = from[x];
+    return STATUS_OK;
+}
+
 static enum status fill_rows(void *user, uint32_t y, struct image *rows)
 {
     const struct job *job = user;
+    const uint32_t columns = job->tiling.columns;
+    enum status status = STATUS_OK;
     for (uint32_t row = 0; row < rows->height; row++, y++) {
-        for (uint32_t t = 0; t < job->columns * rows->plane_count; t++) {
-            const uint32_t column = t % job->columns, p = t / job->columns;
-            const struct tile *tile = &job->tiles[y % job->rows * job->columns + column];
-            const float *from = exr_row(tile->file, p, y / job->rows);
-            float *to = rows->planes[p].texels + (size_t)row * rows->width + column;
-            if (!from)
-                return STATUS_DATA;
-            for (uint32_t x = 0; x < tile->image.width; x++)
-                to[(size_t)x * job->columns] = from[x];
+        const uint32_t first = find_row(job, y) * columns;
+        for (uint32_t t = 0; t < columns * rows->plane_count && status == STATUS_OK; t++) {
+            const uint32_t p = t / columns;
+            status = fill_from(job, first + t % columns, p, y,
+                               rows->planes[p].texels + (size_t)row * rows->width);
         }
     }
-    return STATUS_OK;
+    return status;
 }
 
 /* The header is that of the tiles, without their numbers. */
@@ -176,7 +251,7 @@ enum status app_merge(const struct app_options *o)
         status = write_picture(job, path);
     if (status == STATUS_OK && !o->quiet)
         fprintf(stderr, "%s: %ux%u of %u tiles\n", strcmp(path, "-") ? path : "stdout",
-                job->image.width, job->image.height, job->columns * job->rows);
+                job->image.width, job->image.height, job->tiling.columns * job->tiling.rows);
     for (uint32_t i = 0; i < APP_POSITIONAL_COUNT; i++)
         exr_close(job->tiles[i].file);
     free(job);

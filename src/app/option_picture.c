@@ -107,6 +107,13 @@ enum status option_tile(struct app_options *o, const char *value)
     return STATUS_OK;
 }
 
+enum status option_interleaved(struct app_options *o, const char *value)
+{
+    (void)value;
+    o->interleaved = true;
+    return STATUS_OK;
+}
+
 static enum status add_layer(struct app_options *o, const char *name, size_t length,
                              const char *value)
 {

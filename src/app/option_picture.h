@@ -6,7 +6,7 @@
 
 option_fn option_bake_output, option_bake_size, option_sheet_output;
 option_fn option_output, option_screenshot, option_size, option_samples, option_aov, option_show;
-option_fn option_tiles, option_tile;
+option_fn option_tiles, option_tile, option_interleaved;
 option_fn option_frames, option_resume, option_chunk, option_refraction, option_material,
     option_set;
 option_fn option_env, option_surroundings, option_background, option_orbit, option_eye;

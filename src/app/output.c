@@ -12,6 +12,7 @@
 #include "src/log.h"
 #include "src/reference/reference.h"
 #include "src/scene_settings.h"
+#include "src/tile.h"
 #include "src/version.h"
 
 /* In the order of the files; the device comes last, for it does not count in comparisons. */
@@ -71,8 +72,8 @@ static bool describe(const struct output *output, const struct frame_layer *show
     if (out) {
         fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", o->positionals[0],
                 o->rung->name, o->width, o->height, o->samples);
-        if (o->tile_columns)
-            fprintf(out, " tiles=%ux%u", o->tile_columns, o->tile_rows);
+        if (o->interleaved) /* other tiles change nothing */
+            fprintf(out, " interleaved=%ux%u", o->tile_columns, o->tile_rows);
         if (o->split)
             fprintf(out, " split=%s", o->split->name);
         if (show)
@@ -122,38 +123,60 @@ static void fill_texts(struct texts *texts, const struct output *output, bool is
     add_text(texts, "firn/version", FIRN_VERSION);
     add_text(texts, "firn/settings", is_png ? output->png_settings : output->settings);
     if (o->tile) {
-        snprintf(texts->tile, sizeof(texts->tile), "%u of %ux%u", o->tile, o->tile_columns,
-                 o->tile_rows);
+        snprintf(texts->tile, sizeof(texts->tile), "%u of %ux%u%s", o->tile, o->tile_columns,
+                 o->tile_rows, o->interleaved ? " interleaved" : "");
         add_text(texts, "firn/tile", texts->tile);
     }
     texts->compared_count = texts->count;
     add_text(texts, "firn/device", device);
 }
 
-/* Pixels of a file. */
-static uint32_t width_of(const struct app_options *o)
+/* Which pixels of the picture a file has; of interleaved tiles at (0, 0). */
+static struct tile pixels_of(const struct app_options *o)
 {
-    return o->tile ? o->width / o->tile_columns : o->width;
+    const struct tiling tiling = { o->width, o->height, o->tile_columns, o->tile_rows };
+    if (!o->tile)
+        return (struct tile){ .width = o->width, .height = o->height };
+    if (!o->interleaved)
+        return tile_at(&tiling, o->tile - 1);
+    return (struct tile){
+        .width = o->width / o->tile_columns,
+        .height = o->height / o->tile_rows,
+    };
 }
 
-static uint32_t height_of(const struct app_options *o)
+static struct exr_place place_of(const struct app_options *o)
 {
-    return o->tile ? o->height / o->tile_rows : o->height;
+    const struct tile tile = pixels_of(o);
+    if (!o->tile || o->interleaved)
+        return (struct exr_place){ 0 };
+    return (struct exr_place){ tile.x, tile.y, o->width, o->height };
+}
+
+/* What is wrong with tiles of the picture's size; NULL: nothing. */
+static const char *check_sizes(const struct app_options *o)
+{
+    const struct tiling tiling = { o->width, o->height, o->tile_columns, o->tile_rows };
+    if (!o->interleaved)
+        return tile_fits(&tiling) ? NULL : "--tiles: a tile has 2x2 pixels at least (--size)";
+    if (o->width % o->tile_columns || o->height % o->tile_rows)
+        return "--interleaved: the columns of --tiles must divide the width, and their rows the "
+               "height (--size)";
+    return NULL;
 }
 
 enum status output_check_tiles(const struct app_options *o)
 {
     const char *wrong = NULL;
-    if (!o->tile_columns && o->tile) {
-        wrong = "--tile needs --tiles";
+    if (!o->tile_columns && (o->tile || o->interleaved)) {
+        wrong = o->tile ? "--tile needs --tiles" : "--interleaved needs --tiles";
     } else if (o->tile_columns) {
         if (o->rung == &reference_rung)
             wrong = "--refraction reference: it needs no --tiles, it traces the picture as it is";
         else if (o->tile > o->tile_columns * o->tile_rows)
             wrong = "--tile: there are not so many --tiles";
-        else if (o->width % o->tile_columns || o->height % o->tile_rows)
-            wrong =
-                "--tiles: their columns must divide the width, and their rows the height (--size)";
+        else
+            wrong = check_sizes(o);
         for (uint32_t i = 0; i < o->output_count && o->tile && !wrong; i++)
             wrong = output_is_png(o->outputs[i]) ? "--tile: a tile is an .exr file, no .png" : NULL;
     }
@@ -182,8 +205,13 @@ static bool exr_is_current(const struct output *output, const char *path, const 
 {
     const struct app_options *o = output->options;
     struct image_plane planes[PLANE_COUNT_MAX] = { 0 };
-    struct image image = { .width = width_of(o), .height = height_of(o), .planes = planes };
-    const struct exr_header header = { .texts = texts->all, .text_count = texts->compared_count };
+    const struct tile tile = pixels_of(o);
+    struct image image = { .width = tile.width, .height = tile.height, .planes = planes };
+    const struct exr_header header = {
+        .texts = texts->all,
+        .text_count = texts->compared_count,
+        .place = place_of(o),
+    };
 
     add_layer(&image, &frame_beauty);
     for (uint32_t i = 0; frame_layers[i].name; i++) {
@@ -201,8 +229,8 @@ bool output_is_current(const struct output *output, const char *path)
     const bool is_png = output_is_png(path);
     fill_texts(&texts, output, is_png, "");
     const struct png_picture picture = {
-        .width = width_of(output->options),
-        .height = height_of(output->options),
+        .width = pixels_of(output->options).width,
+        .height = pixels_of(output->options).height,
         .texts = texts.all,
         .text_count = texts.compared_count,
     };
@@ -240,9 +268,11 @@ static enum status encode_exr(const struct output *output, const struct render_r
         .text_count = texts->count,
         .world_to_camera = &view.raw[0][0],
         .world_to_ndc = &ndc.raw[0][0],
+        .place = place_of(o),
     };
+    const struct tile tile = pixels_of(o);
     struct image_plane planes[PLANE_COUNT_MAX];
-    struct image image = { .width = width_of(o), .height = height_of(o), .planes = planes };
+    struct image image = { .width = tile.width, .height = tile.height, .planes = planes };
     select_planes(&image, &result->image, o);
     return exr_encode(&image, &header, data, size);
 }
@@ -256,8 +286,8 @@ enum status output_encode(const struct output *output, const char *path,
     fill_texts(&texts, output, is_png, device);
     const struct png_picture picture = {
         .rgba = result->rgba,
-        .width = width_of(output->options),
-        .height = height_of(output->options),
+        .width = pixels_of(output->options).width,
+        .height = pixels_of(output->options).height,
         .texts = texts.all,
         .text_count = texts.count,
     };

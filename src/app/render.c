@@ -14,6 +14,7 @@
 #include "src/log.h"
 #include "src/reference/reference.h"
 #include "src/renderer.h"
+#include "src/tile.h"
 
 struct job {
     struct app_options o;
@@ -110,12 +111,17 @@ static bool make_whole(const struct job *job, const struct render_result *tile,
 static void put_tile(const struct job *job, uint32_t index, const struct render_result *tile,
                      struct render_result *whole)
 {
-    const uint32_t columns = job->o.tile_columns, rows = job->o.tile_rows;
+    const bool apart = job->o.interleaved;
+    const struct tiling tiling = { job->o.width, job->o.height, job->o.tile_columns,
+                                   job->o.tile_rows };
+    const struct tile at =
+        apart ? (struct tile){ index % tiling.columns, index / tiling.columns, 0, 0 }
+              : tile_at(&tiling, index);
+    const size_t across = apart ? tiling.columns : 1, down = apart ? tiling.rows : 1;
     for (size_t y = 0; y < tile->image.height; y++) {
         for (size_t x = 0; x < tile->image.width; x++) {
             const size_t from = y * tile->image.width + x;
-            const size_t to =
-                (rows * y + index / columns) * job->o.width + columns * x + index % columns;
+            const size_t to = (down * y + at.y) * tiling.width + across * x + at.x;
             for (uint32_t p = 0; p < whole->image.plane_count; p++)
                 whole->image.planes[p].texels[to] = tile->image.planes[p].texels[from];
             if (whole->rgba)
@@ -202,6 +208,7 @@ static enum status open_renderer(struct job *job)
         .height = o->height,
         .columns = o->tile_columns,
         .rows = o->tile_rows,
+        .interleaved = o->interleaved,
         .samples = o->samples,
         .sharing = o->sharing,
         .prime = true,

@@ -11,11 +11,18 @@
 #include "src/image/image.h"
 #include "src/status.h"
 
+/* Where an image lies in a larger picture: its data window in the display window. */
+struct exr_place {
+    uint32_t x, y;          /* of its first pixel */
+    uint32_t width, height; /* of the picture; 0: the image is all of it */
+};
+
 struct exr_header {
     const struct image_text *texts; /* string attributes; may be NULL if text_count is 0 */
     uint32_t text_count;
     const float *world_to_camera; /* 16 floats, EXR's row-vector order; may be NULL */
     const float *world_to_ndc;    /* the same; may be NULL */
+    struct exr_place place;
 };
 
 /*
@@ -50,6 +57,9 @@ MUST_USE enum status exr_open(struct exr_file **file, const char *path, struct i
 /* A text of the header, the file's; NULL if there is none of that name. */
 const char *exr_text(const struct exr_file *file, const char *name);
 
+/* Where the file's image lies in its display window; false if one has parts outside of it. */
+bool exr_find_place(const struct exr_file *file, struct exr_place *place);
+
 /* 16 floats of the header, EXR's order; false if there are none of that name. */
 bool exr_matrix(const struct exr_file *file, const char *name, float *matrix);
 
@@ -67,9 +77,9 @@ void exr_close(struct exr_file *file); /* may be NULL */
 MUST_USE enum status exr_read(const char *path, struct image *image);
 
 /*
- * Whether a file is such as exr_encode() makes of an image of this size and these planes, with
- * these texts in its header among others, and can be read to its end. Texels (which may be NULL)
- * and matrices are not compared. Logs only when the file is missing or cannot be opened.
+ * Whether a file is such as exr_encode() makes of an image of this size, place and these planes,
+ * with these texts in its header among others, and can be read to its end. Texels (which may be
+ * NULL) and matrices are not compared. Logs only when the file is missing or cannot be opened.
  */
 bool exr_matches(const char *path, const struct image *image, const struct exr_header *header);
 

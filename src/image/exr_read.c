@@ -293,6 +293,34 @@ static bool has_form(const struct image *image, const struct image *wanted)
     return same;
 }
 
+static bool find_place(const struct reader *reader, struct exr_place *place)
+{
+    const exr_attr_box2i_t *data = &reader->window;
+    exr_attr_box2i_t display;
+    if (exr_get_display_window(reader->context, 0, &display) != EXR_ERR_SUCCESS ||
+        data->min.x < display.min.x || data->min.y < display.min.y || data->max.x > display.max.x ||
+        data->max.y > display.max.y)
+        return false;
+    *place = (struct exr_place){
+        .x = (uint32_t)data->min.x - (uint32_t)display.min.x,
+        .y = (uint32_t)data->min.y - (uint32_t)display.min.y,
+        .width = (uint32_t)display.max.x - (uint32_t)display.min.x + 1,
+        .height = (uint32_t)display.max.y - (uint32_t)display.min.y + 1,
+    };
+    return true;
+}
+
+static bool has_place(const struct reader *reader, const struct exr_place *wanted)
+{
+    struct exr_place place;
+    if (!find_place(reader, &place))
+        return false;
+    if (!wanted->width)
+        return place.width == reader->image->width && place.height == reader->image->height;
+    return place.x == wanted->x && place.y == wanted->y && place.width == wanted->width &&
+           place.height == wanted->height;
+}
+
 bool exr_matches(const char *path, const struct image *image, const struct exr_header *header)
 {
     struct source source = { 0 };
@@ -303,7 +331,8 @@ bool exr_matches(const char *path, const struct image *image, const struct exr_h
     if (file_open(path, &source.file, &source.size) != STATUS_OK)
         return false;
     same = open_reader(&reader, path) == EXR_ERR_SUCCESS && has_texts(reader.context, header) &&
-           read_part(&reader) == EXR_ERR_SUCCESS && has_form(&found, image);
+           read_part(&reader) == EXR_ERR_SUCCESS && has_form(&found, image) &&
+           has_place(&reader, &header->place);
     exr_finish(&reader.context);
     image_finish(&found);
     fclose(source.file);
@@ -419,6 +448,11 @@ const char *exr_text(const struct exr_file *file, const char *name)
     return exr_attr_get_string(file->reader.context, 0, name, &length, &value) == EXR_ERR_SUCCESS
                ? value
                : NULL;
+}
+
+bool exr_find_place(const struct exr_file *file, struct exr_place *place)
+{
+    return find_place(&file->reader, place);
 }
 
 bool exr_matrix(const struct exr_file *file, const char *name, float *matrix)

@@ -101,14 +101,34 @@ static exr_result_t declare_attributes(exr_context_t context, const struct exr_h
     return result;
 }
 
-static exr_result_t declare_part(exr_context_t context, const struct image *image)
+/* As exr_initialize_required_attr_simple() does where the image is the picture. */
+static exr_result_t declare_windows(exr_context_t context, int part, const struct image *image,
+                                    const struct exr_place *place)
+{
+    const exr_attr_v2f_t middle = { .x = 0.0f, .y = 0.0f };
+    const int32_t x = (int32_t)place->x, y = (int32_t)place->y;
+    const exr_attr_box2i_t data = {
+        .min = { .x = x, .y = y },
+        .max = { .x = x + (int32_t)image->width - 1, .y = y + (int32_t)image->height - 1 },
+    };
+    exr_attr_box2i_t display = data;
+
+    if (place->width)
+        display = (exr_attr_box2i_t){
+            .max = { .x = (int32_t)place->width - 1, .y = (int32_t)place->height - 1 },
+        };
+    return exr_initialize_required_attr(context, part, &display, &data, 1.0f, &middle, 1.0f,
+                                        EXR_LINEORDER_INCREASING_Y, EXR_COMPRESSION_ZIP);
+}
+
+static exr_result_t declare_part(exr_context_t context, const struct image *image,
+                                 const struct exr_place *place)
 {
     int part;
     exr_result_t result = exr_add_part(context, NULL, EXR_STORAGE_SCANLINE, &part);
 
     if (result == EXR_ERR_SUCCESS)
-        result = exr_initialize_required_attr_simple(context, part, (int32_t)image->width,
-                                                     (int32_t)image->height, EXR_COMPRESSION_ZIP);
+        result = declare_windows(context, part, image, place);
     for (uint32_t i = 0; i < image->plane_count && result == EXR_ERR_SUCCESS; i++) {
         const struct image_plane *plane = &image->planes[i];
         result = exr_add_channel(context, part, plane->name,
@@ -129,6 +149,7 @@ static const struct image_plane *find_plane(const struct image *image, const cha
 /* What is encoded: all of a picture, or rows that `fill` brings, some at a time. */
 struct origin {
     const struct image *image;
+    uint32_t y;        /* of its first row in the picture */
     exr_rows_fn *fill; /* NULL: the image has its texels */
     void *user;
     struct image rows;  /* `height` of them, for fill */
@@ -186,7 +207,7 @@ static exr_result_t write_chunk(exr_context_t context, struct origin *origin, ui
     exr_chunk_info_t chunk;
     exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
     struct compressor compressor;
-    exr_result_t result = exr_write_scanline_chunk_info(context, 0, (int)y, &chunk);
+    exr_result_t result = exr_write_scanline_chunk_info(context, 0, (int)(origin->y + y), &chunk);
 
     if (result != EXR_ERR_SUCCESS)
         return result;
@@ -262,8 +283,11 @@ static enum status encode(struct origin *origin, const struct exr_header *header
 
     assert(image->plane_count > 0 && image->plane_count <= IMAGE_MAX_PLANES);
     assert(image->width <= IMAGE_MAX_SIDE && image->height <= IMAGE_MAX_SIDE);
+    assert(!header->place.width || (header->place.x + image->width <= header->place.width &&
+                                    header->place.y + image->height <= header->place.height));
     *data = NULL;
     *size = 0;
+    origin->y = header->place.y;
     start.error_handler_fn = ignore_message;
     start.user_data = &sink;
     start.write_fn = sink_write;
@@ -272,7 +296,7 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     if (result == EXR_ERR_SUCCESS && has_long_names(image, header))
         result = exr_set_longname_support(context, 1);
     if (result == EXR_ERR_SUCCESS)
-        result = declare_part(context, image);
+        result = declare_part(context, image, &header->place);
     if (result == EXR_ERR_SUCCESS)
         result = declare_attributes(context, header);
     if (result == EXR_ERR_SUCCESS)

@@ -61,7 +61,7 @@ class Exr:
     def __init__(self, data):
         self.attributes, table = read_attributes(data)
         self.channels = read_channels(self.attributes['channels'][1])
-        left, top, right, bottom = struct.unpack('<4i', self.attributes['dataWindow'][1])
+        left, top, right, bottom = self.window('dataWindow')
         self.size = right - left + 1, bottom - top + 1
         lines = LINES_PER_CHUNK[self.attributes['compression'][1][0]]
         chunks = struct.unpack_from(f'<{-(-self.size[1] // lines)}Q', data, table)
@@ -75,6 +75,10 @@ class Exr:
         if kind != 'string':
             raise Damaged(f'{name} is a {kind}')
         return value.decode('utf-8')
+
+    def window(self, name):
+        """left, top, right, bottom, all of them inside"""
+        return struct.unpack('<4i', self.attributes[name][1])
 
     def matrix(self, name):
         kind, value = self.attributes[name]

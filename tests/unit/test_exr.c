@@ -499,6 +499,35 @@ static void test_matches_form(void **state)
     image_finish(&image);
 }
 
+/* Where a file's pixels are in a larger picture, written and found again. */
+static void test_place(void **state)
+{
+    (void)state;
+    static const char *const names[] = { "R", "N.X" };
+    const struct exr_header header = { .place = { 6, 20, 100, 50 } };
+    const struct exr_header others[] = { { .place = { 8, 20, 100, 50 } },
+                                         { .place = { 6, 20, 100, 51 } },
+                                         { .place = { 0 } } };
+    struct image image, read = { 0 };
+    struct exr_file *file;
+    struct exr_place place = { 0 };
+    make_image(&image, 37, 30, names, 2);
+    const struct bytes bytes = encode(&image, &header);
+    save(bytes.data, bytes.size);
+    free(bytes.data);
+    assert_int_equal(exr_read(path, &read), STATUS_OK);
+    check_same(&image, &read);
+    image_finish(&read);
+    assert_int_equal(exr_open(&file, path, &read), STATUS_OK);
+    assert_true(exr_find_place(file, &place));
+    assert_memory_equal(&place, &header.place, sizeof(place));
+    exr_close(file);
+    assert_true(exr_matches(path, &image, &header));
+    for (size_t i = 0; i < 3; i++)
+        assert_false(exr_matches(path, &image, &others[i]));
+    image_finish(&image);
+}
+
 static void test_matches_texts(void **state)
 {
     static const struct image_text others[] = {
@@ -562,6 +591,7 @@ int main(void)
         cmocka_unit_test(test_bit_flips),
         cmocka_unit_test(test_matches_form),
         cmocka_unit_test(test_matches_texts),
+        cmocka_unit_test(test_place),
         cmocka_unit_test(test_matches_whole_files),
     };
     snprintf(path, sizeof(path), "/tmp/firn-test-exr-%ld.exr", (long)getpid());

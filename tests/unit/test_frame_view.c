@@ -73,6 +73,91 @@ static void test_eye_inside(void **state)
     assert_true(planes.x > 0.0f && planes.y > planes.x);
 }
 
+/* Where a point is in a picture, pixels. */
+static vec2s pixel_of(const struct frame_view *view, vec3s point)
+{
+    const mat4s clip_from_world =
+        camera_clip_from_world(&view->camera, view->width, view->height, 0.01F, view->jitter);
+    const vec4s clip = glms_mat4_mulv(clip_from_world, glms_vec4(point, 1));
+    return (vec2s){ { (clip.x / clip.w + 1) / 2 * (float)view->width,
+                      (clip.y / clip.w + 1) / 2 * (float)view->height } };
+}
+
+/* Points of a sphere's surface lie inside, with a texel around them; some close to each edge. */
+static void check_reach(const struct frame_view *view, const struct globals *globals, float radii)
+{
+    const VkRect2D reach = frame_view_reach(view, globals, radii);
+    const float left = (float)reach.offset.x, top = (float)reach.offset.y;
+    const float right = left + (float)reach.extent.width, low = top + (float)reach.extent.height;
+    float ends[4] = { 1e9F, 1e9F, -1e9F, -1e9F };
+    for (int i = 0; i < 64 * 32; i++) {
+        const float across = (float)(i % 64) / 64 * 6.2831853F,
+                    up = (float)(i / 64) / 31 * 3.14159F;
+        const vec3s dir = { { sinf(up) * cosf(across), cosf(up), sinf(up) * sinf(across) } };
+        const float radius = globals->radius * (radii > 0 ? radii : 1) * 1.02F;
+        const vec3s point = glms_vec3_add(globals->center, glms_vec3_scale(dir, radius));
+        const vec2s p = pixel_of(view, point);
+        if (p.x >= 0 && p.x < (float)view->width && p.y >= 0 && p.y < (float)view->height)
+            assert_true(p.x >= left && p.x <= right && p.y >= top && p.y <= low);
+        ends[0] = fminf(ends[0], p.x);
+        ends[1] = fminf(ends[1], p.y);
+        ends[2] = fmaxf(ends[2], p.x);
+        ends[3] = fmaxf(ends[3], p.y);
+    }
+    const float room = 0.04F * (ends[2] - ends[0]) + 8;
+    assert_true(left == 0 || fabsf(left - ends[0]) < room);
+    assert_true(top == 0 || fabsf(top - ends[1]) < room);
+    assert_true(right == (float)view->width || fabsf(right - ends[2]) < room);
+    assert_true(low == (float)view->height || fabsf(low - ends[3]) < room);
+    assert_int_equal(reach.offset.x % 2 + reach.offset.y % 2, 0);
+}
+
+static void test_reach_holds_the_sphere(void **state)
+{
+    (void)state;
+    const struct globals globals = { .center = { { 0.5F, 1, -2 } }, .radius = 0.75F };
+    for (int i = 0; i < 60; i++) {
+        const float turn = (float)i * 0.7F;
+        const float distance = 2 + 0.1F * (float)i;
+        struct globals seen = globals;
+        const vec3s eye = { { 0.5F + distance * cosf(turn), 1 + 0.5F * sinf(3 * turn),
+                              -2 + distance * sinf(turn) } };
+        const struct frame_view view = {
+            .camera = { .eye = eye,
+                        .target = { { 0.5F + sinf(turn), 1 + 0.4F * cosf(turn), -2 } },
+                        .fov_deg = 30 + (float)(i % 7) * 10 },
+            .width = 501,
+            .height = i % 2 ? 300 : 700,
+            .jitter = { { 0.45F, -0.45F } },
+        };
+        seen.eye = eye;
+        check_reach(&view, &seen, i % 3 ? 0 : 1.5F);
+    }
+}
+
+/* A pixel of what is beside the picture or behind the eye, or all. */
+static void test_reach_without_a_sphere(void **state)
+{
+    (void)state;
+    const struct frame_view view = {
+        .camera = { .target = { { 0, 0, -1 } }, .fov_deg = 45 },
+        .width = 64,
+        .height = 48,
+    };
+    struct globals globals = { .center = { { 0, 0, -0.5F } }, .radius = 1 };
+    VkRect2D reach = frame_view_reach(&view, &globals, 0);
+    assert_int_equal(reach.extent.width, 64); /* around the eye */
+    assert_int_equal(reach.extent.height, 48);
+    globals.center = (vec3s){ { 50, 0, -5 } };
+    reach = frame_view_reach(&view, &globals, 0);
+    assert_int_equal(reach.offset.x, 63);
+    assert_int_equal(reach.extent.width, 1);
+    globals.center = (vec3s){ { 0, 50, -5 } };
+    reach = frame_view_reach(&view, &globals, 0);
+    assert_int_equal(reach.offset.y, 0);
+    assert_true(reach.extent.height >= 1 && reach.extent.height < 8);
+}
+
 /* The third is behind the second one's rim, though its centre is nearer to the eye. */
 static void test_bubbles_are_sorted(void **state)
 {
@@ -135,6 +220,8 @@ int main(void)
         cmocka_unit_test(test_planes_touch_the_sphere),
         cmocka_unit_test(test_fitted_depth_is_finer),
         cmocka_unit_test(test_eye_inside),
+        cmocka_unit_test(test_reach_holds_the_sphere),
+        cmocka_unit_test(test_reach_without_a_sphere),
         cmocka_unit_test(test_bubbles_are_sorted),
         cmocka_unit_test(test_sun_sees_all_of_it),
     };
