@@ -22,7 +22,8 @@ enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height)
         smaller(side, smaller(limits->maxFramebufferHeight, limits->maxViewportDimensions[1]));
     if (width <= width_max && height <= height_max)
         return STATUS_OK;
-    log_error("a picture of %u x %u pixels: %s draws at most %u x %u; ask for fewer (--size)",
+    log_error("a picture of %u x %u pixels: %s draws at most %u x %u; ask for fewer (--size), "
+              "or for interleaved tiles (--tiles, --interleaved)",
               width, height, gpu->properties.deviceName, width_max, height_max);
     return STATUS_USAGE;
 }
@@ -76,7 +77,7 @@ enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view, VkDeviceSize 
         if (size <= heap_size(gpu, i))
             continue;
         log_error("a picture of %u x %u pixels takes %llu MiB of memory, %s has %llu MiB; ask for "
-                  "fewer pixels or layers (--size, --aov)",
+                  "fewer pixels or layers (--size, --aov), or for tiles (--tiles, --interleaved)",
                   view.width, view.height, needed, gpu->properties.deviceName, given);
         return STATUS_TRY_AGAIN;
     }

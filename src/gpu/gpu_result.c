@@ -7,7 +7,8 @@
 #define ROW(value) .result = (value), .name = #value
 
 static const char lost[] = "the device stopped working: try again";
-static const char memory[] = "memory is short: end other programs, or ask for less (--size)";
+static const char memory[] =
+    "memory is short: end other programs, or ask for less (--size, --tiles, --interleaved)";
 
 static const struct row {
     VkResult result;
