@@ -4,11 +4,12 @@
 #include "abi.h"
 
 /* bindings of the rows that draw cracks: with the paper's clipping the first two, with intervals
- * the third */
-#define CRACKS_FRONT     1
-#define CRACKS_BACK      2
-#define CRACKS_INTERVALS 3
-#define CRACKS_ENV_CUBE  4 /* if they reflect it */
+ * the next ones */
+#define CRACKS_FRONT    1
+#define CRACKS_BACK     2
+#define CRACKS_NEAR     3
+#define CRACKS_FAR      4
+#define CRACKS_ENV_CUBE 5 /* if they reflect it */
 
 #define CRACKS_MAX 64 /* cracks.count, at most */
 

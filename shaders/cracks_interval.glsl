@@ -2,9 +2,10 @@
 #include "cracks.h"
 #include "ice_interval.glsl"
 
-layout(set = 0, binding = CRACKS_INTERVALS) uniform sampler2DArray layers;
+layout(set = 0, binding = CRACKS_NEAR) uniform sampler2DArray near;
+layout(set = 0, binding = CRACKS_FAR) uniform sampler2DArray far;
 
 bool crack_is_inside()
 {
-    return ice_interval_contains(layers, gl_FragCoord.z);
+    return ice_interval_contains(near, far, gl_FragCoord.z);
 }

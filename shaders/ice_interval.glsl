@@ -22,14 +22,22 @@ int ice_interval_step(float layer)
     return (floatBitsToUint(layer) & 1u) == 0u ? 1 : -1;
 }
 
-/* At an entering face and at a leaving one is inside. */
-bool ice_interval_contains(sampler2DArray layers, float depth)
+/* The pixel's face i, of the nearer half of the layers or of the others. */
+float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    int count = textureSize(layers, 0).z;
+    int near_count = textureSize(near, 0).z;
+    return i < near_count ? texelFetch(near, ivec3(pixel, i), 0).r
+                          : texelFetch(far, ivec3(pixel, i - near_count), 0).r;
+}
+
+/* At an entering face and at a leaving one is inside. */
+bool ice_interval_contains(sampler2DArray near, sampler2DArray far, float depth)
+{
+    int count = 2 * textureSize(near, 0).z;
     int within = 0;
     for (int i = 0; i < count; i++) {
-        float layer = texelFetch(layers, ivec3(pixel, i), 0).r;
+        float layer = ice_interval_face(near, far, i);
         int way = ice_interval_step(layer);
         if (layer == ICE_INTERVAL_END || layer > depth || (layer == depth && way < 0))
             break;
@@ -38,14 +46,13 @@ bool ice_interval_contains(sampler2DArray layers, float depth)
     return within > 0;
 }
 
-int ice_interval_count(sampler2DArray layers)
+int ice_interval_count(sampler2DArray near, sampler2DArray far)
 {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    int count = textureSize(layers, 0).z;
+    int count = 2 * textureSize(near, 0).z;
     int within = 0;
     int intervals = 0;
     for (int i = 0; i < count; i++) {
-        float layer = texelFetch(layers, ivec3(pixel, i), 0).r;
+        float layer = ice_interval_face(near, far, i);
         if (layer == ICE_INTERVAL_END)
             break;
         int way = ice_interval_step(layer);

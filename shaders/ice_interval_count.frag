@@ -2,11 +2,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "ice_interval.glsl"
 
-layout(set = 0, binding = ICE_INTERVAL_LAYERS) uniform sampler2DArray layers;
+layout(set = 0, binding = ICE_INTERVAL_NEAR) uniform sampler2DArray near;
+layout(set = 0, binding = ICE_INTERVAL_FAR) uniform sampler2DArray far;
 
 layout(location = 0) out float count;
 
 void main()
 {
-    count = float(ice_interval_count(layers));
+    count = float(ice_interval_count(near, far));
 }

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "ice_interval.glsl"
 
-layout(set = 0, binding = ICE_INTERVAL_LAYERS) uniform sampler2DArray before;
+layout(set = 0, binding = ICE_INTERVAL_BEFORE) uniform sampler2DArray before;
 
 /* The nearest of the faces behind the layer before. */
 void main()

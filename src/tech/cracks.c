@@ -63,7 +63,9 @@ enum clipping {
 #define USE_NO_DEPTH FRAME_USE_GLOBALS
 #define USE_DEPTH \
     FRAME_USE_GLOBALS, USE(ice_depth_front, CRACKS_FRONT), USE(ice_depth_back, CRACKS_BACK)
-#define USE_LAYERS(k) FRAME_USE_GLOBALS, USE(ice_interval_layers[(k)-1], CRACKS_INTERVALS)
+#define USE_LAYERS(k) \
+    FRAME_USE_GLOBALS, USE(ice_interval_near[(k)-1], CRACKS_NEAR), \
+        USE(ice_interval_far[(k)-1], CRACKS_FAR)
 
 /* ---- rows ---- */
 
