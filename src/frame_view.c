@@ -121,7 +121,7 @@ static void span(float aside, float ahead, float radius, float half, float edge,
 }
 
 /* One pixel at least, within the picture. */
-static void clip(int32_t ends[2], uint32_t side, int32_t *offset, uint32_t *extent)
+static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t *extent)
 {
     const int32_t last = (int32_t)side - 1;
     const int32_t low = ends[0] < 0 ? 0 : ends[0] > last ? last : ends[0] & ~1;

@@ -90,9 +90,10 @@ static void check_reach(const struct frame_view *view, const struct globals *glo
     const float left = (float)reach.offset.x, top = (float)reach.offset.y;
     const float right = left + (float)reach.extent.width, low = top + (float)reach.extent.height;
     float ends[4] = { 1e9F, 1e9F, -1e9F, -1e9F };
-    for (int i = 0; i < 64 * 32; i++) {
-        const float across = (float)(i % 64) / 64 * 6.2831853F,
-                    up = (float)(i / 64) / 31 * 3.14159F;
+    for (uint32_t i = 0; i < 64 * 32; i++) {
+        const uint32_t row = i / 64;
+        const float across = (float)(i % 64) / 64 * 6.2831853F;
+        const float up = (float)row / 31 * 3.14159F;
         const vec3s dir = { { sinf(up) * cosf(across), cosf(up), sinf(up) * sinf(across) } };
         const float radius = globals->radius * (radii > 0 ? radii : 1) * 1.02F;
         const vec3s point = glms_vec3_add(globals->center, glms_vec3_scale(dir, radius));
