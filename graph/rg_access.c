@@ -250,14 +250,12 @@ void rg_meaning_learn(struct meaning *m, enum rg_kind kind, enum rg_access acces
     unsigned flags = info->reads_content ? ACCESS_READS_CONTENT : 0;
     if (info->writes_content)
         flags |= ACCESS_WRITES_CONTENT | (info->reads_content ? 0 : ACCESS_OVERWRITES);
-    *m = (struct meaning){
-        .on_image = rg_effect(access, true, stages_of_use(kind, access)),
-        .shaders = stages_of_kind[kind],
-        .flags = flags,
-        .fits = fits,
-        .image = fits && info->image_usage,
-        .buffer = fits && info->buffer_usage,
-    };
+    m->on_image = rg_effect(access, true, stages_of_use(kind, access));
+    m->shaders = stages_of_kind[kind];
+    m->flags = flags;
+    m->fits = fits;
+    m->image = fits && info->image_usage;
+    m->buffer = fits && info->buffer_usage;
     m->on_buffer = m->on_image;
     m->on_buffer.layout = VK_IMAGE_LAYOUT_UNDEFINED;
     m->on_buffer.usage = info->buffer_usage;

@@ -475,7 +475,8 @@ static void expand_row(struct expansion *e, const struct rg_pass *rg)
     c->row_first_fault = c->fault_count;
     if (!rg->name)
         rg_fault_add(c, RG_ERROR_NO_NAME, e->place, "give the pass a name");
-    else if (!rg_name_is_new(c, NAME_PASS, rg->name))
+    else if (!rg_name_add_quickly(c, NAME_PASS, rg->name) &&
+             !rg_name_is_new(c, NAME_PASS, rg->name))
         rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, e->place, RG_HINT_NAME);
     if (!rg_is_fine_row(rg))
         rg_check_row(c, rg, &e->place);

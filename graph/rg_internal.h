@@ -20,22 +20,23 @@ enum {
     CELL_FILLED_BY, /* plus the index of a conditional pass */
 };
 
+/* In an order that lets neighbours be written together (rg_state_write()). */
 struct cell {
-    VkPipelineStageFlags2 write_stages; /* of the last write, or that it was chained on to */
-    VkAccessFlags2 write_access;        /* of it, while not yet available */
-    VkPipelineStageFlags2 read_stages;  /* since then */
-    uint32_t visible;                   /* to whom the write was made visible (rg_visibility) */
+    VkPipelineStageFlags2 write_stages;  /* of the last write, or that it was chained on to */
+    VkAccessFlags2 write_access;         /* of it, while not yet available */
+    VkPipelineStageFlags2 read_stages;   /* since then */
+    uint32_t visible;                    /* to whom the write was made visible (rg_visibility) */
+    uint32_t first_barrier, barrier_end; /* of the access that made the write visible first */
+    bool awaited;                        /* a read of every frame has waited for it */
+    bool fresh;   /* shared memory that this frame has not used yet: who had it is not known */
+    bool changed; /* content or layout, by this frame */
+    bool certain; /* the last write is of this frame, and of every frame */
     VkImageLayout layout;
     uint32_t written, touched; /* the first pass after the last write, and after the last access */
-    uint32_t first_barrier, barrier_end; /* of the access that made the write visible first */
-    uint32_t last_access;                /* one more than the index of the latest one found */
+    uint32_t last_access;      /* one more than the index of the latest one found */
     uint32_t filled;
     bool wanted;      /* by later passes or outputs, while culling; of one of several */
     bool wanted_next; /* of a persistent resource: by the next frame */
-    bool changed;     /* content or layout, by this frame */
-    bool certain;     /* the last write is of this frame, and of every frame */
-    bool awaited;     /* a read of every frame has waited for it */
-    bool fresh;       /* shared memory that this frame has not used yet: who had it is not known */
 };
 
 #define RG_SIZE_OVERFLOW UINT64_MAX

@@ -38,9 +38,10 @@ void rg_name_expect(struct compiler *c, uint32_t count)
     grow(c->arena, &c->names, count);
 }
 
-bool rg_name_look_closer(struct compiler *c, uint32_t hash, const char *name)
+bool rg_name_is_new(struct compiler *c, enum name_kind kind, const char *name)
 {
     struct name_map *map = &c->names;
+    uint32_t hash = rg_name_hash(kind, name);
     if (map->count == map->room && !grow(c->arena, map, map->count + 1))
         return true;
     struct name_slot *slot = slot_of(map, hash, name);

@@ -15,8 +15,10 @@ enum name_kind {
 /* Room for about so many. */
 void rg_name_expect(struct compiler *c, uint32_t count);
 
-/* rg_name_is_new() of a name that the map has, or one of its hash, or that it has no room for. */
-bool rg_name_look_closer(struct compiler *c, uint32_t hash, const char *name);
+/* False if there was one of this name; else adds it. */
+bool rg_name_is_new(struct compiler *c, enum name_kind kind, const char *name);
+
+#define RG_HINT_NAME "give each a name of its own"
 
 /* FNV-1a. */
 static inline uint32_t rg_name_hash(enum name_kind kind, const char *text)
@@ -39,8 +41,8 @@ static inline void rg_name_add(struct name_map *map, struct name_slot *slot, uin
     map->names[map->count++] = name;
 }
 
-/* False if there was one of this name; else adds it. */
-static inline bool rg_name_is_new(struct compiler *c, enum name_kind kind, const char *name)
+/* Adds a name if that is quick: there is none of this hash, and room. Else does nothing. */
+static inline bool rg_name_add_quickly(struct compiler *c, enum name_kind kind, const char *name)
 {
     struct name_map *map = &c->names;
     uint32_t hash = rg_name_hash(kind, name);
@@ -48,11 +50,9 @@ static inline bool rg_name_is_new(struct compiler *c, enum name_kind kind, const
     while (map->slots[i].hash && map->slots[i].hash != hash)
         i = (i + 1) & map->mask;
     if (map->slots[i].hash || map->count == map->room)
-        return rg_name_look_closer(c, hash, name);
+        return false;
     rg_name_add(map, &map->slots[i], hash, name);
     return true;
 }
-
-#define RG_HINT_NAME "give each a name of its own"
 
 #endif

@@ -155,20 +155,22 @@ static inline void begin_resource(struct resource *r)
 }
 
 /* As most are: a transient image of one cell. Returns false, and nothing is done, if it is another
- * one, or there is something to be said of it. */
-static inline bool begin_simple(const struct compiler *c, struct resource *r,
-                                const struct rg_image *image)
+ * one, or there may be something to be said of it. */
+static inline bool add_simple(struct compiler *c, const struct rg_image *image)
 {
     const struct rg_format_info *format = rg_format_find(image->format);
     const VkExtent2D view = c->params->view;
     const VkExtent2D extent = {
-        image->width ? image->width : scaled(view.width, image->scale),
-        image->height ? image->height : scaled(view.height, image->scale),
+        image->width ? image->width : view.width,
+        image->height ? image->height : view.height,
     };
-    if (!format || (format->aspects & (format->aspects - 1)) || !(image->scale >= 0.0f) ||
+    if (!format || (format->aspects & (format->aspects - 1)) || image->scale != 0.0f ||
+        !image->name ||
         (image->layers | image->mips | image->samples | image->cube | image->persistent) ||
-        extent.width > c->max_image_size || extent.height > c->max_image_size)
+        extent.width > c->max_image_size || extent.height > c->max_image_size ||
+        !rg_name_add_quickly(c, NAME_RESOURCE, image->name))
         return false;
+    struct resource *r = &c->resources[c->resource_count];
     begin_resource(r);
     r->address = r->image = image;
     r->buffer = NULL;
@@ -176,15 +178,15 @@ static inline bool begin_simple(const struct compiler *c, struct resource *r,
     r->extent = extent;
     r->all = (VkImageSubresourceRange){ format->aspects, 0, 1, 0, 1 };
     r->shared = r->plain = r->cell.fresh = true;
+    c->wanted[c->resource_count] = WANT_NOTHING;
     return true;
 }
 
-/* All others. False: memory is short. */
-__attribute__((noinline)) static bool begin_other(struct compiler *c, struct resource *r,
-                                                  const struct rg_image *image,
-                                                  const struct rg_buffer *buffer,
-                                                  const struct rg_import *import)
+/* Any. False: memory is short. */
+static bool add_any(struct compiler *c, const struct rg_image *image,
+                    const struct rg_buffer *buffer, const struct rg_import *import)
 {
+    struct resource *r = &c->resources[c->resource_count];
     begin_resource(r);
     r->address = image ? (const void *)image : (const void *)buffer;
     r->image = image;
@@ -212,36 +214,34 @@ __attribute__((noinline)) static bool begin_other(struct compiler *c, struct res
     uint64_t cells = count_cells(r);
     r->cell_count = (uint32_t)cells;
     r->plain = cells == 1 && image && image->samples <= 1;
+    c->wanted[c->resource_count] = cells == 1 ? WANT_NOTHING : WANT_CELLS;
     return cells == 1 || add_cells(c, r, cells);
 }
 
-/* Returns false if memory is short. */
-__attribute__((noinline)) static bool make_room(struct compiler *c)
+/* The same; makes room first. */
+__attribute__((noinline)) static uint32_t add_slowly(struct compiler *c,
+                                                     const struct rg_image *image,
+                                                     const struct rg_buffer *buffer,
+                                                     const struct rg_import *import)
 {
     if (c->resource_count >= c->map.room && !grow_map(c, c->resource_count))
-        return false;
-    return c->resource_count < c->resource_room || grow_resources(c);
+        return RG_NONE;
+    if (c->resource_count == c->resource_room && !grow_resources(c))
+        return RG_NONE;
+    if (!add_any(c, image, buffer, import))
+        return RG_NONE;
+    *rg_resource_slot(c, image ? (const void *)image : (const void *)buffer) =
+        c->resource_count + 1;
+    return c->resource_count++;
 }
 
 uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
                          const struct rg_buffer *buffer, const struct rg_import *import,
                          uint32_t *slot)
 {
-    if (c->resource_count >= c->map.room || c->resource_count == c->resource_room) {
-        if (!make_room(c))
-            return RG_NONE;
-        slot = rg_resource_slot(c, image ? (const void *)image : (const void *)buffer);
-    }
-    struct resource *r = &c->resources[c->resource_count];
-    enum wanted wanted = WANT_NOTHING;
-    if (image && !import && begin_simple(c, r, image)) {
-        check_name(c, r);
-    } else {
-        if (!begin_other(c, r, image, buffer, import))
-            return RG_NONE;
-        wanted = r->cell_count == 1 ? WANT_NOTHING : WANT_CELLS;
-    }
-    c->wanted[c->resource_count] = wanted;
+    bool room = c->resource_count < c->map.room && c->resource_count < c->resource_room;
+    if (!room || !image || import || !add_simple(c, image))
+        return add_slowly(c, image, buffer, import);
     *slot = ++c->resource_count;
     return *slot - 1;
 }

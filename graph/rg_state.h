@@ -49,13 +49,13 @@ static inline void rg_state_write(struct cell *s, const struct access *a, uint32
     s->write_stages = a->effect->stages;
     s->write_access = a->effect->writes;
     s->read_stages = VK_PIPELINE_STAGE_2_NONE;
-    s->layout = a->effect->layout;
-    s->written = s->touched = pass + 1;
-    s->first_barrier = s->barrier_end = 0;
     s->visible = 0;
+    s->first_barrier = s->barrier_end = 0;
+    s->awaited = s->fresh = false;
     s->changed = true;
     s->certain = !(a->flags & ACCESS_CONDITIONAL);
-    s->awaited = s->fresh = false;
+    s->layout = a->effect->layout;
+    s->written = s->touched = pass + 1;
 }
 
 static inline void rg_state_read(struct cell *s, const struct access *a, uint32_t pass)
@@ -65,7 +65,7 @@ static inline void rg_state_read(struct cell *s, const struct access *a, uint32_
     s->read_stages |= a->effect->stages;
     /* the synchronization validation of some releases takes a read only for that in the frame of
      * the write, and no barrier for one */
-    s->awaited = s->awaited || (s->certain && !(a->flags & ACCESS_CONDITIONAL));
+    s->awaited |= s->certain & !(a->flags & ACCESS_CONDITIONAL);
 }
 
 static inline void rg_state_apply(struct cell *s, const struct access *a, uint32_t pass,

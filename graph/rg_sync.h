@@ -61,14 +61,14 @@ static inline void rg_sync_whole(struct sync *sync, struct resource *r, const st
                                  uint32_t pass)
 {
     struct cell *cell = &r->cell;
-    struct rg_barrier *b = rg_sync_next(sync);
-    uint32_t release;
-    if (!b)
-        return;
     if (rg_state_is_covered(cell, a)) {
         rg_state_read(cell, a, pass);
         return;
     }
+    struct rg_barrier *b = rg_sync_next(sync);
+    uint32_t release;
+    if (!b)
+        return;
     bool needed = rg_state_decide(cell, a, b, &release);
     bool added = false;
     if (needed) {
