@@ -121,7 +121,7 @@ static const char *value_trouble(const struct rg_pass *pass, uint32_t color_coun
         return "a repeat is one of enum rg_repeat";
     if (pass->color_count > (pass->color ? RG_COLOR_COUNT : 0))
         return "color_count is that of .color (RG_TARGETS), at most 8";
-    for (uint32_t i = 0; i < color_count; i++) {
+    for (uint32_t i = 0; pass->color && i < color_count; i++) {
         if ((unsigned)pass->color[i].load > RG_LOAD_DISCARD ||
             (unsigned)pass->color[i].blend > RG_BLEND_ADD)
             return "a target's load and blend are of enum rg_load and rg_blend";
