@@ -168,6 +168,11 @@ enum status app_merge(const struct app_options *options);
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);
 
+/* The same in two parts: what can be wrong, and what only takes a while and may run beside others
+ * that read the first. */
+MUST_USE enum status app_begin_scene(struct scene *scene, struct app_options *options);
+MUST_USE enum status app_fill_scene(struct scene *scene, const struct app_options *options);
+
 /* Whether both sets of options, of the same words, load the same scene. */
 bool app_same_scene(const struct app_options *a, const struct app_options *b);
 

@@ -1,4 +1,5 @@
 /* render.c: firn render: a picture or a sequence of them, to EXR and PNG. */
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,6 +23,7 @@ struct job {
     struct report report;
     struct stop stop;
     struct scene scene;
+    enum status filled; /* the scene, by a thread */
     struct camera camera;
     struct gpu gpu;
     struct renderer *renderer;      /* it or ... */
@@ -195,6 +197,31 @@ static enum status open_reference(struct job *job, const struct renderer_params 
     return status;
 }
 
+static void *fill_scene(void *user)
+{
+    struct job *job = user;
+    job->filled = app_fill_scene(&job->scene, &job->o);
+    return NULL;
+}
+
+/* The scene is filled meanwhile. */
+static enum status open_device(struct job *job)
+{
+    const struct app_options *o = &job->o;
+    pthread_t thread;
+    const bool is_beside = pthread_create(&thread, NULL, fill_scene, job) == 0;
+    const enum status status = gpu_create(&job->gpu, &(struct gpu_params){
+                                                         .device = o->device,
+                                                         .validate = o->validate,
+                                                         .no_cache = o->no_cache,
+                                                     });
+    if (is_beside)
+        pthread_join(thread, NULL);
+    else if (status == STATUS_OK)
+        fill_scene(job);
+    return status == STATUS_OK ? job->filled : status;
+}
+
 /* Opens the device, or what traces, with the first frame that has to be drawn. */
 static enum status open_renderer(struct job *job)
 {
@@ -226,11 +253,7 @@ static enum status open_renderer(struct job *job)
     params.layers |= show_bit(o->show);
     if (o->rung == &reference_rung)
         return open_reference(job, &params);
-    enum status status = gpu_create(&job->gpu, &(struct gpu_params){
-                                                   .device = o->device,
-                                                   .validate = o->validate,
-                                                   .no_cache = o->no_cache,
-                                               });
+    enum status status = open_device(job);
     if (status == STATUS_OK)
         status = renderer_create(&job->renderer, &params);
     return status;
@@ -376,7 +399,7 @@ static enum status run(struct job *job)
     if (status == STATUS_OK && job->o.reports.json)
         status = file_check(job->o.reports.json);
     if (status == STATUS_OK)
-        status = app_load_scene(&job->scene, &job->o);
+        status = app_begin_scene(&job->scene, &job->o);
     if (status == STATUS_OK)
         status = app_camera(&job->camera, &job->scene, &job->o);
     if (status == STATUS_OK)

@@ -58,14 +58,41 @@ static enum status check_pool(const struct app_options *o, struct scene *scene)
     return STATUS_USAGE;
 }
 
+/* Of bump maps and of air, in params; `maps` is what params then points to. */
+static void describe_fill(const struct app_options *o, struct scene_params *params,
+                          struct bump_maps_params *maps)
+{
+    const struct bump_params *bump = settings_of(&o->settings, &bump_settings);
+    const struct air_params *planes = settings_of(&o->settings, &air_settings);
+    *maps = (struct bump_maps_params){ .smooth = bump->mask, .seed = bump->seed };
+    params->bump = frame_reads_bump_maps(&o->settings) ? maps : NULL;
+    params->air =
+        (struct generate_air){ planes->count, planes->seed, planes->size, planes->frequency };
+}
+
+enum status app_fill_scene(struct scene *scene, const struct app_options *o)
+{
+    struct bump_maps_params maps;
+    struct scene_params params = { 0 };
+    describe_fill(o, &params, &maps);
+    return scene_fill(scene, &params);
+}
+
 enum status app_load_scene(struct scene *scene, struct app_options *o)
+{
+    enum status status = app_begin_scene(scene, o);
+    if (status == STATUS_OK)
+        status = app_fill_scene(scene, o);
+    if (status != STATUS_OK)
+        scene_finish(scene);
+    return status;
+}
+
+enum status app_begin_scene(struct scene *scene, struct app_options *o)
 {
     const struct object_params *object = settings_of(&o->settings, &object_settings);
     const struct landscape_params *landscape = settings_of(&o->settings, &landscape_settings);
     const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
-    const struct bump_params *bump = settings_of(&o->settings, &bump_settings);
-    const struct bump_maps_params maps = { .smooth = bump->mask, .seed = bump->seed };
-    const struct air_params *planes = settings_of(&o->settings, &air_settings);
     const struct bubbles_params *spheres = settings_of(&o->settings, &bubbles_settings);
     const struct cracks_params *cracks = settings_of(&o->settings, &cracks_settings);
     const struct decode_params decode = {
@@ -80,23 +107,24 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
         o->width = default_width;
         o->height = default_height;
     }
-    enum status status = scene_load(
-        scene, &(struct scene_params){
-                   .name = o->positionals[0],
-                   .surroundings = o->surroundings,
-                   .environment = o->environment,
-                   .background = o->has_background ? &o->background : NULL,
-                   .object_triangles = object->triangles,
-                   .landscape_triangles = landscape->triangles,
-                   .flat = landscape->flat,
-                   .mover_count = motion->count,
-                   .bump = frame_reads_bump_maps(&o->settings) ? &maps : NULL,
-                   .air = { planes->count, planes->seed, planes->size, planes->frequency },
-                   .bubbles = { spheres->count, spheres->seed, spheres->size },
-                   .cracks = { cracks->count, cracks->seed, cracks->clip == CRACKS_CLIP_PRECUT },
-                   .decode = &decode,
-                   .pool = { pool->size, pool->depth, pool->ice },
-               });
+    struct scene_params params = {
+        .name = o->positionals[0],
+        .surroundings = o->surroundings,
+        .environment = o->environment,
+        .background = o->has_background ? &o->background : NULL,
+        .object_triangles = object->triangles,
+        .landscape_triangles = landscape->triangles,
+        .flat = landscape->flat,
+        .mover_count = motion->count,
+        .bubbles = { spheres->count, spheres->seed, spheres->size },
+        .cracks = { cracks->count, cracks->seed, cracks->clip == CRACKS_CLIP_PRECUT },
+        .decode = &decode,
+        .pool = { pool->size, pool->depth, pool->ice },
+        .later = true,
+    };
+    struct bump_maps_params maps;
+    describe_fill(o, &params, &maps);
+    enum status status = scene_load(scene, &params);
     if (status == STATUS_OK)
         status = check_pool(o, scene);
     if (status == STATUS_OK) {

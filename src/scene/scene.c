@@ -176,8 +176,7 @@ static enum status add_movers(struct scene *scene, uint32_t count)
 static enum status add_air(struct scene *scene, const struct generate_air *air)
 {
     bool done = generate_air_planes(&scene->air, scene->box, air) &&
-                generate_air_cut(&scene->air, &scene->model.object) &&
-                generate_air_layers(&scene->air_layers, air);
+                generate_air_cut(&scene->air, &scene->model.object);
     return done ? STATUS_OK : out_of_memory("air");
 }
 
@@ -201,12 +200,21 @@ enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cr
     return done ? STATUS_OK : out_of_memory("cracks");
 }
 
+enum status scene_fill(struct scene *scene, const struct scene_params *params)
+{
+    if (scene->has_pool)
+        return STATUS_OK;
+    if (params->bump && !bump_maps_init(&scene->bump, params->bump))
+        return out_of_memory("maps of the surface");
+    if (params->air.count && !generate_air_layers(&scene->air_layers, &params->air))
+        return out_of_memory("air");
+    return STATUS_OK;
+}
+
 /* What lies on and in the object. */
 static enum status fill_object(struct scene *scene, const struct scene_params *params)
 {
-    enum status status = STATUS_OK;
-    if (params->bump && !bump_maps_init(&scene->bump, params->bump))
-        status = out_of_memory("maps of the surface");
+    enum status status = params->later ? STATUS_OK : scene_fill(scene, params);
     if (status == STATUS_OK && params->air.count)
         status = add_air(scene, &params->air);
     if (status == STATUS_OK && params->bubbles.count)

@@ -58,6 +58,7 @@ struct scene_params {
     struct scene_cracks cracks;
     const struct decode_params *decode; /* who reads the files; NULL: this process */
     struct generate_pool pool;          /* of the scene that is one */
+    bool later; /* leaves the bump maps and the pictures of air to scene_fill() */
 };
 
 /* A scene known by name. */
@@ -74,6 +75,9 @@ extern const struct scene_builtin scene_builtins[]; /* ends at a row of zeros */
 /* Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (ice that finds no room in the pool)
  * or STATUS_TRY_AGAIN; *scene is then {0}. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
+
+/* What `later` has left out, while other threads may read the rest. Logs: STATUS_TRY_AGAIN. */
+MUST_USE enum status scene_fill(struct scene *scene, const struct scene_params *params);
 
 /* Replaces the cracks of a scene; done by scene_load() too. Logs and returns STATUS_TRY_AGAIN when
  * memory is short. */
