@@ -206,15 +206,16 @@ static enum status copy_level(struct gpu *gpu, const struct gpu_image *image,
         uint32_t rows = 0;
         for (uint32_t y = 0; y < height && status == STATUS_OK; y += rows) {
             rows = height - y < rows_max ? height - y : rows_max;
+            const size_t size = row_size * rows * layers;
             const VkBufferImageCopy copy = {
                 .imageSubresource = { VK_IMAGE_ASPECT_COLOR_BIT, mip, layer, layers },
                 .imageOffset = { 0, (int32_t)y, 0 },
                 .imageExtent = { width, rows, 1 },
             };
-            memcpy(upload->mapped, texels, layers * rows * row_size);
+            memcpy(upload->mapped, texels, size);
             vkCmdCopyBufferToImage(upload->commands, upload->staging.buffer, image->image,
                                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-            texels += layers * rows * row_size;
+            texels += size;
             status = gpu_upload_flush(gpu, upload);
         }
     }

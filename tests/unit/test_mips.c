@@ -14,13 +14,13 @@ static void bytes_of_layers(void **state)
     assert_int_equal(mips_count(&mips), sizeof(texels) - 1);
     memset(texels, 0, sizeof(texels));
     texels[sizeof(texels) - 1] = 77;
-    for (uint32_t i = 0; i < 32; i++) {
+    for (size_t i = 0; i < 32; i++) {
         texels[2 * i] = (uint8_t)(i % 4 / 2 * 100 + i / 8 * 10); /* by quarters and layers */
         texels[2 * i + 1] = i % 2 == 0 && i / 4 % 2 == 0;        /* one of four is 1 */
     }
     mips_fill_bytes(texels, &mips);
     const uint8_t *second = texels + 64;
-    for (uint32_t i = 0; i < 8; i++) {
+    for (size_t i = 0; i < 8; i++) {
         assert_int_equal(second[2 * i], i % 2 * 100 + i / 2 * 10);
         assert_int_equal(second[2 * i + 1], 1); /* of 1 and 0, then of that and 0 */
     }
@@ -39,7 +39,7 @@ static void halves_round_to_zero(void **state)
     uint16_t texels[3 * 5];
     (void)state;
     assert_int_equal(mips_count(&mips), 15);
-    for (uint32_t i = 0; i < 4; i++) {
+    for (size_t i = 0; i < 4; i++) {
         texels[3 * i] = half_from_float(numbers[i]);
         texels[3 * i + 1] = half_from_float(i == 3 ? 1 : 1 + step);
         texels[3 * i + 2] = half_from_float(i == 3 ? -1 : -1 - step);
