@@ -43,6 +43,10 @@ struct rg_exec_import {
 /* What stands in for a shader that a table names: that shader, or one with the same interface. */
 typedef const struct rg_shader *rg_replace_fn(void *user, const struct rg_shader *shader);
 
+/* Gets where transient memory that the host could map lies, before anything is in it: on devices
+ * that are the CPU, this process's own memory. */
+typedef void rg_advise_fn(void *memory, size_t size);
+
 /* Gets what failed ("vkCreateImage of depth") and how. */
 typedef void rg_log_fn(void *user, const char *what, VkResult result);
 
@@ -71,6 +75,7 @@ struct rg_exec_params {
      * Read by create alone; NULL: each has its own defaults. */
     const VkSpecializationInfo *constants;
     rg_replace_fn *replace; /* called by create alone; NULL: nothing does */
+    rg_advise_fn *advise;   /* the same */
     rg_log_fn *log;         /* NULL: silent */
     void *user;             /* of both */
 };

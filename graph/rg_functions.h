@@ -87,6 +87,7 @@
     row(MapMemory) \
     row(QueueSubmit2) \
     row(ResetFences) \
+    row(UnmapMemory) \
     row(UpdateDescriptorSets) \
     row(WaitForFences)
 

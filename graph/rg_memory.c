@@ -58,6 +58,18 @@ static bool is_foreign(const struct rg_exec *exec, bool imported)
     return imported && !exec->params.hollow;
 }
 
+static VkResult tell_advisor(const struct rg_exec *exec, VkDeviceMemory memory, size_t size,
+                             const char *name)
+{
+    void *mapped;
+    VkResult result;
+    RG_CALL(exec, name, MapMemory, exec->device, memory, 0, VK_WHOLE_SIZE, 0, &mapped);
+    exec->params.advise(mapped, size);
+    exec->vk.UnmapMemory(exec->device, memory);
+fail:
+    return result;
+}
+
 static VkResult make_blocks(struct rg_exec *exec)
 {
     VkResult result = VK_SUCCESS;
@@ -67,6 +79,9 @@ static VkResult make_blocks(struct rg_exec *exec)
         const char *name = block->buffers ? "transient buffers" : "transient images";
         RG_PASS(allocate(exec, block->size, type, name, &exec->blocks[i]));
         rg_exec_name(exec, VK_OBJECT_TYPE_DEVICE_MEMORY, (uint64_t)exec->blocks[i], name);
+        if (exec->params.advise && exec->memory_properties.memoryTypes[type].propertyFlags &
+                                       VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT)
+            RG_PASS(tell_advisor(exec, exec->blocks[i], (size_t)block->size, name));
     }
 fail:
     return result;

@@ -1,6 +1,8 @@
 /* stage.c: plans for the device, and executors of them. */
+#define _DEFAULT_SOURCE /* madvise */
 #include "src/stage.h"
 #include <math.h>
+#include <sys/mman.h>
 #include "src/gpu/gpu.h"
 #include "src/renderer_request.h"
 #include "src/scene_settings.h"
@@ -51,6 +53,16 @@ enum status stage_compile(struct stage *stage, const struct renderer_params *par
     return status;
 }
 
+/* A frame on the CPU touches its memory page by page, for the first time in its first picture. */
+static void want_large_pages(void *memory, size_t size)
+{
+    const uintptr_t page = 2 << 20;
+    const uintptr_t begin = ((uintptr_t)memory + page - 1) / page * page;
+    const uintptr_t end = ((uintptr_t)memory + size) / page * page;
+    if (begin < end)
+        (void)madvise((char *)memory + (begin - (uintptr_t)memory), end - begin, MADV_HUGEPAGE);
+}
+
 void stage_describe(struct stage_exec *described, const struct stage *stage,
                     const struct renderer_params *params)
 {
@@ -80,6 +92,8 @@ void stage_describe(struct stage_exec *described, const struct stage *stage,
         .statistics = gpu->has_statistics,
         .constants = &d->info,
         .replace = params->replace,
+        .advise =
+            gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? want_large_pages : NULL,
         .log = log_exec,
         .user = params->replace_user,
     };
