@@ -53,31 +53,32 @@ static const struct rg_image env_cube_baked_depth = {
     .layers = 6,
 };
 
-#define SURROUNDINGS_ROW(surroundings, target, target_depth) \
+#define SURROUNDINGS_ROW(surroundings, target, target_depth, condition) \
     { \
         .name = "env_cube.surroundings", .repeat = RG_PER_LAYER, \
-        surroundings(&(target), &(target_depth)), .record = record_surroundings, .when = is_due \
+        surroundings(&(target), &(target_depth)), .record = record_surroundings, \
+        .when = (condition) \
     }
 
-#define SKY_ROW(target, target_depth) \
+#define SKY_ROW(target, target_depth, condition) \
     { \
         .name = "env_cube.sky", .repeat = RG_PER_LAYER, \
-        BACKGROUND_SKY(&(target), &(target_depth)), .record = record_sky, .when = is_due \
+        BACKGROUND_SKY(&(target), &(target_depth)), .record = record_sky, .when = (condition) \
     }
 
 static const struct rg_pass passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS, env_cube_color, env_cube_depth),
-    SKY_ROW(env_cube_color, env_cube_depth),
+    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS, env_cube_color, env_cube_depth, is_due),
+    SKY_ROW(env_cube_color, env_cube_depth, is_due),
 };
 
 static const struct rg_pass shine_passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SHINING_SURROUNDINGS, env_cube_color, env_cube_depth),
-    SKY_ROW(env_cube_color, env_cube_depth),
+    SURROUNDINGS_ROW(BACKGROUND_SHINING_SURROUNDINGS, env_cube_color, env_cube_depth, is_due),
+    SKY_ROW(env_cube_color, env_cube_depth, is_due),
 };
 
 static const struct rg_pass bake_passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS, env_cube_baked, env_cube_baked_depth),
-    SKY_ROW(env_cube_baked, env_cube_baked_depth),
+    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS, env_cube_baked, env_cube_baked_depth, NULL),
+    SKY_ROW(env_cube_baked, env_cube_baked_depth, NULL),
 };
 
 static bool is_due(const struct rg_frame *frame, uint32_t repetition)
