@@ -15,7 +15,7 @@ struct rg_frame {
     struct rg_mesh mesh;
     bool wanted;       /* whether conditional rows run, */
     uint32_t left_out; /* but for these of their repetitions, a bit each */
-    uint32_t *asked; /* counts how often they were asked; may be NULL */
+    uint32_t *asked;   /* counts how often they were asked; may be NULL */
 };
 
 /* Of four floats a texel: name, then other members. */
