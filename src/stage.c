@@ -53,14 +53,34 @@ enum status stage_compile(struct stage *stage, const struct renderer_params *par
     return status;
 }
 
-/* A frame on the CPU touches its memory page by page, for the first time in its first picture. */
-static void want_large_pages(void *memory, size_t size)
+static void want_pages(void *memory, size_t size, int advice)
 {
     const uintptr_t page = 2 << 20;
     const uintptr_t begin = ((uintptr_t)memory + page - 1) / page * page;
     const uintptr_t end = ((uintptr_t)memory + size) / page * page;
     if (begin < end)
-        (void)madvise((char *)memory + (begin - (uintptr_t)memory), end - begin, MADV_HUGEPAGE);
+        (void)madvise((char *)memory + (begin - (uintptr_t)memory), end - begin, advice);
+}
+
+static void want_large_pages(void *memory, size_t size)
+{
+    want_pages(memory, size, MADV_HUGEPAGE);
+}
+
+static void want_small_pages(void *memory, size_t size)
+{
+    want_pages(memory, size, MADV_NOHUGEPAGE);
+}
+
+/* On the CPU a frame touches its memory page by page, for the first time in its first picture. Of a
+ * part of the view it touches pieces of rows, and what lies between is to cost nothing. */
+static rg_advise_fn *choose_advice(const struct gpu *gpu, const struct rg_plan *plan)
+{
+    if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU)
+        return NULL;
+    const bool whole =
+        plan->part.width == plan->view.width && plan->part.height == plan->view.height;
+    return whole ? want_large_pages : want_small_pages;
 }
 
 void stage_describe(struct stage_exec *described, const struct stage *stage,
@@ -92,8 +112,7 @@ void stage_describe(struct stage_exec *described, const struct stage *stage,
         .statistics = gpu->has_statistics,
         .constants = &d->info,
         .replace = params->replace,
-        .advise =
-            gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? want_large_pages : NULL,
+        .advise = choose_advice(gpu, stage->frame.plan),
         .log = log_exec,
         .user = params->replace_user,
     };
