@@ -239,11 +239,12 @@ uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
                          const struct rg_buffer *buffer, const struct rg_import *import,
                          uint32_t *slot);
 
-/* Where in the map a resource is, or would be. */
+/* Where in the map a resource is, or would be. Neighbours in the tables are neighbours in the map,
+ * and soon in the cache; higher bits are added for those that lie a power of two apart. */
 static inline uint32_t *rg_resource_slot(const struct compiler *c, const void *address)
 {
-    uint64_t hash = (uint64_t)(uintptr_t)address * UINT64_C(0x9e3779b97f4a7c15);
-    uint32_t i = (uint32_t)(hash >> 32) & c->map.mask;
+    uint64_t at = (uint64_t)(uintptr_t)address;
+    uint32_t i = (uint32_t)((at >> 4) + (at >> 13) + (at >> 21)) & c->map.mask;
     while (c->map.slots[i] && c->resources[c->map.slots[i] - 1].address != address)
         i = (i + 1) & c->map.mask;
     return &c->map.slots[i];
