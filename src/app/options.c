@@ -64,7 +64,7 @@ static const struct option options[] = {
     { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, option_tile,
       "only that tile, from 1; firn merge puts the files together" },
     { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, option_interleaved,
-      "tiles are every Cth pixel of every Rth row: larger than a device's images, not the same" },
+      "every Cth pixel of every Rth row: beyond a device's images, not the same" },
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, option_show,
       "what PNG files show in place of the picture: one layer (firn list layers)" },
     { "Window", "frames", 0, "N", APP_VIEW, option_frame_count, "end after so many frames" },
