@@ -28,13 +28,18 @@ EYES = {
 PLAIN = ['air.count=0', 'cracks.count=0', 'bubbles.count=0', 'bump.strength=0', 'light.count=0']
 WHOLE = ['bubbles.count=0', 'cracks.clip=convex', 'cracks.count=2', 'texture.anisotropy=1']
 # name: (camera, rung, settings), and of which peers, at most so much of their time, is wanted
-FIRN = {
+SCENES = {
     'whole paper': ('fifth', 'paper', WHOLE, {'three-envmap': 0.9, 'three-paper': 0.6}),
     'paper': ('fifth', 'paper', PLAIN, {'three-paper': None}),
     'bounce': ('fifth', 'bounce', PLAIN, {'three-physical': 0.7, 'babylon-refraction': None,
                                           'babylon-transmission': None, 'filament-ssr': 0.2}),
     'paper, full': ('full', 'paper', PLAIN, {'three-paper': 0.8}),
 }
+# The cube is drawn anew in every frame, as the others draw it; or, as firn does unasked, kept.
+CUBES = {', cube anew': ['env_cube.always=on'], ', cube kept': []}
+FIRN = {name + cube: (camera, rung, settings + more, wanted)
+        for name, (camera, rung, settings, wanted) in SCENES.items()
+        for cube, more in CUBES.items()}
 
 
 def skip(what):
@@ -92,7 +97,7 @@ def compare_frames(options, folder):
                 continue
             other = statistics.median(theirs[camera, peer])
             goal = f', wanted {most}' if most else ''
-            print(f'{name:12} {mine:7.1f}   {peer:20} {other:7.1f}   '
+            print(f'{name:23} {mine:7.1f}   {peer:20} {other:7.1f}   '
                   f'ratio {mine / other:5.2f}{goal}')
 
 
