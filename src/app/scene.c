@@ -101,6 +101,7 @@ enum status app_begin_scene(struct scene *scene, struct app_options *o)
         .memory_gib = o->load_memory_gib,
     };
     const struct pool_params *pool = settings_of(&o->settings, &pool_settings);
+    *scene = (struct scene){ 0 };
     if (app_need_scene(o) != STATUS_OK)
         return STATUS_USAGE;
     if (!o->width) {
