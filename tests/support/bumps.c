@@ -6,19 +6,21 @@
 #include "tests/support/check.h"
 
 #include "src/image/half.h"
+#include "src/scene/mips.h"
 
 void bumps_even(struct scene *scene, double slope_u, double slope_v, double smoothness,
                 double crystals)
 {
     struct bump_maps *maps = &scene->bump;
-    const uint32_t size = 2;
+    const struct mips mips = { .side = 2, .layers = 1, .channels = 4 };
+    const size_t count = mips_count(&mips); /* all levels alike */
     bump_maps_finish(maps);
     *maps = (struct bump_maps){
-        .texels = malloc(4 * sizeof(*maps->texels) * size * size),
-        .size = size,
+        .texels = malloc(count * sizeof(*maps->texels)),
+        .size = mips.side,
     };
     assert_non_null(maps->texels);
-    for (uint32_t i = 0; i < size * size; i++) {
+    for (size_t i = 0; i < count / 4; i++) {
         maps->texels[4 * i + 0] = half_from_float((float)slope_u);
         maps->texels[4 * i + 1] = half_from_float((float)slope_v);
         maps->texels[4 * i + 2] = half_from_float((float)smoothness);
