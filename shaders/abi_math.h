@@ -19,6 +19,7 @@
 #define fmaxf          max
 #define fminf          min
 #define powf           pow
+#define sqrtf          sqrt
 #define glm_clamp      clamp
 #define glm_smoothstep smoothstep
 
