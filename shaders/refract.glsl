@@ -81,6 +81,7 @@ layout(location = REFRACT_OUT_WAY) out vec4 out_way;
 
 void main()
 {
+    refract_front_find();
     refract_result r = refract_shade(normalize(eye_to_point), refract_front_normal());
     out_exit = vec4(normalize(r.way.dir), 0.0);
     out_refraction = vec4(r.refraction, 0.0);
@@ -94,6 +95,7 @@ layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;
 
 void main()
 {
+    refract_front_find();
     vec3 e = normalize(eye_to_point);
     vec3 n_f = refract_front_normal();
     refract_result r = refract_shade(e, n_f);

@@ -9,6 +9,8 @@
 #define REFRACT_DEPTH_BACK   3
 #define REFRACT_NORMAL_FRONT 4
 #define REFRACT_DEPTH_FRONT  5
+#define REFRACT_SHADING      7 /* of refract_seen.glsl, as is the next */
+#define REFRACT_DEPTH_SCENE  8
 #define REFRACT_OVER         1 /* of refract_over.frag: what is drawn over a rung's picture */
 
 /* what a vertex shader of the front faces hands on */
@@ -18,6 +20,8 @@
 #define REFRACT_UV           3 /* refract_bump.vert alone */
 #define REFRACT_REFLECTED    3 /* refract_per_vertex.vert alone, as is the next */
 #define REFRACT_REFRACTED    4 /* three of them */
+
+#define REFRACT_VIEW_RAY 0 /* what refract_seen.vert hands on */
 
 /* colour targets of the pass that draws a rung's picture */
 #define REFRACT_OUT_COLOR     0

@@ -1,12 +1,15 @@
 /*
  * refract_front.glsl: the ice's front faces as refract*.vert hands them on, and their normal: with
- * REFRACT_BUMP, that of the uneven surface.
+ * REFRACT_BUMP, that of the uneven surface. With REFRACT_SEEN, all as ice_normal.front shows it.
  */
 #ifndef REFRACT_FRONT_GLSL
 #define REFRACT_FRONT_GLSL
 #include "lib/globals.glsl"
 #include "refract.h"
 
+#ifdef REFRACT_SEEN
+#include "refract_seen.glsl"
+#else
 layout(location = REFRACT_EYE_TO_POINT) in vec3 eye_to_point;
 layout(location = REFRACT_NORMAL) in vec3 normal;
 layout(location = REFRACT_FRESNEL) in float fresnel_paper; /* eq. 4, from the vertices */
@@ -25,6 +28,9 @@ vec3 refract_front_normal()
 {
     return normalize(normal);
 }
+#endif
+
+void refract_front_find() {}
 #endif
 
 #endif

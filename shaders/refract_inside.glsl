@@ -20,22 +20,41 @@ layout(push_constant, scalar) uniform Push
 
 #ifdef REFRACT_BOUNCE
 layout(set = 0, binding = REFRACT_NORMAL_FRONT) uniform sampler2D normal_front;
+#ifndef REFRACT_SEEN
 layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
+#endif
 #endif
 
 /* A ray begins so many radii of the bounding sphere away from its surface: texels are coarse. */
 const float march_start = 0.02;
 
-/* Beside the silhouette is outside. */
+const float march_beside = -1e30; /* room of a point beside the silhouette */
+
+/*
+ * How much room a point has before the back faces, x, and behind the front faces, y; below 0
+ * outside. In depth as it is stored, times w: along a ray it is linear where the face is flat.
+ */
+vec2 march_rooms(vec4 clip)
+{
+    float back = refract_depth_at(depth_back, clip);
+    if (clip.w <= 0.0 || back <= 0.0)
+        return vec2(march_beside);
+    vec2 rooms = vec2(clip.z - back * clip.w, -march_beside);
+#ifdef REFRACT_BOUNCE
+    rooms.y = refract_depth_at(depth_front, clip) * clip.w - clip.z;
+#endif
+    return rooms;
+}
+
 bool march_is_inside(vec4 clip)
 {
-    float depth = clip.z / clip.w;
-    float back = refract_depth_at(depth_back, clip);
-    bool inside = clip.w > 0.0 && back > 0.0 && depth >= back;
-#ifdef REFRACT_BOUNCE
-    inside = inside && depth <= refract_depth_at(depth_front, clip);
-#endif
-    return inside;
+    vec2 rooms = march_rooms(clip);
+    return min(rooms.x, rooms.y) >= 0.0;
+}
+
+bool march_is_near_front(vec2 rooms)
+{
+    return rooms.y < rooms.x;
 }
 
 /* How far a ray goes to the object's bounding sphere. */
@@ -47,43 +66,65 @@ float march_room(vec3 point, vec3 dir)
     return sqrt(max(middle * middle - outside, 0.0)) - middle;
 }
 
-/* How far a ray goes inside. */
-float march_length(vec3 point, vec3 dir)
+/*
+ * How far a ray goes inside, and whether it is nearer the front faces there. The step that goes
+ * outside is divided where the room would be 0 if it were linear, and a little before that, until
+ * it is as exact as `halvings` would be: once for a flat face. Each time that this is outside, the
+ * room inside counts half (the Illinois method), lest one end stay for ever.
+ */
+float march_length(vec3 point, vec3 dir, out bool near_front)
 {
     vec4 clip = refract_clip(point);
     vec4 way = frame.clip_from_world * vec4(dir, 0.0);
     float within = march_start * frame.radius;
-    float room = max(march_room(point, dir), within);
-    float beyond = room;
+    float beyond = max(march_room(point, dir), within);
+    float step_length = (beyond - within) / float(REFRACT_MARCH.steps);
+    float room_within = 0.0; /* not known */
+    float room_beyond = march_beside;
+    near_front = false;
     for (uint i = 1u; i <= REFRACT_MARCH.steps; i++) {
-        float t = mix(march_start * frame.radius, room, float(i) / float(REFRACT_MARCH.steps));
-        if (!march_is_inside(clip + t * way)) {
+        float t = march_start * frame.radius + float(i) * step_length;
+        vec2 rooms = march_rooms(clip + t * way);
+        float room = min(rooms.x, rooms.y);
+        if (room < 0.0) {
             beyond = t;
+            room_beyond = room;
             break;
         }
         within = t;
+        room_within = room;
+        near_front = march_is_near_front(rooms);
     }
+    float exact = ldexp(step_length, -int(REFRACT_MARCH.halvings));
     for (uint i = 0u; i < REFRACT_MARCH.halvings; i++) {
-        float t = 0.5 * (within + beyond);
-        if (march_is_inside(clip + t * way))
-            within = t;
-        else
+        bool known = room_within > 0.0 && room_beyond > march_beside;
+        float share = known ? room_within / (room_within - room_beyond) : 0.5;
+        float t = mix(within, beyond, share) - (known ? 0.25 * exact : 0.0);
+        if (t - within < 0.5 * exact)
+            break;
+        vec2 rooms = march_rooms(clip + t * way);
+        float room = min(rooms.x, rooms.y);
+        if (room < 0.0) {
             beyond = t;
+            room_beyond = room;
+            room_within *= 0.5;
+        } else {
+            within = t;
+            room_within = room;
+            near_front = march_is_near_front(rooms);
+        }
     }
     return within;
 }
 
 /* The outward normal where a ray leaves: of the nearer face, if the ray can leave through it. */
-vec3 march_normal(vec3 point, vec3 dir)
+vec3 march_normal(vec3 point, vec3 dir, bool near_front)
 {
     vec4 clip = refract_clip(point);
     vec3 back = refract_normal_at(normal_back, clip);
 #ifdef REFRACT_BOUNCE
-    float depth = clip.z / clip.w;
-    float to_back = depth - refract_depth_at(depth_back, clip);
-    float to_front = refract_depth_at(depth_front, clip) - depth;
     vec3 front = refract_normal_at(normal_front, clip);
-    if (to_front < to_back)
+    if (near_front)
         return dot(front, dir) > 0.0 ? front : back;
     return dot(back, dir) > 0.0 ? back : front;
 #else

@@ -14,10 +14,11 @@ refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
     refract_way way = refract_leave_at_front(optics_refract(e, n_f, eta));
     leaving = 0.0;
     for (uint i = 0u; i <= REFRACT_MARCH.bounces; i++) {
-        float t = march_length(way.point, way.dir);
+        bool near_front;
+        float t = march_length(way.point, way.dir, near_front);
         way.point += t * way.dir;
         way.path += t;
-        vec3 n = march_normal(way.point, way.dir);
+        vec3 n = march_normal(way.point, way.dir, near_front);
         if (dot(n, way.dir) <= 0.0) /* no face to leave through: straight on */
             break;
         bool total = optics_refract_k(way.dir, n, 1.0 / eta) < 0.0;

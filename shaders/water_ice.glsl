@@ -43,10 +43,11 @@ water_ray ice_through(water_ray ray)
     vec3 point = pool_to_world(ray.from);
     vec3 dir = pool_to_world(ray.dir);
     for (uint i = 0u; i <= REFRACT_MARCH.bounces; i++) {
-        float t = march_length(point, dir);
+        bool near_front;
+        float t = march_length(point, dir, near_front);
         point += t * dir;
         ray.kept *= exp(-frame.absorb * t);
-        vec3 n = march_normal(point, dir);
+        vec3 n = march_normal(point, dir, near_front);
         if (dot(n, dir) <= 0.0)
             break;
         float ratio = ice_ratio(pool_from_world(point).z);
@@ -99,7 +100,8 @@ water_ray ice_below(water_ray ray)
     if (t < 0.0)
         return ray;
     point += t * dir;
-    vec3 n = -march_normal(point, -dir); /* it comes from there */
+    bool near_front = march_is_near_front(march_rooms(refract_clip(point)));
+    vec3 n = -march_normal(point, -dir, near_front); /* it comes from there */
     ray.kept *= passed(t);
     ray.from = pool_from_world(point);
     if (dot(n, dir) > 0.0) {

@@ -20,6 +20,7 @@ struct rg_frame {
     struct rg_mesh cracks;       /* in the object's space, as are these; may be empty */
     struct rg_mesh air;          /* planes */
     uint32_t bubble_count;       /* in bubbles_spheres */
+    VkRect2D object_area;        /* pixels of the view; all of the object lies in it */
     struct background_push view;
     vec2s jitter;                       /* of the sample, pixels */
     struct background_push faces[6];    /* of the cube around the object, Vulkan's order */

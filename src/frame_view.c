@@ -149,6 +149,37 @@ VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *g
     return reach;
 }
 
+VkRect2D frame_view_object_area(const struct frame_view *view, const struct globals *globals)
+{
+    const struct box *box = &view->scene->box;
+    const mat4s clip_from_object =
+        glms_mat4_mul(globals->clip_from_world, globals->world_from_object);
+    const float near = frame_view_near_plane(view->scene);
+    float low[2] = { 1.0f, 1.0f }, high[2] = { -1.0f, -1.0f };
+    for (int corner = 0; corner < 8; corner++) {
+        const vec4s point = glms_mat4_mulv(
+            clip_from_object,
+            (vec4s){ { corner & 1 ? box->max.x : box->min.x, corner & 2 ? box->max.y : box->min.y,
+                       corner & 4 ? box->max.z : box->min.z, 1.0f } });
+        for (int axis = 0; axis < 2; axis++) {
+            const float at = point.raw[axis] / point.w;
+            low[axis] = point.w > near ? fminf(low[axis], at) : -1.0f;
+            high[axis] = point.w > near ? fmaxf(high[axis], at) : 1.0f;
+        }
+    }
+    const uint32_t sides[2] = { view->width, view->height };
+    VkRect2D area;
+    for (int axis = 0; axis < 2; axis++) {
+        const float half = (float)sides[axis] / 2.0f;
+        const float first = half + half * fmaxf(low[axis], -1.0f);
+        const float last = half + half * fminf(high[axis], 1.0f);
+        const int32_t ends[2] = { (int32_t)floorf(first) - 1, (int32_t)ceilf(last) };
+        clip(ends, sides[axis], axis ? &area.offset.y : &area.offset.x,
+             axis ? &area.extent.height : &area.extent.width);
+    }
+    return area;
+}
+
 /* About the vertical axis through a point, `turn` radians. */
 static mat4s turned(vec3s center, float turn)
 {

@@ -41,7 +41,7 @@ const struct rung frame_rungs[] = {
     { "blend", &refract_blend, &refract_blend_bumped },
     { "wyman", &refract_wyman, &refract_wyman_bumped, .reach = 3.0f }, /* a diameter further */
     { "search", &refract_search, &refract_search_bumped },
-    { "bounce", &refract_bounce, &refract_bounce_bumped },
+    { "bounce", &refract_bounce, &refract_bounce },
     { 0 },
 };
 
@@ -123,7 +123,7 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
     add(&list, &gbuffer);
     add(&list, &ice_depth);
     add(&list, &ice_interval[ice_interval_index(settings)]);
-    add(&list, &ice_normal);
+    add(&list, is_bumped(settings) ? &ice_normal_with_bumps : &ice_normal);
     if (cracks_find_normals(settings))
         add(&list, cracks_find_normals(settings));
     add(&list, is_bumped(settings) && rung->bumped ? rung->bumped : rung->technique);

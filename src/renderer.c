@@ -232,6 +232,7 @@ static enum status run_stage(struct renderer *r, struct stage *stage,
     const struct globals globals = frame_view_globals(&view, &frame.view);
     for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
         frame.faces[face] = frame_view_face(&view, face);
+    frame.object_area = frame_view_object_area(&view, &globals);
     frame.faces_due = FRAME_CUBE_ALL;
     if (stage == &r->picture)
         frame.faces_due = frame_cube_due(&r->cube, &view, &globals);

@@ -9,6 +9,8 @@
 #include "src/tech/ice_normal.h"
 #include "shaders/embedded.h"
 #include "src/frame.h"
+#include "src/tech/bump.h"
+#include "src/tech/refract.h"
 
 const struct rg_image ice_normal_back = {
     .name = "ice_normal.back",
@@ -25,39 +27,57 @@ const struct rg_image ice_normal_front = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
+const struct rg_image ice_normal_shading = {
+    .name = "ice_normal.shading",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+
 const struct rg_image ice_normal_front_depth = {
     .name = "ice_normal.front_depth",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+const struct rg_image ice_normal_front_test = {
+    .name = "ice_normal.front_test",
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
+#define BACK \
+    { \
+        .name = "ice_normal.back", .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_CLEAR }), \
+        .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* 0 is infinity */ \
+            .depth_compare = VK_COMPARE_OP_GREATER, .uses = RG_USES(FRAME_USE_GLOBALS), \
+        .vert = &ice_normal_vert, .frag = &ice_normal_frag, .vertices = &frame_mesh_layout, \
+        .cull = VK_CULL_MODE_FRONT_BIT, .record = frame_draw_object, \
+    }
+
+#define FRONT(...) \
+    { \
+        .name = "ice_normal.front", \
+        .color = RG_TARGETS({ &ice_normal_front, RG_LOAD_CLEAR }, \
+                            { &ice_normal_front_depth, RG_LOAD_CLEAR }, \
+                            { &ice_normal_shading, RG_LOAD_DISCARD }), \
+        .depth = { &ice_normal_front_test, RG_LOAD_CLEAR }, \
+        .depth_compare = VK_COMPARE_OP_GREATER, .record = frame_draw_object, __VA_ARGS__, \
+    }
+
 static const struct rg_pass passes[] = {
-    {
-        .name = "ice_normal.back",
-        .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_CLEAR }),
-        .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
-        .depth_compare = VK_COMPARE_OP_GREATER,
-        .uses = RG_USES(FRAME_USE_GLOBALS),
-        .vert = &ice_normal_vert,
-        .frag = &ice_normal_frag,
-        .vertices = &frame_mesh_layout,
-        .cull = VK_CULL_MODE_FRONT_BIT,
-        .record = frame_draw_object,
-    },
-    {
-        .name = "ice_normal.front",
-        .color = RG_TARGETS({ &ice_normal_front, RG_LOAD_CLEAR }),
-        .depth = { &ice_normal_front_depth, RG_LOAD_CLEAR },
-        .depth_compare = VK_COMPARE_OP_GREATER,
-        .uses = RG_USES(FRAME_USE_GLOBALS),
-        .vert = &ice_normal_vert,
-        .frag = &ice_normal_frag,
-        .vertices = &frame_mesh_layout,
-        .cull = VK_CULL_MODE_BACK_BIT,
-        .record = frame_draw_object,
-    },
+    BACK,
+    FRONT(REFRACT_FRONT_FACES, .frag = &ice_front_frag, .uses = RG_USES(FRAME_USE_GLOBALS)),
+};
+
+static const struct rg_pass passes_with_bumps[] = {
+    BACK,
+    FRONT(REFRACT_BUMPED_FACES, .frag = &ice_front_bump_frag,
+          .uses = RG_USES(FRAME_USE_GLOBALS, BUMP_USE_MAP)),
 };
 
 const struct technique ice_normal = {
     .graph = RG_TECHNIQUE("ice_normal", passes),
     .help = "outward normals and depth of the ice's faces",
+};
+
+const struct technique ice_normal_with_bumps = {
+    .graph = RG_TECHNIQUE("ice_normal", passes_with_bumps),
+    .help = "the same with bumps",
 };

@@ -5,11 +5,18 @@
 
 /* xyz: outward, unit, world: away from the eye, never flipped; w: 1, or 0 where there is none */
 extern const struct rg_image ice_normal_back;
+
 extern const struct rg_image ice_normal_front; /* the same, towards the eye */
 
-/* Their depth by globals.clip_from_world: near over the distance; 0 where there is none. */
-extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
+/* Where there are front faces, xyz: their normal, as bumps bend it; w: SN eq. 4, from the vertices.
+ * Elsewhere undefined. */
+extern const struct rg_image ice_normal_shading;
+
+/* Their depth by globals.clip_from_world: near over the distance; 0 where there is none. The front
+ * faces' twice: for shaders, and for depth tests of a pass that reads the other one. */
+extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth, ice_normal_front_test;
 
 extern const struct technique ice_normal;
+extern const struct technique ice_normal_with_bumps;
 
 #endif

@@ -89,31 +89,66 @@ struct refract_params {
 #define REFRACT_BUMPED_FACES \
     .vert = &refract_bump_vert, .vertices = &frame_mesh_layout, .cull = VK_CULL_MODE_BACK_BIT
 
-/* The targets of a rung's row for the picture ... */
-#define REFRACT_COLOR_TARGETS \
+/* The targets of a rung's row for the picture, and of its row for the layers. */
+#define REFRACT_COLORS \
     .color = RG_TARGETS([REFRACT_OUT_COLOR] = { &background_color, RG_LOAD_KEEP }, \
-                        [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_DISCARD }), \
-    .depth = { &background_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER
-
-/* ... and of its row for the layers, which may come after it, on the depth it wrote. */
-#define REFRACT_LAYER_TARGETS \
+                        [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_DISCARD })
+#define REFRACT_LAYERS \
     .color = RG_TARGETS([REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR }, \
                         [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR }, \
                         [REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR }, \
                         [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR }, \
-                        [REFRACT_OUT_WAY] = { &refract_way, RG_LOAD_CLEAR }), \
-    .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
-    .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL
+                        [REFRACT_OUT_WAY] = { &refract_way, RG_LOAD_CLEAR })
 
-/* The rows of a rung: refract_STEM.frag (or _bump), compiled for both; then what both rows say. */
+/* The rows of a rung that draws the front faces: refract_STEM.frag (or _bump), compiled for both;
+ * then what both rows say. The layers may come after the picture, on the depth it wrote. */
 #define REFRACT_ROWS(stem, variant, ...) \
     { .name = "refract_" #stem ".color", \
-      REFRACT_COLOR_TARGETS, \
+      REFRACT_COLORS, \
+      .depth = { &background_depth, RG_LOAD_KEEP }, \
+      .depth_compare = VK_COMPARE_OP_GREATER, \
       .frag = &refract_##stem##variant##_frag, \
       __VA_ARGS__ }, \
     { \
-        .name = "refract_" #stem ".layers", REFRACT_LAYER_TARGETS, \
+        .name = "refract_" #stem ".layers", REFRACT_LAYERS, \
+        .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
+        .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL, \
         .frag = &refract_##stem##variant##_aov_frag, __VA_ARGS__ \
+    }
+
+/* The rows of a rung whose pixels cost much: it draws all those in which ice_normal.front shows the
+ * ice (refract_seen.glsl), bumpy or not. The last one draws the front faces' depth, for passes that
+ * come after it. */
+#define REFRACT_SEEN_ROWS(stem, ...) \
+    { .name = "refract_" #stem ".color", \
+      REFRACT_COLORS, \
+      REFRACT_SEEN_TEST, \
+      .frag = &refract_##stem##_frag, \
+      __VA_ARGS__ }, \
+        { .name = "refract_" #stem ".layers", \
+          REFRACT_LAYERS, \
+          REFRACT_SEEN_TEST, \
+          .frag = &refract_##stem##_aov_frag, \
+          __VA_ARGS__ }, \
+    { \
+        .name = "refract_" #stem ".depth", .depth = { &background_depth, RG_LOAD_KEEP }, \
+        .depth_compare = VK_COMPARE_OP_GREATER, .uses = RG_USES(FRAME_USE_GLOBALS), \
+        REFRACT_FRONT_FACES, .record = frame_draw_object \
+    }
+#define REFRACT_SEEN_TEST \
+    .vert = &refract_seen_vert, .depth = { &ice_normal_front_test, RG_LOAD_KEEP }, \
+    .depth_read_only = true, .depth_compare = VK_COMPARE_OP_LESS
+
+/* What these rows read besides. */
+#define REFRACT_SEEN_USES \
+    REFRACT_USE_DEPTH_FRONT, \
+        { .image = &ice_normal_shading, \
+          .access = RG_SAMPLED, \
+          .binding = REFRACT_SHADING, \
+          .here = true }, \
+    { \
+        .image = &background_depth, .access = RG_SAMPLED, .binding = REFRACT_DEPTH_SCENE, \
+        .here = true \
     }
 
 /* What lies in or on the ice is drawn over the rung's picture, on the front faces that it drew:

@@ -13,47 +13,24 @@
 #include "shaders/embedded.h"
 #include "shaders/refract_march.h"
 #include "src/frame.h"
-#include "src/tech/bump.h"
 #include "src/tech/refract.h"
 
-static rg_record_fn record_object;
-
-static const struct rg_use uses[] = {
-    FRAME_USE_GLOBALS,
-    REFRACT_USE_ENV_CUBE,
-    REFRACT_USE_NORMAL_BACK,
-    REFRACT_USE_DEPTH_BACK,
-    REFRACT_USE_NORMAL_FRONT,
-    REFRACT_USE_DEPTH_FRONT,
-    { 0 },
-};
-
-static const struct rg_use bumped_uses[] = {
-    FRAME_USE_GLOBALS,
-    REFRACT_USE_ENV_CUBE,
-    REFRACT_USE_NORMAL_BACK,
-    REFRACT_USE_DEPTH_BACK,
-    REFRACT_USE_NORMAL_FRONT,
-    REFRACT_USE_DEPTH_FRONT,
-    BUMP_USE_MAP,
-    { 0 },
-};
+static rg_record_fn record_screen;
 
 static const struct rg_pass passes[] = {
-    REFRACT_ROWS(bounce, , REFRACT_FRONT_FACES, .uses = uses,
-                 .push_size = sizeof(struct refract_march), .record = record_object),
+    REFRACT_SEEN_ROWS(bounce,
+                      .uses = RG_USES(FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE,
+                                      REFRACT_USE_NORMAL_BACK, REFRACT_USE_DEPTH_BACK,
+                                      REFRACT_USE_NORMAL_FRONT, REFRACT_SEEN_USES),
+                      .push_size = sizeof(struct refract_march), .record = record_screen),
 };
 
-static const struct rg_pass bumped_passes[] = {
-    REFRACT_ROWS(bounce, _bump, REFRACT_BUMPED_FACES, .uses = bumped_uses,
-                 .push_size = sizeof(struct refract_march), .record = record_object),
-};
-
-static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
+static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_push(cmd, settings_of(frame->settings, &refract_bounce_settings),
                 sizeof(struct refract_march));
-    rg_cmd_draw_mesh(cmd, &frame->object);
+    rg_cmd_scissor(cmd, frame->object_area);
+    rg_cmd_draw(cmd, 3);
 }
 
 static const struct setting rows[] = {
@@ -72,7 +49,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_march, halvings),
         .initial = 8,
         .max = 32,
-        .help = "of the step that went outside",
+        .help = "of the step that went outside, at most; fewer find a flat face",
     },
     {
         .name = "refract_bounce.count",
@@ -91,10 +68,4 @@ const struct technique refract_bounce = {
     .graph = RG_TECHNIQUE("refract_bounce", passes),
     .settings = &refract_bounce_settings,
     .help = "two bends and total reflections between, searched among all faces",
-};
-
-const struct technique refract_bounce_bumped = {
-    .graph = RG_TECHNIQUE("refract_bounce", bumped_passes),
-    .settings = &refract_bounce_settings,
-    .help = "the same with bumps",
 };

@@ -2,8 +2,8 @@
  * refract_search.c: the exit searched along the refracted ray.
  *
  * The ray is followed in the picture until it is behind the back faces: steps up to the object's
- * bounding sphere, then halvings of the step that went outside. There it is bent by the back normal
- * of that place.
+ * bounding sphere, then the one that went outside is divided where it would meet a flat face. There
+ * it is bent by the back normal of that place.
  *
  * Error: some hundredths of a degree on average on convex objects in 512 x 512 pixels, growing with
  * the size of the pixels; but what is totally reflected leaves in the direction of its first
@@ -60,7 +60,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_march, halvings),
         .initial = 8,
         .max = 32,
-        .help = "of the step that went outside",
+        .help = "of the step that went outside, at most; fewer find a flat face",
     },
 };
 

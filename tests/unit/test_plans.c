@@ -187,7 +187,7 @@ static void test_one_sided_draws_no_back_normals(void **state)
     (void)state;
     const struct golden one_sided = { .rung = "one-sided" };
     const struct golden paper = { .rung = "paper" };
-    const struct rg_pass *pass = &ice_normal.graph.passes[0];
+    const struct rg_pass *pass = &ice_normal_with_bumps.graph.passes[0];
     struct frame_request request = request_of(&one_sided);
     struct frame_plan plan;
     assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
