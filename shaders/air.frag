@@ -15,11 +15,10 @@ layout(push_constant, scalar) uniform Push
 };
 
 layout(location = 0) in vec3 uv;
-layout(location = 1) in vec3 light;
-layout(location = 2) in vec3 eye_to_point;
-layout(location = 3) in vec3 normal;
+layout(location = 1) in vec3 eye_to_point;
+layout(location = 2) in vec3 normal;
 
-layout(location = 0) out vec4 air; /* premultiplied */
+layout(location = 0) out vec4 cover; /* r; a for blending */
 
 void main()
 {
@@ -30,5 +29,5 @@ void main()
         discard;
     texel *= smoothstep(0.0, AIR_EDGE, abs(dot(normalize(eye_to_point), normal)));
     float clear = (1.0 - push.strength * texel.r) * (1.0 - push.haze * texel.g);
-    air = vec4(light, 1.0) * (1.0 - clear);
+    cover = vec4(1.0 - clear);
 }

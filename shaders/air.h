@@ -3,8 +3,7 @@
 #define SHADERS_AIR_H
 #include "abi.h"
 
-#define AIR_LAYERS      3 /* opacities: red of bubbles, green of haze */
-#define AIR_ENVIRONMENT 4 /* equirectangular picture */
+#define AIR_LAYERS 3 /* opacities: red of bubbles, green of haze */
 
 /* Cosine between a plane's normal and the ray below which it fades: edge on it would be a line. */
 #define AIR_EDGE 0.3

@@ -20,6 +20,7 @@
 #define CONSTANT_TONEMAP_CURVE   9  /* TONEMAP_NEUTRAL ... */
 #define CONSTANT_TILED           10 /* 1: globals.lod_bias counts */
 #define CONSTANT_ICE_SHADOW      11 /* 1: the ice casts one, where light goes through it */
-#define CONSTANT_COUNT           12
+#define CONSTANT_OVER            12 /* OVER_HAS_AIR ... */
+#define CONSTANT_COUNT           13
 
 #endif

@@ -1,12 +1,19 @@
-/* cracks_convex.glsl: inside is between the nearest front and the farthest back face. */
+/* cracks_convex.glsl: inside is between the nearest front and the farthest back face; what lies
+ * behind that the depth test leaves out, or with CRACKS_BEFORE_BACK this does. */
 #include "cracks.h"
 
 layout(set = 0, binding = CRACKS_FRONT) uniform sampler2D front;
+#ifdef CRACKS_BEFORE_BACK
 layout(set = 0, binding = CRACKS_BACK) uniform sampler2D back;
+#endif
 
 bool crack_is_inside()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = gl_FragCoord.z;
-    return texelFetch(front, pixel, 0).r <= depth && depth <= texelFetch(back, pixel, 0).r;
+#ifdef CRACKS_BEFORE_BACK
+    if (depth > texelFetch(back, pixel, 0).r)
+        return false;
+#endif
+    return texelFetch(front, pixel, 0).r <= depth;
 }

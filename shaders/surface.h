@@ -1,9 +1,7 @@
-/* surface.h: what surface.c, surface.glsl and surface.frag agree on. */
+/* surface.h: what surface.c and surface.glsl agree on. */
 #ifndef SHADERS_SURFACE_H
 #define SHADERS_SURFACE_H
 #include "abi.h"
-
-#define SURFACE_HIGHLIGHTS 1 /* what the rung wrote */
 
 /* of globals */
 struct surface_params {

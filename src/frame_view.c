@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "shaders/tonemap.h"
+#include "src/frames.h"
 #include "src/scene_settings.h"
 #include "src/tech/bump.h"
 #include "src/tech/env_cube.h"
@@ -296,6 +297,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [CONSTANT_TEXTURED] = scene->model.textures.count > 0,
         [CONSTANT_LIT] = has_lit(&scene->model.surroundings),
         [CONSTANT_LIGHTS] = light->count,
+        [CONSTANT_OVER] = frame_over_layers(settings),
         [CONSTANT_BUMP_UV] = bump->mapping == BUMP_UV,
         [CONSTANT_REFRACT_COLORS] = refract->dispersion > 0.0f ? 3 : 1,
         [CONSTANT_REFRACT_FRESNEL] = refract->fresnel,

@@ -17,6 +17,7 @@
 #include "src/tech/ice_depth.h"
 #include "src/tech/ice_interval.h"
 #include "src/tech/ice_normal.h"
+#include "src/tech/over.h"
 #include "src/tech/refract.h"
 #include "src/tech/refract_blend.h"
 #include "src/tech/refract_bounce.h"
@@ -82,6 +83,17 @@ static bool is_lit(const struct settings *settings)
     return light->count > 0 && light->strength > 0.0f && params->strength > 0.0f;
 }
 
+uint32_t frame_over_layers(const struct settings *settings)
+{
+    const struct air_params *planes = settings_of(settings, &air_settings);
+    const struct bubbles_params *spheres = settings_of(settings, &bubbles_settings);
+    uint32_t layers = is_lit(settings) ? OVER_HAS_HIGHLIGHT : 0;
+    layers |= planes->count ? OVER_HAS_AIR : 0;
+    layers |= spheres->count ? OVER_HAS_BUBBLES : 0;
+    layers |= cracks_are_in_ice(settings) ? OVER_HAS_CRACKS : 0;
+    return layers;
+}
+
 static bool is_frosted(const struct settings *settings)
 {
     const struct frost_params *params = settings_of(settings, &frost_settings);
@@ -109,8 +121,7 @@ static struct frame_list frame_of_pool(const struct settings *settings)
 
 struct frame_list frame_with(const struct rung *rung, const struct settings *settings)
 {
-    const struct air_params *planes = settings_of(settings, &air_settings);
-    const struct bubbles_params *spheres = settings_of(settings, &bubbles_settings);
+    const uint32_t over = frame_over_layers(settings);
     struct frame_list list = { { 0 } };
     if (water_is_on(settings))
         return frame_of_pool(settings);
@@ -127,13 +138,15 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
     if (cracks_find_normals(settings))
         add(&list, cracks_find_normals(settings));
     add(&list, is_bumped(settings) && rung->bumped ? rung->bumped : rung->technique);
-    if (planes->count)
+    if (over & OVER_HAS_AIR)
         add(&list, &air);
-    if (spheres->count)
+    if (over & OVER_HAS_BUBBLES)
         add(&list, &bubbles);
     add(&list, cracks_find(settings));
-    if (is_lit(settings))
-        add(&list, &surface);
+    if (over)
+        add(&list, over_find(over));
+    if (cracks_find_over(settings))
+        add(&list, cracks_find_over(settings));
     if (is_frosted(settings))
         add(&list, &frost);
     if (shines)

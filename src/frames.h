@@ -34,6 +34,9 @@ struct frame_list {
 struct frame_list frame_with(const struct rung *rung, const struct settings *settings);
 bool frame_cube_is_dynamic(const struct settings *settings);
 
+/* What over.c draws over the ice: OVER_HAS_AIR ... (shaders/over.h) */
+uint32_t frame_over_layers(const struct settings *settings);
+
 /* Whether such a frame reads a map of the ice's surface. */
 bool frame_reads_bump_maps(const struct settings *settings);
 

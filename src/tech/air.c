@@ -19,9 +19,13 @@
 #include "shaders/ice_depth.h"
 #include "src/frame.h"
 #include "src/tech/ice_depth.h"
-#include "src/tech/refract.h"
 
-static rg_record_fn record_planes;
+static rg_record_fn record_layer, record_planes;
+
+const struct rg_image air_cover = {
+    .name = "air.cover",
+    .format = VK_FORMAT_R16_SFLOAT,
+};
 
 const struct rg_image air_color = {
     .name = "air.color",
@@ -43,20 +47,20 @@ static const struct rg_use uses[] = {
         .binding = AIR_LAYERS,
         .sampler = &layers_sampler,
     },
-    {
-        .image = &frame_environment,
-        .access = RG_SAMPLED,
-        .binding = AIR_ENVIRONMENT,
-        .sampler = &frame_environment_sampler,
-        .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
-    },
+    { 0 },
+};
+
+static const struct rg_use layer_uses[] = {
+    FRAME_USE_GLOBALS,
+    AIR_USE_ENVIRONMENT,
+    { .image = &air_cover, .access = RG_SAMPLED, .binding = OVER_AIR, .here = true },
     { 0 },
 };
 
 static const struct rg_pass passes[] = {
     {
         .name = "air.planes",
-        .color = RG_TARGETS({ &air_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
+        .color = RG_TARGETS({ &air_cover, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
         ICE_DEPTH_BEFORE_BACK,
         .uses = uses,
         .vert = &air_vert,
@@ -66,12 +70,12 @@ static const struct rg_pass passes[] = {
         .record = record_planes,
     },
     {
-        .name = "air.over",
-        REFRACT_OVER_TARGETS,
-        .uses = RG_USES(FRAME_USE_GLOBALS, REFRACT_USE_OVER(&air_color)),
-        REFRACT_FRONT_FACES,
-        .frag = &refract_over_frag,
-        .record = frame_draw_object,
+        .name = "air.layer",
+        .color = RG_TARGETS({ &air_color, RG_LOAD_DISCARD }),
+        .uses = layer_uses,
+        .vert = &over_vert,
+        .frag = &air_layer_frag,
+        .record = record_layer,
     },
 };
 
@@ -81,6 +85,12 @@ static void record_planes(struct rg_cmd *cmd, const struct rg_frame *frame)
     const struct air_push push = { params->strength, params->haze };
     rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw_mesh(cmd, &frame->air);
+}
+
+static void record_layer(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    rg_cmd_draw(cmd, 3);
 }
 
 static const struct setting rows[] = {

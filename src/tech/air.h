@@ -1,9 +1,18 @@
 /* air.h: milky planes inside the ice. */
 #ifndef TECH_AIR_H
 #define TECH_AIR_H
+#include "shaders/over.h"
 #include "src/technique.h"
 
-extern const struct rg_image air_color; /* premultiplied; 0 where there is none */
+extern const struct rg_image air_cover; /* opacity of all planes together */
+extern const struct rg_image air_color; /* premultiplied; 0 where there is none; a layer alone */
+
+/* What over.vert reads of the environment for the air's light. */
+#define AIR_USE_ENVIRONMENT \
+    { \
+        .image = &frame_environment, .access = RG_SAMPLED, .binding = OVER_ENVIRONMENT, \
+        .sampler = &frame_environment_sampler, .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT \
+    }
 
 extern const struct technique air;
 extern const struct setting_group air_settings;

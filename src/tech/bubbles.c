@@ -20,7 +20,6 @@
 #include "src/frame.h"
 #include "src/tech/env_cube.h"
 #include "src/tech/ice_depth.h"
-#include "src/tech/refract.h"
 
 static rg_record_fn record_spheres;
 
@@ -62,14 +61,6 @@ static const struct rg_pass passes[] = {
         .vert = &bubbles_vert,
         .frag = &bubbles_frag,
         .record = record_spheres,
-    },
-    {
-        .name = "bubbles.over",
-        REFRACT_OVER_TARGETS,
-        .uses = RG_USES(FRAME_USE_GLOBALS, REFRACT_USE_OVER(&bubbles_color)),
-        REFRACT_FRONT_FACES,
-        .frag = &refract_over_frag,
-        .record = frame_draw_object,
     },
 };
 

@@ -39,7 +39,7 @@ static const struct rg_image cracks_depth = {
 
 /*
  * Each way to clip reads other images, and so is a row of its own. PRECUT and NONE test nothing;
- * NONE is drawn over the whole picture, all others over the ice.
+ * NONE is drawn over the whole picture, all others by over.c.
  */
 enum clipping {
     CONVEX,
@@ -61,8 +61,8 @@ enum clipping {
         .sampler = &frame_linear \
     }
 #define USE_NO_DEPTH FRAME_USE_GLOBALS
-#define USE_DEPTH \
-    FRAME_USE_GLOBALS, USE(ice_depth_front, CRACKS_FRONT), USE(ice_depth_back, CRACKS_BACK)
+#define USE_FRONT    FRAME_USE_GLOBALS, USE(ice_depth_front, CRACKS_FRONT)
+#define USE_DEPTH    USE_FRONT, USE(ice_depth_back, CRACKS_BACK)
 #define USE_LAYERS(k) \
     FRAME_USE_GLOBALS, USE(ice_interval_near[(k)-1], CRACKS_NEAR), \
         USE(ice_interval_far[(k)-1], CRACKS_FAR)
@@ -74,27 +74,29 @@ enum clipping {
     .vertices = &frame_mesh_layout, .push_size = sizeof(struct cracks_look), \
     .record = record_cracks
 
+#define COLOR_TARGET \
+    .name = "cracks.color", \
+    .color = RG_TARGETS({ &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER })
 #define COLOR(...) \
     { \
-        .name = "cracks.color", \
-        .color = RG_TARGETS({ &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }), \
-        DRAW(__VA_ARGS__) \
+        COLOR_TARGET, DRAW(__VA_ARGS__) \
+    }
+/* The same, where the depth test leaves out what is behind the ice. */
+#define COLOR_BEFORE_BACK(...) \
+    { \
+        COLOR_TARGET, ICE_DEPTH_BEFORE_BACK, DRAW(__VA_ARGS__) \
     }
 
-#define OVER_ICE \
-    { \
-        .name = "cracks.over", REFRACT_OVER_TARGETS, \
-        .uses = RG_USES(FRAME_USE_GLOBALS, REFRACT_USE_OVER(&cracks_color)), REFRACT_FRONT_FACES, \
-        .frag = &refract_over_frag, .record = frame_draw_object \
-    }
-
-#define OVER_ALL \
-    { \
-        .name = "cracks.over", \
-        .color = RG_TARGETS({ &background_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }), \
-        .uses = RG_USES(REFRACT_USE_OVER(&cracks_color)), .vert = &screen_vert, \
-        .frag = &refract_over_frag, .record = record_screen \
-    }
+static const struct rg_pass over_all[] = {
+    {
+        .name = "cracks.over",
+        .color = RG_TARGETS({ &background_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
+        .uses = RG_USES(REFRACT_USE_OVER(&cracks_color)),
+        .vert = &screen_vert,
+        .frag = &refract_over_frag,
+        .record = record_screen,
+    },
+};
 
 #define NORMAL(...) \
     { \
@@ -109,25 +111,23 @@ enum clipping {
 
 #define HIGHLIGHTS(k) \
     { \
-        COLOR(cracks_vert, cracks_interval_color_frag, USE_LAYERS(k)), OVER_ICE \
+        COLOR_BEFORE_BACK(cracks_vert, cracks_interval_color_frag, USE_LAYERS(k)) \
     }
-static const struct rg_pass highlights[CLIPPING_COUNT][2] = {
-    [CONVEX] = { COLOR(cracks_vert, cracks_convex_color_frag, USE_DEPTH), OVER_ICE },
-    [PRECUT] = { COLOR(cracks_free_vert, cracks_free_color_frag, USE_NO_DEPTH), OVER_ICE },
-    [NONE] = { COLOR(cracks_free_vert, cracks_free_color_frag, USE_NO_DEPTH), OVER_ALL },
+static const struct rg_pass highlights[CLIPPING_COUNT][1] = {
+    [CONVEX] = { COLOR_BEFORE_BACK(cracks_vert, cracks_convex_color_frag, USE_FRONT) },
+    [PRECUT] = { COLOR(cracks_free_vert, cracks_free_color_frag, USE_NO_DEPTH) },
+    [NONE] = { COLOR(cracks_free_vert, cracks_free_color_frag, USE_NO_DEPTH) },
     [INTERVAL] = EACH_INTERVAL(HIGHLIGHTS),
 };
 
 #define GAPS(k) \
     { \
-        COLOR(cracks_vert, cracks_interval_gap_frag, USE_LAYERS(k), USE_ENV_CUBE), OVER_ICE \
+        COLOR_BEFORE_BACK(cracks_vert, cracks_interval_gap_frag, USE_LAYERS(k), USE_ENV_CUBE) \
     }
-static const struct rg_pass gaps[CLIPPING_COUNT][2] = {
-    [CONVEX] = { COLOR(cracks_vert, cracks_convex_gap_frag, USE_DEPTH, USE_ENV_CUBE), OVER_ICE },
-    [PRECUT] = { COLOR(cracks_free_vert, cracks_free_gap_frag, USE_NO_DEPTH, USE_ENV_CUBE),
-                 OVER_ICE },
-    [NONE] = { COLOR(cracks_free_vert, cracks_free_gap_frag, USE_NO_DEPTH, USE_ENV_CUBE),
-               OVER_ALL },
+static const struct rg_pass gaps[CLIPPING_COUNT][1] = {
+    [CONVEX] = { COLOR_BEFORE_BACK(cracks_vert, cracks_convex_gap_frag, USE_FRONT, USE_ENV_CUBE) },
+    [PRECUT] = { COLOR(cracks_free_vert, cracks_free_gap_frag, USE_NO_DEPTH, USE_ENV_CUBE) },
+    [NONE] = { COLOR(cracks_free_vert, cracks_free_gap_frag, USE_NO_DEPTH, USE_ENV_CUBE) },
     [INTERVAL] = EACH_INTERVAL(GAPS),
 };
 
@@ -253,6 +253,9 @@ static const struct technique gap_techniques[] = { EACH_TECHNIQUE(OF_GAPS) };
 #define OF_NORMALS(i) TECHNIQUE("cracks_normal", normals[i], "cracks that refract as back faces do")
 static const struct technique normal_techniques[] = { EACH_TECHNIQUE(OF_NORMALS) };
 
+static const struct technique over_technique =
+    TECHNIQUE("cracks_over", over_all, "cracks over the whole picture");
+
 static const struct technique no_technique = TECHNIQUE("cracks", no_cracks, "no cracks");
 
 static enum clipping find_clipping(const struct settings *settings)
@@ -277,6 +280,18 @@ const struct technique *cracks_find(const struct settings *settings)
         return &no_technique;
     return params->refract == CRACKS_REFRACT_GAP ? &gap_techniques[clipping]
                                                  : &highlight_techniques[clipping];
+}
+
+bool cracks_are_in_ice(const struct settings *settings)
+{
+    const struct cracks_params *params = settings_of(settings, &cracks_settings);
+    return params->count && params->clip != CRACKS_CLIP_NONE;
+}
+
+const struct technique *cracks_find_over(const struct settings *settings)
+{
+    const struct cracks_params *params = settings_of(settings, &cracks_settings);
+    return params->count && !cracks_are_in_ice(settings) ? &over_technique : NULL;
 }
 
 const struct technique *cracks_find_normals(const struct settings *settings)

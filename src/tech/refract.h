@@ -89,10 +89,17 @@ struct refract_params {
 #define REFRACT_BUMPED_FACES \
     .vert = &refract_bump_vert, .vertices = &frame_mesh_layout, .cull = VK_CULL_MODE_BACK_BIT
 
+/* Where the rung draws no ice. */
+#define REFRACT_NO_HIGHLIGHT \
+    { \
+        .color.float32 = { -1.0f } \
+    }
+
 /* The targets of a rung's row for the picture, and of its row for the layers. */
 #define REFRACT_COLORS \
     .color = RG_TARGETS([REFRACT_OUT_COLOR] = { &background_color, RG_LOAD_KEEP }, \
-                        [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_DISCARD })
+                        [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_CLEAR, \
+                                                    REFRACT_NO_HIGHLIGHT })
 #define REFRACT_LAYERS \
     .color = RG_TARGETS([REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR }, \
                         [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR }, \

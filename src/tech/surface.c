@@ -4,35 +4,18 @@
  * Seipel and Nivfors 2006, sections 3.1 b and 5: specular highlights on the outer surface, of light
  * sources that move. The paper does not say which; this is Blinn's (1977): a power of the cosine
  * between the normal and the direction halfway between light and eye. The rungs work them out, who
- * know the bumpy normal; added to the picture once all is drawn that lies inside.
+ * know the bumpy normal; over.c adds them to the picture.
  *
  * Wrong: a highlight keeps its radiance and its size wherever its light stands, where Fresnel's
  * equations make a grazing one up to 56 times as bright; the lights themselves are not seen, and
  * light nothing else.
  */
 #include "src/tech/surface.h"
-#include "shaders/embedded.h"
 #include "shaders/surface.h"
-#include "src/frame.h"
-#include "src/tech/refract.h"
 
 const struct rg_image surface_highlight = {
     .name = "surface.highlight",
     .format = VK_FORMAT_R32_SFLOAT,
-};
-
-static const struct rg_pass passes[] = {
-    {
-        .name = "surface.over",
-        REFRACT_OVER_TARGETS,
-        .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &surface_highlight,
-                                             .access = RG_SAMPLED,
-                                             .binding = SURFACE_HIGHLIGHTS,
-                                             .here = true }),
-        REFRACT_FRONT_FACES,
-        .frag = &surface_frag,
-        .record = frame_draw_object,
-    },
 };
 
 static const struct setting rows[] = {
@@ -56,9 +39,3 @@ static const struct setting rows[] = {
 };
 
 const struct setting_group surface_settings = SETTING_GROUP("surface", rows, struct surface_params);
-
-const struct technique surface = {
-    .graph = RG_TECHNIQUE("surface", passes),
-    .settings = &surface_settings,
-    .help = "highlights of the lights on the ice",
-};

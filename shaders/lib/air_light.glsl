@@ -1,0 +1,31 @@
+/* air_light.glsl: the light of the planes of air. */
+#ifndef LIB_AIR_LIGHT_GLSL
+#define LIB_AIR_LIGHT_GLSL
+#include "lib/constants.glsl"
+#include "lib/sky.glsl"
+
+/* Mean radiance of the environment picture, by solid angle. */
+vec3 air_mean(sampler2D environment)
+{
+    int lod = max(textureQueryLevels(environment) - 4, 0);
+    ivec2 size = textureSize(environment, lod);
+    vec4 sum = vec4(0.0);
+    for (int y = 0; y < size.y; y++) {
+        float weight = sin((float(y) + 0.5) / float(size.y) * 3.14159265);
+        for (int x = 0; x < size.x; x++)
+            sum += weight * vec4(texelFetch(environment, ivec2(x, y), lod).rgb, 1.0);
+    }
+    return sum.rgb / sum.w;
+}
+
+/* What white matter sends out that scatters light so often that it forgets where it came from. */
+vec3 air_light(sampler2D environment)
+{
+    if (constant_background == GLOBALS_COLOR)
+        return frame.background_color;
+    if (constant_background == GLOBALS_ENVIRONMENT)
+        return air_mean(environment);
+    return 0.5 * (sky_light(frame.sun_dir) + sky_light(-frame.sun_dir));
+}
+
+#endif

@@ -1,0 +1,35 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/constants.glsl"
+#include "over.h"
+
+layout(set = 0, binding = OVER_HIGHLIGHT) uniform sampler2D highlights;
+layout(set = 0, binding = OVER_AIR) uniform sampler2D air;
+layout(set = 0, binding = OVER_BUBBLES) uniform sampler2D bubbles;
+layout(set = 0, binding = OVER_CRACKS) uniform sampler2D cracks;
+
+layout(location = 0) flat in vec3 light; /* of the air */
+
+layout(location = 0) out vec4 color; /* premultiplied */
+
+void cover(vec4 upper)
+{
+    color = upper + (1.0 - upper.a) * color;
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float highlight = texelFetch(highlights, pixel, 0).r;
+    if (highlight < 0.0)
+        discard;
+    color = vec4(0.0);
+    if ((constant_over & OVER_HAS_AIR) != 0u)
+        color = vec4(light, 1.0) * texelFetch(air, pixel, 0).r;
+    if ((constant_over & OVER_HAS_BUBBLES) != 0u)
+        cover(texelFetch(bubbles, pixel, 0));
+    if ((constant_over & OVER_HAS_CRACKS) != 0u)
+        cover(texelFetch(cracks, pixel, 0));
+    if ((constant_over & OVER_HAS_HIGHLIGHT) != 0u)
+        color.rgb += highlight; /* adds, and covers nothing */
+}

@@ -1,0 +1,16 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/air_light.glsl"
+#include "over.h"
+
+layout(set = 0, binding = OVER_ENVIRONMENT) uniform sampler2D environment;
+
+layout(location = 0) flat out vec3 out_light;
+
+/* One triangle that covers the picture. */
+void main()
+{
+    vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+    out_light = (constant_over & OVER_HAS_AIR) != 0u ? air_light(environment) : vec3(0.0);
+}
