@@ -197,6 +197,13 @@ static enum status open_reference(struct job *job, const struct renderer_params 
     return status;
 }
 
+/* What llvmpipe saves by compiling less is lost again by a few times as many pixels. */
+static bool is_small(const struct job *job)
+{
+    const uint64_t pixels = (uint64_t)job->o.width * job->o.height * job->o.samples;
+    return pixels <= (1u << 17) / job->sequence.range.count;
+}
+
 static void *fill_scene(void *user)
 {
     struct job *job = user;
@@ -209,6 +216,8 @@ static enum status open_device(struct job *job)
 {
     const struct app_options *o = &job->o;
     pthread_t thread;
+    if (is_small(job))
+        gpu_prefer_start();
     const bool is_beside = pthread_create(&thread, NULL, fill_scene, job) == 0;
     const enum status status = gpu_create(&job->gpu, &(struct gpu_params){
                                                          .device = o->device,

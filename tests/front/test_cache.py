@@ -1,4 +1,4 @@
-"""test_cache.py: compiled pipelines that one run leaves to the next. Usage: see case.py."""
+"""test_cache.py: what one run has compiled and leaves to the next. Usage: see case.py."""
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -41,6 +41,22 @@ class Cache(Case):
                 self.assertTrue(words.startswith(f'firn: warning: {file}: '), words)
                 self.assertEqual(file.read_bytes(), whole)
                 self.assertEqual(self.run_with_cache(*command), '')
+
+    def test_what_is_small_is_compiled_in_less_time(self):
+        """Mesa keeps what it compiled in less time apart, so that its files tell."""
+        files = []
+        pictures = []
+        for size, chosen in (('64x48', {}), ('64x48', {'GALLIVM_PERF': 'nopt'}),
+                             ('64x48', {'GALLIVM_PERF': ''}),
+                             ('400x400', {'GALLIVM_PERF': ''}), ('400x400', {})):
+            self.succeed('render', 'sphere', '--size', size, '-o', 'a.exr', '-q', env={
+                'MESA_SHADER_CACHE_DIR': self.folder / 'mesa', **chosen})
+            pictures.append((self.folder / 'a.exr').read_bytes())
+            files.append(sum(path.is_file() for path in (self.folder / 'mesa').rglob('*')))
+        self.assertEqual(files[0], files[1])
+        self.assertGreater(files[2], files[0])
+        self.assertEqual(files[3], files[4])
+        self.assertEqual(pictures[0], pictures[2])
 
 
 if __name__ == '__main__':
