@@ -111,20 +111,20 @@ struct place {
 /* Open addressing; 0 is an empty slot. */
 struct resource_map {
     uint32_t *slots; /* one more than a resource's index */
-    uint32_t mask;   /* one less than how many */
-    uint32_t room;   /* resources: half of the slots stay empty */
+    uint32_t mask;   /* one less than how many, half of which stay empty */
 };
 
-struct name_slot {
-    uint32_t hash;  /* of the text and its kind, never 0; 0: an empty slot */
-    uint32_t index; /* in names */
+struct name {
+    const char *text;
+    uint32_t hash; /* of the text and its kind */
 };
 
+/* The same. */
 struct name_map {
-    struct name_slot *slots;
-    uint32_t mask; /* one less than how many */
+    uint32_t *slots; /* one more than a name's index */
+    uint32_t mask;
     uint32_t count, room;
-    const char **names;
+    struct name *names;
 };
 
 /* What an access means as a use of a kind of pass, as long as the use says nothing special. */
@@ -236,8 +236,7 @@ void rg_add_ends(struct compiler *c);
 
 /* Adds a resource, which is checked and sized; RG_NONE: memory is short. `slot` is its own. */
 uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
-                         const struct rg_buffer *buffer, const struct rg_import *import,
-                         uint32_t *slot);
+                         const struct rg_buffer *buffer, uint32_t *slot);
 
 /* Where in the map a resource is, or would be. Neighbours in the tables are neighbours in the map,
  * and soon in the cache; higher bits are added for those that lie a power of two apart. */
@@ -256,7 +255,7 @@ static inline uint32_t rg_resource_of(struct compiler *c, const struct rg_image 
                                       const struct rg_buffer *buffer)
 {
     uint32_t *slot = rg_resource_slot(c, image ? (const void *)image : (const void *)buffer);
-    return *slot ? *slot - 1 : rg_resource_add(c, image, buffer, NULL, slot);
+    return *slot ? *slot - 1 : rg_resource_add(c, image, buffer, slot);
 }
 
 const char *rg_resource_name(const struct resource *r); /* "?" if it has none */

@@ -3,33 +3,35 @@
 #include <string.h>
 
 /* Where a name is, or would be. */
-static struct name_slot *slot_of(const struct name_map *map, uint32_t hash, const char *text)
+static uint32_t *slot_of(const struct name_map *map, const struct name *name)
 {
-    uint32_t i = rg_name_slot(map, hash);
-    while (map->slots[i].hash &&
-           (map->slots[i].hash != hash || strcmp(map->names[map->slots[i].index], text) != 0))
-        i = (i + 1) & map->mask;
+    uint32_t i = rg_name_slot(map, name->hash);
+    for (; map->slots[i]; i = (i + 1) & map->mask) {
+        const struct name *other = &map->names[map->slots[i] - 1];
+        if (other->hash == name->hash && strcmp(other->text, name->text) == 0)
+            break;
+    }
     return &map->slots[i];
 }
 
 /* Room for `count` names, which fill at most half of the slots. */
 static bool grow(struct arena *arena, struct name_map *map, uint32_t count)
 {
-    struct name_map new = { .mask = 63, .count = map->count };
-    while (new.mask / 2 < count)
-        new.mask = new.mask * 2 + 1;
-    new.room = new.mask / 2;
-    new.slots = ARENA_ZEROED(arena, struct name_slot, (size_t) new.mask + 1);
-    new.names = ARENA_ARRAY(arena, const char *, new.room);
+    uint32_t mask = 63;
+    while (mask / 2 < count)
+        mask = mask * 2 + 1;
+    uint32_t *slots = ARENA_ZEROED(arena, uint32_t, (size_t)mask + 1);
+    struct name *names = ARENA_ARRAY(arena, struct name, mask / 2);
     if (arena->failed)
         return false;
     for (uint32_t i = 0; i < map->count; i++)
-        new.names[i] = map->names[i];
-    for (uint32_t i = 0; map->slots && i <= map->mask; i++) {
-        if (map->slots[i].hash)
-            *slot_of(&new, map->slots[i].hash, map->names[map->slots[i].index]) = map->slots[i];
-    }
-    *map = new;
+        names[i] = map->names[i];
+    map->slots = slots;
+    map->mask = mask;
+    map->room = mask / 2;
+    map->names = names;
+    for (uint32_t i = 0; i < map->count; i++)
+        *slot_of(map, &names[i]) = i + 1;
     return true;
 }
 
@@ -41,12 +43,13 @@ void rg_name_expect(struct compiler *c, uint32_t count)
 bool rg_name_is_new(struct compiler *c, enum name_kind kind, const char *name)
 {
     struct name_map *map = &c->names;
-    uint32_t hash = rg_name_hash(kind, name);
+    const struct name new = { name, rg_name_hash(kind, name) };
     if (map->count == map->room && !grow(c->arena, map, map->count + 1))
         return true;
-    struct name_slot *slot = slot_of(map, hash, name);
-    if (slot->hash)
+    uint32_t *slot = slot_of(map, &new);
+    if (*slot)
         return false;
-    rg_name_add(map, slot, hash, name);
+    map->names[map->count] = new;
+    *slot = ++map->count;
     return true;
 }

@@ -26,19 +26,12 @@ static inline uint32_t rg_name_hash(enum name_kind kind, const char *text)
     uint32_t hash = UINT32_C(2166136261) ^ (uint32_t)kind;
     for (unsigned char c = (unsigned char)*text; c; c = (unsigned char)*++text)
         hash = (hash ^ c) * UINT32_C(16777619);
-    return hash | UINT32_C(1) << 31;
+    return hash;
 }
 
 static inline uint32_t rg_name_slot(const struct name_map *map, uint32_t hash)
 {
     return (hash ^ hash >> 15) & map->mask;
-}
-
-static inline void rg_name_add(struct name_map *map, struct name_slot *slot, uint32_t hash,
-                               const char *name)
-{
-    *slot = (struct name_slot){ hash, map->count };
-    map->names[map->count++] = name;
 }
 
 /* Adds a name if that is quick: there is none of this hash, and room. Else does nothing. */
@@ -47,11 +40,12 @@ static inline bool rg_name_add_quickly(struct compiler *c, enum name_kind kind, 
     struct name_map *map = &c->names;
     uint32_t hash = rg_name_hash(kind, name);
     uint32_t i = rg_name_slot(map, hash);
-    while (map->slots[i].hash && map->slots[i].hash != hash)
+    while (map->slots[i] && map->names[map->slots[i] - 1].hash != hash)
         i = (i + 1) & map->mask;
-    if (map->slots[i].hash || map->count == map->room)
+    if (map->slots[i] || map->count == map->room)
         return false;
-    rg_name_add(map, &map->slots[i], hash, name);
+    map->names[map->count] = (struct name){ name, hash };
+    map->slots[i] = ++map->count;
     return true;
 }
 

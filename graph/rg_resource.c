@@ -92,31 +92,18 @@ static bool add_cells(struct compiler *c, struct resource *r, uint64_t count)
     return r->cells != NULL;
 }
 
-/* Room for one more; single cells lie in the array. */
-static bool grow_resources(struct compiler *c)
-{
-    uint32_t room = c->resource_room;
-    if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room, 64) ||
-        !ARENA_ROOM(c->arena, c->wanted, c->resource_count, room, 64))
-        return false;
-    for (uint32_t i = 0; i < c->resource_count; i++) {
-        struct resource *r = &c->resources[i];
-        r->cells = r->cell_count == 1 ? &r->cell : r->cells;
-    }
-    return true;
-}
-
 /* ---- the map ---- */
 
-static bool grow_map(struct compiler *c, uint32_t count)
+/* Of as many as there is room for. */
+static bool make_map(struct compiler *c)
 {
     uint32_t mask = 63;
-    while (mask / 2 <= count)
+    while (mask / 2 <= c->resource_room)
         mask = mask * 2 + 1;
     uint32_t *slots = ARENA_ZEROED(c->arena, uint32_t, (size_t)mask + 1);
     if (!slots)
         return false;
-    c->map = (struct resource_map){ slots, mask, mask / 2 };
+    c->map = (struct resource_map){ slots, mask };
     for (uint32_t i = 0; i < c->resource_count; i++)
         *rg_resource_slot(c, c->resources[i].address) = i + 1;
     return true;
@@ -127,7 +114,21 @@ void rg_resource_expect(struct compiler *c, uint32_t count)
     c->resource_room = count;
     c->resources = ARENA_ARRAY(c->arena, struct resource, count);
     c->wanted = ARENA_ARRAY(c->arena, enum wanted, count);
-    grow_map(c, count);
+    make_map(c);
+}
+
+/* Room for more; single cells lie in the array. */
+static bool grow_resources(struct compiler *c)
+{
+    uint32_t room = c->resource_room;
+    if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room, 64) ||
+        !ARENA_ROOM(c->arena, c->wanted, c->resource_count, room, 64))
+        return false;
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        struct resource *r = &c->resources[i];
+        r->cells = r->cell_count == 1 ? &r->cell : r->cells;
+    }
+    return make_map(c);
 }
 
 /* ---- adding ---- */
@@ -158,14 +159,16 @@ static inline void begin_resource(struct resource *r)
  * one, or there may be something to be said of it. */
 static inline bool add_simple(struct compiler *c, const struct rg_image *image)
 {
-    const struct rg_format_info *format = rg_format_find(image->format);
+    if ((size_t)image->format >= RG_FORMAT_COUNT)
+        return false;
+    const struct rg_format_info *format = &rg_format_table[image->format]; /* or of no aspects */
     const VkExtent2D view = c->params->view;
     const VkExtent2D extent = {
         image->width ? image->width : view.width,
         image->height ? image->height : view.height,
     };
-    if (!format || (format->aspects & (format->aspects - 1)) || image->scale != 0.0f ||
-        !image->name ||
+    if (!format->aspects || (format->aspects & (format->aspects - 1)) || !image->name ||
+        image->scale != 0.0f ||
         (image->layers | image->mips | image->samples | image->cube | image->persistent) ||
         extent.width > c->max_image_size || extent.height > c->max_image_size ||
         !rg_name_add_quickly(c, NAME_RESOURCE, image->name))
@@ -224,8 +227,6 @@ __attribute__((noinline)) static uint32_t add_slowly(struct compiler *c,
                                                      const struct rg_buffer *buffer,
                                                      const struct rg_import *import)
 {
-    if (c->resource_count >= c->map.room && !grow_map(c, c->resource_count))
-        return RG_NONE;
     if (c->resource_count == c->resource_room && !grow_resources(c))
         return RG_NONE;
     if (!add_any(c, image, buffer, import))
@@ -236,12 +237,10 @@ __attribute__((noinline)) static uint32_t add_slowly(struct compiler *c,
 }
 
 uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
-                         const struct rg_buffer *buffer, const struct rg_import *import,
-                         uint32_t *slot)
+                         const struct rg_buffer *buffer, uint32_t *slot)
 {
-    bool room = c->resource_count < c->map.room && c->resource_count < c->resource_room;
-    if (!room || !image || import || !add_simple(c, image))
-        return add_slowly(c, image, buffer, import);
+    if (!image || c->resource_count == c->resource_room || !add_simple(c, image))
+        return add_slowly(c, image, buffer, NULL);
     *slot = ++c->resource_count;
     return *slot - 1;
 }
@@ -259,7 +258,7 @@ void rg_add_ends(struct compiler *c)
                                                            : (const void *)import->buffer);
         uint32_t index = *slot - 1;
         if (!*slot)
-            rg_resource_add(c, import->image, import->buffer, import, slot);
+            add_slowly(c, import->image, import->buffer, import);
         else
             rg_fault_add(c, RG_ERROR_LISTED_TWICE,
                          (struct place){ .row = RG_NONE,
