@@ -22,8 +22,7 @@ static void place_and_sync(struct compiler *c)
     struct sync sync = { .c = c };
     bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
     rg_check_formats(c);
-    rg_follow_begin(c);
-    if (place_first && !c->arena->failed) {
+    if (place_first) {
         rg_follow_passes(c);
         rg_follow_outputs(c);
         place(c);

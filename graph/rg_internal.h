@@ -63,6 +63,7 @@ struct resource {
     uint32_t plan_buffer;  /* the same of its buffers */
     uint32_t item;         /* in compiler.items, or RG_NONE: it shares no memory */
     uint32_t last_barrier; /* index of the newest one, or RG_NONE */
+    uint32_t taken;        /* of an item: the pass before which the memory changes hands */
     struct cell cell;
 };
 
@@ -140,10 +141,10 @@ struct meaning {
 struct pack_item {
     VkDeviceSize size, alignment; /* a power of two */
     VkDeviceSize offset;
+    struct resource *resource;
     uint32_t first, last; /* passes between which the memory is taken; both included */
     uint32_t first_use;   /* pass; not before `first` */
-    uint32_t resource;
-    uint32_t plan_index; /* in the plan's images or buffers */
+    uint32_t plan_index;  /* in the plan's images or buffers */
     uint32_t type_bits;
     bool buffer;
 };
@@ -411,9 +412,6 @@ void rg_cull(struct compiler *c);
 /* Faults of what the device cannot do with formats. */
 void rg_check_formats(struct compiler *c);
 
-/* Room for what is numbered; before the first rg_follow(). */
-void rg_follow_begin(struct compiler *c);
-
 /* Numbers a resource: a living pass is the first to name it. */
 static inline void rg_meet(struct compiler *c, struct resource *r, uint32_t pass)
 {
@@ -422,14 +420,9 @@ static inline void rg_meet(struct compiler *c, struct resource *r, uint32_t pass
     r->first = pass;
     if (r->persistent)
         r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    if (!r->shared)
-        return;
-    struct pack_item *item = &c->items[c->item_count];
-    r->item = c->item_count++;
-    item->first = item->first_use = pass;
-    item->resource = (uint32_t)(r - c->resources);
-    item->plan_index = index;
-    item->buffer = !r->image;
+    if (r->shared)
+        r->item = c->item_count++;
+    r->taken = pass;
 }
 
 static inline void rg_follow(struct compiler *c, struct resource *r, VkFlags usage, uint32_t pass)
@@ -511,15 +504,16 @@ void rg_place_left(struct compiler *c);
 /* ---- rg_pack.c ---- */
 
 struct pack_result {
-    VkDeviceSize size;  /* bytes of the block */
-    VkDeviceSize apart; /* if nothing were shared */
-    VkDeviceSize bound; /* no packing can be smaller */
-    VkDeviceSize least; /* the same if items took their memory at the first use */
+    VkDeviceSize size;       /* bytes of the block */
+    VkDeviceSize apart;      /* if nothing were shared */
+    VkDeviceSize bound;      /* no packing can be smaller */
+    VkDeviceSize least;      /* the same if items took their memory at the first use */
+    VkDeviceSize alignments; /* of all items, each a bit */
 };
 
-/* Fills the items' offsets. */
+/* Fills the items' offsets. None lives beyond the pass `end`. */
 struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
-                           bool apart);
+                           uint32_t end, bool apart);
 
 /* ---- rg_former.c: who had the memory of the items of a block, in the order of first use ---- */
 

@@ -63,11 +63,6 @@ void rg_check_formats(struct compiler *c)
     }
 }
 
-void rg_follow_begin(struct compiler *c)
-{
-    c->items = ARENA_ARRAY(c->arena, struct pack_item, c->resource_count);
-}
-
 void rg_follow_passes(struct compiler *c)
 {
     uint32_t index = 0;
@@ -145,8 +140,7 @@ static void check_samples(struct compiler *c, const struct rg_plan_image *image)
 }
 
 /* As an item to be placed, or memory of its own. */
-static inline void need_memory(struct compiler *c, const struct resource *r,
-                               struct rg_memory_need need)
+static inline void need_memory(struct compiler *c, struct resource *r, struct rg_memory_need need)
 {
     if (r->item == RG_NONE) {
         c->plan->memory_persistent += need.size;
@@ -155,11 +149,16 @@ static inline void need_memory(struct compiler *c, const struct resource *r,
     struct pack_item *item = &c->items[r->item];
     item->size = need.size;
     item->alignment = need.alignment ? need.alignment : 1;
+    item->resource = r;
+    item->first = r->taken;
     item->last = r->last;
+    item->first_use = r->first;
+    item->plan_index = r->image ? r->plan_image : r->plan_buffer;
     item->type_bits = need.type_bits;
+    item->buffer = !r->image;
 }
 
-static void list_image(struct compiler *c, const struct resource *r, struct rg_plan_image *image)
+static void list_image(struct compiler *c, struct resource *r, struct rg_plan_image *image)
 {
     *image = (struct rg_plan_image){
         .image = r->image,
@@ -185,7 +184,7 @@ static void list_image(struct compiler *c, const struct resource *r, struct rg_p
     need_memory(c, r, need);
 }
 
-static void list_buffer(struct compiler *c, const struct resource *r, struct rg_plan_buffer *buffer)
+static void list_buffer(struct compiler *c, struct resource *r, struct rg_plan_buffer *buffer)
 {
     *buffer = (struct rg_plan_buffer){
         .buffer = r->buffer,
@@ -210,9 +209,10 @@ void rg_list(struct compiler *c)
     struct rg_plan *plan = c->plan;
     plan->images = c->images = ARENA_ARRAY(c->arena, struct rg_plan_image, plan->image_count);
     plan->buffers = c->buffers = ARENA_ARRAY(c->arena, struct rg_plan_buffer, plan->buffer_count);
+    c->items = ARENA_ARRAY(c->arena, struct pack_item, c->item_count);
     if (c->arena->failed)
         return;
-    for (const struct resource *r = c->resources, *end = r + c->resource_count; r < end; r++) {
+    for (struct resource *r = c->resources, *end = r + c->resource_count; r < end; r++) {
         if (r->first == RG_NONE)
             continue;
         if (r->image)

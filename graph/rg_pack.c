@@ -52,10 +52,18 @@ struct life {
     uint32_t first, last;
 };
 
+/* What is more at a pass than at the one before; less wraps. */
+struct growth {
+    VkDeviceSize taken, used; /* bytes, now and if items took them at their first use */
+    uint32_t alive;           /* items */
+    uint32_t moment;          /* the newest one */
+    uint32_t begun;           /* items that begin here */
+};
+
 struct packing {
     const struct pack_item *items; /* in the order of first use */
-    uint32_t count;
-    uint32_t end;             /* the last pass of all */
+    uint32_t count, moment_count;
+    struct growth *growth;    /* of each pass */
     struct moment *moments;   /* in the order of time */
     struct life *lives;       /* of each item */
     VkDeviceSize *offsets;    /* of each item, by the rule at work */
@@ -69,63 +77,67 @@ static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)
 
 /* ---- moments ---- */
 
-/* Returns how many moments the items live, all together. */
-static uint64_t find_moments(struct packing *p, uint32_t *begun)
+/* Finds what each pass has more than the one before, and where items lie if nothing is shared. */
+static void find_growth(const struct packing *p, struct pack_item *items,
+                        struct pack_result *result)
 {
-    uint32_t moment = RG_NONE;
-    uint32_t alive = 0;
+    for (uint32_t i = 0; i < p->count; i++) {
+        struct pack_item *item = &items[i];
+        struct growth *first = &p->growth[item->first];
+        struct growth *end = &p->growth[item->last + 1];
+        item->offset = align_up(result->apart, item->alignment);
+        result->apart = item->offset + item->size;
+        result->alignments |= item->alignment;
+        first->taken += item->size;
+        first->alive++;
+        first->begun++;
+        p->growth[item->first_use].used += item->size;
+        end->taken -= item->size;
+        end->used -= item->size;
+        end->alive--;
+    }
+}
+
+/* Finds the moments, and the most bytes that are taken at once. Returns how many moments the items
+ * live, all together. */
+static uint64_t find_moments(struct packing *p, uint32_t end, struct pack_result *result)
+{
+    struct growth now = { 0 };
     uint64_t lived = 0;
-    p->moments[0].alive = 0;
-    for (uint32_t i = 0; i < p->count; i++) {
-        uint32_t first = p->items[i].first;
-        if (!begun[first])
-            p->moments[++moment + 1].alive = 0; /* that of the one after: the last has one, too */
-        begun[first] = moment + 1;
-        p->lives[i].first = moment;
-        p->moments[moment].alive++;
-    }
-    for (uint32_t pass = 1; pass <= p->end; pass++)
-        begun[pass] = begun[pass] ? begun[pass] : begun[pass - 1];
-    for (uint32_t i = 0; i < p->count; i++) {
-        uint32_t end = begun[p->items[i].last];
-        p->lives[i].last = end - 1;
-        p->moments[end].alive--;
-    }
-    for (uint32_t m = 0; m <= moment; m++) {
-        alive += p->moments[m].alive;
-        p->moments[m].alive = alive;
-        lived += alive;
+    for (struct growth *pass = p->growth, *last = pass + end; pass <= last; pass++) {
+        now.taken += pass->taken;
+        now.used += pass->used;
+        now.alive += pass->alive;
+        result->bound = result->bound < now.taken ? now.taken : result->bound;
+        result->least = result->least < now.used ? now.used : result->least;
+        if (pass->begun) {
+            p->moments[p->moment_count++].alive = now.alive;
+            lived += now.alive;
+        }
+        pass->moment = p->moment_count - 1;
     }
     return lived;
 }
 
-/* Room for the spans of each moment. */
-static void share_spans(const struct packing *p, struct span *spans)
+/* False: memory is short. */
+static bool begin_rules(struct arena *arena, struct packing *p, uint64_t lived)
 {
-    for (uint32_t m = 0; m <= p->lives[p->count - 1].first; m++) {
-        p->moments[m].spans = spans;
-        spans += p->moments[m].alive;
-    }
-}
-
-/* False: too much lives too long to look at every moment of it, or memory is short. */
-static bool begin_rules(struct arena *arena, struct packing *p)
-{
-    uint32_t *begun = ARENA_ZEROED(arena, uint32_t, (size_t)p->end + 1); /* moments, to a pass */
-    p->moments = ARENA_ARRAY(arena, struct moment, (size_t)p->count + 1);
-    p->lives = ARENA_ARRAY(arena, struct life, p->count);
-    if (arena->failed)
-        return false;
-    uint64_t lived = find_moments(p, begun);
-    if (lived > MANY * MANY / 2 + (uint64_t)p->count * LONG_LIFE)
-        return false;
     struct span *spans = ARENA_ARRAY(arena, struct span, lived);
+    p->lives = ARENA_ARRAY(arena, struct life, p->count);
     p->offsets = ARENA_ARRAY(arena, VkDeviceSize, p->count);
     p->order = ARENA_ARRAY(arena, uint64_t, p->count);
     p->sorted = ARENA_ARRAY(arena, uint64_t, p->count);
-    if (!arena->failed)
-        share_spans(p, spans);
-    return !arena->failed;
+    if (arena->failed)
+        return false;
+    for (uint32_t i = 0; i < p->count; i++) {
+        p->lives[i].first = p->growth[p->items[i].first].moment;
+        p->lives[i].last = p->growth[p->items[i].last].moment;
+    }
+    for (uint32_t m = 0; m < p->moment_count; m++) {
+        p->moments[m].spans = spans; /* as many as there may be */
+        spans += p->moments[m].alive;
+    }
+    return true;
 }
 
 /* ---- the order of a rule: sorted by digits, since nobody could foresee comparisons ---- */
@@ -133,8 +145,9 @@ static bool begin_rules(struct arena *arena, struct packing *p)
 enum {
     KEY_BITS = 32,
     MAX_DIGIT_BITS = 11,
-    VERY_FEW = 64, /* items, */
-    FEW = 256,     /* of which one digit is sorted, and the rest by comparing */
+    A_HANDFUL = 24, /* items, which are only compared */
+    VERY_FEW = 64,  /* the same, */
+    FEW = 256,      /* of which one digit is sorted, and the rest by comparing */
 };
 
 /* The upper half of the product as a double, whose bits rise with it. */
@@ -199,7 +212,9 @@ static void sort(struct packing *p, const struct rule *rule)
     }
     uint32_t differing = any & ~common;
     uint32_t shift = 0;
-    if (few && differing >> digit_bits) /* to the highest digit */
+    if (p->count < A_HANDFUL)
+        shift = KEY_BITS;
+    else if (few && differing >> digit_bits) /* to the highest digit */
         shift = KEY_BITS - digit_bits - (uint32_t)__builtin_clz(differing);
     for (; shift < KEY_BITS && differing >> shift; shift += digit_bits)
         sort_digit(p, KEY_BITS + shift, digit_bits);
@@ -309,7 +324,7 @@ static VkDeviceSize apply_rule(struct packing *p, const struct rule *rule, VkDev
 {
     VkDeviceSize size = 0;
     sort(p, rule);
-    for (uint32_t m = 0; m <= p->lives[p->count - 1].first; m++) {
+    for (uint32_t m = 0; m < p->moment_count; m++) {
         p->moments[m].floor = p->moments[m].count = 0;
         p->moments[m].ceiling = UINT64_MAX;
     }
@@ -415,33 +430,6 @@ static VkDeviceSize apply_time_order(struct arena *arena, struct pack_item *item
 
 /* ---- the best of all ---- */
 
-/* More bytes than in the pass before; less may wrap. */
-struct growth {
-    VkDeviceSize taken, used;
-};
-
-/* The most bytes that are taken at once, now and if items took them at their first use. */
-static void find_bounds(struct arena *arena, const struct packing *p, struct pack_result *result)
-{
-    struct growth *growth = ARENA_ZEROED(arena, struct growth, (size_t)p->end + 2);
-    struct growth live = { 0 };
-    if (!growth)
-        return;
-    for (uint32_t i = 0; i < p->count; i++) {
-        const struct pack_item *item = &p->items[i];
-        growth[item->first].taken += item->size;
-        growth[item->first_use].used += item->size;
-        growth[item->last + 1].taken -= item->size;
-        growth[item->last + 1].used -= item->size;
-    }
-    for (uint32_t pass = 0; pass <= p->end; pass++) {
-        live.taken += growth[pass].taken;
-        live.used += growth[pass].used;
-        result->bound = result->bound < live.taken ? live.taken : result->bound;
-        result->least = result->least < live.used ? live.used : result->least;
-    }
-}
-
 /* Returns the size of the smallest block, below `size`, whose places it fills in; or `size`. */
 static VkDeviceSize apply_rules(struct packing *p, struct pack_item *items, VkDeviceSize size,
                                 VkDeviceSize bound)
@@ -458,22 +446,23 @@ static VkDeviceSize apply_rules(struct packing *p, struct pack_item *items, VkDe
     return size;
 }
 
-struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count, bool apart)
+struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
+                           uint32_t end, bool apart)
 {
     struct packing p = { .items = items, .count = count };
     struct pack_result result = { 0 };
-    for (uint32_t i = 0; i < count; i++) {
-        items[i].offset = align_up(result.apart, items[i].alignment);
-        result.apart = items[i].offset + items[i].size;
-        p.end = p.end < items[i].last ? items[i].last : p.end;
-    }
-    find_bounds(arena, &p, &result);
-    result.size = result.apart;
-    if (arena->failed || apart || result.apart == result.bound)
+    p.growth = ARENA_ZEROED(arena, struct growth, (size_t)end + 2);
+    p.moments = ARENA_ARRAY(arena, struct moment, count);
+    if (arena->failed)
         return result;
-    if (begin_rules(arena, &p))
-        result.size = apply_rules(&p, items, result.apart, result.bound);
-    else if (!arena->failed)
+    find_growth(&p, items, &result);
+    uint64_t lived = find_moments(&p, end, &result);
+    result.size = result.apart;
+    if (apart || result.apart == result.bound)
+        return result;
+    if (lived > MANY * MANY / 2 + (uint64_t)count * LONG_LIFE)
         result.size = apply_time_order(arena, items, count);
+    else if (begin_rules(arena, &p, lived))
+        result.size = apply_rules(&p, items, result.apart, result.bound);
     return result;
 }

@@ -54,10 +54,8 @@ static void place_block(struct compiler *c, struct pack_item *items, uint32_t co
 {
     struct rg_plan *plan = c->plan;
     struct pack_result packed =
-        rg_pack(c->arena, items, count, c->params->sharing == RG_SHARE_NOTHING);
-    VkDeviceSize alignments = 0; /* powers of two: the highest bit is the largest one */
-    for (uint32_t i = 0; i < count; i++)
-        alignments |= items[i].alignment;
+        rg_pack(c->arena, items, count, plan->pass_count, c->params->sharing == RG_SHARE_NOTHING);
+    VkDeviceSize alignments = packed.alignments; /* the highest bit is the largest one */
     while (alignments & (alignments - 1))
         alignments &= alignments - 1;
     *block = (struct rg_block){
@@ -77,9 +75,9 @@ static void find_moved(struct compiler *c)
 {
     c->item_places = ARENA_ARRAY(c->arena, uint32_t, c->item_count);
     for (uint32_t i = 0; i < c->item_count && c->item_places; i++) {
-        struct resource *r = &c->resources[c->items[i].resource];
-        c->item_places[r->item] = i;
-        r->item = i;
+        uint32_t *item = &c->items[i].resource->item;
+        c->item_places[*item] = i;
+        *item = i;
     }
 }
 
@@ -125,7 +123,7 @@ static void each_block(struct compiler *c, former_fn *find)
 {
     uint32_t done = 0;
     while (done < c->item_count) {
-        uint32_t count = 1;
+        uint32_t count = c->plan->block_count == 1 ? c->item_count : 1;
         while (done + count < c->item_count && same_kind(&c->items[done], &c->items[done + count]))
             count++;
         find(c->arena, &c->items[done], &c->formers[done], count);
@@ -147,7 +145,7 @@ void rg_place_left(struct compiler *c)
     if (c->arena->failed)
         return;
     for (uint32_t i = 0; i < c->item_count; i++)
-        find_left(&c->formers[i], &c->resources[c->items[i].resource]);
+        find_left(&c->formers[i], c->items[i].resource);
     if (c->params->sharing != RG_SHARE_NOTHING) /* else each follows itself */
         each_block(c, rg_former_left);
 }

@@ -78,7 +78,7 @@ static void keep_state(struct cell *s)
 static void wait_for_formers(struct compiler *c)
 {
     for (uint32_t i = 0; i < c->item_count; i++) {
-        const struct resource *r = &c->resources[c->items[i].resource];
+        const struct resource *r = c->items[i].resource;
         for (uint32_t k = 0; k < r->cell_count; k++)
             r->cells[k].written = r->cells[k].touched = c->formers[i].end;
     }

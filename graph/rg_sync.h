@@ -36,13 +36,11 @@ static inline void rg_sync_name(struct rg_barrier *b, const struct resource *r)
 }
 
 /* Notes that the next barrier takes over a resource's memory. */
-static inline void rg_sync_take_over(struct sync *sync, const struct resource *r)
+static inline void rg_sync_take_over(struct sync *sync, struct resource *r)
 {
-    struct compiler *c = sync->c;
-    struct pack_item *item = &c->items[r->item];
-    if (sync->changes_early && item->first > sync->batch_position)
-        item->first = sync->batch_position; /* its memory changes hands here */
-    if (ARENA_ROOM(c->arena, sync->takeovers, sync->takeover_count, sync->takeover_room, 64))
+    if (sync->changes_early && r->taken > sync->batch_position)
+        r->taken = sync->batch_position;
+    if (ARENA_ROOM(sync->c->arena, sync->takeovers, sync->takeover_count, sync->takeover_room, 64))
         sync->takeovers[sync->takeover_count++] = (struct takeover){ sync->barrier_count, r->item };
 }
 
