@@ -339,6 +339,12 @@ static bool add_use(struct expansion *e, const struct rg_use *use)
     return fine;
 }
 
+static void learn_shader_accesses(struct compiler *c, enum rg_kind kind)
+{
+    for (enum rg_access access = RG_SAMPLED; access <= RG_UNIFORM; access++)
+        rg_meaning(c, kind, access);
+}
+
 /*
  * Adds uses while nothing can be wrong with them, which is nearly always: shaders read or write all
  * of an image of one cell, each at its own binding. Returns the first other one, or the end.
@@ -349,6 +355,8 @@ static const struct rg_use *add_plain_uses(struct expansion *e, const struct rg_
     struct compiler *c = e->c;
     const enum rg_kind kind = rg_kind_of(rg);
     const struct meaning *meanings = c->meanings[kind];
+    if (!c->known_shader[kind])
+        learn_shader_accesses(c, kind);
     const uint32_t known = c->known_shader[kind];
     const uint32_t first = e->pass->first_access;
     uint32_t count = c->access_count;

@@ -92,6 +92,29 @@ bool rg_sync_widen(struct sync *sync, const struct cell *s, const struct access 
     return false;
 }
 
+void rg_sync_whole(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass)
+{
+    struct cell *cell = &r->cell;
+    struct rg_barrier *b = rg_sync_next(sync);
+    uint32_t release;
+    if (!b)
+        return;
+    bool needed = rg_state_decide(cell, a, b, &release);
+    bool added = false;
+    if (needed) {
+        rg_sync_name(b, r);
+        b->range = r->all;
+        added = !rg_state_may_widen(cell, a) || !rg_sync_widen(sync, cell, a, b);
+        if (added)
+            rg_sync_put(sync, r, cell->fresh, release, pass);
+    }
+    rg_state_apply(cell, a, pass, needed);
+    if (added && !(a->flags & ACCESS_WRITES_CONTENT)) {
+        cell->first_barrier = r->last_barrier;
+        cell->barrier_end = r->last_barrier + 1;
+    }
+}
+
 static VkImageAspectFlags aspect_bit(VkImageAspectFlags aspects, uint32_t index)
 {
     while (index--)

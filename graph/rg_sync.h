@@ -18,6 +18,9 @@ void rg_sync_open_batch(struct sync *sync, uint32_t position);
 bool rg_sync_widen(struct sync *sync, const struct cell *s, const struct access *a,
                    const struct rg_barrier *next);
 
+/* Of an access to a resource of one cell. */
+void rg_sync_whole(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass);
+
 /* Of an access to a resource of several cells. */
 void rg_sync_cells(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass);
 
@@ -54,35 +57,6 @@ static inline void rg_sync_put(struct sync *sync, struct resource *r, bool fresh
     r->last_barrier = sync->barrier_count++;
 }
 
-/* Of a resource of one cell. */
-static inline void rg_sync_whole(struct sync *sync, struct resource *r, const struct access *a,
-                                 uint32_t pass)
-{
-    struct cell *cell = &r->cell;
-    if (rg_state_is_covered(cell, a)) {
-        rg_state_read(cell, a, pass);
-        return;
-    }
-    struct rg_barrier *b = rg_sync_next(sync);
-    uint32_t release;
-    if (!b)
-        return;
-    bool needed = rg_state_decide(cell, a, b, &release);
-    bool added = false;
-    if (needed) {
-        rg_sync_name(b, r);
-        b->range = r->all;
-        added = !rg_state_may_widen(cell, a) || !rg_sync_widen(sync, cell, a, b);
-        if (added)
-            rg_sync_put(sync, r, cell->fresh, release, pass);
-    }
-    rg_state_apply(cell, a, pass, needed);
-    if (added && !(a->flags & ACCESS_WRITES_CONTENT)) {
-        cell->first_barrier = r->last_barrier;
-        cell->barrier_end = r->last_barrier + 1;
-    }
-}
-
 /* The first use of a single cell in shared memory, which is a write, else it would be a fault. */
 static inline void rg_sync_fresh(struct sync *sync, struct resource *r, const struct access *a,
                                  uint32_t pass)
@@ -105,10 +79,12 @@ static inline void rg_sync_fresh(struct sync *sync, struct resource *r, const st
 static inline void rg_sync_access(struct sync *sync, struct resource *r, const struct access *a,
                                   uint32_t pass)
 {
-    if (r->cell_count == 1)
-        rg_sync_whole(sync, r, a, pass);
-    else
+    if (r->cell_count > 1)
         rg_sync_cells(sync, r, a, pass);
+    else if (rg_state_is_covered(&r->cell, a))
+        rg_state_read(&r->cell, a, pass);
+    else
+        rg_sync_whole(sync, r, a, pass);
 }
 
 #endif
