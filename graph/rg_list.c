@@ -158,24 +158,24 @@ static inline void need_memory(struct compiler *c, struct resource *r, struct rg
     item->buffer = !r->image;
 }
 
+/* Field by field, as wherever much is written (rg_emit.c). */
 static void list_image(struct compiler *c, struct resource *r, struct rg_plan_image *image)
 {
-    *image = (struct rg_plan_image){
-        .image = r->image,
-        .extent = r->extent,
-        .layers = r->all.layerCount,
-        .mips = r->all.levelCount,
-        .aspects = r->all.aspectMask,
-        .usage = r->usage,
-        .flags = r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
-        .samples = r->image->samples ? r->image->samples : 1,
-        .imported = r->import != RG_NONE,
-        .persistent = r->persistent,
-        .import = r->import,
-        .first = r->first,
-        .last = r->last,
-        .block = RG_NONE,
-    };
+    image->image = r->image;
+    image->extent = r->extent;
+    image->layers = r->all.layerCount;
+    image->mips = r->all.levelCount;
+    image->aspects = r->all.aspectMask;
+    image->usage = r->usage;
+    image->flags = r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
+    image->samples = r->image->samples ? r->image->samples : 1;
+    image->imported = r->import != RG_NONE;
+    image->persistent = r->persistent;
+    image->import = r->import;
+    image->first = r->first;
+    image->last = r->last;
+    image->block = RG_NONE;
+    image->offset = image->size = 0;
     if (image->imported)
         return;
     check_samples(c, image);
