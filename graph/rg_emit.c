@@ -32,7 +32,7 @@ static void add_resolve(const struct compiler *c, const struct access *a,
     target->resolve_layer = rg_range_of(c, a)->baseArrayLayer;
 }
 
-/* Colours that the pass does not have are left alone: they are most of the struct. */
+/* What is said of targets that the pass does not have is left alone: it is most of the struct. */
 static void begin_pass(const struct compiler *c, const struct pass *pass, struct rg_plan_pass *out)
 {
     out->pass = pass->rg;
@@ -42,7 +42,7 @@ static void begin_pass(const struct compiler *c, const struct pass *pass, struct
     out->extent = pass->extent;
     out->first_barrier = out->barrier_count = 0;
     out->color_count = 0;
-    out->depth = (struct rg_plan_target){ .image = RG_NONE, .resolve = RG_NONE };
+    out->depth.image = RG_NONE;
     out->first_use = c->plan->use_count;
 }
 
