@@ -86,3 +86,9 @@ void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_draw_mesh(cmd, &frame->object);
 }
+
+void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_scissor(cmd, frame->lookup_area);
+    rg_cmd_draw(cmd, 3);
+}

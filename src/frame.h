@@ -21,6 +21,7 @@ struct rg_frame {
     struct rg_mesh air;          /* planes */
     uint32_t bubble_count;       /* in bubbles_spheres */
     VkRect2D object_area;        /* pixels of the view; all of the object lies in it */
+    VkRect2D lookup_area;        /* the same, and wherever else shaders look for the ice's faces */
     struct background_push view;
     vec2s jitter;                       /* of the sample, pixels */
     struct background_push faces[6];    /* of the cube around the object, Vulkan's order */
@@ -50,7 +51,9 @@ extern const struct rg_sampler frame_linear;              /* clamped, one mip */
 extern const struct rg_sampler frame_environment_sampler; /* wraps around, all mips */
 extern const struct rg_sampler frame_texture_sampler;     /* repeats, all mips, anisotropic */
 
-/* Record functions of rows that draw a mesh and push nothing. */
+/* Record functions of rows that push nothing: the object; a triangle that covers the picture
+ * (screen.vert) as far as shaders look for the ice's faces. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
+void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 #endif

@@ -150,9 +150,12 @@ VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *g
     return reach;
 }
 
-VkRect2D frame_view_object_area(const struct frame_view *view, const struct globals *globals)
+VkRect2D frame_view_object_area(const struct frame_view *view, const struct globals *globals,
+                                VkExtent2D size, float room)
 {
-    const struct box *box = &view->scene->box;
+    const vec3s more = glms_vec3_fill(room * globals->radius);
+    const struct box box = { .min = glms_vec3_sub(view->scene->box.min, more),
+                             .max = glms_vec3_add(view->scene->box.max, more) };
     const mat4s clip_from_object =
         glms_mat4_mul(globals->clip_from_world, globals->world_from_object);
     const float near = frame_view_near_plane(view->scene);
@@ -160,15 +163,15 @@ VkRect2D frame_view_object_area(const struct frame_view *view, const struct glob
     for (int corner = 0; corner < 8; corner++) {
         const vec4s point = glms_mat4_mulv(
             clip_from_object,
-            (vec4s){ { corner & 1 ? box->max.x : box->min.x, corner & 2 ? box->max.y : box->min.y,
-                       corner & 4 ? box->max.z : box->min.z, 1.0f } });
+            (vec4s){ { corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                       corner & 4 ? box.max.z : box.min.z, 1.0f } });
         for (int axis = 0; axis < 2; axis++) {
             const float at = point.raw[axis] / point.w;
             low[axis] = point.w > near ? fminf(low[axis], at) : -1.0f;
             high[axis] = point.w > near ? fmaxf(high[axis], at) : 1.0f;
         }
     }
-    const uint32_t sides[2] = { view->width, view->height };
+    const uint32_t sides[2] = { size.width, size.height };
     VkRect2D area;
     for (int axis = 0; axis < 2; axis++) {
         const float half = (float)sides[axis] / 2.0f;

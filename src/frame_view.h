@@ -34,9 +34,11 @@ struct background_push frame_view_push(const struct frame_view *view);
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
                           float radii);
 
-/* Where in the picture the box of the object is, turned with it, and a pixel more; all of it where
- * some of it lies before the near plane. `globals` is frame_view_globals(). */
-VkRect2D frame_view_object_area(const struct frame_view *view, const struct globals *globals);
+/* Where in what is drawn, `size` pixels, the box of the object is, turned with it and `room` radii
+ * larger on all sides, and a pixel more; all of it where some of it lies before the near plane.
+ * `globals` is frame_view_globals(). */
+VkRect2D frame_view_object_area(const struct frame_view *view, const struct globals *globals,
+                                VkExtent2D size, float room);
 
 /* Of one face of the cube around the object. */
 struct background_push frame_view_face(const struct frame_view *view, uint32_t face);

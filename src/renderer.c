@@ -188,6 +188,16 @@ static void write_caustics(const struct frame_view *view, const struct globals *
         *map = found.map;
 }
 
+/* Rays begin up to 0.02 radii inside (shaders/refract_inside.glsl). Layers are read everywhere, and
+ * so is the floe in a pool. */
+static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
+                            const struct globals *globals, VkExtent2D size)
+{
+    const bool is_all = r->params.layers || r->params.rung->reach > 0.0f || view->scene->has_pool;
+    return is_all ? (VkRect2D){ .extent = size }
+                  : frame_view_object_area(view, globals, size, 0.05f);
+}
+
 /* The next frame draws a tile, and what its rays may meet. */
 static void limit(const struct renderer *r, const struct frame_view *view,
                   const struct globals *globals)
@@ -232,7 +242,9 @@ static enum status run_stage(struct renderer *r, struct stage *stage,
     const struct globals globals = frame_view_globals(&view, &frame.view);
     for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
         frame.faces[face] = frame_view_face(&view, face);
-    frame.object_area = frame_view_object_area(&view, &globals);
+    const VkExtent2D size = stage->frame.plan->view;
+    frame.object_area = frame_view_object_area(&view, &globals, size, 0.0f);
+    frame.lookup_area = lookup_area(r, &view, &globals, size);
     frame.faces_due = FRAME_CUBE_ALL;
     if (stage == &r->picture)
         frame.faces_due = frame_cube_due(&r->cube, &view, &globals);

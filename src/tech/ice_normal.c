@@ -5,6 +5,9 @@
  * interpolated and normalised. Of several back faces behind each other the nearest counts: it is
  * where a ray that enters a convex part leaves it. The front faces are for rungs that follow light
  * back to them; surroundings in front of the ice hide none of either.
+ *
+ * Normals are set to none where shaders may look them up, by a draw: llvmpipe clears what has more
+ * than four bytes a texel by a call for each.
  */
 #include "src/tech/ice_normal.h"
 #include "shaders/embedded.h"
@@ -42,9 +45,16 @@ const struct rg_image ice_normal_front_test = {
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
-#define BACK \
+#define NO(what, target) \
     { \
-        .name = "ice_normal.back", .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_CLEAR }), \
+        .name = "ice_normal.no_" what, .color = RG_TARGETS({ &(target), RG_LOAD_DISCARD }), \
+        .vert = &screen_vert, .frag = &nothing_frag, .record = frame_draw_lookup_area, \
+    }
+
+#define BACK \
+    NO("back", ice_normal_back), \
+    { \
+        .name = "ice_normal.back", .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }), \
         .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* 0 is infinity */ \
             .depth_compare = VK_COMPARE_OP_GREATER, .uses = RG_USES(FRAME_USE_GLOBALS), \
         .vert = &ice_normal_vert, .frag = &ice_normal_frag, .vertices = &frame_mesh_layout, \
@@ -52,9 +62,10 @@ const struct rg_image ice_normal_front_test = {
     }
 
 #define FRONT(...) \
+    NO("front", ice_normal_front), \
     { \
         .name = "ice_normal.front", \
-        .color = RG_TARGETS({ &ice_normal_front, RG_LOAD_CLEAR }, \
+        .color = RG_TARGETS({ &ice_normal_front, RG_LOAD_KEEP }, \
                             { &ice_normal_front_depth, RG_LOAD_CLEAR }, \
                             { &ice_normal_shading, RG_LOAD_DISCARD }), \
         .depth = { &ice_normal_front_test, RG_LOAD_CLEAR }, \
