@@ -159,6 +159,79 @@ static void test_reach_without_a_sphere(void **state)
     assert_true(reach.extent.height >= 1 && reach.extent.height < 8);
 }
 
+/* The corners' pixels lie inside, the outermost close to each edge. */
+static void check_object_area(const struct frame_view *view, const struct globals *globals,
+                              VkExtent2D size)
+{
+    const VkRect2D area = frame_view_object_area(view, globals, size, 0.0f);
+    const struct box *box = &view->scene->box;
+    float ends[4] = { 1e9f, 1e9f, -1e9f, -1e9f };
+    for (int i = 0; i < 8; i++) {
+        const vec3s corner = { { i & 1 ? box->max.x : box->min.x, i & 2 ? box->max.y : box->min.y,
+                                 i & 4 ? box->max.z : box->min.z } };
+        const vec2s p = pixel_of(view, glms_mat4_mulv3(globals->world_from_object, corner, 1.0f));
+        const float x = p.x * (float)size.width / (float)view->width;
+        const float y = p.y * (float)size.height / (float)view->height;
+        ends[0] = fminf(ends[0], x);
+        ends[1] = fminf(ends[1], y);
+        ends[2] = fmaxf(ends[2], x);
+        ends[3] = fmaxf(ends[3], y);
+    }
+    const float left = (float)area.offset.x, top = (float)area.offset.y;
+    assert_true(left <= fmaxf(ends[0], 0.0f) && left >= ends[0] - 4);
+    assert_true(top <= fmaxf(ends[1], 0.0f) && top >= ends[1] - 4);
+    const float right = left + (float)area.extent.width, low = top + (float)area.extent.height;
+    assert_true(right >= fminf(ends[2], (float)size.width) && right <= ends[2] + 4);
+    assert_true(low >= fminf(ends[3], (float)size.height) && low <= ends[3] + 4);
+}
+
+static void test_object_area_holds_the_box(void **state)
+{
+    (void)state;
+    const struct scene scene = { .box = { { { -0.5f, 0.2f, -0.3f } }, { { 0.7f, 1.0f, 0.4f } } } };
+    for (int i = 0; i < 40; i++) {
+        const float turn = 0.7f * (float)i;
+        const struct frame_view view = {
+            .scene = &scene,
+            .camera = { .eye = { { 3 * cosf(turn), 1 + sinf(3 * turn), 3 * sinf(turn) } },
+                        .target = { { 0.3f * sinf(turn), 0.5f, 0 } },
+                        .fov_deg = 30 + (float)(i % 7) * 10 },
+            .width = 640,
+            .height = i % 2 ? 480 : 960,
+        };
+        const struct globals globals = {
+            .clip_from_world = frame_view_push(&view).clip_from_world,
+            .world_from_object =
+                glms_rotate(glms_mat4_identity(), 0.3f * turn, (vec3s){ { 0, 1, 0 } }),
+            .radius = 1,
+        };
+        check_object_area(&view, &globals, (VkExtent2D){ view.width, view.height });
+        check_object_area(&view, &globals, (VkExtent2D){ view.width / 2, view.height / 3 });
+    }
+}
+
+static void test_object_area_around_the_eye(void **state)
+{
+    (void)state;
+    const struct scene scene = { .box = { { { -1, -1, -1 } }, { { 1, 1, 1 } } } };
+    const struct frame_view view = {
+        .scene = &scene,
+        .camera = { .target = { { 0, 0, -1 } }, .fov_deg = 45 },
+        .width = 64,
+        .height = 48,
+    };
+    const struct globals globals = {
+        .clip_from_world = frame_view_push(&view).clip_from_world,
+        .world_from_object = glms_mat4_identity(),
+        .radius = 1.7f,
+    };
+    const VkRect2D area = frame_view_object_area(&view, &globals, (VkExtent2D){ 32, 48 }, 0.0f);
+    assert_int_equal(area.offset.x, 0);
+    assert_int_equal(area.offset.y, 0);
+    assert_int_equal(area.extent.width, 32);
+    assert_int_equal(area.extent.height, 48);
+}
+
 /* The third is behind the second one's rim, though its centre is nearer to the eye. */
 static void test_bubbles_are_sorted(void **state)
 {
@@ -223,6 +296,8 @@ int main(void)
         cmocka_unit_test(test_eye_inside),
         cmocka_unit_test(test_reach_holds_the_sphere),
         cmocka_unit_test(test_reach_without_a_sphere),
+        cmocka_unit_test(test_object_area_holds_the_box),
+        cmocka_unit_test(test_object_area_around_the_eye),
         cmocka_unit_test(test_bubbles_are_sorted),
         cmocka_unit_test(test_sun_sees_all_of_it),
     };
