@@ -193,7 +193,8 @@ static void write_caustics(const struct frame_view *view, const struct globals *
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
-    const bool is_all = r->params.layers || r->params.rung->reach > 0.0f || view->scene->has_pool;
+    const struct rung *rung = r->params.rung; /* none draws a cube alone */
+    const bool is_all = !rung || rung->reach > 0.0f || r->params.layers || view->scene->has_pool;
     return is_all ? (VkRect2D){ .extent = size }
                   : frame_view_object_area(view, globals, size, 0.05f);
 }
