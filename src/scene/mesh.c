@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 bool mesh_init(struct mesh *mesh, uint32_t vertex_count, uint32_t index_count)
 {
@@ -140,4 +141,41 @@ void mesh_make_normals(struct mesh *mesh)
         bool none = glms_vec3_norm2(normal) == 0;
         mesh->vertices[i].normal = none ? (vec3s){ { 0, 1, 0 } } : normal;
     }
+}
+
+enum {
+    SHELL_COUNT = 1 << 9
+};
+
+/* A float's exponent and the first bit behind it, of a squared distance: four an octave. */
+static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s from)
+{
+    float nearest = INFINITY;
+    uint32_t bits;
+    for (int k = 0; k < 3; k++)
+        nearest = fminf(nearest, glms_vec3_distance2(mesh->vertices[corners[k]].position, from));
+    memcpy(&bits, &nearest, sizeof(bits));
+    return bits >> 22 & (SHELL_COUNT - 1);
+}
+
+bool mesh_sort_by_distance(struct mesh *mesh, vec3s from)
+{
+    uint32_t next[SHELL_COUNT + 1] = { 0 }; /* where the next triangle of each shell goes */
+    if (mesh->index_count == 0)
+        return true;
+    uint32_t *sorted = malloc(mesh->index_count * sizeof(*sorted));
+    if (!sorted)
+        return false;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3)
+        next[shell_of(mesh, mesh->indices + i, from) + 1] += 3;
+    for (uint32_t shell = 0; shell < SHELL_COUNT; shell++)
+        next[shell + 1] += next[shell];
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        uint32_t *to = &next[shell_of(mesh, mesh->indices + i, from)];
+        memcpy(sorted + *to, mesh->indices + i, 3 * sizeof(*sorted));
+        *to += 3;
+    }
+    free(mesh->indices);
+    mesh->indices = sorted;
+    return true;
 }

@@ -64,4 +64,11 @@ void mesh_fit(struct mesh *mesh, float width);
  */
 void mesh_make_normals(struct mesh *mesh);
 
+/*
+ * Puts triangles first that are nearer to a point: a depth test then leaves out most of what others
+ * hide from there. By shells, each less than a quarter larger than the last, in which the order
+ * stays, for caches of vertices. False when memory is short: *mesh is unchanged.
+ */
+bool mesh_sort_by_distance(struct mesh *mesh, vec3s from);
+
 #endif

@@ -241,6 +241,10 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
     else if (status == STATUS_OK && bare && scene->background == SCENE_SKY)
         status = add_landscape(scene, params);
     scene->around = scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);
+    /* the cube is drawn from there, and views are often from near by */
+    if (status == STATUS_OK &&
+        !mesh_sort_by_distance(&scene->model.surroundings, box_center(scene->box)))
+        status = out_of_memory("surroundings");
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
     if (status == STATUS_OK && !scene->has_pool)

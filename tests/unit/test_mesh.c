@@ -156,6 +156,32 @@ static void test_normals_of_extreme_sizes(void **state)
     }
 }
 
+/* A triangle's nearest corner counts; those of nearly one distance keep their order. */
+static void test_sort_by_distance(void **state)
+{
+    (void)state;
+    static const float distances[] = { 5, 0, 80, 4.9f, 1e-20f, 5.05f, 3e19f, 3.6f, 3, 0.5f };
+    static const uint32_t order[] = { 1, 4, 9, 8, 7, 0, 3, 5, 2, 6 };
+
+    enum {
+        COUNT = sizeof(distances) / sizeof(distances[0])
+    };
+
+    const vec3s from = { { 0.0f, 0.0f, 0.0f } };
+    struct mesh mesh;
+    assert_true(mesh_init(&mesh, 3 * COUNT, 3 * COUNT));
+    for (uint32_t i = 0; i < 3 * COUNT; i++) {
+        const float more = i % 3 == 1 ? 0.0f : 1.0f + (float)i;
+        mesh.vertices[i].position.raw[i % 2] = distances[i / 3] + more;
+        mesh.indices[i] = i;
+    }
+    assert_true(mesh_sort_by_distance(&mesh, from));
+    for (uint32_t i = 0; i < 3 * COUNT; i++)
+        assert_int_equal(mesh.indices[i], 3 * order[i / 3] + i % 3);
+    mesh_finish(&mesh);
+    assert_true(mesh_sort_by_distance(&mesh, from));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -165,6 +191,7 @@ int main(void)
         cmocka_unit_test(test_box),
         cmocka_unit_test(test_normals_are_weighted_by_angle),
         cmocka_unit_test(test_normals_of_extreme_sizes),
+        cmocka_unit_test(test_sort_by_distance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
