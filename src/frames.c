@@ -119,7 +119,8 @@ static struct frame_list frame_of_pool(const struct settings *settings)
     return list;
 }
 
-struct frame_list frame_with(const struct rung *rung, const struct settings *settings)
+struct frame_list frame_with(const struct rung *rung, const struct settings *settings,
+                             bool is_convex)
 {
     const uint32_t over = frame_over_layers(settings);
     struct frame_list list = { { 0 } };
@@ -135,14 +136,14 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
     add(&list, &ice_depth);
     add(&list, &ice_interval[ice_interval_index(settings)]);
     add(&list, is_bumped(settings) ? &ice_normal_with_bumps : &ice_normal);
-    if (cracks_find_normals(settings))
-        add(&list, cracks_find_normals(settings));
+    if (cracks_find_normals(settings, is_convex))
+        add(&list, cracks_find_normals(settings, is_convex));
     add(&list, is_bumped(settings) && rung->bumped ? rung->bumped : rung->technique);
     if (over & OVER_HAS_AIR)
         add(&list, &air);
     if (over & OVER_HAS_BUBBLES)
         add(&list, &bubbles);
-    add(&list, cracks_find(settings));
+    add(&list, cracks_find(settings, is_convex));
     if (over)
         add(&list, over_find(over));
     if (cracks_find_over(settings))

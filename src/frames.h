@@ -29,9 +29,10 @@ struct frame_list {
     const struct technique *techniques[FRAME_TECHNIQUE_COUNT + 1];
 };
 
-/* A frame with this rung and what the settings switch on; of a pool, without the rung. If the cube
- * is not dynamic, it comes from outside. */
-struct frame_list frame_with(const struct rung *rung, const struct settings *settings);
+/* A frame of an object, which may be convex, with this rung and what the settings switch on; of a
+ * pool, without the rung. If the cube is not dynamic, it comes from outside. */
+struct frame_list frame_with(const struct rung *rung, const struct settings *settings,
+                             bool is_convex);
 bool frame_cube_is_dynamic(const struct settings *settings);
 
 /* What over.c draws over the ice: OVER_HAS_AIR ... (shaders/over.h) */

@@ -23,7 +23,7 @@ struct frame_request renderer_picture_request(const struct renderer_params *para
     const bool many = params->samples > 1;
     const struct tiling tiling = renderer_tiling(params);
     struct frame_request request = {
-        .list = frame_with(params->rung, params->settings),
+        .list = frame_with(params->rung, params->settings, params->scene->is_convex),
         .view = { params->width, params->height },
         .layers = params->layers,
         .beauty = params->linear || (params->display && many),

@@ -143,6 +143,42 @@ void mesh_make_normals(struct mesh *mesh)
     }
 }
 
+/* Twice a triangle's area, outward. */
+static vec3s area_of(const struct mesh *mesh, const uint32_t *corners)
+{
+    const vec3s a = mesh->vertices[corners[0]].position;
+    return glms_vec3_cross(glms_vec3_sub(mesh->vertices[corners[1]].position, a),
+                           glms_vec3_sub(mesh->vertices[corners[2]].position, a));
+}
+
+/* `normal` need not be unit. */
+static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float room)
+{
+    const float most = glms_vec3_dot(normal, point) + room * glms_vec3_norm(normal);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (glms_vec3_dot(normal, mesh->vertices[i].position) > most)
+            return false;
+    }
+    return true;
+}
+
+bool mesh_is_convex(const struct mesh *mesh)
+{
+    const float room = 1e-5f * box_diagonal(mesh_box(mesh));
+    vec3s sum = { 0 }; /* of closed surfaces none is left */
+    float all = 0.0f;
+    if ((uint64_t)mesh->index_count / 3 * mesh->vertex_count > MESH_CONVEX_MAX)
+        return false;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const vec3s area = area_of(mesh, mesh->indices + i);
+        if (!is_behind(mesh, mesh->vertices[mesh->indices[i]].position, area, room))
+            return false;
+        sum = glms_vec3_add(sum, area);
+        all += glms_vec3_norm(area);
+    }
+    return all > 0.0f && glms_vec3_norm(sum) < 1e-4f * all;
+}
+
 enum {
     SHELL_COUNT = 1 << 9
 };

@@ -65,6 +65,14 @@ void mesh_fit(struct mesh *mesh, float width);
 void mesh_make_normals(struct mesh *mesh);
 
 /*
+ * Whether no vertex lies outside of any triangle's plane, to a hundred thousandth of the size, and
+ * the triangles close: then a ray is inside once at most. Not asked of more than MESH_CONVEX_MAX
+ * pairs of a triangle and a vertex: false.
+ */
+#define MESH_CONVEX_MAX (1u << 24)
+bool mesh_is_convex(const struct mesh *mesh);
+
+/*
  * Puts triangles first that are nearer to a point: a depth test then leaves out most of what others
  * hide from there. By shells, each less than a quarter larger than the last, in which the order
  * stays, for caches of vertices. False when memory is short: *mesh is unchanged.

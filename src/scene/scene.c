@@ -232,6 +232,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
         status = load_background(scene, params);
     if (!scene->has_pool)
         scene->box = mesh_box(&scene->model.object);
+    scene->is_convex = mesh_is_convex(&scene->model.object);
     const struct scene_builtin *builtin = find_builtin(params->name);
     bool bare = !params->surroundings && !scene->model.surroundings.index_count;
     if (status == STATUS_OK && params->surroundings)

@@ -33,7 +33,8 @@ struct scene {
     struct mesh air;              /* in the object's space, as are the bubbles; may be empty */
     struct air_layers air_layers; /* on it */
     struct bubbles bubbles;
-    bool has_pool; /* with the object in it, if there is one */
+    bool has_pool;  /* with the object in it, if there is one */
+    bool is_convex; /* the object, surely: mesh_is_convex() */
 };
 
 /* Cracks inside the object. */

@@ -258,24 +258,24 @@ static const struct technique over_technique =
 
 static const struct technique no_technique = TECHNIQUE("cracks", no_cracks, "no cracks");
 
-static enum clipping find_clipping(const struct settings *settings)
+static enum clipping find_clipping(const struct settings *settings, bool is_convex)
 {
     static const enum clipping clippings[] = {
         [CRACKS_CLIP_CONVEX] = CONVEX,
-        [CRACKS_CLIP_INTERVAL] = INTERVAL,
+        [CRACKS_CLIP_INTERVAL] = CONVEX,
         [CRACKS_CLIP_PRECUT] = PRECUT,
         [CRACKS_CLIP_NONE] = NONE,
     };
     const struct cracks_params *params = settings_of(settings, &cracks_settings);
-    if (params->clip == CRACKS_CLIP_INTERVAL)
+    if (params->clip == CRACKS_CLIP_INTERVAL && !is_convex) /* then both find the same */
         return INTERVAL + ice_interval_index(settings);
     return clippings[params->clip];
 }
 
-const struct technique *cracks_find(const struct settings *settings)
+const struct technique *cracks_find(const struct settings *settings, bool is_convex)
 {
     const struct cracks_params *params = settings_of(settings, &cracks_settings);
-    enum clipping clipping = find_clipping(settings);
+    enum clipping clipping = find_clipping(settings, is_convex);
     if (!params->count)
         return &no_technique;
     return params->refract == CRACKS_REFRACT_GAP ? &gap_techniques[clipping]
@@ -294,9 +294,9 @@ const struct technique *cracks_find_over(const struct settings *settings)
     return params->count && !cracks_are_in_ice(settings) ? &over_technique : NULL;
 }
 
-const struct technique *cracks_find_normals(const struct settings *settings)
+const struct technique *cracks_find_normals(const struct settings *settings, bool is_convex)
 {
     const struct cracks_params *params = settings_of(settings, &cracks_settings);
     bool wanted = params->count && params->refract == CRACKS_REFRACT_NORMALS;
-    return wanted ? &normal_techniques[find_clipping(settings)] : NULL;
+    return wanted ? &normal_techniques[find_clipping(settings, is_convex)] : NULL;
 }

@@ -216,8 +216,8 @@ static enum status replace(struct picture **picture, const struct app_options *o
 static bool same_list(const struct rung *before, const struct settings *settings_before,
                       const struct rung *after, const struct settings *settings_after)
 {
-    const struct frame_list a = frame_with(before, settings_before);
-    const struct frame_list b = frame_with(after, settings_after);
+    const struct frame_list a = frame_with(before, settings_before, false);
+    const struct frame_list b = frame_with(after, settings_after, false);
     for (size_t i = 0; i < FRAME_TECHNIQUE_COUNT; i++) {
         if (a.techniques[i] != b.techniques[i])
             return false;

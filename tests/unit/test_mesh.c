@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "src/scene/generate.h"
 #include "tests/support/check.h"
 
 /* Two triangles of a square in the plane z = 0, facing +Z. */
@@ -156,6 +157,35 @@ static void test_normals_of_extreme_sizes(void **state)
     }
 }
 
+static void check_convex(bool expected, struct mesh *mesh)
+{
+    assert_int_equal(mesh_is_convex(mesh), expected);
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) { /* inside out */
+        const uint32_t corner = mesh->indices[i];
+        mesh->indices[i] = mesh->indices[i + 1];
+        mesh->indices[i + 1] = corner;
+    }
+    assert_false(mesh_is_convex(mesh));
+    mesh_finish(mesh);
+}
+
+static void test_what_is_convex(void **state)
+{
+    (void)state;
+    struct mesh mesh = { 0 };
+    check_convex(false, &mesh);
+    assert_true(generate_sphere(&mesh, 960));
+    check_convex(true, &mesh);
+    assert_true(generate_sphere(&mesh, 960));
+    mesh.index_count -= 3; /* open */
+    check_convex(false, &mesh);
+    assert_true(generate_sphere(&mesh, 960));
+    mesh.vertices[17].position = glms_vec3_scale(mesh.vertices[17].position, 0.99f); /* a dent */
+    check_convex(false, &mesh);
+    assert_true(generate_teapot(&mesh, 960));
+    check_convex(false, &mesh);
+}
+
 /* A triangle's nearest corner counts; those of nearly one distance keep their order. */
 static void test_sort_by_distance(void **state)
 {
@@ -191,6 +221,7 @@ int main(void)
         cmocka_unit_test(test_box),
         cmocka_unit_test(test_normals_are_weighted_by_angle),
         cmocka_unit_test(test_normals_of_extreme_sizes),
+        cmocka_unit_test(test_what_is_convex),
         cmocka_unit_test(test_sort_by_distance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

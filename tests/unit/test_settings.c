@@ -104,7 +104,7 @@ static void test_groups(void **state)
         assert_true(end <= settings.values + SETTINGS_SIZE);
     }
     for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        const struct frame_list list = frame_with(rung, &settings);
+        const struct frame_list list = frame_with(rung, &settings, false);
         for (size_t t = 0; list.techniques[t]; t++)
             assert_true(!list.techniques[t]->settings || is_listed(list.techniques[t]->settings));
     }

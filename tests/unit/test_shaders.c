@@ -430,7 +430,7 @@ static size_t check_variants(const struct rung *rung, const char *const *more, s
         assert_int_equal(settings_set(&settings, variants[i]), STATUS_OK);
         for (size_t k = 0; more[k]; k++)
             assert_int_equal(settings_set(&settings, more[k]), STATUS_OK);
-        const struct frame_list list = frame_with(rung, &settings);
+        const struct frame_list list = frame_with(rung, &settings, false);
         rows += check_list(&list, seen);
     }
     return rows;
