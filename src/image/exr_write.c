@@ -315,7 +315,8 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     free(sink.bytes);
     if (origin->status != STATUS_OK)
         return origin->status; /* has been said */
-    if (sink.out_of_memory)
+    /* what is compressed cannot be corrupt: OpenEXR says so where zlib finds no memory */
+    if (sink.out_of_memory || result == EXR_ERR_CORRUPT_CHUNK)
         result = EXR_ERR_OUT_OF_MEMORY;
     log_error("an EXR picture could not be encoded: %s", exr_get_default_error_message(result));
     return result == EXR_ERR_OUT_OF_MEMORY ? STATUS_TRY_AGAIN : STATUS_FAILED;
