@@ -30,7 +30,9 @@ vec3 refract_front_normal()
 }
 #endif
 
-void refract_front_find() {}
+void refract_front_find()
+{
+}
 #endif
 
 #endif
