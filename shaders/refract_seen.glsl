@@ -10,7 +10,9 @@
 
 layout(set = 0, binding = REFRACT_SHADING) uniform sampler2D shading;
 layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
+#ifdef REFRACT_LAYERS
 layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
+#endif
 
 layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 
@@ -23,7 +25,7 @@ vec3 refract_front_normal()
     return normal;
 }
 
-/* No fragment where surroundings stand before the ice. */
+/* The depth test leaves out what is no ice; of layers, the shader, and what surroundings hide. */
 void refract_front_find()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -32,8 +34,10 @@ void refract_front_find()
     eye_to_point = view_distance(depth) * ray;
     normal = texel.xyz;
     fresnel_paper = texel.w;
-    if (depth <= texelFetch(depth_scene, pixel, 0).r)
+#ifdef REFRACT_LAYERS
+    if (depth == 0.0 || depth < texelFetch(depth_scene, pixel, 0).r)
         discard;
+#endif
 }
 
 #endif

@@ -34,15 +34,15 @@
 #include "src/tech/water.h"
 
 const struct rung frame_rungs[] = {
-    { "paper", &refract_paper, &refract_paper_bumped }, /* the first is the default */
-    { "per-vertex", &refract_per_vertex, NULL },
-    { "one-sided", &refract_one_sided, &refract_one_sided_bumped },
-    { "slab", &refract_slab, &refract_slab_bumped },
-    { "sphere", &refract_sphere, &refract_sphere_bumped },
-    { "blend", &refract_blend, &refract_blend_bumped },
-    { "wyman", &refract_wyman, &refract_wyman_bumped, .reach = 3.0f }, /* a diameter further */
-    { "search", &refract_search, &refract_search_bumped },
-    { "bounce", &refract_bounce, &refract_bounce },
+    { "paper", refract_paper, refract_paper_bumped }, /* the first is the default */
+    { "per-vertex", refract_per_vertex, NULL },
+    { "one-sided", refract_one_sided, refract_one_sided_bumped },
+    { "slab", refract_slab, refract_slab_bumped },
+    { "sphere", refract_sphere, refract_sphere_bumped },
+    { "blend", refract_blend, refract_blend_bumped },
+    { "wyman", refract_wyman, refract_wyman_bumped, .reach = 3.0f }, /* a diameter further */
+    { "search", refract_search, refract_search_bumped },
+    { "bounce", refract_bounce, refract_bounce },
     { 0 },
 };
 
@@ -113,7 +113,7 @@ static struct frame_list frame_of_pool(const struct settings *settings)
     if (light)
         add(&list, light);
     if (water_has_ice(settings))
-        add(&list, &ice_normal);
+        add(&list, &ice_normal_of_pool);
     add(&list, water_find(settings));
     add(&list, &tonemap);
     return list;
@@ -127,18 +127,19 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
     if (water_is_on(settings))
         return frame_of_pool(settings);
     const bool shines = ice_caustics_is_on(settings);
+    const struct technique *ice =
+        is_bumped(settings) && rung->bumped ? rung->bumped : rung->technique;
     if (shines)
         add(&list, is_bumped(settings) ? &ice_caustics_bumped : &ice_caustics);
     if (frame_cube_is_dynamic(settings))
         add(&list, shines ? &env_cube_shine : &env_cube);
-    add(&list, shines ? &background_shine : &background);
     add(&list, &gbuffer);
     add(&list, &ice_depth);
     add(&list, &ice_interval[ice_interval_index(settings)]);
     add(&list, is_bumped(settings) ? &ice_normal_with_bumps : &ice_normal);
     if (cracks_find_normals(settings, is_convex))
         add(&list, cracks_find_normals(settings, is_convex));
-    add(&list, is_bumped(settings) && rung->bumped ? rung->bumped : rung->technique);
+    add(&list, &ice[REFRACT_PICTURE]);
     if (over & OVER_HAS_AIR)
         add(&list, &air);
     if (over & OVER_HAS_BUBBLES)
@@ -146,6 +147,8 @@ struct frame_list frame_with(const struct rung *rung, const struct settings *set
     add(&list, cracks_find(settings, is_convex));
     if (over)
         add(&list, over_find(over));
+    add(&list, shines ? &background_around_shine : &background_around);
+    add(&list, &ice[REFRACT_LAYERS]);
     if (cracks_find_over(settings))
         add(&list, cracks_find_over(settings));
     if (is_frosted(settings))

@@ -10,8 +10,8 @@
 /* A way to refract, as --refraction names it. */
 struct rung {
     const char *name;
-    const struct technique *technique;
-    const struct technique *bumped; /* the same where the ice has bumps; NULL: it shows none */
+    const struct technique *technique; /* two: src/tech/refract.h */
+    const struct technique *bumped;    /* the same where the ice has bumps; NULL: it shows none */
     float reach; /* where it looks for the ice's faces: radii of the bounding sphere; 0: 1 */
 };
 
@@ -21,7 +21,7 @@ extern const struct rung frame_rungs[]; /* ends at a row of zeros */
 const struct rung *frame_find_rung(const char *name);
 
 enum {
-    FRAME_TECHNIQUE_COUNT = 18
+    FRAME_TECHNIQUE_COUNT = 19
 }; /* at most, in one frame */
 
 /* The techniques of a frame in their order; ends at NULL. */

@@ -1,5 +1,7 @@
 /*
  * background.c: the surroundings, and behind them the sky or environment picture.
+ *
+ * Drawn after the ice, if there is one: what it hides costs a depth test and no more.
  */
 #include "src/tech/background.h"
 #include "shaders/embedded.h"
@@ -44,11 +46,14 @@ const struct rg_use background_shine_uses[] = {
     { 0 },
 };
 
-#define SURROUNDINGS_ROW(surroundings) \
+#define SURROUNDINGS_ROW(...) \
     { \
-        .name = "background.surroundings", surroundings(&background_color, &background_depth), \
-        .record = record_surroundings \
+        .name = "background.surroundings", .record = record_surroundings, __VA_ARGS__ \
     }
+
+#define ONTO_THE_ICE \
+    .color = RG_TARGETS({ &background_color, RG_LOAD_KEEP }), \
+    .depth = { &background_depth, RG_LOAD_KEEP }
 
 #define SKY_ROW \
     { \
@@ -57,12 +62,17 @@ const struct rg_use background_shine_uses[] = {
     }
 
 static const struct rg_pass passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS),
+    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS(&background_color, &background_depth)),
     SKY_ROW,
 };
 
-static const struct rg_pass shine_passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SHINING_SURROUNDINGS),
+static const struct rg_pass around_passes[] = {
+    SURROUNDINGS_ROW(ONTO_THE_ICE, BACKGROUND_PLAIN),
+    SKY_ROW,
+};
+
+static const struct rg_pass around_shine_passes[] = {
+    SURROUNDINGS_ROW(ONTO_THE_ICE, BACKGROUND_SHINING),
     SKY_ROW,
 };
 
@@ -83,7 +93,12 @@ const struct technique background = {
     .help = "sky or environment picture, and the surroundings",
 };
 
-const struct technique background_shine = {
-    .graph = RG_TECHNIQUE("background", shine_passes),
+const struct technique background_around = {
+    .graph = RG_TECHNIQUE("background", around_passes),
+    .help = "the same around the ice",
+};
+
+const struct technique background_around_shine = {
+    .graph = RG_TECHNIQUE("background", around_shine_passes),
     .help = "the same with light that comes through the ice",
 };

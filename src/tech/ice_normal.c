@@ -40,7 +40,8 @@ const struct rg_image ice_normal_front_depth = {
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
-const struct rg_image ice_normal_front_test = {
+/* In a pool. */
+static const struct rg_image front_test = {
     .name = "ice_normal.front_test",
     .format = VK_FORMAT_D32_SFLOAT,
 };
@@ -61,26 +62,33 @@ const struct rg_image ice_normal_front_test = {
         .cull = VK_CULL_MODE_FRONT_BIT, .record = frame_draw_object, \
     }
 
-#define FRONT(...) \
+#define FRONT(depth_image, ...) \
     NO("front", ice_normal_front), \
     { \
         .name = "ice_normal.front", \
         .color = RG_TARGETS({ &ice_normal_front, RG_LOAD_KEEP }, \
                             { &ice_normal_front_depth, RG_LOAD_CLEAR }, \
                             { &ice_normal_shading, RG_LOAD_DISCARD }), \
-        .depth = { &ice_normal_front_test, RG_LOAD_CLEAR }, \
-        .depth_compare = VK_COMPARE_OP_GREATER, .record = frame_draw_object, __VA_ARGS__, \
+        .depth = { &(depth_image), RG_LOAD_CLEAR }, .depth_compare = VK_COMPARE_OP_GREATER, \
+        .record = frame_draw_object, __VA_ARGS__, \
     }
+
+#define SMOOTH REFRACT_FRONT_FACES, .frag = &ice_front_frag, .uses = RG_USES(FRAME_USE_GLOBALS)
 
 static const struct rg_pass passes[] = {
     BACK,
-    FRONT(REFRACT_FRONT_FACES, .frag = &ice_front_frag, .uses = RG_USES(FRAME_USE_GLOBALS)),
+    FRONT(background_depth, SMOOTH),
 };
 
 static const struct rg_pass passes_with_bumps[] = {
     BACK,
-    FRONT(REFRACT_BUMPED_FACES, .frag = &ice_front_bump_frag,
+    FRONT(background_depth, REFRACT_BUMPED_FACES, .frag = &ice_front_bump_frag,
           .uses = RG_USES(FRAME_USE_GLOBALS, BUMP_USE_MAP)),
+};
+
+static const struct rg_pass passes_of_pool[] = {
+    BACK,
+    FRONT(front_test, SMOOTH),
 };
 
 const struct technique ice_normal = {
@@ -91,4 +99,9 @@ const struct technique ice_normal = {
 const struct technique ice_normal_with_bumps = {
     .graph = RG_TECHNIQUE("ice_normal", passes_with_bumps),
     .help = "the same with bumps",
+};
+
+const struct technique ice_normal_of_pool = {
+    .graph = RG_TECHNIQUE("ice_normal", passes_of_pool),
+    .help = "the same of ice that floats",
 };

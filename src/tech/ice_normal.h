@@ -12,11 +12,14 @@ extern const struct rg_image ice_normal_front; /* the same, towards the eye */
  * Elsewhere undefined. */
 extern const struct rg_image ice_normal_shading;
 
-/* Their depth by globals.clip_from_world: near over the distance; 0 where there is none. The front
- * faces' twice: for shaders, and for depth tests of a pass that reads the other one. */
-extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth, ice_normal_front_test;
+/* Their depth by globals.clip_from_world: near over the distance; 0 where there is none. */
+extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 
+/* The first that draws to background_depth: that of the front faces, if they are wanted. */
 extern const struct technique ice_normal;
 extern const struct technique ice_normal_with_bumps;
+
+/* For after the background, whose depth it leaves alone. */
+extern const struct technique ice_normal_of_pool;
 
 #endif

@@ -1,9 +1,10 @@
 /*
  * refract.h: what the refraction rungs (refract_*.c) share: their layers and the index.
  *
- * A rung is a technique that draws the ice over the background. It may name what other techniques
- * make (env_cube, ice_normal); what the chosen rung does not name is culled. A second technique of
- * the same rows draws it with bumps: so smooth ice reads no map.
+ * A rung is two techniques, of a row each. The picture's comes before the background, which then
+ * leaves out what the ice hides; that of the layers after it, since surroundings may hide the ice.
+ * It may name what other techniques make (env_cube, ice_normal); what the chosen rung does not name
+ * is culled. Others with the same rows draw it with bumps: so smooth ice reads no map.
  */
 #ifndef TECH_REFRACT_H
 #define TECH_REFRACT_H
@@ -97,62 +98,70 @@ struct refract_params {
 
 /* The targets of a rung's row for the picture, and of its row for the layers. */
 #define REFRACT_COLORS \
-    .color = RG_TARGETS([REFRACT_OUT_COLOR] = { &background_color, RG_LOAD_KEEP }, \
+    .color = RG_TARGETS([REFRACT_OUT_COLOR] = { &background_color, RG_LOAD_DISCARD }, \
                         [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_CLEAR, \
                                                     REFRACT_NO_HIGHLIGHT })
-#define REFRACT_LAYERS \
+#define REFRACT_LAYER_TARGETS \
     .color = RG_TARGETS([REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR }, \
                         [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR }, \
                         [REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR }, \
                         [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR }, \
                         [REFRACT_OUT_WAY] = { &refract_way, RG_LOAD_CLEAR })
 
+/* The techniques of a rung, from its rows, and what both say of themselves. */
+enum {
+    REFRACT_PICTURE,
+    REFRACT_LAYERS,
+};
+
+#define REFRACT_TECHNIQUES(title, rows, ...) \
+    { \
+        [REFRACT_PICTURE] = { { (title), &(rows)[REFRACT_PICTURE], 1 }, __VA_ARGS__ }, \
+        [REFRACT_LAYERS] = { { (title), &(rows)[REFRACT_LAYERS], 1 }, __VA_ARGS__ }, \
+    }
+
 /* The rows of a rung that draws the front faces: refract_STEM.frag (or _bump), compiled for both;
- * then what both rows say. The layers may come after the picture, on the depth it wrote. */
+ * then what both rows say. */
 #define REFRACT_ROWS(stem, variant, ...) \
     { .name = "refract_" #stem ".color", \
       REFRACT_COLORS, \
-      .depth = { &background_depth, RG_LOAD_KEEP }, \
+      .depth = { &background_depth, RG_LOAD_CLEAR }, /* 0 is infinity */ \
       .depth_compare = VK_COMPARE_OP_GREATER, \
       .frag = &refract_##stem##variant##_frag, \
       __VA_ARGS__ }, \
     { \
-        .name = "refract_" #stem ".layers", REFRACT_LAYERS, \
+        .name = "refract_" #stem ".layers", REFRACT_LAYER_TARGETS, \
         .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
         .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL, \
         .frag = &refract_##stem##variant##_aov_frag, __VA_ARGS__ \
     }
 
 /* The rows of a rung whose pixels cost much: it draws all those in which ice_normal.front shows the
- * ice (refract_seen.glsl), bumpy or not. The last one draws the front faces' depth, for passes that
- * come after it. */
-#define REFRACT_SEEN_ROWS(stem, ...) \
+ * ice (refract_seen.glsl), bumpy or not; then what both rows read. */
+#define REFRACT_SEEN_ROWS(stem, push, recorded, ...) \
     { .name = "refract_" #stem ".color", \
       REFRACT_COLORS, \
-      REFRACT_SEEN_TEST, \
+      .depth = { &background_depth, RG_LOAD_KEEP }, \
+      .depth_read_only = true, \
+      .depth_compare = VK_COMPARE_OP_LESS, \
       .frag = &refract_##stem##_frag, \
-      __VA_ARGS__ }, \
-        { .name = "refract_" #stem ".layers", \
-          REFRACT_LAYERS, \
-          REFRACT_SEEN_TEST, \
-          .frag = &refract_##stem##_aov_frag, \
-          __VA_ARGS__ }, \
+      .uses = RG_USES(REFRACT_SEEN_USES, __VA_ARGS__), \
+      REFRACT_SEEN_DRAW(push, recorded) }, \
     { \
-        .name = "refract_" #stem ".depth", .depth = { &background_depth, RG_LOAD_KEEP }, \
-        .depth_compare = VK_COMPARE_OP_GREATER, .uses = RG_USES(FRAME_USE_GLOBALS), \
-        REFRACT_FRONT_FACES, .record = frame_draw_object \
+        .name = "refract_" #stem ".layers", REFRACT_LAYER_TARGETS, \
+        .frag = &refract_##stem##_aov_frag, \
+        .uses = RG_USES(REFRACT_SEEN_USES, REFRACT_USE_DEPTH_SCENE, __VA_ARGS__), \
+        REFRACT_SEEN_DRAW(push, recorded) \
     }
-#define REFRACT_SEEN_TEST \
-    .vert = &refract_seen_vert, .depth = { &ice_normal_front_test, RG_LOAD_KEEP }, \
-    .depth_read_only = true, .depth_compare = VK_COMPARE_OP_LESS
-
-/* What these rows read besides. */
+#define REFRACT_SEEN_DRAW(push, recorded) \
+    .vert = &refract_seen_vert, .push_size = sizeof(push), .record = (recorded)
 #define REFRACT_SEEN_USES \
-    REFRACT_USE_DEPTH_FRONT, \
-        { .image = &ice_normal_shading, \
-          .access = RG_SAMPLED, \
-          .binding = REFRACT_SHADING, \
-          .here = true }, \
+    FRAME_USE_GLOBALS, REFRACT_USE_DEPTH_FRONT, \
+    { \
+        .image = &ice_normal_shading, .access = RG_SAMPLED, .binding = REFRACT_SHADING, \
+        .here = true \
+    }
+#define REFRACT_USE_DEPTH_SCENE \
     { \
         .image = &background_depth, .access = RG_SAMPLED, .binding = REFRACT_DEPTH_SCENE, \
         .here = true \

@@ -59,14 +59,10 @@ static const struct setting rows[] = {
 const struct setting_group refract_blend_settings =
     SETTING_GROUP("refract_blend", rows, struct refract_blend_params);
 
-const struct technique refract_blend = {
-    .graph = RG_TECHNIQUE("refract_blend", passes),
-    .settings = &refract_blend_settings,
-    .help = "front and back normals blended so that bending adds up",
-};
+const struct technique refract_blend[] =
+    REFRACT_TECHNIQUES("refract_blend", passes, .settings = &refract_blend_settings,
+                       .help = "front and back normals blended so that bending adds up");
 
-const struct technique refract_blend_bumped = {
-    .graph = RG_TECHNIQUE("refract_blend", bumped_passes),
-    .settings = &refract_blend_settings,
-    .help = "the same with bumps",
-};
+const struct technique refract_blend_bumped[] =
+    REFRACT_TECHNIQUES("refract_blend", bumped_passes, .settings = &refract_blend_settings,
+                       .help = "the same with bumps");

@@ -3,7 +3,7 @@
 #define TECH_REFRACT_BLEND_H
 #include "src/technique.h"
 
-extern const struct technique refract_blend, refract_blend_bumped;
+extern const struct technique refract_blend[], refract_blend_bumped[];
 extern const struct setting_group refract_blend_settings;
 
 #endif

@@ -18,11 +18,8 @@
 static rg_record_fn record_screen;
 
 static const struct rg_pass passes[] = {
-    REFRACT_SEEN_ROWS(bounce,
-                      .uses = RG_USES(FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE,
-                                      REFRACT_USE_NORMAL_BACK, REFRACT_USE_DEPTH_BACK,
-                                      REFRACT_USE_NORMAL_FRONT, REFRACT_SEEN_USES),
-                      .push_size = sizeof(struct refract_march), .record = record_screen),
+    REFRACT_SEEN_ROWS(bounce, struct refract_march, record_screen, REFRACT_USE_ENV_CUBE,
+                      REFRACT_USE_NORMAL_BACK, REFRACT_USE_DEPTH_BACK, REFRACT_USE_NORMAL_FRONT),
 };
 
 static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -64,8 +61,6 @@ static const struct setting rows[] = {
 const struct setting_group refract_bounce_settings =
     SETTING_GROUP("refract_bounce", rows, struct refract_march);
 
-const struct technique refract_bounce = {
-    .graph = RG_TECHNIQUE("refract_bounce", passes),
-    .settings = &refract_bounce_settings,
-    .help = "two bends and total reflections between, searched among all faces",
-};
+const struct technique refract_bounce[] =
+    REFRACT_TECHNIQUES("refract_bounce", passes, .settings = &refract_bounce_settings,
+                       .help = "two bends and total reflections between, searched among all faces");

@@ -35,12 +35,8 @@ static const struct rg_pass bumped_passes[] = {
                  .record = frame_draw_object),
 };
 
-const struct technique refract_one_sided = {
-    .graph = RG_TECHNIQUE("refract_one_sided", passes),
-    .help = "refraction at the front face alone",
-};
+const struct technique refract_one_sided[] =
+    REFRACT_TECHNIQUES("refract_one_sided", passes, .help = "refraction at the front face alone");
 
-const struct technique refract_one_sided_bumped = {
-    .graph = RG_TECHNIQUE("refract_one_sided", bumped_passes),
-    .help = "the same with bumps",
-};
+const struct technique refract_one_sided_bumped[] =
+    REFRACT_TECHNIQUES("refract_one_sided", bumped_passes, .help = "the same with bumps");

@@ -3,6 +3,6 @@
 #define TECH_REFRACT_ONE_SIDED_H
 #include "src/technique.h"
 
-extern const struct technique refract_one_sided, refract_one_sided_bumped;
+extern const struct technique refract_one_sided[], refract_one_sided_bumped[];
 
 #endif

@@ -61,14 +61,10 @@ static const struct setting rows[] = {
 const struct setting_group refract_paper_settings =
     SETTING_GROUP("refract_paper", rows, struct refract_paper_params);
 
-const struct technique refract_paper = {
-    .graph = RG_TECHNIQUE("refract_paper", passes),
-    .settings = &refract_paper_settings,
-    .help = "front and back normals blended into one (Seipel and Nivfors 2006)",
-};
+const struct technique refract_paper[] =
+    REFRACT_TECHNIQUES("refract_paper", passes, .settings = &refract_paper_settings,
+                       .help = "front and back normals blended into one (Seipel and Nivfors 2006)");
 
-const struct technique refract_paper_bumped = {
-    .graph = RG_TECHNIQUE("refract_paper", bumped_passes),
-    .settings = &refract_paper_settings,
-    .help = "the same with bumps",
-};
+const struct technique refract_paper_bumped[] =
+    REFRACT_TECHNIQUES("refract_paper", bumped_passes, .settings = &refract_paper_settings,
+                       .help = "the same with bumps");

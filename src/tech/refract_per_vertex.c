@@ -24,7 +24,5 @@ static const struct rg_pass passes[] = {
                  .cull = VK_CULL_MODE_BACK_BIT, .uses = uses, .record = frame_draw_object),
 };
 
-const struct technique refract_per_vertex = {
-    .graph = RG_TECHNIQUE("refract_per_vertex", passes),
-    .help = "one-sided, with directions computed at the vertices",
-};
+const struct technique refract_per_vertex[] = REFRACT_TECHNIQUES(
+    "refract_per_vertex", passes, .help = "one-sided, with directions computed at the vertices");

@@ -3,6 +3,6 @@
 #define TECH_REFRACT_PER_VERTEX_H
 #include "src/technique.h"
 
-extern const struct technique refract_per_vertex;
+extern const struct technique refract_per_vertex[];
 
 #endif

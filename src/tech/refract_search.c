@@ -67,14 +67,10 @@ static const struct setting rows[] = {
 const struct setting_group refract_search_settings =
     SETTING_GROUP("refract_search", rows, struct refract_march);
 
-const struct technique refract_search = {
-    .graph = RG_TECHNIQUE("refract_search", passes),
-    .settings = &refract_search_settings,
-    .help = "two bends, the exit searched among the back faces",
-};
+const struct technique refract_search[] =
+    REFRACT_TECHNIQUES("refract_search", passes, .settings = &refract_search_settings,
+                       .help = "two bends, the exit searched among the back faces");
 
-const struct technique refract_search_bumped = {
-    .graph = RG_TECHNIQUE("refract_search", bumped_passes),
-    .settings = &refract_search_settings,
-    .help = "the same with bumps",
-};
+const struct technique refract_search_bumped[] =
+    REFRACT_TECHNIQUES("refract_search", bumped_passes, .settings = &refract_search_settings,
+                       .help = "the same with bumps");

@@ -3,7 +3,7 @@
 #define TECH_REFRACT_SEARCH_H
 #include "src/technique.h"
 
-extern const struct technique refract_search, refract_search_bumped;
+extern const struct technique refract_search[], refract_search_bumped[];
 extern const struct setting_group refract_search_settings;
 
 #endif

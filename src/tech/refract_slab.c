@@ -33,12 +33,9 @@ static const struct rg_pass bumped_passes[] = {
                  .record = frame_draw_object),
 };
 
-const struct technique refract_slab = {
-    .graph = RG_TECHNIQUE("refract_slab", passes),
-    .help = "a pane parallel to the front face: light is moved aside, not turned",
-};
+const struct technique refract_slab[] = REFRACT_TECHNIQUES(
+    "refract_slab", passes,
+    .help = "a pane parallel to the front face: light is moved aside, not turned");
 
-const struct technique refract_slab_bumped = {
-    .graph = RG_TECHNIQUE("refract_slab", bumped_passes),
-    .help = "the same with bumps",
-};
+const struct technique refract_slab_bumped[] =
+    REFRACT_TECHNIQUES("refract_slab", bumped_passes, .help = "the same with bumps");

@@ -3,6 +3,6 @@
 #define TECH_REFRACT_SLAB_H
 #include "src/technique.h"
 
-extern const struct technique refract_slab, refract_slab_bumped;
+extern const struct technique refract_slab[], refract_slab_bumped[];
 
 #endif

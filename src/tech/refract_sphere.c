@@ -36,12 +36,8 @@ static const struct rg_pass bumped_passes[] = {
                  .record = frame_draw_object),
 };
 
-const struct technique refract_sphere = {
-    .graph = RG_TECHNIQUE("refract_sphere", passes),
-    .help = "two bends, as in a sphere that touches the front face",
-};
+const struct technique refract_sphere[] = REFRACT_TECHNIQUES(
+    "refract_sphere", passes, .help = "two bends, as in a sphere that touches the front face");
 
-const struct technique refract_sphere_bumped = {
-    .graph = RG_TECHNIQUE("refract_sphere", bumped_passes),
-    .help = "the same with bumps",
-};
+const struct technique refract_sphere_bumped[] =
+    REFRACT_TECHNIQUES("refract_sphere", bumped_passes, .help = "the same with bumps");

@@ -3,6 +3,6 @@
 #define TECH_REFRACT_SPHERE_H
 #include "src/technique.h"
 
-extern const struct technique refract_sphere, refract_sphere_bumped;
+extern const struct technique refract_sphere[], refract_sphere_bumped[];
 
 #endif

@@ -34,12 +34,9 @@ static const struct rg_pass bumped_passes[] = {
                  .record = frame_draw_object),
 };
 
-const struct technique refract_wyman = {
-    .graph = RG_TECHNIQUE("refract_wyman", passes),
-    .help = "two bends, the exit guessed from two thicknesses (Wyman 2005)",
-};
+const struct technique refract_wyman[] =
+    REFRACT_TECHNIQUES("refract_wyman", passes,
+                       .help = "two bends, the exit guessed from two thicknesses (Wyman 2005)");
 
-const struct technique refract_wyman_bumped = {
-    .graph = RG_TECHNIQUE("refract_wyman", bumped_passes),
-    .help = "the same with bumps",
-};
+const struct technique refract_wyman_bumped[] =
+    REFRACT_TECHNIQUES("refract_wyman", bumped_passes, .help = "the same with bumps");

@@ -3,6 +3,6 @@
 #define TECH_REFRACT_WYMAN_H
 #include "src/technique.h"
 
-extern const struct technique refract_wyman, refract_wyman_bumped;
+extern const struct technique refract_wyman[], refract_wyman_bumped[];
 
 #endif

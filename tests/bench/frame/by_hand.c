@@ -287,12 +287,13 @@ static void draw_pass(struct by_hand *h, const struct pass *pass)
     vkCmdEndRendering(h->commands);
 }
 
-/* The surroundings, and after a barrier the sky behind them: of all faces, or of the view. */
-static void draw_around(struct by_hand *h, struct pass pass, bool sky)
+/* The surroundings, and after a barrier the sky behind them: of all faces, or of the view. Onto
+ * what is there, or onto nothing. */
+static void draw_around(struct by_hand *h, struct pass pass, bool sky, bool onto)
 {
     pass.pipeline = sky ? SKY : SURROUNDINGS;
-    pass.color_load = sky ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-    pass.depth_load = sky ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
+    pass.color_load = onto ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+    pass.depth_load = onto ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
     pass.push_size = sizeof(struct background_push);
     pass.vertices = sky ? NULL : &h->params.uploaded->surroundings_vertices;
     pass.indices = &h->params.uploaded->surroundings_indices;
@@ -311,7 +312,7 @@ static void draw_cube(struct by_hand *h, const struct frame_view *view)
                                    .colors = { h->faces[CUBE][face] },
                                    .depth = h->faces[CUBE_DEPTH][face],
                                    .push = &push },
-                    i >= FACE_COUNT);
+                    i >= FACE_COUNT, i >= FACE_COUNT);
     }
 }
 
@@ -321,9 +322,9 @@ static void draw_view(struct by_hand *h, const struct background_push *push)
                                .colors = { h->views[COLOR] },
                                .depth = h->views[DEPTH],
                                .push = push };
-    draw_around(h, pass, false);
+    draw_around(h, pass, false, true);
     after_drawing(h, NULL, 0);
-    draw_around(h, pass, true);
+    draw_around(h, pass, true, true);
 }
 
 static void draw_ice(struct by_hand *h)
@@ -344,8 +345,8 @@ static void draw_ice(struct by_hand *h)
                                  .size = size,
                                  .colors = { h->views[COLOR], h->views[HIGHLIGHT] },
                                  .depth = h->views[DEPTH],
-                                 .color_load = VK_ATTACHMENT_LOAD_OP_LOAD,
-                                 .depth_load = VK_ATTACHMENT_LOAD_OP_LOAD,
+                                 .color_load = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+                                 .depth_load = VK_ATTACHMENT_LOAD_OP_CLEAR,
                                  .push = settings_of(h->params.settings, &refract_paper_settings),
                                  .push_size = sizeof(struct refract_paper_params),
                                  .vertices = &scene->object_vertices,
@@ -407,8 +408,9 @@ void by_hand_draw(struct by_hand *h)
     begin(h);
     before_drawing(h);
     draw_cube(h, &view);
-    draw_view(h, &push);
     draw_ice(h);
+    after_drawing(h, NULL, 0);
+    draw_view(h, &push);
     after_drawing(h, read, 1);
     draw_screen(h);
     finish(h);
