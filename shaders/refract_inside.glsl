@@ -66,55 +66,94 @@ float march_room(vec3 point, vec3 dir)
     return sqrt(max(middle * middle - outside, 0.0)) - middle;
 }
 
+/* Two places of a ray, between which it leaves. */
+struct march_ends {
+    float within, beyond;
+    float room_within; /* 0: not known */
+    float room_beyond;
+    bool near_front; /* where it is within */
+};
+
+/*
+ * The step that goes outside. Two steps at a time, since the second does not wait for the first:
+ * what takes longest here is not to fetch but to know where.
+ */
+march_ends march_step_outside(vec4 clip, vec4 way, float first, float step_length)
+{
+    march_ends ends;
+    ends.within = first;
+    ends.room_within = 0.0;
+    ends.near_front = false;
+    for (uint i = 1u;; i += 2u) {
+        float near = first + float(i) * step_length;
+        float far = first + float(min(i + 1u, REFRACT_MARCH.steps)) * step_length;
+        vec2 rooms_near = march_rooms(clip + near * way);
+        vec2 rooms_far = march_rooms(clip + far * way);
+        float room_near = min(rooms_near.x, rooms_near.y);
+        float room_far = min(rooms_far.x, rooms_far.y);
+        bool near_outside = room_near < 0.0;
+        ends.beyond = near_outside ? near : far;
+        ends.room_beyond = near_outside ? room_near : room_far;
+        if (!near_outside) {
+            bool far_outside = room_far < 0.0;
+            ends.within = far_outside ? near : far;
+            ends.room_within = far_outside ? room_near : room_far;
+            ends.near_front = march_is_near_front(far_outside ? rooms_near : rooms_far);
+        }
+        if (ends.room_beyond < 0.0 || i + 2u > REFRACT_MARCH.steps)
+            break;
+    }
+    return ends;
+}
+
+/* Where the room would be 0 if it were linear, and a little before that; in the middle where it is
+ * not known. */
+float march_divide(march_ends ends, float exact)
+{
+    bool known =
+        ends.room_within > 0.0 && ends.room_beyond < 0.0 && ends.room_beyond > march_beside;
+    float share = known ? ends.room_within / (ends.room_within - ends.room_beyond) : 0.5;
+    return mix(ends.within, ends.beyond, share) - (known ? 0.25 * exact : 0.0);
+}
+
 /*
  * How far a ray goes inside, and whether it is nearer the front faces there. The step that goes
- * outside is divided where the room would be 0 if it were linear, and a little before that, until
- * it is as exact as `halvings` would be: once for a flat face. Each time that this is outside, the
- * room inside counts half (the Illinois method), lest one end stay for ever.
+ * outside is divided until it is as exact as `halvings` would be: once for a flat face. Each time
+ * that this is outside, the room inside counts half (the Illinois method), lest one end stay for
+ * ever.
+ *
+ * These loops end at their ends: a vector unit does whole rounds, of which those of the last ray
+ * that breaks off are for nothing.
  */
 float march_length(vec3 point, vec3 dir, out bool near_front)
 {
     vec4 clip = refract_clip(point);
     vec4 way = frame.clip_from_world * vec4(dir, 0.0);
-    float within = march_start * frame.radius;
-    float beyond = max(march_room(point, dir), within);
-    float step_length = (beyond - within) / float(REFRACT_MARCH.steps);
-    float room_within = 0.0; /* not known */
-    float room_beyond = march_beside;
-    near_front = false;
-    for (uint i = 1u; i <= REFRACT_MARCH.steps; i++) {
-        float t = march_start * frame.radius + float(i) * step_length;
-        vec2 rooms = march_rooms(clip + t * way);
-        float room = min(rooms.x, rooms.y);
-        if (room < 0.0) {
-            beyond = t;
-            room_beyond = room;
-            break;
-        }
-        within = t;
-        room_within = room;
-        near_front = march_is_near_front(rooms);
-    }
+    float first = march_start * frame.radius;
+    float step_length = (max(march_room(point, dir), first) - first) / float(REFRACT_MARCH.steps);
     float exact = ldexp(step_length, -int(REFRACT_MARCH.halvings));
-    for (uint i = 0u; i < REFRACT_MARCH.halvings; i++) {
-        bool known = room_within > 0.0 && room_beyond > march_beside;
-        float share = known ? room_within / (room_within - room_beyond) : 0.5;
-        float t = mix(within, beyond, share) - (known ? 0.25 * exact : 0.0);
-        if (t - within < 0.5 * exact)
-            break;
+    march_ends ends = march_step_outside(clip, way, first, step_length);
+    float t = march_divide(ends, exact);
+    bool done = t - ends.within < 0.5 * exact || REFRACT_MARCH.halvings == 0u;
+    for (uint i = 1u;; i++) {
         vec2 rooms = march_rooms(clip + t * way);
         float room = min(rooms.x, rooms.y);
-        if (room < 0.0) {
-            beyond = t;
-            room_beyond = room;
-            room_within *= 0.5;
-        } else {
-            within = t;
-            room_within = room;
-            near_front = march_is_near_front(rooms);
+        if (!done && room < 0.0) {
+            ends.beyond = t;
+            ends.room_beyond = room;
+            ends.room_within *= 0.5;
+        } else if (!done) {
+            ends.within = t;
+            ends.room_within = room;
+            ends.near_front = march_is_near_front(rooms);
         }
+        t = march_divide(ends, exact);
+        done = done || t - ends.within < 0.5 * exact || i >= REFRACT_MARCH.halvings;
+        if (done)
+            break;
     }
-    return within;
+    near_front = ends.near_front;
+    return ends.within;
 }
 
 /* The outward normal where a ray leaves: of the nearer face, if the ray can leave through it. */

@@ -13,7 +13,7 @@ refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
     float eta = frame.etas[channel];
     refract_way way = refract_leave_at_front(optics_refract(e, n_f, eta));
     leaving = 0.0;
-    for (uint i = 0u; i <= REFRACT_MARCH.bounces; i++) {
+    for (uint i = 0u;; i++) {
         bool near_front;
         float t = march_length(way.point, way.dir, near_front);
         way.point += t * way.dir;
@@ -24,10 +24,10 @@ refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
         bool total = optics_refract_k(way.dir, n, 1.0 / eta) < 0.0;
         leaving = 1.0 - optics_fresnel(way.dir, n, 1.0 / eta);
         way.dir = optics_refract(way.dir, -n, 1.0 / eta);
-        if (!total)
+        way.tir = total && i == 0u ? 1.0 : way.tir;
+        way.bounces += total ? 1.0 : 0.0;
+        if (!total || i == REFRACT_MARCH.bounces)
             break;
-        way.tir = i == 0u ? 1.0 : way.tir;
-        way.bounces += 1.0;
     }
     return way;
 }
