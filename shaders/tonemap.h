@@ -24,10 +24,13 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
     float peak = fmaxf(c.x, fmaxf(c.y, c.z));
     if (peak < start)
         return c;
-    float new_peak = 1.0f - room * room / (peak + room - start);
-    float g = 1.0f - 1.0f / (desaturation * (peak - new_peak) + 1.0f);
-    return glms_vec3_lerp(glms_vec3_scale(c, new_peak / peak),
-                          ABI_VEC3(new_peak, new_peak, new_peak), g);
+    /* new_peak = above / below, and what is left of the colour 1 / (desaturation * (peak -
+     * new_peak) + 1): here so that no division waits for another. */
+    float below = peak + (room - start);
+    float above = below - room * room;
+    float scale = above / (peak * (desaturation * (peak * below - above) + below));
+    float white = above / below - scale * peak;
+    return glms_vec3_add(glms_vec3_scale(c, scale), ABI_VEC3(white, white, white));
 }
 
 /*
@@ -38,9 +41,9 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
 ABI_FUNCTION float tonemap_srgb(float linear)
 {
     float c = glm_clamp(linear, 0.0f, 1.0f);
-    float s = sqrtf(sqrtf(c));
-    float high = 1.1226816f + s * (s * 0.081329981f - 0.33550157f);
-    high = s * (0.19613586f + s * high) - 0.064611537f;
+    float square = sqrtf(c); /* of the fourth root */
+    float even = 1.1226816f * square + (0.081329981f * c - 0.064611537f);
+    float high = even + sqrtf(square) * (0.19613586f - 0.33550157f * square);
     return c <= 0.0031308f ? c * 12.92f : high;
 }
 
