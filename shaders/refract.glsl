@@ -52,20 +52,15 @@ float refract_share(vec3 e, vec3 n_f)
     return clamp(fresnel_paper, 0.0, 1.0);
 }
 
-/* Green first: its way is that of the layers. */
+/* Of the layers the way of green is that of all. */
 refract_result refract_shade(vec3 e, vec3 n_f)
 {
     refract_result r;
-    for (uint i = 0u; i < constant_refract_colors; i++) {
-        int channel = int(i + 1u) % 3;
-        refract_way way = refract_follow(e, n_f, channel);
-        vec3 seen = refract_transmitted(way);
-        if (i == 0u) {
-            r.way = way;
-            r.refraction = seen;
-        } else {
-            r.refraction[channel] = seen[channel];
-        }
+    r.way = refract_follow(e, n_f, 1);
+    r.refraction = refract_transmitted(r.way);
+    if (constant_refract_colors > 1u) {
+        for (int channel = 0; channel < 3; channel += 2)
+            r.refraction[channel] = refract_transmitted(refract_follow(e, n_f, channel))[channel];
     }
     r.reflection = refract_environment(refract_front_point(), refract_mirrored(e, n_f));
     r.fresnel = refract_share(e, n_f);

@@ -25,6 +25,19 @@ layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
 #endif
 #endif
 
+/* What rays are told by uniforms, read once: inside a loop lavapipe reads them for each ray. */
+struct march_space {
+    mat4 clip_from_world;
+    vec3 center; /* of the bounding sphere */
+    float radius;
+    refract_march march;
+};
+
+march_space march_space_of_frame()
+{
+    return march_space(frame.clip_from_world, frame.center, frame.radius, REFRACT_MARCH);
+}
+
 /* A ray begins so many radii of the bounding sphere away from its surface: texels are coarse. */
 const float march_start = 0.02;
 
@@ -58,11 +71,11 @@ bool march_is_near_front(vec2 rooms)
 }
 
 /* How far a ray goes to the object's bounding sphere. */
-float march_room(vec3 point, vec3 dir)
+float march_room(march_space space, vec3 point, vec3 dir)
 {
-    vec3 from_center = point - frame.center;
+    vec3 from_center = point - space.center;
     float middle = dot(from_center, dir);
-    float outside = dot(from_center, from_center) - frame.radius * frame.radius;
+    float outside = dot(from_center, from_center) - space.radius * space.radius;
     return sqrt(max(middle * middle - outside, 0.0)) - middle;
 }
 
@@ -78,7 +91,7 @@ struct march_ends {
  * The step that goes outside. Two steps at a time, since the second does not wait for the first:
  * what takes longest here is not to fetch but to know where.
  */
-march_ends march_step_outside(vec4 clip, vec4 way, float first, float step_length)
+march_ends march_step_outside(vec4 clip, vec4 way, float first, float step_length, uint steps)
 {
     march_ends ends;
     ends.within = first;
@@ -86,7 +99,7 @@ march_ends march_step_outside(vec4 clip, vec4 way, float first, float step_lengt
     ends.near_front = false;
     for (uint i = 1u;; i += 2u) {
         float near = first + float(i) * step_length;
-        float far = first + float(min(i + 1u, REFRACT_MARCH.steps)) * step_length;
+        float far = first + float(min(i + 1u, steps)) * step_length;
         vec2 rooms_near = march_rooms(clip + near * way);
         vec2 rooms_far = march_rooms(clip + far * way);
         float room_near = min(rooms_near.x, rooms_near.y);
@@ -100,7 +113,7 @@ march_ends march_step_outside(vec4 clip, vec4 way, float first, float step_lengt
             ends.room_within = far_outside ? room_near : room_far;
             ends.near_front = march_is_near_front(far_outside ? rooms_near : rooms_far);
         }
-        if (ends.room_beyond < 0.0 || i + 2u > REFRACT_MARCH.steps)
+        if (ends.room_beyond < 0.0 || i + 2u > steps)
             break;
     }
     return ends;
@@ -125,16 +138,17 @@ float march_divide(march_ends ends, float exact)
  * These loops end at their ends: a vector unit does whole rounds, of which those of the last ray
  * that breaks off are for nothing.
  */
-float march_length(vec3 point, vec3 dir, out bool near_front)
+float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
 {
-    vec4 clip = refract_clip(point);
-    vec4 way = frame.clip_from_world * vec4(dir, 0.0);
-    float first = march_start * frame.radius;
-    float step_length = (max(march_room(point, dir), first) - first) / float(REFRACT_MARCH.steps);
-    float exact = ldexp(step_length, -int(REFRACT_MARCH.halvings));
-    march_ends ends = march_step_outside(clip, way, first, step_length);
+    vec4 clip = space.clip_from_world * vec4(point, 1.0);
+    vec4 way = space.clip_from_world * vec4(dir, 0.0);
+    float first = march_start * space.radius;
+    float step_length =
+        (max(march_room(space, point, dir), first) - first) / float(space.march.steps);
+    float exact = ldexp(step_length, -int(space.march.halvings));
+    march_ends ends = march_step_outside(clip, way, first, step_length, space.march.steps);
     float t = march_divide(ends, exact);
-    bool done = t - ends.within < 0.5 * exact || REFRACT_MARCH.halvings == 0u;
+    bool done = t - ends.within < 0.5 * exact || space.march.halvings == 0u;
     for (uint i = 1u;; i++) {
         vec2 rooms = march_rooms(clip + t * way);
         float room = min(rooms.x, rooms.y);
@@ -148,7 +162,7 @@ float march_length(vec3 point, vec3 dir, out bool near_front)
             ends.near_front = march_is_near_front(rooms);
         }
         t = march_divide(ends, exact);
-        done = done || t - ends.within < 0.5 * exact || i >= REFRACT_MARCH.halvings;
+        done = done || t - ends.within < 0.5 * exact || i >= space.march.halvings;
         if (done)
             break;
     }
@@ -157,9 +171,9 @@ float march_length(vec3 point, vec3 dir, out bool near_front)
 }
 
 /* The outward normal where a ray leaves: of the nearer face, if the ray can leave through it. */
-vec3 march_normal(vec3 point, vec3 dir, bool near_front)
+vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 {
-    vec4 clip = refract_clip(point);
+    vec4 clip = space.clip_from_world * vec4(point, 1.0);
     vec3 back = refract_normal_at(normal_back, clip);
 #ifdef REFRACT_BOUNCE
     vec3 front = refract_normal_at(normal_front, clip);

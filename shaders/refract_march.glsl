@@ -12,13 +12,14 @@ refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
 {
     float eta = frame.etas[channel];
     refract_way way = refract_leave_at_front(optics_refract(e, n_f, eta));
+    march_space space = march_space_of_frame();
     leaving = 0.0;
     for (uint i = 0u;; i++) {
         bool near_front;
-        float t = march_length(way.point, way.dir, near_front);
+        float t = march_length(space, way.point, way.dir, near_front);
         way.point += t * way.dir;
         way.path += t;
-        vec3 n = march_normal(way.point, way.dir, near_front);
+        vec3 n = march_normal(space, way.point, way.dir, near_front);
         if (dot(n, way.dir) <= 0.0) /* no face to leave through: straight on */
             break;
         bool total = optics_refract_k(way.dir, n, 1.0 / eta) < 0.0;
@@ -26,7 +27,7 @@ refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
         way.dir = optics_refract(way.dir, -n, 1.0 / eta);
         way.tir = total && i == 0u ? 1.0 : way.tir;
         way.bounces += total ? 1.0 : 0.0;
-        if (!total || i == REFRACT_MARCH.bounces)
+        if (!total || i == space.march.bounces)
             break;
     }
     return way;

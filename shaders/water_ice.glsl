@@ -42,12 +42,13 @@ water_ray ice_through(water_ray ray)
 {
     vec3 point = pool_to_world(ray.from);
     vec3 dir = pool_to_world(ray.dir);
+    march_space space = march_space_of_frame();
     for (uint i = 0u; i <= REFRACT_MARCH.bounces; i++) {
         bool near_front;
-        float t = march_length(point, dir, near_front);
+        float t = march_length(space, point, dir, near_front);
         point += t * dir;
         ray.kept *= exp(-frame.absorb * t);
-        vec3 n = march_normal(point, dir, near_front);
+        vec3 n = march_normal(space, point, dir, near_front);
         if (dot(n, dir) <= 0.0)
             break;
         float ratio = ice_ratio(pool_from_world(point).z);
@@ -101,7 +102,8 @@ water_ray ice_below(water_ray ray)
         return ray;
     point += t * dir;
     bool near_front = march_is_near_front(march_rooms(refract_clip(point)));
-    vec3 n = -march_normal(point, -dir, near_front); /* it comes from there */
+    vec3 n =
+        -march_normal(march_space_of_frame(), point, -dir, near_front); /* it comes from there */
     ray.kept *= passed(t);
     ray.from = pool_from_world(point);
     if (dot(n, dir) > 0.0) {
