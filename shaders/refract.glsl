@@ -35,18 +35,18 @@ vec3 refract_mirrored(vec3 e, vec3 n_f)
 /* Of a cube with the object's diagonal: of what has no other size, metres. */
 float refract_width()
 {
-    return 2.0 * frame.radius * inversesqrt(3.0);
+    return 2.0 * refract_frame.radius * inversesqrt(3.0);
 }
 
 vec3 refract_transmitted(refract_way way)
 {
-    return refract_environment(way.point, way.dir) * exp(-frame.absorb * way.path);
+    return refract_environment(way.point, way.dir) * exp(-refract_frame.absorb * way.path);
 }
 
 float refract_share(vec3 e, vec3 n_f)
 {
     if (constant_refract_fresnel == REFRACT_FRESNEL_EXACT)
-        return optics_fresnel(e, n_f, frame.eta);
+        return optics_fresnel(e, n_f, refract_frame.eta);
     if (constant_refract_fresnel == REFRACT_FRESNEL_CROSSFADE)
         return 1.0 - frame.refract_crossfade;
     return clamp(fresnel_paper, 0.0, 1.0);

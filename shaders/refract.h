@@ -21,7 +21,9 @@
 #define REFRACT_REFLECTED    3 /* refract_per_vertex.vert alone, as is the next */
 #define REFRACT_REFRACTED    4 /* three of them */
 
-#define REFRACT_VIEW_RAY 0 /* what refract_seen.vert hands on */
+/* what refract_seen.vert hands on */
+#define REFRACT_VIEW_RAY   0
+#define REFRACT_SEEN_FRAME 1 /* refract_frame.glsl */
 
 /* colour targets of the pass that draws a rung's picture */
 #define REFRACT_OUT_COLOR     0

@@ -4,8 +4,7 @@
  */
 #ifndef REFRACT_FRONT_GLSL
 #define REFRACT_FRONT_GLSL
-#include "lib/globals.glsl"
-#include "refract.h"
+#include "refract_frame.glsl"
 
 #ifdef REFRACT_SEEN
 #include "refract_seen.glsl"

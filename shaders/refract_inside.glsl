@@ -35,7 +35,8 @@ struct march_space {
 
 march_space march_space_of_frame()
 {
-    return march_space(frame.clip_from_world, frame.center, frame.radius, REFRACT_MARCH);
+    return march_space(refract_frame.clip_from_world, refract_frame.center, refract_frame.radius,
+                       REFRACT_MARCH);
 }
 
 /* A ray begins so many radii of the bounding sphere away from its surface: texels are coarse. */

@@ -7,15 +7,14 @@
  */
 #ifndef REFRACT_MAPS_GLSL
 #define REFRACT_MAPS_GLSL
-#include "lib/globals.glsl"
-#include "refract.h"
+#include "refract_frame.glsl"
 
 layout(set = 0, binding = REFRACT_DEPTH_BACK) uniform sampler2D depth_back;
 layout(set = 0, binding = REFRACT_NORMAL_BACK) uniform sampler2D normal_back;
 
 vec4 refract_clip(vec3 point)
 {
-    return frame.clip_from_world * vec4(point, 1.0);
+    return refract_frame.clip_from_world * vec4(point, 1.0);
 }
 
 vec2 refract_uv(vec4 clip)

@@ -10,7 +10,7 @@
 /* `leaving` is the share that the last surface lets through: 0 where light does not get out. */
 refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
 {
-    float eta = frame.etas[channel];
+    float eta = refract_frame.etas[channel];
     refract_way way = refract_leave_at_front(optics_refract(e, n_f, eta));
     march_space space = march_space_of_frame();
     leaving = 0.0;

@@ -13,12 +13,12 @@ struct refract_way {
     float tir;     /* 1 if so at the first surface that it meets inside, else 0 */
 };
 
-/* The rung's. `channel` is that of the colour: its index is frame.etas[channel]. */
+/* The rung's. `channel` is that of the colour: its index is refract_frame.etas[channel]. */
 refract_way refract_follow(vec3 e, vec3 n_f, int channel);
 
 vec3 refract_front_point()
 {
-    return frame.eye + eye_to_point;
+    return refract_frame.eye + eye_to_point;
 }
 
 /* One bend at the front, and straight on from there. */

@@ -15,9 +15,9 @@ vec3 view_ray(vec2 ndc)
 }
 
 /* Of a depth by globals.clip_from_world: metres along the view's axis. */
-float view_distance(float depth)
+float view_distance(mat4 clip_from_world, float depth)
 {
-    return frame.clip_from_world[3][2] / depth;
+    return clip_from_world[3][2] / depth;
 }
 
 #endif

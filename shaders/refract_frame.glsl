@@ -1,0 +1,30 @@
+/*
+ * refract_frame.glsl: what rungs read of `frame`, as `refract_frame`.
+ *
+ * With REFRACT_SEEN it comes from the vertex shader, the same at all three corners of the picture's
+ * triangle: lavapipe's fragment shaders fetch each float of a uniform for each pixel by itself
+ * (Mesa 22.3), which its vertex shaders do once.
+ */
+#ifndef REFRACT_FRAME_GLSL
+#define REFRACT_FRAME_GLSL
+#include "lib/globals.glsl"
+#include "refract.h"
+
+#ifdef REFRACT_SEEN_IO /* in or out */
+layout(location = REFRACT_SEEN_FRAME) REFRACT_SEEN_IO RefractFrame
+{
+    flat mat4 clip_from_world;
+    flat vec3 eye;
+    flat vec3 center;
+    flat float radius;
+    flat vec3 etas;
+    flat vec3 absorb;
+    flat float eta;
+}
+
+refract_frame;
+#else
+#define refract_frame frame
+#endif
+
+#endif
