@@ -9,20 +9,18 @@
 #include "lib/constants.glsl"
 #include "lib/pose.glsl"
 
-layout(push_constant, scalar) uniform Push
-{
-    cracks_look look;
-};
-
-layout(location = 0) in vec3 position; /* in the object's space, as is: */
-layout(location = 1) in vec3 normal;
+layout(location = CRACKS_POSITION) in vec3 position;
+layout(location = CRACKS_NORMAL) in vec3 normal;
+layout(location = CRACKS_EYE_TO_POINT) in vec3 eye_to_point;
+layout(location = CRACKS_LIGHTS) flat in vec4 lights[GLOBALS_LIGHT_COUNT];
+layout(location = CRACKS_LOOK) flat in cracks_look look;
 
 const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* what look.surface shows */
 
+/* In the object's space. */
 struct crack_point {
-    vec3 position; /* world */
-    vec3 e;        /* from the eye to it */
-    vec3 n;        /* towards the eye */
+    vec3 e; /* from the eye to it */
+    vec3 n; /* towards the eye */
 };
 
 uint crack_hash(uint x)
@@ -57,18 +55,15 @@ vec3 crack_slope(vec3 p)
 
 crack_point crack_here()
 {
-    vec3 p = position / frame.radius;
     vec3 n = normalize(normal);
     vec3 slope = vec3(0.0);
     if (look.bump > 0.0)
-        slope = 0.6 * crack_slope(p * 5.0) + 0.3 * crack_slope(p * 13.0 + 7.3) +
-                0.15 * crack_slope(p * 31.0 + 3.7);
+        slope = 0.6 * crack_slope(position * 5.0) + 0.3 * crack_slope(position * 13.0 + 7.3) +
+                0.15 * crack_slope(position * 31.0 + 3.7);
     crack_point c;
-    c.position = pose_object(position);
-    c.e = normalize(c.position - frame.eye);
-    vec3 smooth_n = pose_object_normal(n);
-    c.n = normalize(pose_object_normal(n - look.bump * (slope - dot(slope, n) * n)));
-    if (dot(smooth_n, c.e) > 0.0) /* a face has two sides */
+    c.e = normalize(eye_to_point);
+    c.n = normalize(n - look.bump * (slope - dot(slope, n) * n));
+    if (dot(n, c.e) > 0.0) /* a face has two sides */
         c.n = -c.n;
     return c;
 }
@@ -78,9 +73,9 @@ float crack_highlight(crack_point c)
 {
     float sum = 0.0;
     for (uint i = 0u; i < constant_lights; i++) {
-        vec3 l = normalize(frame.lights[i].xyz - c.position);
+        vec3 l = normalize(lights[i].xyz - eye_to_point);
         float shine = pow(max(dot(c.n, normalize(l - c.e)), 0.0), look.shininess);
-        sum += dot(c.n, l) > 0.0 ? frame.lights[i].w * shine : 0.0;
+        sum += dot(c.n, l) > 0.0 ? lights[i].w * shine : 0.0;
     }
     return look.strength * sum;
 }

@@ -11,6 +11,13 @@
 #define CRACKS_FAR      4
 #define CRACKS_ENV_CUBE 5 /* if they reflect it */
 
+/* what the vertex shader hands on: in the object's space */
+#define CRACKS_POSITION     0 /* over the radius of the object's sphere */
+#define CRACKS_NORMAL       1
+#define CRACKS_EYE_TO_POINT 2
+#define CRACKS_LIGHTS       3 /* each: from the eye to it; w: strength of its highlight */
+#define CRACKS_LOOK         7 /* struct cracks_look */
+
 #define CRACKS_MAX 64 /* cracks.count, at most */
 
 struct cracks_look {

@@ -18,6 +18,6 @@ void main()
     float share = optics_gap(c.e, c.n, 1.0 / frame.eta);
     float shine = crack_highlight(c);
     float over = min(shine, 1.0);
-    vec3 mirrored = share * texture(env_cube, optics_reflect(c.e, c.n)).rgb;
+    vec3 mirrored = share * texture(env_cube, pose_object_normal(optics_reflect(c.e, c.n))).rgb;
     color = vec4(vec3(shine) + (1.0 - over) * mirrored, over + (1.0 - over) * share);
 }

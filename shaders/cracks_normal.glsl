@@ -7,5 +7,5 @@ void main()
 {
     if (!crack_is_inside())
         discard;
-    out_normal = vec4(-crack_here().n, 1.0);
+    out_normal = vec4(pose_object_normal(-crack_here().n), 1.0);
 }

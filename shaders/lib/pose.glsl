@@ -15,6 +15,11 @@ vec3 pose_object_normal(vec3 normal)
     return mat3(frame.world_from_object) * normal;
 }
 
+vec3 pose_to_object(vec3 point)
+{
+    return transpose(mat3(frame.world_from_object)) * (point - frame.world_from_object[3].xyz);
+}
+
 vec3 pose_surroundings(vec3 position, uint material)
 {
     bool moves = (material & MESH_MOVES) != 0u;

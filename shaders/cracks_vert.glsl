@@ -1,0 +1,34 @@
+/*
+ * cracks_vert.glsl: main() of the cracks' vertices; CRACKS_CLIP is the matrix.
+ *
+ * What all pixels share is handed on from here: lavapipe's fragment shaders fetch each float of a
+ * uniform for each pixel by itself (Mesa 22.3).
+ */
+#include "cracks.h"
+#include "lib/pose.glsl"
+
+layout(push_constant, scalar) uniform Push
+{
+    cracks_look look;
+};
+
+layout(location = MESH_POSITION) in vec3 position;
+layout(location = MESH_NORMAL) in vec3 normal;
+
+layout(location = CRACKS_POSITION) out vec3 out_position;
+layout(location = CRACKS_NORMAL) out vec3 out_normal;
+layout(location = CRACKS_EYE_TO_POINT) out vec3 out_eye_to_point;
+layout(location = CRACKS_LIGHTS) flat out vec4 out_lights[GLOBALS_LIGHT_COUNT];
+layout(location = CRACKS_LOOK) flat out cracks_look out_look;
+
+void main()
+{
+    vec3 eye = pose_to_object(frame.eye);
+    gl_Position = CRACKS_CLIP * vec4(pose_object(position), 1.0);
+    out_position = position / frame.radius;
+    out_normal = normal;
+    out_eye_to_point = position - eye;
+    for (int i = 0; i < GLOBALS_LIGHT_COUNT; i++)
+        out_lights[i] = vec4(pose_to_object(frame.lights[i].xyz) - eye, frame.lights[i].w);
+    out_look = look;
+}
