@@ -27,7 +27,8 @@ layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
 
 /* What rays are told by uniforms, read once: inside a loop lavapipe reads them for each ray. */
 struct march_space {
-    mat4 clip_from_world;
+    mat4 map_from_world; /* to clip coordinates, but x / w and y / w: refract_depth_at()'s */
+    vec2 texel;
     vec3 center; /* of the bounding sphere */
     float radius;
     refract_march march;
@@ -35,8 +36,11 @@ struct march_space {
 
 march_space march_space_of_frame()
 {
-    return march_space(refract_frame.clip_from_world, refract_frame.center, refract_frame.radius,
-                       REFRACT_MARCH);
+    mat4 m = refract_frame.clip_from_world;
+    vec2 size = vec2(textureSize(depth_back, 0));
+    for (int i = 0; i < 4; i++)
+        m[i].xy = 0.5 * size * m[i].xy + (0.5 * size - 0.5) * m[i].w;
+    return march_space(m, 1.0 / size, refract_frame.center, refract_frame.radius, REFRACT_MARCH);
 }
 
 /* A ray begins so many radii of the bounding sphere away from its surface: texels are coarse. */
@@ -48,27 +52,30 @@ const float march_beside = -1e30; /* room of a point beside the silhouette */
  * How much room a point has before the back faces, x, and behind the front faces, y; below 0
  * outside. In depth as it is stored, times w: along a ray it is linear where the face is flat.
  */
-vec2 march_rooms(vec4 clip)
+vec2 march_rooms(march_space space, vec4 at)
 {
-    float back = refract_depth_at(depth_back, clip);
-    if (clip.w <= 0.0 || back <= 0.0)
-        return vec2(march_beside);
-    vec2 rooms = vec2(clip.z - back * clip.w, -march_beside);
+    vec2 texels = at.xy / at.w;
+    float back = refract_depth_at(depth_back, texels, space.texel);
+    vec2 rooms = vec2(fma(-back, at.w, at.z), -march_beside);
 #ifdef REFRACT_BOUNCE
-    rooms.y = refract_depth_at(depth_front, clip) * clip.w - clip.z;
+    rooms.y = fma(refract_depth_at(depth_front, texels, space.texel), at.w, -at.z);
 #endif
-    return rooms;
-}
-
-bool march_is_inside(vec4 clip)
-{
-    vec2 rooms = march_rooms(clip);
-    return min(rooms.x, rooms.y) >= 0.0;
+    return at.w > 0.0 && back > 0.0 ? rooms : vec2(march_beside);
 }
 
 bool march_is_near_front(vec2 rooms)
 {
     return rooms.y < rooms.x;
+}
+
+float march_less(vec2 rooms)
+{
+    return march_is_near_front(rooms) ? rooms.y : rooms.x;
+}
+
+bool march_is_inside(march_space space, vec4 at)
+{
+    return march_less(march_rooms(space, at)) >= 0.0;
 }
 
 /* How far a ray goes to the object's bounding sphere. */
@@ -92,7 +99,8 @@ struct march_ends {
  * The step that goes outside. Two steps at a time, since the second does not wait for the first:
  * what takes longest here is not to fetch but to know where.
  */
-march_ends march_step_outside(vec4 clip, vec4 way, float first, float step_length, uint steps)
+march_ends march_step_outside(march_space space, vec4 from, vec4 way, float first,
+                              float step_length)
 {
     march_ends ends;
     ends.within = first;
@@ -100,11 +108,11 @@ march_ends march_step_outside(vec4 clip, vec4 way, float first, float step_lengt
     ends.near_front = false;
     for (uint i = 1u;; i += 2u) {
         float near = first + float(i) * step_length;
-        float far = first + float(min(i + 1u, steps)) * step_length;
-        vec2 rooms_near = march_rooms(clip + near * way);
-        vec2 rooms_far = march_rooms(clip + far * way);
-        float room_near = min(rooms_near.x, rooms_near.y);
-        float room_far = min(rooms_far.x, rooms_far.y);
+        float far = first + float(min(i + 1u, space.march.steps)) * step_length;
+        vec2 rooms_near = march_rooms(space, fma(vec4(near), way, from));
+        vec2 rooms_far = march_rooms(space, fma(vec4(far), way, from));
+        float room_near = march_less(rooms_near);
+        float room_far = march_less(rooms_far);
         bool near_outside = room_near < 0.0;
         ends.beyond = near_outside ? near : far;
         ends.room_beyond = near_outside ? room_near : room_far;
@@ -114,7 +122,7 @@ march_ends march_step_outside(vec4 clip, vec4 way, float first, float step_lengt
             ends.room_within = far_outside ? room_near : room_far;
             ends.near_front = march_is_near_front(far_outside ? rooms_near : rooms_far);
         }
-        if (ends.room_beyond < 0.0 || i + 2u > steps)
+        if (ends.room_beyond < 0.0 || i + 2u > space.march.steps)
             break;
     }
     return ends;
@@ -141,18 +149,18 @@ float march_divide(march_ends ends, float exact)
  */
 float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
 {
-    vec4 clip = space.clip_from_world * vec4(point, 1.0);
-    vec4 way = space.clip_from_world * vec4(dir, 0.0);
+    vec4 from = space.map_from_world * vec4(point, 1.0);
+    vec4 way = space.map_from_world * vec4(dir, 0.0);
     float first = march_start * space.radius;
     float step_length =
         (max(march_room(space, point, dir), first) - first) / float(space.march.steps);
     float exact = ldexp(step_length, -int(space.march.halvings));
-    march_ends ends = march_step_outside(clip, way, first, step_length, space.march.steps);
+    march_ends ends = march_step_outside(space, from, way, first, step_length);
     float t = march_divide(ends, exact);
     bool done = t - ends.within < 0.5 * exact || space.march.halvings == 0u;
     for (uint i = 1u;; i++) {
-        vec2 rooms = march_rooms(clip + t * way);
-        float room = min(rooms.x, rooms.y);
+        vec2 rooms = march_rooms(space, fma(vec4(t), way, from));
+        float room = march_less(rooms);
         if (!done && room < 0.0) {
             ends.beyond = t;
             ends.room_beyond = room;
@@ -174,10 +182,11 @@ float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
 /* The outward normal where a ray leaves: of the nearer face, if the ray can leave through it. */
 vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 {
-    vec4 clip = space.clip_from_world * vec4(point, 1.0);
-    vec3 back = refract_normal_at(normal_back, clip);
+    vec4 at = space.map_from_world * vec4(point, 1.0);
+    vec2 uv = fma(at.xy / at.w, space.texel, 0.5 * space.texel);
+    vec3 back = refract_normal_at(normal_back, uv);
 #ifdef REFRACT_BOUNCE
-    vec3 front = refract_normal_at(normal_front, clip);
+    vec3 front = refract_normal_at(normal_front, uv);
     if (near_front)
         return dot(front, dir) > 0.0 ? front : back;
     return dot(back, dir) > 0.0 ? back : front;

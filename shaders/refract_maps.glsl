@@ -29,28 +29,36 @@ ivec2 refract_texel(vec4 clip)
     return clamp(ivec2(refract_uv(clip) * vec2(size)), ivec2(0), size - 1);
 }
 
-/* Between texels that all show a face, linear; else that of the nearest. */
-float refract_depth_at_uv(sampler2D depths, vec2 uv)
+/*
+ * Between texels that all show a face, linear; else that of the nearest. `at` counts texels from
+ * the middle of the first; `texel` is 1 / their number.
+ *
+ * Marches wait for this: so no min(), which asks for NaN on CPUs, and as few sums as can be after
+ * each other.
+ */
+float refract_depth_at(sampler2D depths, vec2 at, vec2 texel)
 {
-    vec2 at = uv * vec2(textureSize(depths, 0)) - 0.5;
     vec2 corner = floor(at);
     vec2 share = at - corner;
-    vec4 d = textureGather(depths, (corner + 1.0) / vec2(textureSize(depths, 0)));
-    if (min(min(d.x, d.y), min(d.z, d.w)) > 0.0)
-        return mix(mix(d.w, d.z, share.x), mix(d.x, d.y, share.x), share.y);
-    vec2 low = share.x < 0.5 ? d.wx : d.zy;
-    return share.y < 0.5 ? low.x : low.y;
+    vec4 d = textureGather(depths, fma(corner, texel, texel));
+    float low = fma(share.x, d.z - d.w, d.w);
+    float high = fma(share.x, d.y - d.x, d.x);
+    float linear = fma(share.y, high - low, low);
+    vec2 near = share.x < 0.5 ? d.wx : d.zy;
+    float nearest = share.y < 0.5 ? near.x : near.y;
+    return all(greaterThan(d, vec4(0.0))) ? linear : nearest;
 }
 
-float refract_depth_at(sampler2D depths, vec4 clip)
+float refract_depth_at_uv(sampler2D depths, vec2 uv)
 {
-    return refract_depth_at_uv(depths, refract_uv(clip));
+    vec2 size = vec2(textureSize(depths, 0));
+    return refract_depth_at(depths, uv * size - 0.5, 1.0 / size);
 }
 
 /* Unit; the mean of the nearest texels that show a face, {0} if none does. */
-vec3 refract_normal_at(sampler2D normals, vec4 clip)
+vec3 refract_normal_at(sampler2D normals, vec2 uv)
 {
-    vec3 n = texture(normals, refract_uv(clip)).xyz;
+    vec3 n = texture(normals, uv).xyz;
     float length2 = dot(n, n);
     return length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0);
 }

@@ -33,7 +33,7 @@ refract_way refract_follow(vec3 e, vec3 n_f, int channel)
     float straight = refract_thickness();
     float path = mix(thickness_along(point, n_f), straight, ratio);
     point += path * inside;
-    vec3 n_b = refract_normal_at(normal_back, refract_clip(point));
+    vec3 n_b = refract_normal_at(normal_back, refract_uv(refract_clip(point)));
     if (n_b == vec3(0.0)) /* it ends beside the ice: as if it went straight on */
         n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0).xyz;
     if (dot(n_b, inside) <= 0.0)

@@ -65,18 +65,19 @@ water_ray ice_through(water_ray ray)
 /* How far a ray in the water goes until it is in the ice; a negative number: it never is. */
 float ice_distance(vec3 point, vec3 dir)
 {
-    vec4 clip = refract_clip(point);
-    vec4 way = frame.clip_from_world * vec4(dir, 0.0);
-    vec3 from_center = point - frame.center;
+    march_space space = march_space_of_frame();
+    vec4 from = space.map_from_world * vec4(point, 1.0);
+    vec4 way = space.map_from_world * vec4(dir, 0.0);
+    vec3 from_center = point - space.center;
     float middle = -dot(from_center, dir);
-    float room = frame.radius * frame.radius - dot(from_center, from_center) + middle * middle;
+    float room = space.radius * space.radius - dot(from_center, from_center) + middle * middle;
     float last = middle + sqrt(max(room, 0.0));
     float first = max(middle - sqrt(max(room, 0.0)), 0.0);
     float outside = first;
     float inside = -1.0;
     for (uint i = 0u; i <= ice_steps && room > 0.0 && last > first; i++) {
         float t = mix(first, last, float(i) / float(ice_steps));
-        if (march_is_inside(clip + t * way)) {
+        if (march_is_inside(space, fma(vec4(t), way, from))) {
             inside = t;
             break;
         }
@@ -84,7 +85,7 @@ float ice_distance(vec3 point, vec3 dir)
     }
     for (uint i = 0u; i < REFRACT_MARCH.halvings && inside >= 0.0; i++) {
         float t = 0.5 * (outside + inside);
-        if (march_is_inside(clip + t * way))
+        if (march_is_inside(space, fma(vec4(t), way, from)))
             inside = t;
         else
             outside = t;
@@ -101,9 +102,10 @@ water_ray ice_below(water_ray ray)
     if (t < 0.0)
         return ray;
     point += t * dir;
-    bool near_front = march_is_near_front(march_rooms(refract_clip(point)));
-    vec3 n =
-        -march_normal(march_space_of_frame(), point, -dir, near_front); /* it comes from there */
+    march_space space = march_space_of_frame();
+    vec4 at = space.map_from_world * vec4(point, 1.0);
+    bool near_front = march_is_near_front(march_rooms(space, at));
+    vec3 n = -march_normal(space, point, -dir, near_front); /* it comes from there */
     ray.kept *= passed(t);
     ray.from = pool_from_world(point);
     if (dot(n, dir) > 0.0) {
