@@ -108,10 +108,10 @@ struct rg_image {
     float scale;            /* of the view, rounded up, at least one texel; 0 means 1 */
     uint32_t layers;        /* 0 means 1, or 6 for a cube */
     uint32_t mips;          /* 0 means 1; RG_ALL_MIPS the whole chain */
-    bool cube;              /* sampled as a cube map; layers are a multiple of 6 */
-    bool array;             /* an array for shaders even with one layer; with more it always is */
     uint32_t samples;       /* a texel: 1 (0 means 1), 2, 4 ... 64; with more than 1: a target, or
                                sampled by texelFetch; one mip, no cube */
+    bool cube;              /* sampled as a cube map; layers are a multiple of 6 */
+    bool array;             /* an array for shaders even with one layer; with more it always is */
     bool persistent;        /* keeps its content from frame to frame; never shares memory. Where it
                                is imported, it is as it comes */
 };
@@ -147,14 +147,14 @@ struct rg_use {
     const struct rg_image *image; /* this or: */
     const struct rg_buffer *buffer;
     enum rg_access access;
-    uint32_t binding; /* in descriptor set 0, if the access needs a descriptor */
-    struct rg_range range;
+    uint16_t binding; /* in descriptor set 0, if the access needs a descriptor */
+    bool partial;     /* a write that leaves some of the range as it was */
+    bool here;        /* RG_SAMPLED: fragments read the texel alone that they draw; what counts is
+                         told at rg_exec_limit() */
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
     VkPipelineStageFlags2 stages;     /* of the pass's shaders; 0: fragment or compute, and vertex
                                          too for RG_UNIFORM */
-    bool partial;                     /* a write that leaves some of the range as it was */
-    bool here;                        /* RG_SAMPLED: fragments read the texel alone that they
-                                         draw; what counts is told at rg_exec_limit() */
+    struct rg_range range;
 };
 
 struct rg_target {

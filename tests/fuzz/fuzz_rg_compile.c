@@ -27,6 +27,7 @@ enum {
 
 enum kind {
     BOOL,
+    U16,
     U32, /* an enum, too */
     U64,
     FLOAT,
@@ -70,7 +71,7 @@ static const struct field use_fields[] = {
     FIELD(rg_use, IMAGE, image),
     FIELD(rg_use, BUFFER, buffer),
     FIELD(rg_use, U32, access),
-    FIELD(rg_use, U32, binding),
+    FIELD(rg_use, U16, binding),
     FIELD(rg_use, U32, range.aspect),
     FIELD(rg_use, U32, range.mip),
     FIELD(rg_use, U32, range.mip_count),
@@ -200,6 +201,9 @@ static void change(struct random_tables *t, void *row, const struct field *field
     switch (field->kind) {
     case BOOL:
         SET(bool, value[1] & 1);
+        break;
+    case U16:
+        SET(uint16_t, (uint16_t)number(value));
         break;
     case U32:
         SET(uint32_t, (uint32_t)number(value));

@@ -111,7 +111,7 @@ static struct rg_range draw_range(struct random_tables *t, const struct random_k
 static struct rg_use *add_use(struct random_tables *t, uint32_t resource, enum rg_access access)
 {
     struct rg_use *use = &t->uses[t->pass_count][t->use_count];
-    *use = (struct rg_use){ .access = access, .binding = t->use_count };
+    *use = (struct rg_use){ .access = access, .binding = (uint16_t)t->use_count };
     if (resource < IMAGES)
         use->image = &t->images[resource];
     else

@@ -226,7 +226,7 @@ struct rg_range run_random_range(struct run_random_tables *t, uint32_t resource)
     return range;
 }
 
-static bool draw_image_input(struct run_random_tables *t, enum rg_access access, uint32_t binding)
+static bool draw_image_input(struct run_random_tables *t, enum rg_access access, uint16_t binding)
 {
     for (uint32_t tries = 0; tries < 8; tries++) {
         const uint32_t image = run_random_image(t);
@@ -243,7 +243,7 @@ static bool draw_image_input(struct run_random_tables *t, enum rg_access access,
     return false;
 }
 
-static bool draw_buffer_input(struct run_random_tables *t, enum rg_access access, uint32_t binding)
+static bool draw_buffer_input(struct run_random_tables *t, enum rg_access access, uint16_t binding)
 {
     for (uint32_t tries = 0; tries < 8; tries++) {
         const uint32_t buffer = run_random_buffer(t);
@@ -259,7 +259,7 @@ static bool draw_inputs(struct run_random_tables *t, const struct program *progr
 {
     bool drawn = true;
     for (uint32_t i = 0; i < program->sampled && drawn; i++)
-        drawn = draw_image_input(t, RG_SAMPLED, RANDOM_SAMPLED + i);
+        drawn = draw_image_input(t, RG_SAMPLED, (uint16_t)(RANDOM_SAMPLED + i));
     if (program->loaded)
         drawn = drawn && draw_image_input(t, RG_STORAGE_READ, RANDOM_LOADED);
     if (program->read)

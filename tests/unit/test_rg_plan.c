@@ -472,7 +472,7 @@ static void make_many(struct many *m)
     for (size_t i = 0; i < MANY_USES; i++)
         m->last_uses[i] = (struct rg_use){
             TEXTURE(*m->passes[i * (MANY_PASSES / MANY_USES)].color[0].image),
-            .binding = (uint32_t)i,
+            .binding = (uint16_t)i,
         };
     m->passes[MANY_PASSES - 1].uses = m->last_uses;
     /* its reads leave out the pass before it, which ends a chain of its own */
@@ -515,7 +515,7 @@ static void test_one_row_names_many_images(void **state)
     for (uint32_t i = 0; i < COUNT; i++) {
         snprintf(names[i], sizeof(names[i]), "i%u", i);
         images[i] = (struct rg_image)IMAGE(.name = names[i]);
-        uses[i] = (struct rg_use){ &images[i], .access = RG_STORAGE_WRITE, .binding = i };
+        uses[i] = (struct rg_use){ &images[i], .access = RG_STORAGE_WRITE, .binding = (uint16_t)i };
     }
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){
         PASSES(passes),

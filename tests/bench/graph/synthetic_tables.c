@@ -21,7 +21,7 @@ static VkFormat format_of(uint32_t texel_size)
 static struct rg_use *fill_uses(const struct synthetic_tables *tables, struct rg_use *use,
                                 const struct synthetic_pass *pass)
 {
-    uint32_t binding = 0;
+    uint16_t binding = 0;
     for (uint32_t i = 0; i < pass->read_count; i++) {
         *use++ = (struct rg_use){
             .image = &tables->images[pass->reads[i]],
