@@ -49,7 +49,7 @@ static void expect(struct compiler *c)
     uint32_t count = rows < UINT32_MAX / 64 ? (uint32_t)rows + 8 : UINT32_MAX / 64;
     c->pass_room = count;
     c->passes = ARENA_ARRAY(c->arena, struct pass, count);
-    c->access_room = count * 4;
+    c->access_room = count * 4 + 64;
     c->accesses = ARENA_ARRAY(c->arena, struct access, c->access_room);
     c->meanings = rg_arena_alloc(c->arena, RG_TRANSFER + 1, sizeof(*c->meanings));
     rg_resource_expect(c, count * 2);

@@ -11,38 +11,38 @@ enum {
     MAX_ROUNDS = 4 /* then all of every persistent resource counts as wanted */
 };
 
-static void set_cell(struct compiler *c, const struct resource *r, uint32_t cell, bool value)
+static void set_cell(struct resource *r, uint32_t cell, bool value)
 {
     if (r->cell_count == 1)
-        c->wanted[r - c->resources] = value ? WANT_ALL : WANT_NOTHING;
+        r->wanted = value ? WANT_ALL : WANT_NOTHING;
     else
         r->cells[cell].wanted = value;
 }
 
-static bool is_cell_wanted(const struct compiler *c, const struct resource *r, uint32_t cell)
+static bool is_cell_wanted(const struct resource *r, uint32_t cell)
 {
-    return r->cell_count == 1 ? c->wanted[r - c->resources] == WANT_ALL : r->cells[cell].wanted;
+    return r->cell_count == 1 ? r->wanted == WANT_ALL : r->cells[cell].wanted;
 }
 
 static void begin_round(struct compiler *c, uint32_t round)
 {
     uint32_t count = c->persistent_count ? c->resource_count : c->end_count;
     for (uint32_t i = 0; i < count; i++) {
-        const struct resource *r = &c->resources[i];
+        struct resource *r = &c->resources[i];
         bool output = r->output != RG_NONE;
         if (!output && !r->persistent)
             continue;
         for (uint32_t k = 0; k < r->cell_count; k++) {
             struct cell *cell = &r->cells[k];
             cell->wanted_next = r->persistent && (cell->wanted_next || round == MAX_ROUNDS);
-            set_cell(c, r, k, output || cell->wanted_next);
+            set_cell(r, k, output || cell->wanted_next);
         }
     }
 }
 
 static bool is_any_cell_wanted(const struct compiler *c, const struct access *access)
 {
-    const struct resource *r = &c->resources[access->resource];
+    const struct resource *r = access->resource;
     bool any = false;
     for (struct cell_walk w = rg_walk(r, rg_range_of(c, access)); rg_walk_next(&w);)
         any = any || w.cell->wanted;
@@ -51,7 +51,7 @@ static bool is_any_cell_wanted(const struct compiler *c, const struct access *ac
 
 static void mark_cells(const struct compiler *c, const struct access *access, bool value)
 {
-    const struct resource *r = &c->resources[access->resource];
+    const struct resource *r = access->resource;
     for (struct cell_walk w = rg_walk(r, rg_range_of(c, access)); rg_walk_next(&w);)
         w.cell->wanted = value;
 }
@@ -59,14 +59,14 @@ static void mark_cells(const struct compiler *c, const struct access *access, bo
 /* Whether later passes or outputs want any of what this access leaves. */
 static inline bool is_wanted(const struct compiler *c, const struct access *access)
 {
-    enum wanted wanted = c->wanted[access->resource];
+    enum wanted wanted = access->resource->wanted;
     return wanted == WANT_CELLS ? is_any_cell_wanted(c, access) : wanted == WANT_ALL;
 }
 
 static inline void mark(const struct compiler *c, const struct access *access)
 {
     bool value = access->flags & ACCESS_READS_CONTENT;
-    enum wanted *wanted = &c->wanted[access->resource];
+    enum wanted *wanted = &access->resource->wanted;
     if (*wanted == WANT_CELLS)
         mark_cells(c, access, value);
     else
@@ -106,7 +106,7 @@ static bool want_more(const struct compiler *c)
         const struct resource *r = &c->resources[i];
         for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {
             struct cell *cell = &r->cells[k];
-            bool wanted = is_cell_wanted(c, r, k);
+            bool wanted = is_cell_wanted(r, k);
             more = more || (wanted && !cell->wanted_next);
             cell->wanted_next = cell->wanted_next || wanted;
         }
@@ -117,8 +117,8 @@ static bool want_more(const struct compiler *c)
 static void reset(struct compiler *c)
 {
     for (uint32_t i = 0; i < c->resource_count; i++) {
-        const struct resource *r = &c->resources[i];
-        c->wanted[i] = r->cell_count == 1 ? WANT_NOTHING : WANT_CELLS;
+        struct resource *r = &c->resources[i];
+        r->wanted = r->cell_count == 1 ? WANT_NOTHING : WANT_CELLS;
         for (uint32_t k = 0; k < r->cell_count && r->cell_count > 1; k++)
             r->cells[k].wanted = false;
     }

@@ -14,7 +14,7 @@ static struct rg_plan_target plan_target(const struct compiler *c, const struct 
     VkAttachmentStoreOp store =
         a->flags & ACCESS_NEEDED ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
     return (struct rg_plan_target){
-        .image = c->resources[a->resource].plan_image,
+        .image = a->resource->plan_image,
         .mip = rg_range_of(c, a)->baseMipLevel,
         .layer = rg_range_of(c, a)->baseArrayLayer,
         .load = writes ? load_ops[target->load] : VK_ATTACHMENT_LOAD_OP_LOAD,
@@ -27,7 +27,7 @@ static struct rg_plan_target plan_target(const struct compiler *c, const struct 
 static void add_resolve(const struct compiler *c, const struct access *a,
                         struct rg_plan_target *target)
 {
-    target->resolve = c->resources[a->resource].plan_image;
+    target->resolve = a->resource->plan_image;
     target->resolve_mip = rg_range_of(c, a)->baseMipLevel;
     target->resolve_layer = rg_range_of(c, a)->baseArrayLayer;
 }
@@ -77,30 +77,32 @@ static void emit_pass(struct sync *sync, const struct pass *pass, struct rg_plan
     struct compiler *c = sync->c;
     struct rg_plan_pass *out = &sync->passes[index];
     struct rg_plan_use *use = &uses[c->plan->use_count];
-    struct resource *resources = c->resources;
     const struct access *a = &c->accesses[pass->first_access];
-    const struct access **late_end = sync->late;
+    const struct access *late = NULL;
     begin_pass(c, pass, out);
-    for (const struct access *end = a + pass->access_count; a < end; a++) {
-        struct resource *r = &resources[a->resource];
+    const struct access *end = a + pass->access_count;
+    for (; a < end; a++) {
+        struct resource *r = a->resource;
         rg_follow(c, r, a->effect->usage, index);
         if (a->effect->access > RG_RESOLVE)
             emit_use(c, r, a, use++);
         else
             emit_target(c, a, out);
-        if (r->first == index)
-            *late_end++ = a;
-        else
+        if (r->first != index)
             rg_sync_access(sync, r, a, index);
+        else if (!late)
+            late = a;
     }
     out->use_count = (uint32_t)(use - uses) - out->first_use;
     c->plan->use_count += out->use_count;
-    for (const struct access *const *late = sync->late; late < late_end; late++) {
-        struct resource *r = &resources[(*late)->resource];
-        if (r->cell_count == 1 && r->cell.fresh)
-            rg_sync_fresh(sync, r, *late, index);
+    for (; late && late < end; late++) {
+        struct resource *r = late->resource;
+        if (r->first != index)
+            continue;
+        if (r->cell_count == 1 && r->cell.flags & CELL_FRESH)
+            rg_sync_move(sync, r, late, index, true);
         else
-            rg_sync_access(sync, r, *late, index);
+            rg_sync_access(sync, r, late, index);
     }
 }
 

@@ -105,7 +105,7 @@ static bool is_same_range(const VkImageSubresourceRange *a, const VkImageSubreso
 
 static void set_range(struct compiler *c, struct access *a, const VkImageSubresourceRange *range)
 {
-    if (is_same_range(range, &c->resources[a->resource].all) ||
+    if (is_same_range(range, &a->resource->all) ||
         !ARENA_ROOM(c->arena, c->ranges, c->range_count, c->range_room, 64))
         return;
     c->ranges[c->range_count++] = *range;
@@ -125,7 +125,7 @@ static struct effect *new_effect(const struct compiler *c, const struct effect *
 static void add_access(struct expansion *e, struct access *a, const VkImageSubresourceRange *range,
                        const char *unfilled_hint)
 {
-    struct resource *r = &e->c->resources[a->resource];
+    const struct resource *r = a->resource;
     VkImageAspectFlags aspects = range->aspectMask;
     unsigned found = 0;
     if (r->image && !in_range(r, range)) {
@@ -195,13 +195,12 @@ static void add_resolve(struct expansion *e, const struct rg_target *target)
 {
     const struct effect effect = rg_effect(RG_RESOLVE, false, rg_access_table[RG_RESOLVE].stages);
     const struct effect *kept = new_effect(e->c, &effect);
-    uint32_t index = rg_resource_of(e->c, target->resolve, NULL);
+    struct resource *r = rg_resource_of(e->c, target->resolve, NULL);
     struct access *a = next_access(e->c);
-    if (index == RG_NONE || !a || !kept)
+    if (!r || !a || !kept)
         return;
-    const struct resource *r = &e->c->resources[index];
     *a = (struct access){
-        .resource = index,
+        .resource = r,
         .effect = kept,
         .declared = target,
         .flags =
@@ -230,18 +229,17 @@ static void add_target(struct expansion *e, const struct rg_target *target)
     bool reads = keeps || target->blend || kind != RG_COLOR;
     const struct effect effect = rg_effect(kind, reads, info->stages);
     const struct effect *kept = new_effect(e->c, &effect);
-    uint32_t index = rg_resource_of(e->c, target->image, NULL);
+    struct resource *r = rg_resource_of(e->c, target->image, NULL);
     struct access *a = next_access(e->c);
-    if (index == RG_NONE || !a || !kept)
+    if (!r || !a || !kept)
         return;
-    const struct resource *r = &e->c->resources[index];
     unsigned flags = rg->when ? ACCESS_CONDITIONAL : 0;
     if (keeps || kind == RG_DEPTH_READ)
         flags |= ACCESS_READS_CONTENT;
     if (info->writes_content)
         flags |= ACCESS_WRITES_CONTENT | (keeps || rg->when ? 0 : ACCESS_OVERWRITES);
     *a = (struct access){
-        .resource = index,
+        .resource = r,
         .effect = kept,
         .declared = target,
         .flags = flags,
@@ -281,19 +279,23 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
     return out;
 }
 
-/* Whether a use says nothing beyond its image or buffer, access, binding and sampler. */
+enum {
+    BINDINGS = 64 /* of expansion.bindings */
+};
+
+/* Whether a use says nothing beyond its image, access, binding and sampler. */
 static bool is_plain(const struct rg_use *use)
 {
     const struct rg_range *range = &use->range;
     return !(range->aspect | range->mip | range->mip_count | range->layer | range->layer_count |
-             range->each | use->stages | use->partial);
+             range->each | use->stages | use->partial | (uintptr_t)use->buffer);
 }
 
 /* An access that begins as what it means by itself. */
 static void refine_use(struct expansion *e, const struct rg_use *use, struct access *a)
 {
     static const VkImageSubresourceRange none = { 0 };
-    const struct resource *r = &e->c->resources[a->resource];
+    const struct resource *r = a->resource;
     const VkImageSubresourceRange range = r->image ? use_range(r, &use->range, e->pass) : none;
     if (use->stages && !rg_access_table[use->access].stages) {
         struct effect *effect = new_effect(e->c, a->effect);
@@ -312,7 +314,7 @@ static void refine_use(struct expansion *e, const struct rg_use *use, struct acc
 }
 
 /* Returns false if rg_check_uses() has to look at it. */
-static bool add_use(struct expansion *e, const struct rg_use *use)
+__attribute__((noinline)) static bool add_use(struct expansion *e, const struct rg_use *use)
 {
     struct compiler *c = e->c;
     if (!rg_is_good_use(use))
@@ -325,12 +327,12 @@ static bool add_use(struct expansion *e, const struct rg_use *use)
         e->bindings |= binding;
     }
     e->flags |= m->flags;
-    uint32_t index = rg_resource_of(c, use->image, use->buffer);
+    struct resource *r = rg_resource_of(c, use->image, use->buffer);
     struct access *a = next_access(c);
-    if (index == RG_NONE || !a)
+    if (!r || !a)
         return fine;
     *a = (struct access){
-        .resource = index,
+        .resource = r,
         .effect = use->image ? &m->on_image : &m->on_buffer,
         .declared = use,
         .flags = m->flags,
@@ -349,12 +351,13 @@ static void learn_shader_accesses(struct compiler *c, enum rg_kind kind)
  * Adds uses while nothing can be wrong with them, which is nearly always: shaders read or write all
  * of an image of one cell, each at its own binding. Returns the first other one, or the end.
  */
-static const struct rg_use *add_plain_uses(struct expansion *e, const struct rg_pass *rg,
-                                           const struct rg_use *use)
+__attribute__((always_inline)) static inline const struct rg_use *
+add_plain_uses(struct expansion *e, enum rg_kind kind, const struct rg_use *use)
 {
     struct compiler *c = e->c;
-    const enum rg_kind kind = rg_kind_of(rg);
     const struct meaning *meanings = c->meanings[kind];
+    if (!ARENA_ROOM(c->arena, c->accesses, c->access_count + BINDINGS, c->access_room, 256))
+        return use;
     if (!c->known_shader[kind])
         learn_shader_accesses(c, kind);
     const uint32_t known = c->known_shader[kind];
@@ -362,28 +365,29 @@ static const struct rg_use *add_plain_uses(struct expansion *e, const struct rg_
     uint32_t count = c->access_count;
     uint64_t bindings = e->bindings;
     unsigned flags = e->flags;
-    for (; use->image && !use->buffer && count < c->access_room; use++) {
-        if ((unsigned)use->access > 31 || !(known >> use->access & 1) || use->binding > 63 ||
-            (bindings >> use->binding & 1) || !is_plain(use))
+    for (; use->image; use++) {
+        uint64_t binding = UINT64_C(1) << use->binding % BINDINGS;
+        if ((unsigned)use->access > 31 || !(known >> use->access & 1) || use->binding >= BINDINGS ||
+            (bindings & binding) || !is_plain(use))
             break;
-        uint32_t index = rg_resource_of(c, use->image, NULL);
-        if (index == RG_NONE)
+        c->access_count = count; /* these move with the resources */
+        struct resource *r = rg_resource_of(c, use->image, NULL);
+        if (!r)
             break;
         const struct meaning *m = &meanings[use->access];
-        struct resource *r = &c->resources[index];
         bool unfilled = m->flags & ACCESS_READS_CONTENT && r->cell.filled != CELL_FILLED;
         if (!r->plain || r->cell.last_access > first || unfilled)
             break;
         struct access *a = &c->accesses[count++];
-        a->resource = index;
-        a->range = 0;
+        a->resource = r;
         a->effect = &m->on_image;
         a->declared = use;
+        a->range = 0;
         a->flags = m->flags;
         r->cell.last_access = count;
         if (m->flags & ACCESS_WRITES_CONTENT)
             r->cell.filled = CELL_FILLED;
-        bindings |= UINT64_C(1) << use->binding;
+        bindings |= binding;
         flags |= m->flags;
     }
     c->access_count = count;
@@ -392,27 +396,25 @@ static const struct rg_use *add_plain_uses(struct expansion *e, const struct rg_
     return use;
 }
 
-/* ---- rows ---- */
-
 /* Returns false if rg_check_uses() has to look at them. */
-static bool add_uses(struct expansion *e)
+__attribute__((noinline)) static bool add_uses(struct expansion *e, const struct rg_use *use)
 {
     const struct rg_pass *rg = e->pass->rg;
     bool fine = true;
-    e->bindings = 0;
-    e->flags = rg_draws(rg) ? ACCESS_WRITES_CONTENT : 0;
-    for (const struct rg_use *use = rg->uses; use; use++) {
+    for (; use; use++) {
         if (!rg->when)
-            use = add_plain_uses(e, rg, use);
+            use = add_plain_uses(e, rg_kind_of(rg), use);
         if (!rg_is_use(use))
             break;
         fine = add_use(e, use) && fine;
     }
-    return fine && (e->flags & ACCESS_WRITES_CONTENT);
+    return fine;
 }
 
-/* The same. */
-static bool add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t repetition)
+/* ---- rows ---- */
+
+/* False: memory is short. */
+static inline bool begin_pass(struct expansion *e, const struct rg_pass *rg, uint32_t repetition)
 {
     struct compiler *c = e->c;
     if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, 64))
@@ -425,18 +427,45 @@ static bool add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t rep
     pass->extent = c->params->view;
     pass->first_access = c->access_count;
     e->pass = pass;
+    e->bindings = 0;
+    e->flags = 0;
+    return true;
+}
+
+static inline void end_pass(struct expansion *e)
+{
+    struct compiler *c = e->c;
+    e->pass->access_count = c->access_count - e->pass->first_access;
+    c->pass_count++;
+}
+
+/* Of a row as most are: it computes, once in every frame. Returns false if rg_check_uses() has to
+ * look at it. */
+static inline bool add_simple_pass(struct expansion *e, const struct rg_pass *rg)
+{
+    if (!begin_pass(e, rg, 0))
+        return false;
+    const struct rg_use *use = add_plain_uses(e, RG_COMPUTE, rg->uses);
+    bool fine = !rg_is_use(use) || add_uses(e, use);
+    end_pass(e);
+    return fine && (e->flags & ACCESS_WRITES_CONTENT);
+}
+
+/* The same of any row. */
+static bool add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t repetition)
+{
+    if (!begin_pass(e, rg, repetition))
+        return false;
     e->target_samples = 0;
     uint32_t color_count = rg_color_count(rg);
     for (uint32_t i = 0; i < color_count; i++)
         add_target(e, &rg->color[i]);
     if (rg->depth.image)
         add_target(e, &rg->depth);
-    bool fine = add_uses(e);
-    pass->access_count = c->access_count - pass->first_access;
-    if (c->most_accesses < pass->access_count)
-        c->most_accesses = pass->access_count;
-    c->pass_count++;
-    return fine;
+    e->flags = rg_draws(rg) ? ACCESS_WRITES_CONTENT : 0;
+    bool fine = add_uses(e, rg->uses);
+    end_pass(e);
+    return fine && (e->flags & ACCESS_WRITES_CONTENT);
 }
 
 /* The layers or mips of a row's first image written, from the first one named; at least 1, so that
@@ -454,19 +483,18 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
             layer = use->range.layer;
         }
     }
-    uint32_t index = image ? rg_resource_of(c, image, NULL) : RG_NONE;
-    if (index == RG_NONE)
+    const struct resource *r = image ? rg_resource_of(c, image, NULL) : NULL;
+    if (!r)
         return 0;
-    const struct resource *r = &c->resources[index];
     if (pass->repeat == RG_PER_LAYER)
         return r->all.layerCount > layer ? r->all.layerCount - layer : 1;
     return r->all.levelCount > mip ? r->all.levelCount - mip : 1;
 }
 
-/* Returns false if rg_check_uses() has to look at it. */
-static bool repeat_row(struct expansion *e, const struct rg_pass *rg)
+/* The same. */
+__attribute__((noinline)) static bool add_passes(struct expansion *e, const struct rg_pass *rg)
 {
-    uint32_t count = repetition_count(e->c, rg);
+    uint32_t count = rg->repeat == RG_ONCE ? 1 : repetition_count(e->c, rg);
     bool fine = count;
     if (!count)
         rg_fault_add(e->c, RG_ERROR_REPEAT, e->place,
@@ -486,11 +514,12 @@ static void expand_row(struct expansion *e, const struct rg_pass *rg)
     else if (!rg_name_add_quickly(c, NAME_PASS, rg->name) &&
              !rg_name_is_new(c, NAME_PASS, rg->name))
         rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, e->place, RG_HINT_NAME);
-    if (!rg_is_fine_row(rg))
+    bool simple = rg_is_fine_row(rg);
+    if (!simple)
         rg_check_row(c, rg, &e->place);
     uint32_t first_fault = c->fault_count;
-    bool fine = rg->repeat == RG_ONCE ? add_pass(e, rg, 0) : repeat_row(e, rg);
-    if (fine)
+    simple = simple && rg->repeat == RG_ONCE && !rg->when && rg->uses;
+    if (simple ? add_simple_pass(e, rg) : add_passes(e, rg))
         return;
     uint32_t later_fault = c->fault_count;
     rg_check_uses(c, rg, &e->place);

@@ -20,23 +20,35 @@ enum {
     CELL_FILLED_BY, /* plus the index of a conditional pass */
 };
 
+enum {
+    CELL_CERTAIN = 1 << 0, /* the last write is of this frame, and of every frame */
+    CELL_AWAITED = 1 << 1, /* a read of every frame has waited for it */
+    CELL_FRESH = 1 << 2,   /* shared memory that this frame has not used: who had it is not known */
+    CELL_CHANGED = 1 << 3, /* content or layout, by this frame */
+};
+
 /* In an order that lets neighbours be written together (rg_state_write()). */
 struct cell {
-    VkPipelineStageFlags2 write_stages;  /* of the last write, or that it was chained on to */
-    VkAccessFlags2 write_access;         /* of it, while not yet available */
-    VkPipelineStageFlags2 read_stages;   /* since then */
-    uint32_t visible;                    /* to whom the write was made visible (rg_visibility) */
-    uint32_t first_barrier, barrier_end; /* of the access that made the write visible first */
-    bool awaited;                        /* a read of every frame has waited for it */
-    bool fresh;   /* shared memory that this frame has not used yet: who had it is not known */
-    bool changed; /* content or layout, by this frame */
-    bool certain; /* the last write is of this frame, and of every frame */
+    VkPipelineStageFlags2 write_stages; /* of the last write, or that it was chained on to */
+    VkAccessFlags2 write_access;        /* of it, while not yet available */
+    VkPipelineStageFlags2 read_stages;  /* since then */
+    uint32_t visible;                   /* to whom the write was made visible (rg_visibility) */
+    uint32_t barrier_end;               /* of the access that made the write visible first, or 0 */
     VkImageLayout layout;
+    uint32_t flags;
     uint32_t written, touched; /* the first pass after the last write, and after the last access */
+    uint32_t first_barrier;    /* as barrier_end */
     uint32_t last_access;      /* one more than the index of the latest one found */
     uint32_t filled;
     bool wanted;      /* by later passes or outputs, while culling; of one of several */
     bool wanted_next; /* of a persistent resource: by the next frame */
+};
+
+/* What later passes or outputs want of a resource, while culling. */
+enum wanted {
+    WANT_NOTHING,
+    WANT_ALL,
+    WANT_CELLS, /* it has several, and each says it */
 };
 
 #define RG_SIZE_OVERFLOW UINT64_MAX
@@ -50,6 +62,7 @@ struct resource {
     bool persistent;
     bool shared; /* transient, in a block */
     bool plain;  /* one cell, and nothing but its access can be wrong with a use of all of it */
+    enum wanted wanted;
     VkImageSubresourceRange all; /* of an image */
     VkExtent2D extent;
     const struct rg_format_info *format; /* NULL: unknown, or a buffer */
@@ -87,10 +100,10 @@ struct effect {
 };
 
 struct access {
-    uint32_t resource;
-    uint32_t range; /* one more than its index in compiler.ranges; 0: all (rg_range_of) */
+    struct resource *resource;
     const struct effect *effect;
     const void *declared; /* const struct rg_use or rg_target */
+    uint32_t range;       /* one more than its index in compiler.ranges; 0: all (rg_range_of) */
     uint32_t flags;
 };
 
@@ -109,10 +122,10 @@ struct place {
     const char *resource;
 };
 
-/* Open addressing; 0 is an empty slot. */
+/* Open addressing; NULL is an empty slot. */
 struct resource_map {
-    uint32_t *slots; /* one more than a resource's index */
-    uint32_t mask;   /* one less than how many, half of which stay empty */
+    struct resource **slots;
+    uint32_t mask; /* one less than how many, half of which stay empty */
 };
 
 struct name {
@@ -120,7 +133,7 @@ struct name {
     uint32_t hash; /* of the text and its kind */
 };
 
-/* The same. */
+/* The same; 0 is an empty slot. */
 struct name_map {
     uint32_t *slots; /* one more than a name's index */
     uint32_t mask;
@@ -156,19 +169,6 @@ struct former {
     uint32_t end;          /* the first pass of this frame after them; 0: none in this one */
 };
 
-/* A barrier that waits for whoever had the memory before. */
-struct takeover {
-    uint32_t barrier;
-    uint32_t item; /* as numbered when the barrier was made */
-};
-
-/* What later passes or outputs want of a resource, while culling. */
-enum wanted {
-    WANT_NOTHING,
-    WANT_ALL,
-    WANT_CELLS, /* it has several, and each says it */
-};
-
 struct compiler {
     const struct rg_compile_params *params;
     struct rg_plan *plan;
@@ -176,8 +176,7 @@ struct compiler {
     uint32_t max_image_size, max_layers; /* the device's, or Vulkan's where it has no limit */
     struct resource *resources;
     uint32_t resource_count, resource_room;
-    enum wanted *wanted; /* of each; apart, since the walk goes back and forth among them */
-    uint32_t end_count;  /* of the first resources: imports and outputs are among them */
+    uint32_t end_count; /* of the first resources: imports and outputs are among them */
     uint32_t persistent_count;
     struct resource_map map;
     struct name_map names;
@@ -188,7 +187,6 @@ struct compiler {
     VkImageSubresourceRange *ranges; /* of accesses to some cells of several */
     uint32_t range_count, range_room;
     uint32_t alive_access_count;
-    uint32_t most_accesses;         /* of one pass */
     struct rg_plan_image *images;   /* the plan's, still to be written */
     struct rg_plan_buffer *buffers; /* the same */
     struct pack_item *items;
@@ -235,28 +233,29 @@ void rg_resource_expect(struct compiler *c, uint32_t count);
 /* The import and output lists; faults of them. */
 void rg_add_ends(struct compiler *c);
 
-/* Adds a resource, which is checked and sized; RG_NONE: memory is short. `slot` is its own. */
-uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
-                         const struct rg_buffer *buffer, uint32_t *slot);
+/* Adds a resource, which is checked and sized, and may move the others; NULL: memory is short.
+ * `slot` is its own. */
+struct resource *rg_resource_add(struct compiler *c, const struct rg_image *image,
+                                 const struct rg_buffer *buffer, struct resource **slot);
 
 /* Where in the map a resource is, or would be. Neighbours in the tables are neighbours in the map,
  * and soon in the cache; higher bits are added for those that lie a power of two apart. */
-static inline uint32_t *rg_resource_slot(const struct compiler *c, const void *address)
+static inline struct resource **rg_resource_slot(const struct compiler *c, const void *address)
 {
-    uint64_t at = (uint64_t)(uintptr_t)address;
-    uint32_t i = (uint32_t)((at >> 4) + (at >> 13) + (at >> 21)) & c->map.mask;
-    while (c->map.slots[i] && c->resources[c->map.slots[i] - 1].address != address)
+    uintptr_t at = (uintptr_t)address;
+    uint32_t i = (uint32_t)((at + (at >> 9)) >> 4) & c->map.mask;
+    while (c->map.slots[i] && c->map.slots[i]->address != address)
         i = (i + 1) & c->map.mask;
     return &c->map.slots[i];
 }
 
-/* Index of the resource, which is added when it is new. Not to be kept across calls as a pointer.
- * RG_NONE: memory is short. */
-static inline uint32_t rg_resource_of(struct compiler *c, const struct rg_image *image,
-                                      const struct rg_buffer *buffer)
+/* The resource, which is added when it is new. */
+static inline struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
+                                              const struct rg_buffer *buffer)
 {
-    uint32_t *slot = rg_resource_slot(c, image ? (const void *)image : (const void *)buffer);
-    return *slot ? *slot - 1 : rg_resource_add(c, image, buffer, slot);
+    const void *address = image ? (const void *)image : (const void *)buffer;
+    struct resource **slot = rg_resource_slot(c, address);
+    return *slot ? *slot : rg_resource_add(c, image, buffer, slot);
 }
 
 const char *rg_resource_name(const struct resource *r); /* "?" if it has none */
@@ -280,7 +279,7 @@ static inline bool rg_is_good_use(const struct rg_use *use)
 static inline const VkImageSubresourceRange *rg_range_of(const struct compiler *c,
                                                          const struct access *a)
 {
-    return a->range ? &c->ranges[a->range - 1] : &c->resources[a->resource].all;
+    return a->range ? &c->ranges[a->range - 1] : &a->resource->all;
 }
 
 /* for (struct cell_walk w = rg_walk(r, range); rg_walk_next(&w);) */
@@ -450,10 +449,7 @@ struct sync {
     uint32_t barrier_count, barrier_room;
     uint32_t batch_first;    /* barrier of the newest batch */
     uint32_t batch_position; /* the pass it lies before; RG_NONE: there is none yet */
-    struct takeover *takeovers;
-    uint32_t takeover_count, takeover_room;
-    const struct access **late; /* a pass's first uses of resources */
-    bool changes_early;         /* memory changes hands in the batch, which may be an earlier one */
+    bool changes_early;      /* memory changes hands in the batch, which may be an earlier one */
 };
 
 void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes);
@@ -472,8 +468,7 @@ void rg_state_begin(struct compiler *c);
 /* ---- rg_end.c: what is done to a whole resource outside the frame ---- */
 
 /* `effect` is for what it does. */
-struct access rg_end_access(const struct compiler *c, uint32_t resource, enum rg_access access,
-                            struct effect *effect);
+struct access rg_end_access(struct resource *r, enum rg_access access, struct effect *effect);
 
 static inline VkFlags rg_usage(const struct resource *r, enum rg_access access)
 {

@@ -24,7 +24,7 @@ VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
 static void check_format(struct compiler *c, const struct pass *pass, const struct access *access)
 {
     const struct rg_device *device = c->params->device;
-    const struct resource *r = &c->resources[access->resource];
+    const struct resource *r = access->resource;
     enum rg_access kind = access->effect->access;
     VkFormatFeatureFlags wanted = rg_access_table[kind].format_features;
     if (kind == RG_SAMPLED) {
@@ -57,7 +57,7 @@ void rg_check_formats(struct compiler *c)
             c->row_first_fault = c->fault_count;
         for (uint32_t i = 0; i < pass->access_count; i++) {
             const struct access *a = &c->accesses[pass->first_access + i];
-            if (c->resources[a->resource].image)
+            if (a->resource->image)
                 check_format(c, pass, a);
         }
     }
@@ -70,7 +70,7 @@ void rg_follow_passes(struct compiler *c)
         const struct pass *pass = &c->passes[p];
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
             const struct access *a = &c->accesses[pass->first_access + i];
-            rg_follow(c, &c->resources[a->resource], a->effect->usage, index);
+            rg_follow(c, a->resource, a->effect->usage, index);
         }
         index += pass->alive;
     }
@@ -80,7 +80,7 @@ void rg_follow_outputs(struct compiler *c)
 {
     for (size_t i = 0; i < c->params->output_count; i++) {
         const struct rg_output *output = &c->params->outputs[i];
-        struct resource *r = &c->resources[rg_resource_of(c, output->image, output->buffer)];
+        struct resource *r = rg_resource_of(c, output->image, output->buffer);
         rg_follow(c, r, rg_usage(r, output->access), c->plan->pass_count);
     }
 }

@@ -103,8 +103,9 @@ void rg_place(struct compiler *c)
 /* What its last users do, and what of it is not yet available when the frame is over. */
 static inline void add_left(struct former *left, const struct cell *s)
 {
-    left->stages |= s->read_stages | (s->awaited ? VK_PIPELINE_STAGE_2_NONE : s->write_stages);
-    left->writes |= s->awaited ? VK_ACCESS_2_NONE : s->write_access;
+    bool awaited = s->flags & CELL_AWAITED;
+    left->stages |= s->read_stages | (awaited ? VK_PIPELINE_STAGE_2_NONE : s->write_stages);
+    left->writes |= awaited ? VK_ACCESS_2_NONE : s->write_access;
 }
 
 static inline void find_left(struct former *left, const struct resource *r)

@@ -100,12 +100,12 @@ static bool make_map(struct compiler *c)
     uint32_t mask = 63;
     while (mask / 2 <= c->resource_room)
         mask = mask * 2 + 1;
-    uint32_t *slots = ARENA_ZEROED(c->arena, uint32_t, (size_t)mask + 1);
+    struct resource **slots = ARENA_ZEROED(c->arena, struct resource *, (size_t)mask + 1);
     if (!slots)
         return false;
     c->map = (struct resource_map){ slots, mask };
     for (uint32_t i = 0; i < c->resource_count; i++)
-        *rg_resource_slot(c, c->resources[i].address) = i + 1;
+        *rg_resource_slot(c, c->resources[i].address) = &c->resources[i];
     return true;
 }
 
@@ -113,17 +113,17 @@ void rg_resource_expect(struct compiler *c, uint32_t count)
 {
     c->resource_room = count;
     c->resources = ARENA_ARRAY(c->arena, struct resource, count);
-    c->wanted = ARENA_ARRAY(c->arena, enum wanted, count);
     make_map(c);
 }
 
 /* Room for more; single cells lie in the array. */
 static bool grow_resources(struct compiler *c)
 {
-    uint32_t room = c->resource_room;
-    if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room, 64) ||
-        !ARENA_ROOM(c->arena, c->wanted, c->resource_count, room, 64))
+    const struct resource *before = c->resources;
+    if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room, 64))
         return false;
+    for (uint32_t i = 0; i < c->access_count; i++)
+        c->accesses[i].resource = &c->resources[c->accesses[i].resource - before];
     for (uint32_t i = 0; i < c->resource_count; i++) {
         struct resource *r = &c->resources[i];
         r->cells = r->cell_count == 1 ? &r->cell : r->cells;
@@ -148,6 +148,7 @@ static inline void begin_resource(struct resource *r)
     r->cells = &r->cell;
     r->cell_count = 1;
     r->persistent = r->shared = r->plain = false;
+    r->wanted = WANT_NOTHING;
     r->size = 0;
     r->import = r->output = r->first = r->last = RG_NONE;
     r->usage = 0;
@@ -155,12 +156,12 @@ static inline void begin_resource(struct resource *r)
     r->cell = (struct cell){ 0 };
 }
 
-/* As most are: a transient image of one cell. Returns false, and nothing is done, if it is another
- * one, or there may be something to be said of it. */
-static inline bool add_simple(struct compiler *c, const struct rg_image *image)
+/* As most are: a transient image of one cell. NULL, and nothing is done, if it is another one,
+ * or there may be something to be said of it, or no room. */
+static inline struct resource *add_simple(struct compiler *c, const struct rg_image *image)
 {
-    if ((size_t)image->format >= RG_FORMAT_COUNT)
-        return false;
+    if ((size_t)image->format >= RG_FORMAT_COUNT || c->resource_count == c->resource_room)
+        return NULL;
     const struct rg_format_info *format = &rg_format_table[image->format]; /* or of no aspects */
     const VkExtent2D view = c->params->view;
     const VkExtent2D extent = {
@@ -172,17 +173,17 @@ static inline bool add_simple(struct compiler *c, const struct rg_image *image)
         (image->layers | image->mips | image->samples | image->cube | image->persistent) ||
         extent.width > c->max_image_size || extent.height > c->max_image_size ||
         !rg_name_add_quickly(c, NAME_RESOURCE, image->name))
-        return false;
-    struct resource *r = &c->resources[c->resource_count];
+        return NULL;
+    struct resource *r = &c->resources[c->resource_count++];
     begin_resource(r);
     r->address = r->image = image;
     r->buffer = NULL;
     r->format = format;
     r->extent = extent;
     r->all = (VkImageSubresourceRange){ format->aspects, 0, 1, 0, 1 };
-    r->shared = r->plain = r->cell.fresh = true;
-    c->wanted[c->resource_count] = WANT_NOTHING;
-    return true;
+    r->shared = r->plain = true;
+    r->cell.flags = CELL_FRESH;
+    return r;
 }
 
 /* Any. False: memory is short. */
@@ -210,39 +211,40 @@ static bool add_any(struct compiler *c, const struct rg_image *image,
     rg_check_resource(c, r);
     /* as a frame finds it, unless it is imported, persistent or takes over memory (rg_state.c) */
     r->cell.filled = arrives_filled(c, r) ? CELL_FILLED : CELL_EMPTY;
-    r->cell.fresh = r->shared;
+    r->cell.flags = r->shared ? CELL_FRESH : 0;
     if (r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD)
         r->cell.visible = RG_VISIBLE_TO_ALL; /* a submit shows all of it to all */
     c->persistent_count += r->persistent;
     uint64_t cells = count_cells(r);
     r->cell_count = (uint32_t)cells;
     r->plain = cells == 1 && image && image->samples <= 1;
-    c->wanted[c->resource_count] = cells == 1 ? WANT_NOTHING : WANT_CELLS;
+    r->wanted = cells == 1 ? WANT_NOTHING : WANT_CELLS;
     return cells == 1 || add_cells(c, r, cells);
 }
 
 /* The same; makes room first. */
-__attribute__((noinline)) static uint32_t add_slowly(struct compiler *c,
-                                                     const struct rg_image *image,
-                                                     const struct rg_buffer *buffer,
-                                                     const struct rg_import *import)
+__attribute__((noinline)) static struct resource *add_slowly(struct compiler *c,
+                                                             const struct rg_image *image,
+                                                             const struct rg_buffer *buffer,
+                                                             const struct rg_import *import)
 {
     if (c->resource_count == c->resource_room && !grow_resources(c))
-        return RG_NONE;
+        return NULL;
     if (!add_any(c, image, buffer, import))
-        return RG_NONE;
-    *rg_resource_slot(c, image ? (const void *)image : (const void *)buffer) =
-        c->resource_count + 1;
-    return c->resource_count++;
+        return NULL;
+    struct resource *r = &c->resources[c->resource_count++];
+    *rg_resource_slot(c, r->address) = r;
+    return r;
 }
 
-uint32_t rg_resource_add(struct compiler *c, const struct rg_image *image,
-                         const struct rg_buffer *buffer, uint32_t *slot)
+struct resource *rg_resource_add(struct compiler *c, const struct rg_image *image,
+                                 const struct rg_buffer *buffer, struct resource **slot)
 {
-    if (!image || c->resource_count == c->resource_room || !add_simple(c, image))
+    struct resource *r = image ? add_simple(c, image) : NULL;
+    if (!r)
         return add_slowly(c, image, buffer, NULL);
-    *slot = ++c->resource_count;
-    return *slot - 1;
+    *slot = r;
+    return r;
 }
 
 /* ---- imports and outputs ---- */
@@ -254,32 +256,29 @@ void rg_add_ends(struct compiler *c)
         const struct rg_import *import = &params->imports[i];
         if (!import->image == !import->buffer)
             continue;
-        uint32_t *slot = rg_resource_slot(c, import->image ? (const void *)import->image
-                                                           : (const void *)import->buffer);
-        uint32_t index = *slot - 1;
-        if (!*slot)
+        const struct resource *r = *rg_resource_slot(
+            c, import->image ? (const void *)import->image : (const void *)import->buffer);
+        if (!r)
             add_slowly(c, import->image, import->buffer, import);
         else
             rg_fault_add(c, RG_ERROR_LISTED_TWICE,
-                         (struct place){ .row = RG_NONE,
-                                         .resource = rg_resource_name(&c->resources[index]) },
+                         (struct place){ .row = RG_NONE, .resource = rg_resource_name(r) },
                          "list an import once");
     }
     for (size_t i = 0; i < params->output_count; i++) {
         const struct rg_output *output = &params->outputs[i];
         if (!output->image == !output->buffer)
             continue;
-        uint32_t index = rg_resource_of(c, output->image, output->buffer);
-        if (index == RG_NONE)
+        struct resource *r = rg_resource_of(c, output->image, output->buffer);
+        if (!r)
             return;
-        if (c->resources[index].output != RG_NONE)
+        if (r->output != RG_NONE)
             rg_fault_add(c, RG_ERROR_LISTED_TWICE,
-                         (struct place){ .row = RG_NONE,
-                                         .resource = rg_resource_name(&c->resources[index]) },
+                         (struct place){ .row = RG_NONE, .resource = rg_resource_name(r) },
                          "list an output once");
         else
-            c->resources[index].output = (uint32_t)i;
-        rg_check_output_memory(c, &c->resources[index]);
+            r->output = (uint32_t)i;
+        rg_check_output_memory(c, r);
     }
     c->end_count = c->resource_count;
 }

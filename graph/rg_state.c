@@ -30,7 +30,7 @@ static struct cell import_state(const struct compiler *c, const struct resource 
     if (info->writes_content || access == RG_ACCESS_NONE)
         return s;
     s.read_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    s.awaited = true;
+    s.flags = CELL_AWAITED;
     s.visible = rg_visibility(access, RG_ANY_SHADER);
     return s;
 }
@@ -53,16 +53,16 @@ static void rehearse(struct compiler *c)
         const struct pass *pass = &c->passes[p];
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
             const struct access *a = &c->accesses[pass->first_access + i];
-            if (c->resources[a->resource].persistent)
-                rehearse_access(&c->resources[a->resource], a, rg_range_of(c, a));
+            if (a->resource->persistent)
+                rehearse_access(a->resource, a, rg_range_of(c, a));
         }
     }
     for (uint32_t i = 0; i < c->resource_count; i++) {
-        const struct resource *r = &c->resources[i];
+        struct resource *r = &c->resources[i];
         if (!r->persistent || r->output == RG_NONE)
             continue;
         struct effect effect;
-        const struct access a = rg_end_access(c, i, c->params->outputs[r->output].access, &effect);
+        const struct access a = rg_end_access(r, c->params->outputs[r->output].access, &effect);
         rehearse_access(r, &a, &r->all);
     }
 }
@@ -70,8 +70,8 @@ static void rehearse(struct compiler *c)
 static void keep_state(struct cell *s)
 {
     s->written = s->touched = 0;
-    s->first_barrier = s->barrier_end = 0;
-    s->changed = s->certain = false;
+    s->barrier_end = 0;
+    s->flags &= ~(uint32_t)(CELL_CHANGED | CELL_CERTAIN);
 }
 
 /* Of shared memory, when those who had it before are known. */

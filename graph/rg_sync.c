@@ -53,15 +53,11 @@ static bool join_ranges(VkImageSubresourceRange *a, const VkImageSubresourceRang
 /* Makes one of the newest barrier and that of index `before`, of the same batch, if it can. */
 static bool join(struct sync *sync, uint32_t before)
 {
-    uint32_t newest = sync->barrier_count - 1;
     struct rg_barrier *a = &sync->barriers[before];
-    const struct rg_barrier *b = &sync->barriers[newest];
+    const struct rg_barrier *b = &sync->barriers[sync->barrier_count - 1];
     if (before < sync->batch_first || !same_words(a, b) || !join_ranges(&a->range, &b->range))
         return false;
     sync->barrier_count--;
-    uint32_t *takeovers = &sync->takeover_count;
-    if (*takeovers && sync->takeovers[*takeovers - 1].barrier == newest)
-        (*takeovers)--;
     return true;
 }
 
@@ -106,7 +102,7 @@ void rg_sync_whole(struct sync *sync, struct resource *r, const struct access *a
         b->range = r->all;
         added = !rg_state_may_widen(cell, a) || !rg_sync_widen(sync, cell, a, b);
         if (added)
-            rg_sync_put(sync, r, cell->fresh, release, pass);
+            rg_sync_put(sync, b, r, cell->flags & CELL_FRESH, release, pass);
     }
     rg_state_apply(cell, a, pass, needed);
     if (added && !(a->flags & ACCESS_WRITES_CONTENT)) {
@@ -132,11 +128,11 @@ static VkImageSubresourceRange cell_range(const struct resource *r, const struct
 }
 
 /* Adds the barrier of one cell to those from `start` on, or to the resource's last one. */
-static void put_cell(struct sync *sync, struct resource *r, const struct cell_walk *w,
-                     uint32_t release, uint32_t pass)
+static void put_cell(struct sync *sync, struct rg_barrier *b, struct resource *r,
+                     const struct cell_walk *w, uint32_t release, uint32_t pass)
 {
     uint32_t before = r->last_barrier;
-    rg_sync_put(sync, r, w->cell->fresh, release, pass);
+    rg_sync_put(sync, b, r, w->cell->flags & CELL_FRESH, release, pass);
     if (before != RG_NONE && r->image && join(sync, before))
         r->last_barrier = before;
 }
@@ -152,7 +148,7 @@ static void join_rows(struct sync *sync, struct resource *r, uint32_t start)
 static bool has_to_go_back(const struct cell *s, const struct access *arrival)
 {
     if (!(arrival->flags & ACCESS_WRITES_CONTENT))
-        return s->changed;
+        return s->flags & CELL_CHANGED;
     const struct effect *e = arrival->effect;
     return s->layout != e->layout || s->write_stages != e->stages || s->write_access != e->writes ||
            s->read_stages;
@@ -173,7 +169,7 @@ static bool sync_cell(struct sync *sync, struct resource *r, const struct cell_w
         b->range = cell_range(r, w);
         added = !rg_state_may_widen(w->cell, a) || !rg_sync_widen(sync, w->cell, a, b);
         if (added)
-            put_cell(sync, r, w, release, pass);
+            put_cell(sync, b, r, w, release, pass);
     }
     rg_state_apply(w->cell, a, pass, needed);
     return added;
@@ -219,19 +215,15 @@ void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes)
     sync->passes = passes;
     sync->batch_position = RG_NONE;
     sync->changes_early = c->params->sharing == RG_SHARE_FEWEST_BATCHES;
-    sync->late = ARENA_ARRAY(c->arena, const struct access *, c->most_accesses);
-    sync->takeover_room = c->resource_count;
-    sync->takeovers = ARENA_ARRAY(c->arena, struct takeover, sync->takeover_room);
     sync->barrier_room = c->alive_access_count;
     sync->barriers = ARENA_ARRAY(c->arena, struct rg_barrier, sync->barrier_room);
     rg_state_begin(c);
 }
 
 /* Outputs become ready for their access; other imports go back as they came. */
-static void end_resource(struct sync *sync, uint32_t index)
+static void end_resource(struct sync *sync, struct resource *r)
 {
     struct compiler *c = sync->c;
-    struct resource *r = &c->resources[index];
     bool hand_back = r->output == RG_NONE && r->import != RG_NONE;
     enum rg_access access = RG_ACCESS_NONE;
     if (hand_back)
@@ -241,7 +233,7 @@ static void end_resource(struct sync *sync, uint32_t index)
     if (access == RG_ACCESS_NONE)
         return;
     struct effect effect;
-    const struct access a = rg_end_access(c, index, access, &effect);
+    const struct access a = rg_end_access(r, access, &effect);
     if (r->cell_count > 1)
         sync_cells(sync, r, &a, c->plan->pass_count, hand_back);
     else if (!hand_back || has_to_go_back(&r->cell, &a))
@@ -286,7 +278,7 @@ void rg_sync_end(struct sync *sync)
     struct rg_plan *plan = c->plan;
     for (uint32_t i = 0; i < c->end_count; i++) {
         if (c->resources[i].first != RG_NONE)
-            end_resource(sync, i);
+            end_resource(sync, &c->resources[i]);
     }
     close_batch(sync);
     plan->barrier_count = sync->barrier_count;
@@ -304,10 +296,11 @@ void rg_sync_takeovers(struct sync *sync)
     const struct compiler *c = sync->c;
     bool placed_before = c->params->sharing == RG_SHARE_LEAST_MEMORY;
     const uint32_t *places = placed_before ? NULL : c->item_places;
-    for (uint32_t i = 0; i < sync->takeover_count; i++) {
-        uint32_t item = sync->takeovers[i].item;
-        const struct former *former = &c->formers[places ? places[item] : item];
-        struct rg_barrier *b = &sync->barriers[sync->takeovers[i].barrier];
+    struct rg_barrier *end = sync->barriers + c->plan->barrier_count;
+    for (struct rg_barrier *b = sync->barriers; b < end; b++) {
+        if (b->src_access != RG_SYNC_TAKEOVER)
+            continue;
+        const struct former *former = &c->formers[places ? places[b->src_stages] : b->src_stages];
         b->src_stages = former->stages;
         b->src_access = former->writes;
     }

@@ -18,7 +18,7 @@ void rg_sync_open_batch(struct sync *sync, uint32_t position);
 bool rg_sync_widen(struct sync *sync, const struct cell *s, const struct access *a,
                    const struct rg_barrier *next);
 
-/* Of an access to a resource of one cell. */
+/* Of an access to a resource of one cell, that does not change its layout. */
 void rg_sync_whole(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass);
 
 /* Of an access to a resource of several cells. */
@@ -38,42 +38,49 @@ static inline void rg_sync_name(struct rg_barrier *b, const struct resource *r)
     b->buffer = r->plan_buffer;
 }
 
-/* Notes that the next barrier takes over a resource's memory. */
-static inline void rg_sync_take_over(struct sync *sync, struct resource *r)
-{
-    if (sync->changes_early && r->taken > sync->batch_position)
-        r->taken = sync->batch_position;
-    if (ARENA_ROOM(sync->c->arena, sync->takeovers, sync->takeover_count, sync->takeover_room, 64))
-        sync->takeovers[sync->takeover_count++] = (struct takeover){ sync->barrier_count, r->item };
-}
+/* src_access of a barrier that waits for whoever had an item's memory before, which is not yet
+ * known; src_stages is the item, as numbered when the barrier was made. */
+#define RG_SYNC_TAKEOVER UINT64_MAX
 
-static inline void rg_sync_put(struct sync *sync, struct resource *r, bool fresh, uint32_t release,
-                               uint32_t deadline)
+/* The next barrier, `b`, is there now. */
+static inline void rg_sync_put(struct sync *sync, struct rg_barrier *b, struct resource *r,
+                               bool fresh, uint32_t release, uint32_t deadline)
 {
     if (sync->batch_position == RG_NONE || release > sync->batch_position)
         rg_sync_open_batch(sync, deadline);
-    if (fresh)
-        rg_sync_take_over(sync, r);
+    if (fresh) {
+        b->src_stages = r->item;
+        b->src_access = RG_SYNC_TAKEOVER;
+        if (sync->changes_early && r->taken > sync->batch_position)
+            r->taken = sync->batch_position;
+    }
     r->last_barrier = sync->barrier_count++;
 }
 
-/* The first use of a single cell in shared memory, which is a write, else it would be a fault. */
-static inline void rg_sync_fresh(struct sync *sync, struct resource *r, const struct access *a,
-                                 uint32_t pass)
+/* Of an access to a single cell that is in another layout, or in memory that the frame has not used
+ * yet (`fresh`): then it is a write, else it would be a fault. */
+__attribute__((always_inline)) static inline void rg_sync_move(struct sync *sync,
+                                                               struct resource *r,
+                                                               const struct access *a,
+                                                               uint32_t pass, bool fresh)
 {
+    struct cell *cell = &r->cell;
     struct rg_barrier *b = rg_sync_next(sync);
     if (!b)
         return;
     rg_sync_name(b, r);
-    b->src_stages = VK_PIPELINE_STAGE_2_NONE; /* not yet known (rg_sync_takeovers) */
-    b->src_access = VK_ACCESS_2_NONE;
-    b->dst_stages = a->effect->stages;
-    b->dst_access = a->effect->mask;
-    b->old_layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    b->new_layout = a->effect->layout;
+    if (!fresh)
+        rg_state_wait(cell, cell->read_stages, b);
+    rg_state_become(cell, a, b);
     b->range = r->all;
-    rg_sync_put(sync, r, true, r->cell.touched, pass);
-    rg_state_write(&r->cell, a, pass);
+    rg_sync_put(sync, b, r, fresh, cell->touched, pass);
+    rg_state_write(cell, a, pass);
+    if (fresh || a->flags & ACCESS_WRITES_CONTENT)
+        return;
+    rg_state_read(cell, a, pass);
+    cell->visible = a->effect->visibility & RG_VISIBLE_TO_ALL;
+    cell->first_barrier = r->last_barrier;
+    cell->barrier_end = r->last_barrier + 1;
 }
 
 static inline void rg_sync_access(struct sync *sync, struct resource *r, const struct access *a,
@@ -83,6 +90,8 @@ static inline void rg_sync_access(struct sync *sync, struct resource *r, const s
         rg_sync_cells(sync, r, a, pass);
     else if (rg_state_is_covered(&r->cell, a))
         rg_state_read(&r->cell, a, pass);
+    else if (r->cell.layout != a->effect->layout && !(r->cell.flags & CELL_FRESH))
+        rg_sync_move(sync, r, a, pass, false);
     else
         rg_sync_whole(sync, r, a, pass);
 }
