@@ -47,25 +47,20 @@ struct moment {
     uint32_t gap;   /* index of the span above the gap in which the item at work fits */
 };
 
-/* The moments of an item. */
-struct life {
-    uint32_t first, last;
-};
-
 /* What is more at a pass than at the one before; less wraps. */
 struct growth {
     VkDeviceSize taken, used; /* bytes, now and if items took them at their first use */
+    struct moment *end;       /* of the moments so far */
     uint32_t alive;           /* items */
-    uint32_t moment;          /* the newest one */
     uint32_t begun;           /* items that begin here */
 };
 
 struct packing {
     const struct pack_item *items; /* in the order of first use */
-    uint32_t count, moment_count;
-    struct growth *growth;    /* of each pass */
-    struct moment *moments;   /* in the order of time */
-    struct life *lives;       /* of each item */
+    uint32_t count;
+    struct growth *growth;  /* of each pass */
+    struct moment *moments; /* in the order of time */
+    struct moment *moments_end;
     VkDeviceSize *offsets;    /* of each item, by the rule at work */
     uint64_t *order, *sorted; /* scratch */
 };
@@ -102,7 +97,7 @@ static void find_growth(const struct packing *p, struct pack_item *items,
  * live, all together. */
 static uint64_t find_moments(struct packing *p, uint32_t end, struct pack_result *result)
 {
-    struct growth now = { 0 };
+    struct growth now = { .end = p->moments };
     uint64_t lived = 0;
     for (struct growth *pass = p->growth, *last = pass + end; pass <= last; pass++) {
         now.taken += pass->taken;
@@ -111,11 +106,12 @@ static uint64_t find_moments(struct packing *p, uint32_t end, struct pack_result
         result->bound = result->bound < now.taken ? now.taken : result->bound;
         result->least = result->least < now.used ? now.used : result->least;
         if (pass->begun) {
-            p->moments[p->moment_count++].alive = now.alive;
+            (now.end++)->alive = now.alive;
             lived += now.alive;
         }
-        pass->moment = p->moment_count - 1;
+        pass->end = now.end;
     }
+    p->moments_end = now.end;
     return lived;
 }
 
@@ -123,19 +119,14 @@ static uint64_t find_moments(struct packing *p, uint32_t end, struct pack_result
 static bool begin_rules(struct arena *arena, struct packing *p, uint64_t lived)
 {
     struct span *spans = ARENA_ARRAY(arena, struct span, lived);
-    p->lives = ARENA_ARRAY(arena, struct life, p->count);
     p->offsets = ARENA_ARRAY(arena, VkDeviceSize, p->count);
     p->order = ARENA_ARRAY(arena, uint64_t, p->count);
     p->sorted = ARENA_ARRAY(arena, uint64_t, p->count);
     if (arena->failed)
         return false;
-    for (uint32_t i = 0; i < p->count; i++) {
-        p->lives[i].first = p->growth[p->items[i].first].moment;
-        p->lives[i].last = p->growth[p->items[i].last].moment;
-    }
-    for (uint32_t m = 0; m < p->moment_count; m++) {
-        p->moments[m].spans = spans; /* as many as there may be */
-        spans += p->moments[m].alive;
+    for (struct moment *m = p->moments; m < p->moments_end; m++) {
+        m->spans = spans; /* as many as there may be */
+        spans += m->alive;
     }
     return true;
 }
@@ -301,9 +292,8 @@ static VkDeviceSize rise_all(struct moment *first, struct moment *last,
 static VkDeviceSize place(const struct packing *p, uint32_t index)
 {
     const struct pack_item *item = &p->items[index];
-    const struct life life = p->lives[index];
-    struct moment *first = &p->moments[life.first];
-    struct moment *last = &p->moments[life.last];
+    struct moment *first = p->growth[item->first].end - 1;
+    struct moment *last = p->growth[item->last].end - 1;
     VkDeviceSize begin = 0;
     VkDeviceSize ceiling = UINT64_MAX;
     for (struct moment *m = first; m <= last; m++) {
@@ -324,9 +314,9 @@ static VkDeviceSize apply_rule(struct packing *p, const struct rule *rule, VkDev
 {
     VkDeviceSize size = 0;
     sort(p, rule);
-    for (uint32_t m = 0; m < p->moment_count; m++) {
-        p->moments[m].floor = p->moments[m].count = 0;
-        p->moments[m].ceiling = UINT64_MAX;
+    for (struct moment *m = p->moments; m < p->moments_end; m++) {
+        m->floor = m->count = 0;
+        m->ceiling = UINT64_MAX;
     }
     for (uint32_t i = 0; i < p->count && size < limit; i++) {
         uint32_t index = (uint32_t)p->order[i];
