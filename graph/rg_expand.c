@@ -341,10 +341,12 @@ __attribute__((noinline)) static bool add_use(struct expansion *e, const struct 
     return fine;
 }
 
-static void learn_shader_accesses(struct compiler *c, enum rg_kind kind)
+/* The accesses that shaders of such a pass are known to make to images, this one looked at. */
+static uint32_t learn(struct compiler *c, enum rg_kind kind, enum rg_access access)
 {
-    for (enum rg_access access = RG_SAMPLED; access <= RG_UNIFORM; access++)
+    if ((unsigned)access < RG_ACCESS_COUNT)
         rg_meaning(c, kind, access);
+    return c->known_shader[kind];
 }
 
 /*
@@ -358,15 +360,15 @@ add_plain_uses(struct expansion *e, enum rg_kind kind, const struct rg_use *use)
     const struct meaning *meanings = c->meanings[kind];
     if (!ARENA_ROOM(c->arena, c->accesses, c->access_count + BINDINGS, c->access_room, 256))
         return use;
-    if (!c->known_shader[kind])
-        learn_shader_accesses(c, kind);
-    const uint32_t known = c->known_shader[kind];
     const uint32_t first = e->pass->first_access;
+    uint32_t known = c->known_shader[kind];
     uint32_t count = c->access_count;
     uint64_t bindings = e->bindings;
     unsigned flags = e->flags;
     for (; use->image; use++) {
         uint64_t binding = UINT64_C(1) << use->binding % BINDINGS;
+        if (!(known >> use->access % 32 & 1))
+            known = learn(c, kind, use->access);
         if ((unsigned)use->access > 31 || !(known >> use->access & 1) || use->binding >= BINDINGS ||
             (bindings & binding) || !is_plain(use))
             break;

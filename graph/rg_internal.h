@@ -75,7 +75,7 @@ struct resource {
     uint32_t plan_image;   /* index into the plan's images, or RG_NONE */
     uint32_t plan_buffer;  /* the same of its buffers */
     uint32_t item;         /* in compiler.items, or RG_NONE: it shares no memory */
-    uint32_t last_barrier; /* index of the newest one, or RG_NONE */
+    uint32_t last_barrier; /* of several cells: index of the newest one, or RG_NONE */
     uint32_t taken;        /* of an item: the pass before which the memory changes hands */
     struct cell cell;
 };
@@ -414,8 +414,10 @@ void rg_check_formats(struct compiler *c);
 /* Numbers a resource: a living pass is the first to name it. */
 static inline void rg_meet(struct compiler *c, struct resource *r, uint32_t pass)
 {
-    uint32_t index = r->image ? c->plan->image_count++ : c->plan->buffer_count++;
-    *(r->image ? &r->plan_image : &r->plan_buffer) = index;
+    if (r->image)
+        r->plan_image = c->plan->image_count++;
+    else
+        r->plan_buffer = c->plan->buffer_count++;
     r->first = pass;
     if (r->persistent)
         r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
@@ -447,9 +449,9 @@ struct sync {
     struct rg_plan_pass *passes; /* the plan's; those so far are filled */
     struct rg_barrier *barriers;
     uint32_t barrier_count, barrier_room;
-    uint32_t batch_first;    /* barrier of the newest batch */
-    uint32_t batch_position; /* the pass it lies before; RG_NONE: there is none yet */
-    bool changes_early;      /* memory changes hands in the batch, which may be an earlier one */
+    uint32_t batch_first; /* barrier of the newest batch */
+    uint32_t batch_end;   /* one more than the pass it lies before; 0: there is none yet */
+    bool changes_early;   /* memory changes hands in the batch, which may be an earlier one */
 };
 
 void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes);

@@ -5,7 +5,7 @@
 /* Where a name is, or would be. */
 static uint32_t *slot_of(const struct name_map *map, const struct name *name)
 {
-    uint32_t i = rg_name_slot(map, name->hash);
+    uint32_t i = name->hash & map->mask;
     for (; map->slots[i]; i = (i + 1) & map->mask) {
         const struct name *other = &map->names[map->slots[i] - 1];
         if (other->hash == name->hash && strcmp(other->text, name->text) == 0)

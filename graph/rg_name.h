@@ -29,17 +29,12 @@ static inline uint32_t rg_name_hash(enum name_kind kind, const char *text)
     return hash;
 }
 
-static inline uint32_t rg_name_slot(const struct name_map *map, uint32_t hash)
-{
-    return (hash ^ hash >> 15) & map->mask;
-}
-
 /* Adds a name if that is quick: there is none of this hash, and room. Else does nothing. */
 static inline bool rg_name_add_quickly(struct compiler *c, enum name_kind kind, const char *name)
 {
     struct name_map *map = &c->names;
     uint32_t hash = rg_name_hash(kind, name);
-    uint32_t i = rg_name_slot(map, hash);
+    uint32_t i = hash & map->mask;
     while (map->slots[i] && map->names[map->slots[i] - 1].hash != hash)
         i = (i + 1) & map->mask;
     if (map->slots[i] || map->count == map->room)

@@ -13,15 +13,16 @@ static void close_batch(struct sync *sync)
 {
     struct rg_plan *plan = sync->c->plan;
     uint32_t count = sync->barrier_count - sync->batch_first;
-    if (sync->batch_position == RG_NONE)
+    if (!sync->batch_end)
         return;
+    uint32_t position = sync->batch_end - 1;
     plan->batch_count++;
-    if (sync->batch_position == plan->pass_count) {
+    if (position == plan->pass_count) {
         plan->first_final_barrier = sync->batch_first;
         plan->final_barrier_count = count;
     } else {
-        sync->passes[sync->batch_position].first_barrier = sync->batch_first;
-        sync->passes[sync->batch_position].barrier_count = count;
+        sync->passes[position].first_barrier = sync->batch_first;
+        sync->passes[position].barrier_count = count;
     }
 }
 
@@ -65,7 +66,7 @@ void rg_sync_open_batch(struct sync *sync, uint32_t position)
 {
     close_batch(sync);
     sync->batch_first = sync->barrier_count;
-    sync->batch_position = position;
+    sync->batch_end = position + 1;
 }
 
 bool rg_sync_widen(struct sync *sync, const struct cell *s, const struct access *a,
@@ -91,10 +92,10 @@ bool rg_sync_widen(struct sync *sync, const struct cell *s, const struct access 
 void rg_sync_whole(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass)
 {
     struct cell *cell = &r->cell;
-    struct rg_barrier *b = rg_sync_next(sync);
-    uint32_t release;
-    if (!b)
+    if (!rg_sync_has_room(sync))
         return;
+    struct rg_barrier *b = &sync->barriers[sync->barrier_count];
+    uint32_t release;
     bool needed = rg_state_decide(cell, a, b, &release);
     bool added = false;
     if (needed) {
@@ -106,8 +107,8 @@ void rg_sync_whole(struct sync *sync, struct resource *r, const struct access *a
     }
     rg_state_apply(cell, a, pass, needed);
     if (added && !(a->flags & ACCESS_WRITES_CONTENT)) {
-        cell->first_barrier = r->last_barrier;
-        cell->barrier_end = r->last_barrier + 1;
+        cell->first_barrier = sync->barrier_count - 1;
+        cell->barrier_end = sync->barrier_count;
     }
 }
 
@@ -132,7 +133,7 @@ static void put_cell(struct sync *sync, struct rg_barrier *b, struct resource *r
                      const struct cell_walk *w, uint32_t release, uint32_t pass)
 {
     uint32_t before = r->last_barrier;
-    rg_sync_put(sync, b, r, w->cell->flags & CELL_FRESH, release, pass);
+    r->last_barrier = rg_sync_put(sync, b, r, w->cell->flags & CELL_FRESH, release, pass);
     if (before != RG_NONE && r->image && join(sync, before))
         r->last_barrier = before;
 }
@@ -158,10 +159,10 @@ static bool has_to_go_back(const struct cell *s, const struct access *arrival)
 static bool sync_cell(struct sync *sync, struct resource *r, const struct cell_walk *w,
                       const struct access *a, uint32_t pass)
 {
-    struct rg_barrier *b = rg_sync_next(sync);
-    uint32_t release;
-    if (!b)
+    if (!rg_sync_has_room(sync))
         return false;
+    struct rg_barrier *b = &sync->barriers[sync->barrier_count];
+    uint32_t release;
     bool needed = rg_state_decide(w->cell, a, b, &release);
     bool added = false;
     if (needed) {
@@ -213,7 +214,6 @@ void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes)
 {
     struct compiler *c = sync->c;
     sync->passes = passes;
-    sync->batch_position = RG_NONE;
     sync->changes_early = c->params->sharing == RG_SHARE_FEWEST_BATCHES;
     sync->barrier_room = c->alive_access_count;
     sync->barriers = ARENA_ARRAY(c->arena, struct rg_barrier, sync->barrier_room);
@@ -249,9 +249,9 @@ static void begin_history(struct sync *sync, struct resource *r)
         if (w.mip != mip)
             join_rows(sync, r, start);
         mip = w.mip;
-        struct rg_barrier *b = rg_sync_next(sync);
-        if (!b)
+        if (!rg_sync_has_room(sync))
             return;
+        struct rg_barrier *b = &sync->barriers[sync->barrier_count];
         *b = (struct rg_barrier){
             .src_stages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
             .src_access = VK_ACCESS_2_TRANSFER_WRITE_BIT,

@@ -24,12 +24,10 @@ void rg_sync_whole(struct sync *sync, struct resource *r, const struct access *a
 /* Of an access to a resource of several cells. */
 void rg_sync_cells(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass);
 
-/* Room for the next barrier, which is not there before rg_sync_put() says so. */
-static inline struct rg_barrier *rg_sync_next(struct sync *sync)
+/* For the next barrier, which is not there before rg_sync_put() says so. */
+static inline bool rg_sync_has_room(struct sync *sync)
 {
-    return ARENA_ROOM(sync->c->arena, sync->barriers, sync->barrier_count, sync->barrier_room, 64)
-               ? &sync->barriers[sync->barrier_count]
-               : NULL;
+    return ARENA_ROOM(sync->c->arena, sync->barriers, sync->barrier_count, sync->barrier_room, 64);
 }
 
 static inline void rg_sync_name(struct rg_barrier *b, const struct resource *r)
@@ -42,19 +40,19 @@ static inline void rg_sync_name(struct rg_barrier *b, const struct resource *r)
  * known; src_stages is the item, as numbered when the barrier was made. */
 #define RG_SYNC_TAKEOVER UINT64_MAX
 
-/* The next barrier, `b`, is there now. */
-static inline void rg_sync_put(struct sync *sync, struct rg_barrier *b, struct resource *r,
-                               bool fresh, uint32_t release, uint32_t deadline)
+/* The next barrier, `b`, is there now. Returns its index. */
+static inline uint32_t rg_sync_put(struct sync *sync, struct rg_barrier *b, struct resource *r,
+                                   bool fresh, uint32_t release, uint32_t deadline)
 {
-    if (sync->batch_position == RG_NONE || release > sync->batch_position)
+    if (release >= sync->batch_end)
         rg_sync_open_batch(sync, deadline);
     if (fresh) {
         b->src_stages = r->item;
         b->src_access = RG_SYNC_TAKEOVER;
-        if (sync->changes_early && r->taken > sync->batch_position)
-            r->taken = sync->batch_position;
+        if (sync->changes_early && r->taken >= sync->batch_end)
+            r->taken = sync->batch_end - 1;
     }
-    r->last_barrier = sync->barrier_count++;
+    return sync->barrier_count++;
 }
 
 /* Of an access to a single cell that is in another layout, or in memory that the frame has not used
@@ -65,22 +63,22 @@ __attribute__((always_inline)) static inline void rg_sync_move(struct sync *sync
                                                                uint32_t pass, bool fresh)
 {
     struct cell *cell = &r->cell;
-    struct rg_barrier *b = rg_sync_next(sync);
-    if (!b)
+    if (!rg_sync_has_room(sync))
         return;
+    struct rg_barrier *b = &sync->barriers[sync->barrier_count];
     rg_sync_name(b, r);
     if (!fresh)
         rg_state_wait(cell, cell->read_stages, b);
     rg_state_become(cell, a, b);
     b->range = r->all;
-    rg_sync_put(sync, b, r, fresh, cell->touched, pass);
+    uint32_t index = rg_sync_put(sync, b, r, fresh, cell->touched, pass);
     rg_state_write(cell, a, pass);
     if (fresh || a->flags & ACCESS_WRITES_CONTENT)
         return;
     rg_state_read(cell, a, pass);
     cell->visible = a->effect->visibility & RG_VISIBLE_TO_ALL;
-    cell->first_barrier = r->last_barrier;
-    cell->barrier_end = r->last_barrier + 1;
+    cell->first_barrier = index;
+    cell->barrier_end = index + 1;
 }
 
 static inline void rg_sync_access(struct sync *sync, struct resource *r, const struct access *a,
