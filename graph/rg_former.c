@@ -27,7 +27,7 @@ struct class
 {
     struct former left;
     uint32_t count;
-    struct span spans[SPANS]; /* of bytes that they have, rising; none touches the next */
+    struct span spans[SPANS + 1]; /* of bytes that they have, rising; none touches the next */
 };
 
 struct owners {
@@ -90,12 +90,12 @@ static void add_span(struct class *c, struct span span)
     c->count -= end - first - 1;
 }
 
-static bool has_any(const struct class *c, struct span span)
+static inline bool has_any(const struct class *c, struct span span)
 {
-    uint32_t i = 0;
-    while (i < c->count && c->spans[i].end <= span.begin)
-        i++;
-    return i < c->count && c->spans[i].begin < span.end;
+    const struct span *s = c->spans;
+    while (s->end <= span.begin) /* not so of the last one (rg_former_left) */
+        s++;
+    return s->begin < span.end;
 }
 
 static struct span span_of(const struct pack_item *item)
@@ -103,13 +103,39 @@ static struct span span_of(const struct pack_item *item)
     return (struct span){ item->offset, item->offset + item->size };
 }
 
+/* What its last users do, and what of it is not yet available when the frame is over. */
+static inline void add_left(struct former *left, const struct cell *s)
+{
+    bool awaited = s->flags & CELL_AWAITED;
+    left->stages |= s->read_stages | (awaited ? VK_PIPELINE_STAGE_2_NONE : s->write_stages);
+    left->writes |= awaited ? VK_ACCESS_2_NONE : s->write_access;
+}
+
+static inline void find_left(struct former *left, const struct resource *r)
+{
+    left->stages = VK_PIPELINE_STAGE_2_NONE;
+    left->writes = VK_ACCESS_2_NONE;
+    add_left(left, r->cells);
+    for (uint32_t k = 1; k < r->cell_count; k++)
+        add_left(left, &r->cells[k]);
+}
+
+void rg_former_itself(struct arena *arena, const struct pack_item *items, struct former *formers,
+                      uint32_t count)
+{
+    (void)arena;
+    for (uint32_t i = 0; i < count; i++)
+        find_left(&formers[i], items[i].resource);
+}
+
 /* What everybody leaves is left everywhere; only who leaves more is looked for. */
 void rg_former_left(struct arena *arena, const struct pack_item *items, struct former *formers,
                     uint32_t count)
 {
-    struct former everybody = *formers;
-    struct former anybody = *formers;
-    for (uint32_t i = 1; i < count; i++) {
+    struct former everybody = { UINT64_MAX, UINT64_MAX, 0 };
+    struct former anybody = { 0 };
+    for (uint32_t i = 0; i < count; i++) {
+        find_left(&formers[i], items[i].resource);
         everybody.stages &= formers[i].stages;
         everybody.writes &= formers[i].writes;
         anybody.stages |= formers[i].stages;
@@ -126,7 +152,8 @@ void rg_former_left(struct arena *arena, const struct pack_item *items, struct f
             add_span(find_class(owners, &formers[i]), span_of(&items[i]));
     }
     for (uint32_t k = 0; k < owners->count; k++) {
-        const struct class *c = &owners->classes[k];
+        struct class *c = &owners->classes[k];
+        c->spans[c->count] = (struct span){ UINT64_MAX, UINT64_MAX };
         for (uint32_t i = 0; i < count; i++) {
             if (has_all(&formers[i], &c->left) || !has_any(c, span_of(&items[i])))
                 continue;

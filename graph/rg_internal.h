@@ -518,8 +518,12 @@ struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_
 void rg_former_ends(struct arena *arena, const struct pack_item *items, struct former *formers,
                     uint32_t count);
 
-/* Replaces what each item leaves behind when the frame is over by what it finds. */
+/* What each item finds, left behind when the frame before was over. */
 void rg_former_left(struct arena *arena, const struct pack_item *items, struct former *formers,
                     uint32_t count);
+
+/* The same, if each follows itself. */
+void rg_former_itself(struct arena *arena, const struct pack_item *items, struct former *formers,
+                      uint32_t count);
 
 #endif

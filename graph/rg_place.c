@@ -100,23 +100,6 @@ void rg_place(struct compiler *c)
         find_moved(c);
 }
 
-/* What its last users do, and what of it is not yet available when the frame is over. */
-static inline void add_left(struct former *left, const struct cell *s)
-{
-    bool awaited = s->flags & CELL_AWAITED;
-    left->stages |= s->read_stages | (awaited ? VK_PIPELINE_STAGE_2_NONE : s->write_stages);
-    left->writes |= awaited ? VK_ACCESS_2_NONE : s->write_access;
-}
-
-static inline void find_left(struct former *left, const struct resource *r)
-{
-    left->stages = VK_PIPELINE_STAGE_2_NONE;
-    left->writes = VK_ACCESS_2_NONE;
-    add_left(left, r->cells);
-    for (uint32_t k = 1; k < r->cell_count; k++)
-        add_left(left, &r->cells[k]);
-}
-
 typedef void former_fn(struct arena *arena, const struct pack_item *items, struct former *formers,
                        uint32_t count);
 
@@ -143,10 +126,6 @@ void rg_place_left(struct compiler *c)
 {
     if (!c->formers)
         c->formers = ARENA_ARRAY(c->arena, struct former, c->item_count);
-    if (c->arena->failed)
-        return;
-    for (uint32_t i = 0; i < c->item_count; i++)
-        find_left(&c->formers[i], c->items[i].resource);
-    if (c->params->sharing != RG_SHARE_NOTHING) /* else each follows itself */
-        each_block(c, rg_former_left);
+    if (!c->arena->failed)
+        each_block(c, c->params->sharing == RG_SHARE_NOTHING ? rg_former_itself : rg_former_left);
 }
