@@ -362,17 +362,13 @@ add_plain_uses(struct expansion *e, enum rg_kind kind, const struct rg_use *use)
         return use;
     const uint32_t first = e->pass->first_access;
     uint32_t known = c->known_shader[kind];
-    uint32_t count = c->access_count;
-    uint64_t bindings = e->bindings;
-    unsigned flags = e->flags;
     for (; use->image; use++) {
         uint64_t binding = UINT64_C(1) << use->binding % BINDINGS;
         if (!(known >> use->access % 32 & 1))
             known = learn(c, kind, use->access);
         if ((unsigned)use->access > 31 || !(known >> use->access & 1) || use->binding >= BINDINGS ||
-            (bindings & binding) || !is_plain(use))
+            (e->bindings & binding) || !is_plain(use))
             break;
-        c->access_count = count; /* these move with the resources */
         struct resource *r = rg_resource_of(c, use->image, NULL);
         if (!r)
             break;
@@ -380,21 +376,18 @@ add_plain_uses(struct expansion *e, enum rg_kind kind, const struct rg_use *use)
         bool unfilled = m->flags & ACCESS_READS_CONTENT && r->cell.filled != CELL_FILLED;
         if (!r->plain || r->cell.last_access > first || unfilled)
             break;
-        struct access *a = &c->accesses[count++];
+        struct access *a = &c->accesses[c->access_count++];
         a->resource = r;
         a->effect = &m->on_image;
         a->declared = use;
         a->range = 0;
         a->flags = m->flags;
-        r->cell.last_access = count;
+        r->cell.last_access = c->access_count;
         if (m->flags & ACCESS_WRITES_CONTENT)
             r->cell.filled = CELL_FILLED;
-        bindings |= binding;
-        flags |= m->flags;
+        e->bindings |= binding;
+        e->flags |= m->flags;
     }
-    c->access_count = count;
-    e->bindings = bindings;
-    e->flags = flags;
     return use;
 }
 
