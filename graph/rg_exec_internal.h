@@ -28,7 +28,8 @@ struct exec_pass {
     VkPipelineLayout layout; /* shared by the repetitions of a row, as are: */
     VkDescriptorSetLayout set_layout;
     VkPipeline pipeline;
-    bool owner; /* of the three above */
+    bool owner;  /* of the three above */
+    bool shares; /* but the pipeline is that of a row before, which draws alike */
     VkRenderPass render_pass;
     VkDescriptorSet *sets; /* of each choice, one a slot */
     uint32_t span;         /* rg_part.c: how much of a part it draws */

@@ -221,13 +221,56 @@ fail:
     return result;
 }
 
+static bool same_target(const struct rg_exec *exec, const struct rg_plan_target *a,
+                        const struct rg_plan_target *b)
+{
+    const struct rg_plan_image *images = exec->plan->images;
+    if (a->image == RG_NONE || b->image == RG_NONE)
+        return a->image == b->image;
+    return images[a->image].image->format == images[b->image].image->format;
+}
+
+/* With the same uses, two rows' descriptor sets have layouts that are compatible. */
+static bool draw_alike(const struct rg_exec *exec, const struct rg_plan_pass *a,
+                       const struct rg_plan_pass *b)
+{
+    const struct rg_pass *x = a->pass, *y = b->pass;
+    bool same = x->vert == y->vert && x->frag == y->frag && x->uses == y->uses &&
+                x->vertices == y->vertices && x->topology == y->topology && x->cull == y->cull &&
+                x->front == y->front && x->depth_compare == y->depth_compare &&
+                x->depth_read_only == y->depth_read_only && x->push_size == y->push_size &&
+                a->color_count == b->color_count && same_target(exec, &a->depth, &b->depth) &&
+                rg_exec_samples(exec, a) == rg_exec_samples(exec, b);
+    for (uint32_t i = 0; same && i < a->color_count; i++)
+        same =
+            x->color[i].blend == y->color[i].blend && same_target(exec, &a->color[i], &b->color[i]);
+    return same;
+}
+
+/* A driver compiles each pipeline by itself, alike or not. One for a render pass is for that. */
+static bool find_alike(const struct rg_exec *exec, uint32_t p, struct exec_pass *pass)
+{
+    const struct rg_plan_pass *passes = exec->plan->passes;
+    for (uint32_t q = 0; q < p && passes[p].pass->kind == RG_RASTER && !pass->render_pass; q++) {
+        if (exec->passes[q].owner && passes[q].pass->kind == RG_RASTER &&
+            draw_alike(exec, &passes[p], &passes[q])) {
+            pass->layout = exec->passes[q].layout;
+            pass->pipeline = exec->passes[q].pipeline;
+            return true;
+        }
+    }
+    return false;
+}
+
 VkResult rg_exec_make_pipelines(struct rg_exec *exec)
 {
     VkResult result = VK_SUCCESS;
     for (uint32_t p = 0; p < exec->plan->pass_count && result == VK_SUCCESS; p++) {
         struct exec_pass *pass = &exec->passes[p];
         if (pass->owner) {
-            result = make_pipeline(exec, &exec->plan->passes[p], pass);
+            pass->shares = find_alike(exec, p, pass);
+            if (!pass->shares)
+                result = make_pipeline(exec, &exec->plan->passes[p], pass);
         } else {
             pass->layout = exec->passes[p - 1].layout;
             pass->pipeline = exec->passes[p - 1].pipeline;
@@ -239,7 +282,7 @@ VkResult rg_exec_make_pipelines(struct rg_exec *exec)
 void rg_exec_free_pipelines(struct rg_exec *exec)
 {
     for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
-        if (!exec->passes[p].owner)
+        if (!exec->passes[p].owner || exec->passes[p].shares)
             continue;
         exec->vk.DestroyPipeline(exec->device, exec->passes[p].pipeline, NULL);
         exec->vk.DestroyPipelineLayout(exec->device, exec->passes[p].layout, NULL);

@@ -126,7 +126,7 @@ VkResult rg_exec_prime(struct rg_exec *exec, const struct rg_frame *frame, uint3
         .pCommandBufferInfos = &commands,
     };
     VkResult result = VK_SUCCESS;
-    if (row->kind != RG_RASTER || !exec->passes[pass].owner ||
+    if (row->kind != RG_RASTER || !exec->passes[pass].owner || exec->passes[pass].shares ||
         (row->when && !row->when(frame, exec->plan->passes[pass].repetition)))
         return VK_SUCCESS;
     exec->slot = 0;

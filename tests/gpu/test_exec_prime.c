@@ -1,5 +1,6 @@
 /*
- * test_exec_prime.c: executors without content, whose passes draw nowhere.
+ * test_exec_prime.c: executors without content, whose passes draw nowhere; and how many pipelines
+ * they have.
  *
  * All memory that one allocates is filled with garbage and looked at again, which this driver
  * allows.
@@ -54,10 +55,25 @@ static uint32_t count_written(void)
     return count;
 }
 
+static uint32_t pipeline_count;
+
+static VKAPI_ATTR VkResult VKAPI_CALL create_pipelines(VkDevice device, VkPipelineCache cache,
+                                                       uint32_t count,
+                                                       const VkGraphicsPipelineCreateInfo *infos,
+                                                       const VkAllocationCallbacks *callbacks,
+                                                       VkPipeline *pipelines)
+{
+    pipeline_count += count;
+    return vkCreateGraphicsPipelines(device, cache, count, infos, callbacks, pipelines);
+}
+
 static VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL find(VkInstance instance, const char *name)
 {
-    return strcmp(name, "vkAllocateMemory") ? vkGetInstanceProcAddr(instance, name)
-                                            : (PFN_vkVoidFunction)allocate;
+    if (!strcmp(name, "vkAllocateMemory"))
+        return (PFN_vkVoidFunction)allocate;
+    if (!strcmp(name, "vkCreateGraphicsPipelines"))
+        return (PFN_vkVoidFunction)create_pipelines;
+    return vkGetInstanceProcAddr(instance, name);
 }
 
 /* ---- a graph ---- */
@@ -187,9 +203,10 @@ static void passes_draw_nowhere(void **state)
     run_compile(&run, *state, &params);
     assert_true(gpu_twin_create(&twin, run.gpu));
     allocated.count = 0;
-    drawn = 0;
+    pipeline_count = drawn = 0;
     struct rg_exec *exec = make_hollow(&run, &twin);
     assert_int_equal(count_written(), 1); /* the triangle of zeros */
+    assert_int_equal(pipeline_count, 3);  /* LAYERS and UNWANTED draw alike */
     for (uint32_t round = 0; round < 2; round++) {
         for (uint32_t pass = run.plan->pass_count; pass-- > 0;)
             assert_int_equal(rg_exec_prime(exec, &frame, pass), VK_SUCCESS);
