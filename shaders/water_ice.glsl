@@ -43,7 +43,7 @@ water_ray ice_through(water_ray ray)
     vec3 point = pool_to_world(ray.from);
     vec3 dir = pool_to_world(ray.dir);
     march_space space = march_space_of_frame();
-    for (uint i = 0u; i <= REFRACT_MARCH.bounces; i++) {
+    for (uint i = 0u;; i++) {
         bool near_front;
         float t = march_length(space, point, dir, near_front);
         point += t * dir;
@@ -54,7 +54,7 @@ water_ray ice_through(water_ray ray)
         float ratio = ice_ratio(pool_from_world(point).z);
         bool total = optics_refract_k(dir, n, ratio) < 0.0;
         dir = optics_refract(dir, -n, ratio);
-        if (!total)
+        if (!total || i == space.march.bounces)
             break;
     }
     ray.from = pool_from_world(point);
