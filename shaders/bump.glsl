@@ -9,18 +9,21 @@
 #define BUMP_GLSL
 #include "bump_map.glsl"
 
+layout(location = REFRACT_BUMP_SLOPE) flat in float bump_slope; /* factor on the map's */
+
 /* How the height rises, in the world. */
 vec3 bump_gradient_on(bump_planes planes)
 {
     vec2 x = planes.texels[0].rg * planes.shares.x;
     vec2 y = planes.texels[1].rg * planes.shares.y;
     vec2 z = planes.texels[2].rg * planes.shares.z;
-    return mat3(frame.world_from_object) * vec3(y.y + z.x, z.y + x.x, x.y + y.x);
+    return bump_turn * vec3(y.y + z.x, z.y + x.x, x.y + y.x);
 }
 
 /* The same by the mesh's uv, of which only the directions count; none where it has no uv. */
-vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 uv, vec2 slope)
+vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 slope)
 {
+    vec2 uv = bump_at.xy;
     vec3 across = cross(dFdy(point), normal);
     vec3 down = cross(normal, dFdx(point));
     vec3 u = across * dFdx(uv.x) + down * dFdy(uv.x);
@@ -31,20 +34,20 @@ vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 uv, vec2 slope)
 }
 
 /* Normals that face the eye stay so; those that bumps would turn away are nearly square to e. */
-vec3 bump_normal(vec3 e, vec3 point, vec3 normal, vec2 uv)
+vec3 bump_normal(vec3 e, vec3 point, vec3 normal)
 {
     vec3 gradient;
     float smoothness;
     if (constant_bump_uv != 0u) {
-        vec4 texel = bump_read_uv(uv);
-        gradient = bump_gradient_uv(point, normal, uv, texel.rg);
+        vec4 texel = bump_read_uv();
+        gradient = bump_gradient_uv(point, normal, texel.rg);
         smoothness = texel.b;
     } else {
-        bump_planes planes = bump_read_planes(point, normal);
+        bump_planes planes = bump_read_planes(normal);
         gradient = bump_gradient_on(planes);
         smoothness = bump_mask_on(planes).r;
     }
-    gradient *= frame.bump_strength * (1.0 - smoothness);
+    gradient *= bump_slope * (1.0 - smoothness);
     vec3 bumped = normalize(normal - gradient + normal * dot(normal, gradient));
     float beyond = dot(bumped, e) - max(dot(normal, e), -0.02);
     return beyond > 0.0 ? normalize(bumped - beyond * e) : bumped;

@@ -9,6 +9,11 @@
 #include "bump.h"
 #include "lib/constants.glsl"
 #include "lib/globals.glsl"
+#include "refract.h"
+
+/* From the vertex shader, since lavapipe's fragment shaders fetch uniforms float by float. */
+layout(location = REFRACT_BUMP_AT) in vec3 bump_at; /* tiles of the map: object's space, or uv */
+layout(location = REFRACT_BUMP_TURN) flat in mat3 bump_turn; /* from the object's space */
 
 layout(set = 0, binding = BUMP_MAP) uniform sampler2D bump_map;
 
@@ -22,12 +27,11 @@ struct bump_planes {
     vec3 shares;    /* of the planes; their sum is 1 */
 };
 
-/* Of a point and its normal, both of the world. */
-bump_planes bump_read_planes(vec3 point, vec3 normal)
+/* Here, where the world's normal is this. */
+bump_planes bump_read_planes(vec3 normal)
 {
-    mat3 object_from_world = transpose(mat3(frame.world_from_object));
-    vec3 p = object_from_world * (point - frame.center) * frame.bump_scale;
-    vec3 n = object_from_world * normal;
+    vec3 p = bump_at;
+    vec3 n = transpose(bump_turn) * normal;
     bump_planes planes;
     planes.texels[0] = bump_read(p.yz);
     planes.texels[1] = bump_read(p.zx + vec2(0.37, 0.61)); /* else the three planes' */
@@ -37,9 +41,9 @@ bump_planes bump_read_planes(vec3 point, vec3 normal)
     return planes;
 }
 
-vec4 bump_read_uv(vec2 uv)
+vec4 bump_read_uv()
 {
-    return bump_read(uv * frame.bump_scale);
+    return bump_read(bump_at.xy);
 }
 
 /* How smooth the ice is, and how thick its crystals stand. */
@@ -49,11 +53,11 @@ vec2 bump_mask_on(bump_planes planes)
            planes.texels[2].ba * planes.shares.z;
 }
 
-vec2 bump_mask_at(vec3 point, vec3 normal, vec2 uv)
+vec2 bump_mask_here(vec3 normal)
 {
     if (constant_bump_uv != 0u)
-        return bump_read_uv(uv).ba;
-    return bump_mask_on(bump_read_planes(point, normal));
+        return bump_read_uv().ba;
+    return bump_mask_on(bump_read_planes(normal));
 }
 
 #endif

@@ -17,7 +17,6 @@ layout(set = 0, binding = FROST_EXIT) uniform sampler2D exit_dir;
 
 layout(location = REFRACT_EYE_TO_POINT) in vec3 eye_to_point;
 layout(location = REFRACT_NORMAL) in vec3 normal;
-layout(location = REFRACT_UV) in vec2 uv;
 
 layout(location = 0) out vec4 color; /* premultiplied */
 
@@ -33,7 +32,7 @@ vec3 light_on(vec3 n)
 void main()
 {
     vec3 n = normalize(normal);
-    vec2 mask = bump_mask_at(frame.eye + eye_to_point, n, uv);
+    vec2 mask = bump_mask_here(n);
     float share = push.amount * (1.0 - mask.r) * mask.g;
     vec3 behind = texture(blurred, texelFetch(exit_dir, ivec2(gl_FragCoord.xy), 0).xyz).rgb;
     color = vec4(share * mix(behind, light_on(n), share), share);

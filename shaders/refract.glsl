@@ -95,7 +95,7 @@ void main()
     vec3 n_f = refract_front_normal();
     refract_result r = refract_shade(e, n_f);
     color = vec4(optics_compose(r.reflection, r.refraction, r.fresnel), 1.0);
-    highlight = surface_highlight(e, refract_front_point(), n_f);
+    highlight = surface_highlight(e, eye_to_point, n_f);
 }
 #endif
 

@@ -17,13 +17,19 @@
 #define REFRACT_EYE_TO_POINT 0
 #define REFRACT_NORMAL       1
 #define REFRACT_FRESNEL      2
-#define REFRACT_UV           3 /* refract_bump.vert alone */
+#define REFRACT_BUMP_AT      3 /* bump_map.glsl; refract_bump.vert alone, as are the next two */
+#define REFRACT_BUMP_TURN    4 /* three of them */
+#define REFRACT_BUMP_SLOPE   7
 #define REFRACT_REFLECTED    3 /* refract_per_vertex.vert alone, as is the next */
 #define REFRACT_REFRACTED    4 /* three of them */
 
 /* what refract_seen.vert hands on */
 #define REFRACT_VIEW_RAY   0
 #define REFRACT_SEEN_FRAME 1 /* refract_frame.glsl */
+
+/* what both hand on: surface.glsl */
+#define REFRACT_LIGHTS    11 /* four of them */
+#define REFRACT_SHININESS 15
 
 /* colour targets of the pass that draws a rung's picture */
 #define REFRACT_OUT_COLOR     0

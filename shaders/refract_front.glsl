@@ -16,11 +16,9 @@ layout(location = REFRACT_FRESNEL) in float fresnel_paper; /* eq. 4, from the ve
 #ifdef REFRACT_BUMP
 #include "bump.glsl"
 
-layout(location = REFRACT_UV) in vec2 uv;
-
 vec3 refract_front_normal()
 {
-    return bump_normal(normalize(eye_to_point), frame.eye + eye_to_point, normalize(normal), uv);
+    return bump_normal(normalize(eye_to_point), eye_to_point, normalize(normal));
 }
 #else
 vec3 refract_front_normal()

@@ -1,8 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define REFRACT_SEEN_IO out
+#define SURFACE_VERTEX
 #include "lib/view_ray.glsl"
 #include "refract_frame.glsl"
+#include "surface.glsl"
 
 layout(location = REFRACT_VIEW_RAY) out vec3 out_view_ray;
 
@@ -12,6 +14,7 @@ void main()
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
     gl_Position = vec4(corner, 0.0, 1.0);
     out_view_ray = view_ray(corner);
+    surface_hand_on();
     refract_frame.clip_from_world = frame.clip_from_world;
     refract_frame.eye = frame.eye;
     refract_frame.center = frame.center;

@@ -1,7 +1,10 @@
 /* refract_vert.glsl: the ice's front faces, with eq. 4 at the vertices. */
+#define SURFACE_VERTEX
+#include "lib/constants.glsl"
 #include "lib/optics.glsl"
 #include "lib/pose.glsl"
 #include "refract.h"
+#include "surface.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;
 layout(location = MESH_NORMAL) in vec3 normal;
@@ -12,7 +15,9 @@ layout(location = REFRACT_FRESNEL) out float out_fresnel;
 
 #ifdef REFRACT_BUMP
 layout(location = MESH_UV) in vec2 uv;
-layout(location = REFRACT_UV) out vec2 out_uv;
+layout(location = REFRACT_BUMP_AT) out vec3 out_bump_at;
+layout(location = REFRACT_BUMP_TURN) flat out mat3 out_bump_turn;
+layout(location = REFRACT_BUMP_SLOPE) flat out float out_bump_slope;
 #endif
 #ifdef REFRACT_PER_VERTEX
 layout(location = REFRACT_REFLECTED) out vec3 out_reflected;
@@ -28,8 +33,13 @@ void main()
     out_eye_to_point = point - frame.eye;
     out_normal = pose_object_normal(normal);
     out_fresnel = optics_fresnel_paper(normalize(out_eye_to_point), out_normal);
+    surface_hand_on();
 #ifdef REFRACT_BUMP
-    out_uv = uv;
+    out_bump_turn = mat3(frame.world_from_object);
+    out_bump_at = transpose(out_bump_turn) * (point - frame.center) * frame.bump_scale;
+    if (constant_bump_uv != 0u)
+        out_bump_at = vec3(uv * frame.bump_scale, 0.0);
+    out_bump_slope = frame.bump_strength;
 #endif
 #ifdef REFRACT_PER_VERTEX
     vec3 e = normalize(out_eye_to_point);
