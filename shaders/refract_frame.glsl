@@ -10,7 +10,13 @@
 #include "lib/globals.glsl"
 #include "refract.h"
 
-#ifdef REFRACT_SEEN_IO /* in or out */
+#if defined(REFRACT_SEEN) || defined(REFRACT_SEEN_VERTEX)
+#ifdef REFRACT_SEEN_VERTEX
+#define REFRACT_SEEN_IO out
+#else
+#define REFRACT_SEEN_IO in
+#endif
+
 layout(location = REFRACT_SEEN_FRAME) REFRACT_SEEN_IO RefractFrame
 {
     flat mat4 clip_from_world;
@@ -23,6 +29,18 @@ layout(location = REFRACT_SEEN_FRAME) REFRACT_SEEN_IO RefractFrame
 }
 
 refract_frame;
+#ifdef REFRACT_SEEN_VERTEX
+void refract_frame_hand_on()
+{
+    refract_frame.clip_from_world = frame.clip_from_world;
+    refract_frame.eye = frame.eye;
+    refract_frame.center = frame.center;
+    refract_frame.radius = frame.radius;
+    refract_frame.etas = frame.etas;
+    refract_frame.absorb = frame.absorb;
+    refract_frame.eta = frame.eta;
+}
+#endif
 #else
 #define refract_frame frame
 #endif

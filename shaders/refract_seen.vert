@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define REFRACT_SEEN_IO out
+#define REFRACT_SEEN_VERTEX
 #define SURFACE_VERTEX
 #include "lib/view_ray.glsl"
 #include "refract_frame.glsl"
@@ -15,11 +15,5 @@ void main()
     gl_Position = vec4(corner, 0.0, 1.0);
     out_view_ray = view_ray(corner);
     surface_hand_on();
-    refract_frame.clip_from_world = frame.clip_from_world;
-    refract_frame.eye = frame.eye;
-    refract_frame.center = frame.center;
-    refract_frame.radius = frame.radius;
-    refract_frame.etas = frame.etas;
-    refract_frame.absorb = frame.absorb;
-    refract_frame.eta = frame.eta;
+    refract_frame_hand_on();
 }

@@ -6,7 +6,7 @@
 extern const struct rg_image background_color; /* linear radiance, alpha 1 */
 extern const struct rg_image background_depth; /* reversed: 1 near, 0 infinitely far */
 extern const struct technique background;
-extern const struct technique background_around; /* what is drawn, which lies before or behind it */
+extern const struct technique background_around;       /* the ice, which is drawn already */
 extern const struct technique background_around_shine; /* in the light of ice_caustics.h */
 
 /* Rows that draw the surroundings, and then the sky where there are none; both push a struct
