@@ -29,6 +29,7 @@ layout(location = REFRACT_SEEN_FRAME) REFRACT_SEEN_IO RefractFrame
 }
 
 refract_frame;
+
 #ifdef REFRACT_SEEN_VERTEX
 void refract_frame_hand_on()
 {
