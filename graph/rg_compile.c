@@ -53,7 +53,8 @@ static void expect(struct compiler *c)
     c->accesses = ARENA_ARRAY(c->arena, struct access, c->access_room);
     c->meanings = rg_arena_alloc(c->arena, RG_TRANSFER + 1, sizeof(*c->meanings));
     rg_resource_expect(c, count * 2);
-    rg_name_expect(c, count * 3);
+    rg_name_expect(c, NAME_RESOURCE, count * 2);
+    rg_name_expect(c, NAME_PASS, count);
 }
 
 static void run(struct compiler *c)

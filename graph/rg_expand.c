@@ -12,7 +12,7 @@ struct expansion {
     uint32_t technique;
     uint32_t target_samples; /* 0: no target yet */
     unsigned flags;          /* of all uses */
-    uint64_t bindings;       /* that uses have, a bit each; all of them for one beyond 63 */
+    uint32_t next_binding;   /* of uses; none so far has it or a higher one */
 };
 
 static void fault(const struct expansion *e, enum rg_error error, const struct resource *r,
@@ -279,10 +279,6 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
     return out;
 }
 
-enum {
-    BINDINGS = 64 /* of expansion.bindings */
-};
-
 /* Whether a use says nothing beyond its image, access, binding and sampler. */
 static bool is_plain(const struct rg_use *use)
 {
@@ -320,11 +316,11 @@ __attribute__((noinline)) static bool add_use(struct expansion *e, const struct 
     if (!rg_is_good_use(use))
         return false;
     const struct meaning *m = rg_meaning(c, rg_kind_of(e->pass->rg), use->access);
-    uint64_t binding = use->binding < 64 ? UINT64_C(1) << use->binding : UINT64_MAX;
     bool fine = rg_is_fine_use(use, m);
     if (rg_is_shader_access(use->access)) {
-        fine = fine && !(e->bindings & binding);
-        e->bindings |= binding;
+        fine = fine && use->binding >= e->next_binding;
+        if (use->binding >= e->next_binding)
+            e->next_binding = use->binding + 1u;
     }
     e->flags |= m->flags;
     struct resource *r = rg_resource_of(c, use->image, use->buffer);
@@ -341,53 +337,55 @@ __attribute__((noinline)) static bool add_use(struct expansion *e, const struct 
     return fine;
 }
 
-/* The accesses that shaders of such a pass are known to make to images, this one looked at. */
-static uint32_t learn(struct compiler *c, enum rg_kind kind, enum rg_access access)
+/* What shaders of such a pass do to images by an access; NULL: nothing. */
+__attribute__((noinline)) static const struct meaning *learn(struct compiler *c, enum rg_kind kind,
+                                                             enum rg_access access)
 {
-    if ((unsigned)access < RG_ACCESS_COUNT)
-        rg_meaning(c, kind, access);
-    return c->known_shader[kind];
+    if ((unsigned)access >= RG_ACCESS_COUNT)
+        return NULL;
+    rg_meaning(c, kind, access);
+    return c->of_shaders[kind][access];
 }
 
 /*
  * Adds uses while nothing can be wrong with them, which is nearly always: shaders read or write all
- * of an image of one cell, each at its own binding. Returns the first other one, or the end.
+ * of an image of one cell, at rising bindings. Returns the first other one, or the end.
  */
 __attribute__((always_inline)) static inline const struct rg_use *
 add_plain_uses(struct expansion *e, enum rg_kind kind, const struct rg_use *use)
 {
     struct compiler *c = e->c;
-    const struct meaning *meanings = c->meanings[kind];
-    if (!ARENA_ROOM(c->arena, c->accesses, c->access_count + BINDINGS, c->access_room, 256))
-        return use;
     const uint32_t first = e->pass->first_access;
-    uint32_t known = c->known_shader[kind];
-    for (; use->image; use++) {
-        uint64_t binding = UINT64_C(1) << use->binding % BINDINGS;
-        if (!(known >> use->access % 32 & 1))
-            known = learn(c, kind, use->access);
-        if ((unsigned)use->access > 31 || !(known >> use->access & 1) || use->binding >= BINDINGS ||
-            (e->bindings & binding) || !is_plain(use))
+    uint32_t count = c->access_count;
+    uint32_t next_binding = e->next_binding;
+    for (; use->image && count < c->access_room; use++) {
+        const struct meaning *m =
+            (unsigned)use->access < RG_ACCESS_COUNT ? c->of_shaders[kind][use->access] : NULL;
+        if (!m && !(m = learn(c, kind, use->access)))
             break;
-        struct resource *r = rg_resource_of(c, use->image, NULL);
+        if (use->binding < next_binding || !is_plain(use))
+            break;
+        struct resource **slot = rg_resource_slot(&c->map, use->image);
+        struct resource *r = *slot ? *slot : rg_resource_add_plain(c, use->image, slot);
         if (!r)
             break;
-        const struct meaning *m = &meanings[use->access];
         bool unfilled = m->flags & ACCESS_READS_CONTENT && r->cell.filled != CELL_FILLED;
         if (!r->plain || r->cell.last_access > first || unfilled)
             break;
-        struct access *a = &c->accesses[c->access_count++];
-        a->resource = r;
-        a->effect = &m->on_image;
-        a->declared = use;
-        a->range = 0;
-        a->flags = m->flags;
-        r->cell.last_access = c->access_count;
+        c->accesses[count] = (struct access){
+            .resource = r,
+            .effect = &m->on_image,
+            .declared = use,
+            .flags = m->flags,
+        };
+        r->cell.last_access = ++count;
         if (m->flags & ACCESS_WRITES_CONTENT)
             r->cell.filled = CELL_FILLED;
-        e->bindings |= binding;
+        next_binding = use->binding + 1u;
         e->flags |= m->flags;
     }
+    c->access_count = count;
+    e->next_binding = next_binding;
     return use;
 }
 
@@ -422,7 +420,7 @@ static inline bool begin_pass(struct expansion *e, const struct rg_pass *rg, uin
     pass->extent = c->params->view;
     pass->first_access = c->access_count;
     e->pass = pass;
-    e->bindings = 0;
+    e->next_binding = 0;
     e->flags = 0;
     return true;
 }

@@ -128,17 +128,17 @@ struct resource_map {
     uint32_t mask; /* one less than how many, half of which stay empty */
 };
 
-struct name {
-    const char *text;
-    uint32_t hash; /* of the text and its kind */
+enum name_kind {
+    NAME_RESOURCE,
+    NAME_PASS,
+    NAME_KIND_COUNT,
 };
 
-/* The same; 0 is an empty slot. */
+/* The same of names of a kind. */
 struct name_map {
-    uint32_t *slots; /* one more than a name's index */
+    const char **slots;
     uint32_t mask;
-    uint32_t count, room;
-    struct name *names;
+    uint32_t room; /* for so many more */
 };
 
 /* What an access means as a use of a kind of pass, as long as the use says nothing special. */
@@ -179,7 +179,7 @@ struct compiler {
     uint32_t end_count; /* of the first resources: imports and outputs are among them */
     uint32_t persistent_count;
     struct resource_map map;
-    struct name_map names;
+    struct name_map names[NAME_KIND_COUNT];
     struct pass *passes;
     uint32_t pass_count, pass_room;
     struct access *accesses;
@@ -198,7 +198,8 @@ struct compiler {
     uint32_t row_first_fault;                    /* of the row being looked at */
     struct meaning (*meanings)[RG_ACCESS_COUNT]; /* by enum rg_kind */
     uint32_t known[RG_TRANSFER + 1];             /* a bit each, of those filled in so far */
-    uint32_t known_shader[RG_TRANSFER + 1];      /* of these: what shaders do to images */
+    const struct meaning *of_shaders[RG_TRANSFER + 1][RG_ACCESS_COUNT]; /* of these: what shaders do
+                                                                           to images; or NULL */
 };
 
 /* ---- rg_fault.c ---- */
@@ -238,15 +239,21 @@ void rg_add_ends(struct compiler *c);
 struct resource *rg_resource_add(struct compiler *c, const struct rg_image *image,
                                  const struct rg_buffer *buffer, struct resource **slot);
 
+/* The same of an image as most are: transient, of colour, of one cell. NULL, and nothing is done,
+ * if it is another one, or there may be something to be said of it, or no room. */
+struct resource *rg_resource_add_plain(struct compiler *c, const struct rg_image *image,
+                                       struct resource **slot);
+
 /* Where in the map a resource is, or would be. Neighbours in the tables are neighbours in the map,
  * and soon in the cache; higher bits are added for those that lie a power of two apart. */
-static inline struct resource **rg_resource_slot(const struct compiler *c, const void *address)
+static inline struct resource **rg_resource_slot(const struct resource_map *map,
+                                                 const void *address)
 {
     uintptr_t at = (uintptr_t)address;
-    uint32_t i = (uint32_t)((at + (at >> 9)) >> 4) & c->map.mask;
-    while (c->map.slots[i] && c->map.slots[i]->address != address)
-        i = (i + 1) & c->map.mask;
-    return &c->map.slots[i];
+    uint32_t i = (uint32_t)((at + (at >> 9)) >> 4) & map->mask;
+    while (map->slots[i] && map->slots[i]->address != address)
+        i = (i + 1) & map->mask;
+    return &map->slots[i];
 }
 
 /* The resource, which is added when it is new. */
@@ -254,7 +261,7 @@ static inline struct resource *rg_resource_of(struct compiler *c, const struct r
                                               const struct rg_buffer *buffer)
 {
     const void *address = image ? (const void *)image : (const void *)buffer;
-    struct resource **slot = rg_resource_slot(c, address);
+    struct resource **slot = rg_resource_slot(&c->map, address);
     return *slot ? *slot : rg_resource_add(c, image, buffer, slot);
 }
 
@@ -397,7 +404,7 @@ static inline const struct meaning *rg_meaning(struct compiler *c, enum rg_kind 
     if (!(c->known[kind] >> access & 1)) {
         rg_meaning_learn(m, kind, access);
         c->known[kind] |= UINT32_C(1) << access;
-        c->known_shader[kind] |= (uint32_t)(m->image && rg_is_shader_access(access)) << access;
+        c->of_shaders[kind][access] = m->image && rg_is_shader_access(access) ? m : NULL;
     }
     return m;
 }

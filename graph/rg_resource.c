@@ -1,5 +1,6 @@
 /* rg_resource.c: what the tables name: found, sized and given cells. */
 #include <math.h>
+#include <string.h>
 #include "graph/rg_name.h"
 
 const char *rg_resource_name(const struct resource *r)
@@ -105,7 +106,7 @@ static bool make_map(struct compiler *c)
         return false;
     c->map = (struct resource_map){ slots, mask };
     for (uint32_t i = 0; i < c->resource_count; i++)
-        *rg_resource_slot(c, c->resources[i].address) = &c->resources[i];
+        *rg_resource_slot(&c->map, c->resources[i].address) = &c->resources[i];
     return true;
 }
 
@@ -156,9 +157,8 @@ static inline void begin_resource(struct resource *r)
     r->cell = (struct cell){ 0 };
 }
 
-/* As most are: a transient image of one cell. NULL, and nothing is done, if it is another one,
- * or there may be something to be said of it, or no room. */
-static inline struct resource *add_simple(struct compiler *c, const struct rg_image *image)
+struct resource *rg_resource_add_plain(struct compiler *c, const struct rg_image *image,
+                                       struct resource **slot)
 {
     if ((size_t)image->format >= RG_FORMAT_COUNT || c->resource_count == c->resource_room)
         return NULL;
@@ -168,9 +168,11 @@ static inline struct resource *add_simple(struct compiler *c, const struct rg_im
         image->width ? image->width : view.width,
         image->height ? image->height : view.height,
     };
-    if (!format->aspects || (format->aspects & (format->aspects - 1)) || !image->name ||
-        image->scale != 0.0f ||
-        (image->layers | image->mips | image->samples | image->cube | image->persistent) ||
+    uint32_t scale_bits;
+    memcpy(&scale_bits, &image->scale, sizeof(scale_bits));
+    if (format->aspects != VK_IMAGE_ASPECT_COLOR_BIT || !image->name ||
+        (scale_bits | image->layers | image->mips | image->samples | image->cube |
+         image->persistent) ||
         extent.width > c->max_image_size || extent.height > c->max_image_size ||
         !rg_name_add_quickly(c, NAME_RESOURCE, image->name))
         return NULL;
@@ -180,9 +182,10 @@ static inline struct resource *add_simple(struct compiler *c, const struct rg_im
     r->buffer = NULL;
     r->format = format;
     r->extent = extent;
-    r->all = (VkImageSubresourceRange){ format->aspects, 0, 1, 0, 1 };
+    r->all = (VkImageSubresourceRange){ VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 };
     r->shared = r->plain = true;
     r->cell.flags = CELL_FRESH;
+    *slot = r;
     return r;
 }
 
@@ -233,18 +236,15 @@ __attribute__((noinline)) static struct resource *add_slowly(struct compiler *c,
     if (!add_any(c, image, buffer, import))
         return NULL;
     struct resource *r = &c->resources[c->resource_count++];
-    *rg_resource_slot(c, r->address) = r;
+    *rg_resource_slot(&c->map, r->address) = r;
     return r;
 }
 
 struct resource *rg_resource_add(struct compiler *c, const struct rg_image *image,
                                  const struct rg_buffer *buffer, struct resource **slot)
 {
-    struct resource *r = image ? add_simple(c, image) : NULL;
-    if (!r)
-        return add_slowly(c, image, buffer, NULL);
-    *slot = r;
-    return r;
+    struct resource *r = image ? rg_resource_add_plain(c, image, slot) : NULL;
+    return r ? r : add_slowly(c, image, buffer, NULL);
 }
 
 /* ---- imports and outputs ---- */
@@ -257,7 +257,7 @@ void rg_add_ends(struct compiler *c)
         if (!import->image == !import->buffer)
             continue;
         const struct resource *r = *rg_resource_slot(
-            c, import->image ? (const void *)import->image : (const void *)import->buffer);
+            &c->map, import->image ? (const void *)import->image : (const void *)import->buffer);
         if (!r)
             add_slowly(c, import->image, import->buffer, import);
         else
