@@ -36,7 +36,7 @@ static void add_resolve(const struct compiler *c, const struct access *a,
 static void begin_pass(const struct compiler *c, const struct pass *pass, struct rg_plan_pass *out)
 {
     out->pass = pass->rg;
-    out->technique = c->params->techniques[pass->technique];
+    out->technique = pass->technique;
     out->row = pass->row;
     out->repetition = pass->repetition;
     out->extent = pass->extent;

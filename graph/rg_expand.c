@@ -9,7 +9,6 @@ struct expansion {
     struct compiler *c;
     struct pass *pass;
     struct place place;
-    uint32_t technique;
     uint32_t target_samples; /* 0: no target yet */
     unsigned flags;          /* of all uses */
     uint32_t next_binding;   /* of uses; none so far has it or a higher one */
@@ -372,12 +371,12 @@ add_plain_uses(struct expansion *e, enum rg_kind kind, const struct rg_use *use)
         bool unfilled = m->flags & ACCESS_READS_CONTENT && r->cell.filled != CELL_FILLED;
         if (!r->plain || r->cell.last_access > first || unfilled)
             break;
-        c->accesses[count] = (struct access){
-            .resource = r,
-            .effect = &m->on_image,
-            .declared = use,
-            .flags = m->flags,
-        };
+        struct access *a = &c->accesses[count];
+        a->resource = r;
+        a->effect = &m->on_image;
+        a->declared = use;
+        a->range = 0;
+        a->flags = m->flags;
         r->cell.last_access = ++count;
         if (m->flags & ACCESS_WRITES_CONTENT)
             r->cell.filled = CELL_FILLED;
@@ -413,7 +412,7 @@ static inline bool begin_pass(struct expansion *e, const struct rg_pass *rg, uin
     if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, 64))
         return false;
     struct pass *pass = &c->passes[c->pass_count];
-    pass->technique = e->technique;
+    pass->technique = e->place.technique;
     pass->row = e->place.row;
     pass->repetition = repetition;
     pass->rg = rg;
@@ -507,11 +506,10 @@ static void expand_row(struct expansion *e, const struct rg_pass *rg)
     else if (!rg_name_add_quickly(c, NAME_PASS, rg->name) &&
              !rg_name_is_new(c, NAME_PASS, rg->name))
         rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, e->place, RG_HINT_NAME);
-    bool simple = rg_is_fine_row(rg);
+    bool simple = rg_is_simple_row(rg);
     if (!simple)
         rg_check_row(c, rg, &e->place);
     uint32_t first_fault = c->fault_count;
-    simple = simple && rg->repeat == RG_ONCE && !rg->when && rg->uses;
     if (simple ? add_simple_pass(e, rg) : add_passes(e, rg))
         return;
     uint32_t later_fault = c->fault_count;
@@ -519,10 +517,9 @@ static void expand_row(struct expansion *e, const struct rg_pass *rg)
     rg_fault_reorder(c, first_fault, later_fault);
 }
 
-static void expand_technique(struct compiler *c, const struct rg_technique *technique,
-                             uint32_t index)
+static void expand_technique(struct compiler *c, const struct rg_technique *technique)
 {
-    struct expansion e = { .c = c, .technique = index, .place = { technique, RG_NONE, NULL } };
+    struct expansion e = { .c = c, .place = { technique, RG_NONE, NULL } };
     if (!technique->name)
         rg_fault_add(c, RG_ERROR_NO_NAME, e.place, "give the technique a name");
     for (uint32_t p = 0; p < technique->pass_count && !c->arena->failed; p++) {
@@ -534,7 +531,7 @@ static void expand_technique(struct compiler *c, const struct rg_technique *tech
 void rg_expand(struct compiler *c)
 {
     for (uint32_t t = 0; t < c->params->technique_count; t++)
-        expand_technique(c, c->params->techniques[t], t);
+        expand_technique(c, c->params->techniques[t]);
     c->row_first_fault = c->fault_count;
     for (uint32_t i = 0; i < c->end_count; i++) {
         const struct resource *r = &c->resources[i];

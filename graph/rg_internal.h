@@ -108,8 +108,9 @@ struct access {
 };
 
 struct pass {
-    uint32_t technique, row, repetition;
+    const struct rg_technique *technique;
     const struct rg_pass *rg;
+    uint32_t row, repetition;
     VkExtent2D extent;
     uint32_t first_access, access_count;
     bool alive;
@@ -309,7 +310,7 @@ void rg_check_resource(struct compiler *c, struct resource *r); /* but for its n
 void rg_check_tell(struct compiler *c, const struct resource *r, enum rg_error error,
                    const char *hint);
 
-/* But for its name. Not needed if rg_is_fine_row(). */
+/* But for its name. Not needed if rg_is_simple_row(). */
 void rg_check_row(struct compiler *c, const struct rg_pass *pass, const struct place *place);
 
 /* The rest of it: faults of its uses, and that neither these nor its targets write. Not needed if
@@ -350,12 +351,12 @@ static inline bool rg_is_push_size(uint32_t size)
     return size <= RG_MAX_PUSH && size % 4 == 0;
 }
 
-/* Whether a row by itself cannot have faults, its name and uses left out: one that computes, and
- * says nothing of drawing. */
-static inline bool rg_is_fine_row(const struct rg_pass *pass)
+/* Whether a row is one that computes, once in every frame, and says nothing of drawing: by itself
+ * it cannot have faults, its name and uses left out. */
+static inline bool rg_is_simple_row(const struct rg_pass *pass)
 {
-    return pass->kind == RG_COMPUTE && (unsigned)pass->repeat <= RG_PER_MIP && pass->comp &&
-           pass->record && !pass->color_count && !pass->depth.image &&
+    return pass->kind == RG_COMPUTE && pass->repeat == RG_ONCE && !pass->when && pass->comp &&
+           pass->record && pass->uses && !pass->color_count && !pass->depth.image &&
            rg_is_push_size(pass->push_size);
 }
 
