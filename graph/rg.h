@@ -424,9 +424,9 @@ struct rg_plan_pass {
     VkExtent2D extent;                     /* of the targets; the view's without targets */
     uint32_t first_barrier, barrier_count; /* one batch, before the pass */
     uint32_t first_use, use_count;
+    const struct rg_plan_target *color; /* color_count of them, among the plan's */
     uint32_t color_count;
-    struct rg_plan_target depth;                 /* image RG_NONE: none */
-    struct rg_plan_target color[RG_COLOR_COUNT]; /* color_count of them are set */
+    struct rg_plan_target depth; /* image RG_NONE: none */
 };
 
 struct rg_culled {
@@ -439,7 +439,7 @@ struct rg_plan {
     uint32_t fault_count; /* not 0: nothing below is to be used */
     VkExtent2D view, part;
     uint32_t pass_count, image_count, buffer_count, barrier_count, use_count, block_count;
-    uint32_t culled_count;
+    uint32_t culled_count, color_count;
     uint32_t batch_count; /* passes with barriers before them, and the end if it has some */
     const struct rg_plan_pass *passes;  /* in execution order */
     const struct rg_plan_image *images; /* those that living passes use, in order of first use */
@@ -450,6 +450,7 @@ struct rg_plan {
      * with zeros) to the state that every frame finds and leaves; in no batch. */
     uint32_t first_initial_barrier, initial_barrier_count;
     const struct rg_plan_use *uses;
+    const struct rg_plan_target *colors; /* colour targets: those of each pass in a row */
     const struct rg_block *blocks;
     const struct rg_culled *culled;
     VkDeviceSize memory_used;             /* bytes of all blocks */

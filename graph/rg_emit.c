@@ -41,19 +41,22 @@ static void begin_pass(const struct compiler *c, const struct pass *pass, struct
     out->repetition = pass->repetition;
     out->extent = pass->extent;
     out->first_barrier = out->barrier_count = 0;
+    out->color = &c->colors[c->plan->color_count];
     out->color_count = 0;
     out->depth.image = RG_NONE;
     out->first_use = c->plan->use_count;
 }
 
-static void emit_target(const struct compiler *c, const struct access *a, struct rg_plan_pass *out)
+static void emit_target(struct compiler *c, const struct access *a, struct rg_plan_pass *out)
 {
-    if (a->effect->access == RG_COLOR)
-        out->color[out->color_count++] = plan_target(c, a);
-    else if (a->effect->access == RG_RESOLVE)
-        add_resolve(c, a, &out->color[out->color_count - 1]);
-    else
+    if (a->effect->access == RG_COLOR) {
+        c->colors[c->plan->color_count++] = plan_target(c, a);
+        out->color_count++;
+    } else if (a->effect->access == RG_RESOLVE) {
+        add_resolve(c, a, &c->colors[c->plan->color_count - 1]);
+    } else {
         out->depth = plan_target(c, a);
+    }
 }
 
 /* Field by field: a copy of the whole takes twice as long. */
@@ -123,11 +126,13 @@ void rg_emit(struct compiler *c, struct sync *sync)
     struct rg_plan *plan = c->plan;
     struct rg_plan_pass *passes = ARENA_ARRAY(c->arena, struct rg_plan_pass, plan->pass_count);
     struct rg_plan_use *uses = ARENA_ARRAY(c->arena, struct rg_plan_use, c->alive_access_count);
+    c->colors = ARENA_ARRAY(c->arena, struct rg_plan_target, c->color_access_count);
     rg_sync_begin(sync, passes);
     if (c->arena->failed)
         return;
     plan->passes = passes;
     plan->uses = uses;
+    plan->colors = c->colors;
     uint32_t index = 0;
     for (uint32_t p = 0; p < c->pass_count; p++) {
         if (c->passes[p].alive)

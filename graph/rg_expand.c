@@ -243,6 +243,7 @@ static void add_target(struct expansion *e, const struct rg_target *target)
         .declared = target,
         .flags = flags,
     };
+    e->c->color_access_count += kind == RG_COLOR;
     const VkImageSubresourceRange range = target_range(e->pass, r, target->mip, target->layer);
     check_target(e, target, r, range.baseMipLevel);
     add_access(e, a, &range, "clear it, or put the pass that fills it before this one");

@@ -188,8 +188,10 @@ struct compiler {
     VkImageSubresourceRange *ranges; /* of accesses to some cells of several */
     uint32_t range_count, range_room;
     uint32_t alive_access_count;
+    uint32_t color_access_count;    /* of colour targets, alive or not */
     struct rg_plan_image *images;   /* the plan's, still to be written */
     struct rg_plan_buffer *buffers; /* the same */
+    struct rg_plan_target *colors;  /* the same */
     struct pack_item *items;
     uint32_t item_count;
     uint32_t *item_places;  /* where each has gone, if rg_place() has moved them; or NULL */

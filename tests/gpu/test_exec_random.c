@@ -68,15 +68,19 @@ static void clear(struct rg_plan_target *target)
         target->load = VK_ATTACHMENT_LOAD_OP_CLEAR;
 }
 
-/* A copy of the passes in which targets that begin undefined begin cleared. */
-static struct rg_plan_pass *careless_passes(const struct rg_plan *plan)
+/* A copy of the passes in which targets that begin undefined begin cleared; `colors` are theirs. */
+static struct rg_plan_pass *careless_passes(const struct rg_plan *plan,
+                                            struct rg_plan_target *colors)
 {
     struct rg_plan_pass *passes = calloc(plan->pass_count, sizeof(*passes));
     assert_non_null(passes);
     for (uint32_t p = 0; p < plan->pass_count; p++) {
         passes[p] = plan->passes[p];
-        for (uint32_t i = 0; i < passes[p].color_count; i++)
-            clear(&passes[p].color[i]);
+        passes[p].color = colors;
+        for (uint32_t i = 0; i < passes[p].color_count; i++, colors++) {
+            *colors = plan->passes[p].color[i];
+            clear(colors);
+        }
         clear(&passes[p].depth);
     }
     return passes;
@@ -119,6 +123,7 @@ struct fixture {
     struct run run;
     struct rg_plan plan; /* run.plan with these: */
     struct rg_plan_pass *passes;
+    struct rg_plan_target *colors;
     struct interpret in;
     uint32_t *expected[FRAMES][RUN_OUTPUT_COUNT];
     uint32_t *seen; /* SEEN_COUNT */
@@ -205,7 +210,9 @@ static bool run_seed(struct gpu *gpu, uint32_t seed, uint32_t *seen, bool print)
         rg_dump(f.run.plan, stdout);
     count_plan(seen, f.run.plan);
     f.plan = *f.run.plan;
-    f.plan.passes = f.passes = careless_passes(f.run.plan);
+    f.colors = calloc(f.run.plan->color_count + 1, sizeof(*f.colors));
+    assert_non_null(f.colors);
+    f.plan.passes = f.passes = careless_passes(f.run.plan, f.colors);
     assert_true(interpret_init(&f.in, &f.graph.tables));
     assert_int_equal(run_create(&f.run, &f.plan), VK_SUCCESS);
     run_frames(&f);
@@ -218,6 +225,7 @@ static bool run_seed(struct gpu *gpu, uint32_t seed, uint32_t *seen, bool print)
         free(f.expected[i / RUN_OUTPUT_COUNT][i % RUN_OUTPUT_COUNT]);
     interpret_finish(&f.in);
     free(f.passes);
+    free(f.colors);
     run_random_finish(&f.graph);
     return f.good;
 }

@@ -29,6 +29,9 @@ static struct damage_copy copy_of(const struct rg_plan *plan,
     c.plan.barriers = c.barriers =
         DUPLICATE(plan->barriers, plan->barrier_count + plan->initial_barrier_count);
     c.plan.uses = c.uses = DUPLICATE(plan->uses, plan->use_count);
+    c.plan.colors = c.colors = DUPLICATE(plan->colors, plan->color_count);
+    for (uint32_t i = 0; i < plan->pass_count; i++)
+        c.passes[i].color = c.colors + (plan->passes[i].color - plan->colors);
     c.plan.blocks = c.blocks = DUPLICATE(plan->blocks, plan->block_count);
     return c;
 }
@@ -40,6 +43,7 @@ void damage_finish(struct damage_copy *c)
     free(c->buffers);
     free(c->barriers);
     free(c->uses);
+    free(c->colors);
     free(c->blocks);
 }
 
@@ -212,11 +216,16 @@ static bool add_batch(struct damage_copy *c, uint32_t i)
     return false;
 }
 
+static struct rg_plan_target *color_of(const struct damage_copy *c, uint32_t pass, uint32_t i)
+{
+    return &c->colors[c->passes[pass].color - c->colors + i];
+}
+
 static bool drop_store(struct damage_copy *c, uint32_t i)
 {
     struct rg_plan_target *target = &c->passes[i].depth;
     if (c->passes[i].color_count)
-        target = &c->passes[i].color[c->passes[i].color_count - 1];
+        target = color_of(c, i, c->passes[i].color_count - 1);
     if (target->image == RG_NONE || target->store != VK_ATTACHMENT_STORE_OP_STORE ||
         !damage_proof_store(&c->plan, c->params, i, target))
         return false;
@@ -228,7 +237,7 @@ static bool drop_load(struct damage_copy *c, uint32_t i)
 {
     struct rg_plan_target *target = &c->passes[i].depth;
     if (c->passes[i].color_count)
-        target = &c->passes[i].color[0];
+        target = color_of(c, i, 0);
     if (target->image == RG_NONE || target->load != VK_ATTACHMENT_LOAD_OP_LOAD)
         return false;
     target->load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
@@ -257,7 +266,7 @@ static bool drop_resolve(struct damage_copy *c, uint32_t i)
 {
     if (c->passes[i].color_count == 0 || c->passes[i].color[0].resolve == RG_NONE)
         return false;
-    c->passes[i].color[0].resolve = RG_NONE;
+    color_of(c, i, 0)->resolve = RG_NONE;
     return true;
 }
 
@@ -265,7 +274,7 @@ static bool resolve_elsewhere(struct damage_copy *c, uint32_t i)
 {
     if (c->passes[i].color_count == 0 || c->passes[i].color[0].resolve == RG_NONE)
         return false;
-    c->passes[i].color[0].resolve_layer++;
+    color_of(c, i, 0)->resolve_layer++;
     return true;
 }
 

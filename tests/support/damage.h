@@ -19,6 +19,7 @@ struct damage_copy {
     struct rg_plan_buffer *buffers;
     struct rg_barrier *barriers;
     struct rg_plan_use *uses;
+    struct rg_plan_target *colors;
     struct rg_block *blocks;
 };
 

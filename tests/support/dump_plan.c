@@ -163,9 +163,12 @@ static const struct rg_plan_pass passes[DUMP_PLAN_PASSES] = {
         .extent = { 64, 48 },
         .barrier_count = 1,
         .color_count = 1,
-        .color[0] = { SCENE, .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                      .store = VK_ATTACHMENT_STORE_OP_DONT_CARE, .resolve = RESOLVED,
-                      .resolve_mip = 1, .resolve_layer = 1 },
+        .color =
+            (const struct rg_plan_target[]){
+                { SCENE, .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                  .store = VK_ATTACHMENT_STORE_OP_DONT_CARE, .resolve = RESOLVED, .resolve_mip = 1,
+                  .resolve_layer = 1 },
+            },
         .depth = TARGET(.image = DEPTH, .load = VK_ATTACHMENT_LOAD_OP_DONT_CARE),
     },
     {
@@ -182,7 +185,10 @@ static const struct rg_plan_pass passes[DUMP_PLAN_PASSES] = {
         .first_barrier = 2,
         .barrier_count = 1,
         .color_count = 1,
-        .color[0] = TARGET(.image = SHOWN, .load = VK_ATTACHMENT_LOAD_OP_LOAD),
+        .color =
+            (const struct rg_plan_target[]){
+                TARGET(.image = SHOWN, .load = VK_ATTACHMENT_LOAD_OP_LOAD),
+            },
         .depth = TARGET(.image = DEPTH, .store = VK_ATTACHMENT_STORE_OP_NONE),
     },
     {

@@ -97,11 +97,11 @@ static const struct by_hand right = {
             .pass = &rows[2], .technique = &technique, .row = 2, .extent = { SIZE, SIZE },
             .first_barrier = 4, .barrier_count = 2, .depth = { .image = RG_NONE },
             .color_count = 1,
-            .color[0] = {
+            .color = (const struct rg_plan_target[]){ {
                 .image = 2, .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
                 .store = VK_ATTACHMENT_STORE_OP_STORE,
                 .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, .resolve = RG_NONE,
-            },
+            } },
             .first_use = 4, .use_count = 1,
         },
     },

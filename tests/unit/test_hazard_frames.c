@@ -104,6 +104,7 @@ struct by_hand {
     struct rg_output output;
     struct rg_plan plan;
     struct rg_plan_pass passes[ROWS];
+    struct rg_plan_target color; /* of DRAW */
     struct rg_plan_image images[IMAGES];
     struct rg_barrier barriers[BARRIERS];
     struct rg_plan_use uses[4];
@@ -125,16 +126,16 @@ static const struct by_hand right = {
         {
             .row = DRAW, .extent = { SIZE, SIZE }, .first_barrier = 0, .barrier_count = 2,
             .color_count = 1,
-            .color[0] = {
-                .image = MANY, .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                .store = VK_ATTACHMENT_STORE_OP_DONT_CARE, .layout = AS_COLOR, .resolve = NOW,
-            },
             .depth = { .image = RG_NONE }, .first_use = 0, .use_count = 2,
         },
         {
             .row = KEEP, .extent = { SIZE, SIZE }, .first_barrier = 2, .barrier_count = 2,
             .depth = { .image = RG_NONE }, .first_use = 2, .use_count = 2,
         },
+    },
+    .color = {
+        .image = MANY, .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
+        .store = VK_ATTACHMENT_STORE_OP_DONT_CARE, .layout = AS_COLOR, .resolve = NOW,
     },
     .images = {
         {
@@ -203,6 +204,7 @@ static void join(struct by_hand *b)
         b->passes[i].pass = &b->rows[i];
         b->passes[i].technique = &b->technique;
     }
+    b->passes[DRAW].color = &b->color;
     b->plan = (struct rg_plan){
         .view = { SIZE, SIZE },
         .pass_count = ROWS,
@@ -295,12 +297,12 @@ static void samples_unordered(struct by_hand *b)
 
 static void without_resolve(struct by_hand *b)
 {
-    b->passes[DRAW].color[0].resolve = RG_NONE;
+    b->color.resolve = RG_NONE;
 }
 
 static void resolve_elsewhere(struct by_hand *b)
 {
-    b->passes[DRAW].color[0].resolve = PAST;
+    b->color.resolve = PAST;
 }
 
 static void one_sample(struct by_hand *b)
