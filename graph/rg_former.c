@@ -16,10 +16,6 @@ enum {
     SPANS = 64,     /* of a class: it counts as having what lies between two of them */
 };
 
-struct span {
-    VkDeviceSize begin, end;
-};
-
 /* ---- what they leave ---- */
 
 /* Items that leave the same behind. */
@@ -27,7 +23,7 @@ struct class
 {
     struct former left;
     uint32_t count;
-    struct span spans[SPANS + 1]; /* of bytes that they have, rising; none touches the next */
+    struct span spans[SPANS + 1]; /* of bytes that they have, and the one after the last */
 };
 
 struct owners {
@@ -61,24 +57,31 @@ static struct class *find_class(struct owners *o, const struct former *left)
     struct class *new = &o->classes[o->count++];
     new->left = *left;
     new->count = 0;
+    new->spans[0] = (struct span){ UINT64_MAX, UINT64_MAX };
     return new;
+}
+
+/* The first span that does not end before an offset. */
+static inline const struct span *find_span(const struct class *c, VkDeviceSize offset)
+{
+    const struct span *span = c->spans;
+    while (span->end < offset)
+        span++;
+    return span;
 }
 
 static void add_span(struct class *c, struct span span)
 {
-    uint32_t first = 0;
-    while (first < c->count && c->spans[first].end < span.begin)
-        first++;
+    uint32_t first = (uint32_t)(find_span(c, span.begin) - c->spans);
     uint32_t end = first;
-    while (end < c->count && c->spans[end].begin <= span.end)
+    while (c->spans[end].begin <= span.end)
         end++;
     if (first == end && c->count == SPANS) {
         first -= first == SPANS;
         end = first + 1;
     }
     if (first == end) {
-        memmove(&c->spans[first + 1], &c->spans[first], (c->count - first) * sizeof(span));
-        c->spans[first] = span;
+        rg_span_insert(&c->spans[first], span);
         c->count++;
         return;
     }
@@ -86,16 +89,13 @@ static void add_span(struct class *c, struct span span)
     joined->end = c->spans[end - 1].end < span.end ? span.end : c->spans[end - 1].end;
     joined->begin = span.begin < joined->begin ? span.begin : joined->begin;
     if (first + 1 < end)
-        memmove(joined + 1, &c->spans[end], (c->count - end) * sizeof(span));
+        memmove(joined + 1, &c->spans[end], (c->count + 1 - end) * sizeof(span));
     c->count -= end - first - 1;
 }
 
 static inline bool has_any(const struct class *c, struct span span)
 {
-    const struct span *s = c->spans;
-    while (s->end <= span.begin) /* not so of the last one (rg_former_left) */
-        s++;
-    return s->begin < span.end;
+    return find_span(c, span.begin + 1)->begin < span.end;
 }
 
 static struct span span_of(const struct pack_item *item)
@@ -106,26 +106,45 @@ static struct span span_of(const struct pack_item *item)
 /* What its last users do, and what of it is not yet available when the frame is over. */
 static inline void add_left(struct former *left, const struct cell *s)
 {
-    bool awaited = s->flags & CELL_AWAITED;
-    left->stages |= s->read_stages | (awaited ? VK_PIPELINE_STAGE_2_NONE : s->write_stages);
-    left->writes |= awaited ? VK_ACCESS_2_NONE : s->write_access;
+    uint64_t unless_awaited = s->flags & CELL_AWAITED ? 0 : UINT64_MAX;
+    left->stages |= s->read_stages | (s->write_stages & unless_awaited);
+    left->writes |= s->write_access & unless_awaited;
 }
 
-static inline void find_left(struct former *left, const struct resource *r)
+static inline struct former find_left(const struct resource *r)
 {
-    left->stages = VK_PIPELINE_STAGE_2_NONE;
-    left->writes = VK_ACCESS_2_NONE;
-    add_left(left, r->cells);
+    struct former left = { 0 };
+    add_left(&left, r->cells);
     for (uint32_t k = 1; k < r->cell_count; k++)
-        add_left(left, &r->cells[k]);
+        add_left(&left, &r->cells[k]);
+    return left;
+}
+
+static inline void set_left(struct former *former, const struct former *left)
+{
+    former->stages = left->stages;
+    former->writes = left->writes;
 }
 
 void rg_former_itself(struct arena *arena, const struct pack_item *items, struct former *formers,
                       uint32_t count)
 {
     (void)arena;
-    for (uint32_t i = 0; i < count; i++)
-        find_left(&formers[i], items[i].resource);
+    for (uint32_t i = 0; i < count; i++) {
+        struct former left = find_left(items[i].resource);
+        set_left(&formers[i], &left);
+    }
+}
+
+/* Adds what a class leaves to all that find it. */
+static void add_class(const struct class *c, const struct pack_item *items, struct former *formers,
+                      uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        uint64_t if_any = has_any(c, span_of(&items[i])) ? UINT64_MAX : 0;
+        formers[i].stages |= c->left.stages & if_any;
+        formers[i].writes |= c->left.writes & if_any;
+    }
 }
 
 /* What everybody leaves is left everywhere; only who leaves more is looked for. */
@@ -135,11 +154,12 @@ void rg_former_left(struct arena *arena, const struct pack_item *items, struct f
     struct former everybody = { UINT64_MAX, UINT64_MAX, 0 };
     struct former anybody = { 0 };
     for (uint32_t i = 0; i < count; i++) {
-        find_left(&formers[i], items[i].resource);
-        everybody.stages &= formers[i].stages;
-        everybody.writes &= formers[i].writes;
-        anybody.stages |= formers[i].stages;
-        anybody.writes |= formers[i].writes;
+        const struct former left = find_left(items[i].resource);
+        everybody.stages &= left.stages;
+        everybody.writes &= left.writes;
+        anybody.stages |= left.stages;
+        anybody.writes |= left.writes;
+        set_left(&formers[i], &left);
     }
     if (has_all(&everybody, &anybody))
         return;
@@ -151,16 +171,8 @@ void rg_former_left(struct arena *arena, const struct pack_item *items, struct f
         if (!has_all(&everybody, &formers[i]))
             add_span(find_class(owners, &formers[i]), span_of(&items[i]));
     }
-    for (uint32_t k = 0; k < owners->count; k++) {
-        struct class *c = &owners->classes[k];
-        c->spans[c->count] = (struct span){ UINT64_MAX, UINT64_MAX };
-        for (uint32_t i = 0; i < count; i++) {
-            if (has_all(&formers[i], &c->left) || !has_any(c, span_of(&items[i])))
-                continue;
-            formers[i].stages |= c->left.stages;
-            formers[i].writes |= c->left.writes;
-        }
-    }
+    for (uint32_t k = 0; k < owners->count; k++)
+        add_class(&owners->classes[k], items, formers, count);
 }
 
 /* ---- when they are over ---- */

@@ -508,6 +508,23 @@ void rg_place_ends(struct compiler *c);
 /* After rg_place(), and when what cells are left in is known: what those leave behind. */
 void rg_place_left(struct compiler *c);
 
+/* ---- spans of bytes: rising, and none touches the next; one more is at UINT64_MAX ---- */
+
+struct span {
+    VkDeviceSize begin, end;
+};
+
+/* Before `next`. No memmove(): there are few behind it. */
+static inline void rg_span_insert(struct span *next, struct span span)
+{
+    while (span.begin != UINT64_MAX) {
+        struct span moved = *next;
+        *next++ = span;
+        span = moved;
+    }
+    *next = span;
+}
+
 /* ---- rg_pack.c ---- */
 
 struct pack_result {

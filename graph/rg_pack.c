@@ -29,39 +29,32 @@ enum {
     RULE_COUNT = sizeof(rules) / sizeof(rules[0])
 };
 
-/* Bytes that are taken. */
-struct span {
-    VkDeviceSize begin, end;
-};
-
 /*
  * A moment is a pass at which some item begins. What lives together lives together at the moment
  * when the later one begins, so no other passes count.
  */
 struct moment {
-    VkDeviceSize floor;   /* all below is taken */
-    VkDeviceSize ceiling; /* nothing is between the floor and this, where the first span begins */
-    struct span *spans;   /* that are taken above, rising; none touches another or the floor */
-    uint32_t count;
-    uint32_t alive; /* items: no more spans than these */
-    uint32_t gap;   /* index of the span above the gap in which the item at work fits */
+    struct span *spans; /* taken bytes; the first begins at 0 and may be empty */
+    struct span *next;  /* the one above the gap in which the item at work fits */
+    uint32_t alive;     /* items */
 };
 
 /* What is more at a pass than at the one before; less wraps. */
 struct growth {
     VkDeviceSize taken, used; /* bytes, now and if items took them at their first use */
-    struct moment *end;       /* of the moments so far */
+    struct moment *newest;    /* of the moments so far */
     uint32_t alive;           /* items */
     uint32_t begun;           /* items that begin here */
 };
 
 struct packing {
-    const struct pack_item *items; /* in the order of first use */
+    struct pack_item *items; /* in the order of first use; with the places of the rule at work */
     uint32_t count;
     struct growth *growth;  /* of each pass */
     struct moment *moments; /* in the order of time */
     struct moment *moments_end;
-    VkDeviceSize *offsets;    /* of each item, by the rule at work */
+    struct span *spans;       /* room for those of all moments */
+    VkDeviceSize *offsets;    /* of each item, the best so far */
     uint64_t *order, *sorted; /* scratch */
 };
 
@@ -73,23 +66,24 @@ static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)
 /* ---- moments ---- */
 
 /* Finds what each pass has more than the one before, and where items lie if nothing is shared. */
-static void find_growth(const struct packing *p, struct pack_item *items,
-                        struct pack_result *result)
+static void find_growth(const struct packing *p, struct pack_result *result)
 {
-    for (uint32_t i = 0; i < p->count; i++) {
-        struct pack_item *item = &items[i];
-        struct growth *first = &p->growth[item->first];
-        struct growth *end = &p->growth[item->last + 1];
-        item->offset = align_up(result->apart, item->alignment);
-        result->apart = item->offset + item->size;
+    struct growth *growth = p->growth;
+    VkDeviceSize *offset = p->offsets;
+    for (const struct pack_item *item = p->items, *end = item + p->count; item < end; item++) {
+        struct growth *first = &growth[item->first];
+        struct growth *last = &growth[item->last];
+        VkDeviceSize begin = align_up(result->apart, item->alignment);
+        *offset++ = begin;
+        result->apart = begin + item->size;
         result->alignments |= item->alignment;
         first->taken += item->size;
         first->alive++;
         first->begun++;
-        p->growth[item->first_use].used += item->size;
-        end->taken -= item->size;
-        end->used -= item->size;
-        end->alive--;
+        growth[item->first_use].used += item->size;
+        last[1].taken -= item->size;
+        last[1].used -= item->size;
+        last[1].alive--;
     }
 }
 
@@ -97,38 +91,36 @@ static void find_growth(const struct packing *p, struct pack_item *items,
  * live, all together. */
 static uint64_t find_moments(struct packing *p, uint32_t end, struct pack_result *result)
 {
-    struct growth now = { .end = p->moments };
+    VkDeviceSize taken = 0, used = 0;
+    struct moment *newest = NULL;
+    struct moment *next = p->moments;
+    uint32_t alive = 0;
     uint64_t lived = 0;
     for (struct growth *pass = p->growth, *last = pass + end; pass <= last; pass++) {
-        now.taken += pass->taken;
-        now.used += pass->used;
-        now.alive += pass->alive;
-        result->bound = result->bound < now.taken ? now.taken : result->bound;
-        result->least = result->least < now.used ? now.used : result->least;
+        taken += pass->taken;
+        used += pass->used;
+        alive += pass->alive;
+        result->bound = result->bound < taken ? taken : result->bound;
+        result->least = result->least < used ? used : result->least;
         if (pass->begun) {
-            (now.end++)->alive = now.alive;
-            lived += now.alive;
+            newest = next++;
+            newest->alive = alive;
+            lived += alive;
         }
-        pass->end = now.end;
+        pass->newest = newest;
     }
-    p->moments_end = now.end;
+    p->moments_end = next;
     return lived;
 }
 
 /* False: memory is short. */
 static bool begin_rules(struct arena *arena, struct packing *p, uint64_t lived)
 {
-    struct span *spans = ARENA_ARRAY(arena, struct span, lived);
-    p->offsets = ARENA_ARRAY(arena, VkDeviceSize, p->count);
+    size_t moment_count = (size_t)(p->moments_end - p->moments);
+    p->spans = ARENA_ARRAY(arena, struct span, lived + 2 * moment_count);
     p->order = ARENA_ARRAY(arena, uint64_t, p->count);
     p->sorted = ARENA_ARRAY(arena, uint64_t, p->count);
-    if (arena->failed)
-        return false;
-    for (struct moment *m = p->moments; m < p->moments_end; m++) {
-        m->spans = spans; /* as many as there may be */
-        spans += m->alive;
-    }
-    return true;
+    return !arena->failed;
 }
 
 /* ---- the order of a rule: sorted by digits, since nobody could foresee comparisons ---- */
@@ -215,59 +207,39 @@ static void sort(struct packing *p, const struct rule *rule)
 
 /* ---- rules ---- */
 
-static void remove_span(struct moment *m, struct span *span)
+static inline void remove_span(struct span *span)
 {
-    m->count--;
-    for (const struct span *end = m->spans + m->count; span < end; span++)
+    do
         *span = span[1];
+    while ((span++)->begin != UINT64_MAX);
 }
 
-/* Where m->gap says. */
-static void add_span(struct moment *m, struct span span)
+/* Below `next`. */
+static inline void take(struct span *next, struct span span)
 {
-    struct span *next = m->spans + m->gap;
-    struct span *end = m->spans + m->count;
-    bool joins_last = next > m->spans && next[-1].end == span.begin;
-    bool joins_next = next < end && next->begin == span.end;
-    if (joins_last && joins_next) {
-        next[-1].end = next->end;
-        remove_span(m, next);
-    } else if (joins_last) {
-        next[-1].end = span.end;
+    bool joins_next = next->begin == span.end;
+    if (next[-1].end != span.begin) {
+        if (joins_next)
+            next->begin = span.begin;
+        else
+            rg_span_insert(next, span);
     } else if (joins_next) {
-        next->begin = span.begin;
+        next[-1].end = next->end;
+        remove_span(next);
     } else {
-        for (; end > next; end--)
-            *end = end[-1];
-        *next = span;
-        m->count++;
-    }
-    m->ceiling = m->spans->begin;
-}
-
-static inline void take(struct moment *m, struct span span)
-{
-    if (span.begin != m->floor) {
-        add_span(m, span);
-        return;
-    }
-    m->floor = span.end;
-    if (m->ceiling == span.end) {
-        m->floor = m->spans->end;
-        remove_span(m, m->spans);
-        m->ceiling = m->count ? m->spans->begin : UINT64_MAX;
+        next[-1].end = span.end;
     }
 }
 
-/* The lowest offset from `begin` on that is free at a moment, in the gap before m->gap. */
+/* The lowest offset from `begin` on that is free at a moment, in the gap below m->next. */
 static inline VkDeviceSize rise(struct moment *m, const struct pack_item *item, VkDeviceSize begin)
 {
-    uint32_t gap = 0;
-    for (; gap < m->count && m->spans[gap].begin < begin + item->size; gap++) {
-        if (m->spans[gap].end > begin)
-            begin = align_up(m->spans[gap].end, item->alignment);
+    struct span *next = m->spans + 1;
+    for (; next->begin < begin + item->size; next++) {
+        VkDeviceSize above = align_up(next->end, item->alignment);
+        begin = begin < above ? above : begin;
     }
-    m->gap = gap;
+    m->next = next;
     return begin;
 }
 
@@ -275,54 +247,62 @@ static inline VkDeviceSize rise(struct moment *m, const struct pack_item *item, 
 static VkDeviceSize rise_all(struct moment *first, struct moment *last,
                              const struct pack_item *item, VkDeviceSize begin)
 {
-    const struct moment *raised = last; /* the last one that did */
-    struct moment *m = first;
-    for (;;) {
+    const struct moment *end = last; /* the one before the last one that did */
+    for (struct moment *m = first;; m = m == last ? first : m + 1) {
         VkDeviceSize before = begin;
         begin = rise(m, item, begin);
         if (begin != before)
-            raised = m == first ? last : m - 1;
-        else if (m == raised)
+            end = m == first ? last : m - 1;
+        if (m == end)
             return begin;
-        m = m == last ? first : m + 1;
     }
 }
 
 /* Returns the lowest offset that is free in the life of an item, which it takes. */
-static VkDeviceSize place(const struct packing *p, uint32_t index)
+static VkDeviceSize place(const struct growth *growth, const struct pack_item *item)
 {
-    const struct pack_item *item = &p->items[index];
-    struct moment *first = p->growth[item->first].end - 1;
-    struct moment *last = p->growth[item->last].end - 1;
-    VkDeviceSize begin = 0;
+    struct moment *first = growth[item->first].newest;
+    struct moment *last = growth[item->last].newest;
+    struct span span = { 0 };
     VkDeviceSize ceiling = UINT64_MAX;
-    for (struct moment *m = first; m <= last; m++) {
-        begin = begin < m->floor ? m->floor : begin;
-        ceiling = ceiling > m->ceiling ? m->ceiling : ceiling;
-        m->gap = 0;
+    for (const struct moment *m = first; m <= last; m++) {
+        const struct span *spans = m->spans;
+        span.begin = span.begin < spans[0].end ? spans[0].end : span.begin;
+        ceiling = ceiling > spans[1].begin ? spans[1].begin : ceiling;
     }
-    begin = align_up(begin, item->alignment);
-    if (ceiling < begin + item->size)
-        begin = rise_all(first, last, item, begin);
-    for (struct moment *taken = first; taken <= last; taken++)
-        take(taken, (struct span){ begin, begin + item->size });
-    return begin;
+    span.begin = align_up(span.begin, item->alignment);
+    span.end = span.begin + item->size;
+    if (span.end <= ceiling) {
+        for (const struct moment *m = first; m <= last; m++)
+            take(m->spans + 1, span);
+        return span.begin;
+    }
+    span.begin = rise_all(first, last, item, span.begin);
+    span.end = span.begin + item->size;
+    for (const struct moment *m = first; m <= last; m++)
+        take(m->next, span);
+    return span.begin;
 }
 
 /* Returns the size of the block, or UINT64_MAX if it is not below `limit`. */
 static VkDeviceSize apply_rule(struct packing *p, const struct rule *rule, VkDeviceSize limit)
 {
     VkDeviceSize size = 0;
+    struct span *spans = p->spans;
     sort(p, rule);
     for (struct moment *m = p->moments; m < p->moments_end; m++) {
-        m->floor = m->count = 0;
-        m->ceiling = UINT64_MAX;
+        m->spans = spans;
+        spans[0] = (struct span){ 0 };
+        spans[1].begin = UINT64_MAX;
+        spans += m->alive + 2; /* as many as there may be */
     }
-    for (uint32_t i = 0; i < p->count && size < limit; i++) {
-        uint32_t index = (uint32_t)p->order[i];
-        p->offsets[index] = place(p, index);
-        if (size < p->offsets[index] + p->items[index].size)
-            size = p->offsets[index] + p->items[index].size;
+    const struct growth *growth = p->growth;
+    struct pack_item *items = p->items;
+    const uint64_t *order = p->order, *end = order + p->count;
+    for (; order < end && size < limit; order++) {
+        struct pack_item *item = &items[(uint32_t)*order];
+        item->offset = place(growth, item);
+        size = size < item->offset + item->size ? item->offset + item->size : size;
     }
     return size < limit ? size : UINT64_MAX;
 }
@@ -420,19 +400,32 @@ static VkDeviceSize apply_time_order(struct arena *arena, struct pack_item *item
 
 /* ---- the best of all ---- */
 
-/* Returns the size of the smallest block, below `size`, whose places it fills in; or `size`. */
-static VkDeviceSize apply_rules(struct packing *p, struct pack_item *items, VkDeviceSize size,
-                                VkDeviceSize bound)
+static void keep_places(struct packing *p)
+{
+    for (uint32_t i = 0; i < p->count; i++)
+        p->offsets[i] = p->items[i].offset;
+}
+
+static void choose_places(struct packing *p)
+{
+    for (uint32_t i = 0; i < p->count; i++)
+        p->items[i].offset = p->offsets[i];
+}
+
+/* Returns the size of the smallest block, below `size` if there is one, and chooses its places. */
+static VkDeviceSize apply_rules(struct packing *p, VkDeviceSize size, VkDeviceSize bound)
 {
     uint32_t rule_count = p->count > MANY ? RULES_OF_MANY : RULE_COUNT;
-    for (uint32_t r = 0; r < rule_count && size > bound; r++) {
+    for (uint32_t r = 0; r < rule_count; r++) {
         VkDeviceSize found = apply_rule(p, &rules[r], size);
-        if (found >= size)
-            continue;
-        size = found;
-        for (uint32_t i = 0; i < p->count; i++)
-            items[i].offset = p->offsets[i];
+        if (found == bound)
+            return found;
+        if (found < size) {
+            keep_places(p);
+            size = found;
+        }
     }
+    choose_places(p);
     return size;
 }
 
@@ -443,16 +436,17 @@ struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_
     struct pack_result result = { 0 };
     p.growth = ARENA_ZEROED(arena, struct growth, (size_t)end + 2);
     p.moments = ARENA_ARRAY(arena, struct moment, count);
+    p.offsets = ARENA_ARRAY(arena, VkDeviceSize, count);
     if (arena->failed)
         return result;
-    find_growth(&p, items, &result);
+    find_growth(&p, &result);
     uint64_t lived = find_moments(&p, end, &result);
     result.size = result.apart;
     if (apart || result.apart == result.bound)
-        return result;
-    if (lived > MANY * MANY / 2 + (uint64_t)count * LONG_LIFE)
+        choose_places(&p);
+    else if (lived > MANY * MANY / 2 + (uint64_t)count * LONG_LIFE)
         result.size = apply_time_order(arena, items, count);
     else if (begin_rules(arena, &p, lived))
-        result.size = apply_rules(&p, items, result.apart, result.bound);
+        result.size = apply_rules(&p, result.apart, result.bound);
     return result;
 }
