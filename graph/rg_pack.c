@@ -133,8 +133,8 @@ enum {
     FEW = 256,      /* of which one digit is sorted, and the rest by comparing */
 };
 
-/* The upper half of the product as a double, whose bits rise with it. */
-static uint32_t product_of(const struct rule *rule, const struct pack_item *item)
+/* The product as a double, whose bits rise with it. */
+static uint64_t product_of(const struct rule *rule, const struct pack_item *item)
 {
     double product = rule->life_power ? (double)(int32_t)(item->last - item->first + 1) : 1;
     double size = (double)(int64_t)item->size;
@@ -144,7 +144,7 @@ static uint32_t product_of(const struct rule *rule, const struct pack_item *item
     if (rule->size_power == 4)
         product = product * size * size * size;
     memcpy(&bits, &product, sizeof(bits));
-    return (uint32_t)(bits >> 32);
+    return bits;
 }
 
 /* Sorts by the digit from bit `shift` on; what is equal keeps its order. */
@@ -153,56 +153,64 @@ static void sort_digit(struct packing *p, uint32_t shift, uint32_t digit_bits)
     uint32_t starts[1 << MAX_DIGIT_BITS];
     uint32_t mask = (UINT32_C(1) << digit_bits) - 1;
     uint32_t start = 0;
+    uint64_t *order = p->order, *end = order + p->count;
+    uint64_t *sorted = p->sorted;
     memset(starts, 0, (mask + 1) * sizeof(*starts));
-    for (uint32_t i = 0; i < p->count; i++)
-        starts[p->order[i] >> shift & mask]++;
+    for (const uint64_t *at = order; at < end; at++)
+        starts[*at >> shift & mask]++;
     for (uint32_t digit = 0; digit <= mask; digit++) {
         uint32_t count = starts[digit];
         starts[digit] = start;
         start += count;
     }
-    for (uint32_t i = 0; i < p->count; i++)
-        p->sorted[starts[p->order[i] >> shift & mask]++] = p->order[i];
-    uint64_t *sorted = p->sorted;
-    p->sorted = p->order;
+    for (const uint64_t *at = order; at < end; at++)
+        sorted[starts[*at >> shift & mask]++] = *at;
+    p->sorted = order;
     p->order = sorted;
 }
 
 /* Quick where little is out of order. */
 static void insert_each(uint64_t *order, uint32_t count)
 {
-    for (uint32_t i = 1; i < count; i++) {
-        uint64_t key = order[i];
-        uint32_t at = i;
-        for (; at && order[at - 1] > key; at--)
-            order[at] = order[at - 1];
-        order[at] = key;
+    uint64_t last = 0; /* the greatest so far */
+    for (uint64_t *next = order, *end = order + count; next < end; next++) {
+        uint64_t key = *next;
+        if (key >= last) {
+            last = key;
+            continue;
+        }
+        uint64_t *at = next;
+        for (; at > order && at[-1] > key; at--)
+            *at = at[-1];
+        *at = key;
     }
 }
 
-/* Fills p->order: items in the lower half, by falling products. */
+/* Fills p->order: items in the lower half, by falling upper halves of their products. */
 static void sort(struct packing *p, const struct rule *rule)
 {
-    bool few = p->count < FEW;
-    uint32_t digit_bits = p->count < VERY_FEW ? 5 : p->count < 2048 ? 8 : MAX_DIGIT_BITS;
-    uint32_t common = UINT32_MAX;
-    uint32_t any = 0;
-    for (uint32_t i = 0; i < p->count; i++) {
-        uint32_t product = product_of(rule, &p->items[i]);
-        p->order[i] = (uint64_t)~product << KEY_BITS | i;
+    uint64_t *order = p->order;
+    uint32_t count = p->count;
+    bool few = count < FEW;
+    uint32_t digit_bits = count < VERY_FEW ? 6 : count < 2048 ? 8 : MAX_DIGIT_BITS;
+    uint64_t common = UINT64_MAX;
+    uint64_t any = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        uint64_t product = product_of(rule, &p->items[i]);
+        order[i] = (~product & UINT64_MAX << KEY_BITS) | i;
         common &= product;
         any |= product;
     }
-    uint32_t differing = any & ~common;
+    uint32_t differing = (uint32_t)((any & ~common) >> KEY_BITS);
     uint32_t shift = 0;
-    if (p->count < A_HANDFUL)
+    if (count < A_HANDFUL)
         shift = KEY_BITS;
     else if (few && differing >> digit_bits) /* to the highest digit */
         shift = KEY_BITS - digit_bits - (uint32_t)__builtin_clz(differing);
     for (; shift < KEY_BITS && differing >> shift; shift += digit_bits)
         sort_digit(p, KEY_BITS + shift, digit_bits);
     if (few)
-        insert_each(p->order, p->count);
+        insert_each(p->order, count);
 }
 
 /* ---- rules ---- */
