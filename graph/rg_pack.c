@@ -11,7 +11,7 @@
 enum {
     MANY = 512,        /* resources beyond which only the first rules are tried, */
     RULES_OF_MANY = 2, /* so many, */
-    LONG_LIFE = 32,    /* and only time order if they live longer, in moments and on average */
+    LONG_LIFE = 32,    /* and only time order if on average more than so many begin in a life */
 };
 
 /* In falling order of size and life, each to a power, multiplied. */
@@ -30,8 +30,8 @@ enum {
 };
 
 /*
- * A moment is a pass at which some item begins. What lives together lives together at the moment
- * when the later one begins, so no other passes count.
+ * What lives together does so at the pass where the last of it begins, so no other passes count. Of
+ * several such passes between which nothing ends, only the last one does: it is a moment.
  */
 struct moment {
     struct span *spans; /* taken bytes; the first begins at 0 and may be empty */
@@ -43,8 +43,7 @@ struct moment {
 struct growth {
     VkDeviceSize taken, used; /* bytes, now and if items took them at their first use */
     struct moment *newest;    /* of the moments so far */
-    uint32_t alive;           /* items */
-    uint32_t begun;           /* items that begin here */
+    uint32_t begun, ended;    /* items that begin here, and that end at the pass before */
 };
 
 struct packing {
@@ -78,33 +77,35 @@ static void find_growth(const struct packing *p, struct pack_result *result)
         result->apart = begin + item->size;
         result->alignments |= item->alignment;
         first->taken += item->size;
-        first->alive++;
         first->begun++;
         growth[item->first_use].used += item->size;
         last[1].taken -= item->size;
         last[1].used -= item->size;
-        last[1].alive--;
+        last[1].ended++;
     }
 }
 
-/* Finds the moments, and the most bytes that are taken at once. Returns how many moments the items
- * live, all together. */
+/* Finds the moments, and the most bytes that are taken at once. Returns how many items are alive at
+ * passes where some begin, all together: no fewer than at the moments. */
 static uint64_t find_moments(struct packing *p, uint32_t end, struct pack_result *result)
 {
     VkDeviceSize taken = 0, used = 0;
-    struct moment *newest = NULL;
-    struct moment *next = p->moments;
+    struct moment *newest = p->moments;
+    struct moment *next = newest;
     uint32_t alive = 0;
+    uint32_t ended = 1; /* since the newest moment; the first one is always new */
     uint64_t lived = 0;
     for (struct growth *pass = p->growth, *last = pass + end; pass <= last; pass++) {
         taken += pass->taken;
         used += pass->used;
-        alive += pass->alive;
+        alive += pass->begun - pass->ended;
+        ended += pass->ended;
         result->bound = result->bound < taken ? taken : result->bound;
         result->least = result->least < used ? used : result->least;
         if (pass->begun) {
-            newest = next++;
+            newest = ended ? next++ : newest;
             newest->alive = alive;
+            ended = 0;
             lived += alive;
         }
         pass->newest = newest;
