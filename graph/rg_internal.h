@@ -156,11 +156,16 @@ struct pack_item {
     VkDeviceSize size, alignment; /* a power of two */
     VkDeviceSize offset;
     struct resource *resource;
-    uint32_t first, last; /* passes between which the memory is taken; both included */
-    uint32_t first_use;   /* pass; not before `first` */
-    uint32_t plan_index;  /* in the plan's images or buffers */
+
+    union {
+        struct rg_plan_image *image;
+        struct rg_plan_buffer *buffer; /* if it is_buffer */
+    };
+
+    uint32_t first_use, last; /* passes */
+    uint32_t first;           /* from it on the memory is taken; not after the first use */
     uint32_t type_bits;
-    bool buffer;
+    bool is_buffer;
 };
 
 /* Who had the memory of an item before it, in this frame or the one before. */

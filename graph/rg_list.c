@@ -102,6 +102,12 @@ static VkDeviceSize estimate_image(const struct resource *r)
     return texels * r->format->size;
 }
 
+static struct rg_memory_need checked_need(struct rg_memory_need need)
+{
+    need.alignment = need.alignment ? need.alignment : 1;
+    return need;
+}
+
 static inline struct rg_memory_need image_need(const struct compiler *c, const struct resource *r,
                                                const struct rg_plan_image *image)
 {
@@ -109,7 +115,7 @@ static inline struct rg_memory_need image_need(const struct compiler *c, const s
     if (!device || !device->image_memory)
         return (struct rg_memory_need){ estimate_image(r), 256, 1 };
     const VkImageCreateInfo info = rg_image_create_info(image);
-    return device->image_memory(device->user, &info);
+    return checked_need(device->image_memory(device->user, &info));
 }
 
 static struct rg_memory_need buffer_need(const struct compiler *c,
@@ -123,7 +129,7 @@ static struct rg_memory_need buffer_need(const struct compiler *c,
         .size = buffer->size,
         .usage = buffer->usage,
     };
-    return device->buffer_memory(device->user, &info);
+    return checked_need(device->buffer_memory(device->user, &info));
 }
 
 static void check_samples(struct compiler *c, const struct rg_plan_image *image)
@@ -139,23 +145,24 @@ static void check_samples(struct compiler *c, const struct rg_plan_image *image)
                      "this device has no such images of so many samples; ask for fewer");
 }
 
-/* As an item to be placed, or memory of its own. */
-static inline void need_memory(struct compiler *c, struct resource *r, struct rg_memory_need need)
+/* As an item to be placed, of an image or a buffer; NULL: it has memory of its own. */
+static inline struct pack_item *need_memory(struct compiler *c, struct resource *r,
+                                            const struct rg_memory_need *need)
 {
     if (r->item == RG_NONE) {
-        c->plan->memory_persistent += need.size;
-        return;
+        c->plan->memory_persistent += need->size;
+        return NULL;
     }
     struct pack_item *item = &c->items[r->item];
-    item->size = need.size;
-    item->alignment = need.alignment ? need.alignment : 1;
+    item->size = need->size;
+    item->alignment = need->alignment;
     item->resource = r;
-    item->first = r->taken;
-    item->last = r->last;
     item->first_use = r->first;
-    item->plan_index = r->image ? r->plan_image : r->plan_buffer;
-    item->type_bits = need.type_bits;
-    item->buffer = !r->image;
+    item->last = r->last;
+    item->first = r->taken;
+    item->type_bits = need->type_bits;
+    item->is_buffer = !r->image;
+    return item;
 }
 
 /* Field by field, as wherever much is written (rg_emit.c). */
@@ -181,7 +188,9 @@ static void list_image(struct compiler *c, struct resource *r, struct rg_plan_im
     check_samples(c, image);
     const struct rg_memory_need need = image_need(c, r, image);
     image->size = need.size;
-    need_memory(c, r, need);
+    struct pack_item *item = need_memory(c, r, &need);
+    if (item)
+        item->image = image;
 }
 
 static void list_buffer(struct compiler *c, struct resource *r, struct rg_plan_buffer *buffer)
@@ -201,7 +210,9 @@ static void list_buffer(struct compiler *c, struct resource *r, struct rg_plan_b
         return;
     const struct rg_memory_need need = buffer_need(c, buffer);
     buffer->memory_size = need.size;
-    need_memory(c, r, need);
+    struct pack_item *item = need_memory(c, r, &need);
+    if (item)
+        item->buffer = buffer;
 }
 
 void rg_list(struct compiler *c)

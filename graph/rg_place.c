@@ -10,14 +10,14 @@
 
 static bool same_kind(const struct pack_item *a, const struct pack_item *b)
 {
-    return a->buffer == b->buffer && a->type_bits == b->type_bits;
+    return a->is_buffer == b->is_buffer && a->type_bits == b->type_bits;
 }
 
 /* Brings all items of the kind of the first one to the front, in their order. */
 static uint32_t gather(struct compiler *c, struct pack_item *items, uint32_t count)
 {
     uint32_t same = 1;
-    while (same < count && same_kind(&items[same], &items[0]))
+    while (same < count && same_kind(&items[same], items))
         same++;
     if (same == count)
         return same;
@@ -34,18 +34,16 @@ static uint32_t gather(struct compiler *c, struct pack_item *items, uint32_t cou
     return same;
 }
 
-static void set_places(struct compiler *c, const struct pack_item *items, uint32_t count,
-                       uint32_t block)
+static void set_places(const struct pack_item *items, uint32_t count, uint32_t block)
 {
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t index = items[i].plan_index;
-        if (items[i].buffer) {
-            c->buffers[index].block = block;
-            c->buffers[index].offset = items[i].offset;
-        } else {
-            c->images[index].block = block;
-            c->images[index].offset = items[i].offset;
-        }
+    const struct pack_item *end = items + count;
+    for (const struct pack_item *item = items; item < end && !items->is_buffer; item++) {
+        item->image->block = block;
+        item->image->offset = item->offset;
+    }
+    for (const struct pack_item *item = items; item < end && items->is_buffer; item++) {
+        item->buffer->block = block;
+        item->buffer->offset = item->offset;
     }
 }
 
@@ -62,13 +60,13 @@ static void place_block(struct compiler *c, struct pack_item *items, uint32_t co
         .size = packed.size,
         .alignment = alignments,
         .type_bits = items->type_bits,
-        .buffers = items->buffer,
+        .buffers = items->is_buffer,
     };
     plan->memory_used += packed.size;
     plan->memory_without_aliasing += packed.apart;
     plan->memory_bound += packed.bound;
     plan->memory_least += packed.least;
-    set_places(c, items, count, plan->block_count++);
+    set_places(items, count, plan->block_count++);
 }
 
 static void find_moved(struct compiler *c)
