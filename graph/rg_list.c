@@ -39,8 +39,7 @@ static void check_format(struct compiler *c, const struct pass *pass, const stru
     }
     if (wanted & ~device->format_features(device->user, r->image->format))
         rg_fault_add(c, RG_ERROR_FORMAT,
-                     (struct place){ pass->technique, pass->row,
-                                     rg_resource_name(r) },
+                     (struct place){ pass->technique, pass->row, rg_resource_name(r) },
                      "this device cannot use the format so; choose another format or device");
 }
 

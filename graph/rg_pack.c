@@ -1,14 +1,17 @@
 /*
  * rg_pack.c: where resources lie in a block, those that live at the same time apart.
  *
- * An instance of dynamic storage allocation, which is NP-hard; several greedy rules are tried and
- * the smallest block wins. Each puts resources one after another, in some order, into the lowest
- * gap that is free for their whole life, until it has met the bound or lost.
+ * An instance of dynamic storage allocation, which is NP-hard; several orders are tried and the
+ * smallest block wins. Each puts resources one after another into the lowest gap that is free for
+ * their whole life, until it has met the bound or lost. The first orders are by greedy rules; then,
+ * again and again, whoever reached highest comes earlier (squeaky wheel optimization, Joslin and
+ * Clements, JAIR 10, 1999).
  */
 #include <string.h>
 #include "graph/rg_internal.h"
 
 enum {
+    PROMOTIONS = 8,
     MANY = 512,        /* resources beyond which only the first rules are tried, */
     RULES_OF_MANY = 2, /* so many, */
     LONG_LIFE = 32,    /* and only time order if on average more than so many begin in a life */
@@ -47,7 +50,7 @@ struct growth {
 };
 
 struct packing {
-    struct pack_item *items; /* in the order of first use; with the places of the rule at work */
+    struct pack_item *items; /* in the order of first use; with the places of the order at work */
     uint32_t count;
     struct growth *growth;  /* of each pass */
     struct moment *moments; /* in the order of time */
@@ -55,6 +58,7 @@ struct packing {
     struct span *spans;       /* room for those of all moments */
     VkDeviceSize *offsets;    /* of each item, the best so far */
     uint64_t *order, *sorted; /* scratch */
+    uint32_t placed;          /* so many of the order, which then had lost or come to its end */
 };
 
 static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)
@@ -293,12 +297,17 @@ static VkDeviceSize place(const struct growth *growth, const struct pack_item *i
     return span.begin;
 }
 
-/* Returns the size of the block, or UINT64_MAX if it is not below `limit`. */
-static VkDeviceSize apply_rule(struct packing *p, const struct rule *rule, VkDeviceSize limit)
+static VkDeviceSize end_of(const struct pack_item *item)
+{
+    return item->offset + item->size;
+}
+
+/* Puts one item after another. Returns the size of the block, or UINT64_MAX if it is not below
+ * `limit`. */
+static VkDeviceSize apply_order(struct packing *p, VkDeviceSize limit)
 {
     VkDeviceSize size = 0;
     struct span *spans = p->spans;
-    sort(p, rule);
     for (struct moment *m = p->moments; m < p->moments_end; m++) {
         m->spans = spans;
         spans[0] = (struct span){ 0 };
@@ -307,13 +316,29 @@ static VkDeviceSize apply_rule(struct packing *p, const struct rule *rule, VkDev
     }
     const struct growth *growth = p->growth;
     struct pack_item *items = p->items;
-    const uint64_t *order = p->order, *end = order + p->count;
-    for (; order < end && size < limit; order++) {
-        struct pack_item *item = &items[(uint32_t)*order];
+    const uint64_t *next = p->order, *end = next + p->count;
+    for (; next < end && size < limit; next++) {
+        struct pack_item *item = &items[(uint32_t)*next];
         item->offset = place(growth, item);
-        size = size < item->offset + item->size ? item->offset + item->size : size;
+        size = size < end_of(item) ? end_of(item) : size;
     }
+    p->placed = (uint32_t)(next - p->order);
     return size < limit ? size : UINT64_MAX;
+}
+
+/* Lets the item that reaches highest choose earlier: half as many come before it. */
+static void promote_highest(struct packing *p)
+{
+    uint64_t *order = p->order;
+    uint32_t highest = 0;
+    for (uint32_t i = 1; i < p->placed; i++) {
+        if (end_of(&p->items[(uint32_t)order[i]]) > end_of(&p->items[(uint32_t)order[highest]]))
+            highest = i;
+    }
+    uint32_t place = highest / 2;
+    const uint64_t key = order[highest];
+    memmove(&order[place + 1], &order[place], (highest - place) * sizeof(key));
+    order[place] = key;
 }
 
 /* ---- time order, with the holes that are free at the moment ---- */
@@ -424,9 +449,15 @@ static void choose_places(struct packing *p)
 /* Returns the size of the smallest block, below `size` if there is one, and chooses its places. */
 static VkDeviceSize apply_rules(struct packing *p, VkDeviceSize size, VkDeviceSize bound)
 {
-    uint32_t rule_count = p->count > MANY ? RULES_OF_MANY : RULE_COUNT;
-    for (uint32_t r = 0; r < rule_count; r++) {
-        VkDeviceSize found = apply_rule(p, &rules[r], size);
+    bool many = p->count > MANY;
+    uint32_t rule_count = many ? RULES_OF_MANY : RULE_COUNT;
+    uint32_t order_count = many ? RULES_OF_MANY : RULE_COUNT + PROMOTIONS;
+    for (uint32_t i = 0; i < order_count; i++) {
+        if (i < rule_count)
+            sort(p, &rules[i]);
+        else
+            promote_highest(p);
+        VkDeviceSize found = apply_order(p, size);
         if (found == bound)
             return found;
         if (found < size) {

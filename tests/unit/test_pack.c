@@ -124,6 +124,25 @@ static void test_the_best_rule_wins(void **state)
     rg_arena_finish(&scratch);
 }
 
+/* Every rule puts the 4 at the bottom and the first 2 on it, which leaves 4 and 1 of the 7: there
+ * the 3 has room, but not the other 2. */
+static void test_who_reaches_highest_comes_earlier(void **state)
+{
+    (void)state;
+    struct arena scratch = { 0 };
+    struct pack_item items[] = {
+        { .size = 4, .alignment = 1, .first = 0, .last = 2 },
+        { .size = 2, .alignment = 1, .first = 2, .last = 4 },
+        { .size = 3, .alignment = 1, .first = 3, .last = 4 },
+        { .size = 2, .alignment = 1, .first = 4, .last = 4 },
+    };
+    const struct pack_result r = rg_pack(&scratch, items, 4, 4, false);
+    assert_int_equal(r.bound, 7);
+    assert_int_equal(r.size, 7);
+    check_places(items, 4, 7);
+    rg_arena_finish(&scratch);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -131,6 +150,7 @@ int main(void)
         cmocka_unit_test(test_without_aliasing_nothing_is_shared),
         cmocka_unit_test(test_many_long_lives),
         cmocka_unit_test(test_the_best_rule_wins),
+        cmocka_unit_test(test_who_reaches_highest_comes_earlier),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
