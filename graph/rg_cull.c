@@ -40,7 +40,8 @@ static void begin_round(struct compiler *c, uint32_t round)
     }
 }
 
-static bool is_any_cell_wanted(const struct compiler *c, const struct access *access)
+__attribute__((noinline)) static bool is_any_cell_wanted(const struct compiler *c,
+                                                         const struct access *access)
 {
     const struct resource *r = access->resource;
     bool any = false;
@@ -49,18 +50,21 @@ static bool is_any_cell_wanted(const struct compiler *c, const struct access *ac
     return any;
 }
 
-static void mark_cells(const struct compiler *c, const struct access *access, bool value)
+__attribute__((noinline)) static void mark_cells(const struct compiler *c,
+                                                 const struct access *access, bool value)
 {
     const struct resource *r = access->resource;
     for (struct cell_walk w = rg_walk(r, rg_range_of(c, access)); rg_walk_next(&w);)
         w.cell->wanted = value;
 }
 
-/* Whether later passes or outputs want any of what this access leaves. */
+/* Whether later passes or outputs want any of what this access leaves, if it does. */
 static inline bool is_wanted(const struct compiler *c, const struct access *access)
 {
     enum wanted wanted = access->resource->wanted;
-    return wanted == WANT_CELLS ? is_any_cell_wanted(c, access) : wanted == WANT_ALL;
+    return wanted & access->flags ||
+           (wanted == WANT_CELLS && access->flags & ACCESS_WRITES_CONTENT &&
+            is_any_cell_wanted(c, access));
 }
 
 static inline void mark(const struct compiler *c, const struct access *access)
@@ -73,25 +77,24 @@ static inline void mark(const struct compiler *c, const struct access *access)
         *wanted = value ? WANT_ALL : WANT_NOTHING;
 }
 
-/* What one access of a pass overwrites no other one of it reads. */
-static inline void cull_pass(struct compiler *c, struct pass *pass)
+/* Whether anybody wants any of what a pass leaves. Most write last. */
+static inline bool is_needed(const struct compiler *c, const struct access *first,
+                             const struct access *end)
 {
-    struct access *first = &c->accesses[pass->first_access];
-    struct access *end = first + pass->access_count;
-    pass->alive = false;
-    for (struct access *a = first; a < end; a++) {
-        if (!(a->flags & ACCESS_WRITES_CONTENT))
-            continue;
-        a->flags &= ~(uint32_t)ACCESS_NEEDED;
-        if (is_wanted(c, a)) {
-            a->flags |= ACCESS_NEEDED;
-            pass->alive = true;
-        }
+    for (const struct access *a = end; a-- > first;) {
+        if (is_wanted(c, a))
+            return true;
     }
-    if (!pass->alive)
-        return;
-    c->alive_access_count += pass->access_count;
-    c->plan->pass_count++;
+    return false;
+}
+
+/* What one access of a pass overwrites no other one of it reads. Targets come first. */
+static inline void live(const struct compiler *c, struct access *first, const struct access *end)
+{
+    for (struct access *a = first; a < end && a->effect->access <= RG_RESOLVE; a++) {
+        a->flags &= ~(uint32_t)ACCESS_NEEDED;
+        a->flags |= is_wanted(c, a) ? ACCESS_NEEDED : 0;
+    }
     for (const struct access *a = first; a < end; a++) {
         if (a->flags & (ACCESS_OVERWRITES | ACCESS_READS_CONTENT))
             mark(c, a);
@@ -124,6 +127,26 @@ static void reset(struct compiler *c)
     }
 }
 
+static inline void cull(struct compiler *c)
+{
+    uint32_t pass_count = 0;
+    uint32_t access_count = 0;
+    struct pass *const passes = c->passes;
+    struct access *const accesses = c->accesses;
+    for (struct pass *pass = passes + c->pass_count; pass-- > passes;) {
+        struct access *first = &accesses[pass->first_access];
+        const struct access *end = first + pass->access_count;
+        pass->alive = is_needed(c, first, end);
+        if (!pass->alive)
+            continue;
+        live(c, first, end);
+        access_count += pass->access_count;
+        pass_count++;
+    }
+    c->alive_access_count = access_count;
+    c->plan->pass_count = pass_count;
+}
+
 void rg_cull(struct compiler *c)
 {
     uint32_t round = 0;
@@ -131,8 +154,6 @@ void rg_cull(struct compiler *c)
         if (round)
             reset(c);
         begin_round(c, round++);
-        c->plan->pass_count = c->alive_access_count = 0;
-        for (uint32_t p = c->pass_count; p-- > 0;)
-            cull_pass(c, &c->passes[p]);
+        cull(c);
     } while (round <= MAX_ROUNDS && want_more(c));
 }

@@ -21,6 +21,14 @@ enum {
 };
 
 enum {
+    ACCESS_READS_CONTENT = 1 << 0,  /* needs what earlier passes left */
+    ACCESS_WRITES_CONTENT = 1 << 1, /* leaves something for later ones */
+    ACCESS_OVERWRITES = 1 << 2,     /* nothing of the range's earlier content remains */
+    ACCESS_NEEDED = 1 << 3,         /* of a target: somebody wants what it writes */
+    ACCESS_CONDITIONAL = 1 << 4,    /* does not happen in every frame */
+};
+
+enum {
     CELL_CERTAIN = 1 << 0, /* the last write is of this frame, and of every frame */
     CELL_AWAITED = 1 << 1, /* a read of every frame has waited for it */
     CELL_FRESH = 1 << 2,   /* shared memory that this frame has not used: who had it is not known */
@@ -47,8 +55,8 @@ struct cell {
 /* What later passes or outputs want of a resource, while culling. */
 enum wanted {
     WANT_NOTHING,
-    WANT_ALL,
-    WANT_CELLS, /* it has several, and each says it */
+    WANT_ALL = ACCESS_WRITES_CONTENT, /* of an access's flags */
+    WANT_CELLS = 1 << 8,              /* none of these: it has several, and each says it */
 };
 
 #define RG_SIZE_OVERFLOW UINT64_MAX
@@ -78,14 +86,6 @@ struct resource {
     uint32_t last_barrier; /* of several cells: index of the newest one, or RG_NONE */
     uint32_t taken;        /* of an item: the pass before which the memory changes hands */
     struct cell cell;
-};
-
-enum {
-    ACCESS_READS_CONTENT = 1 << 0,  /* needs what earlier passes left */
-    ACCESS_WRITES_CONTENT = 1 << 1, /* leaves something for later ones */
-    ACCESS_OVERWRITES = 1 << 2,     /* nothing of the range's earlier content remains */
-    ACCESS_NEEDED = 1 << 3,         /* somebody wants what it writes: STORE */
-    ACCESS_CONDITIONAL = 1 << 4,    /* does not happen in every frame */
 };
 
 /* What an access does, in Vulkan's words; many accesses share one. */
