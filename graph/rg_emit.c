@@ -109,23 +109,13 @@ static void emit_pass(struct sync *sync, const struct pass *pass, struct rg_plan
     }
 }
 
-static void list_culled(struct compiler *c)
-{
-    struct rg_culled *culled =
-        ARENA_ARRAY(c->arena, struct rg_culled, c->pass_count - c->plan->pass_count);
-    for (uint32_t p = 0; p < c->pass_count && culled; p++) {
-        if (!c->passes[p].alive)
-            culled[c->plan->culled_count++] =
-                (struct rg_culled){ c->passes[p].rg, c->passes[p].repetition };
-    }
-    c->plan->culled = culled;
-}
-
 void rg_emit(struct compiler *c, struct sync *sync)
 {
     struct rg_plan *plan = c->plan;
     struct rg_plan_pass *passes = ARENA_ARRAY(c->arena, struct rg_plan_pass, plan->pass_count);
     struct rg_plan_use *uses = ARENA_ARRAY(c->arena, struct rg_plan_use, c->alive_access_count);
+    struct rg_culled *culled =
+        ARENA_ARRAY(c->arena, struct rg_culled, c->pass_count - plan->pass_count);
     c->colors = ARENA_ARRAY(c->arena, struct rg_plan_target, c->color_access_count);
     rg_sync_begin(sync, passes);
     if (c->arena->failed)
@@ -133,12 +123,15 @@ void rg_emit(struct compiler *c, struct sync *sync)
     plan->passes = passes;
     plan->uses = uses;
     plan->colors = c->colors;
+    plan->culled = culled;
     uint32_t index = 0;
-    for (uint32_t p = 0; p < c->pass_count; p++) {
-        if (c->passes[p].alive)
-            emit_pass(sync, &c->passes[p], uses, index++);
+    for (const struct pass *pass = c->passes, *end = pass + c->pass_count; pass < end; pass++) {
+        if (pass->alive)
+            emit_pass(sync, pass, uses, index++);
+        else
+            *culled++ = (struct rg_culled){ pass->rg, pass->repetition };
     }
+    plan->culled_count = c->pass_count - plan->pass_count;
     rg_follow_outputs(c);
     rg_sync_end(sync);
-    list_culled(c);
 }
