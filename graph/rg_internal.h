@@ -50,6 +50,7 @@ struct cell {
     uint32_t filled;
     bool wanted;      /* by later passes or outputs, while culling; of one of several */
     bool wanted_next; /* of a persistent resource: by the next frame */
+    bool changed;     /* the same, in rg_state_each_early(): by the passes so far */
 };
 
 /* What later passes or outputs want of a resource, while culling. */
@@ -481,6 +482,13 @@ void rg_sync_takeovers(struct sync *sync);
 
 /* Every cell as the frame finds it. */
 void rg_state_begin(struct compiler *c);
+
+typedef void rg_early_fn(void *user, struct resource *r, const struct cell_walk *w,
+                         const struct access *a);
+
+/* Sees every read of a persistent cell that finds what the frame before left, in the layout that
+ * the cell is in now: that in which a frame finds and leaves it. */
+void rg_state_each_early(struct compiler *c, rg_early_fn *see, void *user);
 
 /* ---- rg_end.c: what is done to a whole resource outside the frame ---- */
 

@@ -67,6 +67,39 @@ static void rehearse(struct compiler *c)
     }
 }
 
+void rg_state_each_early(struct compiler *c, rg_early_fn *see, void *user)
+{
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        for (uint32_t k = 0; k < c->resources[i].cell_count && c->resources[i].persistent; k++)
+            c->resources[i].cells[k].changed = false;
+    }
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
+            const struct access *a = &c->accesses[pass->first_access + i];
+            if (!a->resource->persistent)
+                continue;
+            bool writes = a->flags & ACCESS_WRITES_CONTENT;
+            for (struct cell_walk w = rg_walk(a->resource, rg_range_of(c, a)); rg_walk_next(&w);) {
+                if (writes || w.cell->layout != a->effect->layout)
+                    w.cell->changed = true;
+                if (!w.cell->changed)
+                    see(user, a->resource, &w, a);
+            }
+        }
+    }
+}
+
+/* Where a barrier of the frame before has made a write visible to some who read it, it will do so
+ * for this one, too (rg_sync_end). */
+static void expect_early(void *user, struct resource *r, const struct cell_walk *w,
+                         const struct access *a)
+{
+    (void)user, (void)r;
+    if (w->cell->visible)
+        w->cell->visible |= a->effect->visibility & RG_VISIBLE_TO_ALL;
+}
+
 static void keep_state(struct cell *s)
 {
     s->written = s->touched = 0;
@@ -96,6 +129,7 @@ void rg_state_begin(struct compiler *c)
     if (!c->persistent_count)
         return;
     rehearse(c);
+    rg_state_each_early(c, expect_early, NULL);
     for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = &c->resources[i];
         for (uint32_t k = 0; k < r->cell_count && r->persistent; k++)

@@ -8,6 +8,7 @@
  * for the same order of passes is smaller, and none waits earlier than it has to.
  */
 #include "graph/rg_sync.h"
+#include <assert.h>
 
 static void close_batch(struct sync *sync)
 {
@@ -272,6 +273,21 @@ static void begin_history(struct sync *sync, struct resource *r)
     join_rows(sync, r, start);
 }
 
+/* The barrier by which this frame makes what it leaves visible to some makes it so to who reads it
+ * in the next frame, as that expects. */
+static void serve_early(void *user, struct resource *r, const struct cell_walk *w,
+                        const struct access *a)
+{
+    struct sync *sync = user;
+    struct rg_barrier next = { .range = cell_range(r, w) };
+    if (!(a->effect->visibility & RG_VISIBLE_TO_ALL & ~w->cell->visible) || !w->cell->visible)
+        return;
+    rg_sync_name(&next, r);
+    bool served = rg_sync_widen(sync, w->cell, a, &next);
+    assert(served);
+    (void)served;
+}
+
 void rg_sync_end(struct sync *sync)
 {
     struct compiler *c = sync->c;
@@ -280,6 +296,8 @@ void rg_sync_end(struct sync *sync)
         if (c->resources[i].first != RG_NONE)
             end_resource(sync, &c->resources[i]);
     }
+    if (c->persistent_count && !c->arena->failed)
+        rg_state_each_early(c, serve_early, sync);
     close_batch(sync);
     plan->barrier_count = sync->barrier_count;
     plan->first_initial_barrier = sync->batch_first = sync->barrier_count;

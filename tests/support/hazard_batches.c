@@ -72,7 +72,7 @@ static bool begins(const struct hazard_resource *resource, const struct stay *fi
         struct stay out = *last;
         if (resource->output)
             out = stay_of(resource, resource->output->access, HAZARD_SHADERS, last->last);
-        return !goes_on(&out, first) || (first->stages & ~out.stages);
+        return !goes_on(&out, first); /* or a barrier of the frame before can have served it */
     }
     return !has_arrived(resource, first);
 }

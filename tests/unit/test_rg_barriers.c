@@ -243,6 +243,34 @@ static void test_reads_after_reads_are_merged(void **state)
     rg_plan_destroy(plan);
 }
 
+/* Who reads it before the frame writes it is served by the frame before, where somebody else reads
+ * it anyway. */
+static void test_barriers_of_history(void **state)
+{
+    (void)state;
+    static const struct rg_image past = IMAGE(.name = "past", .persistent = true);
+    const struct rg_pass passes[] = {
+        COMPUTE("from past", { TEXTURE(past) },
+                { .image = &a, .access = RG_STORAGE_WRITE, .binding = 1 }),
+        DRAW("to past", .color = RG_TARGETS({ CLEARED(past) }), SAMPLING(a)),
+        DRAW("to b", .color = RG_TARGETS({ CLEARED(b) }), SAMPLING(past)),
+    };
+    struct rg_plan *plan = small_graph_compile(
+        &(struct small_graph){ PASSES(passes), WANTS(b), .sharing = RG_SHARE_NOTHING });
+    CHECK_BARRIERS(plan, 0,
+                   MOVE(a, FROM(FRAGMENT, 0, NEW), TO(COMPUTE_STAGE, STORAGE_WRITE, AS_STORAGE)));
+    CHECK_BARRIERS(
+        plan, 1,
+        MOVE(a, FROM(COMPUTE_STAGE, STORAGE_WRITE, AS_STORAGE),
+             TO(FRAGMENT, SAMPLED_READ, AS_TEXTURE)),
+        MOVE(past, FROM(FRAGMENT | COMPUTE_STAGE, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
+    CHECK_BARRIERS(plan, 2,
+                   MOVE(past, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR),
+                        TO(FRAGMENT | COMPUTE_STAGE, SAMPLED_READ, AS_TEXTURE)),
+                   MOVE(b, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
+    rg_plan_destroy(plan);
+}
+
 static void test_barriers_of_shared_memory(void **state)
 {
     (void)state;
@@ -304,6 +332,7 @@ int main(void)
         cmocka_unit_test(test_barriers_of_depth),
         cmocka_unit_test(test_barriers_of_a_buffer),
         cmocka_unit_test(test_barriers_of_an_import),
+        cmocka_unit_test(test_barriers_of_history),
         cmocka_unit_test(test_barriers_of_shared_memory),
         cmocka_unit_test(test_fewest_batches_or_least_memory),
         cmocka_unit_test(test_reads_after_reads_are_merged),
