@@ -192,14 +192,12 @@ static void test_csv(void **state)
 static void test_csv_in_another_locale(void **state)
 {
     (void)state;
-    static const char *const names[] = { "de_DE.UTF-8", "de_DE", "fr_FR.UTF-8", "sv_SE.UTF-8" };
     struct profile p;
-    const char *found = NULL;
     profile_sample(&p, 1);
     char *expected = NULL;
     make_csv(&p, &expected);
-    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]) && !found; i++)
-        found = setlocale(LC_NUMERIC, names[i]);
+    assert_non_null(setlocale(LC_NUMERIC, "comma")); /* tests/data/comma.locale */
+    assert_string_equal(localeconv()->decimal_point, ",");
     char *text = NULL;
     make_csv(&p, &text);
     setlocale(LC_NUMERIC, "C");
@@ -207,8 +205,6 @@ static void test_csv_in_another_locale(void **state)
     free(text);
     free(expected);
     profile_finish(&p);
-    if (!found)
-        skip();
 }
 
 int main(void)
