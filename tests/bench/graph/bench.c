@@ -1,4 +1,4 @@
-/* bench.c: the program `meson benchmark` runs. */
+/* bench.c: the program `meson test --benchmark graph` runs. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
