@@ -424,7 +424,7 @@ struct rg_plan_pass {
     VkExtent2D extent;                     /* of the targets; the view's without targets */
     uint32_t first_barrier, barrier_count; /* one batch, before the pass */
     uint32_t first_use, use_count;
-    const struct rg_plan_target *color; /* color_count of them, among the plan's */
+    const struct rg_plan_target *color; /* color_count of them, in the plan's colors */
     uint32_t color_count;
     struct rg_plan_target depth; /* image RG_NONE: none */
 };

@@ -32,7 +32,7 @@ static void add_resolve(const struct compiler *c, const struct access *a,
     target->resolve_layer = rg_range_of(c, a)->baseArrayLayer;
 }
 
-/* What is said of targets that the pass does not have is left alone: it is most of the struct. */
+/* Of targets only says that there are none so far (emit_target). */
 static void begin_pass(const struct compiler *c, const struct pass *pass, struct rg_plan_pass *out)
 {
     out->pass = pass->rg;

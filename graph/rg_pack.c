@@ -11,7 +11,7 @@
 #include "graph/rg_internal.h"
 
 enum {
-    PROMOTIONS = 8,
+    PROMOTIONS = 8,    /* orders beside those of the rules */
     MANY = 512,        /* resources beyond which only the first rules are tried, */
     RULES_OF_MANY = 2, /* so many, */
     LONG_LIFE = 32,    /* and only time order if on average more than so many begin in a life */
