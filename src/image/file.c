@@ -5,12 +5,22 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include "src/log.h"
+
+enum {
+    RANDOM_LENGTH = 6,
+    ATTEMPTS_MAX = 100,
+    STALE_SECONDS = 3600,
+};
+
+static const char suffix[] = ".tmp";
+static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 
 /* Where a path leads. */
 struct target {
@@ -81,70 +91,120 @@ static enum status target_find(struct target *target, const char *path)
     return ok ? STATUS_OK : cannot_create(path, strerror(errno));
 }
 
-/* ".NAME.HOST.PID.tmp", the name shortened where it would get too long. */
-static void name_temporary(const char *name, long process, char temporary[static NAME_MAX + 1])
-{
-    char host[65] = "";
-    char tail[sizeof(host) + 32];
+/* A temporary that is being written, locked for as long as it is open. */
+struct temporary {
+    int file;                /* descriptor, or -1 */
+    char name[NAME_MAX + 1]; /* in the target's folder */
+};
 
-    if (gethostname(host, sizeof(host) - 1) != 0)
-        host[0] = '\0'; /* the process number has to do */
-    const int tail_length = snprintf(tail, sizeof(tail), ".%s.%ld.tmp", host, process);
-    snprintf(temporary, NAME_MAX + 1, ".%.*s%s", NAME_MAX - 1 - tail_length, name, tail);
+/* Length of what temporaries of this file begin with: ".NAME.", of which NAME may be shortened. */
+static int prefix_length(const char *name)
+{
+    const int longest = NAME_MAX - (RANDOM_LENGTH + (int)strlen(suffix));
+    const int length = (int)strlen(name) + 2;
+    return length < longest ? length : longest;
 }
 
-/* The process that such a name ends with; 0: none. */
-static long find_process(const char *temporary)
+/* ".NAME.XXXXXX.tmp", with letters that nobody can guess. */
+static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1])
 {
-    static const char ending[] = ".tmp";
-    const size_t length = strlen(temporary);
-    const size_t end = length - (sizeof(ending) - 1);
-    size_t start = end;
-    if (length < sizeof(ending) || strcmp(temporary + end, ending) != 0)
-        return 0;
-    while (start > 0 && strchr("0123456789", temporary[start - 1]))
-        start--;
-    return end - start < 10 ? strtol(temporary + start, NULL, 10) : 0;
+    unsigned char random[RANDOM_LENGTH];
+    const int length = prefix_length(name);
+    if (getrandom(random, sizeof(random), 0) != (ssize_t)sizeof(random))
+        return false;
+    snprintf(temporary, NAME_MAX + 1, ".%.*s.", length - 2, name);
+    for (int i = 0; i < RANDOM_LENGTH; i++)
+        temporary[length + i] = letters[random[i] % strlen(letters)];
+    strcpy(temporary + length + RANDOM_LENGTH, suffix);
+    return true;
+}
+
+/* Whether a folder's entry is named like a temporary of this file. */
+static bool is_temporary(const char *entry, const char *name)
+{
+    const int length = prefix_length(name);
+    return entry[0] == '.' && !strncmp(entry + 1, name, (size_t)length - 2) &&
+           entry[length - 1] == '.' && strspn(entry + length, letters) == RANDOM_LENGTH &&
+           !strcmp(entry + length + RANDOM_LENGTH, suffix);
+}
+
+static bool is_still_named(int folder, const char *name, int file)
+{
+    struct stat named, opened;
+    return fstatat(folder, name, &named, AT_SYMLINK_NOFOLLOW) == 0 && fstat(file, &opened) == 0 &&
+           named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+}
+
+static void remove_temporary(const struct target *target, struct temporary *temporary)
+{
+    if (is_still_named(target->folder, temporary->name, temporary->file))
+        unlinkat(target->folder, temporary->name, 0);
+    close(temporary->file);
+}
+
+/* Creates and locks one. Between the two, another process may take it for left behind and remove
+ * it: then the next name has its turn. */
+static bool open_temporary(const struct target *target, struct temporary *temporary)
+{
+    const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
+    for (int attempt = 0; attempt < ATTEMPTS_MAX; attempt++) {
+        if (!name_temporary(target->name, temporary->name))
+            return false;
+        temporary->file = openat(target->folder, temporary->name, flags, 0666);
+        if (temporary->file < 0 && errno != EEXIST)
+            return false;
+        if (temporary->file < 0)
+            continue;
+        const bool is_ours = flock(temporary->file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+        if (is_ours && is_still_named(target->folder, temporary->name, temporary->file))
+            return true;
+        close(temporary->file);
+    }
+    errno = EEXIST;
+    return false;
 }
 
 /*
- * Whether a temporary of this name was left: by a process of this machine that is no more, or by
- * one of another machine that has not written for an hour, both times by the clock of the disk.
+ * Whether the open file was left behind. A lock goes with the process that held it, on whatever
+ * machine; where the file system has no locks, an hour without a write decides.
  */
-static bool is_stale(int folder, const char *name, const char *entry, time_t now)
+static bool is_stale(int file, time_t now)
 {
-    const time_t age = 3600;
-    const size_t length = strlen(name);
-    const long process = find_process(entry);
-    char temporary[NAME_MAX + 1];
     struct stat info;
-
-    if (process <= 0 || process == (long)getpid())
+    if (fstat(file, &info) != 0 || !S_ISREG(info.st_mode))
         return false;
-    name_temporary(name, process, temporary);
-    if (!strcmp(entry, temporary))
-        return kill((pid_t)process, 0) != 0 && errno == ESRCH;
-    return entry[0] == '.' && !strncmp(entry + 1, name, length) && entry[1 + length] == '.' &&
-           fstatat(folder, entry, &info, AT_SYMLINK_NOFOLLOW) == 0 && now - info.st_mtime > age;
+    if (flock(file, LOCK_EX | LOCK_NB) == 0)
+        return true;
+    return errno != EWOULDBLOCK && now - info.st_mtime > STALE_SECONDS;
 }
 
-static void remove_stale(int folder, const char *name, time_t now)
+static void remove_if_stale(int folder, const char *entry, time_t now)
 {
-    const int again = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int flags = O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+    const int file = openat(folder, entry, flags);
+    if (file < 0)
+        return;
+    if (is_stale(file, now) && is_still_named(folder, entry, file))
+        unlinkat(folder, entry, 0);
+    close(file);
+}
+
+/* `own`: the temporary that stays, and whose time is the disk's clock. */
+static void remove_stale(const struct target *target, const struct temporary *own)
+{
+    const int again = openat(target->folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     DIR *entries = again >= 0 ? fdopendir(again) : NULL;
+    struct stat info;
     if (!entries && again >= 0)
         close(again);
-    for (const struct dirent *entry; entries && (entry = readdir(entries));) {
-        if (is_stale(folder, name, entry->d_name, now))
-            unlinkat(folder, entry->d_name, 0);
+    if (!entries)
+        return;
+    const time_t now = fstat(own->file, &info) == 0 ? info.st_mtime : 0;
+    for (const struct dirent *entry; (entry = readdir(entries));) {
+        if (is_temporary(entry->d_name, target->name) && strcmp(entry->d_name, own->name) != 0)
+            remove_if_stale(target->folder, entry->d_name, now);
     }
-    if (entries)
-        closedir(entries);
-}
-
-static int create(int folder, const char *name)
-{
-    return openat(folder, name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+    closedir(entries);
 }
 
 static bool write_all(int file, const unsigned char *data, size_t size)
@@ -193,38 +253,30 @@ static enum status write_straight(const char *path, const void *data, size_t siz
     return status;
 }
 
+/* Closed when it has its name, since who finds it closed before may take it for left behind. */
 static enum status replace(const struct target *target, const char *path, const void *data,
                            size_t size)
 {
-    char temporary[NAME_MAX + 1];
-    struct stat info;
-    int file;
+    struct temporary temporary;
     bool ok;
 
-    name_temporary(target->name, (long)getpid(), temporary);
-    file = create(target->folder, temporary);
-    /* the name is this process's own, so this one was left by a dead process of the same number */
-    if (file < 0 && errno == EEXIST && unlinkat(target->folder, temporary, 0) == 0)
-        file = create(target->folder, temporary);
-    if (file < 0)
+    if (!open_temporary(target, &temporary))
         return cannot_create(path, strerror(errno));
-
-    if (fstat(file, &info) == 0)
-        remove_stale(target->folder, target->name, info.st_mtime);
-    ok = write_all(file, data, size) && fsync(file) == 0;
+    remove_stale(target, &temporary);
+    ok = write_all(temporary.file, data, size) && fsync(temporary.file) == 0;
+    if (ok && !is_still_named(target->folder, temporary.name, temporary.file)) {
+        log_error("%s: cannot be written: another program has replaced its temporary file", path);
+        close(temporary.file);
+        return STATUS_WRITE;
+    }
+    ok = ok && renameat(target->folder, temporary.name, target->folder, target->name) == 0;
     if (!ok) {
         const enum status status = cannot_write(path);
-        close(file);
-        unlinkat(target->folder, temporary, 0);
+        remove_temporary(target, &temporary);
         return status;
     }
-    ok = close_file(file) && renameat(target->folder, temporary, target->folder, target->name) == 0;
-    if (!ok) {
-        const enum status status = cannot_write(path);
-        unlinkat(target->folder, temporary, 0);
-        return status;
-    }
-    return sync_folder(target->folder) ? STATUS_OK : cannot_write(path);
+    ok = close_file(temporary.file) && sync_folder(target->folder);
+    return ok ? STATUS_OK : cannot_write(path);
 }
 
 enum status file_write(const char *path, const void *data, size_t size)

@@ -1,10 +1,12 @@
 /*
  * file.h: the one place where output reaches the disk, and the way in to pictures.
  *
- * A file is written to a temporary beside it (".NAME.HOST.PID.tmp"), checked write by write,
- * fsynced, closed and renamed: whoever looks finds the older file whole or the new one whole. A
- * failure leaves the older file and no temporary. One that a process has left which was killed
- * goes when the file is written again: on this machine at once, on another one an hour later.
+ * A file is written to a temporary beside it (".NAME.XXXXXX.tmp", X: random letters and digits),
+ * checked write by write, fsynced, renamed and closed: a reader finds the complete older file or
+ * the complete new one. A failure leaves the older file and no temporary. The writer holds a lock
+ * (flock) on its temporary. The next write of the same file removes temporaries that nobody has
+ * locked: those of processes that were killed. Where a file system has no locks, a temporary is
+ * removed when it has not been written for an hour.
  */
 #ifndef FIRN_IMAGE_FILE_H
 #define FIRN_IMAGE_FILE_H

@@ -2,11 +2,10 @@
 
 Usage: see case.py. FAIL_CALL in the environment is the library of tests/support/fail_call.c.
 """
+import fcntl
 import os
-import pathlib
 import signal
 import sys
-import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import CANT_CREATE, WRITE, Case, main  # noqa: E402
@@ -76,19 +75,15 @@ class Output(Case):
         self.check('kill', (-signal.SIGKILL,))
 
     def test_others_temporaries_stay(self):
-        """Of a process that lives, of another machine within an hour, of another file."""
-        host = os.uname().nodename
-        names = [f'.a.exr.{host}.{os.getpid()}.tmp', '.a.exr.elsewhere.1.tmp',
-                 f'.b.exr.{host}.999999999.tmp', f'.a.exr.{host}.tmp', f'.a.exr.{host}.x.tmp']
-        old = '.b.exr.elsewhere.1.tmp', '.a.exr.elsewhere.x.tmp', f'.a.exr.{host}.1.tmp'
-        gone = f'.a.exr.{host}.999999999.tmp', '.a.exr.elsewhere.2.tmp'
-        names += old
-        for name in (*names, *gone):
-            pathlib.Path(self.folder / name).touch()
-        for name in (*old, gone[1]):
-            os.utime(self.folder / name, (0, time.time() - 3700))
-        self.assertEqual(self.draw().returncode, 0)
-        self.assertEqual(self.files(), sorted([*NAMES, *names, 'one.exr']))
+        """Of a process that lives, and of another file; those that nobody has locked go."""
+        stay = ['.a.exr.living.tmp', '.b.exr.k3Xz0q.tmp', '.a.exr.k3Xz0.tmp']
+        gone = '.a.exr.k3Xz0q.tmp'
+        for name in (*stay, gone):
+            (self.folder / name).touch()
+        with open(self.folder / stay[0], 'rb') as living:
+            fcntl.flock(living, fcntl.LOCK_EX)
+            self.assertEqual(self.draw().returncode, 0)
+        self.assertEqual(self.files(), sorted([*NAMES, *stay, 'one.exr']))
 
 
 if __name__ == '__main__':

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -490,20 +491,32 @@ static void test_file_long_names(void **state)
     assert_int_equal(count_files(), 4);
 }
 
-/* The temporary of a process that was killed, and had this one's number. */
+/* A temporary without a lock was left by a killed process, and goes. */
 static void test_file_left_temporary(void **state)
 {
-    char host[65] = "", name[128];
-
+    static const char *const others[] = { ".b.k3Xz0q.tmp",  ".a.k3Xz0.tmp", ".a.k3Xz0qq.tmp",
+                                          ".a.k3Xz-q.tmp",  ".a.k3Xz0q.tm", "a.k3Xz0q.tmp",
+                                          ".a.k3Xz0q.tmp~", ".ak3Xz0q.tmp" };
     (void)state;
-    assert_int_equal(gethostname(host, sizeof(host) - 1), 0);
-    snprintf(name, sizeof(name), ".a.%s.%ld.tmp", host, (long)getpid());
     save("victim", "safe", 4);
-    assert_int_equal(symlink("victim", name), 0);
+    assert_int_equal(symlink("victim", ".a.SYMLNK.tmp"), 0);
+    assert_int_equal(mkfifo(".a.0FIFO0.tmp", 0666), 0);
+    save(".a.living.tmp", "x", 1);
+    const int living = open(".a.living.tmp", O_RDWR);
+    assert_int_equal(flock(living, LOCK_EX), 0);
+    for (int i = 0; i < 8; i++)
+        save(others[i], "x", 1);
+    save(".a.k3Xz0q.tmp", "left", 4);
+    save(".a.999999.tmp", "", 0);
     assert_int_equal(file_write("a", "abc", 3), STATUS_OK);
     check_content("a", "abc");
     check_content("victim", "safe");
-    assert_int_equal(count_files(), 2);
+    assert_int_equal(access(".a.k3Xz0q.tmp", F_OK), -1);
+    assert_int_equal(access(".a.999999.tmp", F_OK), -1);
+    assert_int_equal(count_files(), 8 + 5);
+    close(living);
+    assert_int_equal(file_write("a", "def", 3), STATUS_OK);
+    assert_int_equal(count_files(), 8 + 4);
 }
 
 static void test_file_pipe(void **state)
