@@ -4,6 +4,7 @@
 #include <sched.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
 #include "src/frame.h"
@@ -89,12 +90,18 @@ static void describe(struct prime *prime, const struct stage *stage,
     atomic_init(&prime->next, (int)stage->frame.plan->pass_count - 1);
 }
 
+static bool is_wanted(void)
+{
+    const char *value = getenv("FIRN_WARM_UP");
+    return !value || strcmp(value, "off") != 0;
+}
+
 struct prime *prime_begin(const struct stage *stage, const struct renderer_params *params)
 {
     const struct gpu *gpu = params->gpu;
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
     if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU || gpu->validated ||
-        params->replace)
+        params->replace || !is_wanted())
         return NULL;
     struct prime *prime = cores > 1 ? calloc(1, sizeof(*prime)) : NULL;
     if (!prime)
@@ -107,17 +114,11 @@ struct prime *prime_begin(const struct stage *stage, const struct renderer_param
     return prime;
 }
 
-void prime_stop(struct prime *prime)
-{
-    if (prime)
-        atomic_store(&prime->next, -1);
-}
-
 void prime_end(struct prime *prime)
 {
     if (!prime)
         return;
-    prime_stop(prime);
+    atomic_store(&prime->next, -1); /* no further pass */
     for (uint32_t i = 0; i < prime->thread_count; i++)
         pthread_join(prime->threads[i], NULL);
     free(prime);

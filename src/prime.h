@@ -5,7 +5,9 @@
  * result in a cache on disk. So threads draw the same passes from the last one on, nowhere, each
  * on a device of its own; what they have compiled the renderer's device finds in the cache. Where
  * there is no such cache the work is done twice, on cores that have nothing to do. Nothing depends
- * on it: whatever fails, or comes too late, the picture is the same.
+ * on it: whatever fails, or comes too late, the picture is the same. With FIRN_WARM_UP=off in the
+ * environment there are no such threads: where many firn run beside each other, and the cache has
+ * the shaders already, they would take a fourth of the processor time of a small picture.
  */
 #ifndef FIRN_PRIME_H
 #define FIRN_PRIME_H
@@ -16,14 +18,12 @@ struct prime;
 
 /*
  * Begins with a stage that is compiled, which outlives the result, as gpu and scene do. NULL:
- * nothing to be done, since the device is no CPU, there is one core only, or validation watches.
+ * nothing to be done, since the device is no CPU, there is one core only, validation watches, or
+ * the environment says so.
  */
 struct prime *prime_begin(const struct stage *stage, const struct renderer_params *params);
 
-/* Begins no further pass. Does not wait. May be NULL, as in the next one. */
-void prime_stop(struct prime *prime);
-
-/* Stops, waits for the threads, frees. */
+/* Begins no further pass, waits for the threads, frees. NULL is fine. */
 void prime_end(struct prime *prime);
 
 #endif

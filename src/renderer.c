@@ -451,7 +451,9 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
         status = draw_samples(r, shot, &result->image, progress, user);
     else
         log_error("out of memory");
-    prime_stop(r->prime);
+    /* whatever a driver's compiler does, it does before a file is written */
+    prime_end(r->prime);
+    r->prime = NULL;
     if (status == STATUS_OK)
         take_means(r, &result->image);
     if (status == STATUS_OK && r->resolve.exec) {

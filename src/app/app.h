@@ -168,10 +168,14 @@ enum status app_merge(const struct app_options *options);
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);
 
-/* The same in two parts: what can be wrong, and what only takes a while and may run beside others
- * that read the first. */
+/*
+ * The same in two parts: what can be wrong, and what only takes a while and may run beside others
+ * that read the first. The second returns NULL, or what there was no memory for, and does not log:
+ * app_fill_failed() does, and returns STATUS_TRY_AGAIN.
+ */
 MUST_USE enum status app_begin_scene(struct scene *scene, struct app_options *options);
-MUST_USE enum status app_fill_scene(struct scene *scene, const struct app_options *options);
+MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_options *options);
+enum status app_fill_failed(const char *lacking);
 
 /* Whether both sets of options, of the same words, load the same scene. */
 bool app_same_scene(const struct app_options *a, const struct app_options *b);

@@ -23,7 +23,7 @@ struct job {
     struct report report;
     struct stop stop;
     struct scene scene;
-    enum status filled; /* the scene, by a thread */
+    const char *lacking; /* what there was no memory for when the scene was filled; or NULL */
     struct camera camera;
     struct gpu gpu;
     struct renderer *renderer;      /* it or ... */
@@ -207,11 +207,12 @@ static bool is_small(const struct job *job)
 static void *fill_scene(void *user)
 {
     struct job *job = user;
-    job->filled = app_fill_scene(&job->scene, &job->o);
+    job->lacking = app_fill_scene(&job->scene, &job->o);
     return NULL;
 }
 
-/* The scene is filled meanwhile. */
+/* The scene is filled meanwhile, by a thread that does not log: if both fail, the line and the
+ * status are the device's. */
 static enum status open_device(struct job *job)
 {
     const struct app_options *o = &job->o;
@@ -228,7 +229,7 @@ static enum status open_device(struct job *job)
         pthread_join(thread, NULL);
     else if (status == STATUS_OK)
         fill_scene(job);
-    return status == STATUS_OK ? job->filled : status;
+    return status == STATUS_OK && job->lacking ? app_fill_failed(job->lacking) : status;
 }
 
 /* Opens the device, or what traces, with the first frame that has to be drawn. */

@@ -70,7 +70,7 @@ static void describe_fill(const struct app_options *o, struct scene_params *para
         (struct generate_air){ planes->count, planes->seed, planes->size, planes->frequency };
 }
 
-enum status app_fill_scene(struct scene *scene, const struct app_options *o)
+const char *app_fill_scene(struct scene *scene, const struct app_options *o)
 {
     struct bump_maps_params maps;
     struct scene_params params = { 0 };
@@ -78,11 +78,18 @@ enum status app_fill_scene(struct scene *scene, const struct app_options *o)
     return scene_fill(scene, &params);
 }
 
+enum status app_fill_failed(const char *lacking)
+{
+    log_error("%s: out of memory", lacking);
+    return STATUS_TRY_AGAIN;
+}
+
 enum status app_load_scene(struct scene *scene, struct app_options *o)
 {
     enum status status = app_begin_scene(scene, o);
-    if (status == STATUS_OK)
-        status = app_fill_scene(scene, o);
+    const char *lacking = status == STATUS_OK ? app_fill_scene(scene, o) : NULL;
+    if (lacking)
+        status = app_fill_failed(lacking);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;

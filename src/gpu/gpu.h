@@ -105,7 +105,11 @@ MUST_USE enum status gpu_list(struct gpu_device **devices, uint32_t *count);
 /* The VkResult's name, "VK_ERROR_DEVICE_LOST". */
 const char *gpu_result_name(VkResult result);
 
-enum status gpu_status(VkResult result); /* as above; STATUS_OK for VK_SUCCESS alone */
+/*
+ * As above; STATUS_OK for VK_SUCCESS alone. VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN where the memory
+ * of this process is limited, since that is what drivers say when they reach the limit.
+ */
+enum status gpu_status(VkResult result);
 
 /* Logs "<what>: <result's name>", and what to do about it, and gives the status for it. */
 enum status gpu_failed(const char *what, VkResult result);

@@ -249,7 +249,7 @@ enum status gpu_choose(const struct gpu_device *devices, uint32_t count, const c
     }
     list_names(devices, count, names, sizeof(names));
     if (count == 0)
-        log_error("no Vulkan device: install a driver (mesa-vulkan-drivers has one for the CPU)");
+        log_error("no Vulkan device: %s", gpu_missing_driver());
     else if (wanted && refused)
         log_error("%s: %s", refused->name, refused->refused);
     else if (wanted)

@@ -31,8 +31,7 @@ static enum status open_instance(struct gpu *gpu, bool validate)
         return STATUS_OK;
     if (result != VK_ERROR_INCOMPATIBLE_DRIVER)
         return gpu_failed("vkCreateInstance", result);
-    log_error("no Vulkan driver, or no Vulkan 1.3: install or update libvulkan1 and a driver "
-              "(mesa-vulkan-drivers has one for the CPU)");
+    log_error("no Vulkan driver, or no Vulkan 1.3: %s", gpu_missing_driver());
     return STATUS_NO_DEVICE;
 }
 

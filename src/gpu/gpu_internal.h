@@ -17,6 +17,9 @@ enum {
  * volkInitialize() done; logs nothing but that there is no validation layer. */
 MUST_USE VkResult gpu_instance_create(struct gpu *gpu, bool validate);
 
+/* What to do where no driver is found: install one, or raise a limit in which none is loaded. */
+const char *gpu_missing_driver(void);
+
 bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const char *name);
 
 /* What a messenger is made from. It keeps the address of gpu. */

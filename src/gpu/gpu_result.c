@@ -1,7 +1,8 @@
 /* gpu_result.c: Vulkan's results in words and as a status. */
 #include <stdio.h>
+#include <sys/resource.h>
 
-#include "src/gpu/gpu.h"
+#include "src/gpu/gpu_internal.h"
 #include "src/log.h"
 
 #define ROW(value) .result = (value), .name = #value
@@ -64,8 +65,33 @@ const char *gpu_result_name(VkResult result)
     return row ? row->name : "a VkResult without a name";
 }
 
+/* MiB that this process may use; 0: there is no limit. */
+static unsigned memory_limit(void)
+{
+    struct rlimit limit;
+    const bool is_limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return is_limited ? (unsigned)(limit.rlim_cur >> 20) : 0;
+}
+
+const char *gpu_missing_driver(void)
+{
+    return memory_limit() ? "install a driver, or raise the memory limit of this process (ulimit "
+                            "-v), in which none may be loaded"
+                          : "install or update libvulkan1 and a driver (mesa-vulkan-drivers has "
+                            "one for the CPU)";
+}
+
+/* Drivers that reach a limit often do not know what they lack. */
+static bool is_out_of_limit(VkResult result)
+{
+    return result == VK_ERROR_UNKNOWN && memory_limit() != 0;
+}
+
 enum status gpu_status(VkResult result)
 {
+    if (is_out_of_limit(result))
+        return STATUS_TRY_AGAIN;
+
     switch ((int)result) {
     case VK_SUCCESS:
         return STATUS_OK;
@@ -92,7 +118,11 @@ enum status gpu_status(VkResult result)
 enum status gpu_failed(const char *what, VkResult result)
 {
     const struct row *row = find_row(result);
-    if (row && row->mend)
+    if (is_out_of_limit(result))
+        log_error("%s: %s: probably out of memory: this process may use %u MiB; raise the limit "
+                  "(ulimit -v)",
+                  what, row->name, memory_limit());
+    else if (row && row->mend)
         log_error("%s: %s: %s", what, row->name, row->mend);
     else
         log_error("%s: %s", what, gpu_result_name(result));

@@ -200,21 +200,22 @@ enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cr
     return done ? STATUS_OK : out_of_memory("cracks");
 }
 
-enum status scene_fill(struct scene *scene, const struct scene_params *params)
+const char *scene_fill(struct scene *scene, const struct scene_params *params)
 {
     if (scene->has_pool)
-        return STATUS_OK;
+        return NULL;
     if (params->bump && !bump_maps_init(&scene->bump, params->bump))
-        return out_of_memory("maps of the surface");
+        return "maps of the surface";
     if (params->air.count && !generate_air_layers(&scene->air_layers, &params->air))
-        return out_of_memory("air");
-    return STATUS_OK;
+        return "air";
+    return NULL;
 }
 
 /* What lies on and in the object. */
 static enum status fill_object(struct scene *scene, const struct scene_params *params)
 {
-    enum status status = params->later ? STATUS_OK : scene_fill(scene, params);
+    const char *lacking = params->later ? NULL : scene_fill(scene, params);
+    enum status status = lacking ? out_of_memory(lacking) : STATUS_OK;
     if (status == STATUS_OK && params->air.count)
         status = add_air(scene, &params->air);
     if (status == STATUS_OK && params->bubbles.count)

@@ -77,8 +77,12 @@ extern const struct scene_builtin scene_builtins[]; /* ends at a row of zeros */
  * or STATUS_TRY_AGAIN; *scene is then {0}. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
 
-/* What `later` has left out, while other threads may read the rest. Logs: STATUS_TRY_AGAIN. */
-MUST_USE enum status scene_fill(struct scene *scene, const struct scene_params *params);
+/*
+ * Makes what `later` has left out, while other threads may read the rest. Returns NULL, or what
+ * there was no memory for ("air"). Does not log, since another thread may have an error to report:
+ * the caller decides which of the two is printed.
+ */
+MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
 
 /* Replaces the cracks of a scene; done by scene_load() too. Logs and returns STATUS_TRY_AGAIN when
  * memory is short. */

@@ -1,4 +1,5 @@
 /* test_gpu_fit.c: pictures that a device cannot hold, said before it tries. */
+#include <sys/resource.h>
 #include "src/gpu/gpu.h"
 #include "tests/support/check.h"
 
@@ -66,12 +67,32 @@ static void processors(void **state)
     assert_int_equal(gpu_fit_memory(&gpu, view, mib << 40, 0), STATUS_TRY_AGAIN);
 }
 
+/* What drivers say when they reach a limit of memory. */
+static void unknown_errors(void **state)
+{
+    struct rlimit kept;
+    (void)state;
+    assert_int_equal(getrlimit(RLIMIT_AS, &kept), 0);
+    const struct rlimit none = { RLIM_INFINITY, kept.rlim_max };
+    const struct rlimit large = { (rlim_t)1 << 46, kept.rlim_max };
+    if (kept.rlim_max == RLIM_INFINITY) {
+        assert_int_equal(setrlimit(RLIMIT_AS, &none), 0);
+        assert_int_equal(gpu_status(VK_ERROR_UNKNOWN), STATUS_FAILED);
+        assert_int_equal(setrlimit(RLIMIT_AS, &large), 0);
+    }
+    assert_int_equal(gpu_status(VK_ERROR_UNKNOWN), STATUS_TRY_AGAIN);
+    assert_int_equal(gpu_failed("vkCreateDevice", VK_ERROR_UNKNOWN), STATUS_TRY_AGAIN);
+    assert_int_equal(gpu_status(VK_ERROR_FEATURE_NOT_PRESENT), STATUS_FAILED);
+    assert_int_equal(setrlimit(RLIMIT_AS, &kept), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sizes),
         cmocka_unit_test(heaps),
         cmocka_unit_test(processors),
+        cmocka_unit_test(unknown_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
