@@ -11,7 +11,8 @@ import subprocess
 
 FLAGS = ('--headless=new', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage',
          '--no-first-run', '--disable-background-networking', '--disable-component-update',
-         '--host-resolver-rules=MAP * ~NOTFOUND', '--remote-debugging-pipe')
+         '--host-resolver-rules=MAP * ~NOTFOUND', '--remote-debugging-pipe',
+         '--disable-frame-rate-limit', '--disable-gpu-vsync')
 KEYS = {'Tab': 9, 'Enter': 13, 'Escape': 27, 'PageUp': 33, 'PageDown': 34, 'End': 35, 'Home': 36,
         'ArrowLeft': 37, 'ArrowUp': 38, 'ArrowRight': 39, 'ArrowDown': 40, ' ': 32}
 
@@ -34,7 +35,7 @@ class Browser:
         os.close(commands)
         os.close(answers)
         self.buffer, self.last_id, self.session = b'', 0, None
-        self.events = []
+        self.events, self.shape = [], None
         targets = self.call('Target.getTargets')['targetInfos']
         page = next(target for target in targets if target['type'] == 'page')
         self.session = self.call('Target.attachToTarget', targetId=page['targetId'],
@@ -80,9 +81,11 @@ class Browser:
     def open(self, path, width=1200, height=900, dark=False):
         """Loads a file from scratch, and forgets what was said before."""
         self.call('Page.navigate', url='about:blank')
-        self.resize(width, height)
-        scheme = {'name': 'prefers-color-scheme', 'value': 'dark' if dark else 'light'}
-        self.call('Emulation.setEmulatedMedia', features=[scheme])
+        if self.shape != (width, height, dark):
+            self.shape = (width, height, dark)
+            self.resize(width, height)
+            scheme = {'name': 'prefers-color-scheme', 'value': 'dark' if dark else 'light'}
+            self.call('Emulation.setEmulatedMedia', features=[scheme])
         self.events = []
         self.call('Page.navigate', url=path.as_uri())
         while not self.named('Page.loadEventFired'):
@@ -113,8 +116,8 @@ class Browser:
         self.settle()
 
     def settle(self):
-        """Two frames later."""
-        self.run('new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))')
+        """Once a frame has been drawn."""
+        self.run('new Promise(done => requestAnimationFrame(() => setTimeout(done)))')
 
     def complaints(self):
         """Everything on the console, and what was thrown."""

@@ -3,27 +3,28 @@ import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 import time
 
 XDND = pathlib.Path(__file__).with_name('xdnd.py')
 PATIENCE = 120  # seconds until something that should happen is taken for missing
 
 
-def wait_until(what, happens, words=lambda: '', patience=PATIENCE, act=None):
+def wait_until(what, happens, words=lambda: '', patience=PATIENCE, act=None, again=PATIENCE / 4):
     """
     The first true value of happens(). A failure quotes words(). What act() does is done first, and
     again if it is in vain: on a busy machine a key or a click now and then reaches no window.
     """
     end = time.monotonic() + patience
-    again = 0.0
+    next_act = 0.0
     while time.monotonic() < end:
-        if act and time.monotonic() > again:
-            again = time.monotonic() + patience / 4
+        if act and time.monotonic() > next_act:
+            next_act = time.monotonic() + again
             act()
         value = happens()
         if value:
             return value
-        time.sleep(0.05)
+        time.sleep(0.02)
     raise AssertionError(f'{what}: not after {patience:.0f} seconds\n{words()}')
 
 
@@ -42,19 +43,22 @@ class Desktop:
             raise AssertionError('Xvfb does not start')
         self.env = {**os.environ, 'DISPLAY': f':{number}'}
         self.manage()
-        wait_until('its desktop', lambda: '=' in self.ask('xprop', '-root', '_NET_WORKAREA'))
-        time.sleep(1)  # GLFW 3.3.8 can hang in a window manager that is still starting
 
     def manage(self):
-        """Starts a window manager. On a busy machine one now and then hangs as it starts."""
-        for _ in range(3):
-            self.start('openbox', '--sm-disable', env=self.env)
-            try:
-                wait_until('a window manager', lambda: 'window id' in self.ask(
-                    'xprop', '-root', '_NET_SUPPORTING_WM_CHECK'), patience=PATIENCE / 3)
-                return
-            except AssertionError:
-                self.end(self.processes.pop())
+        """
+        Starts a window manager, and waits until it says that it has started: before, GLFW 3.3.8 can
+        hang. On a busy machine openbox now and then hangs as it starts: then there is another.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            started = pathlib.Path(folder) / 'started'
+            for _ in range(3):
+                self.start('openbox', '--sm-disable', '--startup', f'touch {started}',
+                           env=self.env)
+                try:
+                    wait_until('a window manager', started.exists, patience=PATIENCE / 3)
+                    return
+                except AssertionError:
+                    self.end(self.processes.pop())
         self.close()
         raise AssertionError('no window manager starts')
 

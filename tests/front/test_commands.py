@@ -1,4 +1,4 @@
-"""front.py: the program `firn` as a user runs it. Usage: see case.py."""
+"""test_commands.py: the program `firn` as a user runs it. Usage: see case.py."""
 import itertools
 import json
 import pathlib

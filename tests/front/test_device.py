@@ -16,7 +16,7 @@ import tempfile
 import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DEVICE, Case, main  # noqa: E402
+from case import NO_DEVICE, PLAIN, Case, main  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LAYER = ROOT / 'tests/support/fail_layer.c'
@@ -46,8 +46,8 @@ CODES = {
 }
 # Commands without which the picture is as good: then nothing is said, and the bytes are the same.
 NEEDLESS = ('vkDeviceWaitIdle', 'vkGetPipelineCacheData', 'vkCreatePipelineCache')
-# The loader asks this before it opens a second device, for shaders beside the picture: the layer
-# has none, and nobody misses it.
+# The loader asks this before it opens a second device, for shaders beside the picture. The layer
+# has none, and the picture is as good without.
 TWIN = 'vkEnumerateDeviceExtensionProperties'
 # What fails here is not for one pass, image or buffer.
 NAMELESS = ('vkCreateInstance', 'vkCreateDevice', 'vkCreatePipelineCache', 'vkCreateCommandPool',
@@ -61,7 +61,7 @@ WINDOW = ('vkAcquireNextImageKHR', 'vkCreateSemaphore', 'vkCreateSwapchainKHR',
 LOADERS = {'vkEnumerateInstanceExtensionProperties', 'vkSetDebugUtilsObjectNameEXT',
            'vkCreateDebugUtilsMessengerEXT'}
 
-SMALL = ('--size', '32x24', '-o', 'a.exr')
+SMALL = ('--size', '32x24', *PLAIN, '--background', '0.4,0.5,0.6', '-o', 'a.exr')
 Fault = collections.namedtuple('Fault', 'command call result')
 
 
@@ -113,10 +113,10 @@ class LayerCase(Case):
             'XDG_CACHE_HOME': str(self.folder / 'cache'),
         }
 
-    def count(self, *arguments):
+    def count(self, *arguments, **env):
         """How often each command is called, once the caches are warm."""
         for _ in range(2):
-            self.succeed(*arguments, env={**self.env, 'FAIL_COUNT': 'counts'})
+            self.succeed(*arguments, env={**self.env, 'FAIL_COUNT': 'counts', **env})
         lines = (self.folder / 'counts').read_text().splitlines()
         return {name: int(count) for name, count in map(str.split, lines)}
 
@@ -143,7 +143,7 @@ class LayerCase(Case):
                  if not line.startswith(('fail_layer: ', 'firn: warning: --clock: '))]
         if code == 0:
             if CODES[fault.result]:
-                self.assertIn(fault.command, (*NEEDLESS, TWIN))
+                self.assertIn(fault.command, NEEDLESS)
             self.assertEqual(lines, [])
             self.assertEqual(left, {self.output: picture})
             return
@@ -199,6 +199,15 @@ class Device(LayerCase):
     def test_render(self):
         self.sweep('render', 'sphere', *SMALL)
 
+    def test_a_second_device(self):
+        """Compiles shaders beside the picture, unless it is told not to, and is not missed."""
+        pictures, calls = set(), {}
+        for warm_up in ('', 'off'):
+            calls[warm_up] = self.count('render', 'sphere', *SMALL, FIRN_WARM_UP=warm_up)[TWIN]
+            pictures.add((self.folder / 'a.exr').read_bytes())
+        self.assertEqual(calls[''] > calls['off'], os.cpu_count() > 1)
+        self.assertEqual(len(pictures), 1)
+
     def test_compute(self):
         self.sweep('render', 'pool', *SMALL, only=('vkCreateComputePipelines',))
 
@@ -210,7 +219,7 @@ class Device(LayerCase):
                          'vkCreateFramebuffer', 'vkQueueSubmit2', 'vkWaitForFences'))
 
     def test_measured(self):
-        self.sweep('profile', 'sphere', '--size', '32x24', '--runs', '2', '--warmup', '1',
+        self.sweep('profile', 'sphere', '--size', '32x24', *PLAIN, '--runs', '2', '--warmup', '1',
                    '--clock', 'timestamps', sample=True, most=8,
                    only=('vkCreateQueryPool', 'vkGetQueryPoolResults'))
 

@@ -1,8 +1,10 @@
 """test_examples.py: every command that the README, the docs and the help show, run small.
 
-Usage: test_examples.py FIRN [--no-window] [TEST...]   --no-window: that of `firn view` cannot open
+Usage: test_examples.py FIRN [--no-window] [--part=K/N] [TEST...]
+    --no-window: that of `firn view` cannot open; --part: only each N-th page, from the K-th on
 
-The commands are run as they stand, but for sizes, numbers of runs and of frames, and pipes.
+The commands are run as they stand, but for sizes, numbers of runs, of frames and of what is in the
+ice, and pipes.
 """
 import base64
 import json
@@ -14,12 +16,15 @@ import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import Case, environment, main  # noqa: E402
+from case import PLAIN, Case, environment, main  # noqa: E402
 from desktop import Desktop  # noqa: E402
 
 NO_WINDOW = '--no-window' in sys.argv
 if NO_WINDOW:
     sys.argv.remove('--no-window')
+PART, PARTS = 1, 1
+if len(sys.argv) > 2 and sys.argv[2].startswith('--part='):
+    PART, PARTS = map(int, sys.argv.pop(2).removeprefix('--part=').split('/'))
 
 ROOT = pathlib.Path(__file__).parents[2]
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list', 'bake', 'sheet',
@@ -32,6 +37,13 @@ SMALL = {
     'graph': '', 'diff': '', 'list': '', 'bake': '', 'sheet': '--size 48x36',
     'farm': '', 'merge': '',
 }
+# Of what costs most: words of a command, and fewer of the same.
+FEWER = (
+    (r'--frames (\d+)-\d+', r'--frames \1-\1'), (r'--samples \d+', '--samples 2'),
+    (r'--sweep size=\S+', '--sweep size=16x16,32x24,48x36'),
+    (r'(--sweep cracks.count=\S*),64', r'\1'), (r'(object.triangles=\S*),100000', r'\1'),
+    (r'(caustics.directions)=\d+', r'\1=4'),
+)
 # Takes minutes even so; test_profile.py measures its experiments.
 LONG = 'profile paper'
 
@@ -47,9 +59,8 @@ def examples(text):
 def shrink(line):
     """The same with less work."""
     command = line.split()[1]
-    line = re.sub(r'--frames (\d+)-\d+', r'--frames \1-\1', line)
-    line = re.sub(r'--sweep size=\S+', '--sweep size=16x16,32x24,48x36', line)
-    line = re.sub(r'--samples \d+', '--samples 2', line)
+    for words, fewer in FEWER:
+        line = re.sub(words, fewer, line)
     more = SMALL[command]
     if '--truth' in line:
         more = '--runs 0 --rungs paper'
@@ -59,6 +70,8 @@ def shrink(line):
         more += ' --size 48x36'
     if command == 'view':
         line = re.sub(r'--frames \S+', '', line)
+    if more and command != 'view':
+        more += ''.join(f' --set {row}' for row in PLAIN[1::2] if row.split('=')[0] not in line)
     before, to, after = line.partition(' > ')
     return f'{before} {more}{to}{after}'
 
@@ -114,16 +127,16 @@ class Examples(Case):
         """What the examples read lies there."""
         super().setUp()
         write_models(self.folder)
-        layers = '--aov', 'exit,thickness'
-        self.succeed('render', 'sphere', '--size', '48x36', *layers, '-o', 'reference.exr',
+        small = ('--size', '48x36', *PLAIN)
+        self.succeed('render', 'sphere', *small, '--aov', 'exit,thickness', '-o', 'reference.exr',
                      '-o', 'before.png')
         for name in ('a', 'b', 'golden', 'new', 'test'):
             shutil.copy(self.folder / 'reference.exr', self.folder / f'{name}.exr')
         shutil.copy(self.folder / 'before.png', self.folder / 'after.png')
         self.succeed('render', 'sphere', '--size', '16x8', '-o', 'studio.exr')
         for i in range(1, 9):
-            self.succeed('render', 'ice-cube', '--size', '48x36', '--tiles', '4x2', '--tile', i,
-                         '-o', f'tile.{i}.exr')
+            self.succeed('render', 'ice-cube', *small, '--tiles', '4x2', '--tile', i, '-o',
+                         f'tile.{i}.exr')
         (self.folder / 'shaders').symlink_to(ROOT / 'shaders')
         (self.folder / 'FOLDER').symlink_to(ROOT / 'shaders')
 
@@ -146,21 +159,25 @@ class Examples(Case):
                 expected = (0, 1) if is_asking else (0,)
                 self.assertIn(done.returncode, expected, f'{small}: {done.stderr.decode()}')
 
-    def test_the_docs(self):
-        lines = []
-        for page in (ROOT / 'README.md', *sorted((ROOT / 'docs').glob('*.md'))):
-            lines += examples(page.read_text())
-        self.assertGreater(len(lines), 50)
-        self.run_all(lines)
-
-    def test_the_help(self):
-        lines = list(examples(self.succeed('--help').stdout.decode()))
+    def pages(self):
+        """What examples are on, by their names."""
+        pages = {path.name: path.read_text()
+                 for path in (ROOT / 'README.md', *sorted((ROOT / 'docs').glob('*.md')))}
+        pages['--help'] = self.succeed('--help').stdout.decode()
         for command in COMMANDS:
-            done = self.firn(command, '--help')
-            if done.returncode == 0:
-                lines += examples(done.stdout.decode())
-        self.assertGreater(len(lines), 20)
-        self.run_all(lines)
+            done = self.firn(command, '--help')  # none of `firn view` where that was not built
+            pages[f'{command} --help'] = done.stdout.decode()
+        return pages
+
+    def test_every_page(self):
+        pages = self.pages()
+        lines = {name: list(examples(text)) for name, text in pages.items()}
+        counts = [sum(len(lines[name]) for name in pages if name.endswith(kind))
+                  for kind in ('.md', '--help')]
+        self.assertGreater(counts[0], 50)
+        self.assertGreater(counts[1], 20)
+        by_length = sorted(pages, key=lambda name: len(lines[name]))  # so that parts are alike
+        self.run_all([line for name in by_length[PART - 1::PARTS] for line in lines[name]])
 
 
 if __name__ == '__main__':

@@ -6,6 +6,7 @@ import getpass
 import json
 import os
 import pathlib
+import random
 import signal
 import socket
 import subprocess
@@ -14,7 +15,8 @@ import time
 import unittest
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CANT_CREATE, NO_DRIVER, SMALL, USAGE, WRITE, Case, environment, main  # noqa: E402
+from case import (  # noqa: E402
+    CANT_CREATE, NO_DRIVER, PLAIN, SMALL, USAGE, WRITE, Case, environment, main)
 
 
 def take_flag(name):
@@ -28,8 +30,8 @@ NO_SLURM, NO_PARALLEL = take_flag('--no-slurm'), take_flag('--no-parallel')
 FRAMES = 8
 NAMES = [f'turn.{i:02}.exr' for i in range(1, FRAMES + 1)]
 # A frame takes long enough to be killed in its middle
-TURN = ('ice-cube', '--size', '160x120', '--samples', '8', '-q', '--frames', f'1-{FRAMES}', '-o',
-        'turn.##.exr')
+TURN = ('ice-cube', '--size', '96x72', *PLAIN, '--samples', '8', '-q', '--frames', f'1-{FRAMES}',
+        '-o', 'turn.##.exr')
 SLURM_CONF = '''
 ClusterName=firn
 SlurmctldHost=localhost(127.0.0.1)
@@ -55,7 +57,7 @@ SlurmctldLogFile={folder}/slurmctld.log
 SlurmdLogFile={folder}/%n.log
 RequeueExit=75
 ReturnToService=2
-SlurmdTimeout=4
+SlurmdTimeout=600
 KillWait=2
 NodeName=n[1-2] NodeHostname=localhost NodeAddr=127.0.0.1 Port=[{ports[1]}-{ports[2]}] CPUs=1
 PartitionName=all Nodes=ALL Default=YES State=UP
@@ -63,8 +65,8 @@ PartitionName=all Nodes=ALL Default=YES State=UP
 
 
 def free_ports(count):
-    """Neighbours that nobody uses."""
-    for first in range(20000 + os.getpid() % 20000, 60000, count):
+    """Neighbours that nobody uses now."""
+    for first in range(random.randrange(20000, 50000), 60000, count):
         sockets = [socket.socket() for _ in range(count)]
         try:
             for i, s in enumerate(sockets):
@@ -266,20 +268,30 @@ class Slurm(Farm):
         link.symlink_to(self.folder)
         self.addCleanup(link.unlink)
         self.conf = link / 'slurm/slurm.conf'
-        self.conf.write_text(SLURM_CONF.format(ports=free_ports(3), user=getpass.getuser(),
-                                               folder=link / 'slurm'))
         self.env = environment({'SLURM_CONF': str(self.conf), 'FIRN_FARM_TEST': str(self.folder)})
+        self.addCleanup(self.stop)
+        for _ in range(5):
+            if self.start_daemons(link / 'slurm'):
+                return
+            self.stop()  # somebody else has taken a port
+        self.fail(self.log())
+
+    def start_daemons(self, folder):
+        """Whether all of them run on."""
+        self.conf.write_text(SLURM_CONF.format(ports=free_ports(3), user=getpass.getuser(),
+                                               folder=folder))
         self.daemons = {'ctld': self.start('slurmctld', '-D')}
         for node in ('n1', 'n2'):
             self.daemons[node] = self.start('slurmd', '-D', '-N', node)
-        self.wait_for(lambda: self.ask('sinfo', '-h', '-t', 'idle', '-o', '%D') == '2\n')
+        return self.wait_for(lambda: 'ended' if any(
+            daemon.poll() is not None for daemon in self.daemons.values()) else self.ask(
+                'sinfo', '-h', '-t', 'idle', '-o', '%D') == '2\n') != 'ended'
 
-    def tearDown(self):
+    def stop(self):
         self.kill([number for number, _, env in processes()
                    if f'SLURM_CONF={self.conf}'.encode() in env])
         for daemon in self.daemons.values():
             daemon.wait()
-        super().tearDown()
 
     def start(self, *words):
         path = f'{self.env["PATH"]}:/usr/sbin:/sbin'
@@ -337,6 +349,8 @@ class Slurm(Farm):
         mine = self.wait_for(lambda: self.find_firn('n1'))
         self.daemons['n1'].kill()
         self.kill(mine)
+        # sooner than Slurm finds it out: a time for that would be too short on a busy machine
+        self.ask('scontrol', 'update', 'NodeName=n1', 'State=DOWN', 'Reason=lost')
         log = self.folder / 'turn.logs/status.log'
         self.wait_for(lambda: log.exists() and self.ask('squeue', '-h') == '')
         self.assertEqual(log.read_text(), 'done         8  1-8\n',

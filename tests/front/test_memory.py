@@ -1,7 +1,8 @@
 """test_memory.py: firn when memory ends, at many places. Usage: see case.py.
 
 What the driver's compiler and Embree's threads do then is to crash, now and then, with words of
-their own or none: firn can only see to it that no file is damaged.
+their own or none: firn can only see to it that a file is the older one or the new one, whole, and
+that the next run removes what is left beside it.
 """
 import concurrent.futures
 import os
@@ -17,7 +18,6 @@ from case import NO_DEVICE, Case, environment, main  # noqa: E402
 
 TRY_AGAIN = 75
 CRASHES = (-signal.SIGSEGV, -signal.SIGABRT, -signal.SIGBUS, -signal.SIGILL, -signal.SIGTRAP)
-NOT_STARTED = 127  # by the dynamic linker
 OLDER = b'what was there before'
 MIB = 1 << 20
 
@@ -30,10 +30,15 @@ class Memory(Case):
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         with tempfile.TemporaryDirectory(prefix='firn ') as folder:
             (pathlib.Path(folder) / 'a.exr').write_bytes(OLDER)
-            done = subprocess.run([Case.program, *arguments], cwd=folder, stdin=subprocess.DEVNULL,
-                                  env=environment({}), capture_output=True, timeout=240,
-                                  check=False, preexec_fn=limit)
+            command = [Case.program, *arguments]
+            env = environment({'FIRN_WARM_UP': ''})  # its threads lack memory, too
+            done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, env=env,
+                                  capture_output=True, timeout=240, check=False,
+                                  preexec_fn=limit)
             left = {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir()}
+            if len(left) > 1 and done.returncode in CRASHES:
+                subprocess.run(command, cwd=folder, env=env, timeout=240, check=True)
+                left = {name: left.get(name) for name in os.listdir(folder)}
         return done.returncode, done.stderr.decode(), left
 
     def squeeze(self, *arguments, sizes, may_crash):
@@ -47,13 +52,12 @@ class Memory(Case):
             codes[code] = codes.get(code, 0) + 1
             with self.subTest(f'{arguments} in {size} MiB: {code}: {words}'):
                 self.assertEqual(list(left), ['a.exr'])
-                self.assertIn(left['a.exr'], (whole,) if code == 0 else (OLDER,))
-                if code in CRASHES and may_crash or code == NOT_STARTED:
+                if code in CRASHES and may_crash:
+                    self.assertIn(left['a.exr'], (OLDER, whole))
                     continue
-                self.assertIn(code, (0, 1, NO_DEVICE, TRY_AGAIN))
+                self.assertEqual(left['a.exr'], OLDER if code else whole)
+                self.assertIn(code, (0, NO_DEVICE, TRY_AGAIN))
                 self.assertEqual(len(words.splitlines()), 1 if code else 0)
-                if code == 1:  # a driver that does not know what it lacks
-                    self.assertIn('VK_ERROR_UNKNOWN', words)
         print(f"{' '.join(arguments[:2])}: {len(sizes)} limits; exit codes "
               + ', '.join(f'{code}: {count}' for code, count in sorted(codes.items())),
               file=sys.stderr)
@@ -70,9 +74,11 @@ class Memory(Case):
 
     def test_diff(self):
         """Nobody's memory but firn's."""
-        self.succeed('render', 'sphere', '--size', '640x480', '-q', '-o', self.folder / 'b.exr')
+        self.succeed('render', 'sphere', '--size', '320x240', '-q', '-o', self.folder / 'b.exr')
         path = str(self.folder / 'b.exr')
-        codes = self.squeeze('diff', path, path, '-o', 'a.exr', sizes=range(64, 320, 8),
+        starts = next(size for size in range(32, 1024)  # before, libraries are not even loaded
+                      if self.run_within(('--version',), size)[0] == 0)
+        codes = self.squeeze('diff', path, path, '-o', 'a.exr', sizes=range(starts, starts + 32),
                              may_crash=False)
         self.assertTrue(codes.get(TRY_AGAIN), codes)
         self.assertTrue(codes.get(0), codes)

@@ -7,11 +7,13 @@ import os
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, main  # noqa: E402
+from case import (  # noqa: E402
+    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, Case, main)
 
-QUICK = ('--size', '64x48', '--runs', '4', '--warmup', '1', '--set', 'env_cube.dynamic=off')
+QUICK = (*SMALL, '--runs', '4', '--warmup', '1', '--set', 'env_cube.dynamic=off', '--clock',
+         'timestamps')
 CUBE = ('--set', 'env_cube.dynamic=on')
-TIMED = ('--clock', 'timestamps')
+TESTED = ('--clock', 'auto')
 
 
 class Profile(Case):
@@ -21,57 +23,55 @@ class Profile(Case):
     def json(self, *arguments):
         return json.loads(self.profile('--json', '-', *arguments).stdout)
 
+    def read_json(self, name):
+        return json.loads((self.folder / name).read_text(encoding='utf-8'))
+
 
 class OneFrame(Profile):
-    def test_table(self):
-        lines = self.profile(*CUBE).stdout.decode().splitlines()
+    def test_all_reports_of_one_frame(self):
+        done = self.profile(*CUBE, *TESTED, '--json', 'a.json', '--csv', 'a.csv', '--trace',
+                            't.json', '--html', 'a.html')
+        self.assertEqual(self.files(), ['a.csv', 'a.html', 'a.json', 't.json'])
+        self.assertTrue(done.stdout.startswith(b'sphere, paper, ice, 64x48'))
+        self.check_table(done.stdout.decode().splitlines())
+        self.check_json(self.read_json('a.json'))
+        self.check_csv()
+        self.check_trace(self.read_json('t.json')['traceEvents'])
+        page = (self.folder / 'a.html').read_text(encoding='utf-8')
+        self.assertTrue(page.startswith('<!DOCTYPE html>') and page.endswith('</html>\n'))
+        self.assertIn('"scene":"sphere"', page.replace(': ', ':'))
+
+    def check_table(self, lines):
         self.assertLessEqual(max(map(len, lines)), 100)
         for word in ('pass', 'refract_paper.color', 'env_cube.sky x6', 'record', 'submit',
                      'unattributed', 'frame', 'clock:', 'measuring:'):
             self.assertTrue(any(line.startswith(word) for line in lines), word)
 
-    def test_each(self):
-        text = self.profile('--each', *CUBE).stdout.decode()
-        for face in range(6):
-            self.assertEqual(text.count(f'\nenv_cube.sky [{face}] '), 2)  # times, then counts
+    def check_json(self, found):
+        self.assertEqual((found['scene'], found['rung'], found['material']),
+                         ('sphere', 'paper', 'ice'))
+        self.assertEqual((found['width'], found['height'], found['run_count']), (64, 48, 4))
+        self.assertIn('firn profile sphere', found['command'])
+        self.assertEqual({one['name']: one['value'] for one in found['settings']}['bubbles.count'],
+                         '40')
+        rows = {row['name']: row for row in found['rows']}
+        self.assertEqual(rows['ice_normal.back']['triangles'], 960)
+        self.assertEqual(rows['tonemap.screen']['covered'], 64 * 48)
+        self.check_sums(found)
 
     def check_sums(self, found):
         for run, frame in enumerate(found['frame']['ms']):
             rows = sum(row['ms'][run] for row in found['rows'])
             self.assertAlmostEqual(rows, frame, delta=1e-6 * frame)
 
-    def test_json(self):
-        for clock in ('timestamps', 'submits'):
-            found = self.json('--clock', clock)
-            self.assertEqual(found['clock'], clock)
-            self.assertEqual((found['scene'], found['rung'], found['material']),
-                             ('sphere', 'paper', 'ice'))
-            self.assertEqual((found['width'], found['height'], found['run_count']), (64, 48, 4))
-            self.assertIn('firn profile sphere', found['command'])
-            self.assertEqual({one['name']: one['value'] for one in found['settings']}['air.count'],
-                             '19')
-            self.check_sums(found)
-
-    def test_counts(self):
-        rows = {row['name']: row for row in self.json()['rows']}
-        self.assertEqual(rows['ice_normal.back']['triangles'], 960)
-        self.assertEqual(rows['tonemap.screen']['covered'], 64 * 48)
-
-    def test_settings_change_the_frame(self):
-        names = {row['name'] for row in self.json('--set', 'cracks.count=0')['rows']}
-        self.assertFalse(any(name.startswith('cracks') for name in names))
-
-    def test_csv(self):
-        self.profile('--csv', 'a.csv')
+    def check_csv(self):
         with open(self.folder / 'a.csv', encoding='utf-8', newline='') as file:
             rows = list(csv.DictReader(file))
         self.assertEqual({row['run'] for row in rows}, set('0123'))
         self.assertIn('refract_paper.color', {row['row'] for row in rows})
         self.assertTrue(all(math.isfinite(float(row['ms'])) for row in rows))
 
-    def test_trace(self):
-        self.profile('--trace', 'a.json', *TIMED)
-        events = json.loads((self.folder / 'a.json').read_text(encoding='utf-8'))['traceEvents']
+    def check_trace(self, events):
         self.assertEqual({event['ph'] for event in events}, {'X', 'M', 'C'})
         names = [event['name'] for event in events if event['ph'] == 'X']
         self.assertEqual(names.count('refract_paper.color'), 8)  # drawn and recorded, 4 runs
@@ -81,54 +81,46 @@ class OneFrame(Profile):
                 self.assertTrue(math.isfinite(event['ts']) and event['dur'] >= 0)
                 self.assertIn('tid', event)
 
-    def test_page(self):
-        self.profile('--html', 'a.html')
-        page = (self.folder / 'a.html').read_text(encoding='utf-8')
-        self.assertTrue(page.startswith('<!DOCTYPE html>') and page.endswith('</html>\n'))
-        self.assertIn('"scene":"sphere"', page.replace(': ', ':'))
+    def test_each(self):
+        text = self.profile('--each', *CUBE).stdout.decode()
+        for face in range(6):
+            self.assertEqual(text.count(f'\nenv_cube.sky [{face}] '), 2)  # times, then counts
 
-    def test_all_at_once(self):
-        done = self.profile('--json', 'a.json', '--csv', 'a.csv', '--trace', 't.json', '--html',
-                            'a.html')
-        self.assertTrue(done.stdout.startswith(b'sphere, paper, ice, 64x48'))
-        self.assertEqual(self.files(), ['a.csv', 'a.html', 'a.json', 't.json'])
-
-    def test_time_step(self):
-        found = self.json('--time-step', '0.5', '--set', 'motion.time=2')
-        self.assertEqual((found['time'], found['time_step']), (2, 0.5))
+    def test_the_clock_that_is_asked_for(self):
+        for clock in ('timestamps', 'submits'):
+            found = self.json('--clock', clock, '--time-step', '0.5', '--set', 'motion.time=2',
+                              '--set', 'cracks.count=0')
+            self.assertEqual(found['clock'], clock)
+            self.check_sums(found)
+            self.assertEqual((found['time'], found['time_step']), (2, 0.5))
+            self.assertFalse(any(row['name'].startswith('cracks') for row in found['rows']))
 
     def test_validated(self):
-        self.assertEqual(self.profile('--validate', *TIMED, '-q').stderr, b'')
+        self.assertEqual(self.profile('--validate', '-q').stderr, b'')
 
 
 class Baseline(Profile):
-    def test_against_itself(self):
-        self.profile('--json', 'a.json')
-        done = self.firn('profile', 'sphere', *QUICK, '--baseline', 'a.json')
-        text = done.stdout.decode()
+    def compare(self, *arguments):
+        done = self.firn('profile', 'sphere', *QUICK, '--runs', '12', '--baseline', 'a.json',
+                         *arguments)
         self.assertIn(done.returncode, (0, 1), done.stderr)
-        self.assertIn('Mann-Whitney', text)
-        slower = any(line.endswith(' slower') for line in text.splitlines())
-        self.assertEqual(done.returncode, slower)
+        return done.returncode, done.stdout.decode()
 
-    def test_slower(self):
-        """A hundred times as fast: exit code 1."""
+    def test_against_itself_and_faster(self):
         self.profile('--json', 'a.json', '--runs', '12')
-        path = self.folder / 'a.json'
-        found = json.loads(path.read_text(encoding='utf-8'))
+        code, text = self.compare('--set', 'bubbles.count=3')
+        self.assertIn('Mann-Whitney', text)
+        self.assertIn('bubbles.count', text)  # other conditions are named
+        slower = any(line.endswith(' slower') for line in text.splitlines())
+        self.assertEqual(code, slower)
+        found = self.read_json('a.json')  # a hundred times as fast
         for part in (*found['rows'], found['frame'], found['plain'], found['wait']):
             for key in ('ms', 'begin_ms', 'record_ms'):
                 part.update({key: [value / 100 for value in part[key]]} if key in part else {})
-        path.write_text(json.dumps(found), encoding='utf-8')
-        done = self.firn('profile', 'sphere', *QUICK, '--runs', '12', '--baseline', 'a.json')
-        self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertIn('slower', done.stdout.decode())
-
-    def test_other_conditions_are_named(self):
-        self.profile('--json', 'a.json')
-        done = self.firn('profile', 'sphere', *QUICK, '--baseline', 'a.json', '--set',
-                         'air.count=3')
-        self.assertIn('air.count', done.stdout.decode())
+        (self.folder / 'a.json').write_text(json.dumps(found), encoding='utf-8')
+        code, text = self.compare()
+        self.assertEqual(code, 1)
+        self.assertIn('slower', text)
 
     def test_bad(self):
         (self.folder / 'a.json').write_text('{"format": 1, "type": "profile"}', encoding='utf-8')
@@ -147,7 +139,7 @@ class Sweep(Profile):
         done = self.profile('--sweep', 'size=32x32,64x64', '--sweep', 'refraction=paper,one-sided',
                             '--json', 's.json', '--html', 's.html')
         self.assertIn(b'one-sided', done.stdout)
-        found = json.loads((self.folder / 's.json').read_text(encoding='utf-8'))
+        found = self.read_json('s.json')
         self.assertEqual(found['type'], 'sweep')
         self.assertEqual([point['values'] for point in found['points']],
                          [['32x32', 'paper'], ['32x32', 'one-sided'], ['64x64', 'paper'],
@@ -167,24 +159,21 @@ class Sweep(Profile):
 
 class Paper(Profile):
     def test_table(self):
-        done = self.succeed('profile', 'paper', '--size', '32x24', '--runs', '1', '--warmup', '0',
+        done = self.succeed('profile', 'paper', '--size', '256x192', '--runs', '1', '--warmup', '0',
                             '--json', 'p.json')
         text = done.stdout.decode()
         for words in ('about -26 %', 'about -10 %', '148 to 67', 'teapot with cracks and air'):
             self.assertIn(words, text)
-        self.assertLessEqual(max(map(len, text.splitlines())), 100)
-        found = json.loads((self.folder / 'p.json').read_text(encoding='utf-8'))
+        lines = text.splitlines()
+        self.assertLessEqual(max(map(len, lines)), 100)
+        shares = [float(line.split()[-2]) for line in lines[1:12]]  # of the screen: a fifth, or all
+        self.assertTrue(all(19 < share < 21 for share in shares[:10]), shares)
+        self.assertAlmostEqual(shares[10], 100, delta=0.1)
+        found = self.read_json('p.json')
         self.assertEqual(len(found['points']), 11)
         triangles = [max(row['triangles'] for row in point['profile']['rows']
                          if row['name'].startswith('refract_')) for point in found['points'][:6]]
         self.assertEqual(triangles, [960, 960, 4800, 4800, 14400, 14400])
-
-    def test_a_fifth_and_all_of_the_screen(self):
-        done = self.succeed('profile', 'paper', '--size', '256x192', '--runs', '1', '--warmup', '0')
-        lines = done.stdout.decode().splitlines()
-        shares = [float(line.split()[-2]) for line in lines[1:12]]
-        self.assertTrue(all(19 < share < 21 for share in shares[:10]), shares)
-        self.assertAlmostEqual(shares[10], 100, delta=0.1)
 
     def test_refused(self):
         self.refuse(USAGE, 'profile', 'paper', '--sweep', 'air.count=1', names=('--sweep',))
@@ -225,4 +214,5 @@ class Capture(Profile):
                           'RenderDoc has captured a frame: /captures/frame 1.rdc'])
 
 
-main()
+if __name__ == "__main__":
+    main()

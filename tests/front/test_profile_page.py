@@ -100,24 +100,27 @@ def least(sample):
     return p
 
 
+def setUpModule():
+    """The pages, and one browser for all of them."""
+    temporary = tempfile.TemporaryDirectory(prefix='firn ', ignore_cleanup_errors=True)
+    unittest.addModuleCleanup(temporary.cleanup)
+    folder = pathlib.Path(temporary.name)
+    sample = print_page(folder, 'sample')
+    Page.sample = data_of(sample)
+    Page.pages = {'sample': sample}
+    for make in (as_large_as_a_frame, hostile, least):
+        path = write_json(folder, make.__name__, make(Page.sample))
+        Page.pages[make.__name__] = print_page(folder, make.__name__, path)
+    path = write_json(folder, 'sample', Page.sample)
+    for name, parameters in (('sweep1', SWEEP[1:]), ('sweep2', SWEEP)):
+        Page.pages[name] = print_page(folder, name, path, *parameters)
+    (folder / 'browser').mkdir()
+    Page.browser = Browser(chromium, folder / 'browser')
+    unittest.addModuleCleanup(Page.browser.close)
+
+
 class Page(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        temporary = tempfile.TemporaryDirectory(prefix='firn ', ignore_cleanup_errors=True)
-        cls.addClassCleanup(temporary.cleanup)
-        folder = pathlib.Path(temporary.name)
-        sample = print_page(folder, 'sample')
-        cls.sample = data_of(sample)
-        cls.pages = {'sample': sample}
-        for make in (as_large_as_a_frame, hostile, least):
-            path = write_json(folder, make.__name__, make(cls.sample))
-            cls.pages[make.__name__] = print_page(folder, make.__name__, path)
-        path = write_json(folder, 'sample', cls.sample)
-        for name, parameters in (('sweep1', SWEEP[1:]), ('sweep2', SWEEP)):
-            cls.pages[name] = print_page(folder, name, path, *parameters)
-        (folder / 'browser').mkdir()
-        cls.browser = Browser(chromium, folder / 'browser')
-        cls.addClassCleanup(cls.browser.close)
+    sample = pages = browser = None  # set by setUpModule()
 
     def open(self, name, **how):
         self.browser.open(self.pages[name], **how)
@@ -153,14 +156,15 @@ class Page(unittest.TestCase):
 
 class Loads(Page):
     def test_is_quiet_and_alone(self):
-        for name, path in self.pages.items():
-            for width, dark in ((400, False), (1200, True), (1600, False)):
+        for width, dark in ((400, False), (1200, True), (1600, False)):
+            for name, path in self.pages.items():
                 with self.subTest(page=name, width=width, dark=dark):
                     self.open(name, width=width, dark=dark)
                     self.assertEqual(self.browser.complaints(), [])
                     self.assertEqual(self.browser.requests(), [path.as_uri()])
                     self.assertLessEqual(self.run_js('document.documentElement.scrollWidth'), width)
                     self.assertTrue(self.texts('#summary')[0])
+        for path in self.pages.values():
             self.assertNotRegex(path.read_text('utf-8'),
                                 r'(?i)https?:|//[a-z]+\.[a-z]|@import|url\((?!#)')
 
@@ -248,9 +252,11 @@ class Numbers(Page):
         """The page's agree with those of the JSON."""
         for name in ('as_large_as_a_frame', 'least', 'sample'):
             p = self.open(name)
-            for series in (p['frame'], p['plain'], p['wait'], *p['rows']):
-                got = self.run_js(f'summarize({json.dumps(series["ms"])})')
-                want = series['summary']
+            all_series = (p['frame'], p['plain'], p['wait'], *p['rows'])
+            samples = json.dumps([series['ms'] for series in all_series])
+            summaries = self.run_js(f'{samples}.map(ms => summarize(ms))')
+            for got, want in zip(summaries, (series['summary'] for series in all_series),
+                                 strict=True):
                 self.assertEqual(got['outliers'], want['outliers'])
                 for key in ('mean', 'sigma', 'min', 'median', 'p95', 'max'):
                     self.assertAlmostEqual(got[key], want[key], delta=1e-9, msg=key)

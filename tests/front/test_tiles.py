@@ -7,7 +7,7 @@ from case import (  # noqa: E402
 from exr_file import Exr  # noqa: E402
 
 ICE = ('ice-cube', '--refraction', 'bounce', '--size', '96x64', '--set', 'cracks.count=4', '--set',
-       'air.count=3', '--aov', 'Z,N,thickness', '-q')
+       'air.count=3', '--set', 'bump.strength=0', '--aov', 'Z,N,thickness', '-q')
 
 
 class Tiled(Case):

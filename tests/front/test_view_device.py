@@ -2,12 +2,13 @@
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import main  # noqa: E402
+from case import PLAIN, main  # noqa: E402
 from desktop import Desktop  # noqa: E402
 from test_device import OLDER, TRY_AGAIN, WINDOW, Fault, LayerCase  # noqa: E402
 
-VIEW = ('view', 'sphere', '-r', 'one-sided', '--size', '96x72', '--time-step', '0.1',
-        '--frames', '6', '--screenshot', 'a.png')
+WHOLE = ('view', 'sphere', '-r', 'one-sided', '--size', '64x48', '--time-step', '0.1',
+         '--frames', '6', '--screenshot', 'a.png')
+VIEW = (*WHOLE, *PLAIN)
 ANEW = 'firn: warning: the device is opened anew, once'
 
 
@@ -28,37 +29,37 @@ class Window(LayerCase):
         """An image that is out of date is no failure: the swapchain is made anew."""
         self.sweep(*VIEW, only=WINDOW, sample=True)
 
-    def lose(self, command, call, *arguments):
+    def lose(self, command, call, words):
         """Every instance loses its device there. What is said beside the layer's words."""
-        _, words, code, left = self.run_with((*VIEW, '-q', *arguments),
+        _, words, code, left = self.run_with((*words, '-q'),
                                              Fault(command, call, 'VK_ERROR_DEVICE_LOST'))
         lines = [line for line in words.splitlines() if not line.startswith('fail_layer: ')]
         return lines, code, left
 
     def test_a_device_is_lost_once(self):
         """The window goes on with another, and with the same picture."""
-        counts = self.count(*VIEW, '-q')
+        counts = self.count(*WHOLE, '-q')
         picture = (self.folder / 'a.png').read_bytes()
         for command, call in (('vkQueueSubmit2', counts['vkQueueSubmit2'] - 3),
                               ('vkWaitForFences', counts['vkWaitForFences'] - 5),
                               ('vkAcquireNextImageKHR', 5), ('vkQueuePresentKHR', 5)):
-            for more in ((), ('--validate', '--overlay', 'on')):
-                lines, code, left = self.lose(command, call, *more)
-                with self.subTest(f'{command} {call} {more}: {lines}'):
+            for words in (WHOLE, (*WHOLE, '--validate', '--overlay', 'on')):
+                lines, code, left = self.lose(command, call, words)
+                with self.subTest(f'{command} {call} {words}: {lines}'):
                     self.assertEqual(code, 0)
                     self.assertEqual(len(lines), 2)
                     self.assertIn(f'firn: {command}', lines[0])
                     self.assertIn('VK_ERROR_DEVICE_LOST', lines[0])
                     self.assertEqual(lines[1], ANEW)
                     self.assertEqual(list(left), ['a.png'])
-                    if not more:
+                    if words == WHOLE:
                         self.assertEqual(left['a.png'], picture)
 
     def test_a_device_is_lost_again(self):
         """While it loads, at its first frame, and later: the second time is the last."""
         for command, call in (('vkQueueSubmit2', 3), ('vkQueuePresentKHR', 1),
                               ('vkWaitForFences', 1), ('vkCreateSwapchainKHR', 1)):
-            lines, code, left = self.lose(command, call)
+            lines, code, left = self.lose(command, call, VIEW)
             with self.subTest(f'{command} {call}: {lines}'):
                 self.assertEqual(code, TRY_AGAIN)
                 self.assertEqual(len(lines), 3)

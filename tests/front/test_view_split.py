@@ -2,7 +2,7 @@
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import USAGE, Case, main  # noqa: E402
+from case import PLAIN, USAGE, Case, main  # noqa: E402
 from desktop import wait_until  # noqa: E402
 from test_view import SIZE, WindowCase, png_pixels  # noqa: E402
 
@@ -34,8 +34,7 @@ class Split(WindowCase):
         return pixels
 
     def test_files_have_the_pixels_of_render(self):
-        for samples in (1, 3):
-            words = ('--samples', samples, '--aov', 'N')
+        for words in (('--samples', 1, '--aov', 'N'), ('--samples', 3, '--aov', 'N', *PLAIN)):
             left, right = self.pictures(*words)
             self.view('sphere', '--validate', '--size', SIZE, *words, '--split', 'one-sided',
                       '--frames', 1, '--screenshot', 'a.png',
@@ -53,7 +52,7 @@ class Split(WindowCase):
         self.expect(self.desktop.pixels(window), line, *pictures)
 
     def test_hands_move_the_divider(self):
-        pictures = self.pictures('--set', 'motion.count=2')
+        pictures = self.pictures('--set', 'motion.count=2', *PLAIN)
         window = self.start('sphere', '--split', 'one-sided', '--time-step', 1e-15, title=TITLE)
         self.press_for(window, 'space', f'{TITLE}, paused')
         self.settle(window, 100, pictures)
@@ -72,7 +71,7 @@ class Split(WindowCase):
         self.close(window)
 
     def test_the_key(self):
-        pictures = self.pictures('--set', 'motion.count=2', right='bounce')
+        pictures = self.pictures('--set', 'motion.count=2', *PLAIN, right='bounce')
         window = self.start('sphere', '--time-step', 1e-15)
         self.press_for(window, 'space', 'sphere, paused')
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
