@@ -14,8 +14,8 @@ from desktop import PATIENCE, Desktop, wait_until  # noqa: E402
 
 SIZE = '200x150'
 CHECKED = ('--validate', '--size', SIZE, '--set', 'motion.count=2', '--overlay', 'off')
-FRAMES = 400
-MORE = 128  # KiB; less than 1 KiB a frame makes of the second half of them
+FRAMES = 800
+MORE = 320  # KiB; the second half of the frames makes more of 1 KiB a frame
 PARITY = (
     ('ice-cube', 'paper'), ('ice-cube', 'one-sided'), ('sphere', 'paper'),
     ('sphere', 'one-sided'), ('teapot', 'paper'),
