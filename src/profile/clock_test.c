@@ -11,8 +11,8 @@ enum {
     SIDE = 250, /* no multiple of a rasteriser's blocks */
     HEAVY = 16, /* times the light passes */
     GROUP_COUNT = 256,
-    FRAME_COUNT = 12, /* by each clock */
-    TRY_COUNT = 5,
+    FRAME_COUNT = 3, /* by each clock, of a try */
+    TRY_COUNT = 20,
     FIRST_ROUNDS = 16,
     MOST_ROUNDS = 1 << 22,
     ENOUGH_MS = 6, /* of a heavy pass: far more than a submit costs */
@@ -215,8 +215,9 @@ static VkResult find_rounds(struct test *test)
     return result;
 }
 
-/* The least of some frames by either clock, in turn: what else runs on the machine only adds. */
-static VkResult take_least(struct test *test, struct clock_test_times *times)
+/* The least of some frames by either clock, in turn, and of what is known from the tries before:
+ * what else runs on the machine only adds. */
+static VkResult take_least(struct test *test, struct clock_test_times *times, bool is_first)
 {
     const enum rg_clock clocks[] = { RG_CLOCK_SUBMITS, RG_CLOCK_EXACT };
 
@@ -226,7 +227,7 @@ static VkResult take_least(struct test *test, struct clock_test_times *times)
         result = draw(test, clocks[f % 2], false);
         for (uint32_t p = 0; p < CLOCK_TEST_PASS_COUNT && result == VK_SUCCESS; p++) {
             double *best = &least[f % 2][p];
-            *best = f < 2 ? pass_ms(test, p) : fmin(*best, pass_ms(test, p));
+            *best = is_first && f < 2 ? pass_ms(test, p) : fmin(*best, pass_ms(test, p));
         }
     }
     return result;
@@ -249,7 +250,8 @@ double clock_test_error(const struct clock_test_times *times)
     return worst;
 }
 
-/* What else runs on the machine passes, what a driver does wrong stays: the best try counts. */
+/* What else runs on the machine passes, what a driver does wrong stays: so there are more tries
+ * until both clocks agree, and mostly the first one does. */
 static VkResult judge(struct test *test, struct profile_clock *clock)
 {
     struct clock_test_times times = { 0 };
@@ -257,10 +259,10 @@ static VkResult judge(struct test *test, struct profile_clock *clock)
     double error = (double)INFINITY;
     VkResult result = VK_SUCCESS;
     for (uint32_t i = 0; i < TRY_COUNT && error > CLOCK_TEST_TOLERANCE; i++) {
-        result = take_least(test, &times);
+        result = take_least(test, &times, i == 0);
         if (result != VK_SUCCESS || !is_stamped)
             break;
-        error = fmin(error, clock_test_error(&times));
+        error = clock_test_error(&times);
     }
     if (result != VK_SUCCESS)
         return result;
