@@ -29,7 +29,8 @@ static struct picture_request request_of(const struct scene *scene, float azimut
         .camera = camera_orbit(azimuth, elevation, distance, box_center(scene->box), 40),
         .width = SIZE,
         .height = SIZE,
-        .layers = PICTURE_ALL_LAYERS,
+        .layers =
+            picture_layer_bit("air") | picture_layer_bit("thickness") | picture_layer_bit("exit"),
     };
 }
 
@@ -39,9 +40,12 @@ static void density_rises_towards_the_middle(void **state)
     static const float views[][2] = { { 0, 0 }, { 100, 40 }, { 220, -50 } };
     struct scene scene;
     open_scene(&scene, "sphere", 19, 1);
+    struct picture_stage stage;
+    const struct picture_request first = request_of(&scene, 0, 0);
+    picture_open(&stage, *state, &first);
     for (size_t v = 0; v < 3; v++) {
         const struct picture_request request = request_of(&scene, views[v][0], views[v][1]);
-        struct render_result result = picture_render(*state, &request);
+        struct render_result result = picture_take(&stage, &request);
         const float *alpha = image_find(&result.image, "air.A");
         const struct vec eye = vec_from(request.camera.eye);
         double sums[4] = { 0 };
@@ -61,6 +65,7 @@ static void density_rises_towards_the_middle(void **state)
         assert_true(sums[0] > 0.3 && sums[0] < 0.95);
         render_result_finish(&result);
     }
+    picture_close(&stage);
     scene_finish(&scene);
 }
 
@@ -126,30 +131,34 @@ static void clipped_in_depth(void **state)
     scene_finish(&scene);
 }
 
-/* The most opaque pixel of one plane through the middle that is turned from the view's axis. */
-static float seen_at(struct gpu *gpu, float azimuth)
+/* The most opaque pixel of a plane through the middle that is turned from the view's axis. */
+static float seen_at(struct picture_stage *stage, float azimuth)
 {
-    struct scene scene;
-    open_scene(&scene, "sphere", 1, 1);
-    set_plane(&scene, 0);
-    const struct picture_request request = request_of(&scene, azimuth, 0);
-    struct render_result result = picture_render(gpu, &request);
+    const struct picture_request request = request_of(stage->request.scene, azimuth, 0);
+    struct render_result result = picture_take(stage, &request);
     const float *alpha = image_find(&result.image, "air.A");
     float most = 0;
     for (size_t i = 0; i < (size_t)SIZE * SIZE; i++)
         most = fmaxf(most, alpha[i]);
     render_result_finish(&result);
-    scene_finish(&scene);
     return most;
 }
 
 /* From behind as from before; hardly edge on. */
 static void fades_edge_on(void **state)
 {
-    const float before = seen_at(*state, 0);
+    struct scene scene;
+    struct picture_stage stage;
+    open_scene(&scene, "sphere", 1, 1);
+    set_plane(&scene, 0);
+    const struct picture_request request = request_of(&scene, 0, 0);
+    picture_open(&stage, *state, &request);
+    const float before = seen_at(&stage, 0);
     assert_true(before > 0.2F);
-    CHECK_NEAR(seen_at(*state, 180), before, 0.05);
-    assert_true(seen_at(*state, 87) < 0.3F * before);
+    CHECK_NEAR(seen_at(&stage, 180), before, 0.05);
+    assert_true(seen_at(&stage, 87) < 0.3F * before);
+    picture_close(&stage);
+    scene_finish(&scene);
 }
 
 /* Checks the radiance of the air; returns the mean opacity on the ice. */

@@ -42,7 +42,8 @@ static struct bump_picture draw(struct gpu *gpu, const struct scene *scene, cons
             .camera = { .eye = eye, .fov_deg = 50 },
             .width = SIZE,
             .height = SIZE,
-            .layers = PICTURE_ALL_LAYERS,
+            .layers = picture_layer_bit("exit") | picture_layer_bit("N") |
+                      picture_layer_bit("back.N"),
             .time = time,
         },
     };

@@ -78,7 +78,7 @@ static void check_cosine(struct gpu *gpu, const char *method, const struct cosin
                                   "caustics.sun=1",
                                   "caustics.cone=3",
                                   "caustics.directions=192",
-                                  "caustics.photons=8000000",
+                                  "caustics.photons=2000000",
                                   NULL };
     const double length = 2 * pi / c->wavenumber;
     (void)snprintf(words[0], sizeof(words[0]), "water.height=%.9g", c->amplitude);

@@ -37,7 +37,7 @@ static struct frost_picture draw(struct gpu *gpu, const struct scene *scene, con
             .camera = { .eye = eye, .fov_deg = 40 },
             .width = SIZE,
             .height = SIZE,
-            .layers = PICTURE_ALL_LAYERS,
+            .layers = picture_layer_bit("exit") | picture_layer_bit("N"),
         },
     };
     assert_int_equal(settings_set(&p.settings, roughness), STATUS_OK);

@@ -145,8 +145,11 @@ static int open_beside_broken_driver(void)
                                    "{\"library_path\": \"/nonexistent/driver.so\", "
                                    "\"api_version\": \"1.3.0\"}}";
     struct gpu gpu;
+    char folder[] = "/tmp/firn-test-XXXXXX";
     char path[64];
-    snprintf(path, sizeof(path), "/tmp/firn-test-%ld.json", (long)getpid());
+    if (!mkdtemp(folder))
+        return 1;
+    snprintf(path, sizeof(path), "%s/driver.json", folder);
     FILE *file = fopen(path, "wx");
     if (!file)
         return 1;
@@ -155,6 +158,7 @@ static int open_beside_broken_driver(void)
     setenv("VK_ADD_DRIVER_FILES", path, 1);
     const enum status status = gpu_create(&gpu, &lavapipe_params);
     remove(path);
+    remove(folder);
     if (status != STATUS_OK || gpu.message_count != 0)
         return 2;
     gpu_destroy(&gpu);

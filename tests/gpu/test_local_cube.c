@@ -47,29 +47,48 @@ struct shown {
 };
 
 /* `assignments` ends at NULL. */
-static struct shown draw(struct gpu *gpu, const struct scene *scene, const char *rung,
-                         const char *const *assignments)
+static struct settings set_all(const char *const *assignments)
 {
     struct settings settings = picture_settings("light.count=0");
     for (; *assignments; assignments++)
         assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
-    struct shown s = {
-        .request = {
-            .scene = scene,
-            .settings = &settings,
-            .rung = rung,
-            .camera = { .eye = { { 0.91F, 0.8F, 3.63F } }, .fov_deg = 35 },
-            .width = SIZE,
-            .height = SIZE,
-            .layers = picture_layer_bit("exit") | picture_layer_bit("path") |
-                      picture_layer_bit("refraction") | picture_layer_bit("reflection"),
-        },
+    return settings;
+}
+
+static struct picture_request request_of(const struct scene *scene, const char *rung,
+                                         const struct settings *settings)
+{
+    return (struct picture_request){
+        .scene = scene,
+        .settings = settings,
+        .rung = rung,
+        .camera = { .eye = { { 0.91F, 0.8F, 3.63F } }, .fov_deg = 35 },
+        .width = SIZE,
+        .height = SIZE,
+        .layers = picture_layer_bit("exit") | picture_layer_bit("path") |
+                  picture_layer_bit("refraction") | picture_layer_bit("reflection"),
     };
-    s.result = picture_render(gpu, &s.request);
+}
+
+static struct shown take(struct picture_stage *stage, const struct picture_request *request)
+{
+    struct shown s = { .request = *request, .result = picture_take(stage, request) };
     s.exit = picture_layer(&s.result.image, "exit");
     s.refraction = picture_layer(&s.result.image, "refraction");
     s.reflection = picture_layer(&s.result.image, "reflection");
     s.path = image_find(&s.result.image, "path.Z");
+    return s;
+}
+
+static struct shown draw(struct gpu *gpu, const struct scene *scene, const char *rung,
+                         const char *const *assignments)
+{
+    const struct settings settings = set_all(assignments);
+    const struct picture_request request = request_of(scene, rung, &settings);
+    struct picture_stage stage;
+    picture_open(&stage, gpu, &request);
+    const struct shown s = take(&stage, &request);
+    picture_close(&stage);
     return s;
 }
 
@@ -201,14 +220,21 @@ static void boxes_of_the_settings(void **state)
     static const int as_automatic = 0, as_infinite = 2;
     struct scene scene = box_scene();
     struct shown far = draw(*state, &scene, "search", infinite);
-    struct shown near = draw(*state, &scene, "search", automatic);
+    const struct settings settings = set_all(automatic);
+    struct picture_request request = request_of(&scene, "search", &settings);
+    struct picture_stage stage;
+    picture_open(&stage, *state, &request);
+    struct shown near = take(&stage, &request);
     check_same(&far, &near, false);
     for (int i = 0; i < (int)(sizeof(boxes) / sizeof(boxes[0])); i++) {
-        struct shown s = draw(*state, &scene, "search", boxes[i]);
+        const struct settings other = set_all(boxes[i]);
+        request.settings = &other;
+        struct shown s = take(&stage, &request);
         check_same(&s, &near, i == as_automatic);
         check_same(&s, &far, i >= as_infinite);
         render_result_finish(&s.result);
     }
+    picture_close(&stage);
     scene.around = (struct box){ 0 }; /* nothing around it */
     struct shown none = draw(*state, &scene, "search", automatic);
     check_same(&none, &far, true);

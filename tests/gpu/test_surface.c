@@ -38,7 +38,7 @@ static struct surface_picture draw(struct gpu *gpu, const char *const *assignmen
             .camera = { .eye = eye, .fov_deg = 40 },
             .width = SIZE,
             .height = SIZE,
-            .layers = PICTURE_ALL_LAYERS,
+            .layers = picture_layer_bit("exit") | picture_layer_bit("N"),
             .time = time,
         },
     };

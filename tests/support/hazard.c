@@ -77,17 +77,25 @@ uint32_t hazard_next_cell(const struct hazard_resource *resource,
 {
     if (resource->buffer)
         return (*index)++ == 0 ? resource->first_cell : RG_NONE;
-    uint32_t aspect_count = resource->cell_count / (resource->mips * resource->layers);
-    for (; *index < resource->cell_count; (*index)++) {
-        uint32_t mip = *index / aspect_count % resource->mips;
-        uint32_t layer = *index / aspect_count / resource->mips;
+    bool both = resource->cell_count > resource->mips * resource->layers; /* depth and stencil */
+    uint32_t place = both ? *index / 2 : *index;
+    uint32_t layer = place / resource->mips, mip = place - layer * resource->mips;
+    while (*index < resource->cell_count) {
         VkImageAspectFlags aspect = resource->aspects;
-        if (aspect_count == 2)
+        if (both)
             aspect = *index % 2 ? VK_IMAGE_ASPECT_STENCIL_BIT : VK_IMAGE_ASPECT_DEPTH_BIT;
+        (*index)++;
         /* a difference below the base wraps around and is no less than any count */
         if (mip - range->baseMipLevel < range->levelCount &&
             layer - range->baseArrayLayer < range->layerCount && (range->aspectMask & aspect))
-            return resource->first_cell + (*index)++;
+            return resource->first_cell + *index - 1;
+        if (both && *index % 2)
+            continue;
+        mip++;
+        if (mip == resource->mips) {
+            mip = 0;
+            layer++;
+        }
     }
     return RG_NONE;
 }
@@ -123,6 +131,8 @@ static bool check_barrier(struct hazard *h, uint32_t index)
         .src_access = hazard_accesses(barrier->src_access),
         .dst_access = hazard_accesses(barrier->dst_access),
     };
+    b->earlier = hazard_earlier(b->src);
+    b->later = hazard_later(b->dst);
     if (!hazard_access_fits(b->src, barrier->src_access) ||
         !hazard_access_fits(b->dst, barrier->dst_access))
         hazard_find(h, "barrier %u: access that its stages cannot do", index);
@@ -269,11 +279,11 @@ static void run(struct hazard *h)
 static void finish(struct hazard *h)
 {
     for (uint32_t i = 0; h->reach && i < h->slot_count * HAZARD_STAGE_COUNT; i++)
-        free(h->reach[i]);
+        free(h->reach[i].after);
     void *const arrays[] = {
-        h->resources,   h->passes,       h->uses,          h->cells,   h->barriers,
-        h->nodes,       h->expected,     h->ends,          h->aliases, h->plan_passes,
-        h->plan_images, h->plan_buffers, (void *)h->reach,
+        h->resources,   h->passes,       h->uses,  h->cells,   h->barriers,
+        h->nodes,       h->expected,     h->ends,  h->aliases, h->plan_passes,
+        h->plan_images, h->plan_buffers, h->reach,
     };
     for (size_t i = 0; i < sizeof(arrays) / sizeof(arrays[0]); i++)
         free(arrays[i]);

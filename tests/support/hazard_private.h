@@ -136,8 +136,15 @@ struct hazard_pass {
 /* A barrier with its masks expanded. */
 struct hazard_barrier {
     uint32_t src, dst;
+    uint32_t earlier, later; /* hazard_earlier(src), hazard_later(dst) */
     VkAccessFlags2 src_access, dst_access;
     bool transition;
+};
+
+/* For each slot up to `last`, the stages ordered after a stage in a slot; 0 before that. */
+struct hazard_reach {
+    uint16_t *after; /* NULL: not yet asked for */
+    uint32_t last;
 };
 
 /* A past access of a cell. */
@@ -191,7 +198,7 @@ struct hazard {
     uint32_t *ends;                   /* contents at the end of each frame, of all cells */
     uint32_t *aliases;
     uint32_t *plan_passes, *plan_images, *plan_buffers; /* of the tables, for each of the plan */
-    uint16_t **reach; /* of slot and stage: for each slot, the stages ordered after them */
+    struct hazard_reach *reach;                         /* of slot and stage */
     uint32_t resource_count, pass_count, use_count, cell_count, node_count;
     uint32_t expected_count, alias_count;
     uint32_t resource_room, pass_room, use_room, cell_room, node_room, alias_room;

@@ -18,27 +18,28 @@ static const struct rg_barrier *batch_of(const struct rg_plan *plan, uint32_t sl
     return plan->barriers + plan->passes[pass].first_barrier;
 }
 
-/* For every slot, the stages whose work is ordered after stage number `stage` in slot `from`:
- * those at the end of a chain of barriers that begins there. */
-static const uint16_t *reach(struct hazard *h, uint32_t from, uint32_t stage)
+/* The stages in slot `to` whose work is ordered after stage number `stage` in slot `from`: those at
+ * the end of a chain of barriers that begins there. */
+static uint32_t reach(struct hazard *h, uint32_t from, uint32_t stage, uint32_t to)
 {
-    uint16_t **row = &h->reach[from * HAZARD_STAGE_COUNT + stage];
-    if (*row)
-        return *row;
-    *row = hazard_grow(NULL, &(uint32_t){ 0 }, h->slot_count, sizeof(**row));
-    uint32_t after = 0;
-    for (uint32_t slot = 0; slot < h->slot_count; slot++) {
+    struct hazard_reach *row = &h->reach[from * HAZARD_STAGE_COUNT + stage];
+    if (!row->after) {
+        row->after = hazard_grow(NULL, &(uint32_t){ 0 }, h->slot_count, sizeof(*row->after));
+        row->last = from;
+    }
+    uint32_t after = row->after[row->last];
+    while (row->last < to) {
         uint32_t count = 0, more = 0;
-        const struct rg_barrier *batch = slot > from ? batch_of(h->plan, slot, &count) : NULL;
+        const struct rg_barrier *batch = batch_of(h->plan, ++row->last, &count);
         for (uint32_t i = 0; i < count; i++) {
             const struct hazard_barrier *b = &h->barriers[batch + i - h->plan->barriers];
-            if (hazard_earlier(b->src) & (after | 1U << stage))
-                more |= hazard_later(b->dst);
+            if (b->earlier & (after | 1U << stage))
+                more |= b->later;
         }
         after |= more;
-        (*row)[slot] = (uint16_t)after;
+        row->after[row->last] = (uint16_t)after;
     }
-    return *row;
+    return row->after[to];
 }
 
 static bool is_ordered(struct hazard *h, const struct hazard_record *record,
@@ -49,12 +50,11 @@ static bool is_ordered(struct hazard *h, const struct hazard_record *record,
     for (uint32_t stage = 0; stage < HAZARD_STAGE_COUNT; stage++) {
         if (!(record->stages & 1U << stage))
             continue;
-        const uint16_t *after = reach(h, record->slot, stage);
         if (event->transition) {
-            uint32_t source = hazard_earlier(event->transition->src);
-            if (!((after[event->slot - 1] | 1U << stage) & source))
+            uint32_t after = reach(h, record->slot, stage, event->slot - 1);
+            if (!((after | 1U << stage) & event->transition->earlier))
                 return false;
-        } else if (event->stages & ~(uint32_t)after[event->slot]) {
+        } else if (event->stages & ~reach(h, record->slot, stage, event->slot)) {
             return false;
         }
     }
@@ -75,7 +75,7 @@ static void advance(struct hazard *h, struct trail *trail, uint32_t slot)
     uint32_t after = trail->after;
     for (uint32_t stage = 0; slot > trail->slot && stage < HAZARD_STAGE_COUNT; stage++)
         if (trail->after & 1U << stage)
-            after |= reach(h, trail->slot, stage)[slot];
+            after |= reach(h, trail->slot, stage, slot);
     trail->after = after;
     trail->slot = slot;
 }
@@ -114,10 +114,10 @@ static void pass_barrier(struct hazard *h, struct trail *trail, const struct haz
     if (slot <= write->slot)
         return; /* before it, or in the batch that made the transition */
     go_before(h, trail, slot);
-    if (!makes_available(barrier, write) && !(trail->after & hazard_earlier(barrier->src)))
+    if (!makes_available(barrier, write) && !(trail->after & barrier->earlier))
         return;
     trail->batch = slot;
-    trail->pending |= hazard_later(barrier->dst);
+    trail->pending |= barrier->later;
     show(trail, barrier->dst, barrier->dst_access);
 }
 
@@ -152,11 +152,11 @@ static bool is_seen(struct hazard *h, const struct hazard_record *write,
     if (event->transition) {
         go_before(h, &trail, event->slot);
         return makes_available(event->transition, write) ||
-               (trail.after & hazard_earlier(event->transition->src));
+               (trail.after & event->transition->earlier);
     }
     VkAccessFlags2 wanted = event->reads | event->writes;
     for (uint32_t stage = 0; stage < HAZARD_STAGE_COUNT; stage++)
-        if ((event->stages & 1U << stage) &&
+        if ((event->stages & 1U << stage) && (wanted & ~trail.visible[stage]) &&
             (wanted & hazard_accesses_of(1U << stage) & ~trail.visible[stage]))
             return false;
     return true;

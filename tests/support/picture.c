@@ -7,20 +7,25 @@
 
 #include "tests/support/check.h"
 
+#include "src/frame_view.h"
 #include "src/image/half.h"
 #include "src/scene/generate.h"
 
 static const double pi = 3.14159265358979323846;
 
-struct render_result picture_render(struct gpu *gpu, const struct picture_request *request)
+static struct settings settings_for(const struct picture_request *request)
 {
-    const struct settings bare = picture_settings("light.count=0");
-    struct renderer *renderer;
-    struct render_result result;
+    return request->settings ? *request->settings : picture_settings("light.count=0");
+}
+
+void picture_open(struct picture_stage *stage, struct gpu *gpu,
+                  const struct picture_request *request)
+{
+    *stage = (struct picture_stage){ gpu, *request, settings_for(request), NULL };
     const struct renderer_params params = {
         .gpu = gpu,
         .scene = request->scene,
-        .settings = request->settings ? request->settings : &bare,
+        .settings = &stage->settings,
         .rung = request->rung ? frame_find_rung(request->rung) : &frame_rungs[0],
         .width = request->width,
         .height = request->height,
@@ -30,12 +35,51 @@ struct render_result picture_render(struct gpu *gpu, const struct picture_reques
         .display = request->display,
         .sharing = request->sharing,
     };
-    const struct renderer_shot shot = { .camera = request->camera, .time = request->time };
     assert_non_null(params.rung);
-    assert_int_equal(renderer_create(&renderer, &params), STATUS_OK);
-    assert_int_equal(renderer_render(renderer, &shot, &result, NULL, NULL), STATUS_OK);
-    renderer_destroy(renderer);
-    assert_int_equal(gpu->message_count, 0);
+    assert_int_equal(renderer_create(&stage->renderer, &params), STATUS_OK);
+}
+
+/* Whether both give the same passes and the same shaders. */
+static bool is_same_stage(const struct scene *scene, const struct settings *a,
+                          const struct settings *b)
+{
+    const struct frame_constants x = frame_view_constants(scene, a);
+    const struct frame_constants y = frame_view_constants(scene, b);
+    return !memcmp(&x, &y, sizeof(x)) && frame_reads_bump_maps(a) == frame_reads_bump_maps(b) &&
+           frame_cube_is_dynamic(a) == frame_cube_is_dynamic(b);
+}
+
+struct render_result picture_take(struct picture_stage *stage,
+                                  const struct picture_request *request)
+{
+    const struct picture_request *first = &stage->request;
+    const struct renderer_shot shot = { .camera = request->camera, .time = request->time };
+    const struct settings settings = settings_for(request);
+    struct render_result result;
+    assert_true(request->scene == first->scene && request->rung == first->rung);
+    assert_true(request->width == first->width && request->height == first->height);
+    assert_true(request->samples == first->samples && request->layers == first->layers);
+    assert_true(request->display == first->display && request->sharing == first->sharing);
+    assert_true(is_same_stage(request->scene, &settings, &stage->settings));
+    stage->settings = settings;
+    assert_int_equal(renderer_render(stage->renderer, &shot, &result, NULL, NULL), STATUS_OK);
+    assert_int_equal(stage->gpu->message_count, 0);
+    return result;
+}
+
+void picture_close(struct picture_stage *stage)
+{
+    renderer_destroy(stage->renderer);
+    assert_int_equal(stage->gpu->message_count, 0);
+    *stage = (struct picture_stage){ 0 };
+}
+
+struct render_result picture_render(struct gpu *gpu, const struct picture_request *request)
+{
+    struct picture_stage stage;
+    picture_open(&stage, gpu, request);
+    const struct render_result result = picture_take(&stage, request);
+    picture_close(&stage);
     return result;
 }
 

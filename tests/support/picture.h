@@ -23,11 +23,29 @@ struct picture_request {
     enum rg_sharing sharing;
 };
 
-/* One picture, linear always; any failure or validation message fails the test. */
 /* The bit of a layer in a request. */
 uint32_t picture_layer_bit(const char *name);
 
+/* One picture, linear always; any failure or validation message fails the test. */
 struct render_result picture_render(struct gpu *gpu, const struct picture_request *request);
+
+/*
+ * Several of one renderer, whose shaders are compiled once, which costs more than small pictures.
+ * Of later requests camera, time and settings may differ, but for settings that shaders are
+ * compiled for: asserted. Must not move once opened.
+ */
+struct picture_stage {
+    struct gpu *gpu;
+    struct picture_request request;
+    struct settings settings;
+    struct renderer *renderer;
+};
+
+void picture_open(struct picture_stage *stage, struct gpu *gpu,
+                  const struct picture_request *request);
+struct render_result picture_take(struct picture_stage *stage,
+                                  const struct picture_request *request);
+void picture_close(struct picture_stage *stage);
 
 /* The defaults but for smooth ice and no lights, with one setting changed: "refract.ior=1.5". */
 struct settings picture_settings(const char *assignment);

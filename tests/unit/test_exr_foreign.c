@@ -7,7 +7,7 @@
 #include "src/image/exr.h"
 #include "tests/support/check.h"
 
-static char path[64];
+static char path[] = "/tmp/firn-test-exr-foreign-XXXXXX";
 
 struct bytes {
     void *data;
@@ -309,6 +309,8 @@ int main(void)
         cmocka_unit_test(test_unsupported),
         cmocka_unit_test(test_short_row),
     };
-    snprintf(path, sizeof(path), "/tmp/firn-test-exr-foreign-%ld.exr", (long)getpid());
+    const int file = mkstemp(path);
+    if (file < 0 || close(file) != 0)
+        return 1;
     return cmocka_run_group_tests(tests, NULL, remove_file);
 }

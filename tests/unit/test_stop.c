@@ -1,9 +1,10 @@
 /* Signals that end a program, but not at any time. Each is tried in a child process. */
+#include <dirent.h>
+#include <sched.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 #include "src/app/stop.h"
 #include "tests/support/check.h"
@@ -50,11 +51,42 @@ static void say(int out, const char *word)
         _exit(1);
 }
 
-/* So that a signal that should not be heeded yet has time to be. */
-static void linger(void)
+/* Of a thread, as /proc has it; 'S' if it is no more. */
+static char state_of(const char *thread)
 {
-    const struct timespec time = { .tv_nsec = 50000000 };
-    nanosleep(&time, NULL);
+    char name[64], text[512] = "";
+    snprintf(name, sizeof(name), "/proc/self/task/%.20s/stat", thread);
+    FILE *file = fopen(name, "r");
+    if (!file)
+        return 'S';
+    const size_t length = fread(text, 1, sizeof(text) - 1, file);
+    fclose(file);
+    const char *end = length ? strrchr(text, ')') : NULL;
+    return end && end[1] == ' ' ? end[2] : 'S';
+}
+
+static bool is_other_awake(void)
+{
+    char own[32];
+    bool awake = false;
+    snprintf(own, sizeof(own), "%ld", (long)getpid());
+    DIR *folder = opendir("/proc/self/task");
+    if (!folder)
+        _exit(1);
+    for (const struct dirent *entry = readdir(folder); entry; entry = readdir(folder)) {
+        const bool other = entry->d_name[0] != '.' && strcmp(entry->d_name, own) != 0;
+        awake = awake || (other && state_of(entry->d_name) != 'S');
+    }
+    closedir(folder);
+    return awake;
+}
+
+/* A signal that is waited for has woken whoever waits before kill() returns: once all other threads
+ * sleep again, it has been heeded as far as it will be. */
+static void settle(void)
+{
+    while (is_other_awake())
+        sched_yield();
 }
 
 static void wait_for_end(struct stop *stop, int number, int out)
@@ -70,7 +102,7 @@ static void write_first(struct stop *stop, int number, int out)
 {
     stop_hold(stop);
     kill(getpid(), number);
-    linger();
+    settle();
     say(out, "written");
     stop_release(stop);
     for (;;)
@@ -96,7 +128,7 @@ static void end_first(struct stop *stop, int number, int out)
 {
     stop_end(stop);
     kill(getpid(), number);
-    linger();
+    settle();
     say(out, "ended");
 }
 
@@ -104,7 +136,7 @@ static void outlive(struct stop *stop, int number, int out)
 {
     (void)stop;
     kill(getpid(), number);
-    linger();
+    settle();
     say(out, "alive");
 }
 
