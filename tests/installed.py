@@ -52,7 +52,7 @@ def install(root, meson, prefix):
 
 
 def remove_shared(prefix):
-    """Leaves the archives alone, for which a linker looks in vain as long as it finds the others."""
+    """Leaves the archives, which a linker takes only where there is no shared library."""
     for file in (prefix / 'lib').glob('*.so*'):
         file.unlink()
 

@@ -36,7 +36,8 @@ double clock_test_error(const struct clock_test_times *times);
 /* Timestamps that err more are not used. */
 #define CLOCK_TEST_TOLERANCE 0.1
 
-/* Takes a fifth of a second on two cores, a few where other programs run. A device without timestamps is no failure. */
+/* Takes a fifth of a second on two cores, and a few where other programs run. A device without
+ * timestamps is no failure. */
 MUST_USE enum status clock_test_run(struct gpu *gpu, struct profile_clock *clock);
 
 #endif
