@@ -70,8 +70,27 @@ class Case(unittest.TestCase):
         return sorted(path.name for path in self.folder.iterdir())
 
 
+class Part(unittest.TestLoader):
+    """Loads each N-th test of the file, from the K-th on."""
+    def __init__(self, number, count):
+        super().__init__()
+        self.number, self.count = number, count
+
+    def loadTestsFromModule(self, module, *args, **kwargs):
+        tests = [test for case in super().loadTestsFromModule(module, *args, **kwargs)
+                 for test in case]
+        return self.suiteClass(tests[self.number - 1::self.count])
+
+
 def main():
+    """
+    The program is the first argument. "--part=K/N" after it: one of N processes that share the
+    tests of the file among them.
+    """
     if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
         sys.exit(f'{sys.argv[0]}: no program to test: {sys.argv[1:2] or "(none given)"}')
     Case.program = os.path.abspath(sys.argv.pop(1))
-    unittest.main()
+    part = 1, 1
+    if sys.argv[1:] and sys.argv[1].startswith('--part='):
+        part = map(int, sys.argv.pop(1).removeprefix('--part=').split('/'))
+    unittest.main(testLoader=Part(*part))

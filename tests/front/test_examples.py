@@ -1,7 +1,7 @@
 """test_examples.py: every command that the README, the docs and the help show, run small.
 
-Usage: test_examples.py FIRN [--no-window] [--part=K/N] [TEST...]
-    --no-window: that of `firn view` cannot open; --part: only each N-th page, from the K-th on
+Usage: test_examples.py FIRN [--no-window] [--pages=K/N] [TEST...]
+    --no-window: that of `firn view` cannot open; --pages: only each N-th page, from the K-th on
 
 The commands are run as they stand, but for sizes, numbers of runs, of frames and of what is in the
 ice, and pipes.
@@ -23,8 +23,8 @@ NO_WINDOW = '--no-window' in sys.argv
 if NO_WINDOW:
     sys.argv.remove('--no-window')
 PART, PARTS = 1, 1
-if len(sys.argv) > 2 and sys.argv[2].startswith('--part='):
-    PART, PARTS = map(int, sys.argv.pop(2).removeprefix('--part=').split('/'))
+if len(sys.argv) > 2 and sys.argv[2].startswith('--pages='):
+    PART, PARTS = map(int, sys.argv.pop(2).removeprefix('--pages=').split('/'))
 
 ROOT = pathlib.Path(__file__).parents[2]
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list', 'bake', 'sheet',
