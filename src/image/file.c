@@ -109,13 +109,12 @@ static int prefix_length(const char *name)
 static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1])
 {
     unsigned char random[RANDOM_LENGTH];
-    const int length = prefix_length(name);
+    char word[RANDOM_LENGTH + 1] = "";
     if (getrandom(random, sizeof(random), 0) != (ssize_t)sizeof(random))
         return false;
-    snprintf(temporary, NAME_MAX + 1, ".%.*s.", length - 2, name);
     for (int i = 0; i < RANDOM_LENGTH; i++)
-        temporary[length + i] = letters[random[i] % strlen(letters)];
-    strcpy(temporary + length + RANDOM_LENGTH, suffix);
+        word[i] = letters[random[i] % strlen(letters)];
+    snprintf(temporary, NAME_MAX + 1, ".%.*s.%s%s", prefix_length(name) - 2, name, word, suffix);
     return true;
 }
 

@@ -77,13 +77,14 @@ void tiles_init(struct tiles *tiles, const struct mesh *mesh, const struct pictu
     const uint32_t columns = (request->width + TILE - 1) / TILE;
     const uint32_t rows = (request->height + TILE - 1) / TILE;
     *tiles = (struct tiles){ mesh, request, columns, NULL, NULL };
-    tiles->first = calloc((size_t)columns * rows + 1, sizeof(*tiles->first));
+    const size_t count = (size_t)columns * rows;
+    tiles->first = calloc(count + 1, sizeof(*tiles->first));
     assert_non_null(tiles->first);
     for (uint32_t i = 0; i < mesh->index_count; i += 3)
         put(tiles, i, NULL);
-    for (uint32_t t = 1; t <= columns * rows; t++)
+    for (size_t t = 1; t <= count; t++)
         tiles->first[t] += tiles->first[t - 1]; /* where each ends, for now */
-    tiles->corners = calloc((size_t)tiles->first[columns * rows] + 1, sizeof(*tiles->corners));
+    tiles->corners = calloc((size_t)tiles->first[count] + 1, sizeof(*tiles->corners));
     assert_non_null(tiles->corners);
     for (uint32_t i = 0; i < mesh->index_count; i += 3)
         put(tiles, i, tiles->corners);

@@ -52,7 +52,7 @@ static void say(int out, const char *word)
 }
 
 /* Of a thread, as /proc has it; 'S' if it is no more. */
-static char state_of(const char *thread)
+static int state_of(const char *thread)
 {
     char name[64], text[512] = "";
     snprintf(name, sizeof(name), "/proc/self/task/%.20s/stat", thread);
