@@ -5,12 +5,12 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include "graph/rg_time.h"
-#include "src/frames.h"
+#include "src/base/status.h"
+#include "src/frame/frames.h"
 #include "src/gpu/gpu_swapchain.h"
 #include "src/metric/comparison.h"
 #include "src/scene/scene.h"
-#include "src/settings.h"
-#include "src/status.h"
+#include "src/settings/settings.h"
 
 enum {
     APP_OUTPUT_COUNT = 16,      /* -o options at most */

@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include "src/app/app.h"
 #include "src/app/output.h"
+#include "src/base/log.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
-#include "src/log.h"
-#include "src/renderer.h"
-#include "src/scene_settings.h"
+#include "src/render/renderer.h"
+#include "src/settings/scene_settings.h"
 #include "src/version.h"
 
 static const char default_output[] = "env.exr";

@@ -6,10 +6,10 @@
 #include "src/app/app.h"
 #include "src/app/diff_report.h"
 #include "src/app/input.h"
+#include "src/base/log.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
 #include "src/image/png.h"
-#include "src/log.h"
 #include "src/metric/heat.h"
 
 struct job {

@@ -12,7 +12,7 @@
 #include "src/app/farm_script.h"
 #include "src/app/farm_status.h"
 #include "src/app/sequence.h"
-#include "src/log.h"
+#include "src/base/log.h"
 
 enum {
     NAME_SIZE = 64,

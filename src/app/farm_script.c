@@ -1,7 +1,7 @@
 /* farm_script.c: such scripts as a person would write. */
 #include "src/app/farm_script.h"
 #include <stdlib.h>
-#include "src/app/words.h"
+#include "src/app/shell_words.h"
 
 /* The words of the command line, without "farm" and what comes of it. */
 static void print_words(const struct farm_script *script, FILE *out)
@@ -11,7 +11,7 @@ static void print_words(const struct farm_script *script, FILE *out)
 
 static void print_program(const struct farm_script *script, const char *what, FILE *out)
 {
-    words_quote(script->program, out);
+    shell_words_quote(script->program, out);
     fprintf(out, " %s", what);
 }
 
@@ -89,7 +89,7 @@ static void print_line(const struct farm_script *script, FILE *out)
         fclose(words);
     }
     if (line)
-        words_quote(line, out);
+        shell_words_quote(line, out);
     free(line);
 }
 
@@ -101,7 +101,7 @@ void farm_script_parallel(const struct farm_script *script, FILE *out)
                  ": \"${PARALLEL_SSH:=ssh -o BatchMode=yes -o ConnectTimeout=10}\"\n"
                  "export PARALLEL_SSH\n"
                  "parallel --sshlogin ");
-    words_quote(hosts ? hosts : ":", out);
+    shell_words_quote(hosts ? hosts : ":", out);
     fprintf(out,
             " --workdir \"$PWD\" --jobs 1 --retries 4 \\\n"
             "    --joblog %s.logs/joblog --resume-failed \\\n    ",

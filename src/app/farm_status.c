@@ -6,9 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "src/app/output.h"
+#include "src/base/log.h"
 #include "src/image/exr.h"
 #include "src/image/png.h"
-#include "src/log.h"
 
 /* A frame is as its worst file. */
 enum state {

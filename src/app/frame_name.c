@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/log.h"
+#include "src/base/log.h"
 
 enum {
     WIDTH_MAX = 32

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "src/status.h"
+#include "src/base/status.h"
 
 struct frame_name {
     const char *path;  /* borrowed */

@@ -1,8 +1,8 @@
 /* graph.c: firn graph: the compiled plan of a frame, without a device. */
 #include <stdio.h>
 #include "src/app/app.h"
-#include "src/frame_plan.h"
-#include "src/renderer.h"
+#include "src/frame/plan.h"
+#include "src/render/renderer.h"
 
 typedef void dump_fn(const struct rg_plan *plan, FILE *out);
 

@@ -2,10 +2,10 @@
 #include "src/app/input.h"
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/log.h"
 #include "src/image/exr.h"
 #include "src/image/hdr.h"
 #include "src/image/png.h"
-#include "src/log.h"
 
 bool input_ends_in(const char *path, const char *ending)
 {

@@ -2,8 +2,8 @@
 #ifndef FIRN_APP_INPUT_H
 #define FIRN_APP_INPUT_H
 
+#include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/status.h"
 
 bool input_ends_in(const char *path, const char *ending);
 

@@ -5,13 +5,13 @@
 #include "src/app/app.h"
 #include "src/app/input.h"
 #include "src/app/progress.h"
-#include "src/app/words.h"
+#include "src/app/shell_words.h"
+#include "src/base/log.h"
 #include "src/image/file.h"
 #include "src/ladder/furnace.h"
 #include "src/ladder/ladder_report.h"
-#include "src/log.h"
 #include "src/reference/reference.h"
-#include "src/scene_settings.h"
+#include "src/settings/scene_settings.h"
 
 static const char default_scene[] = "ice-cube";
 static const uint32_t default_side = 512;
@@ -248,7 +248,7 @@ enum status app_ladder(const struct app_options *options)
     enum status status = STATUS_TRY_AGAIN;
     if (job) {
         job->o = *options;
-        job->command = words_join(options->words);
+        job->command = shell_words_join(options->words);
     }
     if (job && job->command)
         status = run(job);

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/base/log.h"
 #include "src/gpu/gpu.h"
-#include "src/log.h"
 #include "src/reference/reference.h"
 #include "src/scene/material.h"
 

@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 #include "src/app/app.h"
-#include "src/app/standard.h"
-#include "src/log.h"
-#include "src/scene/decode.h"
+#include "src/app/standard_streams.h"
+#include "src/base/log.h"
+#include "src/scene/import/decode.h"
 #include "src/version.h"
 
 static const struct {
@@ -104,7 +104,7 @@ int main(int argc, char **argv)
 {
     if (decode_is_wanted(argc, argv))
         return decode_main(argc, argv);
-    standard_begin();
+    standard_streams_begin();
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
-    return (int)standard_end(run(argc, argv));
+    return (int)standard_streams_end(run(argc, argv));
 }

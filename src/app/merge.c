@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/base/log.h"
+#include "src/base/tile.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
-#include "src/log.h"
-#include "src/tile.h"
 
 static const char default_output[] = "merged.exr";
 

@@ -4,15 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "src/app/show.h"
-#include "src/frame_view.h"
+#include "src/app/layer_picture.h"
+#include "src/base/log.h"
+#include "src/base/tile.h"
+#include "src/frame/view.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
 #include "src/image/png.h"
-#include "src/log.h"
 #include "src/reference/reference.h"
-#include "src/scene_settings.h"
-#include "src/tile.h"
+#include "src/settings/scene_settings.h"
 #include "src/version.h"
 
 /* In the order of the files; the device comes last, for it does not count in comparisons. */
@@ -243,7 +243,7 @@ bool output_is_current(const struct output *output, const char *path)
 static void select_planes(struct image *image, const struct image *drawn,
                           const struct app_options *o)
 {
-    const bool leave_out = o->show && !(o->layers & show_bit(o->show));
+    const bool leave_out = o->show && !(o->layers & layer_picture_bit(o->show));
     for (uint32_t i = 0; i < drawn->plane_count; i++) {
         bool keep = true;
         for (size_t p = 0; leave_out && p < 4 && o->show->planes[p]; p++)

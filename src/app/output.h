@@ -5,7 +5,7 @@
 #define FIRN_APP_OUTPUT_H
 
 #include "src/app/app.h"
-#include "src/renderer.h"
+#include "src/render/renderer.h"
 
 /* A frame, before and after it is drawn. */
 struct output {

@@ -2,10 +2,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/app/options/sweep_options.h"
 #include "src/app/profile_job.h"
-#include "src/app/sweep_options.h"
+#include "src/base/log.h"
 #include "src/image/file.h"
-#include "src/log.h"
 #include "src/profile/compare.h"
 #include "src/profile/csv.h"
 #include "src/profile/html.h"

@@ -4,11 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/app/words.h"
+#include "src/app/shell_words.h"
+#include "src/base/log.h"
 #include "src/gpu/gpu_capture.h"
-#include "src/log.h"
 #include "src/scene/material.h"
-#include "src/scene_settings.h"
+#include "src/settings/scene_settings.h"
 
 /* ---- the device and its clock ---- */
 
@@ -26,7 +26,7 @@ static enum status open_device(struct profile_job *job)
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK)
-        status = clock_test_run(&job->gpu, &job->clock);
+        status = timestamp_check_run(&job->gpu, &job->clock);
     if (status != STATUS_OK || o->clock == RG_CLOCK_NONE || o->clock == job->clock.clock)
         return status;
     job->clock.clock = o->clock;
@@ -82,7 +82,7 @@ static void describe_material(struct profile *p, const struct app_options *o)
 static enum status describe(struct profile *p, const struct app_options *o)
 {
     p->scene = strdup(o->positionals[0]);
-    p->command = words_join(o->words);
+    p->command = shell_words_join(o->words);
     describe_material(p, o);
     if (p->scene && p->command && describe_settings(p, &o->settings))
         return STATUS_OK;

@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "src/app/profile_job.h"
-#include "src/log.h"
+#include "src/base/log.h"
 #include "src/profile/statistics.h"
 #include "src/profile/text.h"
 

@@ -4,24 +4,24 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/app/layer_picture.h"
 #include "src/app/output.h"
 #include "src/app/progress.h"
 #include "src/app/report.h"
 #include "src/app/sequence.h"
-#include "src/app/show.h"
-#include "src/app/stop.h"
-#include "src/clock.h"
+#include "src/app/signals.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/base/tile.h"
 #include "src/image/file.h"
-#include "src/log.h"
 #include "src/reference/reference.h"
-#include "src/renderer.h"
-#include "src/tile.h"
+#include "src/render/renderer.h"
 
 struct job {
     struct app_options o;
     struct sequence sequence;
     struct report report;
-    struct stop stop;
+    struct signals stop;
     struct scene scene;
     const char *lacking; /* what there was no memory for when the scene was filled; or NULL */
     struct camera camera;
@@ -171,7 +171,7 @@ static enum status draw(struct job *job, struct frame *frame)
     enum status status = draw_picture(job, shot, result);
     progress_clear(&job->progress);
     if (status == STATUS_OK && show) {
-        result->rgba = show_rgba(&result->image, show);
+        result->rgba = layer_picture_rgba(&result->image, show);
         status = result->rgba ? STATUS_OK : STATUS_TRY_AGAIN;
     }
     return status;
@@ -248,7 +248,7 @@ static enum status open_renderer(struct job *job)
         .interleaved = o->interleaved,
         .samples = o->samples,
         .sharing = o->sharing,
-        .prime = true,
+        .warm_up = true,
     };
     for (uint32_t i = 0; i < o->output_count; i++) {
         if (output_is_png(o->outputs[i]))
@@ -260,7 +260,7 @@ static enum status open_renderer(struct job *job)
         params.layers = o->layers;
     else if (o->layers)
         log_warning("--aov: PNG files have no layers; name an .exr file too");
-    params.layers |= show_bit(o->show);
+    params.layers |= layer_picture_bit(o->show);
     if (o->rung == &reference_rung)
         return open_reference(job, &params);
     enum status status = open_device(job);
@@ -280,10 +280,10 @@ static enum status write_output(struct job *job, const struct frame *frame, cons
     enum status status = output_encode(&frame->output, path, &frame->result, device, &data, &size);
     if (status == STATUS_OK) {
         if (!is_straight)
-            stop_hold(&job->stop);
+            signals_hold(&job->stop);
         status = file_write(path, data, size);
         if (!is_straight)
-            stop_release(&job->stop);
+            signals_release(&job->stop);
     }
     free(data);
     if (status == STATUS_OK && !o->quiet)
@@ -306,9 +306,9 @@ static enum status write_outputs(struct job *job, const struct frame *frame)
 
 static void note(struct job *job, uint32_t index, struct report_frame news)
 {
-    stop_hold(&job->stop);
+    signals_hold(&job->stop);
     job->report.frames[index] = news;
-    stop_release(&job->stop);
+    signals_release(&job->stop);
 }
 
 static enum status run_frame(struct job *job, uint32_t index)
@@ -380,9 +380,9 @@ static enum status begin_report(struct job *job)
 {
     struct report report;
     enum status status = report_init(&report, job->sequence.range.count);
-    stop_hold(&job->stop);
+    signals_hold(&job->stop);
     job->report = report;
-    stop_release(&job->stop);
+    signals_release(&job->stop);
     return status;
 }
 
@@ -393,10 +393,10 @@ static enum status end_report(struct job *job, enum status status)
         return status;
     const bool is_straight = file_is_straight(job->o.reports.json);
     if (!is_straight)
-        stop_hold(&job->stop);
+        signals_hold(&job->stop);
     const enum status written = write_report(job, (int)status);
     if (!is_straight)
-        stop_release(&job->stop);
+        signals_release(&job->stop);
     return status == STATUS_OK ? written : status;
 }
 
@@ -432,11 +432,11 @@ enum status app_render(const struct app_options *options)
     if (!job->o.samples)
         job->o.samples = 1;
     if (job->o.reports.json)
-        job->stop = (struct stop){ .last = write_last_report, .user = job };
-    enum status status = stop_begin(&job->stop);
+        job->stop = (struct signals){ .last = write_last_report, .user = job };
+    enum status status = signals_begin(&job->stop);
     if (status == STATUS_OK)
         status = run(job);
-    stop_end(&job->stop);
+    signals_end(&job->stop);
     renderer_destroy(job->renderer);
     reference_destroy(job->reference);
     gpu_destroy(&job->gpu);

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/log.h"
+#include "src/base/log.h"
 #include "src/version.h"
 
 static const char *const state_names[REPORT_STATE_COUNT] = {

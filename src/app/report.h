@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "src/app/sequence.h"
-#include "src/status.h"
+#include "src/base/status.h"
 
 enum report_state {
     REPORT_LEFT,    /* it was not its turn yet */

@@ -1,9 +1,9 @@
 /* scene.c: what the options say of scene and camera. */
 #include "src/app/app.h"
-#include "src/frame_view.h"
-#include "src/log.h"
+#include "src/base/log.h"
+#include "src/frame/view.h"
 #include "src/scene/material.h"
-#include "src/scene_settings.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/bump.h"

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/output.h"
+#include "src/base/log.h"
 #include "src/image/file.h"
-#include "src/log.h"
-#include "src/scene_settings.h"
+#include "src/settings/scene_settings.h"
 
 static enum status out_of_memory(void)
 {

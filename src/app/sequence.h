@@ -6,7 +6,7 @@
 
 #include "src/app/app.h"
 #include "src/app/frame_name.h"
-#include "src/app/frame_range.h"
+#include "src/app/options/frame_range.h"
 
 struct sequence {
     struct frame_range range; /* without --frames: frame 0 */

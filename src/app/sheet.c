@@ -3,16 +3,16 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/app/options/sweep_options.h"
 #include "src/app/progress.h"
-#include "src/app/sweep_options.h"
-#include "src/app/words.h"
+#include "src/app/shell_words.h"
+#include "src/base/log.h"
 #include "src/image/file.h"
 #include "src/image/png.h"
 #include "src/ladder/canvas.h"
-#include "src/log.h"
-#include "src/renderer.h"
+#include "src/render/renderer.h"
 #include "src/scene/material.h"
-#include "src/scene_settings.h"
+#include "src/settings/scene_settings.h"
 #include "src/version.h"
 
 static const char default_output[] = "sheet.png";
@@ -236,7 +236,7 @@ enum status app_sheet(const struct app_options *options)
     enum status status = STATUS_TRY_AGAIN;
     if (job) {
         job->o = *options;
-        job->command = words_join(options->words);
+        job->command = shell_words_join(options->words);
     }
     if (job && job->command)
         status = run(job);

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/app/app.h"
-#include "src/log.h"
+#include "src/base/log.h"
 #include "src/version.h"
 
 enum {

@@ -18,7 +18,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <volk.h>
-#include "src/status.h"
+#include "src/base/status.h"
 
 /* What lets a device show pictures in windows. */
 struct gpu_window_system {

@@ -6,8 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
-#include "src/log.h"
 
 enum {
     FILE_SIZE_MAX = 64 << 20,

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "src/log.h"
+#include "src/base/log.h"
 
 /* NULL: it is not loaded. */
 static RENDERDOC_API_1_4_0 *find_renderdoc(void)

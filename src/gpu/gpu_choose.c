@@ -4,8 +4,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
-#include "src/log.h"
 
 /* least values of limits; the graph writes up to 8 targets, push structs have up to 128 bytes */
 enum {

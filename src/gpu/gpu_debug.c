@@ -1,8 +1,8 @@
 /* gpu_debug.c: what the validation layer says, and names for captures. */
 #include <string.h>
 
+#include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
-#include "src/log.h"
 
 static VKAPI_ATTR VkBool32 VKAPI_CALL count_message(
     VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT types,

@@ -1,8 +1,8 @@
 /* gpu_device.c: opens and closes a device, lists them. */
 #include <stdlib.h>
 
+#include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
-#include "src/log.h"
 
 /* more than any machine has; the rest is not seen */
 enum {

@@ -1,7 +1,7 @@
 /* gpu_fit.c: says in advance that a picture is too large for a device. */
 #include <unistd.h>
+#include "src/base/log.h"
 #include "src/gpu/gpu.h"
-#include "src/log.h"
 
 enum {
     MIB = 1 << 20,

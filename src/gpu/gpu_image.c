@@ -2,8 +2,8 @@
 #include <assert.h>
 #include <string.h>
 
+#include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
-#include "src/log.h"
 
 static const struct {
     VkFormat format;

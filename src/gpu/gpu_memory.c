@@ -1,8 +1,8 @@
 /* gpu_memory.c: device memory, and buffers with their content. */
 #include <string.h>
 
+#include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
-#include "src/log.h"
 
 enum {
     MIB = 1 << 20,

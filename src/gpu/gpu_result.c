@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <sys/resource.h>
 
+#include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
-#include "src/log.h"
 
 #define ROW(value) .result = (value), .name = #value
 

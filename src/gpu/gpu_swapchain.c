@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
-#include "src/log.h"
 
 /* best first: pictures are sRGB-encoded already */
 static const struct {

@@ -8,8 +8,8 @@
 #ifndef FIRN_IMAGE_EXR_H
 #define FIRN_IMAGE_EXR_H
 
+#include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/status.h"
 
 /* Where an image lies in a larger picture: its data window in the display window. */
 struct exr_place {

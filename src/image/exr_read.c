@@ -2,9 +2,9 @@
 #include <OpenEXR/openexr.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/log.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
-#include "src/log.h"
 
 struct source {
     FILE *file;

@@ -3,9 +3,9 @@
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/log.h"
 #include "src/image/exr.h"
 #include "src/image/half.h"
-#include "src/log.h"
 
 /* Longer ones need a flag in the file, which old readers refuse. */
 enum {

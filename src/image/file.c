@@ -11,7 +11,7 @@
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "src/log.h"
+#include "src/base/log.h"
 
 enum {
     RANDOM_LENGTH = 6,

@@ -15,7 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include "src/status.h"
+#include "src/base/status.h"
 
 /*
  * Writes size bytes to `path`, or to stdout when it is "-". An existing path that is not a

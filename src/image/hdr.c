@@ -4,8 +4,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/log.h"
 #include "src/image/file.h"
-#include "src/log.h"
 
 struct source {
     FILE *file;

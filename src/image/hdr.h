@@ -2,8 +2,8 @@
 #ifndef FIRN_IMAGE_HDR_H
 #define FIRN_IMAGE_HDR_H
 
+#include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/status.h"
 
 /* Limits, errors and ownership as exr_read(). The other formats stb_image knows are refused. */
 MUST_USE enum status hdr_read(const char *path, struct image *image);

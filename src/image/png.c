@@ -7,8 +7,8 @@
 #include <png.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/log.h"
 #include "src/image/file.h"
-#include "src/log.h"
 
 enum {
     CHUNK_SIZE = 12, /* of one without data: length, type, check sum */

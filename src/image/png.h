@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/status.h"
 
 struct png_picture {
     const uint8_t *rgba;            /* sRGB-encoded texels, rows from the top */

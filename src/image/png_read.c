@@ -1,10 +1,10 @@
 /* png_read.c: PNG files in, by libpng's simplified interface. */
 #include <png.h>
 #include <stdlib.h>
+#include "src/base/log.h"
 #include "src/image/file.h"
 #include "src/image/png.h"
 #include "src/image/srgb.h"
-#include "src/log.h"
 
 static enum status out_of_memory(const char *path, const png_image *png)
 {

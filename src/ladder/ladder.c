@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/clock.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
 #include "src/image/half.h"
 #include "src/ladder/ladder_cost.h"
-#include "src/log.h"
 #include "src/metric/angle.h"
 #include "src/metric/difference.h"
 #include "src/metric/flip.h"

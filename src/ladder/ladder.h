@@ -12,7 +12,7 @@
 #ifndef FIRN_LADDER_LADDER_H
 #define FIRN_LADDER_LADDER_H
 
-#include "src/renderer.h"
+#include "src/render/renderer.h"
 
 enum {
     LADDER_RUNG_COUNT = 16 /* at most */

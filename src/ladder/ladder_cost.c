@@ -1,9 +1,9 @@
 /* ladder_cost.c: frames against the clock. */
 #include "src/ladder/ladder_cost.h"
 #include <stdlib.h>
-#include "src/clock.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
 #include "src/ladder/ladder.h"
-#include "src/log.h"
 #include "src/profile/statistics.h"
 
 static enum status time_frame(struct renderer *renderer, const struct renderer_shot *shot,

@@ -2,7 +2,7 @@
 #ifndef FIRN_LADDER_LADDER_COST_H
 #define FIRN_LADDER_LADDER_COST_H
 
-#include "src/renderer.h"
+#include "src/render/renderer.h"
 
 struct ladder_cost_request {
     const struct renderer_params *renderers; /* keep is set for them */

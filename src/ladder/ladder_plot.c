@@ -1,8 +1,8 @@
 /* ladder_plot.c: error against cost. */
 #include <math.h>
 #include <stdlib.h>
+#include "src/base/log.h"
 #include "src/ladder/ladder_report.h"
-#include "src/log.h"
 
 /* Pixels of the drawing. */
 enum {

@@ -2,11 +2,11 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/log.h"
 #include "src/image/exr.h"
 #include "src/image/png.h"
 #include "src/ladder/canvas.h"
 #include "src/ladder/ladder_report.h"
-#include "src/log.h"
 #include "src/metric/heat.h"
 
 enum {

@@ -2,8 +2,8 @@
 #include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
+#include "src/base/log.h"
 #include "src/ladder/ladder_report.h"
-#include "src/log.h"
 #include "src/profile/text.h"
 
 enum {

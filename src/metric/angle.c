@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/metric/order.h"
+#include "src/metric/quantile.h"
 
 static vec3s load(const float *const direction[static 3], size_t i)
 {
@@ -31,12 +31,12 @@ static void summarize(struct angle *angle, float *angles, size_t count)
     angle->mean = angle->median = angle->most_95 = angle->largest = (double)NAN;
     if (!count)
         return;
-    order_sort(angles, count);
+    quantile_sort(angles, count);
     for (size_t i = 0; i < count; i++)
         sum += (double)angles[i];
     angle->mean = sum / (double)count;
-    angle->median = order_median(angles, count);
-    angle->most_95 = order_percentile(angles, count, 0.95);
+    angle->median = quantile_median(angles, count);
+    angle->most_95 = quantile_at(angles, count, 0.95);
     angle->largest = (double)angles[count - 1];
 }
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "src/metric/flip_color.h"
 #include "src/metric/flip_filter.h"
-#include "src/metric/order.h"
+#include "src/metric/quantile.h"
 
 /* What becomes of a picture. */
 struct side {
@@ -240,14 +240,14 @@ static bool find_exposures(const struct flip_pair *pair, enum flip_curve curve,
         return false;
     for (size_t i = 0; i < count; i++)
         values[i] = flip_tone_luminance(load(pair->reference, i));
-    order_sort(values, count);
+    quantile_sort(values, count);
     size_t first = 0;
-    if (order_median(values, count) < (double)black) {
+    if (quantile_median(values, count) < (double)black) {
         while (first + 1 < count && values[first] < black)
             first++;
     }
     *exposures = flip_tone_exposures(curve, (double)values[count - 1],
-                                     order_median(values + first, count - first));
+                                     quantile_median(values + first, count - first));
     free(values);
     return true;
 }

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/log.h"
-#include "src/profile/lines.h"
+#include "src/base/log.h"
 #include "src/profile/table.h"
+#include "src/profile/table_rows.h"
 #include "src/profile/text.h"
 
 enum {
@@ -19,7 +19,7 @@ static const double level = 0.01;
 
 /* A line of the table; one of both samples may be missing. */
 struct pair {
-    char name[PROFILE_LINE_NAME_SIZE];
+    char name[PROFILE_TABLE_ROW_NAME_SIZE];
     double *base, *now; /* ascending; own; NULL: there are none */
     struct profile_ratio ratio;
     double p; /* adjusted */
@@ -105,14 +105,14 @@ static bool add_pair(struct comparison *c, const char *name, const double *base,
     return (!base || pair->base) && (!now || pair->now);
 }
 
-static bool is_same(const struct profile_line *a, const struct profile_line *b, bool each)
+static bool is_same(const struct profile_table_row *a, const struct profile_table_row *b, bool each)
 {
     return strcmp(a->row->name, b->row->name) == 0 &&
            (!each || a->row->repetition == b->row->repetition);
 }
 
-static const struct profile_line *find_line(const struct profile_lines *lines,
-                                            const struct profile_line *like, bool each)
+static const struct profile_table_row *find_line(const struct profile_table_rows *lines,
+                                                 const struct profile_table_row *like, bool each)
 {
     for (uint32_t i = 0; i < lines->count; i++)
         if (is_same(&lines->lines[i], like, each))
@@ -121,20 +121,20 @@ static const struct profile_line *find_line(const struct profile_lines *lines,
 }
 
 /* What is there now, in its order; then what is gone; then the frame. */
-static bool add_pairs(struct comparison *c, const struct profile_lines *base,
-                      const struct profile_lines *now, bool each)
+static bool add_pairs(struct comparison *c, const struct profile_table_rows *base,
+                      const struct profile_table_rows *now, bool each)
 {
-    char name[PROFILE_LINE_NAME_SIZE];
+    char name[PROFILE_TABLE_ROW_NAME_SIZE];
     bool ok = true;
     for (uint32_t i = 0; i < now->count && ok; i++) {
-        const struct profile_line *other = find_line(base, &now->lines[i], each);
-        profile_line_name(&now->lines[i], name);
+        const struct profile_table_row *other = find_line(base, &now->lines[i], each);
+        profile_table_row_name(&now->lines[i], name);
         ok = add_pair(c, name, other ? other->ms : NULL, now->lines[i].ms);
     }
     for (uint32_t i = 0; i < base->count && ok; i++) {
         if (find_line(now, &base->lines[i], each))
             continue;
-        profile_line_name(&base->lines[i], name);
+        profile_table_row_name(&base->lines[i], name);
         ok = add_pair(c, name, base->lines[i].ms, NULL);
     }
     return ok && add_pair(c, "frame", c->base->frame, c->now->frame);
@@ -272,13 +272,13 @@ static void comparison_finish(struct comparison *c)
 enum status profile_compare(const struct profile *base, const struct profile *now, bool each,
                             FILE *out, bool *is_slower)
 {
-    struct profile_lines base_lines = { 0 }, now_lines = { 0 };
+    struct profile_table_rows base_lines = { 0 }, now_lines = { 0 };
     struct comparison c = { .base = base, .now = now };
-    enum status status = profile_lines_init(&base_lines, base, each);
+    enum status status = profile_table_rows_init(&base_lines, base, each);
     bool any = false;
 
     if (status == STATUS_OK)
-        status = profile_lines_init(&now_lines, now, each);
+        status = profile_table_rows_init(&now_lines, now, each);
     if (status != STATUS_OK)
         goto fail;
     c.pairs = calloc((size_t)base_lines.count + now_lines.count + 1, sizeof(*c.pairs));
@@ -295,7 +295,7 @@ enum status profile_compare(const struct profile *base, const struct profile *no
         *is_slower = any;
 fail:
     comparison_finish(&c);
-    profile_lines_finish(&base_lines);
-    profile_lines_finish(&now_lines);
+    profile_table_rows_finish(&base_lines);
+    profile_table_rows_finish(&now_lines);
     return status;
 }

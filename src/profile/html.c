@@ -2,7 +2,7 @@
 #include "src/profile/html.h"
 #include <stdlib.h>
 #include <string.h>
-#include "src/log.h"
+#include "src/base/log.h"
 #include "src/profile/json.h"
 #include "src/profile/page/page.h"
 

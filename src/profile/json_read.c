@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/log.h"
 #include "src/image/file.h"
-#include "src/log.h"
 #include "src/profile/json.h"
 #include "src/profile/json_fields.h"
 

@@ -1,11 +1,11 @@
 /* json_write.c: profiles as JSON. */
 #include <stdlib.h>
 #include <string.h>
-#include "src/log.h"
+#include "src/base/log.h"
 #include "src/profile/json.h"
 #include "src/profile/json_fields.h"
-#include "src/profile/lines.h"
 #include "src/profile/statistics.h"
+#include "src/profile/table_rows.h"
 #include "src/profile/text.h"
 
 /* key, offset and size of a field */

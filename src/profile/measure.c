@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "src/clock.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
 #include "src/gpu/gpu_capture.h"
-#include "src/log.h"
 
 struct measure {
     const struct profile_request *request;

@@ -7,9 +7,9 @@
 #ifndef FIRN_PROFILE_MEASURE_H
 #define FIRN_PROFILE_MEASURE_H
 
-#include "src/profile/clock_test.h"
 #include "src/profile/profile.h"
-#include "src/renderer.h"
+#include "src/profile/timestamp_check.h"
+#include "src/render/renderer.h"
 
 enum {
     MEASURE_PATH_SIZE = 1024

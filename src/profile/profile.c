@@ -2,7 +2,7 @@
 #include "src/profile/profile.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "src/log.h"
+#include "src/base/log.h"
 
 enum {
     ROWS_AFTER_PASSES = 3

@@ -16,7 +16,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
-#include "src/status.h"
+#include "src/base/status.h"
 
 enum {
     PROFILE_NAME_SIZE = 128

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/log.h"
-#include "src/profile/lines.h"
+#include "src/base/log.h"
+#include "src/profile/table_rows.h"
 
 static const double least_share = 0.02; /* of a frame, for a fit */
 
@@ -147,9 +147,9 @@ bool profile_sweep_number(const struct profile_sweep *sweep, uint32_t point, uin
 
 /* Of a sweep of one parameter, all numbers. */
 struct fitting {
-    struct profile_lines *lines;    /* one a point */
-    double *x, *used_x, *y;         /* one a point */
-    struct profile_growth *growths; /* the frame's first */
+    struct profile_table_rows *lines; /* one a point */
+    double *x, *used_x, *y;           /* one a point */
+    struct profile_growth *growths;   /* the frame's first */
     uint32_t count;
 };
 
@@ -174,7 +174,7 @@ static bool name_growths(struct fitting *fitting, uint32_t point_count)
     fitting->count = 1;
     for (uint32_t i = 0; i < point_count; i++) {
         for (uint32_t k = 0; k < fitting->lines[i].count; k++) {
-            const struct profile_line *line = &fitting->lines[i].lines[k];
+            const struct profile_table_row *line = &fitting->lines[i].lines[k];
             if (line->share > least_share && line->row->kind != PROFILE_REST &&
                 !has_growth(fitting, line->row->name))
                 snprintf(fitting->growths[fitting->count++].name, PROFILE_NAME_SIZE, "%s",
@@ -185,7 +185,7 @@ static bool name_growths(struct fitting *fitting, uint32_t point_count)
 }
 
 /* The median at a point, or NULL: a point does not have it. */
-static const double *find_median(const struct profile_lines *lines, const char *name)
+static const double *find_median(const struct profile_table_rows *lines, const char *name)
 {
     for (uint32_t i = 0; i < lines->count; i++)
         if (strcmp(lines->lines[i].row->name, name) == 0)
@@ -233,14 +233,14 @@ static enum status fitting_init(struct fitting *fitting, const struct profile_sw
     fitting->used_x = fitting->x + sweep->point_count;
     fitting->y = fitting->used_x + sweep->point_count;
     for (uint32_t i = 0; i < sweep->point_count && status == STATUS_OK; i++)
-        status = profile_lines_init(&fitting->lines[i], &sweep->points[i], false);
+        status = profile_table_rows_init(&fitting->lines[i], &sweep->points[i], false);
     return status;
 }
 
 static void fitting_finish(struct fitting *fitting, uint32_t point_count)
 {
     for (uint32_t i = 0; i < point_count && fitting->lines; i++)
-        profile_lines_finish(&fitting->lines[i]);
+        profile_table_rows_finish(&fitting->lines[i]);
     free(fitting->lines);
     free(fitting->x);
     free(fitting->growths);

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/profile/json_fields.h"
-#include "src/profile/lines.h"
 #include "src/profile/sweep.h"
 #include "src/profile/table.h"
+#include "src/profile/table_rows.h"
 #include "src/profile/text.h"
 
 enum {
@@ -43,8 +43,8 @@ static struct columns make_columns(const struct profile_sweep *sweep)
 }
 
 /* The passes that cost most, in descending order; returns how many there are. */
-static uint32_t find_costliest(const struct profile_lines *lines,
-                               const struct profile_line *costliest[static COSTLIEST_COUNT])
+static uint32_t find_costliest(const struct profile_table_rows *lines,
+                               const struct profile_table_row *costliest[static COSTLIEST_COUNT])
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < lines->pass_count; i++) {
@@ -59,13 +59,13 @@ static uint32_t find_costliest(const struct profile_lines *lines,
 }
 
 /* As many as there is room for, the last one's name shortened. */
-static void print_costliest(const struct profile_lines *lines, uint32_t room, FILE *out)
+static void print_costliest(const struct profile_table_rows *lines, uint32_t room, FILE *out)
 {
-    const struct profile_line *costliest[COSTLIEST_COUNT];
+    const struct profile_table_row *costliest[COSTLIEST_COUNT];
     const uint32_t count = find_costliest(lines, costliest);
-    char name[PROFILE_LINE_NAME_SIZE];
+    char name[PROFILE_TABLE_ROW_NAME_SIZE];
     for (uint32_t i = 0; i < count && room >= LEAST_NAME + SHARE_COLUMNS; i++) {
-        profile_line_name(costliest[i], name);
+        profile_table_row_name(costliest[i], name);
         const uint32_t most = room - SHARE_COLUMNS;
         const uint32_t width = strlen(name) < most ? (uint32_t)strlen(name) : most;
         fputs("  ", out);
@@ -78,8 +78,8 @@ static void print_costliest(const struct profile_lines *lines, uint32_t room, FI
 static enum status print_point(const struct profile_sweep *sweep, uint32_t point,
                                const struct columns *columns, FILE *out)
 {
-    struct profile_lines lines;
-    const enum status status = profile_lines_init(&lines, &sweep->points[point], false);
+    struct profile_table_rows lines;
+    const enum status status = profile_table_rows_init(&lines, &sweep->points[point], false);
     if (status != STATUS_OK)
         return status;
     for (uint32_t i = 0; i < sweep->parameter_count; i++) {
@@ -90,7 +90,7 @@ static enum status print_point(const struct profile_sweep *sweep, uint32_t point
     fprintf(out, "%9.*f ± %8.*f", decimals, lines.frame.median, decimals, lines.frame.sigma);
     print_costliest(&lines, columns->passes, out);
     fputc('\n', out);
-    profile_lines_finish(&lines);
+    profile_table_rows_finish(&lines);
     return STATUS_OK;
 }
 

@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
-#include "src/profile/lines.h"
+#include "src/profile/table_rows.h"
 #include "src/profile/text.h"
 
 enum {
@@ -41,16 +41,16 @@ static void print_summary(const char *name, const struct profile_summary *s, dou
             share * 100);
 }
 
-static void print_times(const struct profile_lines *lines, FILE *out)
+static void print_times(const struct profile_table_rows *lines, FILE *out)
 {
     const int decimals = profile_decimals(lines->frame.max);
-    char name[PROFILE_LINE_NAME_SIZE];
+    char name[PROFILE_TABLE_ROW_NAME_SIZE];
     profile_print_name("pass", NAME_COLUMNS, out);
     fprintf(out, " %8s %8s ± %7s %8s %8s %8s %8s\n", "median", "mean", "sigma", "min", "p95", "max",
             "share");
     for (uint32_t i = 0; i < lines->count; i++) {
-        const struct profile_line *line = &lines->lines[i];
-        profile_line_name(line, name);
+        const struct profile_table_row *line = &lines->lines[i];
+        profile_table_row_name(line, name);
         print_summary(name, &line->summary, line->share, decimals, out);
     }
     print_summary("frame", &lines->frame, lines->frame.mean > 0 ? 1 : 0, decimals, out);
@@ -73,10 +73,10 @@ static void print_count(uint64_t count, int columns, FILE *out)
     }
 }
 
-static void print_work_of(const struct profile_line *line, const struct profile *p, FILE *out)
+static void print_work_of(const struct profile_table_row *line, const struct profile *p, FILE *out)
 {
-    char name[PROFILE_LINE_NAME_SIZE], size[32] = "-";
-    profile_line_name(line, name);
+    char name[PROFILE_TABLE_ROW_NAME_SIZE], size[32] = "-";
+    profile_table_row_name(line, name);
     profile_print_name(name, NAME_COLUMNS, out);
     if (line->row->width > 0)
         snprintf(size, sizeof(size), "%" PRIu32 "x%" PRIu32, line->row->width, line->row->height);
@@ -92,7 +92,7 @@ static void print_work_of(const struct profile_line *line, const struct profile 
     fputc('\n', out);
 }
 
-static void print_work(const struct profile_lines *lines, const struct profile *p, FILE *out)
+static void print_work(const struct profile_table_rows *lines, const struct profile *p, FILE *out)
 {
     fputc('\n', out);
     profile_print_name("pass", NAME_COLUMNS, out);
@@ -113,7 +113,7 @@ static void print_work(const struct profile_lines *lines, const struct profile *
 
 /* A sample that is far from the others of its line. */
 struct outlier {
-    const struct profile_line *line;
+    const struct profile_table_row *line;
     uint32_t run;
 };
 
@@ -139,8 +139,8 @@ static uint32_t add_outlier(struct outlier *worst, uint32_t count, struct outlie
 static void print_outlier(const struct outlier *outlier, FILE *out)
 {
     const double ms = outlier->line->ms[outlier->run], median = outlier->line->summary.median;
-    char name[PROFILE_LINE_NAME_SIZE], words[WORDS_SIZE], times[32] = "";
-    profile_line_name(outlier->line, name);
+    char name[PROFILE_TABLE_ROW_NAME_SIZE], words[WORDS_SIZE], times[32] = "";
+    profile_table_row_name(outlier->line, name);
     if (median > 0)
         snprintf(times, sizeof(times), ", %.1fx its median", ms / median);
     snprintf(words, sizeof(words), "run %" PRIu32 ": %s %.*f ms%s", outlier->run, name,
@@ -149,12 +149,12 @@ static void print_outlier(const struct outlier *outlier, FILE *out)
 }
 
 /* Those that matter: farther from the median than a hundredth of the frame. */
-static void print_outliers(const struct profile_lines *lines, uint32_t run_count, FILE *out)
+static void print_outliers(const struct profile_table_rows *lines, uint32_t run_count, FILE *out)
 {
     struct outlier worst[MAX_OUTLIERS];
     uint32_t count = 0;
     for (uint32_t i = 0; i < lines->count; i++) {
-        const struct profile_line *line = &lines->lines[i];
+        const struct profile_table_row *line = &lines->lines[i];
         const struct profile_fences fences = profile_fences(line->ms, run_count);
         for (uint32_t run = 0; run < run_count; run++) {
             const struct outlier outlier = { line, run };
@@ -170,7 +170,7 @@ static void print_outliers(const struct profile_lines *lines, uint32_t run_count
         fprintf(out, "and %" PRIu32 " smaller ones\n", count - MAX_OUTLIERS);
 }
 
-static void print_rest(const struct profile_lines *lines, const struct profile *p, FILE *out)
+static void print_rest(const struct profile_table_rows *lines, const struct profile *p, FILE *out)
 {
     const double frame = lines->frame.median, plain = lines->plain.median;
     char words[WORDS_SIZE];
@@ -199,8 +199,8 @@ static void print_rest(const struct profile_lines *lines, const struct profile *
 
 enum status profile_table(const struct profile *p, bool each, FILE *out)
 {
-    struct profile_lines lines;
-    const enum status status = profile_lines_init(&lines, p, each);
+    struct profile_table_rows lines;
+    const enum status status = profile_table_rows_init(&lines, p, each);
     if (status != STATUS_OK)
         return status;
     print_heading(p, out);
@@ -209,6 +209,6 @@ enum status profile_table(const struct profile *p, bool each, FILE *out)
     print_work(&lines, p, out);
     fputc('\n', out);
     print_rest(&lines, p, out);
-    profile_lines_finish(&lines);
+    profile_table_rows_finish(&lines);
     return STATUS_OK;
 }

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/profile/json_fields.h"
-#include "src/profile/lines.h"
+#include "src/profile/table_rows.h"
 
 enum {
     PROCESS = 1,
@@ -88,9 +88,9 @@ static int64_t shorter(int64_t a, int64_t b)
     return a < b ? a : b;
 }
 
-static void name_row(const struct profile_row *row, char name[static PROFILE_LINE_NAME_SIZE])
+static void name_row(const struct profile_row *row, char name[static PROFILE_TABLE_ROW_NAME_SIZE])
 {
-    profile_line_name(&(struct profile_line){ .row = row, .row_count = 1 }, name);
+    profile_table_row_name(&(struct profile_table_row){ .row = row, .row_count = 1 }, name);
 }
 
 /* Children never outlast their parents, whatever was measured. Returns when submit is over. */
@@ -98,7 +98,7 @@ static int64_t add_host(struct trace *trace, uint32_t run, int64_t begin)
 {
     const struct profile *p = trace->profile;
     const int64_t end = begin + nanoseconds(p->frame[run]);
-    char name[PROFILE_LINE_NAME_SIZE];
+    char name[PROFILE_TABLE_ROW_NAME_SIZE];
     int64_t at = begin;
 
     snprintf(name, sizeof(name), "frame %" PRIu32, run);
@@ -126,7 +126,7 @@ static int64_t add_host(struct trace *trace, uint32_t run, int64_t begin)
 static void add_queue(struct trace *trace, uint32_t run, int64_t begin)
 {
     const struct profile *p = trace->profile;
-    char name[PROFILE_LINE_NAME_SIZE];
+    char name[PROFILE_TABLE_ROW_NAME_SIZE];
 
     for (uint32_t i = 0; i < p->pass_count; i++) {
         const struct profile_row *row = &p->rows[i];

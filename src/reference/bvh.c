@@ -2,7 +2,7 @@
 #include "src/reference/bvh.h"
 #include <math.h>
 #include <string.h>
-#include "src/log.h"
+#include "src/base/log.h"
 
 /* Embree hands the context of a ray on to the filters. */
 struct context {
@@ -44,7 +44,7 @@ static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
     const struct mesh_vertex surface =
         blended(&bvh->parts[BVH_SURROUNDINGS], hit->primID, hit->u, hit->v);
     if (surface.material & MESH_CUTOUT &&
-        around_texel(bvh->around, surface.material, surface.uv).w < 0.5f)
+        radiance_texel(bvh->radiance, surface.material, surface.uv).w < 0.5f)
         args->valid[0] = 0;
 }
 
@@ -62,8 +62,8 @@ static bool has_holes(const struct mesh *mesh)
 static mat4s pose(const struct bvh *bvh, const struct bvh_part *part, uint32_t material)
 {
     if (part == &bvh->parts[BVH_OBJECT])
-        return bvh->around->globals->world_from_object;
-    return material & MESH_MOVES ? bvh->around->globals->world_from_movers : glms_mat4_identity();
+        return bvh->radiance->globals->world_from_object;
+    return material & MESH_MOVES ? bvh->radiance->globals->world_from_movers : glms_mat4_identity();
 }
 
 /* False when memory is short. */
@@ -113,13 +113,13 @@ static enum status check_size(const struct bvh *bvh, uint64_t memory)
     return STATUS_TRY_AGAIN;
 }
 
-enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct around *around,
+enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *radiance,
                      uint64_t memory)
 {
     *bvh = (struct bvh){
-        .around = around,
-        .parts[BVH_OBJECT].mesh = &around->scene->model.object,
-        .parts[BVH_SURROUNDINGS].mesh = &around->scene->model.surroundings,
+        .radiance = radiance,
+        .parts[BVH_OBJECT].mesh = &radiance->scene->model.object,
+        .parts[BVH_SURROUNDINGS].mesh = &radiance->scene->model.surroundings,
     };
     enum status status = check_size(bvh, memory);
     if (status != STATUS_OK)

@@ -11,8 +11,8 @@
 #define FIRN_REFERENCE_BVH_H
 
 #include <embree3/rtcore.h>
-#include "src/reference/around.h"
-#include "src/status.h"
+#include "src/base/status.h"
+#include "src/reference/radiance.h"
 
 enum {
     BVH_OBJECT,
@@ -40,7 +40,7 @@ struct bvh_hit {
 /* The scene with its triangles; {0} until bvh_init(). */
 struct bvh {
     RTCScene scene;
-    const struct around *around;
+    const struct radiance *radiance;
 
     struct bvh_part {
         const struct mesh *mesh;
@@ -49,10 +49,10 @@ struct bvh {
 };
 
 /*
- * `around` is borrowed. `memory` is what it may take, in bytes: a scene that would need more is
+ * `radiance` is borrowed. `memory` is what it may take, in bytes: a scene that would need more is
  * refused before it is built. Logs: STATUS_TRY_AGAIN; *bvh is then {0}.
  */
-MUST_USE enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct around *around,
+MUST_USE enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *radiance,
                               uint64_t memory);
 void bvh_finish(struct bvh *bvh);
 

@@ -9,11 +9,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 #include "shaders/tonemap.h"
-#include "src/accumulate.h"
-#include "src/frame_view.h"
-#include "src/log.h"
+#include "src/base/log.h"
+#include "src/frame/view.h"
 #include "src/reference/reference_layers.h"
-#include "src/reference/tree.h"
+#include "src/reference/whitted.h"
+#include "src/render/accumulate.h"
 #include "src/tech/tonemap.h"
 
 enum {
@@ -38,11 +38,11 @@ struct plane {
 /* A picture at work; the threads share it. */
 struct job {
     const struct reference *reference;
-    struct around around;
+    struct radiance radiance;
     struct globals globals;
     struct background_push push;
     struct bvh bvh;
-    struct tree tree;
+    struct whitted whitted;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
     uint32_t tile_columns, tile_count;
@@ -123,7 +123,7 @@ static void trace_pixel(const struct job *job, uint32_t x, uint32_t y)
     float first[REFERENCE_SEEN_COUNT];
     for (uint32_t s = 0; s < samples; s++) {
         const struct bvh_ray ray = ray_of(job, x, y, accumulate_jitter(s));
-        const struct reference_seen seen = tree_look(&job->tree, &ray, job->globals.forward);
+        const struct reference_seen seen = whitted_trace(&job->whitted, &ray, job->globals.forward);
         float values[REFERENCE_SEEN_COUNT];
         memcpy(values, &seen, sizeof(values));
         for (size_t i = 0; i < REFERENCE_SEEN_COUNT; i++)
@@ -239,20 +239,20 @@ static uint64_t memory_of(const struct reference_request *request)
     return memory;
 }
 
-static struct tree tree_of(const struct job *job)
+static struct whitted tree_of(const struct job *job)
 {
     const struct globals *globals = &job->globals;
     const struct reference_params *params =
         settings_of(job->reference->request.settings, &reference_settings);
-    struct tree tree = {
+    struct whitted whitted = {
         .bvh = &job->bvh,
-        .around = &job->around,
+        .radiance = &job->radiance,
         .is_dispersive = globals->etas.x != globals->etas.z,
         .absorb = globals->absorb,
         .params = *params,
     };
-    memcpy(tree.eta, globals->etas.raw, sizeof(tree.eta));
-    return tree;
+    memcpy(whitted.eta, globals->etas.raw, sizeof(whitted.eta));
+    return whitted;
 }
 
 static enum status trace(struct job *job, const struct renderer_shot *shot,
@@ -269,12 +269,12 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     };
     job->push = frame_view_push(&view);
     job->globals = frame_view_globals(&view, &job->push);
-    job->around = around_of(request->scene, &job->globals);
-    job->tree = tree_of(job);
+    job->radiance = radiance_of(request->scene, &job->globals);
+    job->whitted = tree_of(job);
     job->tile_columns = (request->width + TILE - 1) / TILE;
     job->tile_count = job->tile_columns * ((request->height + TILE - 1) / TILE);
     enum status status =
-        bvh_init(&job->bvh, job->reference->device, &job->around, memory_of(request));
+        bvh_init(&job->bvh, job->reference->device, &job->radiance, memory_of(request));
     if (status == STATUS_OK)
         status = run(job, progress, user);
     bvh_finish(&job->bvh);

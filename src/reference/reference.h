@@ -8,7 +8,7 @@
  * its surroundings, what moves, sky, environment picture or colour, from the very samples that the
  * renderer draws. What is not: cracks, air, bubbles, bumps, frost, highlights of lights. The
  * environment is met where it is, not looked up in a cube, and reflection is by Fresnel's
- * equations: env_cube.*, refract.fresnel and refract.lookup have no effect. tree.h says how, and
+ * equations: env_cube.*, refract.fresnel and refract.lookup have no effect. whitted.h says how, and
  * where it is not exact.
  *
  * The same picture gives the same bytes, whatever the number of threads.
@@ -20,7 +20,7 @@
 #ifndef FIRN_REFERENCE_REFERENCE_H
 #define FIRN_REFERENCE_REFERENCE_H
 
-#include "src/renderer.h"
+#include "src/render/renderer.h"
 
 /* As --refraction names it. It has no techniques, and so no plan. */
 extern const struct rung reference_rung;

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "shaders/surface.h"
-#include "src/scene_settings.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/bump.h"

@@ -1,5 +1,5 @@
 /* reference_none.c: in place of reference.c where there is no Embree. */
-#include "src/log.h"
+#include "src/base/log.h"
 #include "src/reference/reference.h"
 
 bool reference_is_built(void)

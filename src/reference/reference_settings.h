@@ -2,7 +2,7 @@
 #ifndef FIRN_REFERENCE_SETTINGS_H
 #define FIRN_REFERENCE_SETTINGS_H
 
-#include "src/settings.h"
+#include "src/settings/settings.h"
 
 enum reference_normals {
     REFERENCE_NORMALS_INTERPOLATED, /* of the vertices, as rasterised */

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/image/half.h"
+#include "src/scene/generate/noise.h"
 #include "src/scene/mips.h"
-#include "src/scene/noise.h"
 
 enum {
     SIZE = BUMP_MAPS_SIZE,

@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include "src/base/log.h"
 #include "src/image/exr.h"
 #include "src/image/half.h"
 #include "src/image/hdr.h"
-#include "src/log.h"
 
 static enum status read_picture(const char *path, struct image *image)
 {

@@ -9,7 +9,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
-#include "src/status.h"
+#include "src/base/status.h"
 
 struct environment {
     uint16_t *texels; /* half RGBA, rows from the top; finite, not negative; alpha 1, or ... */

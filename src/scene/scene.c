@@ -2,8 +2,8 @@
 #include "src/scene/scene.h"
 #include <stdlib.h>
 #include <string.h>
-#include "src/log.h"
-#include "src/scene/generate.h"
+#include "src/base/log.h"
+#include "src/scene/generate/generate.h"
 #include "src/scene/solid.h"
 
 const struct scene_builtin scene_builtins[] = {

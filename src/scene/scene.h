@@ -7,10 +7,10 @@
 #define FIRN_SCENE_SCENE_H
 
 #include "src/scene/bump_maps.h"
-#include "src/scene/decode.h"
 #include "src/scene/environment.h"
-#include "src/scene/generate.h"
-#include "src/scene/model.h"
+#include "src/scene/generate/generate.h"
+#include "src/scene/import/decode.h"
+#include "src/scene/import/model.h"
 
 enum scene_background {
     SCENE_SKY,

@@ -17,7 +17,7 @@
 #include "shaders/air.h"
 #include "shaders/embedded.h"
 #include "shaders/ice_depth.h"
-#include "src/frame.h"
+#include "src/tech/frame.h"
 #include "src/tech/ice_depth.h"
 
 static rg_record_fn record_layer, record_planes;

@@ -2,7 +2,7 @@
 #ifndef TECH_AIR_H
 #define TECH_AIR_H
 #include "shaders/over.h"
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 extern const struct rg_image air_cover; /* opacity of all planes together */
 extern const struct rg_image air_color; /* premultiplied; 0 where there is none; a layer alone */

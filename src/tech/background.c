@@ -5,7 +5,7 @@
  */
 #include "src/tech/background.h"
 #include "shaders/embedded.h"
-#include "src/frame.h"
+#include "src/tech/frame.h"
 #include "src/tech/ice_caustics.h"
 
 static rg_record_fn record_surroundings, record_sky;

@@ -1,7 +1,7 @@
 /* background.h: the scene around the ice, as the view sees it. */
 #ifndef TECH_BACKGROUND_H
 #define TECH_BACKGROUND_H
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 extern const struct rg_image background_color; /* linear radiance, alpha 1 */
 extern const struct rg_image background_depth; /* reversed: 1 near, 0 infinitely far */

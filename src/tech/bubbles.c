@@ -17,8 +17,8 @@
 #include "shaders/bubbles.h"
 #include "shaders/embedded.h"
 #include "shaders/ice_depth.h"
-#include "src/frame.h"
 #include "src/tech/env_cube.h"
+#include "src/tech/frame.h"
 #include "src/tech/ice_depth.h"
 
 static rg_record_fn record_spheres;

@@ -1,7 +1,7 @@
 /* bubbles.h: single bubbles of air in the ice. */
 #ifndef TECH_BUBBLES_H
 #define TECH_BUBBLES_H
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 extern const struct rg_image bubbles_color; /* premultiplied; 0 where there is none */
 

@@ -9,7 +9,7 @@
 #ifndef TECH_BUMP_H
 #define TECH_BUMP_H
 #include "shaders/bump.h"
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 /* Imported; the size is that of the stand-in where the scene has none. */
 extern const struct rg_image bump_map;

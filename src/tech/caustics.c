@@ -26,7 +26,7 @@
  */
 #include "src/tech/caustics.h"
 #include "shaders/embedded.h"
-#include "src/frame.h"
+#include "src/tech/frame.h"
 #include "src/tech/water.h"
 
 static rg_record_fn record_map, record_grid, record_photons, record_screen, record_strip,

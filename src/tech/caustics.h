@@ -2,7 +2,7 @@
 #ifndef TECH_CAUSTICS_H
 #define TECH_CAUSTICS_H
 #include "shaders/caustics.h"
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 /* A map on the plane of the floor (shaders/lib/caustics_map.glsl): 1 is as much light as falls on
  * it below water at rest with nothing around it. */

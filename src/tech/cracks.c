@@ -19,7 +19,7 @@
  */
 #include "src/tech/cracks.h"
 #include "shaders/embedded.h"
-#include "src/frame.h"
+#include "src/tech/frame.h"
 #include "src/tech/ice_depth.h"
 #include "src/tech/ice_interval.h"
 #include "src/tech/ice_normal.h"

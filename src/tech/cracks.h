@@ -2,7 +2,7 @@
 #ifndef TECH_CRACKS_H
 #define TECH_CRACKS_H
 #include "shaders/cracks.h"
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 /* How cracks are kept inside the ice. */
 enum cracks_clip {

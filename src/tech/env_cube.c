@@ -5,15 +5,15 @@
  * a field of view of 90 degrees from the centre of the ice object, 512 x 512 texels a face.
  * Alpha is 1 / distance from there, 0 where only the sky is seen: by it rungs follow a ray to what
  * is near. Faces in Vulkan's order and orientation, which is left-handed: nothing here culls by
- * winding. The cube lives from frame to frame: a face is drawn when it is due (src/frame_cube.h).
+ * winding. The cube lives from frame to frame: a face is drawn when it is due (src/frame/cube.h).
  *
  * Limits: what lies near the object is seen from its centre, not from where light leaves it, if
  * refract.lookup is infinite; and else, too, what other things hide from the centre is not there.
  */
 #include "src/tech/env_cube.h"
 #include "shaders/embedded.h"
-#include "src/frame.h"
 #include "src/tech/background.h"
+#include "src/tech/frame.h"
 #include "src/tech/ice_caustics.h"
 
 enum {

@@ -1,7 +1,7 @@
 /* env_cube.h: the scene without the ice, seen from its centre in all directions. */
 #ifndef TECH_ENV_CUBE_H
 #define TECH_ENV_CUBE_H
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 extern const struct rg_image env_cube_color; /* linear radiance; a: 1 / distance, 1 / metre */
 extern const struct rg_image env_cube_baked; /* the same, its faces as large as the view */

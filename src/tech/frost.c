@@ -18,8 +18,8 @@
 #include "src/tech/frost.h"
 #include "shaders/embedded.h"
 #include "shaders/frost.h"
-#include "src/frame.h"
 #include "src/tech/bump.h"
+#include "src/tech/frame.h"
 #include "src/tech/refract.h"
 
 static rg_record_fn record_cube, record_object;

@@ -1,7 +1,7 @@
 /* frost.h: crystals on the ice's surface. */
 #ifndef TECH_FROST_H
 #define TECH_FROST_H
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 extern const struct technique frost;
 extern const struct setting_group frost_settings;

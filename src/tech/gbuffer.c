@@ -7,7 +7,7 @@
 #include "src/tech/gbuffer.h"
 #include "shaders/embedded.h"
 #include "shaders/gbuffer.h"
-#include "src/frame.h"
+#include "src/tech/frame.h"
 
 static rg_record_fn record_surroundings, record_object;
 

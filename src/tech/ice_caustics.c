@@ -20,10 +20,10 @@
 #include "shaders/embedded.h"
 #include "shaders/globals.h"
 #include "shaders/refract.h"
-#include "src/frame.h"
 #include "src/tech/background.h"
 #include "src/tech/bump.h"
 #include "src/tech/caustics.h"
+#include "src/tech/frame.h"
 #include "src/tech/refract_bounce.h"
 
 static rg_record_fn record_ground, record_photons, record_clear, record_splat, record_map,

@@ -2,7 +2,7 @@
 #ifndef TECH_ICE_CAUSTICS_H
 #define TECH_ICE_CAUSTICS_H
 #include "shaders/ice_caustics.h"
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 struct ice_caustics_params {
     uint32_t light;  /* ICE_CAUSTICS_NONE ... */

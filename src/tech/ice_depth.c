@@ -11,7 +11,7 @@
 #include "src/tech/ice_depth.h"
 #include "shaders/embedded.h"
 #include "shaders/ice_depth.h"
-#include "src/frame.h"
+#include "src/tech/frame.h"
 
 static rg_record_fn record_layers;
 

@@ -1,7 +1,7 @@
 /* ice_depth.h: how far away the ice begins and ends, for each pixel. */
 #ifndef TECH_ICE_DEPTH_H
 #define TECH_ICE_DEPTH_H
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 /* Depth by globals.fitted_clip_from_world, 0 near, 1 far: of the nearest front face (1: none) and
  * of the farthest back face (0: none). shaders/lib/fitted.glsl makes metres of it. */

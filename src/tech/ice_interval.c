@@ -10,7 +10,7 @@
  */
 #include "src/tech/ice_interval.h"
 #include "shaders/embedded.h"
-#include "src/frame.h"
+#include "src/tech/frame.h"
 
 static rg_record_fn record_count;
 

@@ -2,7 +2,7 @@
 #ifndef TECH_ICE_INTERVAL_H
 #define TECH_ICE_INTERVAL_H
 #include "shaders/ice_interval.h"
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 struct ice_interval_params {
     uint32_t count; /* intervals of a pixel that are found: 1 to ICE_INTERVAL_MAX */

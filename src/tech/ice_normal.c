@@ -11,8 +11,8 @@
  */
 #include "src/tech/ice_normal.h"
 #include "shaders/embedded.h"
-#include "src/frame.h"
 #include "src/tech/bump.h"
+#include "src/tech/frame.h"
 #include "src/tech/refract.h"
 
 const struct rg_image ice_normal_back = {

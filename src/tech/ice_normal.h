@@ -1,7 +1,7 @@
 /* ice_normal.h: the ice's back and front faces as the view sees them: normals and depth. */
 #ifndef TECH_ICE_NORMAL_H
 #define TECH_ICE_NORMAL_H
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 /* xyz: outward, unit, world: away from the eye, never flipped; w: 1, or 0 where there is none */
 extern const struct rg_image ice_normal_back;

@@ -7,11 +7,11 @@
  */
 #include "src/tech/over.h"
 #include "shaders/embedded.h"
-#include "src/frame.h"
 #include "src/tech/air.h"
 #include "src/tech/background.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/cracks.h"
+#include "src/tech/frame.h"
 #include "src/tech/surface.h"
 
 static rg_record_fn record_area;

@@ -5,7 +5,7 @@
 #ifndef TECH_OVER_H
 #define TECH_OVER_H
 #include "shaders/over.h"
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 /* The technique for some of them (OVER_HAS_AIR ...), which come before it. NULL: for none. */
 const struct technique *over_find(uint32_t layers);

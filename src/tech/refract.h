@@ -13,7 +13,7 @@
 #include "src/tech/env_cube.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/surface.h"
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 /* On the ice's front faces; 0 elsewhere. With dispersion, exit and way are those of green. */
 extern const struct rg_image refract_exit;       /* unit direction in which light leaves */

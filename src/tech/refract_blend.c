@@ -11,8 +11,8 @@
 #include "src/tech/refract_blend.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_blend.h"
-#include "src/frame.h"
 #include "src/tech/bump.h"
+#include "src/tech/frame.h"
 #include "src/tech/refract.h"
 
 static rg_record_fn record_object;

@@ -12,7 +12,7 @@
 #include "src/tech/refract_bounce.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_march.h"
-#include "src/frame.h"
+#include "src/tech/frame.h"
 #include "src/tech/refract.h"
 
 static rg_record_fn record_screen;

@@ -1,7 +1,7 @@
 /* refract_paper.h: two-sided refraction by blended normals. */
 #ifndef TECH_REFRACT_PAPER_H
 #define TECH_REFRACT_PAPER_H
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 extern const struct technique refract_paper[], refract_paper_bumped[];
 extern const struct setting_group refract_paper_settings;

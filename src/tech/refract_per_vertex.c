@@ -10,7 +10,7 @@
  */
 #include "src/tech/refract_per_vertex.h"
 #include "shaders/embedded.h"
-#include "src/frame.h"
+#include "src/tech/frame.h"
 #include "src/tech/refract.h"
 
 static const struct rg_use uses[] = {

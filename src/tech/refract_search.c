@@ -12,8 +12,8 @@
 #include "src/tech/refract_search.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_march.h"
-#include "src/frame.h"
 #include "src/tech/bump.h"
+#include "src/tech/frame.h"
 #include "src/tech/refract.h"
 
 static rg_record_fn record_object;

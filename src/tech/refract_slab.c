@@ -9,8 +9,8 @@
  */
 #include "src/tech/refract_slab.h"
 #include "shaders/embedded.h"
-#include "src/frame.h"
 #include "src/tech/bump.h"
+#include "src/tech/frame.h"
 #include "src/tech/refract.h"
 
 static const struct rg_use uses[] = {

@@ -5,8 +5,8 @@
  * so the mean goes back into background_color before tonemap reads it.
  */
 #include "src/tech/resolve.h"
-#include "src/frame.h"
 #include "src/tech/background.h"
+#include "src/tech/frame.h"
 
 static rg_record_fn record_upload;
 

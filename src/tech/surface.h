@@ -1,7 +1,7 @@
 /* surface.h: highlights of the lights on the ice's front. */
 #ifndef TECH_SURFACE_H
 #define TECH_SURFACE_H
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 /* Radiance of the highlights; below 0 where no ice is seen. A rung's row writes it. */
 extern const struct rg_image surface_highlight;

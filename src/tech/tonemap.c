@@ -8,8 +8,8 @@
 #include <math.h>
 #include "shaders/embedded.h"
 #include "shaders/tonemap.h"
-#include "src/frame.h"
 #include "src/tech/background.h"
+#include "src/tech/frame.h"
 
 static rg_record_fn record_screen;
 

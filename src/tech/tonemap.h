@@ -1,7 +1,7 @@
 /* tonemap.h: the linear picture for people's eyes: 8 bits, sRGB. */
 #ifndef TECH_TONEMAP_H
 #define TECH_TONEMAP_H
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 struct tonemap_params {
     float exposure; /* stops */

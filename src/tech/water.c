@@ -21,9 +21,9 @@
  */
 #include "src/tech/water.h"
 #include "shaders/embedded.h"
-#include "src/frame.h"
 #include "src/tech/background.h"
 #include "src/tech/caustics.h"
+#include "src/tech/frame.h"
 #include "src/tech/gbuffer.h"
 #include "src/tech/refract.h"
 

@@ -2,7 +2,7 @@
 #ifndef TECH_WATER_H
 #define TECH_WATER_H
 #include "shaders/water.h"
-#include "src/technique.h"
+#include "src/tech/technique.h"
 
 /* What the settings choose: its ground under even light or caustics_light; ice that floats in it.
  * Comes after ice_normal where there is ice. */

@@ -1,7 +1,7 @@
 /* main.c: firn-view [options] SCENE; what `firn view` starts. */
 #include <signal.h>
-#include "src/app/standard.h"
-#include "src/scene/decode.h"
+#include "src/app/standard_streams.h"
+#include "src/scene/import/decode.h"
 #include "src/view/view.h"
 
 int main(int argc, char **argv)
@@ -10,12 +10,12 @@ int main(int argc, char **argv)
     bool done;
     if (decode_is_wanted(argc, argv))
         return decode_main(argc, argv);
-    standard_begin();
+    standard_streams_begin();
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);
     if (status == STATUS_OK && !done)
         status = app_need_scene(&options);
     if (status == STATUS_OK && !done)
         status = view_run(&options);
-    return (int)standard_end(status);
+    return (int)standard_streams_end(status);
 }

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "shaders/present.h"
-#include "src/frame_view.h"
-#include "src/log.h"
-#include "src/scene_settings.h"
+#include "src/base/log.h"
+#include "src/frame/view.h"
+#include "src/settings/scene_settings.h"
 #include "src/view/watch.h"
 
 static enum status out_of_memory(void)
@@ -63,12 +63,12 @@ void picture_leave_device(struct picture *p)
     if (!p)
         return;
     forget_renderers(p);
-    scene_gpu_finish(&p->uploaded, p->gpu);
+    uploaded_scene_finish(&p->uploaded, p->gpu);
 }
 
 enum status picture_upload(struct picture *p)
 {
-    return scene_gpu_upload(&p->uploaded, p->gpu, &p->scene);
+    return uploaded_scene_init(&p->uploaded, p->gpu, &p->scene);
 }
 
 void picture_destroy(struct picture *p)

@@ -11,8 +11,8 @@
 #define FIRN_VIEW_PICTURE_H
 
 #include "src/app/app.h"
-#include "src/renderer.h"
-#include "src/scene_gpu.h"
+#include "src/render/renderer.h"
+#include "src/render/uploaded_scene.h"
 
 struct picture {
     struct gpu *gpu;
@@ -20,7 +20,7 @@ struct picture {
     char *scene_name;       /* of the options; own */
     char *environment_name; /* the same; may be NULL */
     struct scene scene;
-    struct scene_gpu uploaded;
+    struct uploaded_scene uploaded;
     struct watch *watch;        /* may be NULL */
     struct camera camera;       /* where a hand has put it */
     struct camera first_camera; /* where it was */
@@ -82,13 +82,13 @@ void picture_range(const struct picture *picture, float *nearest, float *farthes
  * writes it with the same words in it, each to a file that its ending names. Of a split picture a
  * PNG file shows what the window shows, and NAME.exr becomes NAME-left.exr and NAME-right.exr.
  */
-struct stop;
+struct signals;
 MUST_USE enum status picture_write(struct picture *picture, float time, const char *const *paths,
-                                   uint32_t path_count, struct stop *stop);
+                                   uint32_t path_count, struct signals *stop);
 
 /* Writes what was drawn of it (`rgba`, one sample) to a PNG file, with the same words in it. */
 MUST_USE enum status picture_write_drawn(struct picture *picture, float time, const char *path,
-                                         const struct render_result *drawn, struct stop *stop);
+                                         const struct render_result *drawn, struct signals *stop);
 
 /* Whether a picture that is split (or not) can be written to them. Logs: STATUS_USAGE. */
 MUST_USE enum status picture_can_write(bool is_split, const char *const *paths,

@@ -4,9 +4,9 @@
 #include <string.h>
 #include "shaders/present.h"
 #include "src/app/output.h"
-#include "src/app/stop.h"
+#include "src/app/signals.h"
+#include "src/base/log.h"
 #include "src/image/file.h"
-#include "src/log.h"
 #include "src/view/picture.h"
 
 enum {
@@ -40,16 +40,16 @@ enum status picture_can_write(bool is_split, const char *const *paths, uint32_t 
 }
 
 static enum status write_file(struct picture *p, const struct output *output, const char *path,
-                              const struct render_result *result, struct stop *stop)
+                              const struct render_result *result, struct signals *stop)
 {
     void *data = NULL;
     size_t size = 0;
     enum status status =
         output_encode(output, path, result, p->gpu->properties.deviceName, &data, &size);
     if (status == STATUS_OK) {
-        stop_hold(stop);
+        signals_hold(stop);
         status = file_write(path, data, size);
-        stop_release(stop);
+        signals_release(stop);
     }
     free(data);
     const uint32_t samples = output->options->samples;
@@ -61,7 +61,7 @@ static enum status write_file(struct picture *p, const struct output *output, co
 
 /* NAME.exr to NAME-left.exr */
 static enum status write_side(struct picture *p, const struct side *side, const char *path,
-                              struct stop *stop)
+                              struct signals *stop)
 {
     char name[PATH_SIZE];
     const char *dot = strrchr(path, '.');
@@ -116,7 +116,7 @@ static void put_right(uint8_t *rgba, const uint8_t *right, uint32_t width, uint3
 }
 
 static enum status write_all(struct picture *p, const struct drawn *drawn, const char *const *paths,
-                             uint32_t path_count, struct stop *stop)
+                             uint32_t path_count, struct signals *stop)
 {
     const struct render_result *left = &drawn->sides[0].result;
     enum status status = STATUS_OK;
@@ -132,7 +132,7 @@ static enum status write_all(struct picture *p, const struct drawn *drawn, const
 }
 
 enum status picture_write(struct picture *p, float time, const char *const *paths,
-                          uint32_t path_count, struct stop *stop)
+                          uint32_t path_count, struct signals *stop)
 {
     const struct renderer_shot shot = { .camera = p->camera, .time = time };
     struct drawn d = {
@@ -162,7 +162,7 @@ enum status picture_write(struct picture *p, float time, const char *const *path
 }
 
 enum status picture_write_drawn(struct picture *p, float time, const char *path,
-                                const struct render_result *drawn, struct stop *stop)
+                                const struct render_result *drawn, struct signals *stop)
 {
     struct app_options o = p->o;
     struct output output = {

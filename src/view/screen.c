@@ -1,8 +1,8 @@
 /* screen.c: the plan that brings a picture into a window's images. */
 #include "src/view/screen.h"
-#include "src/clock.h"
-#include "src/frame.h"
-#include "src/log.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/tech/frame.h"
 #include "src/tech/tonemap.h"
 #include "src/view/view_costs.h"
 
@@ -189,10 +189,11 @@ enum status screen_begin(struct screen *s, bool *ready)
 enum status screen_end(struct screen *s, uint32_t line, const struct overlay_list *list)
 {
     const struct gpu_swapchain *chain = &s->swapchain;
-    const struct rg_frame frame = {
+    const struct window_frame window = {
         .present = { .encodes = chain->encodes, .line = line },
         .overlay = list,
     };
+    const struct rg_frame frame = { .window = &window };
     const struct rg_exec_ties ties = {
         .image = s->index,
         .wait = chain->acquired[s->slot],

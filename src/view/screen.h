@@ -15,9 +15,9 @@
 #include "graph/rg_exec.h"
 #include "graph/rg_time.h"
 #include "src/gpu/gpu_swapchain.h"
-#include "src/tech/overlay.h"
-#include "src/tech/overlay_list.h"
-#include "src/tech/present.h"
+#include "src/view/overlay.h"
+#include "src/view/overlay_list.h"
+#include "src/view/present.h"
 
 struct screen {
     struct gpu *gpu;

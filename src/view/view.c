@@ -2,12 +2,12 @@
 #include "src/view/view.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "src/clock.h"
-#include "src/log.h"
-#include "src/scene_settings.h"
-#include "src/view/background.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/settings/scene_settings.h"
 #include "src/view/view_internal.h"
 #include "src/view/watch.h"
+#include "src/view/worker.h"
 
 static const double idle_seconds = 0.1; /* between looks, while there is nothing to draw */
 
@@ -254,12 +254,12 @@ static enum status begin_device(struct view *v)
 {
     char words[200];
     view_say(v, "loading the device");
-    enum status status = background_run(&v->window, open_device, v);
+    enum status status = worker_run(&v->window, open_device, v);
     if (status != STATUS_OK || window_is_closed(&v->window))
         return status;
     snprintf(words, sizeof(words), "loading %s", v->options->positionals[0]);
     view_say(v, words);
-    status = background_run(&v->window, load, v);
+    status = worker_run(&v->window, load, v);
     if (status != STATUS_OK || window_is_closed(&v->window))
         return status;
     status = open_ui(v);
@@ -269,7 +269,7 @@ static enum status begin_device(struct view *v)
     v->screen.replace = v->watch ? watch_replace : NULL;
     v->screen.replace_user = v->watch;
     v->first_size = window_size(&v->window);
-    return background_run(&v->window, warm_up, v);
+    return worker_run(&v->window, warm_up, v);
 }
 
 /* The window is there at once. */
@@ -326,7 +326,7 @@ enum status view_run(const struct app_options *options)
         return STATUS_TRY_AGAIN;
     }
     v->options = options;
-    enum status status = stop_begin(&v->stop);
+    enum status status = signals_begin(&v->stop);
     if (status == STATUS_OK)
         status = run(v);
     if (status == STATUS_OK && !options->quiet)
@@ -334,7 +334,7 @@ enum status view_run(const struct app_options *options)
     finish(v);
     if (status == STATUS_OK && v->message_count)
         status = STATUS_FAILED; /* the validation layer has said why */
-    stop_end(&v->stop);
+    signals_end(&v->stop);
     free(v);
     return status;
 }

@@ -1,7 +1,7 @@
 /* view_costs.c: sums over frames. */
 #include "src/view/view_costs.h"
 #include <math.h>
-#include "src/clock.h"
+#include "src/base/clock.h"
 #include "src/gpu/gpu_swapchain.h"
 
 void view_costs_rest(struct view_costs *c, double start)

@@ -14,7 +14,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include "graph/rg_time.h"
-#include "src/view/ui_pace.h"
+#include "src/view/ui/ui_pace.h"
 
 /* Seconds. The sums leave out the first frame, which compiles shaders. */
 struct view_costs {

@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <unistd.h>
 #include "src/app/output.h"
-#include "src/clock.h"
-#include "src/view/ui_shot.h"
+#include "src/base/clock.h"
+#include "src/view/ui/ui_shot.h"
 #include "src/view/view_internal.h"
 
 enum {

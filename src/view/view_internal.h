@@ -2,16 +2,16 @@
 #ifndef FIRN_VIEW_VIEW_INTERNAL_H
 #define FIRN_VIEW_VIEW_INTERNAL_H
 
-#include "src/app/stop.h"
+#include "src/app/signals.h"
 #include "src/view/picture.h"
 #include "src/view/screen.h"
-#include "src/view/ui.h"
+#include "src/view/ui/ui.h"
 #include "src/view/view_costs.h"
 #include "src/view/window.h"
 
 struct view {
     const struct app_options *options;
-    struct stop stop;
+    struct signals stop;
     struct window window;
     struct gpu_window_system system;
     struct gpu gpu;

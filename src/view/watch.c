@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <time.h>
 #include "shaders/embedded.h"
-#include "src/log.h"
+#include "src/base/log.h"
 #include "src/view/watch_compile.h"
 
 enum {

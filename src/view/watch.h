@@ -15,7 +15,7 @@
 
 #include <stdbool.h>
 #include "graph/rg_exec.h"
-#include "src/status.h"
+#include "src/base/status.h"
 
 struct watch;
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/log.h"
+#include "src/base/log.h"
 
 static const double divider_reach = 8.0; /* how near a hand must come, screen coordinates */
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "src/app/app.h"
-#include "src/frame_view.h"
+#include "src/frame/view.h"
 #include "tests/fuzz/fuzz.h"
 
 enum {

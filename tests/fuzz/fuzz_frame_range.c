@@ -1,7 +1,7 @@
 /* Bytes become a list of frames: none is out of range, none comes twice, and there are some. */
 #include <string.h>
 
-#include "src/app/frame_range.h"
+#include "src/app/options/frame_range.h"
 #include "tests/fuzz/fuzz.h"
 
 enum {

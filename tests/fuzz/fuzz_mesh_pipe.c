@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "src/scene/mesh_pipe.h"
+#include "src/scene/import/mesh_pipe.h"
 #include "tests/fuzz/fuzz.h"
 
 enum {

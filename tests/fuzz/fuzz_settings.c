@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/settings.h"
+#include "src/settings/settings.h"
 #include "tests/fuzz/fuzz.h"
 
 /* Prints it and sets what is printed. */

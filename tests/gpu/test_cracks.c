@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 #include "tests/support/check.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"

@@ -8,10 +8,10 @@
 #include "graph/rg_exec.h"
 #include "shaders/constants.h"
 #include "shaders/globals.h"
-#include "src/frame.h"
 #include "src/image/half.h"
-#include "src/scene_gpu.h"
+#include "src/render/uploaded_scene.h"
 #include "src/tech/env_cube.h"
+#include "src/tech/frame.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 
@@ -80,7 +80,7 @@ static struct rg_plan *compile(const struct rg_device *device, const struct scen
 {
     static const struct rg_technique *const techniques[] = { &env_cube.graph, &copy };
     struct frame_request request = { 0 };
-    scene_gpu_describe(scene, &request);
+    uploaded_scene_describe(scene, &request);
     const struct rg_import imports[] = {
         { .image = &frame_environment,
           .access = RG_SAMPLED,
@@ -104,7 +104,7 @@ static struct rg_plan *compile(const struct rg_device *device, const struct scen
     return plan;
 }
 
-static struct rg_frame make_frame(const struct scene_gpu *on_gpu, vec3s center)
+static struct rg_frame make_frame(const struct uploaded_scene *on_gpu, vec3s center)
 {
     struct rg_frame frame = {
         .surroundings = {
@@ -138,8 +138,8 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
     };
     const struct rg_device device = rg_exec_device(&vulkan);
     struct rg_plan *plan = compile(&device, scene);
-    struct scene_gpu on_gpu;
-    assert_int_equal(scene_gpu_upload(&on_gpu, gpu, scene), STATUS_OK);
+    struct uploaded_scene on_gpu;
+    assert_int_equal(uploaded_scene_init(&on_gpu, gpu, scene), STATUS_OK);
     const struct rg_exec_import imports[] = {
         { .image = on_gpu.environment.image },
         { .image = on_gpu.textures.image },
@@ -176,7 +176,7 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
     memcpy(cube, rg_exec_mapped(exec, &copied, slot), copied.size);
     rg_exec_destroy(exec);
     rg_plan_destroy(plan);
-    scene_gpu_finish(&on_gpu, gpu);
+    uploaded_scene_finish(&on_gpu, gpu);
     assert_int_equal(gpu->message_count, 0);
     return cube;
 }

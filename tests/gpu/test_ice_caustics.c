@@ -10,7 +10,7 @@
 
 #include "tests/support/check.h"
 
-#include "src/scene_settings.h"
+#include "src/settings/scene_settings.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 

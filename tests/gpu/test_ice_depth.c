@@ -1,7 +1,7 @@
 /* Front, back and thickness of the ice against a sphere's closed form, and the ice that turns. */
 #include <math.h>
 
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 #include "tests/support/check.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"

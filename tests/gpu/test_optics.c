@@ -9,7 +9,7 @@
 
 #include "tests/support/check.h"
 
-#include "src/scene/random.h"
+#include "src/scene/generate/random.h"
 #include "src/scene/scene.h"
 #include "tests/gpu/optics_ask.h"
 #include "tests/support/lavapipe.h"

@@ -5,7 +5,7 @@
 #include "tests/support/check.h"
 
 #include "shaders/tonemap.h"
-#include "src/accumulate.h"
+#include "src/render/accumulate.h"
 #include "src/tech/tonemap.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"

@@ -23,28 +23,28 @@ enum {
 static void billing_another_pass_is_an_error(void **state)
 {
     (void)state;
-    const struct clock_test_times right = {
+    const struct timestamp_check_times right = {
         .alone = { 8.01, 0.51, 4.01, 0.51, 8.01, 0.11, 0.01 },
         .stamped = { 8, 0.5, 4, 0.5, 8, 0.1, 0.001 },
     };
-    const struct clock_test_times shifted = {
+    const struct timestamp_check_times shifted = {
         .alone = { 8.01, 0.51, 4.01, 0.51, 8.01, 0.11, 0.01 },
         .stamped = { 0.5, 4, 0.5, 8, 0.1, 0.001, 8 },
     };
-    struct clock_test_times slow = right;
-    assert_true(clock_test_error(&right) < 1e-9);
-    assert_true(clock_test_error(&shifted) > 1);
+    struct timestamp_check_times slow = right;
+    assert_true(timestamp_check_error(&right) < 1e-9);
+    assert_true(timestamp_check_error(&shifted) > 1);
     slow.stamped[2] = 4.4; /* a tenth too much */
-    assert_float_equal((float)clock_test_error(&slow), 0.1F, 1e-6F);
+    assert_float_equal((float)timestamp_check_error(&slow), 0.1F, 1e-6F);
     slow.stamped[2] = 4;
     slow.stamped[1] = 0.7; /* a light pass: in parts of a tenth of all */
-    assert_float_equal((float)clock_test_error(&slow), 0.2F / 2.11F, 1e-3F);
+    assert_float_equal((float)timestamp_check_error(&slow), 0.2F / 2.11F, 1e-3F);
 }
 
 static void a_clock_is_found(void **state)
 {
     struct profile_clock clock;
-    assert_int_equal(clock_test_run(*state, &clock), STATUS_OK);
+    assert_int_equal(timestamp_check_run(*state, &clock), STATUS_OK);
     assert_true(clock.clock == RG_CLOCK_EXACT || clock.clock == RG_CLOCK_SUBMITS);
     assert_true(strlen(clock.reason) > 0);
     assert_true(clock.submit_cost > 0);

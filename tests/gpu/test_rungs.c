@@ -7,7 +7,7 @@
 
 #include "tests/support/check.h"
 
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 #include "tests/support/trace.h"

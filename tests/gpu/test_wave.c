@@ -6,7 +6,7 @@
 
 #include "tests/support/check.h"
 
-#include "src/settings.h"
+#include "src/settings/settings.h"
 #include "src/tech/water.h"
 #include "tests/gpu/optics_ask.h"
 #include "tests/support/lavapipe.h"

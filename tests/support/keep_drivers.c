@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
-#include "src/scene/decode.h"
+#include "src/scene/import/decode.h"
 
 static bool needs_no_device(const char *command)
 {

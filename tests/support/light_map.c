@@ -9,8 +9,8 @@
 
 #include "tests/support/check.h"
 
-#include "src/frame.h"
 #include "src/tech/caustics.h"
+#include "src/tech/frame.h"
 #include "src/tech/water.h"
 #include "tests/support/run_graph.h"
 

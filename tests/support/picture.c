@@ -7,9 +7,9 @@
 
 #include "tests/support/check.h"
 
-#include "src/frame_view.h"
+#include "src/frame/view.h"
 #include "src/image/half.h"
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 
 static const double pi = 3.14159265358979323846;
 

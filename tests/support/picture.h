@@ -7,7 +7,7 @@
 #ifndef TESTS_PICTURE_H
 #define TESTS_PICTURE_H
 
-#include "src/renderer.h"
+#include "src/render/renderer.h"
 #include "tests/support/vec.h"
 
 #define PICTURE_ALL_LAYERS ((1u << FRAME_LAYER_COUNT) - 1)

@@ -1,5 +1,5 @@
 /* Samples become planes, and lie evenly in their pixel. */
-#include "src/accumulate.h"
+#include "src/render/accumulate.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include "src/metric/comparison.h"
 #include "src/metric/flip_color.h"
 #include "src/metric/heat.h"
-#include "src/metric/order.h"
+#include "src/metric/quantile.h"
 #include "tests/support/check.h"
 
 static void test_order(void **state)
@@ -13,16 +13,16 @@ static void test_order(void **state)
     float values[] = { 5, -1, 3, 2, 4 };
 
     (void)state;
-    order_sort(values, 5);
+    quantile_sort(values, 5);
     for (int i = 0; i < 4; i++)
         assert_true(values[i] < values[i + 1]);
-    CHECK_NEAR(order_median(values, 5), 3, 0);
-    CHECK_NEAR(order_median(values, 4), 2.5, 0);
-    CHECK_NEAR(order_median(values, 1), -1, 0);
-    CHECK_NEAR(order_percentile(values, 5, 0.0), -1, 0);
-    CHECK_NEAR(order_percentile(values, 5, 0.6), 3, 0);
-    CHECK_NEAR(order_percentile(values, 5, 0.61), 4, 0);
-    CHECK_NEAR(order_percentile(values, 5, 1.0), 5, 0);
+    CHECK_NEAR(quantile_median(values, 5), 3, 0);
+    CHECK_NEAR(quantile_median(values, 4), 2.5, 0);
+    CHECK_NEAR(quantile_median(values, 1), -1, 0);
+    CHECK_NEAR(quantile_at(values, 5, 0.0), -1, 0);
+    CHECK_NEAR(quantile_at(values, 5, 0.6), 3, 0);
+    CHECK_NEAR(quantile_at(values, 5, 0.61), 4, 0);
+    CHECK_NEAR(quantile_at(values, 5, 1.0), 5, 0);
 }
 
 static void test_difference(void **state)

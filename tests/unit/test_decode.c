@@ -9,9 +9,9 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "src/log.h"
-#include "src/scene/decode.h"
-#include "src/scene/mesh_pipe.h"
+#include "src/base/log.h"
+#include "src/scene/import/decode.h"
+#include "src/scene/import/mesh_pipe.h"
 #include "tests/support/check.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

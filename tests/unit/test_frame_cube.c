@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "shaders/mesh.h"
-#include "src/frame_cube.h"
+#include "src/frame/cube.h"
 #include "tests/support/check.h"
 
 struct fixture {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "src/app/frame_range.h"
+#include "src/app/options/frame_range.h"
 #include "tests/support/check.h"
 
 /* "1 2 3", as the text says. */

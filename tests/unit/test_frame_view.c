@@ -1,7 +1,7 @@
 /* What shaders are told of camera and time, against closed forms. */
 #include <math.h>
 
-#include "src/frame_view.h"
+#include "src/frame/view.h"
 #include "tests/support/check.h"
 
 static const vec3s center = { { 0.0f, 0.0f, 0.0f } };

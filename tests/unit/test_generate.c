@@ -1,5 +1,5 @@
 /* test_generate.c: the built-in objects are sound solids of the promised counts and sizes. */
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 #include "tests/support/check.h"
 
 static const struct box box = { { { 1, 2, 3 } }, { { 3, 6, 7 } } };

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 #include "tests/support/check.h"
 
 static void make(struct bubbles *bubbles, const struct mesh *mesh, uint32_t count, float size)

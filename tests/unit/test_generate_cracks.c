@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "shaders/cracks.h"
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 #include "tests/support/check.h"
 
 static const struct box box = { { { 3, -2, 7 } }, { { 5, 0, 8 } } };

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 #include "tests/support/check.h"
 
 /* Two triangles of a square in the plane z = 0, facing +Z. */

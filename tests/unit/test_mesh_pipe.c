@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/scene/mesh_pipe.h"
+#include "src/scene/import/mesh_pipe.h"
 #include "tests/support/check.h"
 
 enum {

@@ -1,8 +1,8 @@
 /* test_mips.c: means of four, level after level, and the noise that is looked up in a table. */
 #include <string.h>
 #include "src/image/half.h"
+#include "src/scene/generate/noise.h"
 #include "src/scene/mips.h"
-#include "src/scene/noise.h"
 #include "tests/support/check.h"
 
 /* Two layers of 4 x 4 texels of two bytes: each byte's mean is rounded up, rows first. */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "src/scene/model.h"
+#include "src/scene/import/model.h"
 #include "tests/support/check.h"
 
 /* one texel wide, two high: red above green */

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/frame_plan.h"
+#include "src/frame/plan.h"
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/caustics.h"

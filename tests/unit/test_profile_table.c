@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/profile/compare.h"
-#include "src/profile/lines.h"
 #include "src/profile/table.h"
+#include "src/profile/table_rows.h"
 #include "src/profile/text.h"
 #include "tests/support/check.h"
 #include "tests/support/printed.h"

@@ -1,5 +1,5 @@
 /* test_random.c: numbers are spread evenly, repeatable, and unrelated between seeds and parts. */
-#include "src/scene/random.h"
+#include "src/scene/generate/random.h"
 
 #include <math.h>
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "src/reference/reference.h"
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 #include "tests/support/check.h"
 #include "tests/support/picture.h"
 

@@ -5,8 +5,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "src/frames.h"
-#include "src/settings.h"
+#include "src/frame/frames.h"
+#include "src/settings/settings.h"
 #include "tests/support/check.h"
 
 typedef void row_fn(const struct setting_group *group, const struct setting *row);

@@ -21,9 +21,9 @@
 #include "shaders/surface.h"
 #include "shaders/tonemap.h"
 #include "shaders/water.h"
-#include "src/frames.h"
-#include "src/tech/overlay.h"
-#include "src/tech/present.h"
+#include "src/frame/frames.h"
+#include "src/view/overlay.h"
+#include "src/view/present.h"
 #include "tests/support/check.h"
 #include "tests/support/spirv.h"
 

@@ -1,7 +1,7 @@
 /* Points inside closed meshes, and sheets cut at their surface. */
 #include <math.h>
 
-#include "src/scene/generate.h"
+#include "src/scene/generate/generate.h"
 #include "src/scene/solid.h"
 #include "tests/support/check.h"
 

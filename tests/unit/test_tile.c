@@ -1,6 +1,6 @@
 /* test_tile.c: tiles of pictures of many sizes: nothing twice, nothing left out. */
 #include <stdlib.h>
-#include "src/tile.h"
+#include "src/base/tile.h"
 #include "tests/support/check.h"
 
 /* How often each pixel is in a tile: once. */

@@ -1,7 +1,7 @@
 /* The command of a picture, read back by a shell and the parser of options, says the same. */
 #include <stdlib.h>
 #include <wordexp.h>
-#include "src/view/ui_command.h"
+#include "src/view/ui/ui_command.h"
 #include "tests/support/check.h"
 
 struct fixture {

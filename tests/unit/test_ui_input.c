@@ -1,7 +1,7 @@
 /* Events come to frames in an order that panels can follow. */
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include "src/view/ui_input.h"
+#include "src/view/ui/ui_input.h"
 #include "tests/support/check.h"
 
 static void move(struct ui_input *input, double x)

@@ -1,5 +1,5 @@
 /* What frames wait for, from running means. */
-#include "src/view/ui_pace.h"
+#include "src/view/ui/ui_pace.h"
 #include "tests/support/check.h"
 
 static const char *limit_of(double device, double screen, double limit)

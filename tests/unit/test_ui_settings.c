@@ -1,6 +1,6 @@
 /* Every row gets a widget that can show it. */
 #include <string.h>
-#include "src/view/ui_settings.h"
+#include "src/view/ui/ui_settings.h"
 #include "tests/support/check.h"
 
 static enum ui_widget widget_of(const char *name)

@@ -11,7 +11,7 @@
 #include "tests/bench/frame/by_hand.h"
 #include "tests/support/check.h"
 
-#include "src/clock.h"
+#include "src/base/clock.h"
 
 enum {
     WIDTH = 1024,
@@ -102,12 +102,12 @@ static double bench_scene(struct gpu *gpu, const char *name)
 {
     struct settings settings = settings_default();
     struct scene scene;
-    struct scene_gpu uploaded;
+    struct uploaded_scene uploaded;
     struct renderer *renderer;
     for (size_t i = 0; i < sizeof(plain) / sizeof(plain[0]); i++)
         assert_int_equal(settings_set(&settings, plain[i]), STATUS_OK);
     assert_int_equal(scene_load(&scene, &(struct scene_params){ .name = name }), STATUS_OK);
-    assert_int_equal(scene_gpu_upload(&uploaded, gpu, &scene), STATUS_OK);
+    assert_int_equal(uploaded_scene_init(&uploaded, gpu, &scene), STATUS_OK);
     const float distance = camera_framing_distance(box_diagonal(scene.box), 45.0F, WIDTH, HEIGHT);
     const struct renderer_shot shot = {
         .camera = camera_orbit(20, 12, distance, box_center(scene.box), 45.0F),
@@ -129,7 +129,7 @@ static double bench_scene(struct gpu *gpu, const char *name)
     const double ratio = measure(name, renderer, &shot, by_hand);
     renderer_destroy(renderer);
     by_hand_destroy(by_hand);
-    scene_gpu_finish(&uploaded, gpu);
+    uploaded_scene_finish(&uploaded, gpu);
     scene_finish(&scene);
     return ratio;
 }

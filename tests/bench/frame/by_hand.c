@@ -10,9 +10,9 @@
 #include "shaders/globals.h"
 #include "shaders/refract_paper.h"
 #include "shaders/tonemap.h"
-#include "src/frame.h"
-#include "src/frame_view.h"
+#include "src/frame/view.h"
 #include "src/tech/env_cube.h"
+#include "src/tech/frame.h"
 #include "src/tech/refract_paper.h"
 #include "src/tech/tonemap.h"
 
@@ -123,7 +123,7 @@ static void make_pools(struct by_hand *h)
 
 struct by_hand *by_hand_create(const struct by_hand_params *params)
 {
-    const struct scene_gpu *scene = params->uploaded;
+    const struct uploaded_scene *scene = params->uploaded;
     struct by_hand *h = calloc(1, sizeof(*h));
     assert_non_null(h);
     h->params = *params;
@@ -331,7 +331,7 @@ static void draw_ice(struct by_hand *h)
 {
     static const uint32_t read[] = { CUBE, NORMAL };
     const VkExtent2D size = by_hand_size(h, COLOR);
-    const struct scene_gpu *scene = h->params.uploaded;
+    const struct uploaded_scene *scene = h->params.uploaded;
     draw_pass(h, &(struct pass){ .pipeline = BACK_NORMAL,
                                  .size = size,
                                  .colors = { h->views[NORMAL] },

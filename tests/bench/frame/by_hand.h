@@ -6,13 +6,13 @@
 #ifndef BENCH_BY_HAND_H
 #define BENCH_BY_HAND_H
 
-#include "src/renderer.h"
-#include "src/scene_gpu.h"
+#include "src/render/renderer.h"
+#include "src/render/uploaded_scene.h"
 
 struct by_hand_params {
     struct gpu *gpu;
     const struct scene *scene;
-    const struct scene_gpu *uploaded;
+    const struct uploaded_scene *uploaded;
     const struct settings *settings;
     struct camera camera;
     uint32_t width, height; /* pixels */

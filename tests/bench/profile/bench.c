@@ -11,9 +11,9 @@
 
 #include "tests/support/check.h"
 
-#include "shaders/clock_test.h"
 #include "shaders/embedded.h"
-#include "src/profile/clock_test.h"
+#include "shaders/timestamp_check.h"
+#include "src/profile/timestamp_check.h"
 #include "tests/support/run_graph.h"
 
 enum {
@@ -35,22 +35,24 @@ static const struct rg_image light_image = {
 static void record_heavy(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     (void)frame;
-    rg_cmd_push(cmd, &(struct clock_test_push){ HEAVY_ROUNDS }, sizeof(struct clock_test_push));
+    rg_cmd_push(cmd, &(struct timestamp_check_push){ HEAVY_ROUNDS },
+                sizeof(struct timestamp_check_push));
     rg_cmd_draw(cmd, 3);
 }
 
 static void record_light(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     (void)frame;
-    rg_cmd_push(cmd, &(struct clock_test_push){ LIGHT_ROUNDS }, sizeof(struct clock_test_push));
+    rg_cmd_push(cmd, &(struct timestamp_check_push){ LIGHT_ROUNDS },
+                sizeof(struct timestamp_check_push));
     rg_cmd_draw(cmd, 3);
 }
 
 #define SCREEN(target, record_function) \
     { \
         .name = #target, .color = RG_TARGETS({ &(target), RG_LOAD_DISCARD }), \
-        .vert = &screen_vert, .frag = &clock_test_frag, \
-        .push_size = sizeof(struct clock_test_push), .record = (record_function), \
+        .vert = &screen_vert, .frag = &timestamp_check_frag, \
+        .push_size = sizeof(struct timestamp_check_push), .record = (record_function), \
     }
 
 static const struct rg_pass both[] = {
@@ -127,7 +129,7 @@ int main(void)
     struct least times[RG_CLOCK_COUNT] = { alone, alone, alone, alone };
     double off = (double)INFINITY;
     if (gpu_create(&gpu, &(struct gpu_params){ 0 }) != STATUS_OK ||
-        clock_test_run(&gpu, &chosen) != STATUS_OK)
+        timestamp_check_run(&gpu, &chosen) != STATUS_OK)
         return EXIT_FAILURE;
     open_graph(&frame, &gpu, both, 2);
     open_graph(&heavy, &gpu, &both[0], 1);

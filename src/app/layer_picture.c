@@ -1,0 +1,113 @@
+/* layer_picture.c: planes of floats to 8-bit pixels. */
+#include "src/app/layer_picture.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "shaders/tonemap.h"
+#include "src/base/log.h"
+
+/* Planes of a layer, and what they are stretched between. */
+struct source {
+    const float *planes[3];
+    uint32_t count; /* 1 or 3 */
+    float least[3], greatest[3];
+};
+
+const struct frame_layer *layer_picture_find(const char *name)
+{
+    char names[32 * FRAME_LAYER_COUNT] = "";
+    for (const struct frame_layer *layer = frame_layers; layer->name; layer++) {
+        if (!strcmp(layer->name, name))
+            return layer;
+        if (*names)
+            strncat(names, ", ", sizeof(names) - strlen(names) - 1);
+        strncat(names, layer->name, sizeof(names) - strlen(names) - 1);
+    }
+    log_error("--show %s: no such layer: %s", name, names);
+    return NULL;
+}
+
+uint32_t layer_picture_bit(const struct frame_layer *layer)
+{
+    return layer ? 1u << (layer - frame_layers) : 0;
+}
+
+static uint8_t quantise(float x)
+{
+    return (uint8_t)(fminf(fmaxf(x, 0.0f), 1.0f) * 255.0f + 0.5f); /* NaN: 0 */
+}
+
+static bool has_value(const struct source *source, size_t i)
+{
+    bool any = false;
+    for (uint32_t p = 0; p < source->count; p++) {
+        const float x = source->planes[p][i];
+        if (!isfinite(x) || x >= 1e10f)
+            return false;
+        any = any || x != 0.0f;
+    }
+    return any;
+}
+
+static void find_range(struct source *source, size_t pixels)
+{
+    for (uint32_t p = 0; p < source->count; p++) {
+        source->least[p] = INFINITY;
+        source->greatest[p] = -INFINITY;
+    }
+    for (size_t i = 0; i < pixels; i++) {
+        for (uint32_t p = 0; p < source->count && has_value(source, i); p++) {
+            source->least[p] = fminf(source->least[p], source->planes[p][i]);
+            source->greatest[p] = fmaxf(source->greatest[p], source->planes[p][i]);
+        }
+    }
+}
+
+/* From 0 to 1; 1 where all are the same. */
+static float stretch(const struct source *source, uint32_t p, float x)
+{
+    const float width = source->greatest[p] - source->least[p];
+    return width > 0.0f ? (x - source->least[p]) / width : 1.0f;
+}
+
+static float shade(const struct source *source, enum frame_shown shown, uint32_t p, size_t i)
+{
+    const float darkest = 0.125f; /* not mistaken for nothing */
+    const float x = source->planes[p][i];
+    switch (shown) {
+    case FRAME_SHOWN_AMOUNT:
+        return darkest + (1.0f - darkest) * stretch(source, p, x);
+    case FRAME_SHOWN_DISTANCE:
+        if (source->least[p] == source->greatest[p])
+            return 1.0f;
+        return 1.0f - (1.0f - darkest) * stretch(source, p, x);
+    case FRAME_SHOWN_DIRECTION:
+        return 0.5f + 0.5f * x;
+    case FRAME_SHOWN_POSITION:
+        return stretch(source, p, x);
+    case FRAME_SHOWN_COLOR:
+        break;
+    }
+    return tonemap_srgb(x);
+}
+
+uint8_t *layer_picture_rgba(const struct image *image, const struct frame_layer *layer)
+{
+    const size_t pixels = (size_t)image->width * image->height;
+    uint8_t *rgba = calloc(pixels, 4);
+    struct source source = { .count = layer->planes[1] ? 3 : 1 };
+    if (!rgba) {
+        log_error("out of memory");
+        return NULL;
+    }
+    for (uint32_t p = 0; p < source.count; p++)
+        source.planes[p] = image_find(image, layer->planes[p]);
+    find_range(&source, pixels);
+    for (size_t i = 0; i < pixels; i++) {
+        const bool has = layer->shown == FRAME_SHOWN_COLOR || has_value(&source, i);
+        for (uint32_t c = 0; c < 3 && has; c++)
+            rgba[i * 4 + c] = quantise(shade(&source, layer->shown, c % source.count, i));
+        rgba[i * 4 + 3] = 255;
+    }
+    return rgba;
+}

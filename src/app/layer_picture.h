@@ -1,0 +1,25 @@
+/*
+ * layer_picture.h: a layer as a picture for people's eyes, for --show.
+ *
+ * Where a layer has nothing (0; of Z, 1e10) it is black. Amounts and distances are grey, linear in
+ * the 8-bit value: from 1/8 to white between the least and the greatest of the picture, the nearest
+ * distance white. Directions are 0.5 + 0.5 v; of positions, each axis is stretched from its least
+ * to its greatest. Colours are sRGB-encoded, premultiplied ones over black.
+ */
+#ifndef FIRN_APP_LAYER_PICTURE_H
+#define FIRN_APP_LAYER_PICTURE_H
+
+#include "src/frame/frames.h"
+#include "src/image/image.h"
+
+/* The row of frame_layers of that name, or NULL and a line logged that lists them all. */
+const struct frame_layer *layer_picture_find(const char *name);
+
+/* Bit i of renderer_params.layers for &frame_layers[i]; 0 for NULL. */
+uint32_t layer_picture_bit(const struct frame_layer *layer);
+
+/* width * height * 4 bytes, as png_picture.rgba; NULL when memory is short, logged. The caller
+ * frees them. The image has the layer's planes. */
+uint8_t *layer_picture_rgba(const struct image *image, const struct frame_layer *layer);
+
+#endif

@@ -1,0 +1,176 @@
+/* frame_range.c: lists of frames. */
+#include "src/app/options/frame_range.h"
+#include <ctype.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+
+static const char wrong_form[] =
+    "A, A-B, A-BxN (every Nth), or several with commas between, as in 1-9x2,20, is wanted";
+static const char wrong_frame[] = "a frame is a number from -9999999 to 9999999";
+static const char wrong_step[] = "a step (the N of A-BxN) is a number from 1 to 9999999";
+static const char too_many[] = "these are more than 100000 frames";
+static const char has_colon[] =
+    "':' begins a step in some programs and a count in others; write A-BxN for every Nth frame";
+
+struct list {
+    struct frame_range range;
+    uint32_t capacity;
+    unsigned char *seen; /* bit frame + FRAME_RANGE_MAX */
+    const char *at;      /* what is to be read yet */
+    const char *wrong;   /* NULL: nothing yet */
+    bool out_of_memory;
+};
+
+enum {
+    SEEN_SIZE = (2 * FRAME_RANGE_MAX + 1) / 8 + 1
+};
+
+/* True if there was this character to be taken. */
+static bool take(struct list *list, char wanted)
+{
+    bool found = *list->at == wanted;
+    list->at += found;
+    return found;
+}
+
+/* At least one digit. */
+static bool take_digits(struct list *list, const char *too_large, int32_t *number)
+{
+    int32_t value = 0;
+    if (!isdigit((unsigned char)*list->at)) {
+        list->wrong = wrong_form;
+        return false;
+    }
+    for (; isdigit((unsigned char)*list->at); list->at++) {
+        value = value * 10 + (*list->at - '0');
+        if (value > FRAME_RANGE_MAX) {
+            list->wrong = too_large;
+            return false;
+        }
+    }
+    *number = value;
+    return true;
+}
+
+static bool take_frame(struct list *list, int32_t *frame)
+{
+    bool negative = take(list, '-');
+    if (!take_digits(list, wrong_frame, frame))
+        return false;
+    if (negative)
+        *frame = -*frame;
+    return true;
+}
+
+static bool take_step(struct list *list, int32_t *step)
+{
+    if (!take(list, 'x'))
+        return true;
+    if (*list->at == '-') {
+        list->wrong = wrong_step;
+        return false;
+    }
+    if (!take_digits(list, wrong_step, step))
+        return false;
+    if (*step == 0)
+        list->wrong = wrong_step;
+    return *step > 0;
+}
+
+static bool grow(struct list *list)
+{
+    uint32_t capacity = list->capacity ? 2 * list->capacity : 64;
+    int32_t *frames = realloc(list->range.frames, capacity * sizeof(*frames));
+    if (!frames) {
+        list->out_of_memory = true;
+        return false;
+    }
+    list->range.frames = frames;
+    list->capacity = capacity;
+    return true;
+}
+
+static bool add(struct list *list, int32_t frame)
+{
+    uint32_t bit = (uint32_t)(frame + FRAME_RANGE_MAX);
+    unsigned char mask = (unsigned char)(1u << bit % 8);
+    if (list->seen[bit / 8] & mask)
+        return true;
+    if (list->range.count == FRAME_RANGE_COUNT_MAX) {
+        list->wrong = too_many;
+        return false;
+    }
+    if (list->range.count == list->capacity && !grow(list))
+        return false;
+    list->seen[bit / 8] |= mask;
+    list->range.frames[list->range.count++] = frame;
+    return true;
+}
+
+static bool take_item(struct list *list)
+{
+    int32_t first, last, step = 1;
+    if (!take_frame(list, &first))
+        return false;
+    last = first;
+    if (take(list, '-') && (!take_frame(list, &last) || !take_step(list, &step)))
+        return false;
+    /* both are within FRAME_RANGE_MAX, as is the step: no sum overflows */
+    bool ok = true;
+    for (int32_t frame = first; ok && first <= last && frame <= last; frame += step)
+        ok = add(list, frame);
+    for (int32_t frame = first; ok && first > last && frame >= last; frame -= step)
+        ok = add(list, frame);
+    return ok;
+}
+
+static bool take_list(struct list *list)
+{
+    if (strchr(list->at, ':')) {
+        list->wrong = has_colon;
+        return false;
+    }
+    bool ok = take_item(list);
+    while (ok && take(list, ','))
+        ok = take_item(list);
+    if (ok && *list->at) {
+        list->wrong = wrong_form;
+        ok = false;
+    }
+    return ok;
+}
+
+enum status frame_range_parse(struct frame_range *range, const char *text)
+{
+    struct list list = { .seen = calloc(1, SEEN_SIZE), .at = text };
+    enum status status = STATUS_OK;
+    list.out_of_memory = !list.seen;
+    if (list.out_of_memory || !take_list(&list)) {
+        frame_range_finish(&list.range);
+        if (list.out_of_memory)
+            log_error("out of memory");
+        else
+            log_error("--frames %s: %s", text, list.wrong);
+        status = list.out_of_memory ? STATUS_TRY_AGAIN : STATUS_USAGE;
+    }
+    free(list.seen);
+    *range = list.range;
+    return status;
+}
+
+void frame_range_chunk(struct frame_range *range, uint32_t k, uint32_t n)
+{
+    const uint32_t first = (uint32_t)((uint64_t)range->count * (k - 1) / n);
+    const uint32_t end = (uint32_t)((uint64_t)range->count * k / n);
+    if (range->frames)
+        memmove(range->frames, &range->frames[first], (end - first) * sizeof(*range->frames));
+    range->count = end - first;
+}
+
+void frame_range_finish(struct frame_range *range)
+{
+    free(range->frames);
+    *range = (struct frame_range){ 0 };
+}

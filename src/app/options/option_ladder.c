@@ -1,0 +1,83 @@
+/* option_ladder.c: what the options of firn ladder set. */
+#include "src/app/options/option_ladder.h"
+#include <string.h>
+#include "src/app/options/option_values.h"
+#include "src/tech/refract.h"
+
+enum {
+    RUNS_MAX = 10000
+};
+
+enum status option_ladder_output(struct app_options *o, const char *value)
+{
+    static const char *const endings[] = { ".png", ".exr", ".svg", ".html" };
+    const char *dot = strrchr(value, '.');
+    bool known = false;
+    for (size_t i = 0; i < sizeof(endings) / sizeof(endings[0]); i++)
+        known = known || (dot && !strcmp(dot, endings[i]));
+    if (!known)
+        return option_refuse("output", value,
+                             "a name that ends in .png, .exr, .svg or .html is wanted");
+    if (o->output_count == APP_OUTPUT_COUNT)
+        return option_refuse("output", value, "at most 16 files can be written at once");
+    o->outputs[o->output_count++] = value;
+    return STATUS_OK;
+}
+
+static bool add_rung(struct app_options *o, const char *name, size_t length)
+{
+    for (uint32_t i = 0; frame_rungs[i].name; i++) {
+        if (strlen(frame_rungs[i].name) == length && !strncmp(frame_rungs[i].name, name, length)) {
+            o->ladder.rungs |= 1u << i;
+            return true;
+        }
+    }
+    return false;
+}
+
+enum status option_rungs(struct app_options *o, const char *value)
+{
+    for (const char *name = value;;) {
+        const size_t length = strcspn(name, ",");
+        if (!add_rung(o, name, length))
+            return option_refuse("rungs", value,
+                                 "rungs with commas between are wanted (firn list rungs)");
+        if (!name[length])
+            return STATUS_OK;
+        name += length + 1;
+    }
+}
+
+enum status option_costs(struct app_options *o, const char *value)
+{
+    const char *rest;
+    if (!option_parse_count(value, 0, RUNS_MAX, &o->ladder.run_count, &rest) || *rest)
+        return option_refuse("runs", value, "a number from 0 to 10000 is wanted");
+    return STATUS_OK;
+}
+
+enum status option_furnace(struct app_options *o, const char *value)
+{
+    (void)value;
+    o->ladder.furnace = true;
+    return STATUS_OK;
+}
+
+enum status option_truth(struct app_options *o, const char *value)
+{
+    o->ladder.truth = value;
+    return STATUS_OK;
+}
+
+void option_ladder_defaults(struct app_options *o)
+{
+    static const char *const off[] = {
+        "cracks.count", "air.count",   "bubbles.count",    "bump.strength",
+        "frost.amount", "light.count", "env_cube.dynamic",
+    };
+    for (size_t i = 0; i < sizeof(off) / sizeof(off[0]); i++)
+        settings_put(&o->settings, settings_find(off[i]), 0.0);
+    settings_put(&o->settings, settings_find("refract.fresnel"), REFRACT_FRESNEL_EXACT);
+    settings_put(&o->settings, settings_find("refract.lookup"), REFRACT_LOOKUP_DISTANCE);
+    o->ladder.run_count = 10;
+}

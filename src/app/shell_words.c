@@ -1,0 +1,35 @@
+/* shell_words.c: command lines, quoted. */
+#include "src/app/shell_words.h"
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+void shell_words_quote(const char *word, FILE *out)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                "-_=+.,/:@%#";
+    const bool is_plain = *word && strspn(word, plain) == strlen(word);
+    fputs(is_plain ? "" : "'", out);
+    for (const char *c = word; *c; c++)
+        fputs(*c == '\'' ? "'\\''" : (const char[]){ *c, '\0' }, out);
+    fputs(is_plain ? "" : "'", out);
+}
+
+char *shell_words_join(char *const *words)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return NULL;
+    fputs("firn", out);
+    for (; *words; words++) {
+        putc(' ', out);
+        shell_words_quote(*words, out);
+    }
+    if (fclose(out)) {
+        free(text);
+        text = NULL;
+    }
+    return text;
+}

@@ -1,0 +1,15 @@
+/* standard_streams.h: stdin, stdout and stderr of a program, whatever it was started with. */
+#ifndef FIRN_APP_STANDARD_STREAMS_H
+#define FIRN_APP_STANDARD_STREAMS_H
+
+#include "src/base/status.h"
+
+/* Before any file is opened: puts something in the place of each that is closed, so that no file
+ * takes its number, and words for people end up in a picture. It can be used no more than what it
+ * stands for. */
+void standard_streams_begin(void);
+
+/* At the end: the status, or STATUS_WRITE (logged) if stdout did not take all that was printed. */
+enum status standard_streams_end(enum status status);
+
+#endif

@@ -1,0 +1,16 @@
+/*
+ * log.h: words for people, one line each, to stderr.
+ *
+ * Thread-safety: a line is written with one call and never torn.
+ */
+#ifndef FIRN_BASE_LOG_H
+#define FIRN_BASE_LOG_H
+
+/* Writes "firn: " and the formatted message and a newline. Control characters of the message
+ * (a file name may hold any) are written as '?'. */
+void log_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* The same, beginning "firn: warning: ". */
+void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+#endif

@@ -1,0 +1,41 @@
+/* tile.c: pictures cut into nearly equal parts. */
+#include "src/base/tile.h"
+
+bool tile_fits(const struct tiling *tiling)
+{
+    return (tiling->columns <= 1 || tiling->width / 2 >= tiling->columns) &&
+           (tiling->rows <= 1 || tiling->height / 2 >= tiling->rows);
+}
+
+/* Where the part begins, or the last one ends. */
+static uint32_t cut(uint32_t side, uint32_t parts, uint32_t index)
+{
+    const uint64_t at = (uint64_t)side * index / parts;
+    return index == parts ? side : (uint32_t)at & ~UINT32_C(1);
+}
+
+struct tile tile_at(const struct tiling *tiling, uint32_t index)
+{
+    const uint32_t column = index % tiling->columns, row = index / tiling->columns;
+    const uint32_t x = cut(tiling->width, tiling->columns, column);
+    const uint32_t y = cut(tiling->height, tiling->rows, row);
+    return (struct tile){
+        .x = x,
+        .y = y,
+        .width = cut(tiling->width, tiling->columns, column + 1) - x,
+        .height = cut(tiling->height, tiling->rows, row + 1) - y,
+    };
+}
+
+struct tile tile_largest(const struct tiling *tiling)
+{
+    struct tile largest = { 0 };
+    for (uint32_t i = 0; i < tiling->columns * tiling->rows; i++) {
+        const struct tile tile = tile_at(tiling, i);
+        if (tile.width > largest.width)
+            largest.width = tile.width;
+        if (tile.height > largest.height)
+            largest.height = tile.height;
+    }
+    return largest;
+}

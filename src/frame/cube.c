@@ -1,0 +1,173 @@
+/* cube.c: faces of the environment cube that are due. */
+#include "src/frame/cube.h"
+#include <math.h>
+#include <stdlib.h>
+#include "shaders/mesh.h"
+#include "src/base/log.h"
+#include "src/tech/env_cube.h"
+#include "src/tech/ice_caustics.h"
+
+enum {
+    MOVER_TRIANGLES = 64, /* of one sphere, one after another in the mesh */
+};
+
+static vec3s corner(const struct mesh *mesh, uint32_t triangle, uint32_t i)
+{
+    return mesh->vertices[mesh->indices[3 * triangle + i]].position;
+}
+
+/* Around the corners of some triangles, at least one. */
+static struct frame_cube_mover sphere_around(const struct mesh *mesh, const uint32_t *triangles,
+                                             uint32_t count)
+{
+    struct frame_cube_mover mover = { 0 };
+    for (uint32_t i = 0; i < 3 * count; i++)
+        mover.center = glms_vec3_add(mover.center, corner(mesh, triangles[i / 3], i % 3));
+    mover.center = glms_vec3_scale(mover.center, 1.0f / (float)(3 * count));
+    for (uint32_t i = 0; i < 3 * count; i++) {
+        const vec3s at = corner(mesh, triangles[i / 3], i % 3);
+        mover.radius = fmaxf(mover.radius, glms_vec3_distance(mover.center, at));
+    }
+    return mover;
+}
+
+static bool moves(const struct mesh *mesh, uint32_t triangle)
+{
+    return mesh->vertices[mesh->indices[(size_t)3 * triangle]].material & MESH_MOVES;
+}
+
+enum status frame_cube_init(struct frame_cube *cube, const struct scene *scene)
+{
+    const struct mesh *mesh = &scene->model.surroundings;
+    uint32_t triangles[MOVER_TRIANGLES], count = 0, all = 0;
+    *cube = (struct frame_cube){ 0 };
+    for (uint32_t i = 0; i < mesh->index_count / 3; i++)
+        all += moves(mesh, i);
+    if (all == 0)
+        return STATUS_OK;
+    cube->movers = calloc(all / MOVER_TRIANGLES + 1, sizeof(*cube->movers));
+    if (!cube->movers) {
+        log_error("out of memory");
+        return STATUS_TRY_AGAIN;
+    }
+    for (uint32_t i = 0; i < mesh->index_count / 3; i++) {
+        if (moves(mesh, i))
+            triangles[count++] = i;
+        if (count == MOVER_TRIANGLES || (count > 0 && i + 1 == mesh->index_count / 3)) {
+            cube->movers[cube->mover_count++] = sphere_around(mesh, triangles, count);
+            count = 0;
+        }
+    }
+    return STATUS_OK;
+}
+
+void frame_cube_finish(struct frame_cube *cube)
+{
+    free(cube->movers);
+    *cube = (struct frame_cube){ 0 };
+}
+
+static struct frame_cube_state state_of(const struct globals *globals)
+{
+    return (struct frame_cube_state){
+        .background_color = globals->background_color,
+        .sun_dir = globals->sun_dir,
+        .center = globals->center,
+        .sky_strength = globals->sky_strength,
+        .sun_strength = globals->sun_strength,
+        .world_from_movers = globals->world_from_movers,
+    };
+}
+
+/* The part of the world in sight of a face is where |right| and |up| are at most `forward`. */
+static bool sees(uint32_t face, const struct frame_cube_state *state,
+                 const struct frame_cube_mover *mover)
+{
+    const struct camera_basis basis = camera_cube_basis(face);
+    const vec3s at = glms_vec3_sub(glms_mat4_mulv3(state->world_from_movers, mover->center, 1.0f),
+                                   state->center);
+    const float most = glms_vec3_dot(at, basis.forward) + sqrtf(2.0f) * mover->radius;
+    return fabsf(glms_vec3_dot(at, basis.right)) <= most &&
+           fabsf(glms_vec3_dot(at, basis.up)) <= most;
+}
+
+static bool same_light(const struct frame_cube_state *a, const struct frame_cube_state *b)
+{
+    return glms_vec3_eqv(a->background_color, b->background_color) &&
+           glms_vec3_eqv(a->sun_dir, b->sun_dir) && glms_vec3_eqv(a->center, b->center) &&
+           a->sky_strength == b->sky_strength && a->sun_strength == b->sun_strength;
+}
+
+static bool same_place(const struct frame_cube_state *a, const struct frame_cube_state *b)
+{
+    for (int i = 0; i < 4; i++) {
+        if (!glms_vec4_eqv(a->world_from_movers.col[i], b->world_from_movers.col[i]))
+            return false;
+    }
+    return true;
+}
+
+static bool has_changed(const struct frame_cube *cube, uint32_t face,
+                        const struct frame_cube_state *now)
+{
+    const struct frame_cube_state *before = &cube->states[face];
+    if (!(cube->drawn & 1u << face) || !same_light(before, now))
+        return true;
+    if (same_place(before, now))
+        return false;
+    for (uint32_t i = 0; i < cube->mover_count; i++) {
+        if (sees(face, before, &cube->movers[i]) || sees(face, now, &cube->movers[i]))
+            return true;
+    }
+    return false;
+}
+
+/* Whether a part of the object may be in the picture: its sphere is not beyond an edge. */
+static bool is_in_picture(const struct globals *globals)
+{
+    const mat4s rows = glms_mat4_transpose(globals->clip_from_world);
+    const vec4s center = glms_vec4(globals->center, 1.0f);
+    for (int edge = 0; edge < 4; edge++) {
+        const vec4s axis = glms_vec4_scale(rows.col[edge / 2], edge % 2 ? -1.0f : 1.0f);
+        const vec4s plane = glms_vec4_add(rows.col[3], axis);
+        const float reach = glms_vec3_norm(glms_vec3(plane)) * globals->radius;
+        if (glms_vec4_dot(plane, center) < -reach)
+            return false;
+    }
+    return true;
+}
+
+uint32_t frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
+                        const struct globals *globals)
+{
+    const struct env_cube_params *params = settings_of(view->settings, &env_cube_settings);
+    const struct frame_cube_state now = state_of(globals);
+    const bool in_turn = cube->in_turn && cube->drawn == FRAME_CUBE_ALL;
+    const uint32_t most = in_turn ? params->faces : FRAME_CUBE_FACES;
+    uint32_t due = 0;
+    if (params->always || ice_caustics_is_on(view->settings)) /* it turns with the ice */
+        return FRAME_CUBE_ALL;
+    if (!is_in_picture(globals))
+        return 0;
+    for (uint32_t i = 0, count = 0; i < FRAME_CUBE_FACES && count < most; i++) {
+        const uint32_t face = (cube->next + i) % FRAME_CUBE_FACES;
+        if (has_changed(cube, face, &now)) {
+            due |= 1u << face;
+            count++;
+        }
+    }
+    return due;
+}
+
+void frame_cube_drawn(struct frame_cube *cube, const struct globals *globals, uint32_t faces)
+{
+    const uint32_t first = cube->next;
+    for (uint32_t i = 0; i < FRAME_CUBE_FACES; i++) {
+        const uint32_t face = (first + i) % FRAME_CUBE_FACES;
+        if (!(faces & 1u << face))
+            continue;
+        cube->states[face] = state_of(globals);
+        cube->next = (face + 1) % FRAME_CUBE_FACES;
+    }
+    cube->drawn |= faces;
+}

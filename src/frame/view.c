@@ -1,0 +1,375 @@
+/* view.c: camera, time and scene as shaders read them. */
+#include "src/frame/view.h"
+#include <math.h>
+#include <stdlib.h>
+#include "shaders/tonemap.h"
+#include "src/frame/frames.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/bump.h"
+#include "src/tech/env_cube.h"
+#include "src/tech/ice_caustics.h"
+#include "src/tech/refract.h"
+#include "src/tech/surface.h"
+#include "src/tech/tonemap.h"
+
+/* Of frame_view_reach(): rays begin a little outside of the sphere (refract_inside.glsl), and what
+ * they look up is between texels, which jitter moves. */
+#define REACH_ROOM 1.05f
+
+enum {
+    REACH_MARGIN = 4 /* pixels */
+};
+
+static float radians(float degrees)
+{
+    return degrees * 0.01745329252f;
+}
+
+/* Mip of the environment whose texels are as large as pixels of this size, radians. */
+static float environment_lod(const struct scene *scene, float pixel)
+{
+    float texel = 6.2831853f / (float)(scene->environment.width ? scene->environment.width : 1);
+    float lod = log2f(pixel / texel);
+    return scene->environment.width && lod > 0.0f ? lod : 0.0f;
+}
+
+float frame_view_near_plane(const struct scene *scene)
+{
+    float diagonal = box_diagonal(scene->box);
+    return diagonal > 0.0f ? diagonal * 1e-3f : 1e-3f;
+}
+
+struct box frame_view_box(const struct scene *scene, const struct settings *settings)
+{
+    const struct local_params *local = settings_of(settings, &local_settings);
+    const float all = fabsf(local->left) + fabsf(local->right) + fabsf(local->bottom) +
+                      fabsf(local->top) + fabsf(local->back) + fabsf(local->front);
+    if (!(all > 0.0f))
+        return scene->around;
+    return (struct box){
+        .min = { { local->left, local->bottom, local->back } },
+        .max = { { local->right, local->top, local->front } },
+    };
+}
+
+struct background_push frame_view_push(const struct frame_view *view)
+{
+    const struct camera *camera = &view->camera;
+    const struct camera_basis basis = camera_basis(camera);
+    float width = (float)view->width;
+    float height = (float)view->height;
+    float up = tanf(radians(camera->fov_deg) / 2.0f);
+    float right = up * width / height;
+    /* a pixel to the right is 2 right / width; a pixel down is the other way than up */
+    const vec2s at = glms_vec2_add(view->jitter, view->tile);
+    vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * at.x * right / width),
+                                glms_vec3_scale(basis.up, 2.0f * at.y * up / height));
+    return (struct background_push){
+        .clip_from_world = camera_clip_from_world(camera, view->width, view->height,
+                                                  frame_view_near_plane(view->scene), at),
+        .eye = camera->eye,
+        .environment_lod = environment_lod(view->scene, 2.0f * up / height),
+        .right = glms_vec3_scale(basis.right, right),
+        .up = glms_vec3_scale(basis.up, up),
+        .forward = glms_vec3_add(basis.forward, shift),
+    };
+}
+
+struct background_push frame_view_face(const struct frame_view *view, uint32_t face)
+{
+    const struct camera_basis basis = camera_cube_basis(face);
+    vec3s center = box_center(view->scene->box);
+    return (struct background_push){
+        .clip_from_world =
+            camera_cube_clip_from_world(face, center, frame_view_near_plane(view->scene)),
+        .eye = center,
+        .environment_lod = environment_lod(view->scene, 2.0f / (float)view->face_size),
+        .right = basis.right,
+        .up = basis.up,
+        .forward = basis.forward,
+        .inverse = 1,
+    };
+}
+
+mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s center, float radius,
+                     vec2s *fitted)
+{
+    vec3s forward = camera_basis(camera).forward;
+    float middle = glms_vec3_dot(glms_vec3_sub(center, camera->eye), forward);
+    float far = fmaxf(middle + radius, 2e-3f * radius);
+    float near = fmaxf(middle - radius, 1e-3f * radius);
+    /* with w the distance along the axis: z = far / (far - near) (w - near) */
+    float scale = far / (far - near);
+    for (int column = 0; column < 4; column++)
+        clip_from_world.raw[column][2] = scale * clip_from_world.raw[column][3];
+    clip_from_world.raw[3][2] -= scale * near;
+    *fitted = (vec2s){ { near, far } };
+    return clip_from_world;
+}
+
+/* The tangents of a sphere, seen from where it is `ahead` and `aside`, in pixels from the picture's
+ * edge, whose middle is `half` of them away and shows the tangent `edge`. */
+static void span(float aside, float ahead, float radius, float half, float edge, int32_t ends[2])
+{
+    const float most = 4.0f * half;
+    const float middle = atan2f(aside, ahead);
+    const float around = asinf(fminf(radius / hypotf(aside, ahead), 1.0f));
+    const float limit = 1.57f;
+    const float low = tanf(fmaxf(middle - around, -limit)) / edge;
+    const float high = tanf(fminf(middle + around, limit)) / edge;
+    ends[0] = (int32_t)floorf(half + fminf(fmaxf(low * half, -most), most)) - REACH_MARGIN;
+    ends[1] = (int32_t)ceilf(half + fminf(fmaxf(high * half, -most), most)) + REACH_MARGIN;
+}
+
+/* One pixel at least, within the picture. */
+static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t *extent)
+{
+    const int32_t last = (int32_t)side - 1;
+    const int32_t low = ends[0] < 0 ? 0 : ends[0] > last ? last : ends[0] & ~1;
+    const int32_t high = ends[1] > last ? last : ends[1] < low ? low : ends[1];
+    *offset = low;
+    *extent = (uint32_t)(high - low) + 1;
+}
+
+VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals, float radii)
+{
+    const struct camera_basis basis = camera_basis(&view->camera);
+    const vec3s to = glms_vec3_sub(globals->center, globals->eye);
+    const float radius = REACH_ROOM * globals->radius * (radii > 0.0f ? radii : 1.0f);
+    const float up = tanf(radians(view->camera.fov_deg) / 2.0f);
+    const float ahead = glms_vec3_dot(to, basis.forward);
+    const float width = (float)view->width, height = (float)view->height;
+    VkRect2D reach = { .extent = { view->width, view->height } };
+    int32_t x[2], y[2];
+    if (!(ahead > 1.01f * radius))
+        return reach;
+    span(glms_vec3_dot(to, basis.right), ahead, radius, width / 2.0f, up * width / height, x);
+    span(-glms_vec3_dot(to, basis.up), ahead, radius, height / 2.0f, up, y);
+    clip(x, view->width, &reach.offset.x, &reach.extent.width);
+    clip(y, view->height, &reach.offset.y, &reach.extent.height);
+    return reach;
+}
+
+VkRect2D frame_view_object_area(const struct frame_view *view, const struct globals *globals,
+                                VkExtent2D size, float room)
+{
+    const vec3s more = glms_vec3_fill(room * globals->radius);
+    const struct box box = { .min = glms_vec3_sub(view->scene->box.min, more),
+                             .max = glms_vec3_add(view->scene->box.max, more) };
+    const mat4s clip_from_object =
+        glms_mat4_mul(globals->clip_from_world, globals->world_from_object);
+    const float near = frame_view_near_plane(view->scene);
+    float low[2] = { 1.0f, 1.0f }, high[2] = { -1.0f, -1.0f };
+    for (int corner = 0; corner < 8; corner++) {
+        const vec4s point = glms_mat4_mulv(
+            clip_from_object,
+            (vec4s){ { corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                       corner & 4 ? box.max.z : box.min.z, 1.0f } });
+        for (int axis = 0; axis < 2; axis++) {
+            const float at = point.raw[axis] / point.w;
+            low[axis] = point.w > near ? fminf(low[axis], at) : -1.0f;
+            high[axis] = point.w > near ? fmaxf(high[axis], at) : 1.0f;
+        }
+    }
+    const uint32_t sides[2] = { size.width, size.height };
+    VkRect2D area;
+    for (int axis = 0; axis < 2; axis++) {
+        const float half = (float)sides[axis] / 2.0f;
+        const float first = half + half * fmaxf(low[axis], -1.0f);
+        const float last = half + half * fminf(high[axis], 1.0f);
+        const int32_t ends[2] = { (int32_t)floorf(first) - 1, (int32_t)ceilf(last) };
+        clip(ends, sides[axis], axis ? &area.offset.y : &area.offset.x,
+             axis ? &area.extent.height : &area.extent.width);
+    }
+    return area;
+}
+
+/* About the vertical axis through a point, `turn` radians. */
+static mat4s turned(vec3s center, float turn)
+{
+    mat4s there = glms_translate(glms_mat4_identity(), center);
+    mat4s turned = glms_rotate(there, turn, (vec3s){ { 0.0f, 1.0f, 0.0f } });
+    return glms_translate(turned, glms_vec3_negate(center));
+}
+
+static vec3s direction(float azimuth, float elevation)
+{
+    return (vec3s){ { sinf(azimuth) * cosf(elevation), sinf(elevation),
+                      cosf(azimuth) * cosf(elevation) } };
+}
+
+/* The lights stand evenly around the object and go around it together. */
+static void place_lights(const struct frame_view *view, struct globals *g)
+{
+    const struct light_params *light = settings_of(view->settings, &light_settings);
+    const struct motion_params *motion = settings_of(view->settings, &motion_settings);
+    for (uint32_t i = 0; i < light->count; i++) {
+        float turn = (float)i / (float)light->count * 360.0f;
+        float azimuth = radians(light->azimuth + turn + motion->lights * view->time);
+        vec3s dir = direction(azimuth, radians(light->elevation));
+        vec3s at = glms_vec3_add(g->center, glms_vec3_scale(dir, light->distance * g->radius));
+        g->lights[i] = (vec4s){ { at.x, at.y, at.z, light->strength } };
+    }
+}
+
+static void place_bumps(const struct frame_view *view, struct globals *g)
+{
+    const struct bump_params *bump = settings_of(view->settings, &bump_settings);
+    g->bump_strength = bump->strength;
+    g->bump_scale =
+        bump->mapping == BUMP_UV ? bump->scale : bump->scale / fmaxf(2.0f * g->radius, 1e-6f);
+}
+
+/* KHR_materials_dispersion: red has the index n - h, blue n + h, h = (n - 1) 0.025 dispersion. */
+static void place_refraction(const struct frame_view *view, struct globals *g)
+{
+    const struct refract_params *refract = settings_of(view->settings, &refract_settings);
+    const struct absorb_params *absorb = settings_of(view->settings, &absorb_settings);
+    float half = (refract->ior - 1.0f) * 0.025f * refract->dispersion;
+    g->eta = REFRACT_IOR_AIR / refract->ior;
+    g->etas = (vec3s){ { REFRACT_IOR_AIR / (refract->ior - half), g->eta,
+                         REFRACT_IOR_AIR / (refract->ior + half) } };
+    g->absorb = (vec3s){ { absorb->red, absorb->green, absorb->blue } };
+    g->refract_crossfade = refract->crossfade;
+}
+
+static void place_box(const struct frame_view *view, struct globals *g)
+{
+    const struct box box = frame_view_box(view->scene, view->settings);
+    g->local_min = box.min;
+    g->local_max = box.max;
+}
+
+struct globals frame_view_globals(const struct frame_view *view, const struct background_push *push)
+{
+    const struct sky_params *sky = settings_of(view->settings, &sky_settings);
+    const struct motion_params *motion = settings_of(view->settings, &motion_settings);
+    const struct scene *scene = view->scene;
+    const struct box box =
+        scene->has_pool && scene->model.object.index_count ? scene->floe : scene->box;
+    vec3s center = box_center(box);
+    struct globals g = {
+        .clip_from_world = push->clip_from_world,
+        .world_from_object = turned(center, radians(motion->ice * view->time)),
+        .world_from_movers = turned(center, radians(motion->objects * view->time)),
+        .eye = view->camera.eye,
+        .forward = camera_basis(&view->camera).forward,
+        .background_color = view->scene->background_color,
+        .sky_strength = sky->strength,
+        .sun_dir = direction(radians(sky->sun_azimuth), radians(sky->sun_elevation)),
+        .sun_strength = sky->sun_strength,
+        .center = center,
+        .radius = box_diagonal(box) / 2.0f,
+        .time = view->time,
+        .surface = *(const struct surface_params *)settings_of(view->settings, &surface_settings),
+        .lod_bias = view->lod_bias,
+    };
+    g.fitted_clip_from_world = frame_view_fit(&view->camera, push->clip_from_world, center,
+                                              fmaxf(g.radius, 1e-6f), &g.fitted);
+    place_lights(view, &g);
+    place_bumps(view, &g);
+    place_refraction(view, &g);
+    place_box(view, &g);
+    return g;
+}
+
+static bool has_lit(const struct mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (!(mesh->vertices[i].material & MESH_UNLIT))
+            return true;
+    }
+    return false;
+}
+
+struct frame_constants frame_view_constants(const struct scene *scene,
+                                            const struct settings *settings)
+{
+    static const uint32_t backgrounds[] = {
+        [SCENE_SKY] = GLOBALS_SKY,
+        [SCENE_COLOR] = GLOBALS_COLOR,
+        [SCENE_ENVIRONMENT] = GLOBALS_ENVIRONMENT,
+    };
+    const struct refract_params *refract = settings_of(settings, &refract_settings);
+    const struct bump_params *bump = settings_of(settings, &bump_settings);
+    const struct light_params *light = settings_of(settings, &light_settings);
+    const struct ice_caustics_params *shine = settings_of(settings, &ice_caustics_settings);
+    const struct tonemap_params *screen = settings_of(settings, &tonemap_settings);
+    return (struct frame_constants){ {
+        [CONSTANT_BACKGROUND] = backgrounds[scene->background],
+        [CONSTANT_TEXTURED] = scene->model.textures.count > 0,
+        [CONSTANT_LIT] = has_lit(&scene->model.surroundings),
+        [CONSTANT_LIGHTS] = light->count,
+        [CONSTANT_OVER] = frame_over_layers(settings),
+        [CONSTANT_BUMP_UV] = bump->mapping == BUMP_UV,
+        [CONSTANT_REFRACT_COLORS] = refract->dispersion > 0.0f ? 3 : 1,
+        [CONSTANT_REFRACT_FRESNEL] = refract->fresnel,
+        [CONSTANT_REFRACT_LOOKUP] = refract->lookup,
+        [CONSTANT_REFRACT_STEPS] = refract->steps,
+        [CONSTANT_TONEMAP_CURVE] = screen->curve,
+        [CONSTANT_ICE_SHADOW] = shine->shadow,
+    } };
+}
+
+/* So far away that its rays are nearly parallel. The map is the same picture, wider. */
+struct frame_view_sun frame_view_sun(const struct frame_view *view, const struct globals *globals)
+{
+    const struct ice_caustics_params *params = settings_of(view->settings, &ice_caustics_settings);
+    const float radius = fmaxf(globals->radius, 1e-6f);
+    const float distance = ICE_CAUSTICS_DISTANCE * radius;
+    const struct camera camera = {
+        .eye = glms_vec3_add(globals->center, glms_vec3_scale(globals->sun_dir, distance)),
+        .target = globals->center,
+        .fov_deg = 2.0f * atanf(ICE_CAUSTICS_MARGIN / ICE_CAUSTICS_DISTANCE) / radians(1.0f),
+    };
+    struct frame_view_sun sun = {
+        .globals = *globals,
+        .map = {
+            .reach = params->reach,
+            .front = distance - radius,
+        },
+    };
+    sun.globals.lod_bias = 0.0f; /* its picture is whole, whatever tiles the view is drawn in */
+    sun.globals.eye = camera.eye;
+    sun.globals.forward = glms_vec3_negate(globals->sun_dir);
+    sun.globals.clip_from_world =
+        camera_clip_from_world(&camera, ICE_CAUSTICS_PHOTONS, ICE_CAUSTICS_PHOTONS,
+                               frame_view_near_plane(view->scene), view->jitter);
+    sun.map.clip_from_world =
+        camera_clip_from_world(&camera, ICE_CAUSTICS_PHOTONS, ICE_CAUSTICS_PHOTONS,
+                               frame_view_near_plane(view->scene), (vec2s){ { 0.0f, 0.0f } });
+    for (int column = 0; column < 4; column++) {
+        sun.map.clip_from_world.raw[column][0] /= params->reach;
+        sun.map.clip_from_world.raw[column][1] /= params->reach;
+    }
+    return sun;
+}
+
+struct far_sphere {
+    struct bubbles_sphere sphere;
+    float power; /* squared length of the tangents from the eye */
+};
+
+static int compare_far(const void *a, const void *b)
+{
+    const struct far_sphere *x = a;
+    const struct far_sphere *y = b;
+    return (x->power < y->power) - (x->power > y->power);
+}
+
+/* Of spheres that do not overlap, the plane of points of equal power lies between each two. */
+void frame_view_bubbles(const struct frame_view *view, const struct globals *globals,
+                        struct bubbles_sphere *sorted)
+{
+    const struct bubbles *bubbles = &view->scene->bubbles;
+    struct far_sphere order[BUBBLES_COUNT_MAX];
+    for (uint32_t i = 0; i < bubbles->count; i++) {
+        struct bubbles_sphere s = bubbles->spheres[i];
+        s.center = glms_mat4_mulv3(globals->world_from_object, s.center, 1.0f);
+        float distance2 = glms_vec3_distance2(s.center, globals->eye);
+        order[i] = (struct far_sphere){ s, distance2 - s.radius * s.radius };
+    }
+    qsort(order, bubbles->count, sizeof(order[0]), compare_far);
+    for (uint32_t i = 0; i < bubbles->count; i++)
+        sorted[i] = order[i].sphere;
+}

@@ -1,0 +1,88 @@
+/* accumulate.c: texels of any layer's format, added up in float. */
+#include "src/render/accumulate.h"
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+#include "src/image/half.h"
+
+static uint32_t plane_count(const struct frame_layer *layer)
+{
+    uint32_t count = 0;
+    while (count < 4 && layer->planes[count])
+        count++;
+    return count;
+}
+
+static uint32_t channel_count(VkFormat format)
+{
+    return format == VK_FORMAT_R32_SFLOAT ? 1 : 4;
+}
+
+static bool is_half(VkFormat format)
+{
+    return format == VK_FORMAT_R16G16B16A16_SFLOAT;
+}
+
+bool accumulate_add_planes(struct image *image, const struct frame_layer *layer)
+{
+    for (uint32_t p = 0; p < plane_count(layer); p++) {
+        if (!image_add_plane(image, layer->planes[p], layer->half))
+            return false;
+    }
+    return true;
+}
+
+static void add_half(float *plane, size_t count, const void *texels, uint32_t channel,
+                     uint32_t channels)
+{
+    const uint16_t *source = texels;
+    for (size_t i = 0; i < count; i++)
+        plane[i] += half_to_float(source[i * channels + channel]);
+}
+
+static void add_float(float *plane, size_t count, const void *texels, uint32_t channel,
+                      uint32_t channels)
+{
+    const float *source = texels;
+    for (size_t i = 0; i < count; i++)
+        plane[i] += source[i * channels + channel];
+}
+
+void accumulate_sample(struct image *image, const struct frame_layer *layer, const void *texels,
+                       uint32_t sample)
+{
+    VkFormat format = layer->image->format;
+    size_t count = (size_t)image->width * image->height;
+    assert(is_half(format) || rg_format_info(format)->size == channel_count(format) * 4);
+    if (sample && !layer->mean)
+        return;
+    for (uint32_t p = 0; p < plane_count(layer); p++) {
+        float *plane = image_find(image, layer->planes[p]);
+        if (is_half(format))
+            add_half(plane, count, texels, layer->first_channel + p, channel_count(format));
+        else
+            add_float(plane, count, texels, layer->first_channel + p, channel_count(format));
+    }
+}
+
+void accumulate_mean(struct image *image, const struct frame_layer *layer, uint32_t samples)
+{
+    size_t count = (size_t)image->width * image->height;
+    for (uint32_t p = 0; p < plane_count(layer) && layer->mean && samples > 1; p++) {
+        float *plane = image_find(image, layer->planes[p]);
+        for (size_t i = 0; i < count; i++)
+            plane[i] /= (float)samples;
+    }
+}
+
+vec2s accumulate_jitter(uint32_t sample)
+{
+    /* powers of 1 / g, g the real root of g^3 = g + 1 */
+    const double a[2] = { 0.7548776662466927, 0.5698402909980532 };
+    vec2s jitter;
+    for (int i = 0; i < 2; i++) {
+        double x = 0.5 + sample * a[i];
+        jitter.raw[i] = fminf((float)(x - floor(x) - 0.5), nextafterf(0.5f, 0.0f));
+    }
+    return jitter;
+}

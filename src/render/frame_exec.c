@@ -1,0 +1,136 @@
+/* frame_exec.c: plans for the device, and executors of them. */
+#define _DEFAULT_SOURCE /* madvise */
+#include "src/render/frame_exec.h"
+#include <math.h>
+#include <sys/mman.h>
+#include "src/gpu/gpu.h"
+#include "src/render/request.h"
+#include "src/settings/scene_settings.h"
+
+enum {
+    FRAMES_IN_FLIGHT = 2,
+};
+
+static void log_exec(void *user, const char *what, VkResult result)
+{
+    (void)user;
+    (void)gpu_failed(what, result);
+}
+
+/* Every frame that is on its way has its own buffers that the host sees. A CPU's memory is taken
+ * as it is touched: of a picture in tiles about as much as of one. */
+static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
+{
+    const bool is_cpu = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    const VkDeviceSize texels = (VkDeviceSize)plan->part.width * plan->part.height;
+    const VkDeviceSize parts =
+        is_cpu ? (VkDeviceSize)plan->view.width * plan->view.height / texels : 1;
+    VkDeviceSize host_size = 0;
+    for (uint32_t i = 0; i < plan->buffer_count; i++) {
+        const struct rg_plan_buffer *buffer = &plan->buffers[i];
+        if (!buffer->imported && buffer->buffer->memory != RG_MEMORY_DEVICE)
+            host_size += FRAMES_IN_FLIGHT * buffer->size;
+    }
+    return gpu_fit_memory(gpu, view, plan->memory_used / parts + plan->memory_persistent,
+                          host_size);
+}
+
+enum status frame_exec_compile(struct frame_exec *frame_exec, const struct renderer_params *params,
+                               struct frame_request request)
+{
+    const struct gpu *gpu = params->gpu;
+    const struct rg_vulkan vulkan = {
+        gpu->instance,
+        vkGetInstanceProcAddr,
+        gpu->physical,
+        gpu->device,
+    };
+    const struct rg_device device = rg_exec_device(&vulkan);
+    request.device = &device;
+    enum status status = frame_plan_init(&frame_exec->frame, &request);
+    if (status == STATUS_OK)
+        status = check_memory(gpu, frame_exec->frame.plan, request.view);
+    return status;
+}
+
+static void want_pages(void *memory, size_t size, int advice)
+{
+    const uintptr_t page = 2 << 20;
+    const uintptr_t begin = ((uintptr_t)memory + page - 1) / page * page;
+    const uintptr_t end = ((uintptr_t)memory + size) / page * page;
+    if (begin < end)
+        (void)madvise((char *)memory + (begin - (uintptr_t)memory), end - begin, advice);
+}
+
+static void want_large_pages(void *memory, size_t size)
+{
+    want_pages(memory, size, MADV_HUGEPAGE);
+}
+
+static void want_small_pages(void *memory, size_t size)
+{
+    want_pages(memory, size, MADV_NOHUGEPAGE);
+}
+
+/* On the CPU a frame touches its memory page by page, for the first time in its first picture. Of a
+ * part of the view it touches pieces of rows, and what lies between is to cost nothing. */
+static rg_advise_fn *choose_advice(const struct gpu *gpu, const struct rg_plan *plan)
+{
+    if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU)
+        return NULL;
+    const bool whole =
+        plan->part.width == plan->view.width && plan->part.height == plan->view.height;
+    return whole ? want_large_pages : want_small_pages;
+}
+
+void frame_exec_describe(struct frame_exec_params *described, const struct frame_exec *frame_exec,
+                         const struct renderer_params *params)
+{
+    const struct gpu *gpu = params->gpu;
+    const struct texture_params *texture = settings_of(params->settings, &texture_settings);
+    struct frame_exec_params *d = described;
+    d->constants = frame_view_constants(params->scene, params->settings);
+    d->constants.values[CONSTANT_TILED] = renderer_is_interleaved(params);
+    for (uint32_t i = 0; i < CONSTANT_COUNT; i++)
+        d->entries[i] = (VkSpecializationMapEntry){ i, i * sizeof(uint32_t), sizeof(uint32_t) };
+    d->info =
+        (VkSpecializationInfo){ CONSTANT_COUNT, d->entries, sizeof(d->constants), &d->constants };
+    d->params = (struct rg_exec_params){
+        .plan = frame_exec->frame.plan,
+        .instance = gpu->instance,
+        .get_proc_addr = vkGetInstanceProcAddr,
+        .physical = gpu->physical,
+        .device = gpu->device,
+        .queue = gpu->queue,
+        .queue_family = gpu->queue_family,
+        .pipeline_cache = gpu->pipeline_cache,
+        .import_count = frame_exec->frame.import_count,
+        .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
+        .frames_in_flight = FRAMES_IN_FLIGHT,
+        .render_passes = gpu->validated, /* see rg_exec.h */
+        .measured = params->measured,
+        .statistics = gpu->has_statistics,
+        .constants = &d->info,
+        .replace = params->replace,
+        .advise = choose_advice(gpu, frame_exec->frame.plan),
+        .log = log_exec,
+        .user = params->replace_user,
+    };
+}
+
+enum status frame_exec_realise(struct frame_exec *frame_exec, const struct renderer_params *params,
+                               const struct rg_exec_import *imports)
+{
+    struct frame_exec_params described;
+    VkResult result;
+    frame_exec_describe(&described, frame_exec, params);
+    described.params.imports = imports;
+    frame_exec->exec = rg_exec_create(&described.params, &result);
+    return gpu_status(result);
+}
+
+void frame_exec_destroy(struct frame_exec *frame_exec)
+{
+    rg_exec_destroy(frame_exec->exec);
+    frame_plan_finish(&frame_exec->frame);
+}

@@ -1,0 +1,524 @@
+/* renderer.c: plans, executors and frames behind a picture. */
+#include "src/render/renderer.h"
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "graph/rg_exec.h"
+#include "shaders/globals.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/frame/cube.h"
+#include "src/frame/plan.h"
+#include "src/frame/view.h"
+#include "src/image/half.h"
+#include "src/render/accumulate.h"
+#include "src/render/frame_exec.h"
+#include "src/render/request.h"
+#include "src/render/uploaded_scene.h"
+#include "src/render/warm_up.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/bubbles.h"
+#include "src/tech/env_cube.h"
+#include "src/tech/frame.h"
+#include "src/tech/ice_caustics.h"
+#include "src/tech/resolve.h"
+#include "src/tech/tonemap.h"
+
+struct renderer {
+    struct renderer_params params;      /* but of a tile's size */
+    uint32_t width, height;             /* of the picture */
+    struct tiling tiling;               /* of what is drawn into images of one size */
+    struct tile tile;                   /* of them, that is drawn now: what results have */
+    struct uploaded_scene own;          /* {0} if it comes uploaded */
+    const struct uploaded_scene *scene; /* on the device */
+    struct frame_exec capture;          /* the environment cube, once, if it is not dynamic */
+    struct frame_exec picture;          /* a sample */
+    struct frame_exec resolve;          /* the mean of many samples, tonemapped */
+    struct warm_up *warm_up;            /* compiles for the first picture; may be NULL */
+    bool captured;
+    struct frame_cube cube;      /* that of the picture's frames */
+    uint32_t face_size;          /* of the cubes that it draws, texels */
+    struct renderer_costs costs; /* of the picture's */
+    uint32_t last_slot;          /* of the picture's executor, where the last sample is */
+};
+
+/* ---- plans ---- */
+
+/* What its plans import. */
+static void find_imports(const struct renderer *r, struct rg_exec_import *imports)
+{
+    const struct uploaded_scene *scene = r->scene;
+    imports[FRAME_IMPORT_ENVIRONMENT].image = scene->environment.image;
+    imports[FRAME_IMPORT_TEXTURES].image = scene->textures.image;
+    imports[FRAME_IMPORT_BUMP_MAP].image = scene->bump_map.image;
+    imports[FRAME_IMPORT_AIR].image = scene->air_layers.image;
+    imports[FRAME_IMPORT_CUBE].image =
+        r->capture.exec ? rg_exec_image(r->capture.exec, &env_cube_color) : scene->cube.image;
+}
+
+static enum status realise(struct renderer *r, struct frame_exec *frame_exec)
+{
+    struct rg_exec_import imports[FRAME_IMPORT_COUNT] = { { 0 } };
+    find_imports(r, imports);
+    return frame_exec_realise(frame_exec, &r->params, imports);
+}
+
+static enum status frame_exec_create(struct frame_exec *frame_exec, struct renderer *r,
+                                     struct frame_request request)
+{
+    enum status status = frame_exec_compile(frame_exec, &r->params, request);
+    if (status == STATUS_OK)
+        status = realise(r, frame_exec);
+    return status;
+}
+
+static enum status upload(struct renderer *r)
+{
+    r->scene = r->params.uploaded ? r->params.uploaded : &r->own;
+    if (r->params.uploaded)
+        return STATUS_OK;
+    return uploaded_scene_init(&r->own, r->params.gpu, r->params.scene);
+}
+
+/* From the middle of the pixels that all tiles have at one place, in pixels of the picture. */
+static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
+{
+    if (!renderer_is_interleaved(params))
+        return (vec2s){ { 0.0f, 0.0f } };
+    const uint32_t column = tile % params->columns, row = tile / params->columns;
+    return (vec2s){ { (float)column + 0.5f - (float)params->columns / 2.0f,
+                      (float)row + 0.5f - (float)params->rows / 2.0f } };
+}
+
+/* Sizes become those of an interleaved tile. */
+static void take_params(struct renderer *r, const struct renderer_params *params)
+{
+    r->params = *params;
+    r->params.samples = params->samples ? params->samples : 1;
+    r->params.columns = params->columns ? params->columns : 1;
+    r->params.rows = params->rows ? params->rows : 1;
+    r->width = params->width;
+    r->height = params->height;
+    if (renderer_is_interleaved(params)) {
+        assert(r->width % params->columns == 0 && r->height % params->rows == 0);
+        r->params.width = r->width / params->columns;
+        r->params.height = r->height / params->rows;
+    }
+    r->tiling = renderer_tiling(&r->params);
+    r->tile = tile_at(&r->tiling, 0);
+}
+
+enum status renderer_create(struct renderer **renderer, const struct renderer_params *params)
+{
+    struct renderer *r = calloc(1, sizeof(*r));
+    enum status status = STATUS_TRY_AGAIN;
+    *renderer = NULL;
+    if (!r) {
+        log_error("out of memory");
+        return status;
+    }
+    take_params(r, params);
+    r->face_size = env_cube_color.width;
+    status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
+    const double start = clock_ms();
+    if (status == STATUS_OK)
+        status = frame_exec_compile(&r->picture, &r->params, renderer_picture_request(&r->params));
+    r->costs.compile = clock_ms() - start;
+    if (status == STATUS_OK && params->warm_up)
+        r->warm_up = warm_up_begin(&r->picture, &r->params);
+    const double compiled = clock_ms();
+    if (status == STATUS_OK)
+        status = frame_cube_init(&r->cube, params->scene);
+    if (status == STATUS_OK)
+        status = upload(r);
+    r->costs.upload = clock_ms() - compiled;
+    if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings) &&
+        !params->scene->cube.texels)
+        status = frame_exec_create(&r->capture, r, renderer_capture_request(&r->params));
+    if (status == STATUS_OK && params->display && r->params.samples > 1)
+        status = frame_exec_create(&r->resolve, r, renderer_resolve_request(&r->params));
+    const double begin = clock_ms();
+    if (status == STATUS_OK)
+        status = realise(r, &r->picture);
+    r->costs.realise = clock_ms() - begin;
+    if (status == STATUS_OK)
+        *renderer = r;
+    else
+        renderer_destroy(r);
+    return status;
+}
+
+void renderer_destroy(struct renderer *renderer)
+{
+    if (!renderer)
+        return;
+    warm_up_end(renderer->warm_up);
+    frame_exec_destroy(&renderer->resolve);
+    frame_exec_destroy(&renderer->picture);
+    frame_exec_destroy(&renderer->capture);
+    frame_cube_finish(&renderer->cube);
+    uploaded_scene_finish(&renderer->own, renderer->params.gpu);
+    free(renderer);
+}
+
+/* ---- a frame ---- */
+
+static struct rg_mesh draw_mesh(const struct gpu_buffer *vertices, const struct gpu_buffer *indices)
+{
+    return (struct rg_mesh){
+        .vertices = vertices->buffer,
+        .indices = indices->buffer,
+        .index_count = (uint32_t)(indices->size / sizeof(uint32_t)),
+    };
+}
+
+/* The sun's view, where the plan has it. */
+static void write_caustics(const struct frame_view *view, const struct globals *globals,
+                           struct rg_exec *exec, uint32_t slot)
+{
+    struct globals *sun = rg_exec_mapped(exec, &ice_caustics_globals, slot);
+    struct ice_caustics_light *map = rg_exec_mapped(exec, &ice_caustics_light, slot);
+    if (!sun && !map)
+        return;
+    const struct frame_view_sun found = frame_view_sun(view, globals);
+    if (sun)
+        *sun = found.globals;
+    if (map)
+        *map = found.map;
+}
+
+/* Rays begin up to 0.02 radii inside (shaders/refract_inside.glsl). Layers are read everywhere, and
+ * so is the floe in a pool. */
+static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
+                            const struct globals *globals, VkExtent2D size)
+{
+    const struct rung *rung = r->params.rung; /* none draws a cube alone */
+    const bool is_all = !rung || rung->reach > 0.0f || r->params.layers || view->scene->has_pool;
+    return is_all ? (VkRect2D){ .extent = size }
+                  : frame_view_object_area(view, globals, size, 0.05f);
+}
+
+/* The next frame draws a tile, and what its rays may meet. */
+static void limit(const struct renderer *r, const struct frame_view *view,
+                  const struct globals *globals)
+{
+    const struct tile *t = &r->tile;
+    const struct rg_exec_part part = {
+        .part = { { (int32_t)t->x, (int32_t)t->y }, { t->width, t->height } },
+        .reach = frame_view_reach(view, globals, r->params.rung->reach),
+    };
+    if (r->tiling.columns * r->tiling.rows > 1)
+        rg_exec_limit(r->picture.exec, &part);
+}
+
+static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_exec,
+                                  const struct renderer_shot *shot, vec2s jitter, uint32_t *slot)
+{
+    const struct uploaded_scene *s = r->scene;
+    const struct frame_view view = {
+        .scene = r->params.scene,
+        .settings = r->params.settings,
+        .camera = shot->camera,
+        .time = shot->time,
+        .width = r->width,
+        .height = r->height,
+        .jitter = jitter,
+        .tile = tile_offset(&r->params, shot->tile),
+        .lod_bias = renderer_is_interleaved(&r->params)
+                        ? -0.5f * log2f((float)(r->params.columns * r->params.rows))
+                        : 0.0f,
+        .face_size = r->face_size,
+    };
+    struct rg_frame frame = {
+        .settings = r->params.settings,
+        .object = draw_mesh(&s->object_vertices, &s->object_indices),
+        .surroundings = draw_mesh(&s->surroundings_vertices, &s->surroundings_indices),
+        .air = draw_mesh(&s->air_vertices, &s->air_indices),
+        .bubble_count = r->params.scene->bubbles.count,
+        .cracks = draw_mesh(&s->cracks_vertices, &s->cracks_indices),
+        .view = frame_view_push(&view),
+        .jitter = jitter,
+    };
+    const struct globals globals = frame_view_globals(&view, &frame.view);
+    for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
+        frame.faces[face] = frame_view_face(&view, face);
+    const VkExtent2D size = frame_exec->frame.plan->view;
+    frame.object_area = frame_view_object_area(&view, &globals, size, 0.0f);
+    frame.lookup_area = lookup_area(r, &view, &globals, size);
+    frame.faces_due = FRAME_CUBE_ALL;
+    if (frame_exec == &r->picture)
+        frame.faces_due = frame_cube_due(&r->cube, &view, &globals);
+    VkResult result = rg_exec_begin(frame_exec->exec, slot);
+    if (result == VK_SUCCESS) {
+        void *mapped = rg_exec_mapped(frame_exec->exec, &frame_globals, *slot);
+        if (mapped)
+            memcpy(mapped, &globals, sizeof(globals));
+        void *spheres = rg_exec_mapped(frame_exec->exec, &bubbles_spheres, *slot);
+        if (spheres)
+            frame_view_bubbles(&view, &globals, spheres);
+        write_caustics(&view, &globals, frame_exec->exec, *slot);
+        if (frame_exec == &r->picture)
+            limit(r, &view, &globals);
+        result = rg_exec_submit(frame_exec->exec, &frame);
+    }
+    if (frame_exec == &r->picture && result == VK_SUCCESS)
+        frame_cube_drawn(&r->cube, &globals, frame.faces_due);
+    return gpu_status(result);
+}
+
+/* ---- a picture ---- */
+
+static const void *read_back(struct frame_exec *frame_exec, const struct rg_image *image,
+                             uint32_t slot)
+{
+    const struct rg_buffer *buffer = frame_plan_buffer(&frame_exec->frame, image);
+    return buffer ? rg_exec_mapped(frame_exec->exec, buffer, slot) : NULL;
+}
+
+static bool wants_layer(const struct renderer *r, uint32_t layer)
+{
+    return r->params.layers & 1u << layer;
+}
+
+static enum status fetch_sample(struct renderer *r, struct image *image, uint32_t sample,
+                                uint32_t slot)
+{
+    enum status status = gpu_status(rg_exec_wait(r->picture.exec, slot));
+    if (status != STATUS_OK)
+        return status;
+    const void *beauty = read_back(&r->picture, frame_beauty.image, slot);
+    if (beauty)
+        accumulate_sample(image, &frame_beauty, beauty, sample);
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        const void *texels = read_back(&r->picture, frame_layers[i].image, slot);
+        if (wants_layer(r, i) && texels)
+            accumulate_sample(image, &frame_layers[i], texels, sample);
+    }
+    return STATUS_OK;
+}
+
+/* Before the first sample of a renderer whose cube is not dynamic. */
+static enum status capture_cube(struct renderer *r, const struct renderer_shot *shot)
+{
+    const struct motion_params *motion = settings_of(r->params.settings, &motion_settings);
+    const struct renderer_shot first = { .camera = shot->camera, .time = motion->time };
+    uint32_t slot;
+    if (!r->capture.exec || r->captured)
+        return STATUS_OK;
+    enum status status = run_frame_exec(r, &r->capture, &first, accumulate_jitter(0), &slot);
+    r->captured = status == STATUS_OK;
+    return status;
+}
+
+enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
+{
+    enum status status = capture_cube(r, shot);
+    r->cube.in_turn = true;
+    if (status == STATUS_OK)
+        status = run_frame_exec(r, &r->picture, shot, accumulate_jitter(0), &r->last_slot);
+    return status;
+}
+
+enum status renderer_wait(struct renderer *r)
+{
+    return gpu_status(rg_exec_wait(r->picture.exec, r->last_slot));
+}
+
+VkImage renderer_picture(const struct renderer *r)
+{
+    return rg_exec_image(r->picture.exec, &tonemap_color);
+}
+
+struct renderer_costs renderer_costs(const struct renderer *r)
+{
+    return r->costs;
+}
+
+void renderer_measure(struct renderer *r, const struct rg_measure *measure)
+{
+    rg_exec_measure(r->picture.exec, measure);
+}
+
+struct rg_times renderer_times(const struct renderer *r)
+{
+    return rg_exec_times(r->picture.exec);
+}
+
+bool renderer_has_clock(const struct renderer *r, enum rg_clock clock)
+{
+    return rg_exec_has_clock(r->picture.exec, clock);
+}
+
+const struct rg_plan *renderer_frame(const struct renderer *r)
+{
+    return r->picture.frame.plan;
+}
+
+static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,
+                                struct image *image, renderer_progress_fn *progress, void *user)
+{
+    enum status status = capture_cube(r, shot);
+    r->cube.in_turn = false; /* a picture does not depend on those before it */
+    /* one sample is drawn while the one before is added up */
+    for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
+        uint32_t slot_before = r->last_slot;
+        if (i < r->params.samples)
+            status = run_frame_exec(r, &r->picture, shot, accumulate_jitter(i), &r->last_slot);
+        if (i == 0 || status != STATUS_OK)
+            continue;
+        status = fetch_sample(r, image, i - 1, slot_before);
+        if (status == STATUS_OK && progress && !progress(user, i, r->params.samples))
+            status = STATUS_FAILED;
+    }
+    return status;
+}
+
+/* `width`: pixels from row to row in the frame_exec's picture. */
+static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, uint32_t slot,
+                             uint32_t width)
+{
+    const size_t row_size = (size_t)r->tile.width * 4;
+    uint8_t *rgba = malloc(row_size * r->tile.height);
+    const uint8_t *source = read_back(frame_exec, &tonemap_color, slot);
+    if (!rgba || !source)
+        log_error("out of memory");
+    for (size_t y = 0; y < r->tile.height && rgba && source; y++)
+        memcpy(rgba + y * row_size, source + y * width * 4, row_size);
+    return rgba;
+}
+
+/* Sends the mean back to the device, in half as the device would have drawn it. */
+static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
+{
+    const uint32_t width = r->resolve.frame.plan->view.width;
+    uint32_t slot;
+    enum status status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
+    uint16_t *texels =
+        status == STATUS_OK ? rg_exec_mapped(r->resolve.exec, &resolve_samples, slot) : NULL;
+    size_t count = (size_t)image->width * image->height;
+    for (size_t p = 0; p < 4 && texels; p++) {
+        const float *plane = image_find(image, frame_beauty.planes[p]);
+        for (size_t i = 0; i < count; i++) {
+            const size_t to = i / image->width * width + i % image->width;
+            texels[to * 4 + p] = half_from_float(plane[i]);
+        }
+    }
+    const struct rg_frame frame = { .settings = r->params.settings };
+    if (status == STATUS_OK)
+        status = gpu_status(rg_exec_submit(r->resolve.exec, &frame));
+    if (status == STATUS_OK)
+        status = gpu_status(rg_exec_wait(r->resolve.exec, slot));
+    if (status == STATUS_OK) {
+        *rgba = copy_display(r, &r->resolve, slot, width);
+        status = *rgba ? STATUS_OK : STATUS_TRY_AGAIN;
+    }
+    return status;
+}
+
+static bool make_planes(const struct renderer *r, struct image *image)
+{
+    bool many = r->params.samples > 1;
+    image_init(image, r->tile.width, r->tile.height);
+    if (r->params.linear || (r->params.display && many)) {
+        if (!accumulate_add_planes(image, &frame_beauty))
+            return false;
+    }
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        if (wants_layer(r, i) && !accumulate_add_planes(image, &frame_layers[i]))
+            return false;
+    }
+    return true;
+}
+
+static void take_means(const struct renderer *r, struct image *image)
+{
+    if (image_find(image, frame_beauty.planes[0]))
+        accumulate_mean(image, &frame_beauty, r->params.samples);
+    for (uint32_t i = 0; frame_layers[i].name; i++) {
+        if (wants_layer(r, i))
+            accumulate_mean(image, &frame_layers[i], r->params.samples);
+    }
+}
+
+enum status renderer_render(struct renderer *r, const struct renderer_shot *shot,
+                            struct render_result *result, renderer_progress_fn *progress,
+                            void *user)
+{
+    *result = (struct render_result){ 0 };
+    enum status status = STATUS_TRY_AGAIN;
+    if (!renderer_is_interleaved(&r->params))
+        r->tile = tile_at(&r->tiling, shot->tile);
+    if (make_planes(r, &result->image))
+        status = draw_samples(r, shot, &result->image, progress, user);
+    else
+        log_error("out of memory");
+    /* whatever a driver's compiler does, it does before a file is written */
+    warm_up_end(r->warm_up);
+    r->warm_up = NULL;
+    if (status == STATUS_OK)
+        take_means(r, &result->image);
+    if (status == STATUS_OK && r->resolve.exec) {
+        status = resolve_display(r, &result->image, &result->rgba);
+    } else if (status == STATUS_OK && r->params.display) {
+        result->rgba = copy_display(r, &r->picture, r->last_slot, r->tile.width);
+        status = result->rgba ? STATUS_OK : STATUS_TRY_AGAIN;
+    }
+    if (status != STATUS_OK)
+        render_result_finish(result);
+    return status;
+}
+
+static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *image)
+{
+    static const struct frame_layer cube = {
+        .image = &env_cube_baked,
+        .planes = { "R", "G", "B", "A" },
+        .half = true,
+        .mean = true,
+    };
+    image_init(image, r->face_size, 6 * r->face_size);
+    if (!accumulate_add_planes(image, &cube)) {
+        log_error("out of memory");
+        image_finish(image);
+        return STATUS_TRY_AGAIN;
+    }
+    accumulate_sample(image, &cube, read_back(&r->capture, &env_cube_baked, slot), 0);
+    return STATUS_OK;
+}
+
+enum status renderer_bake(const struct renderer_params *params, float time, struct image *image)
+{
+    struct renderer r = { .face_size = params->width };
+    const vec3s center = box_center(params->scene->box);
+    const vec3s ahead = glms_vec3_add(center, (vec3s){ { 0.0f, 0.0f, -1.0f } });
+    const struct renderer_shot shot = {
+        .camera = { .eye = center, .target = ahead, .fov_deg = 90.0f }, /* no face has to do with */
+        .time = time,
+    };
+    struct renderer_params strip = *params;
+    uint32_t slot;
+    strip.height = params->width;
+    take_params(&r, &strip);
+    enum status status = gpu_fit_cube(params->gpu, params->width);
+    if (status == STATUS_OK)
+        status = upload(&r);
+    if (status == STATUS_OK)
+        status = frame_exec_create(&r.capture, &r, renderer_bake_request(&r.params));
+    if (status == STATUS_OK)
+        status = run_frame_exec(&r, &r.capture, &shot, accumulate_jitter(0), &slot);
+    if (status == STATUS_OK)
+        status = gpu_status(rg_exec_wait(r.capture.exec, slot));
+    if (status == STATUS_OK)
+        status = fetch_cube(&r, slot, image);
+    frame_exec_destroy(&r.capture);
+    uploaded_scene_finish(&r.own, params->gpu);
+    return status;
+}
+
+void render_result_finish(struct render_result *result)
+{
+    image_finish(&result->image);
+    free(result->rgba);
+    *result = (struct render_result){ 0 };
+}

@@ -1,0 +1,126 @@
+/* warm_up.c: threads, each with a device and an executor without content. */
+#include "src/render/warm_up.h"
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include "src/frame/cube.h"
+#include "src/gpu/gpu.h"
+#include "src/settings/settings.h"
+#include "src/tech/frame.h"
+
+enum {
+    THREAD_COUNT_MAX = 3, /* more find nothing left */
+};
+
+struct warm_up {
+    const struct gpu *gpu;
+    struct frame_exec_params described;
+    struct settings settings;
+    struct rg_frame frame;
+    atomic_int next; /* pass; below 0: all are done, or it is over */
+    pthread_t threads[THREAD_COUNT_MAX];
+    uint32_t thread_count;
+};
+
+static void prime_passes(struct warm_up *warm_up, const struct gpu_twin *twin)
+{
+    struct rg_exec_params params = warm_up->described.params;
+    VkResult result;
+    params.device = twin->device;
+    params.queue = twin->queue;
+    struct rg_exec *exec = rg_exec_create(&params, &result);
+    for (int pass = 0; result == VK_SUCCESS && pass >= 0;) {
+        pass = atomic_fetch_sub(&warm_up->next, 1);
+        if (pass >= 0)
+            result = rg_exec_prime(exec, &warm_up->frame, (uint32_t)pass);
+    }
+    rg_exec_destroy(exec);
+}
+
+/*
+ * This thread, and those that the driver makes for it, take what nobody else wants. So the picture
+ * is not held up; and Mesa's own thread that writes the cache, which comes last on every machine,
+ * has its turn before all is compiled.
+ */
+static void step_back(void)
+{
+    (void)pthread_setschedparam(pthread_self(), SCHED_OTHER, &(struct sched_param){ 0 });
+    (void)setpriority(PRIO_PROCESS, 0, 19); /* on Linux, 0 is this thread */
+}
+
+static void *work(void *user)
+{
+    struct warm_up *warm_up = user;
+    struct gpu_twin twin;
+    step_back();
+    if (!gpu_twin_create(&twin, warm_up->gpu))
+        return NULL;
+    prime_passes(warm_up, &twin);
+    gpu_twin_destroy(&twin);
+    return NULL;
+}
+
+/* Everything has three indices. */
+static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exec,
+                     const struct renderer_params *params)
+{
+    const struct rg_mesh mesh = { .index_count = 3 };
+    frame_exec_describe(&warm_up->described, frame_exec, params);
+    warm_up->gpu = params->gpu;
+    warm_up->settings = *params->settings;
+    warm_up->frame = (struct rg_frame){
+        .settings = &warm_up->settings,
+        .object = mesh,
+        .surroundings = mesh,
+        .cracks = mesh,
+        .air = mesh,
+        .bubble_count = 1,
+        .faces_due = FRAME_CUBE_ALL,
+    };
+    struct rg_exec_params *exec = &warm_up->described.params;
+    exec->pipeline_cache = VK_NULL_HANDLE;
+    exec->frames_in_flight = 1;
+    exec->measured = false;
+    exec->hollow = true;
+    exec->log = NULL;
+    atomic_init(&warm_up->next, (int)frame_exec->frame.plan->pass_count - 1);
+}
+
+static bool is_wanted(void)
+{
+    const char *value = getenv("FIRN_WARM_UP");
+    return !value || strcmp(value, "off") != 0;
+}
+
+struct warm_up *warm_up_begin(const struct frame_exec *frame_exec,
+                              const struct renderer_params *params)
+{
+    const struct gpu *gpu = params->gpu;
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU || gpu->validated ||
+        params->replace || !is_wanted())
+        return NULL;
+    struct warm_up *warm_up = cores > 1 ? calloc(1, sizeof(*warm_up)) : NULL;
+    if (!warm_up)
+        return NULL;
+    describe(warm_up, frame_exec, params);
+    const uint32_t most = cores > THREAD_COUNT_MAX ? THREAD_COUNT_MAX : (uint32_t)cores - 1;
+    while (warm_up->thread_count < most &&
+           !pthread_create(&warm_up->threads[warm_up->thread_count], NULL, work, warm_up))
+        warm_up->thread_count++;
+    return warm_up;
+}
+
+void warm_up_end(struct warm_up *warm_up)
+{
+    if (!warm_up)
+        return;
+    atomic_store(&warm_up->next, -1); /* no further pass */
+    for (uint32_t i = 0; i < warm_up->thread_count; i++)
+        pthread_join(warm_up->threads[i], NULL);
+    free(warm_up);
+}

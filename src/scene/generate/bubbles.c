@@ -1,0 +1,120 @@
+/* bubbles.c: spheres inside a closed mesh that do not overlap. */
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include "src/scene/generate/generate.h"
+#include "src/scene/generate/random.h"
+
+enum {
+    ATTEMPTS = 64,   /* for each bubble */
+    FAILURES_MAX = 4 /* bubbles in a row without room: there is none */
+};
+
+/* Twice the area of a, b and the origin. */
+static float cross(vec2s a, vec2s b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+/* Where a triangle, seen from the point, crosses the line along an axis; NAN: it does not. */
+static float crossing(const vec3s corners[3], int axis)
+{
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    vec2s flat[3];
+    float areas[3];
+    for (int i = 0; i < 3; i++)
+        flat[i] = (vec2s){ { corners[i].raw[u], corners[i].raw[v] } };
+    for (int i = 0; i < 3; i++)
+        areas[i] = cross(flat[(i + 1) % 3], flat[(i + 2) % 3]);
+    const bool all = areas[0] > 0 && areas[1] > 0 && areas[2] > 0;
+    const bool none = areas[0] < 0 && areas[1] < 0 && areas[2] < 0;
+    if (!all && !none)
+        return NAN;
+    float sum = 0;
+    for (int i = 0; i < 3; i++)
+        sum += areas[i] * corners[i].raw[axis];
+    return sum / (areas[0] + areas[1] + areas[2]);
+}
+
+static bool straddles(const vec3s corners[3], int axis)
+{
+    const float a = corners[0].raw[axis], b = corners[1].raw[axis], c = corners[2].raw[axis];
+    return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0);
+}
+
+/*
+ * How far away the surface is along the three axes, at least; 0 outside. Inside of a closed surface
+ * every ray leaves it an odd number of times. A ray through an edge may miss it and count wrongly,
+ * so the rays along all three axes must agree.
+ */
+static float clearance(const struct mesh *mesh, vec3s point)
+{
+    uint32_t leaves[3] = { 0 };
+    float nearest = HUGE_VALF;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        vec3s corners[3];
+        for (uint32_t k = 0; k < 3; k++)
+            corners[k] = glms_vec3_sub(mesh->vertices[mesh->indices[i + k]].position, point);
+        const bool across[3] = { straddles(corners, 0), straddles(corners, 1),
+                                 straddles(corners, 2) };
+        for (int axis = 0; axis < 3; axis++) {
+            if (!across[(axis + 1) % 3] || !across[(axis + 2) % 3])
+                continue;
+            const float at = crossing(corners, axis);
+            if (isnan(at))
+                continue;
+            leaves[axis] += at > 0;
+            nearest = fminf(nearest, fabsf(at));
+        }
+    }
+    return leaves[0] % 2 && leaves[1] % 2 && leaves[2] % 2 ? nearest : 0;
+}
+
+static bool is_free(const struct bubbles *bubbles, vec3s center, float radius)
+{
+    for (uint32_t i = 0; i < bubbles->count; i++) {
+        const struct bubbles_sphere *other = &bubbles->spheres[i];
+        if (glms_vec3_distance(center, other->center) < radius + other->radius)
+            return false;
+    }
+    return true;
+}
+
+/* In a convex body the octahedron of the clearance is inside, and so is the ball in that. False
+ * when no room is found. */
+static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh, struct box box,
+                       float radius, struct random *random)
+{
+    const vec3s half = glms_vec3_scale(glms_vec3_sub(box.max, box.min), 0.5f);
+    for (int i = 0; i < ATTEMPTS; i++) {
+        const vec3s center =
+            glms_vec3_add(box_center(box), glms_vec3_mul(half, random_box(random)));
+        if (!is_free(bubbles, center, radius))
+            continue;
+        if (clearance(mesh, center) < radius * 1.7320508f)
+            continue;
+        bubbles->spheres[bubbles->count++] = (struct bubbles_sphere){ center, radius };
+        return true;
+    }
+    return false;
+}
+
+bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
+                      const struct generate_bubbles *params)
+{
+    const struct box box = mesh_box(object);
+    const float largest = params->size * box_diagonal(box) / 2;
+    assert(params->count <= BUBBLES_COUNT_MAX);
+    *bubbles = (struct bubbles){ .spheres = calloc(params->count, sizeof(*bubbles->spheres)) };
+    if (!bubbles->spheres)
+        return false;
+    uint32_t failures = 0;
+    for (uint32_t i = 0; i < params->count && failures < FAILURES_MAX; i++) {
+        struct random random = random_begin(params->seed, i);
+        const float u = random_unit(&random);
+        const float radius = largest * (0.2f + 0.8f * u * u * u);
+        failures = add_bubble(bubbles, object, box, radius, &random) ? 0 : failures + 1;
+    }
+    return true;
+}

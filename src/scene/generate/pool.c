@@ -1,0 +1,91 @@
+/* pool.c: what is dry of a pool: its walls' upper ends, a coping, paving all around; and
+ * ice that floats in it. */
+#include "shaders/water.h"
+#include "src/scene/generate/generate.h"
+
+static const vec3s stone = { { POOL_STONE } };
+static const vec3s paving = { { 0.400F, 0.385F, 0.360F } };
+static const float coping = 0.3F;   /* metres wide */
+static const float sunken = 0.917F; /* share of ice that is below: its density over water's */
+static const float paved = 2000;    /* metres from the middle: as far as the eye sees */
+
+/* Corners in their order around the normal. */
+static void add_quad(struct mesh *mesh, uint32_t *count, const vec3s corners[4], vec3s color)
+{
+    static const uint32_t order[6] = { 0, 1, 2, 0, 2, 3 };
+    const uint32_t first = 4 * *count;
+    const vec3s normal = glms_vec3_crossn(glms_vec3_sub(corners[1], corners[0]),
+                                          glms_vec3_sub(corners[2], corners[0]));
+    for (uint32_t i = 0; i < 4; i++)
+        mesh->vertices[first + i] = (struct mesh_vertex){
+            .position = corners[i],
+            .normal = normal,
+            .color = color,
+        };
+    for (uint32_t i = 0; i < 6; i++)
+        mesh->indices[6 * *count + i] = first + order[i];
+    ++*count;
+}
+
+/* (x, y) turned by quarters, at a height. */
+static vec3s turned(uint32_t quarters, float x, float height, float y)
+{
+    const vec3s at[4] = {
+        { { x, height, y } },
+        { { y, height, -x } },
+        { { -x, height, -y } },
+        { { -y, height, x } },
+    };
+    return at[quarters];
+}
+
+/* Level, between squares of these half sides around the middle. */
+static void add_frame(struct mesh *mesh, uint32_t *count, float inner, float outer, vec3s color)
+{
+    for (uint32_t q = 0; q < 4; q++) {
+        const vec3s corners[4] = {
+            turned(q, -inner, POOL_RIM, inner),
+            turned(q, -outer, POOL_RIM, outer),
+            turned(q, outer, POOL_RIM, outer),
+            turned(q, inner, POOL_RIM, inner),
+        };
+        add_quad(mesh, count, corners, color);
+    }
+}
+
+static void add_walls(struct mesh *mesh, uint32_t *count, float half, float depth)
+{
+    for (uint32_t q = 0; q < 4; q++) {
+        const vec3s corners[4] = {
+            turned(q, -half, POOL_RIM, half),
+            turned(q, half, POOL_RIM, half),
+            turned(q, half, -depth, half),
+            turned(q, -half, -depth, half),
+        };
+        add_quad(mesh, count, corners, stone);
+    }
+}
+
+bool generate_pool(struct mesh *mesh, const struct generate_pool *pool)
+{
+    const float half = 0.5F * pool->size;
+    uint32_t count = 0;
+    if (!mesh_init(mesh, 12 * 4, 12 * 6))
+        return false;
+    add_walls(mesh, &count, half, pool->depth);
+    add_frame(mesh, &count, half, half + coping, stone);
+    add_frame(mesh, &count, half + coping, paved, paving);
+    return true;
+}
+
+bool generate_floe(struct mesh *mesh, const struct generate_pool *pool, uint32_t triangles)
+{
+    if (!generate_ice_cube(mesh, triangles))
+        return false;
+    mesh_fit(mesh, pool->ice);
+    const struct box box = mesh_box(mesh);
+    const float height = box.max.y - box.min.y;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        mesh->vertices[i].position.y -= box.min.y + sunken * height;
+    return true;
+}

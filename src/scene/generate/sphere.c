@@ -1,0 +1,94 @@
+/* sphere.c: unit sphere of longitudes and latitudes. */
+#include "src/scene/generate/generate.h"
+
+#include <math.h>
+
+/* `rows` bands from pole to pole, each of `columns` quads; the first and last are triangles. */
+struct grid {
+    uint32_t rows, columns;
+};
+
+static struct grid choose_grid(uint32_t triangles)
+{
+    /* 2 columns (rows - 1) triangles; about even facets need columns = 2 rows */
+    double wanted = fmax(fmin(triangles, GENERATE_TRIANGLES_MAX), 6);
+    double rows = fmax(2, round((1 + sqrt(1 + wanted)) / 2));
+    double columns = fmax(3, round(wanted / (2 * (rows - 1))));
+    return (struct grid){ (uint32_t)rows, (uint32_t)columns };
+}
+
+static void add_vertex(struct mesh_vertex *vertex, double latitude, double longitude)
+{
+    vec3s p = { {
+        (float)(cos(latitude) * sin(longitude)),
+        (float)sin(latitude),
+        (float)(cos(latitude) * cos(longitude)),
+    } };
+    *vertex = (struct mesh_vertex){ .position = p, .normal = p, .color = { { 1, 1, 1 } } };
+}
+
+/* One triangle, if it is more than an edge that ends at a pole. */
+static uint32_t *add_triangle(uint32_t *out, uint32_t a, uint32_t b, uint32_t c)
+{
+    if (a == b || b == c || c == a)
+        return out;
+    out[0] = a;
+    out[1] = b;
+    out[2] = c;
+    return out + 3;
+}
+
+/* Row 0 and the last row of vertices are the poles, one vertex each. */
+static uint32_t vertex_at(struct grid grid, uint32_t row, uint32_t column)
+{
+    if (row == 0)
+        return 0;
+    if (row == grid.rows)
+        return 1 + (grid.rows - 1) * grid.columns;
+    return 1 + (row - 1) * grid.columns + column % grid.columns;
+}
+
+/*
+ * Moves the vertices out until the facets enclose what the unit sphere does. Facets then lie about
+ * as far outside as inside of it, where vertices on it would leave them all inside, and what is
+ * refracted comes three times as near to the sphere's closed forms.
+ */
+static void fill_volume(struct mesh *mesh)
+{
+    double volume = 0;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const vec3s a = mesh->vertices[mesh->indices[i]].position;
+        const vec3s b = mesh->vertices[mesh->indices[i + 1]].position;
+        const vec3s c = mesh->vertices[mesh->indices[i + 2]].position;
+        volume += (double)glms_vec3_dot(a, glms_vec3_cross(b, c)) / 6;
+    }
+    const float radius = (float)cbrt(4 * GLM_PI / 3 / volume);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        mesh->vertices[i].position = glms_vec3_scale(mesh->vertices[i].position, radius);
+}
+
+bool generate_sphere(struct mesh *mesh, uint32_t triangles)
+{
+    struct grid grid = choose_grid(triangles);
+    uint32_t ring_vertices = (grid.rows - 1) * grid.columns;
+    if (!mesh_init(mesh, ring_vertices + 2, 6 * ring_vertices))
+        return false;
+    for (uint32_t row = 0; row <= grid.rows; row++)
+        for (uint32_t column = 0; column < grid.columns; column++)
+            add_vertex(&mesh->vertices[vertex_at(grid, row, column)],
+                       GLM_PI * (0.5 - (double)row / grid.rows),
+                       2 * GLM_PI * (double)column / grid.columns);
+    uint32_t *out = mesh->indices;
+    for (uint32_t row = 0; row < grid.rows; row++) {
+        for (uint32_t column = 0; column < grid.columns; column++) {
+            uint32_t a = vertex_at(grid, row, column);
+            uint32_t b = vertex_at(grid, row + 1, column);
+            uint32_t c = vertex_at(grid, row + 1, column + 1);
+            uint32_t d = vertex_at(grid, row, column + 1);
+            out = add_triangle(out, a, b, c);
+            out = add_triangle(out, a, c, d);
+        }
+    }
+    fill_volume(mesh);
+    return true;
+}

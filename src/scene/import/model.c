@@ -1,0 +1,225 @@
+/* model.c: reads a model file through assimp. */
+#include "src/scene/import/model.h"
+#include <assimp/cimport.h>
+#include <assimp/postprocess.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "src/base/log.h"
+#include "src/scene/import/model_import.h"
+
+enum status model_no_memory(const char *path)
+{
+    log_error("%s: out of memory", path);
+    return STATUS_TRY_AGAIN;
+}
+
+static enum status check_file(const char *path)
+{
+    struct stat info;
+    if (stat(path, &info) != 0 || access(path, R_OK) != 0) {
+        log_error("%s: %s", path, strerror(errno));
+        return STATUS_NO_INPUT;
+    }
+    if (!S_ISREG(info.st_mode)) {
+        log_error("%s: it is not a file", path);
+        return STATUS_NO_INPUT;
+    }
+    if (info.st_size == 0) {
+        log_error("%s: the file is empty", path);
+        return STATUS_DATA;
+    }
+    return STATUS_OK;
+}
+
+static const char *extension_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const char *dot = strrchr(slash ? slash : path, '.');
+    return dot ? dot : "";
+}
+
+/* assimp leaves such triangles of a glTF file out, and only its log says so. */
+static void watch_log(const char *message, char *found)
+{
+    if (strstr(message, "out-of-range indices"))
+        *found = 1;
+}
+
+static enum status parse(struct model_import *import)
+{
+    char has_bad_indices = 0;
+    struct aiLogStream watch = { .callback = watch_log, .user = &has_bad_indices };
+    struct aiFileIO files = model_file_io(import);
+    aiAttachLogStream(&watch);
+    import->scene = aiImportFileEx(import->path, 0, &files);
+    aiDetachLogStream(&watch);
+    if (import->refused[0]) {
+        log_error("%s: it names %s: what a model names must be within its folder", import->path,
+                  import->refused);
+        return STATUS_DATA;
+    }
+    if (!import->scene || !import->scene->mRootNode) {
+        log_error("%s: %s", import->path,
+                  import->scene ? "there is nothing in it" : aiGetErrorString());
+        return STATUS_DATA;
+    }
+    if (has_bad_indices) {
+        log_error("%s: a triangle names a vertex that is not there", import->path);
+        return STATUS_DATA;
+    }
+    return STATUS_OK;
+}
+
+static mat4s matrix_from(const struct aiMatrix4x4 *m)
+{
+    return glms_mat4_transpose((mat4s){ .raw = {
+                                            { m->a1, m->a2, m->a3, m->a4 },
+                                            { m->b1, m->b2, m->b3, m->b4 },
+                                            { m->c1, m->c2, m->c3, m->c4 },
+                                            { m->d1, m->d2, m->d3, m->d4 },
+                                        } });
+}
+
+/* Appends the children of nodes[index] to the list. */
+static enum status add_children(struct model_import *import, uint32_t index, uint32_t *room)
+{
+    const struct model_node parent = import->nodes[index];
+    for (uint32_t i = 0; i < parent.node->mNumChildren; i++) {
+        const struct aiNode *child = parent.node->mChildren[i];
+        if (import->node_count == MODEL_NODE_MAX) {
+            log_error("%s: it has more than %d nodes", import->path, MODEL_NODE_MAX);
+            return STATUS_DATA;
+        }
+        if (import->node_count == *room) {
+            *room *= 2;
+            void *grown = realloc(import->nodes, *room * sizeof(*import->nodes));
+            if (!grown)
+                return model_no_memory(import->path);
+            import->nodes = grown;
+        }
+        mat4s local = matrix_from(&child->mTransformation);
+        import->nodes[import->node_count++] = (struct model_node){
+            .node = child,
+            .model_from_node = glms_mat4_mul(parent.model_from_node, local),
+        };
+    }
+    return STATUS_OK;
+}
+
+/* Level by level in a list, not by recursion: a file may nest them as deeply as it likes. */
+static enum status list_nodes(struct model_import *import)
+{
+    uint32_t room = 64;
+    const struct aiNode *root = import->scene->mRootNode;
+    import->nodes = malloc(room * sizeof(*import->nodes));
+    if (!import->nodes)
+        return model_no_memory(import->path);
+    import->nodes[0] = (struct model_node){ root, matrix_from(&root->mTransformation) };
+    import->node_count = 1;
+    for (uint32_t i = 0; i < import->node_count; i++) {
+        enum status status = add_children(import, i, &room);
+        if (status != STATUS_OK)
+            return status;
+    }
+    return STATUS_OK;
+}
+
+static enum status convert(struct model_import *import, struct model *model,
+                           enum model_part everything_is)
+{
+    enum status status = list_nodes(import);
+    if (status != STATUS_OK)
+        return status;
+    if (!model_material_read(import))
+        return model_no_memory(import->path);
+    status = model_mesh_check(import);
+    if (status != STATUS_OK)
+        return status;
+    /* in place; a scene that fails is released */
+    import->scene = aiApplyPostProcessing(import->scene, aiProcess_Triangulate);
+    if (!import->scene) {
+        log_error("%s: it cannot be made of triangles: %s", import->path, aiGetErrorString());
+        return STATUS_DATA;
+    }
+    status = model_texture_load(import, &model->textures);
+    if (status == STATUS_OK)
+        status = model_mesh_build(import, model, everything_is);
+    if (status == STATUS_OK)
+        status = model_camera_read(import, model);
+    if (status == STATUS_OK)
+        status = model_box_read(import, model);
+    return status;
+}
+
+enum status model_load(struct model *model, const char *path, enum model_part everything_is)
+{
+    const char *extension = extension_of(path);
+    struct model_import import = {
+        .path = path,
+        .is_gltf = strcasecmp(extension, ".gltf") == 0 || strcasecmp(extension, ".glb") == 0,
+        .is_plain = strcasecmp(extension, ".obj") == 0 || strcasecmp(extension, ".ply") == 0,
+    };
+    *model = (struct model){ 0 };
+    enum status status = check_file(path);
+    if (status != STATUS_OK)
+        return status;
+    if (*extension == '\0' || !aiIsExtensionSupported(extension)) {
+        log_error("%s: not a known kind of model file; .gltf .glb .obj .ply are", path);
+        return STATUS_DATA;
+    }
+    status = parse(&import);
+    if (status == STATUS_OK)
+        status = convert(&import, model, everything_is);
+    if (status != STATUS_OK)
+        model_finish(model);
+    aiReleaseImport(import.scene);
+    free(import.materials);
+    free(import.nodes);
+    return status;
+}
+
+static void renumber(struct mesh *mesh, uint32_t first_layer)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (mesh->vertices[i].material & MESH_TEXTURE_MASK)
+            mesh->vertices[i].material += first_layer;
+    }
+}
+
+enum status model_add_surroundings(struct model *model, struct model *other)
+{
+    struct texture_layers textures = { 0 };
+    enum status status = model_texture_merge(&textures, &model->textures, &other->textures);
+    if (status != STATUS_OK)
+        goto fail;
+    renumber(&other->object, model->textures.count);
+    renumber(&other->surroundings, model->textures.count);
+    if (!mesh_append(&other->object, &other->surroundings) ||
+        !mesh_append(&model->surroundings, &other->object)) {
+        status = model_no_memory("surroundings");
+        goto fail;
+    }
+    free(model->textures.texels);
+    model->textures = textures;
+    textures.texels = NULL;
+    if (other->has_box) {
+        model->has_box = true;
+        model->box = other->box;
+    }
+fail:
+    free(textures.texels);
+    model_finish(other);
+    return status;
+}
+
+void model_finish(struct model *model)
+{
+    mesh_finish(&model->object);
+    mesh_finish(&model->surroundings);
+    free(model->textures.texels);
+    *model = (struct model){ 0 };
+}

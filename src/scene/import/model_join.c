@@ -1,0 +1,121 @@
+/* model_join.c: finds vertices that are bit by bit alike, for smooth normals and small meshes. */
+#include <stdlib.h>
+#include <string.h>
+#include "src/scene/import/model_import.h"
+
+static const uint32_t unused = UINT32_MAX;
+
+_Static_assert(offsetof(struct mesh_vertex, position) == 0, "a position is the first bytes");
+_Static_assert(sizeof(struct mesh_vertex) == 48, "no padding, so all bytes can be compared");
+
+static uint32_t hash(const void *key, size_t size)
+{
+    const unsigned char *bytes = key;
+    uint64_t state = 0x9e3779b97f4a7c15;
+    for (size_t i = 0; i < size; i += sizeof(uint32_t)) {
+        uint32_t word;
+        memcpy(&word, bytes + i, sizeof(word));
+        state = (state ^ word) * 0xff51afd7ed558ccd;
+        state ^= state >> 32;
+    }
+    return (uint32_t)state;
+}
+
+/*
+ * For every vertex the number of the first one that shares its first key_size bytes. The caller
+ * frees it. NULL when memory is short.
+ */
+static uint32_t *find_alike(const struct mesh *mesh, size_t key_size)
+{
+    size_t slot_count = 2;
+    while (slot_count < 2 * (size_t)mesh->vertex_count)
+        slot_count *= 2;
+    uint32_t *slots = calloc(slot_count, sizeof(*slots)); /* vertex + 1, 0: free */
+    uint32_t *alike = malloc(((size_t)mesh->vertex_count + 1) * sizeof(*alike));
+    if (!slots || !alike) {
+        free(slots);
+        free(alike);
+        return NULL;
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const void *key = &mesh->vertices[i];
+        size_t slot = hash(key, key_size) & (slot_count - 1);
+        while (slots[slot] != 0 && memcmp(&mesh->vertices[slots[slot] - 1], key, key_size) != 0)
+            slot = (slot + 1) & (slot_count - 1);
+        if (slots[slot] == 0)
+            slots[slot] = i + 1;
+        alike[i] = slots[slot] - 1;
+    }
+    free(slots);
+    return alike;
+}
+
+static bool has_no_normal(const struct mesh_vertex *vertex)
+{
+    return vertex->normal.x == 0 && vertex->normal.y == 0 && vertex->normal.z == 0;
+}
+
+static bool make_missing_normals(struct mesh *mesh)
+{
+    uint32_t first = 0;
+    while (first < mesh->vertex_count && !has_no_normal(&mesh->vertices[first]))
+        first++;
+    if (first == mesh->vertex_count)
+        return true;
+
+    /* the same triangles, but with one vertex a place, whatever its colour or texture */
+    struct mesh smooth = { 0 };
+    uint32_t *alike = find_alike(mesh, sizeof(vec3s));
+    bool is_done = alike && mesh_append(&smooth, mesh);
+    if (is_done) {
+        for (uint32_t i = 0; i < smooth.index_count; i++)
+            smooth.indices[i] = alike[smooth.indices[i]];
+        mesh_make_normals(&smooth);
+        for (uint32_t i = first; i < mesh->vertex_count; i++) {
+            if (has_no_normal(&mesh->vertices[i]))
+                mesh->vertices[i].normal = smooth.vertices[alike[i]].normal;
+        }
+    }
+    mesh_finish(&smooth);
+    free(alike);
+    return is_done;
+}
+
+/* Numbers the vertices that triangles use in the order of first use; returns how many there are. */
+static uint32_t renumber(const struct mesh *mesh, const uint32_t *alike, uint32_t *number)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        number[i] = unused;
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        uint32_t vertex = alike[mesh->indices[i]];
+        if (number[vertex] == unused)
+            number[vertex] = count++;
+    }
+    return count;
+}
+
+bool model_join_vertices(struct mesh *mesh)
+{
+    if (mesh->index_count == 0)
+        return true;
+    if (!make_missing_normals(mesh))
+        return false;
+    struct mesh joined = { 0 };
+    uint32_t *number = malloc(mesh->vertex_count * sizeof(*number));
+    uint32_t *alike = find_alike(mesh, sizeof(struct mesh_vertex));
+    bool is_done =
+        number && alike && mesh_init(&joined, renumber(mesh, alike, number), mesh->index_count);
+    if (is_done) {
+        for (uint32_t i = 0; i < mesh->index_count; i++) {
+            uint32_t vertex = alike[mesh->indices[i]];
+            joined.indices[i] = number[vertex];
+            joined.vertices[number[vertex]] = mesh->vertices[vertex];
+        }
+        mesh_finish(mesh);
+        *mesh = joined;
+    }
+    free(number);
+    free(alike);
+    return is_done;
+}

@@ -1,0 +1,88 @@
+/* model_material.c: what firn takes from the materials of a model file. */
+#include <assimp/GltfMaterial.h>
+#include <assimp/material.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/scene/import/model_import.h"
+
+static bool read_float(const struct aiMaterial *source, const char *key, float *value)
+{
+    unsigned count = 1;
+    return aiGetMaterialFloatArray(source, key, 0, 0, value, &count) == aiReturn_SUCCESS &&
+           count == 1;
+}
+
+static bool is_string(const struct aiMaterial *source, const char *key, const char *text)
+{
+    struct aiString value = { 0 };
+    return aiGetMaterialString(source, key, 0, 0, &value) == aiReturn_SUCCESS &&
+           strcmp(value.data, text) == 0;
+}
+
+static bool is_made_up(const struct model_import *import, const struct aiMaterial *source)
+{
+    struct aiString name = { 0 };
+    if (import->is_gltf)
+        return false;
+    if (aiGetMaterialString(source, "?mat.name", 0, 0, &name) != aiReturn_SUCCESS)
+        return import->is_plain;
+    return strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0;
+}
+
+static vec3s read_color(const struct aiMaterial *source)
+{
+    struct aiColor4D color = { 1, 1, 1, 1 };
+    if (aiGetMaterialColor(source, AI_MATKEY_BASE_COLOR, &color) != aiReturn_SUCCESS)
+        aiGetMaterialColor(source, AI_MATKEY_COLOR_DIFFUSE, &color);
+    return (vec3s){ { color.r, color.g, color.b } };
+}
+
+static void read_gltf(const struct aiMaterial *source, struct model_material *material)
+{
+    int shading = 0;
+    unsigned count = 1;
+    aiGetMaterialIntegerArray(source, AI_MATKEY_SHADING_MODEL, &shading, &count);
+    if (shading == aiShadingMode_NoShading) /* KHR_materials_unlit */
+        material->flags |= MESH_UNLIT;
+    if (is_string(source, "$mat.gltf.alphaMode", "MASK"))
+        material->flags |= MESH_CUTOUT;
+
+    float transmission = 0;
+    if (read_float(source, "$mat.transmission.factor", &transmission))
+        material->is_transmissive = transmission > 0;
+    /* present only with KHR_materials_ior; absent is not glTF's 1.5 */
+    read_float(source, "$mat.refracti", &material->ior);
+}
+
+bool model_material_texture(const struct aiMaterial *material, struct aiString *name,
+                            uint32_t *uv_index)
+{
+    *uv_index = 0;
+    if (aiGetMaterialTexture(material, aiTextureType_BASE_COLOR, 0, name, NULL, uv_index, NULL,
+                             NULL, NULL, NULL) != aiReturn_SUCCESS &&
+        aiGetMaterialTexture(material, aiTextureType_DIFFUSE, 0, name, NULL, uv_index, NULL, NULL,
+                             NULL, NULL) != aiReturn_SUCCESS)
+        return false;
+    return *uv_index < AI_MAX_NUMBER_OF_TEXTURECOORDS;
+}
+
+bool model_material_read(struct model_import *import)
+{
+    uint32_t count = import->scene->mNumMaterials;
+    import->materials = calloc(count > 0 ? count : 1, sizeof(*import->materials));
+    if (!import->materials)
+        return false;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct aiMaterial *source = import->scene->mMaterials[i];
+        struct model_material *material = &import->materials[i];
+        material->is_made_up = is_made_up(import, source);
+        material->color = material->is_made_up ? glms_vec3_one() : read_color(source);
+        struct aiString name;
+        material->is_textured = model_material_texture(source, &name, &material->uv_index);
+        if (!material->is_textured)
+            material->uv_index = 0;
+        if (import->is_gltf)
+            read_gltf(source, material);
+    }
+    return true;
+}

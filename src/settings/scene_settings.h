@@ -1,0 +1,60 @@
+/* scene_settings.h: parameters of the scene that belong to no technique. */
+#ifndef FIRN_SETTINGS_SCENE_SETTINGS_H
+#define FIRN_SETTINGS_SCENE_SETTINGS_H
+
+#include "src/settings/settings.h"
+
+struct object_params {
+    uint32_t triangles; /* of a built-in object; 0: its default */
+};
+
+struct landscape_params {
+    uint32_t triangles; /* 0: its default */
+    uint32_t flat;      /* 1: a level floor in its place */
+};
+
+struct sky_params {
+    float strength;      /* factor on the procedural sky and its light */
+    float sun_azimuth;   /* degrees; 0 on +Z, 90 on +X */
+    float sun_elevation; /* degrees above the horizon */
+    float sun_strength;  /* factor on the sun's light */
+};
+
+struct texture_params {
+    uint32_t anisotropy; /* of what the ice and its surroundings wear, at most; 1: none */
+};
+
+/* Where time goes: a frame's time is `time` plus its number over `fps`. */
+struct motion_params {
+    float time;     /* seconds */
+    float fps;      /* frames a second */
+    float ice;      /* degrees a second, about +Y through the object's centre */
+    float lights;   /* the same, of the lights */
+    float objects;  /* the same, of what moves around it */
+    uint32_t count; /* of objects that move around it */
+};
+
+struct light_params {
+    uint32_t count;  /* of lights around the object */
+    float strength;  /* of their highlights */
+    float azimuth;   /* of the first, degrees; 0 on +Z, 90 on +X */
+    float elevation; /* degrees above the horizon */
+    float distance;  /* from the object's centre, in its bounding sphere's radii */
+};
+
+/* What the object takes of light that passes it, by Beer and Lambert: exp(-absorb * length). */
+struct absorb_params {
+    float red, green, blue; /* 1 / metre */
+};
+
+/* The box of refract.lookup=box, metres, world; all 0: that of the surroundings. */
+struct local_params {
+    float left, right; /* along x */
+    float bottom, top; /* y */
+    float back, front; /* z: the front is nearer to +Z */
+};
+
+extern const struct setting_group object_settings, landscape_settings, sky_settings,
+    texture_settings, motion_settings, light_settings, absorb_settings, local_settings;
+
+#endif

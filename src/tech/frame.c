@@ -1,0 +1,94 @@
+/* frame.c: what all techniques share. */
+#include "src/tech/frame.h"
+#include "src/scene/mesh.h"
+
+static const VkVertexInputAttributeDescription mesh_attributes[] = {
+    {
+        .location = MESH_POSITION,
+        .format = VK_FORMAT_R32G32B32_SFLOAT,
+        .offset = offsetof(struct mesh_vertex, position),
+    },
+    {
+        .location = MESH_NORMAL,
+        .format = VK_FORMAT_R32G32B32_SFLOAT,
+        .offset = offsetof(struct mesh_vertex, normal),
+    },
+    {
+        .location = MESH_COLOR,
+        .format = VK_FORMAT_R32G32B32_SFLOAT,
+        .offset = offsetof(struct mesh_vertex, color),
+    },
+    {
+        .location = MESH_UV,
+        .format = VK_FORMAT_R32G32_SFLOAT,
+        .offset = offsetof(struct mesh_vertex, uv),
+    },
+    {
+        .location = MESH_MATERIAL,
+        .format = VK_FORMAT_R32_UINT,
+        .offset = offsetof(struct mesh_vertex, material),
+    },
+};
+
+const struct rg_vertex_layout frame_mesh_layout = {
+    .stride = sizeof(struct mesh_vertex),
+    .attribute_count = sizeof(mesh_attributes) / sizeof(mesh_attributes[0]),
+    .attributes = mesh_attributes,
+};
+
+const struct rg_buffer frame_globals = {
+    .name = "frame.globals",
+    .size = sizeof(struct globals),
+    .memory = RG_MEMORY_UPLOAD,
+};
+
+/* Imported; the sizes are those of the stand-ins where the scene has no such picture. */
+const struct rg_image frame_environment = {
+    .name = "frame.environment",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .width = 1,
+    .height = 1,
+};
+
+const struct rg_image frame_textures = {
+    .name = "frame.textures",
+    .format = VK_FORMAT_R8G8B8A8_SRGB,
+    .width = 1,
+    .height = 1,
+    .array = true,
+};
+
+const struct rg_image frame_air = {
+    .name = "frame.air",
+    .format = VK_FORMAT_R8G8_UNORM,
+    .width = 1,
+    .height = 1,
+    .array = true,
+};
+
+const struct rg_sampler frame_linear = { .linear = true };
+
+const struct rg_sampler frame_environment_sampler = {
+    .linear = true,
+    .mips = true,
+    .repeat_u = true,
+};
+
+const struct rg_sampler frame_texture_sampler = {
+    .linear = true,
+    .mips = true,
+    .repeat_u = true,
+    .repeat_v = true,
+    .anisotropy = FRAME_ANISOTROPY,
+};
+
+void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_draw_mesh(cmd, &frame->object);
+}
+
+void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_scissor(cmd, frame->lookup_area);
+    rg_cmd_draw(cmd, 3);
+}

@@ -1,0 +1,29 @@
+/*
+ * overlay.h: panels over the picture in a window.
+ *
+ * Drawn after `present`, to the same image. The triangles and the font's image come from outside:
+ * rg_frame.overlay, and the buffers below, filled before each frame.
+ */
+#ifndef FIRN_VIEW_OVERLAY_H
+#define FIRN_VIEW_OVERLAY_H
+#include "src/tech/technique.h"
+
+enum {
+    OVERLAY_PASS_COUNT = 1,
+};
+
+/* Rows for a window of any format. Points into itself: must not move. */
+struct overlay_tables {
+    struct rg_target targets[OVERLAY_PASS_COUNT];
+    struct rg_pass passes[OVERLAY_PASS_COUNT];
+    struct rg_technique technique;
+};
+
+void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window);
+
+extern const struct rg_image overlay_font;      /* how much of a texel is covered; imported */
+extern const struct rg_buffer overlay_vertices; /* struct overlay_vertex */
+extern const struct rg_buffer overlay_indices;  /* uint32_t */
+extern const struct technique overlay;          /* over present_window */
+
+#endif

@@ -1,0 +1,39 @@
+/*
+ * present.h: a picture in a window, texel by texel; or two, side by side.
+ *
+ * The pictures (tonemap_color and, right of a line, present_right) and the window's image are
+ * imported by a plan of their own, apart from that of the frame. The window's format is known at
+ * run time only, so its rows are made then.
+ */
+#ifndef FIRN_VIEW_PRESENT_H
+#define FIRN_VIEW_PRESENT_H
+#include "shaders/present.h"
+#include "src/tech/technique.h"
+
+struct overlay_list;
+
+/* What the techniques of a window read: rg_frame.window. */
+struct window_frame {
+    struct present_push present;        /* but for the edge, which each pass has its own */
+    const struct overlay_list *overlay; /* src/view/overlay_list.h; NULL: nothing lies over it */
+};
+
+enum {
+    PRESENT_PASS_COUNT = 2,
+};
+
+/* Points into itself: must not move. */
+struct present_tables {
+    struct rg_image window;
+    struct rg_target targets[PRESENT_PASS_COUNT];
+    struct rg_pass passes[PRESENT_PASS_COUNT];
+    struct rg_technique technique;
+};
+
+void present_tables_init(struct present_tables *tables, VkFormat format);
+
+extern const struct rg_image present_window; /* the same for the format most windows have */
+extern const struct rg_image present_right;  /* as tonemap_color */
+extern const struct technique present;
+
+#endif

@@ -1,0 +1,154 @@
+/*
+ * imgui.h: Dear ImGui for C: as much of it as firn-view needs.
+ *
+ *     imgui_begin(ui, &input)
+ *     ... panels and what is in them ...
+ *     imgui_end(ui)
+ *     imgui_take(ui, vertices, indices, &list)    if it is drawn
+ *
+ * Lengths are pixels. Labels name their thing within its panel: what follows "##" in them is not
+ * shown. Everything between begin and end works on the one context there is: of imgui_create().
+ */
+#ifndef FIRN_VIEW_UI_IMGUI_H
+#define FIRN_VIEW_UI_IMGUI_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "src/view/overlay_list.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum imgui_key {
+    IMGUI_TAB,
+    IMGUI_LEFT,
+    IMGUI_RIGHT,
+    IMGUI_UP,
+    IMGUI_DOWN,
+    IMGUI_PAGE_UP,
+    IMGUI_PAGE_DOWN,
+    IMGUI_HOME,
+    IMGUI_END,
+    IMGUI_DELETE,
+    IMGUI_BACKSPACE,
+    IMGUI_SPACE,
+    IMGUI_ENTER,
+    IMGUI_ESCAPE,
+    IMGUI_A, /* with Ctrl, in a line of text: all */
+    IMGUI_C, /* copy */
+    IMGUI_V, /* paste */
+    IMGUI_X, /* cut */
+    IMGUI_Z, /* undo */
+    IMGUI_KEY_COUNT,
+};
+
+enum {
+    IMGUI_BUTTON_COUNT = 3,     /* left, right, middle */
+    IMGUI_CHARACTER_COUNT = 16, /* in a frame */
+};
+
+/* How hands stand when a frame begins. */
+struct imgui_input {
+    float seconds;       /* since the last frame */
+    float width, height; /* of the window */
+    float x, y;          /* of the cursor */
+    bool buttons[IMGUI_BUTTON_COUNT];
+    float wheel; /* steps since the last frame */
+    bool keys[IMGUI_KEY_COUNT];
+    bool control, shift, alt;
+    unsigned characters[IMGUI_CHARACTER_COUNT]; /* typed since the last frame */
+    uint32_t character_count;
+};
+
+struct imgui;
+
+/* All sizes are multiplied by `scale`. NULL: out of memory. There is at most one. */
+struct imgui *imgui_create(float scale);
+void imgui_destroy(struct imgui *ui); /* may be NULL */
+
+/* The font's image, a byte a texel: how much is covered. Valid until imgui_destroy(). */
+const uint8_t *imgui_font(const struct imgui *ui, uint32_t *width, uint32_t *height);
+
+void imgui_begin(struct imgui *ui, const struct imgui_input *input);
+void imgui_end(struct imgui *ui);
+
+/* What the frame that ended last looks like; room for OVERLAY_*_COUNT. False: there is more, which
+ * is left out. */
+bool imgui_take(const struct imgui *ui, struct overlay_vertex *vertices, uint32_t *indices,
+                struct overlay_list *list);
+
+/* ---- between frames ---- */
+
+bool imgui_covers(const struct imgui *ui, float x, float y); /* a panel lies there */
+bool imgui_has_keys(const struct imgui *ui);                 /* keys move within a panel */
+bool imgui_has_text(const struct imgui *ui);                 /* a line of text is being typed */
+
+/* ---- panels, between begin and end ---- */
+
+struct imgui_place {
+    float x, y, width, height;
+};
+
+/* `place`: where it appears at first, before all is scaled; a hand can move it. With `open` it has
+ * a button that closes it, which sets *open to false. False: nothing of it shows; end it all the
+ * same. */
+bool imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_place place, bool *open);
+void imgui_panel_end(void);
+void imgui_focus_panel(const char *title); /* keys go there; NULL: to none */
+bool imgui_is_active(void);                /* something is being dragged, typed or chosen */
+float imgui_scale(void);                   /* of imgui_create() */
+float imgui_line(void);                    /* height of a row */
+float imgui_room(void);                    /* width that is left in this row */
+
+/* ---- what is in them ---- */
+
+void imgui_same_line(float x); /* what comes next; x from the panel's left, 0: just beside */
+void imgui_next_width(float width);
+void imgui_next_focus(void);         /* keys go to what comes next */
+void imgui_id_begin(const void *id); /* the same labels name other things until: */
+void imgui_id_end(void);
+void imgui_tip(const char *text); /* shown while the cursor rests on what came before */
+
+void imgui_text(const char *text);
+void imgui_text_dim(const char *text);
+void imgui_warning(const char *text); /* red, in as many lines as it needs */
+void imgui_separator(void);
+bool imgui_button(const char *label);
+bool imgui_small_button(const char *label);
+bool imgui_group(const char *label, bool open); /* whether it is open; `open`: it is */
+
+/* True if a hand has changed the value. `format` is printf's, of one float or unsigned. */
+bool imgui_checkbox(const char *label, bool *value);
+bool imgui_list(const char *label, const char *const *names, uint32_t count, uint32_t *index);
+bool imgui_line_of_text(const char *label, const char *hint, char *text, size_t size);
+
+struct imgui_slide {
+    float min, max;
+    const char *format;
+    bool logarithmic;
+};
+
+bool imgui_slider(const char *label, float *value, const struct imgui_slide *slide);
+bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_slide *slide);
+
+/* A number to be typed, with buttons for one more and one less; true when it is complete. */
+bool imgui_number(const char *label, uint32_t *value);
+
+/* ---- drawing ---- */
+
+#define IMGUI_RGBA(r, g, b, a) \
+    ((uint32_t)(a) << 24 | (uint32_t)(b) << 16 | (uint32_t)(g) << 8 | (uint32_t)(r))
+
+/* Room in the panel: where it lies. */
+struct imgui_place imgui_canvas(float width, float height);
+void imgui_rectangle(struct imgui_place place, uint32_t color);
+void imgui_hint(const char *text);            /* beside the cursor */
+bool imgui_is_over(struct imgui_place place); /* the cursor */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,235 @@
+/* ui.c: what panels hear, and when they run. */
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/view/ui/ui_internal.h"
+
+enum {
+    SETTLE_COUNT = 3, /* frames after an event until nothing moves any more */
+};
+
+/* ---- life ---- */
+
+static enum status make_font(struct ui *ui)
+{
+    struct gpu_image_params params = {
+        .name = "overlay.font",
+        .format = VK_FORMAT_R8_UNORM,
+    };
+    params.texels = imgui_font(ui->imgui, &params.width, &params.height);
+    params.texels_size = (size_t)params.width * params.height;
+    return gpu_image_create(ui->gpu, &ui->font, &params);
+}
+
+enum status ui_create(struct ui **ui, struct gpu *gpu, float scale)
+{
+    struct ui *u = calloc(1, sizeof(*u));
+    *ui = u;
+    if (u) {
+        u->gpu = gpu;
+        u->scale = scale;
+        u->imgui = imgui_create(scale);
+    }
+    if (u && u->imgui)
+        return make_font(u);
+    log_error("out of memory");
+    return STATUS_TRY_AGAIN;
+}
+
+void ui_destroy(struct ui *ui)
+{
+    if (!ui)
+        return;
+    gpu_image_destroy(ui->gpu, &ui->font);
+    imgui_destroy(ui->imgui);
+    free(ui);
+}
+
+void ui_show(struct ui *ui, bool shown)
+{
+    ui->shown = shown;
+    ui->settle = SETTLE_COUNT;
+    ui->buttons = 0;
+    ui->grabbed = false;
+    ui->input.event_count = 0;
+    memset(ui->input.now.buttons, 0, sizeof(ui->input.now.buttons));
+    memset(ui->input.now.keys, 0, sizeof(ui->input.now.keys));
+}
+
+bool ui_is_shown(const struct ui *ui)
+{
+    return ui->shown;
+}
+
+bool ui_is_busy(const struct ui *ui)
+{
+    return ui->shown && (ui->settle || ui->held || ui->input.event_count);
+}
+
+const struct gpu_image *ui_font(const struct ui *ui)
+{
+    return &ui->font;
+}
+
+void ui_say(struct ui *ui, const char *words)
+{
+    snprintf(ui->words, sizeof(ui->words), "%s", words);
+}
+
+void ui_complain(struct ui *ui, const char *words)
+{
+    if (strncmp(ui->fault, words, sizeof(ui->fault) - 1) == 0)
+        return;
+    snprintf(ui->fault, sizeof(ui->fault), "%s", words);
+    ui->settle = SETTLE_COUNT;
+}
+
+void ui_toggle(struct ui *ui, enum view_action action)
+{
+    bool *open = action == VIEW_TIMES  ? &ui->times_open
+                 : action == VIEW_PLAN ? &ui->plan_open
+                                       : &ui->keys_open;
+    *open = !*open || !ui->shown;
+    ui->settle = SETTLE_COUNT;
+}
+
+/* ---- what hands do ---- */
+
+static bool hear_button(struct ui *ui, const struct window_event *event)
+{
+    const unsigned bit = 1u << (event->code & 31);
+    if (event->down && !ui->buttons)
+        ui->grabbed = imgui_covers(ui->imgui, ui->x, ui->y);
+    ui->buttons = event->down ? ui->buttons | bit : ui->buttons & ~bit;
+    return ui->grabbed;
+}
+
+static bool has_keys(const struct ui *ui)
+{
+    return imgui_has_keys(ui->imgui) && !ui->released;
+}
+
+/* Keys that do something within a panel that has them; all others are for the picture even then. */
+static bool hear_key(struct ui *ui, const struct window_event *event)
+{
+    const bool function = event->code >= GLFW_KEY_F1 && event->code <= GLFW_KEY_F25;
+    const bool kept = !function && (ui->held || has_keys(ui));
+    if (event->down && event->code == GLFW_KEY_TAB && !kept) {
+        ui->focus_panel = true;
+        ui->searches = false;
+        ui->held = SETTLE_COUNT;
+        return true;
+    }
+    if (event->down && event->code == GLFW_KEY_ESCAPE && has_keys(ui) && !imgui_is_active()) {
+        imgui_focus_panel(NULL);
+        ui->released = true;
+        return true;
+    }
+    ui_input_add(&ui->input, event);
+    return kept;
+}
+
+static bool hear_character(struct ui *ui, const struct window_event *event)
+{
+    if (imgui_has_text(ui->imgui) || ui->held) {
+        ui_input_add(&ui->input, event);
+        return true;
+    }
+    if (event->code == '/') {
+        ui->focus_search = ui->searches = true;
+        ui->held = SETTLE_COUNT;
+        return true;
+    }
+    return event->code == ' ' && has_keys(ui);
+}
+
+bool ui_hear(void *user, const struct window_event *event)
+{
+    struct ui *ui = user;
+    if (event->kind == WINDOW_CURSOR) {
+        ui->x = (float)event->x;
+        ui->y = (float)event->y;
+    }
+    if (!ui->shown)
+        return false;
+    ui->settle = SETTLE_COUNT;
+    if (event->kind == WINDOW_KEY)
+        return hear_key(ui, event);
+    if (event->kind == WINDOW_CHARACTER)
+        return hear_character(ui, event);
+    ui_input_add(&ui->input, event);
+    if (event->kind == WINDOW_BUTTON)
+        return hear_button(ui, event);
+    return event->kind == WINDOW_WHEEL ? imgui_covers(ui->imgui, ui->x, ui->y) : ui->grabbed;
+}
+
+/* ---- a frame ---- */
+
+static void add_times(struct ui_times *sums, struct renderer *renderer)
+{
+    if (!renderer)
+        return;
+    const struct rg_times times = renderer_times(renderer);
+    ui_times_add(sums, renderer_frame(renderer), &times);
+}
+
+static void measure(struct ui *ui, const struct ui_view *view)
+{
+    ui_pace_add(&ui->pace, &view->pace);
+    add_times(&ui->frame_times, view->picture->renderer);
+    add_times(&ui->right_times, view->picture->right);
+    if (view->screen->exec) {
+        const struct rg_times times = rg_exec_times(view->screen->exec);
+        ui_times_add(&ui->window_times, view->screen->plan, &times);
+    }
+}
+
+/* What was typed ahead waits until there is a line of text or a panel for it. */
+static void take_input(struct ui *ui)
+{
+    const bool there = ui->searches ? imgui_has_text(ui->imgui) : imgui_has_keys(ui->imgui);
+    ui->released = false;
+    if (ui->held && !there) {
+        ui->held--;
+        return;
+    }
+    const bool escaped = ui->input.now.keys[IMGUI_ESCAPE];
+    ui->held = 0;
+    ui_input_step(&ui->input);
+    if (!escaped && ui->input.now.keys[IMGUI_ESCAPE] && !imgui_is_active())
+        imgui_focus_panel(NULL); /* it waited, too */
+}
+
+void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
+{
+    struct imgui_input *input = &ui->input.now;
+    *wish = (struct ui_wish){
+        .settings = view->picture->o.settings,
+        .rung = view->picture->o.rung,
+        .split = view->picture->o.split,
+    };
+    take_input(ui);
+    ui->settle -= ui->settle ? 1 : 0;
+    input->seconds = ui->last > 0.0 ? (float)(view->now - ui->last) : 0.0f;
+    input->width = (float)view->size.width;
+    input->height = (float)view->size.height;
+    ui->last = view->now;
+    measure(ui, view);
+    imgui_begin(ui->imgui, input);
+    ui_panels(ui, view, wish);
+    imgui_end(ui->imgui);
+}
+
+const struct overlay_list *ui_take(struct ui *ui, struct overlay_vertex *vertices,
+                                   uint32_t *indices)
+{
+    if (!ui->shown)
+        ui->list.part_count = 0;
+    const bool whole = !ui->shown || imgui_take(ui->imgui, vertices, indices, &ui->list);
+    if (!whole && !ui->is_full)
+        log_warning("there is more in the panels than can be drawn: the rest is left out");
+    ui->is_full = ui->is_full || !whole;
+    return &ui->list;
+}

@@ -1,0 +1,69 @@
+/*
+ * ui.h: panels over the picture: settings, times, plan, keys.
+ *
+ * Hears of hands first (ui_hear) and keeps to itself what is meant for panels. Hidden it costs
+ * nothing and keeps nothing.
+ */
+#ifndef FIRN_VIEW_UI_UI_H
+#define FIRN_VIEW_UI_UI_H
+
+#include "src/view/overlay_list.h"
+#include "src/view/picture.h"
+#include "src/view/screen.h"
+#include "src/view/ui/ui_pace.h"
+#include "src/view/window.h"
+
+struct ui;
+
+/* `scale`: of all sizes. Logs. */
+MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale);
+void ui_destroy(struct ui *ui); /* may be NULL */
+
+window_listen_fn ui_hear; /* user: the ui */
+
+void ui_show(struct ui *ui, bool shown);
+bool ui_is_shown(const struct ui *ui);
+
+/* Shown, and not yet up to date with what hands did. */
+bool ui_is_busy(const struct ui *ui);
+
+/* For screen_lay_over(). */
+const struct gpu_image *ui_font(const struct ui *ui);
+
+/* What the panels tell of. */
+struct ui_view {
+    const struct picture *picture;
+    const struct screen *screen;
+    struct ui_pace pace; /* of the last frame */
+    double now;          /* seconds */
+    VkExtent2D size;     /* of the window, pixels */
+    bool paused;
+};
+
+/* What a hand wants. */
+struct ui_wish {
+    enum view_action action; /* VIEW_NOTHING: none */
+    bool changed;            /* these: */
+    struct settings settings;
+    const struct rung *rung;
+    const struct rung *split; /* whatever is changed: on the right; NULL: not split */
+};
+
+/* Opens or closes what an action names: times, plan, keys. */
+void ui_toggle(struct ui *ui, enum view_action action);
+
+/* Words that stand in the panel until others do; cut where they are too long. */
+void ui_say(struct ui *ui, const char *words);
+
+/* What is wrong, until it is not: "". Stands in red. */
+void ui_complain(struct ui *ui, const char *words);
+
+/* Runs the panels; before the frame they are drawn in. */
+void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish);
+
+/* Writes what is to be drawn, nothing while hidden; arrays of OVERLAY_*_COUNT. The list is the
+ * ui's. */
+const struct overlay_list *ui_take(struct ui *ui, struct overlay_vertex *vertices,
+                                   uint32_t *indices);
+
+#endif

@@ -1,0 +1,160 @@
+/* ui_command.c: options in words. */
+#include "src/view/ui/ui_command.h"
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/shell_words.h"
+#include "src/base/log.h"
+#include "src/scene/material.h"
+#include "src/tech/refract.h"
+
+static const float leaning = 1e-4f; /* of the picture's axes, from where +Y would put them */
+
+static void print_name(FILE *out, const char *option, const char *name)
+{
+    if (!name)
+        return;
+    fprintf(out, " --%s ", option);
+    shell_words_quote(name, out);
+}
+
+static void print_vector(FILE *out, const char *option, vec3s v)
+{
+    fprintf(out, " --%s ", option);
+    for (int i = 0; i < 3; i++) {
+        if (i)
+            fputc(',', out);
+        settings_print_number(v.raw[i], out);
+    }
+}
+
+static void print_fov(FILE *out, float fov_deg)
+{
+    fputs(" --fov ", out);
+    settings_print_number(fov_deg, out);
+}
+
+/* ---- the camera ---- */
+
+static bool same_camera(const struct camera *a, const struct camera *b)
+{
+    return glms_vec3_eqv(a->eye, b->eye) && glms_vec3_eqv(a->target, b->target) &&
+           glms_vec3_eqv(a->up, b->up) && !(a->fov_deg < b->fov_deg || a->fov_deg > b->fov_deg);
+}
+
+static bool leans(const struct camera *camera)
+{
+    struct camera upright = *camera;
+    upright.up = (vec3s){ 0 };
+    return glms_vec3_distance(camera_basis(camera).up, camera_basis(&upright).up) > leaning;
+}
+
+/* The options that placed it, if they still do, in a picture of this size. */
+static void print_camera(FILE *out, const struct ui_command *c)
+{
+    const struct app_options *o = c->options;
+    struct camera given;
+    if (app_camera(&given, c->scene, o) == STATUS_OK && same_camera(&given, c->camera)) {
+        if (o->has_orbit)
+            print_vector(out, "orbit", o->orbit);
+        if (o->has_eye)
+            print_vector(out, "eye", o->eye);
+        if (o->has_target)
+            print_vector(out, "target", o->target);
+        if (o->has_fov)
+            print_fov(out, o->fov_deg);
+        return;
+    }
+    if (leans(c->camera))
+        log_warning("the camera leans, which no option of firn render can say");
+    print_vector(out, "eye", c->camera->eye);
+    print_vector(out, "target", c->camera->target);
+    print_fov(out, c->camera->fov_deg);
+}
+
+/* ---- settings ---- */
+
+static bool differ(double a, double b)
+{
+    return a < b || a > b;
+}
+
+static void print_setting(FILE *out, const struct settings *settings, const struct setting *row)
+{
+    fprintf(out, " --set %s=", row->name);
+    settings_print(settings, row, out);
+}
+
+/* Unless it is what the model, or firn, has by itself. */
+static void print_ior(FILE *out, const struct ui_command *c)
+{
+    const struct setting *row = &refract_settings.rows[0];
+    const struct model *model = &c->scene->model;
+    const struct settings defaults = settings_default();
+    const double ior = settings_get(&c->options->settings, row);
+    if (!differ(ior, model->has_ior ? (double)model->ior : settings_get(&defaults, row)))
+        return;
+    for (const struct material *m = materials; m->name; m++) {
+        if (!differ((double)m->ior, ior)) {
+            print_name(out, "material", m->name);
+            return;
+        }
+    }
+    print_setting(out, &c->options->settings, row);
+}
+
+static void print_settings(FILE *out, const struct ui_command *c)
+{
+    const struct settings defaults = settings_default();
+    struct settings settings = c->options->settings;
+    settings_put(&settings, settings_find("motion.time"), (double)c->time);
+    for (size_t g = 0; setting_groups[g]; g++) {
+        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
+            const struct setting *row = &setting_groups[g]->rows[r];
+            if (row != &refract_settings.rows[0] &&
+                differ(settings_get(&settings, row), settings_get(&defaults, row)))
+                print_setting(out, &settings, row);
+        }
+    }
+}
+
+/* ---- all of it ---- */
+
+static void print(FILE *out, const struct ui_command *c)
+{
+    const struct app_options *o = c->options;
+    fputs("firn render ", out);
+    if (o->positionals[0][0] == '-') /* else an option */
+        fputs("./", out);
+    shell_words_quote(o->positionals[0], out);
+    fprintf(out, " --size %ux%u", o->width, o->height);
+    if (o->samples > 1)
+        fprintf(out, " --samples %u", o->samples);
+    if (o->rung != &frame_rungs[0])
+        print_name(out, "refraction", o->rung->name);
+    print_ior(out, c);
+    print_settings(out, c);
+    print_name(out, "env", o->environment);
+    print_name(out, "surroundings", o->surroundings);
+    if (o->has_background)
+        print_vector(out, "background", o->background);
+    print_camera(out, c);
+    fputs(" -o firn.png", out);
+}
+
+char *ui_command_print(const struct ui_command *command)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    bool ok = out != NULL;
+    if (out) {
+        print(out, command);
+        ok = !ferror(out);
+        ok = !fclose(out) && ok;
+    }
+    if (ok)
+        return text;
+    log_error("out of memory");
+    free(text);
+    return NULL;
+}

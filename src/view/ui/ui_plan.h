@@ -1,0 +1,12 @@
+/*
+ * ui_plan.h: a plan as a small picture: passes from left to right, resources as bars over their
+ * life.
+ */
+#ifndef FIRN_VIEW_UI_UI_PLAN_H
+#define FIRN_VIEW_UI_UI_PLAN_H
+
+#include "graph/rg.h"
+
+void ui_plan_panel(const struct rg_plan *plan);
+
+#endif
