@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include "graph/rg_time.h"
 #include "src/base/status.h"
-#include "src/frame/frames.h"
+#include "src/frame/layers.h"
 #include "src/gpu/gpu_swapchain.h"
 #include "src/metric/comparison.h"
 #include "src/scene/scene.h"
@@ -80,7 +80,7 @@ struct app_options {
     uint32_t layers;                  /* bit i: frame_layers[i] */
     bool all_layers;                  /* that the rung makes; app_parse() puts them into `layers` */
     const struct frame_layer *show;   /* what PNG files show; NULL: the tonemapped picture */
-    const struct rung *rung;
+    const struct technique *rung;
     const char *material, *environment, *surroundings, *device;
     vec3s background, eye, target, orbit;   /* orbit: azimuth, elevation (degrees), distance */
     uint32_t load_seconds, load_memory_gib; /* for one file; 0: as in decode.h */
@@ -102,11 +102,11 @@ struct app_options {
     const char *sweeps[APP_SWEEP_COUNT]; /* "name=a,b,c" */
     uint32_t sweep_count;
     bool each, capture;
-    uint32_t frame_count;     /* of firn view: ends after so many; 0: when it is closed */
-    uint32_t fps_limit;       /* frames a second; 0: none */
-    const struct rung *split; /* on the right of the window; NULL: it is not split */
-    const char *watch;        /* folder of shaders; NULL: none */
-    VkPresentModeKHR present; /* 0 means FIFO */
+    uint32_t frame_count;          /* of firn view: ends after so many; 0: when it is closed */
+    uint32_t fps_limit;            /* frames a second; 0: none */
+    const struct technique *split; /* on the right of the window; NULL: it is not split */
+    const char *watch;             /* folder of shaders; NULL: none */
+    VkPresentModeKHR present;      /* 0 means FIFO */
     enum app_overlay overlay;
     enum rg_sharing sharing;
     struct app_diff diff; /* its mask is of firn ladder's truth, too */
@@ -165,6 +165,12 @@ enum status app_sheet(const struct app_options *options);
 enum status app_farm(const struct app_options *given);
 enum status app_merge(const struct app_options *options);
 
+struct bump_maps_params;
+
+/* What the options say of the scene; the result points to `maps` and into the options. */
+struct scene_params app_describe_scene(const struct app_options *options,
+                                       struct bump_maps_params *maps);
+
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);
 
@@ -176,9 +182,6 @@ MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *opt
 MUST_USE enum status app_begin_scene(struct scene *scene, struct app_options *options);
 MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_options *options);
 enum status app_fill_failed(const char *lacking);
-
-/* Whether both sets of options, of the same words, load the same scene. */
-bool app_same_scene(const struct app_options *a, const struct app_options *b);
 
 /* The camera of the options, else the model's, else one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,

@@ -15,8 +15,9 @@ struct source {
 
 const struct frame_layer *layer_picture_find(const char *name)
 {
-    char names[32 * FRAME_LAYER_COUNT] = "";
-    for (const struct frame_layer *layer = frame_layers; layer->name; layer++) {
+    char names[32 * FRAME_LAYER_MAX] = "";
+    const struct frame_layer *layer;
+    for (size_t i = 0; (layer = techniques_layer(i)); i++) {
         if (!strcmp(layer->name, name))
             return layer;
         if (*names)
@@ -29,7 +30,11 @@ const struct frame_layer *layer_picture_find(const char *name)
 
 uint32_t layer_picture_bit(const struct frame_layer *layer)
 {
-    return layer ? 1u << (layer - frame_layers) : 0;
+    for (size_t i = 0; layer && techniques_layer(i); i++) {
+        if (techniques_layer(i) == layer)
+            return 1u << i;
+    }
+    return 0;
 }
 
 static uint8_t quantise(float x)

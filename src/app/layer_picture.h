@@ -9,13 +9,13 @@
 #ifndef FIRN_APP_LAYER_PICTURE_H
 #define FIRN_APP_LAYER_PICTURE_H
 
-#include "src/frame/frames.h"
+#include "src/frame/layers.h"
 #include "src/image/image.h"
 
-/* The row of frame_layers of that name, or NULL and a line logged that lists them all. */
+/* The layer of that name, or NULL and a line logged that lists them all. */
 const struct frame_layer *layer_picture_find(const char *name);
 
-/* Bit i of renderer_params.layers for &frame_layers[i]; 0 for NULL. */
+/* Bit i of renderer_params.layers for techniques_layer(i); 0 for NULL. */
 uint32_t layer_picture_bit(const struct frame_layer *layer);
 
 /* width * height * 4 bytes, as png_picture.rgba; NULL when memory is short, logged. The caller

@@ -7,6 +7,7 @@
 #include "src/gpu/gpu.h"
 #include "src/reference/reference.h"
 #include "src/scene/material.h"
+#include "src/tech/refract_reference.h"
 
 static enum status list_scenes(void)
 {
@@ -22,9 +23,10 @@ static enum status list_scenes(void)
 
 static enum status list_rungs(void)
 {
-    for (const struct rung *rung = frame_rungs; rung->name; rung++)
-        printf("  %-14s %s\n", rung->name, rung->technique->help);
-    printf("  %-14s the truth, traced on the CPU%s\n", reference_rung.name,
+    const struct technique *rung;
+    for (size_t r = 0; (rung = techniques_rung(r)); r++)
+        printf("  %-14s %s\n", rung->rung.name, rung->help);
+    printf("  %-14s %s%s\n", refract_reference.rung.name, refract_reference.help,
            reference_is_built() ? "" : " (not in this build, which has no Embree)");
     return STATUS_OK;
 }
@@ -38,7 +40,8 @@ static enum status list_materials(void)
 
 static enum status list_layers(void)
 {
-    for (const struct frame_layer *layer = frame_layers; layer->name; layer++)
+    const struct frame_layer *layer;
+    for (size_t i = 0; (layer = techniques_layer(i)); i++)
         printf("  %-14s %s%s\n", layer->name, layer->help,
                layer->image ? "" : " (reference alone)");
     return STATUS_OK;
@@ -47,9 +50,10 @@ static enum status list_layers(void)
 static enum status list_settings(void)
 {
     const struct settings defaults = settings_default();
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
-            const struct setting *row = &setting_groups[g]->rows[r];
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
             printf("  %-22s %s; default ", row->name, row->help);
             settings_print(&defaults, row, stdout);
             if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)

@@ -7,12 +7,14 @@
 #include "src/app/layer_picture.h"
 #include "src/base/log.h"
 #include "src/base/tile.h"
+#include "src/frame/list.h"
 #include "src/frame/view.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
 #include "src/image/png.h"
 #include "src/reference/reference.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/refract_reference.h"
 #include "src/version.h"
 
 /* In the order of the files; the device comes last, for it does not count in comparisons. */
@@ -42,9 +44,10 @@ static void print_vector(FILE *out, const char *name, vec3s v)
 
 static void print_settings(FILE *out, const struct settings *settings)
 {
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
-            const struct setting *row = &setting_groups[g]->rows[r];
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
             fprintf(out, " %s=", row->name);
             settings_print(settings, row, out);
         }
@@ -52,10 +55,10 @@ static void print_settings(FILE *out, const struct settings *settings)
 }
 
 /* The time at which an environment cube that stays the same is drawn. */
-static void print_cube_time(FILE *out, const struct settings *settings)
+static void print_cube_time(FILE *out, const struct settings *settings, const struct scene *scene)
 {
     const struct motion_params *motion = settings_of(settings, &motion_settings);
-    if (!frame_cube_is_dynamic(settings))
+    if (!frame_draws_cube(settings, scene))
         fprintf(out, " cube_time=%.9g", (double)motion->time);
 }
 
@@ -71,11 +74,11 @@ static bool describe(const struct output *output, const struct frame_layer *show
     settings_put(&settings, settings_find("motion.time"), (double)output->shot.time);
     if (out) {
         fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", o->positionals[0],
-                o->rung->name, o->width, o->height, o->samples);
+                o->rung->rung.name, o->width, o->height, o->samples);
         if (o->interleaved) /* other tiles change nothing */
             fprintf(out, " interleaved=%ux%u", o->tile_columns, o->tile_rows);
         if (o->split)
-            fprintf(out, " split=%s", o->split->name);
+            fprintf(out, " split=%s", o->split->rung.name);
         if (show)
             fprintf(out, " show=%s", show->name);
         if (o->environment)
@@ -88,7 +91,7 @@ static bool describe(const struct output *output, const struct frame_layer *show
         print_vector(out, "target", camera->target);
         fprintf(out, " fov=%.9g", (double)camera->fov_deg);
         print_settings(out, &settings);
-        print_cube_time(out, &o->settings);
+        print_cube_time(out, &o->settings, output->scene);
         ok = !ferror(out);
         ok = !fclose(out) && ok;
     }
@@ -171,7 +174,7 @@ enum status output_check_tiles(const struct app_options *o)
     if (!o->tile_columns && (o->tile || o->interleaved)) {
         wrong = o->tile ? "--tile needs --tiles" : "--interleaved needs --tiles";
     } else if (o->tile_columns) {
-        if (o->rung == &reference_rung)
+        if (o->rung == &refract_reference)
             wrong = "--refraction reference: it needs no --tiles, it traces the picture as it is";
         else if (o->tile > o->tile_columns * o->tile_rows)
             wrong = "--tile: there are not so many --tiles";
@@ -189,7 +192,7 @@ enum status output_check_tiles(const struct app_options *o)
 /* ---- files that are there ---- */
 
 enum {
-    PLANE_COUNT_MAX = 4 * (FRAME_LAYER_COUNT + 1)
+    PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1)
 };
 
 static void add_layer(struct image *image, const struct frame_layer *layer)
@@ -214,9 +217,9 @@ static bool exr_is_current(const struct output *output, const char *path, const 
     };
 
     add_layer(&image, &frame_beauty);
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
+    for (uint32_t i = 0; techniques_layer(i); i++) {
         if (o->layers & 1u << i)
-            add_layer(&image, &frame_layers[i]);
+            add_layer(&image, techniques_layer(i));
     }
     return exr_matches(path, &image, &header);
 }
@@ -259,9 +262,8 @@ static enum status encode_exr(const struct output *output, const struct render_r
     const struct app_options *o = output->options;
     const struct camera *camera = &output->shot.camera;
     const mat4s view = camera_view_from_world(camera);
-    const mat4s ndc =
-        camera_clip_from_world(camera, o->width, o->height, frame_view_near_plane(output->scene),
-                               (vec2s){ { 0.0f, 0.0f } });
+    const mat4s ndc = camera_clip_from_world(
+        camera, o->width, o->height, scene_near_plane(output->scene), (vec2s){ { 0.0f, 0.0f } });
     /* column-major matrices for column vectors are row-major ones for row vectors */
     const struct exr_header header = {
         .texts = texts->all,

@@ -46,14 +46,15 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
 static bool describe_settings(struct profile *p, const struct settings *settings)
 {
     size_t count = 0;
-    for (size_t g = 0; setting_groups[g]; g++)
-        count += setting_groups[g]->row_count;
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++)
+        count += group->row_count;
     p->settings = calloc(count + 1, sizeof(*p->settings));
     if (!p->settings)
         return false;
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
-            const struct setting *row = &setting_groups[g]->rows[r];
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
             struct profile_setting *setting = &p->settings[p->setting_count++];
             FILE *out = fmemopen(setting->value, sizeof(setting->value), "w");
             if (!out)

@@ -16,6 +16,7 @@
 #include "src/image/file.h"
 #include "src/reference/reference.h"
 #include "src/render/renderer.h"
+#include "src/tech/refract_reference.h"
 
 struct job {
     struct app_options o;
@@ -261,7 +262,7 @@ static enum status open_renderer(struct job *job)
     else if (o->layers)
         log_warning("--aov: PNG files have no layers; name an .exr file too");
     params.layers |= layer_picture_bit(o->show);
-    if (o->rung == &reference_rung)
+    if (o->rung == &refract_reference)
         return open_reference(job, &params);
     enum status status = open_device(job);
     if (status == STATUS_OK)
@@ -344,7 +345,7 @@ static enum status run_frames(struct job *job)
 {
     const uint32_t count = job->sequence.range.count;
     enum status first = STATUS_OK, status = STATUS_OK;
-    progress_begin(&job->progress, count, job->o.rung == &reference_rung ? "tiles" : "samples",
+    progress_begin(&job->progress, count, job->o.rung == &refract_reference ? "tiles" : "samples",
                    job->o.quiet);
     for (uint32_t i = 0; i < count && (status == STATUS_OK || status == STATUS_CANT_CREATE); i++) {
         job->progress.frame = i;

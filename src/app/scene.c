@@ -8,6 +8,8 @@
 #include "src/tech/bubbles.h"
 #include "src/tech/bump.h"
 #include "src/tech/cracks.h"
+#include "src/tech/frost.h"
+#include "src/tech/local_box.h"
 #include "src/tech/refract.h"
 #include "src/tech/water.h"
 
@@ -18,7 +20,8 @@ static const uint32_t default_height = 768;
 /* --set over --material over the model's own index over the default. */
 static void settle_ior(struct app_options *o, const struct model *model)
 {
-    const struct setting *ior = &refract_settings.rows[0];
+    const struct setting *ior =
+        settings_row(&refract_settings, offsetof(struct refract_params, ior));
     if (o->ior_is_set)
         return;
     if (o->material)
@@ -31,7 +34,7 @@ static void settle_ior(struct app_options *o, const struct model *model)
 static void check_box(const struct app_options *o, const struct scene *scene)
 {
     const struct refract_params *refract = settings_of(&o->settings, &refract_settings);
-    const struct box box = frame_view_box(scene, &o->settings);
+    const struct box box = local_box_of(scene, &o->settings);
     const bool is_box = box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
     if (refract->lookup == REFRACT_LOOKUP_BOX && !is_box)
         log_warning("refract.lookup=box: there is no box, so all lies infinitely far away; set "
@@ -50,31 +53,47 @@ enum status app_need_scene(const struct app_options *o)
 /* The rungs that are drawn leave the water alone; the tracer, which is no technique, knows none. */
 static enum status check_pool(const struct app_options *o, struct scene *scene)
 {
-    if (!scene->has_pool || !o->rung || o->rung->technique)
+    if (!scene->has_pool || !o->rung || o->rung->rung.rows)
         return STATUS_OK;
     log_error("%s: --refraction %s traces ice and its surroundings, no water: leave it out",
-              o->positionals[0], o->rung->name);
+              o->positionals[0], o->rung->rung.name);
     scene_finish(scene);
     return STATUS_USAGE;
 }
 
-/* Of bump maps and of air, in params; `maps` is what params then points to. */
-static void describe_fill(const struct app_options *o, struct scene_params *params,
-                          struct bump_maps_params *maps)
+struct scene_params app_describe_scene(const struct app_options *o, struct bump_maps_params *maps)
 {
-    const struct bump_params *bump = settings_of(&o->settings, &bump_settings);
+    const struct object_params *object = settings_of(&o->settings, &object_settings);
+    const struct landscape_params *landscape = settings_of(&o->settings, &landscape_settings);
+    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
+    const struct bump_params *bumps = settings_of(&o->settings, &bump_settings);
     const struct air_params *planes = settings_of(&o->settings, &air_settings);
-    *maps = (struct bump_maps_params){ .smooth = bump->mask, .seed = bump->seed };
-    params->bump = frame_reads_bump_maps(&o->settings) ? maps : NULL;
-    params->air =
-        (struct generate_air){ planes->count, planes->seed, planes->size, planes->frequency };
+    const struct bubbles_params *spheres = settings_of(&o->settings, &bubbles_settings);
+    const struct cracks_params *sheets = settings_of(&o->settings, &cracks_settings);
+    const struct pool_params *pool = settings_of(&o->settings, &pool_settings);
+    *maps = (struct bump_maps_params){ .smooth = bumps->mask, .seed = bumps->seed };
+    return (struct scene_params){
+        .name = o->positionals[0],
+        .surroundings = o->surroundings,
+        .environment = o->environment,
+        .background = o->has_background ? &o->background : NULL,
+        .object_triangles = object->triangles,
+        .landscape_triangles = landscape->triangles,
+        .flat = landscape->flat,
+        .mover_count = motion->count,
+        .air = { planes->count, planes->seed, planes->size, planes->frequency },
+        .bubbles = { spheres->count, spheres->seed, spheres->size },
+        .bump = bump.is_on(&o->settings) || frost.is_on(&o->settings) ? maps : NULL,
+        .cracks = { sheets->count, sheets->seed, sheets->clip == CRACKS_CLIP_PRECUT },
+        .pool = { pool->size, pool->depth, pool->ice },
+        .later = true,
+    };
 }
 
 const char *app_fill_scene(struct scene *scene, const struct app_options *o)
 {
     struct bump_maps_params maps;
-    struct scene_params params = { 0 };
-    describe_fill(o, &params, &maps);
+    const struct scene_params params = app_describe_scene(o, &maps);
     return scene_fill(scene, &params);
 }
 
@@ -97,17 +116,13 @@ enum status app_load_scene(struct scene *scene, struct app_options *o)
 
 enum status app_begin_scene(struct scene *scene, struct app_options *o)
 {
-    const struct object_params *object = settings_of(&o->settings, &object_settings);
-    const struct landscape_params *landscape = settings_of(&o->settings, &landscape_settings);
-    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
-    const struct bubbles_params *spheres = settings_of(&o->settings, &bubbles_settings);
-    const struct cracks_params *cracks = settings_of(&o->settings, &cracks_settings);
     const struct decode_params decode = {
         .program = "/proc/self/exe",
         .seconds = o->load_seconds,
         .memory_gib = o->load_memory_gib,
     };
-    const struct pool_params *pool = settings_of(&o->settings, &pool_settings);
+    struct bump_maps_params maps;
+    struct scene_params params = app_describe_scene(o, &maps);
     *scene = (struct scene){ 0 };
     if (app_need_scene(o) != STATUS_OK)
         return STATUS_USAGE;
@@ -115,66 +130,21 @@ enum status app_begin_scene(struct scene *scene, struct app_options *o)
         o->width = default_width;
         o->height = default_height;
     }
-    struct scene_params params = {
-        .name = o->positionals[0],
-        .surroundings = o->surroundings,
-        .environment = o->environment,
-        .background = o->has_background ? &o->background : NULL,
-        .object_triangles = object->triangles,
-        .landscape_triangles = landscape->triangles,
-        .flat = landscape->flat,
-        .mover_count = motion->count,
-        .bubbles = { spheres->count, spheres->seed, spheres->size },
-        .cracks = { cracks->count, cracks->seed, cracks->clip == CRACKS_CLIP_PRECUT },
-        .decode = &decode,
-        .pool = { pool->size, pool->depth, pool->ice },
-        .later = true,
-    };
-    struct bump_maps_params maps;
-    describe_fill(o, &params, &maps);
+    params.decode = &decode;
     enum status status = scene_load(scene, &params);
     if (status == STATUS_OK)
         status = check_pool(o, scene);
     if (status == STATUS_OK) {
         settle_ior(o, &scene->model);
-        if (scene->cube.texels)
-            settings_put(&o->settings, settings_find("env_cube.dynamic"), 0.0);
         check_box(o, scene);
+        /* what frames know from the scene, pictures tell in their settings */
+        if (scene->cube.texels)
+            settings_put(
+                &o->settings,
+                settings_row(&env_cube_settings, offsetof(struct env_cube_params, dynamic)), 0.0);
         settings_put(&o->settings, WATER_IS_ON_ROW, scene->has_pool);
     }
     return status;
-}
-
-static bool is_precut(const struct settings *settings)
-{
-    const struct cracks_params *cracks = settings_of(settings, &cracks_settings);
-    return cracks->clip == CRACKS_CLIP_PRECUT;
-}
-
-bool app_same_scene(const struct app_options *a, const struct app_options *b)
-{
-    /* what app_load_scene() reads */
-    static const char *const rows[] = {
-        "object.triangles", "landscape.triangles",
-        "motion.count",     "bump.mask",
-        "bump.seed",        "air.count",
-        "air.seed",         "air.size",
-        "air.frequency",    "bubbles.count",
-        "bubbles.seed",     "bubbles.size",
-        "cracks.count",     "cracks.seed",
-        "pool.size",        "pool.depth",
-        "landscape.flat",   "pool.ice",
-    };
-    const struct settings *before = &a->settings;
-    const struct settings *after = &b->settings;
-    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
-        const struct setting *row = settings_find(rows[i]);
-        const double change = settings_get(after, row) - settings_get(before, row);
-        if (change < 0 || change > 0)
-            return false;
-    }
-    return is_precut(before) == is_precut(after) &&
-           frame_reads_bump_maps(before) == frame_reads_bump_maps(after);
 }
 
 static struct camera choose_camera(const struct scene *scene, const struct app_options *o)

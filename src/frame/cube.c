@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include "shaders/mesh.h"
 #include "src/base/log.h"
-#include "src/tech/env_cube.h"
-#include "src/tech/ice_caustics.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/techniques.h"
 
 enum {
     MOVER_TRIANGLES = 64, /* of one sphere, one after another in the mesh */
@@ -137,6 +137,16 @@ static bool is_in_picture(const struct globals *globals)
     return true;
 }
 
+/* Whether something that is on makes the surroundings look different in every frame. */
+static bool is_relit(const struct settings *settings)
+{
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if ((*t)->relights && (*t)->is_on(settings))
+            return true;
+    }
+    return false;
+}
+
 uint32_t frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
                         const struct globals *globals)
 {
@@ -145,7 +155,7 @@ uint32_t frame_cube_due(const struct frame_cube *cube, const struct frame_view *
     const bool in_turn = cube->in_turn && cube->drawn == FRAME_CUBE_ALL;
     const uint32_t most = in_turn ? params->faces : FRAME_CUBE_FACES;
     uint32_t due = 0;
-    if (params->always || ice_caustics_is_on(view->settings)) /* it turns with the ice */
+    if (params->always || is_relit(view->settings))
         return FRAME_CUBE_ALL;
     if (!is_in_picture(globals))
         return 0;

@@ -1,13 +1,10 @@
 /* plan.c: tables made at run time around the techniques' own. */
 #include "src/frame/plan.h"
 #include <stdio.h>
+#include <stdlib.h>
 #include "graph/rg_cmd.h"
 #include "src/base/log.h"
-#include "src/tech/background.h"
-#include "src/tech/bump.h"
-#include "src/tech/env_cube.h"
 #include "src/tech/frame.h"
-#include "src/tech/tonemap.h"
 
 /* The rows made below name the image first, then the buffer. */
 static void record_readback(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -69,57 +66,62 @@ static void want_all(struct frame_plan *p, const struct frame_request *request)
 {
     if (request->beauty)
         want(p, frame_beauty.image);
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
-        if (request->layers & 1u << i && is_drawn(p, frame_layers[i].image))
-            want(p, frame_layers[i].image);
+    const struct frame_layer *layer;
+    for (size_t i = 0; i < FRAME_LAYER_MAX && (layer = techniques_layer(i)); i++) {
+        if (request->layers & 1u << i && is_drawn(p, layer->image))
+            want(p, layer->image);
     }
     if (request->display)
-        want(p, &tonemap_color);
+        want(p, &frame_display);
     if (request->cube_back)
-        want(p, &env_cube_baked);
+        want(p, &frame_env_cube_baked);
     if (request->keep_cube)
-        keep(p, &env_cube_color);
+        keep(p, &frame_env_cube);
     if (request->keep_display)
-        keep(p, &tonemap_color);
+        keep(p, &frame_display);
 }
 
-static bool makes_cube(const struct frame_plan *p)
+static uint32_t count_mips(const struct technique_texels *texels)
 {
-    return is_drawn(p, &env_cube_color) || is_drawn(p, &env_cube_baked);
+    uint32_t side = texels->width > texels->height ? texels->width : texels->height;
+    uint32_t mips = 1;
+    while (!texels->no_mips && (side >>= 1))
+        mips++;
+    return mips;
 }
 
-static void bring(struct frame_plan *p, const struct frame_request *request)
+static struct rg_import describe(const struct technique_import *import, const struct scene *scene)
 {
-    p->imports[FRAME_IMPORT_ENVIRONMENT] = (struct rg_import){
-        .image = &frame_environment,
+    struct technique_texels texels = { 0 };
+    if (scene)
+        texels = import->find(scene);
+    if (!texels.texels)
+        return (struct rg_import){ .image = import->image, .access = RG_SAMPLED };
+    return (struct rg_import){
+        .image = import->image,
         .access = RG_SAMPLED,
-        .extent = request->environment,
-        .mips = request->environment_mips,
+        .extent = { texels.width, texels.height },
+        .layers = texels.layers,
+        .mips = count_mips(&texels),
     };
-    p->imports[FRAME_IMPORT_TEXTURES] = (struct rg_import){
-        .image = &frame_textures,
-        .access = RG_SAMPLED,
-        .extent = { request->texture_size, request->texture_size },
-        .layers = request->texture_count,
-        .mips = request->texture_mips,
-    };
-    p->imports[FRAME_IMPORT_BUMP_MAP] = (struct rg_import){
-        .image = &bump_map,
-        .access = RG_SAMPLED,
-        .extent = { request->bump_size, request->bump_size },
-        .mips = request->bump_mips,
-    };
-    p->imports[FRAME_IMPORT_AIR] = (struct rg_import){
-        .image = &frame_air,
-        .access = RG_SAMPLED,
-        .extent = { request->air_size, request->air_size },
-        .layers = request->air_count,
-        .mips = request->air_mips,
-    };
-    p->imports[FRAME_IMPORT_CUBE] = (struct rg_import){ .image = &env_cube_color,
-                                                        .access = RG_SAMPLED,
-                                                        .extent = request->cube };
-    p->import_count = makes_cube(p) ? FRAME_IMPORT_CUBE : FRAME_IMPORT_COUNT;
+}
+
+/* What comes from the scene, but for what the plan draws itself. */
+static bool import_all(struct frame_plan *p, const struct scene *scene)
+{
+    size_t count = 0;
+    for (const struct technique *const *t = techniques; *t; t++) {
+        for (const struct technique_import *i = (*t)->imports; i && i->image; i++)
+            count++;
+    }
+    p->imports = calloc(count, sizeof(*p->imports));
+    for (const struct technique *const *t = techniques; *t && p->imports; t++) {
+        for (const struct technique_import *i = (*t)->imports; i && i->image; i++) {
+            if (!is_drawn(p, i->image))
+                p->imports[p->import_count++] = describe(i, scene);
+        }
+    }
+    return p->imports;
 }
 
 static enum status report_faults(const struct rg_plan *plan)
@@ -132,16 +134,23 @@ static enum status report_faults(const struct rg_plan *plan)
     return STATUS_FAILED;
 }
 
-enum status frame_plan_init(struct frame_plan *p, const struct frame_request *request)
+static enum status out_of_memory(void)
 {
-    *p = (struct frame_plan){ 0 };
-    for (; request->list.techniques[p->technique_count]; p->technique_count++)
-        p->techniques[p->technique_count] = &request->list.techniques[p->technique_count]->graph;
-    want_all(p, request);
-    bring(p, request);
-    p->readback = (struct rg_technique){ "readback", p->readback_passes, p->readback_count };
-    p->techniques[p->technique_count++] = &p->readback;
+    log_error("out of memory while compiling the frame");
+    return STATUS_TRY_AGAIN;
+}
 
+/* The parts of the list, and the row that brings results back. */
+static bool list_techniques(struct frame_plan *p)
+{
+    p->techniques = calloc(p->list.count + 1, sizeof(const struct rg_technique *));
+    for (size_t i = 0; i < p->list.count && p->techniques; i++)
+        p->techniques[p->technique_count++] = &p->list.parts[i];
+    return p->techniques;
+}
+
+static enum status compile(struct frame_plan *p, const struct frame_request *request)
+{
     const struct rg_compile_params params = {
         .techniques = p->techniques,
         .technique_count = p->technique_count,
@@ -155,16 +164,33 @@ enum status frame_plan_init(struct frame_plan *p, const struct frame_request *re
         .sharing = request->sharing,
     };
     p->plan = rg_compile(&params);
-    if (!p->plan) {
-        log_error("out of memory while compiling the frame");
-        return STATUS_TRY_AGAIN;
-    }
+    if (!p->plan)
+        return out_of_memory();
     return p->plan->fault_count ? report_faults(p->plan) : STATUS_OK;
+}
+
+enum status frame_plan_init(struct frame_plan *p, const struct frame_request *request)
+{
+    *p = (struct frame_plan){ 0 };
+    enum status status = frame_list_init(&p->list, &request->choice);
+    if (status != STATUS_OK)
+        return status;
+    if (!list_techniques(p))
+        return out_of_memory();
+    want_all(p, request);
+    if (!import_all(p, request->scene))
+        return out_of_memory();
+    p->readback = (struct rg_technique){ "readback", p->readback_passes, p->readback_count };
+    p->techniques[p->technique_count++] = &p->readback;
+    return compile(p, request);
 }
 
 void frame_plan_finish(struct frame_plan *p)
 {
     rg_plan_destroy(p->plan);
+    free(p->imports);
+    free(p->techniques);
+    frame_list_finish(&p->list);
     *p = (struct frame_plan){ 0 };
 }
 

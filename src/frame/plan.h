@@ -7,39 +7,26 @@
 #define FIRN_FRAME_PLAN_H
 
 #include "src/base/status.h"
-#include "src/frame/frames.h"
+#include "src/frame/layers.h"
+#include "src/frame/list.h"
 
 enum {
-    FRAME_IMPORT_ENVIRONMENT, /* indices into the plan's imports */
-    FRAME_IMPORT_TEXTURES,
-    FRAME_IMPORT_BUMP_MAP,
-    FRAME_IMPORT_AIR,
-    FRAME_IMPORT_CUBE,
-    FRAME_IMPORT_COUNT,
-};
-
-enum {
-    FRAME_READBACK_COUNT = FRAME_LAYER_COUNT + 2
+    FRAME_READBACK_COUNT = FRAME_LAYER_MAX + 2
 }; /* images brought back at most */
 
 /* What is brought in and wanted back. */
 struct frame_request {
-    struct frame_list list;
+    struct technique_choice choice;
+    const struct scene *scene; /* whose pictures are imported; NULL: none, but a texel of each */
     VkExtent2D view;
     VkExtent2D part;      /* of it, that is drawn at once; 0: all */
-    uint32_t layers;      /* bit i: frame_layers[i], if it is drawn */
+    uint32_t layers;      /* bit i: techniques_layer(i), if it is drawn */
     bool beauty, display; /* the linear picture; the 8-bit one */
-    bool cube_back;       /* bring env_cube_baked back */
-    bool keep_cube;       /* leave env_cube_color ready to be sampled elsewhere */
+    bool cube_back;       /* bring frame_env_cube_baked back */
+    bool keep_cube;       /* leave frame_env_cube ready to be sampled elsewhere */
     bool keep_display;    /* the same of the 8-bit picture */
     enum rg_sharing sharing;
     const struct rg_device *device; /* may be NULL */
-    VkExtent2D environment;         /* texels of the picture; 0: none */
-    uint32_t environment_mips;
-    VkExtent2D cube; /* of a face of the scene's own cube; 0: none */
-    uint32_t texture_size, texture_count, texture_mips; /* of the surroundings; 0: none */
-    uint32_t bump_size, bump_mips;                      /* of the ice's surface; 0: none */
-    uint32_t air_size, air_count, air_mips;             /* the same of the air's pictures */
 };
 
 /* An image and the host buffer it is copied to. */
@@ -53,7 +40,8 @@ struct frame_readback {
 /* Points into itself: must not move. */
 struct frame_plan {
     struct rg_plan *plan;
-    const struct rg_technique *techniques[FRAME_TECHNIQUE_COUNT + 1];
+    struct frame_list list;
+    const struct rg_technique **techniques; /* the list's parts, and `readback` */
     size_t technique_count;
     struct rg_technique readback;
     struct rg_pass readback_passes[FRAME_READBACK_COUNT];
@@ -61,7 +49,7 @@ struct frame_plan {
     uint32_t readback_count;
     struct rg_output outputs[FRAME_READBACK_COUNT + 2];
     size_t output_count;
-    struct rg_import imports[FRAME_IMPORT_COUNT];
+    struct rg_import *imports;
     size_t import_count;
 };
 

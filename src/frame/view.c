@@ -1,16 +1,8 @@
 /* view.c: camera, time and scene as shaders read them. */
 #include "src/frame/view.h"
 #include <math.h>
-#include <stdlib.h>
-#include "shaders/tonemap.h"
-#include "src/frame/frames.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/bump.h"
-#include "src/tech/env_cube.h"
-#include "src/tech/ice_caustics.h"
-#include "src/tech/refract.h"
-#include "src/tech/surface.h"
-#include "src/tech/tonemap.h"
+#include "src/tech/techniques.h"
 
 /* Of frame_view_reach(): rays begin a little outside of the sphere (refract_inside.glsl), and what
  * they look up is between texels, which jitter moves. */
@@ -33,25 +25,6 @@ static float environment_lod(const struct scene *scene, float pixel)
     return scene->environment.width && lod > 0.0f ? lod : 0.0f;
 }
 
-float frame_view_near_plane(const struct scene *scene)
-{
-    float diagonal = box_diagonal(scene->box);
-    return diagonal > 0.0f ? diagonal * 1e-3f : 1e-3f;
-}
-
-struct box frame_view_box(const struct scene *scene, const struct settings *settings)
-{
-    const struct local_params *local = settings_of(settings, &local_settings);
-    const float all = fabsf(local->left) + fabsf(local->right) + fabsf(local->bottom) +
-                      fabsf(local->top) + fabsf(local->back) + fabsf(local->front);
-    if (!(all > 0.0f))
-        return scene->around;
-    return (struct box){
-        .min = { { local->left, local->bottom, local->back } },
-        .max = { { local->right, local->top, local->front } },
-    };
-}
-
 struct background_push frame_view_push(const struct frame_view *view)
 {
     const struct camera *camera = &view->camera;
@@ -66,7 +39,7 @@ struct background_push frame_view_push(const struct frame_view *view)
                                 glms_vec3_scale(basis.up, 2.0f * at.y * up / height));
     return (struct background_push){
         .clip_from_world = camera_clip_from_world(camera, view->width, view->height,
-                                                  frame_view_near_plane(view->scene), at),
+                                                  scene_near_plane(view->scene), at),
         .eye = camera->eye,
         .environment_lod = environment_lod(view->scene, 2.0f * up / height),
         .right = glms_vec3_scale(basis.right, right),
@@ -80,8 +53,7 @@ struct background_push frame_view_face(const struct frame_view *view, uint32_t f
     const struct camera_basis basis = camera_cube_basis(face);
     vec3s center = box_center(view->scene->box);
     return (struct background_push){
-        .clip_from_world =
-            camera_cube_clip_from_world(face, center, frame_view_near_plane(view->scene)),
+        .clip_from_world = camera_cube_clip_from_world(face, center, scene_near_plane(view->scene)),
         .eye = center,
         .environment_lod = environment_lod(view->scene, 2.0f / (float)view->face_size),
         .right = basis.right,
@@ -158,7 +130,7 @@ VkRect2D frame_view_object_area(const struct frame_view *view, const struct glob
                              .max = glms_vec3_add(view->scene->box.max, more) };
     const mat4s clip_from_object =
         glms_mat4_mul(globals->clip_from_world, globals->world_from_object);
-    const float near = frame_view_near_plane(view->scene);
+    const float near = scene_near_plane(view->scene);
     float low[2] = { 1.0f, 1.0f }, high[2] = { -1.0f, -1.0f };
     for (int corner = 0; corner < 8; corner++) {
         const vec4s point = glms_mat4_mulv(
@@ -212,34 +184,6 @@ static void place_lights(const struct frame_view *view, struct globals *g)
     }
 }
 
-static void place_bumps(const struct frame_view *view, struct globals *g)
-{
-    const struct bump_params *bump = settings_of(view->settings, &bump_settings);
-    g->bump_strength = bump->strength;
-    g->bump_scale =
-        bump->mapping == BUMP_UV ? bump->scale : bump->scale / fmaxf(2.0f * g->radius, 1e-6f);
-}
-
-/* KHR_materials_dispersion: red has the index n - h, blue n + h, h = (n - 1) 0.025 dispersion. */
-static void place_refraction(const struct frame_view *view, struct globals *g)
-{
-    const struct refract_params *refract = settings_of(view->settings, &refract_settings);
-    const struct absorb_params *absorb = settings_of(view->settings, &absorb_settings);
-    float half = (refract->ior - 1.0f) * 0.025f * refract->dispersion;
-    g->eta = REFRACT_IOR_AIR / refract->ior;
-    g->etas = (vec3s){ { REFRACT_IOR_AIR / (refract->ior - half), g->eta,
-                         REFRACT_IOR_AIR / (refract->ior + half) } };
-    g->absorb = (vec3s){ { absorb->red, absorb->green, absorb->blue } };
-    g->refract_crossfade = refract->crossfade;
-}
-
-static void place_box(const struct frame_view *view, struct globals *g)
-{
-    const struct box box = frame_view_box(view->scene, view->settings);
-    g->local_min = box.min;
-    g->local_max = box.max;
-}
-
 struct globals frame_view_globals(const struct frame_view *view, const struct background_push *push)
 {
     const struct sky_params *sky = settings_of(view->settings, &sky_settings);
@@ -261,15 +205,15 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .center = center,
         .radius = box_diagonal(box) / 2.0f,
         .time = view->time,
-        .surface = *(const struct surface_params *)settings_of(view->settings, &surface_settings),
         .lod_bias = view->lod_bias,
     };
     g.fitted_clip_from_world = frame_view_fit(&view->camera, push->clip_from_world, center,
                                               fmaxf(g.radius, 1e-6f), &g.fitted);
     place_lights(view, &g);
-    place_bumps(view, &g);
-    place_refraction(view, &g);
-    place_box(view, &g);
+    for (const struct technique *const *technique = techniques; *technique; technique++) {
+        if ((*technique)->write_globals)
+            (*technique)->write_globals(view, &g);
+    }
     return g;
 }
 
@@ -290,86 +234,16 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [SCENE_COLOR] = GLOBALS_COLOR,
         [SCENE_ENVIRONMENT] = GLOBALS_ENVIRONMENT,
     };
-    const struct refract_params *refract = settings_of(settings, &refract_settings);
-    const struct bump_params *bump = settings_of(settings, &bump_settings);
     const struct light_params *light = settings_of(settings, &light_settings);
-    const struct ice_caustics_params *shine = settings_of(settings, &ice_caustics_settings);
-    const struct tonemap_params *screen = settings_of(settings, &tonemap_settings);
-    return (struct frame_constants){ {
+    struct frame_constants constants = { {
         [CONSTANT_BACKGROUND] = backgrounds[scene->background],
         [CONSTANT_TEXTURED] = scene->model.textures.count > 0,
         [CONSTANT_LIT] = has_lit(&scene->model.surroundings),
         [CONSTANT_LIGHTS] = light->count,
-        [CONSTANT_OVER] = frame_over_layers(settings),
-        [CONSTANT_BUMP_UV] = bump->mapping == BUMP_UV,
-        [CONSTANT_REFRACT_COLORS] = refract->dispersion > 0.0f ? 3 : 1,
-        [CONSTANT_REFRACT_FRESNEL] = refract->fresnel,
-        [CONSTANT_REFRACT_LOOKUP] = refract->lookup,
-        [CONSTANT_REFRACT_STEPS] = refract->steps,
-        [CONSTANT_TONEMAP_CURVE] = screen->curve,
-        [CONSTANT_ICE_SHADOW] = shine->shadow,
     } };
-}
-
-/* So far away that its rays are nearly parallel. The map is the same picture, wider. */
-struct frame_view_sun frame_view_sun(const struct frame_view *view, const struct globals *globals)
-{
-    const struct ice_caustics_params *params = settings_of(view->settings, &ice_caustics_settings);
-    const float radius = fmaxf(globals->radius, 1e-6f);
-    const float distance = ICE_CAUSTICS_DISTANCE * radius;
-    const struct camera camera = {
-        .eye = glms_vec3_add(globals->center, glms_vec3_scale(globals->sun_dir, distance)),
-        .target = globals->center,
-        .fov_deg = 2.0f * atanf(ICE_CAUSTICS_MARGIN / ICE_CAUSTICS_DISTANCE) / radians(1.0f),
-    };
-    struct frame_view_sun sun = {
-        .globals = *globals,
-        .map = {
-            .reach = params->reach,
-            .front = distance - radius,
-        },
-    };
-    sun.globals.lod_bias = 0.0f; /* its picture is whole, whatever tiles the view is drawn in */
-    sun.globals.eye = camera.eye;
-    sun.globals.forward = glms_vec3_negate(globals->sun_dir);
-    sun.globals.clip_from_world =
-        camera_clip_from_world(&camera, ICE_CAUSTICS_PHOTONS, ICE_CAUSTICS_PHOTONS,
-                               frame_view_near_plane(view->scene), view->jitter);
-    sun.map.clip_from_world =
-        camera_clip_from_world(&camera, ICE_CAUSTICS_PHOTONS, ICE_CAUSTICS_PHOTONS,
-                               frame_view_near_plane(view->scene), (vec2s){ { 0.0f, 0.0f } });
-    for (int column = 0; column < 4; column++) {
-        sun.map.clip_from_world.raw[column][0] /= params->reach;
-        sun.map.clip_from_world.raw[column][1] /= params->reach;
+    for (const struct technique *const *technique = techniques; *technique; technique++) {
+        if ((*technique)->write_constants)
+            (*technique)->write_constants(settings, constants.values);
     }
-    return sun;
-}
-
-struct far_sphere {
-    struct bubbles_sphere sphere;
-    float power; /* squared length of the tangents from the eye */
-};
-
-static int compare_far(const void *a, const void *b)
-{
-    const struct far_sphere *x = a;
-    const struct far_sphere *y = b;
-    return (x->power < y->power) - (x->power > y->power);
-}
-
-/* Of spheres that do not overlap, the plane of points of equal power lies between each two. */
-void frame_view_bubbles(const struct frame_view *view, const struct globals *globals,
-                        struct bubbles_sphere *sorted)
-{
-    const struct bubbles *bubbles = &view->scene->bubbles;
-    struct far_sphere order[BUBBLES_COUNT_MAX];
-    for (uint32_t i = 0; i < bubbles->count; i++) {
-        struct bubbles_sphere s = bubbles->spheres[i];
-        s.center = glms_mat4_mulv3(globals->world_from_object, s.center, 1.0f);
-        float distance2 = glms_vec3_distance2(s.center, globals->eye);
-        order[i] = (struct far_sphere){ s, distance2 - s.radius * s.radius };
-    }
-    qsort(order, bubbles->count, sizeof(order[0]), compare_far);
-    for (uint32_t i = 0; i < bubbles->count; i++)
-        sorted[i] = order[i].sphere;
+    return constants;
 }

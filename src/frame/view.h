@@ -4,25 +4,8 @@
 #ifndef FIRN_FRAME_VIEW_H
 #define FIRN_FRAME_VIEW_H
 
-#include "shaders/bubbles.h"
 #include "shaders/constants.h"
-#include "shaders/ice_caustics.h"
-#include "src/scene/camera.h"
-#include "src/scene/scene.h"
 #include "src/tech/frame.h"
-
-struct frame_view {
-    const struct scene *scene;
-    const struct settings *settings;
-    struct camera camera;
-    float time;             /* seconds */
-    uint32_t width, height; /* pixels */
-    vec2s jitter;           /* of the sample, pixels */
-    uint32_t face_size;     /* of the cube around the object, texels */
-    vec2s tile;             /* where the tile's pixels are, in pixels: from the middle of those
-                               that all tiles have at one place */
-    float lod_bias;         /* log2 of the distance of neighbours, in pixels, times -1 */
-};
 
 struct background_push frame_view_push(const struct frame_view *view);
 
@@ -53,26 +36,6 @@ struct frame_constants {
 };
 struct frame_constants frame_view_constants(const struct scene *scene,
                                             const struct settings *settings);
-
-/* What the sun sees of the object: src/tech/ice_caustics.h. */
-struct frame_view_sun {
-    struct globals globals; /* the view's, but for who looks */
-    struct ice_caustics_light map;
-};
-
-/* `globals` is frame_view_globals(). */
-struct frame_view_sun frame_view_sun(const struct frame_view *view, const struct globals *globals);
-
-/* The scene's bubbles in the world, farthest first: none can hide one that comes after it. */
-void frame_view_bubbles(const struct frame_view *view, const struct globals *globals,
-                        struct bubbles_sphere *sorted);
-
-/* Metres from the eye to the near plane of pictures of a scene; there is no far plane. */
-float frame_view_near_plane(const struct scene *scene);
-
-/* On whose sides rays end with refract.lookup=box: that of the settings, else what lies around the
- * object. One without room, or inside out, is none. */
-struct box frame_view_box(const struct scene *scene, const struct settings *settings);
 
 /* Depth 0 at the front and 1 at the back of a sphere, as seen along the camera's axis. Guarded
  * where the eye is inside; *fitted gets the near and far plane's distances, metres. */

@@ -44,7 +44,7 @@ struct furnace furnace_measure(const struct ladder *ladder)
     furnace.rows[furnace.row_count++] = measure("reference", reference, reference);
     for (uint32_t i = 0; i < ladder->rung_count; i++)
         furnace.rows[furnace.row_count++] =
-            measure(ladder->rungs[i].rung->name, &ladder->rungs[i].result.image, reference);
+            measure(ladder->rungs[i].rung->rung.name, &ladder->rungs[i].result.image, reference);
     return furnace;
 }
 

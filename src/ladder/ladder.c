@@ -46,9 +46,9 @@ static uint32_t find_layers(bool of_reference)
     static const char *const names[] = { "exit", "path", "bounces", "tir", "remaining" };
     const size_t count = sizeof(names) / sizeof(names[0]) - !of_reference;
     uint32_t bits = 0;
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
+    for (uint32_t i = 0; techniques_layer(i); i++) {
         for (size_t k = 0; k < count; k++)
-            bits |= !strcmp(frame_layers[i].name, names[k]) ? 1u << i : 0u;
+            bits |= !strcmp(techniques_layer(i)->name, names[k]) ? 1u << i : 0u;
     }
     return bits;
 }
@@ -94,7 +94,7 @@ static enum status trace(struct ladder *ladder, const struct ladder_params *para
 }
 
 static struct renderer_params renderer_params_of(const struct ladder_params *params,
-                                                 const struct rung *rung)
+                                                 const struct technique *rung)
 {
     return (struct renderer_params){
         .gpu = params->gpu,
@@ -244,7 +244,7 @@ static bool is_wanted(const struct ladder_params *params, uint32_t index)
 static uint32_t count_rungs(const struct ladder_params *params)
 {
     uint32_t count = 0;
-    for (uint32_t i = 0; frame_rungs[i].name; i++)
+    for (uint32_t i = 0; techniques_rung(i); i++)
         count += is_wanted(params, i);
     return count < LADDER_RUNG_COUNT ? count : LADDER_RUNG_COUNT;
 }
@@ -256,9 +256,9 @@ uint32_t ladder_stages(const struct ladder_params *params)
 
 static void choose_rungs(struct ladder *ladder, const struct ladder_params *params)
 {
-    for (uint32_t i = 0; frame_rungs[i].name && ladder->rung_count < LADDER_RUNG_COUNT; i++) {
+    for (uint32_t i = 0; techniques_rung(i) && ladder->rung_count < LADDER_RUNG_COUNT; i++) {
         if (is_wanted(params, i))
-            ladder->rungs[ladder->rung_count++].rung = &frame_rungs[i];
+            ladder->rungs[ladder->rung_count++].rung = techniques_rung(i);
     }
 }
 
@@ -330,7 +330,7 @@ void ladder_finish(struct ladder *ladder)
 const struct ladder_rung *ladder_base(const struct ladder *ladder)
 {
     for (uint32_t i = 0; i < ladder->rung_count; i++) {
-        if (!strcmp(ladder->rungs[i].rung->name, "paper"))
+        if (!strcmp(ladder->rungs[i].rung->rung.name, "paper"))
             return &ladder->rungs[i];
     }
     return &ladder->rungs[0];

@@ -30,7 +30,7 @@ struct ladder_error {
 };
 
 struct ladder_rung {
-    const struct rung *rung;
+    const struct technique *rung;
     struct render_result result; /* beauty, exit, path, bounces, tir; rgba */
     float *flip;                 /* of each pixel */
     struct ladder_error error;

@@ -58,7 +58,7 @@ static void put_table(const struct ladder *ladder, FILE *out)
     for (uint32_t i = 0; i < ladder->rung_count; i++) {
         const struct ladder_rung *rung = &ladder->rungs[i];
         const struct ladder_error *e = &rung->error;
-        fprintf(out, "<tr><td>%s", rung->rung->name);
+        fprintf(out, "<tr><td>%s", rung->rung->rung.name);
         put_number(e->flip, 4, out);
         put_number(e->mae, 4, out);
         put_number(e->rmse, 4, out);
@@ -107,7 +107,7 @@ static void put_page(const struct ladder_report *report, const char *svg, const 
     put_head(report, out);
     put_table(report->ladder, out);
     fprintf(out, "%s%s, medians of frames in turns.\n%s<h2>Pictures</h2>\n", notes,
-            base->rung->name, base->cost > 0.0 ? svg : "");
+            base->rung->rung.name, base->cost > 0.0 ? svg : "");
     fputs("<p>Beside each picture its FLIP, in the colours of the scale.\n"
           "<img alt=\"contact sheet\" src=\"data:image/png;base64,",
           out);

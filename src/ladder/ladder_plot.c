@@ -127,8 +127,8 @@ static void put_point(const struct axis *x, const struct axis *y, const struct l
     fprintf(out,
             "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"5\"><title>%s: FLIP %.4f, cost %.2f</title>"
             "</circle><text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">%s</text>\n",
-            across, up, rung->rung->name, rung->error.flip, ratio, labels[index].x, labels[index].y,
-            labels[index].to_the_left ? "end" : "start", rung->rung->name);
+            across, up, rung->rung->rung.name, rung->error.flip, ratio, labels[index].x,
+            labels[index].y, labels[index].to_the_left ? "end" : "start", rung->rung->rung.name);
 }
 
 static void put_points(const struct ladder *ladder, FILE *out)
@@ -140,7 +140,7 @@ static void put_points(const struct ladder *ladder, FILE *out)
         include(&x, ladder_cost_ratio(ladder, &ladder->rungs[i]));
         include(&y, error_of(&ladder->rungs[i]));
     }
-    put_frame(&x, &y, ladder_base(ladder)->rung->name, out);
+    put_frame(&x, &y, ladder_base(ladder)->rung->rung.name, out);
     for (uint32_t i = 0; i < ladder->rung_count; i++)
         put_point(&x, &y, ladder, i, labels, out);
 }

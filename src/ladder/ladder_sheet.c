@@ -61,8 +61,8 @@ static void write_label(struct canvas *canvas, uint32_t x, uint32_t y, const str
         snprintf(angle, sizeof(angle), "   %.2f degrees", rung->error.angle);
     if (!isnan(ratio))
         snprintf(cost, sizeof(cost), "   cost %.2f", ratio);
-    snprintf(text, sizeof(text), "%s   FLIP %.3f%s%s", rung->rung->name, rung->error.flip, angle,
-             cost);
+    snprintf(text, sizeof(text), "%s   FLIP %.3f%s%s", rung->rung->rung.name, rung->error.flip,
+             angle, cost);
     canvas_write(canvas, x, y, letter_scale(ladder), text);
 }
 
@@ -170,8 +170,8 @@ enum status ladder_exr(const struct ladder_report *report, void **data, size_t *
     struct image image = { .width = l->width, .height = l->height, .planes = planes };
     add_color(&image, "", &l->reference);
     for (uint32_t i = 0; i < l->rung_count; i++) {
-        add_color(&image, l->rungs[i].rung->name, &l->rungs[i].result);
-        add_plane(&image, l->rungs[i].rung->name, "flip.Z", l->rungs[i].flip);
+        add_color(&image, l->rungs[i].rung->rung.name, &l->rungs[i].result);
+        add_plane(&image, l->rungs[i].rung->rung.name, "flip.Z", l->rungs[i].flip);
     }
     return exr_encode(&image, &(struct exr_header){ .texts = texts, .text_count = 1 }, data, size);
 }

@@ -61,7 +61,7 @@ static void print_rows(const struct ladder *l, FILE *out)
     const double base = ladder_base(l)->cost;
     const double none = (double)NAN;
     for (uint32_t i = 0; i < l->rung_count; i++)
-        print_row(l->rungs[i].rung->name, &l->rungs[i].error,
+        print_row(l->rungs[i].rung->rung.name, &l->rungs[i].error,
                   l->rungs[i].cost > 0.0 ? l->rungs[i].cost : none,
                   ladder_cost_ratio(l, &l->rungs[i]), out);
     print_row("reference", &l->reference_error, l->reference_cost,
@@ -81,10 +81,10 @@ void ladder_table(const struct ladder_report *report, FILE *out)
             "\nFLIP: of all pixels. MAE, RMSE: of the object's. degrees: of its directions "
             "without total\nreflection. TIR %%: its pixels of the wrong class. cost: beside "
             "%s, medians of frames in turns.\n",
-            ladder_base(l)->rung->name);
+            ladder_base(l)->rung->rung.name);
     for (uint32_t i = 0; i < l->rung_count; i++) {
         if (l->rungs[i].error.not_finite)
-            fprintf(out, "%s: %llu values are not finite\n", l->rungs[i].rung->name,
+            fprintf(out, "%s: %llu values are not finite\n", l->rungs[i].rung->rung.name,
                     (unsigned long long)l->rungs[i].error.not_finite);
     }
     if (has_truth)
@@ -126,7 +126,7 @@ static json_t *make_rung(const struct ladder *ladder, const struct ladder_rung *
     const struct ladder_error *e = &rung->error;
     json_t *object = json_object();
     const bool ok =
-        put_text(object, "name", rung->rung->name) && put_number(object, "flip", e->flip) &&
+        put_text(object, "name", rung->rung->rung.name) && put_number(object, "flip", e->flip) &&
         put_number(object, "mae", e->mae) && put_number(object, "rmse", e->rmse) &&
         put_number(object, "angle", e->angle) && put_number(object, "angle_95", e->angle_95) &&
         put_number(object, "tir", e->tir_differs) && put_number(object, "truth", e->truth) &&

@@ -129,7 +129,7 @@ static void describe(struct profile *p, const struct profile_request *request)
     snprintf(p->device, sizeof(p->device), "%s", device.name);
     snprintf(p->driver, sizeof(p->driver), "%s, Vulkan %s", device.kind, device.version);
     describe_host(p->host, sizeof(p->host));
-    snprintf(p->rung, sizeof(p->rung), "%s", request->renderer.rung->name);
+    snprintf(p->rung, sizeof(p->rung), "%s", request->renderer.rung->rung.name);
     p->width = request->renderer.width;
     p->height = request->renderer.height;
     snprintf(p->clock, sizeof(p->clock), "%s",

@@ -19,7 +19,7 @@
 enum {
     TILE = 16, /* pixels a side */
     THREAD_COUNT_MAX = 256,
-    PLANE_COUNT_MAX = 4 * (FRAME_LAYER_COUNT + 1),
+    PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1),
 };
 
 struct reference {
@@ -110,7 +110,7 @@ static struct bvh_ray ray_of(const struct job *job, uint32_t x, uint32_t y, vec2
     return (struct bvh_ray){
         .origin = push->eye,
         .dir = dir,
-        .near = frame_view_near_plane(request->scene) / glms_vec3_dot(dir, job->globals.forward),
+        .near = scene_near_plane(request->scene) / glms_vec3_dot(dir, job->globals.forward),
         .from = BVH_NOWHERE,
     };
 }
@@ -219,9 +219,9 @@ static bool add_layers(struct job *job, struct image *image)
     image_init(image, request->width, request->height);
     if (request->linear || request->display)
         done = add_layer(job, image, &frame_beauty);
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
-        if (request->layers & 1u << i && reference_makes(&frame_layers[i]))
-            done = done && add_layer(job, image, &frame_layers[i]);
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        if (request->layers & 1u << i && reference_makes(techniques_layer(i)))
+            done = done && add_layer(job, image, techniques_layer(i));
     }
     return done;
 }

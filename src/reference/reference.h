@@ -23,7 +23,6 @@
 #include "src/render/renderer.h"
 
 /* As --refraction names it. It has no techniques, and so no plan. */
-extern const struct rung reference_rung;
 
 /* Whether this build can trace. */
 bool reference_is_built(void);

@@ -2,17 +2,7 @@
 #include "src/reference/reference_layers.h"
 #include <stdio.h>
 #include <string.h>
-#include "shaders/surface.h"
-#include "src/settings/scene_settings.h"
-#include "src/tech/air.h"
-#include "src/tech/bubbles.h"
-#include "src/tech/bump.h"
-#include "src/tech/cracks.h"
-#include "src/tech/frost.h"
-#include "src/tech/ice_caustics.h"
-#include "src/tech/surface.h"
-
-const struct rung reference_rung = { .name = "reference" };
+#include "src/tech/techniques.h"
 
 #define SEEN(name, field) \
     { \
@@ -75,21 +65,10 @@ static void add_name(char *names, size_t size, const char *name, bool is_on)
 
 bool reference_leaves_out(const struct settings *settings, char *names, size_t size)
 {
-    const struct cracks_params *sheets = settings_of(settings, &cracks_settings);
-    const struct air_params *squares = settings_of(settings, &air_settings);
-    const struct bubbles_params *spheres = settings_of(settings, &bubbles_settings);
-    const struct bump_params *bumps = settings_of(settings, &bump_settings);
-    const struct frost_params *rough = settings_of(settings, &frost_settings);
-    const struct light_params *lights = settings_of(settings, &light_settings);
-    const struct surface_params *shine = settings_of(settings, &surface_settings);
     names[0] = '\0';
-    add_name(names, size, "cracks", sheets->count > 0);
-    add_name(names, size, "air", squares->count > 0);
-    add_name(names, size, "bubbles", spheres->count > 0);
-    add_name(names, size, "bumps", bumps->strength > 0.0f);
-    add_name(names, size, "frost", rough->amount > 0.0f);
-    add_name(names, size, "highlights",
-             lights->count > 0 && lights->strength > 0.0f && shine->strength > 0.0f);
-    add_name(names, size, "light through the ice", ice_caustics_is_on(settings));
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if ((*t)->is_on && !(*t)->is_traced)
+            add_name(names, size, (*t)->title ? (*t)->title : (*t)->name, (*t)->is_on(settings));
+    }
     return names[0] != '\0';
 }

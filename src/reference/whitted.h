@@ -15,7 +15,7 @@
 
 #include "src/reference/bvh.h"
 #include "src/reference/reference_layers.h"
-#include "src/reference/reference_settings.h"
+#include "src/tech/refract_reference.h"
 
 enum {
     WHITTED_CHANNEL_COUNT = 3 /* red, green, blue */

@@ -6,7 +6,7 @@
 
 #include <cglm/struct.h>
 #include "src/base/status.h"
-#include "src/frame/frames.h"
+#include "src/frame/layers.h"
 #include "src/image/image.h"
 
 /* Adds the planes of a layer to an image, all 0. False when memory is short. */

@@ -18,12 +18,8 @@
 #include "src/render/uploaded_scene.h"
 #include "src/render/warm_up.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/bubbles.h"
-#include "src/tech/env_cube.h"
 #include "src/tech/frame.h"
-#include "src/tech/ice_caustics.h"
-#include "src/tech/resolve.h"
-#include "src/tech/tonemap.h"
+#include "src/tech/techniques.h"
 
 struct renderer {
     struct renderer_params params;      /* but of a tile's size */
@@ -32,6 +28,7 @@ struct renderer {
     struct tile tile;                   /* of them, that is drawn now: what results have */
     struct uploaded_scene own;          /* {0} if it comes uploaded */
     const struct uploaded_scene *scene; /* on the device */
+    struct rg_mesh *meshes;             /* of techniques, to draw them */
     struct frame_exec capture;          /* the environment cube, once, if it is not dynamic */
     struct frame_exec picture;          /* a sample */
     struct frame_exec resolve;          /* the mean of many samples, tonemapped */
@@ -45,23 +42,26 @@ struct renderer {
 
 /* ---- plans ---- */
 
-/* What its plans import. */
-static void find_imports(const struct renderer *r, struct rg_exec_import *imports)
+static VkImage find_import(const struct renderer *r, const struct rg_image *image)
 {
-    const struct uploaded_scene *scene = r->scene;
-    imports[FRAME_IMPORT_ENVIRONMENT].image = scene->environment.image;
-    imports[FRAME_IMPORT_TEXTURES].image = scene->textures.image;
-    imports[FRAME_IMPORT_BUMP_MAP].image = scene->bump_map.image;
-    imports[FRAME_IMPORT_AIR].image = scene->air_layers.image;
-    imports[FRAME_IMPORT_CUBE].image =
-        r->capture.exec ? rg_exec_image(r->capture.exec, &env_cube_color) : scene->cube.image;
+    if (image == &frame_env_cube && r->capture.exec)
+        return rg_exec_image(r->capture.exec, image);
+    return uploaded_scene_image(r->scene, image);
 }
 
 static enum status realise(struct renderer *r, struct frame_exec *frame_exec)
 {
-    struct rg_exec_import imports[FRAME_IMPORT_COUNT] = { { 0 } };
-    find_imports(r, imports);
-    return frame_exec_realise(frame_exec, &r->params, imports);
+    const struct frame_plan *plan = &frame_exec->frame;
+    struct rg_exec_import *imports = calloc(plan->import_count + 1, sizeof(*imports));
+    if (!imports) {
+        log_error("out of memory");
+        return STATUS_TRY_AGAIN;
+    }
+    for (size_t i = 0; i < plan->import_count; i++)
+        imports[i].image = find_import(r, plan->imports[i].image);
+    const enum status status = frame_exec_realise(frame_exec, &r->params, imports);
+    free(imports);
+    return status;
 }
 
 static enum status frame_exec_create(struct frame_exec *frame_exec, struct renderer *r,
@@ -75,10 +75,18 @@ static enum status frame_exec_create(struct frame_exec *frame_exec, struct rende
 
 static enum status upload(struct renderer *r)
 {
+    enum status status = STATUS_OK;
     r->scene = r->params.uploaded ? r->params.uploaded : &r->own;
-    if (r->params.uploaded)
-        return STATUS_OK;
-    return uploaded_scene_init(&r->own, r->params.gpu, r->params.scene);
+    if (!r->params.uploaded)
+        status = uploaded_scene_init(&r->own, r->params.gpu, r->params.scene);
+    r->meshes = calloc(techniques_count, sizeof(*r->meshes));
+    if (status == STATUS_OK && !r->meshes) {
+        log_error("out of memory");
+        status = STATUS_TRY_AGAIN;
+    }
+    for (size_t i = 0; i < techniques_count && status == STATUS_OK; i++)
+        r->meshes[i] = uploaded_scene_mesh(&r->scene->meshes[i]);
+    return status;
 }
 
 /* From the middle of the pixels that all tiles have at one place, in pixels of the picture. */
@@ -119,7 +127,7 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
         return status;
     }
     take_params(r, params);
-    r->face_size = env_cube_color.width;
+    r->face_size = frame_env_cube.width;
     status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
     const double start = clock_ms();
     if (status == STATUS_OK)
@@ -133,7 +141,7 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     if (status == STATUS_OK)
         status = upload(r);
     r->costs.upload = clock_ms() - compiled;
-    if (status == STATUS_OK && !frame_cube_is_dynamic(params->settings) &&
+    if (status == STATUS_OK && !frame_draws_cube(params->settings, params->scene) &&
         !params->scene->cube.texels)
         status = frame_exec_create(&r->capture, r, renderer_capture_request(&r->params));
     if (status == STATUS_OK && params->display && r->params.samples > 1)
@@ -159,33 +167,26 @@ void renderer_destroy(struct renderer *renderer)
     frame_exec_destroy(&renderer->capture);
     frame_cube_finish(&renderer->cube);
     uploaded_scene_finish(&renderer->own, renderer->params.gpu);
+    free(renderer->meshes);
     free(renderer);
 }
 
 /* ---- a frame ---- */
 
-static struct rg_mesh draw_mesh(const struct gpu_buffer *vertices, const struct gpu_buffer *indices)
+/* The buffers of techniques that the plan has. */
+static void write_uploads(const struct frame_view *view, const struct globals *globals,
+                          struct rg_exec *exec, uint32_t slot)
 {
-    return (struct rg_mesh){
-        .vertices = vertices->buffer,
-        .indices = indices->buffer,
-        .index_count = (uint32_t)(indices->size / sizeof(uint32_t)),
-    };
-}
-
-/* The sun's view, where the plan has it. */
-static void write_caustics(const struct frame_view *view, const struct globals *globals,
-                           struct rg_exec *exec, uint32_t slot)
-{
-    struct globals *sun = rg_exec_mapped(exec, &ice_caustics_globals, slot);
-    struct ice_caustics_light *map = rg_exec_mapped(exec, &ice_caustics_light, slot);
-    if (!sun && !map)
-        return;
-    const struct frame_view_sun found = frame_view_sun(view, globals);
-    if (sun)
-        *sun = found.globals;
-    if (map)
-        *map = found.map;
+    void *memory = rg_exec_mapped(exec, &frame_globals, slot);
+    if (memory)
+        memcpy(memory, globals, sizeof(*globals));
+    for (const struct technique *const *t = techniques; *t; t++) {
+        for (const struct technique_upload *u = (*t)->uploads; u && u->buffer; u++) {
+            memory = rg_exec_mapped(exec, u->buffer, slot);
+            if (memory)
+                u->write(memory, view, globals);
+        }
+    }
 }
 
 /* Rays begin up to 0.02 radii inside (shaders/refract_inside.glsl). Layers are read everywhere, and
@@ -193,8 +194,9 @@ static void write_caustics(const struct frame_view *view, const struct globals *
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
-    const struct rung *rung = r->params.rung; /* none draws a cube alone */
-    const bool is_all = !rung || rung->reach > 0.0f || r->params.layers || view->scene->has_pool;
+    const struct technique *rung = r->params.rung; /* none draws a cube alone */
+    const bool is_all =
+        !rung || rung->rung.reach > 0.0f || r->params.layers || view->scene->has_pool;
     return is_all ? (VkRect2D){ .extent = size }
                   : frame_view_object_area(view, globals, size, 0.05f);
 }
@@ -206,7 +208,7 @@ static void limit(const struct renderer *r, const struct frame_view *view,
     const struct tile *t = &r->tile;
     const struct rg_exec_part part = {
         .part = { { (int32_t)t->x, (int32_t)t->y }, { t->width, t->height } },
-        .reach = frame_view_reach(view, globals, r->params.rung->reach),
+        .reach = frame_view_reach(view, globals, r->params.rung->rung.reach),
     };
     if (r->tiling.columns * r->tiling.rows > 1)
         rg_exec_limit(r->picture.exec, &part);
@@ -232,11 +234,10 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
     };
     struct rg_frame frame = {
         .settings = r->params.settings,
-        .object = draw_mesh(&s->object_vertices, &s->object_indices),
-        .surroundings = draw_mesh(&s->surroundings_vertices, &s->surroundings_indices),
-        .air = draw_mesh(&s->air_vertices, &s->air_indices),
-        .bubble_count = r->params.scene->bubbles.count,
-        .cracks = draw_mesh(&s->cracks_vertices, &s->cracks_indices),
+        .scene = r->params.scene,
+        .object = uploaded_scene_mesh(&s->object),
+        .surroundings = uploaded_scene_mesh(&s->surroundings),
+        .meshes = r->meshes,
         .view = frame_view_push(&view),
         .jitter = jitter,
     };
@@ -251,13 +252,7 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
         frame.faces_due = frame_cube_due(&r->cube, &view, &globals);
     VkResult result = rg_exec_begin(frame_exec->exec, slot);
     if (result == VK_SUCCESS) {
-        void *mapped = rg_exec_mapped(frame_exec->exec, &frame_globals, *slot);
-        if (mapped)
-            memcpy(mapped, &globals, sizeof(globals));
-        void *spheres = rg_exec_mapped(frame_exec->exec, &bubbles_spheres, *slot);
-        if (spheres)
-            frame_view_bubbles(&view, &globals, spheres);
-        write_caustics(&view, &globals, frame_exec->exec, *slot);
+        write_uploads(&view, &globals, frame_exec->exec, *slot);
         if (frame_exec == &r->picture)
             limit(r, &view, &globals);
         result = rg_exec_submit(frame_exec->exec, &frame);
@@ -290,10 +285,10 @@ static enum status fetch_sample(struct renderer *r, struct image *image, uint32_
     const void *beauty = read_back(&r->picture, frame_beauty.image, slot);
     if (beauty)
         accumulate_sample(image, &frame_beauty, beauty, sample);
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
-        const void *texels = read_back(&r->picture, frame_layers[i].image, slot);
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        const void *texels = read_back(&r->picture, techniques_layer(i)->image, slot);
         if (wants_layer(r, i) && texels)
-            accumulate_sample(image, &frame_layers[i], texels, sample);
+            accumulate_sample(image, techniques_layer(i), texels, sample);
     }
     return STATUS_OK;
 }
@@ -327,7 +322,7 @@ enum status renderer_wait(struct renderer *r)
 
 VkImage renderer_picture(const struct renderer *r)
 {
-    return rg_exec_image(r->picture.exec, &tonemap_color);
+    return rg_exec_image(r->picture.exec, &frame_display);
 }
 
 struct renderer_costs renderer_costs(const struct renderer *r)
@@ -343,11 +338,6 @@ void renderer_measure(struct renderer *r, const struct rg_measure *measure)
 struct rg_times renderer_times(const struct renderer *r)
 {
     return rg_exec_times(r->picture.exec);
-}
-
-bool renderer_has_clock(const struct renderer *r, enum rg_clock clock)
-{
-    return rg_exec_has_clock(r->picture.exec, clock);
 }
 
 const struct rg_plan *renderer_frame(const struct renderer *r)
@@ -380,7 +370,7 @@ static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, 
 {
     const size_t row_size = (size_t)r->tile.width * 4;
     uint8_t *rgba = malloc(row_size * r->tile.height);
-    const uint8_t *source = read_back(frame_exec, &tonemap_color, slot);
+    const uint8_t *source = read_back(frame_exec, &frame_display, slot);
     if (!rgba || !source)
         log_error("out of memory");
     for (size_t y = 0; y < r->tile.height && rgba && source; y++)
@@ -395,7 +385,7 @@ static enum status resolve_display(struct renderer *r, const struct image *image
     uint32_t slot;
     enum status status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
     uint16_t *texels =
-        status == STATUS_OK ? rg_exec_mapped(r->resolve.exec, &resolve_samples, slot) : NULL;
+        status == STATUS_OK ? rg_exec_mapped(r->resolve.exec, &frame_samples, slot) : NULL;
     size_t count = (size_t)image->width * image->height;
     for (size_t p = 0; p < 4 && texels; p++) {
         const float *plane = image_find(image, frame_beauty.planes[p]);
@@ -424,8 +414,8 @@ static bool make_planes(const struct renderer *r, struct image *image)
         if (!accumulate_add_planes(image, &frame_beauty))
             return false;
     }
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
-        if (wants_layer(r, i) && !accumulate_add_planes(image, &frame_layers[i]))
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        if (wants_layer(r, i) && !accumulate_add_planes(image, techniques_layer(i)))
             return false;
     }
     return true;
@@ -435,9 +425,9 @@ static void take_means(const struct renderer *r, struct image *image)
 {
     if (image_find(image, frame_beauty.planes[0]))
         accumulate_mean(image, &frame_beauty, r->params.samples);
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
+    for (uint32_t i = 0; techniques_layer(i); i++) {
         if (wants_layer(r, i))
-            accumulate_mean(image, &frame_layers[i], r->params.samples);
+            accumulate_mean(image, techniques_layer(i), r->params.samples);
     }
 }
 
@@ -472,7 +462,7 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
 static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *image)
 {
     static const struct frame_layer cube = {
-        .image = &env_cube_baked,
+        .image = &frame_env_cube_baked,
         .planes = { "R", "G", "B", "A" },
         .half = true,
         .mean = true,
@@ -483,7 +473,7 @@ static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *i
         image_finish(image);
         return STATUS_TRY_AGAIN;
     }
-    accumulate_sample(image, &cube, read_back(&r->capture, &env_cube_baked, slot), 0);
+    accumulate_sample(image, &cube, read_back(&r->capture, &frame_env_cube_baked, slot), 0);
     return STATUS_OK;
 }
 
@@ -513,6 +503,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
         status = fetch_cube(&r, slot, image);
     frame_exec_destroy(&r.capture);
     uploaded_scene_finish(&r.own, params->gpu);
+    free(r.meshes);
     return status;
 }
 

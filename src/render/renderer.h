@@ -15,7 +15,7 @@
 
 #include "graph/rg_exec.h"
 #include "graph/rg_time.h"
-#include "src/frame/frames.h"
+#include "src/frame/layers.h"
 #include "src/gpu/gpu.h"
 #include "src/image/image.h"
 #include "src/scene/scene.h"
@@ -27,7 +27,7 @@ struct renderer_params {
     const struct scene *scene;
     const struct uploaded_scene *uploaded; /* the scene; NULL: the renderer does that itself */
     const struct settings *settings;
-    const struct rung *rung;
+    const struct technique *rung;
     uint32_t width, height;  /* pixels */
     uint32_t columns, rows;  /* of tiles, of which each shot draws one; 0 means 1 */
     bool interleaved;        /* what tiles are: see renderer_shot */
@@ -92,7 +92,7 @@ MUST_USE enum status renderer_bake(const struct renderer_params *params, float t
 /* Waits for the frame drawn last. */
 MUST_USE enum status renderer_wait(struct renderer *renderer);
 
-/* The kept picture (tonemap_color), which every frame leaves ready to be sampled by shaders. */
+/* The kept picture (frame_display), which every frame leaves ready to be sampled by shaders. */
 VkImage renderer_picture(const struct renderer *renderer);
 
 /* What a renderer took to make, milliseconds of the host. */
@@ -106,7 +106,6 @@ struct renderer_costs renderer_costs(const struct renderer *renderer);
 /* What each pass of a frame costs: graph/rg_time.h. The plan's passes are those of the times. */
 void renderer_measure(struct renderer *renderer, const struct rg_measure *measure);
 struct rg_times renderer_times(const struct renderer *renderer);
-bool renderer_has_clock(const struct renderer *renderer, enum rg_clock clock);
 const struct rg_plan *renderer_frame(const struct renderer *renderer);
 
 void renderer_destroy(struct renderer *renderer); /* may be NULL */

@@ -1,6 +1,6 @@
 /* request.c: what a renderer's plans are to draw and bring back. */
 #include "src/render/request.h"
-#include "src/render/uploaded_scene.h"
+#include "src/scene/scene.h"
 
 bool renderer_is_interleaved(const struct renderer_params *params)
 {
@@ -18,12 +18,26 @@ struct tiling renderer_tiling(const struct renderer_params *params)
     };
 }
 
+static struct technique_choice choose(const struct renderer_params *params,
+                                      enum technique_purpose purpose)
+{
+    return (struct technique_choice){
+        .settings = params->settings,
+        .purpose = purpose,
+        .rung = params->rung,
+        .is_convex = params->scene->is_convex,
+        .has_pool = params->scene->has_pool,
+        .has_cube = params->scene->cube.texels != NULL,
+    };
+}
+
 struct frame_request renderer_picture_request(const struct renderer_params *params)
 {
     const bool many = params->samples > 1;
     const struct tiling tiling = renderer_tiling(params);
     struct frame_request request = {
-        .list = frame_with(params->rung, params->settings, params->scene->is_convex),
+        .choice = choose(params, TECHNIQUE_PICTURE),
+        .scene = params->scene,
         .view = { params->width, params->height },
         .layers = params->layers,
         .beauty = params->linear || (params->display && many),
@@ -33,33 +47,30 @@ struct frame_request renderer_picture_request(const struct renderer_params *para
     };
     if (tiling.columns * tiling.rows > 1)
         request.part = (VkExtent2D){ tile_largest(&tiling).width, tile_largest(&tiling).height };
-    uploaded_scene_describe(params->scene, &request);
     return request;
 }
 
 struct frame_request renderer_capture_request(const struct renderer_params *params)
 {
-    struct frame_request request = {
-        .list = frame_capture(),
+    return (struct frame_request){
+        .choice = choose(params, TECHNIQUE_CAPTURE),
+        .scene = params->scene,
         .view = { params->width, params->height },
         .keep_cube = true,
         .sharing = params->sharing,
     };
-    uploaded_scene_describe(params->scene, &request);
-    return request;
 }
 
 /* A view as large as a face. */
 struct frame_request renderer_bake_request(const struct renderer_params *params)
 {
-    struct frame_request request = {
-        .list = frame_bake(),
+    return (struct frame_request){
+        .choice = choose(params, TECHNIQUE_BAKE),
+        .scene = params->scene,
         .view = { params->width, params->height },
         .cube_back = true,
         .sharing = params->sharing,
     };
-    uploaded_scene_describe(params->scene, &request);
-    return request;
 }
 
 /* Of a picture as large as the largest tile. */
@@ -68,7 +79,7 @@ struct frame_request renderer_resolve_request(const struct renderer_params *para
     const struct tiling tiling = renderer_tiling(params);
     const struct tile largest = tile_largest(&tiling);
     return (struct frame_request){
-        .list = frame_resolve(),
+        .choice = choose(params, TECHNIQUE_RESOLVE),
         .view = { largest.width, largest.height },
         .display = true,
         .sharing = params->sharing,

@@ -1,195 +1,151 @@
-/* uploaded_scene.c: a scene's meshes and pictures on the device. */
+/* uploaded_scene.c: what techniques need of a scene, on the device. */
 #include "src/render/uploaded_scene.h"
+#include <stdlib.h>
+#include "src/base/log.h"
 #include "src/scene/mips.h"
-#include "src/tech/bump.h"
-#include "src/tech/env_cube.h"
-#include "src/tech/frame.h"
+#include "src/tech/techniques.h"
 
-static uint32_t full_chain(uint32_t width, uint32_t height)
-{
-    uint32_t side = width > height ? width : height;
-    uint32_t mips = 1;
-    while (side >>= 1)
-        mips++;
-    return mips;
-}
-
-void uploaded_scene_describe(const struct scene *scene, struct frame_request *request)
-{
-    const struct environment *environment = &scene->environment;
-    const struct texture_layers *textures = &scene->model.textures;
-    if (environment->texels) {
-        request->environment = (VkExtent2D){ environment->width, environment->height };
-        request->environment_mips = full_chain(environment->width, environment->height);
-    }
-    if (scene->cube.texels)
-        request->cube = (VkExtent2D){ scene->cube.width, scene->cube.width };
-    if (textures->texels) {
-        request->texture_size = textures->size;
-        request->texture_count = textures->count;
-        request->texture_mips = full_chain(textures->size, textures->size);
-    }
-    if (scene->bump.size) {
-        request->bump_size = scene->bump.size;
-        request->bump_mips = full_chain(scene->bump.size, scene->bump.size);
-    }
-    if (scene->air_layers.texels) {
-        request->air_size = scene->air_layers.size;
-        request->air_count = scene->air_layers.count;
-        request->air_mips = full_chain(scene->air_layers.size, scene->air_layers.size);
-    }
-}
-
-static enum status upload_mesh(struct gpu *gpu, const struct mesh *mesh,
-                               struct gpu_buffer *vertices, struct gpu_buffer *indices,
+static enum status upload_mesh(struct gpu *gpu, const struct mesh *mesh, struct uploaded_mesh *to,
                                const char *name)
 {
     enum status status =
-        gpu_buffer_create(gpu, vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, mesh->vertices,
+        gpu_buffer_create(gpu, &to->vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, mesh->vertices,
                           (VkDeviceSize)mesh->vertex_count * sizeof(*mesh->vertices), name);
     if (status == STATUS_OK)
-        status = gpu_buffer_create(gpu, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, mesh->indices,
-                                   (VkDeviceSize)mesh->index_count * sizeof(*mesh->indices), name);
+        status =
+            gpu_buffer_create(gpu, &to->indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, mesh->indices,
+                              (VkDeviceSize)mesh->index_count * sizeof(*mesh->indices), name);
     return status;
 }
 
-static enum status upload_environment(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                                      const struct environment *environment)
+static enum status upload_meshes(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                 const struct scene *scene)
 {
-    static const uint16_t black[4] = { 0 };
-    bool real = environment->texels;
-    uint32_t width = real ? environment->width : 1;
-    uint32_t height = real ? environment->height : 1;
-    return gpu_image_create(gpu, &on_gpu->environment,
-                            &(struct gpu_image_params){
-                                .name = frame_environment.name,
-                                .format = frame_environment.format,
-                                .width = width,
-                                .height = height,
-                                .mipmaps = real,
-                                .texels = real ? environment->texels : black,
-                                .texels_size = (size_t)width * height * sizeof(black),
-                            });
+    enum status status = upload_mesh(gpu, &scene->model.object, &on_gpu->object, "scene.object");
+    if (status == STATUS_OK)
+        status = upload_mesh(gpu, &scene->model.surroundings, &on_gpu->surroundings,
+                             "scene.surroundings");
+    for (size_t i = 0; techniques[i] && status == STATUS_OK; i++) {
+        if (techniques[i]->mesh)
+            status = upload_mesh(gpu, techniques[i]->mesh(scene), &on_gpu->meshes[i],
+                                 techniques[i]->name);
+    }
+    return status;
 }
 
-static enum status upload_cube(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                               const struct environment *cube)
+/* Bytes of all texels that the scene has; mips that are made do not count. */
+static size_t size_of(const struct technique_texels *texels, size_t texel_size)
 {
-    if (!cube->texels)
+    const uint32_t layers = texels->layers ? texels->layers : 1;
+    const struct mips mips = { .side = texels->width, .layers = layers, .channels = 1 };
+    if (texels->all_mips)
+        return mips_count(&mips) * texel_size;
+    return (size_t)texels->width * texels->height * layers * texel_size;
+}
+
+static enum status upload_image(struct uploaded_image *to, struct gpu *gpu,
+                                const struct technique_import *import, const struct scene *scene)
+{
+    const struct rg_image *image = import->image;
+    struct technique_texels texels = import->find(scene);
+    const bool is_real = texels.texels;
+    to->declared = image;
+    if (!is_real && !import->fallback)
         return STATUS_OK;
-    return gpu_image_create(gpu, &on_gpu->cube,
-                            &(struct gpu_image_params){
-                                .name = env_cube_color.name,
-                                .format = env_cube_color.format,
-                                .width = cube->width,
-                                .height = cube->width,
-                                .layers = 6,
-                                .cube = true,
-                                .texels = cube->texels,
-                                .texels_size = (size_t)cube->width * cube->height * 8,
-                            });
+    if (!is_real)
+        texels = (struct technique_texels){
+            .texels = import->fallback, .width = 1, .height = 1, .all_mips = texels.all_mips
+        };
+    return gpu_image_create(
+        gpu, &to->image,
+        &(struct gpu_image_params){
+            .name = image->name,
+            .format = image->format,
+            .width = texels.width,
+            .height = texels.height,
+            .layers = texels.layers ? texels.layers : image->array,
+            .cube = image->cube,
+            .mipmaps = is_real && !texels.all_mips && !texels.no_mips,
+            .levels = texels.all_mips,
+            .texels = texels.texels,
+            .texels_size = size_of(&texels, rg_format_info(image->format)->size),
+        });
 }
 
-static enum status upload_textures(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                                   const struct texture_layers *textures)
+static enum status upload_images(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                 const struct scene *scene)
 {
-    static const uint8_t white[4] = { 255, 255, 255, 255 };
-    bool real = textures->texels;
-    uint32_t size = real ? textures->size : 1;
-    uint32_t count = real ? textures->count : 1;
-    return gpu_image_create(gpu, &on_gpu->textures,
-                            &(struct gpu_image_params){
-                                .name = frame_textures.name,
-                                .format = frame_textures.format,
-                                .width = size,
-                                .height = size,
-                                .layers = count,
-                                .mipmaps = real,
-                                .texels = real ? textures->texels : white,
-                                .texels_size = (size_t)size * size * count * sizeof(white),
-                            });
+    enum status status = STATUS_OK;
+    for (const struct technique *const *t = techniques; *t; t++) {
+        const struct technique_import *import = (*t)->imports;
+        for (; import && import->image && status == STATUS_OK; import++)
+            status = upload_image(&on_gpu->images[on_gpu->image_count++], gpu, import, scene);
+    }
+    return status;
 }
 
-static enum status upload_bump(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                               const struct bump_maps *maps)
+static size_t count_imports(void)
 {
-    static const uint16_t even[4] = { 0 };
-    const struct mips mips = { .side = maps->size ? maps->size : 1, .layers = 1, .channels = 4 };
-    return gpu_image_create(gpu, &on_gpu->bump_map,
-                            &(struct gpu_image_params){
-                                .name = bump_map.name,
-                                .format = bump_map.format,
-                                .width = mips.side,
-                                .height = mips.side,
-                                .levels = true,
-                                .texels = maps->size ? maps->texels : even,
-                                .texels_size = mips_count(&mips) * sizeof(*even),
-                            });
-}
-
-static enum status upload_air(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                              const struct air_layers *layers)
-{
-    static const uint8_t clear[2] = { 0 };
-    bool real = layers->texels;
-    const struct mips mips = { real ? layers->size : 1, real ? layers->count : 1, .channels = 2 };
-    return gpu_image_create(gpu, &on_gpu->air_layers,
-                            &(struct gpu_image_params){
-                                .name = frame_air.name,
-                                .format = frame_air.format,
-                                .width = mips.side,
-                                .height = mips.side,
-                                .layers = mips.layers,
-                                .levels = true,
-                                .texels = real ? layers->texels : clear,
-                                .texels_size = mips_count(&mips),
-                            });
+    size_t count = 0;
+    for (const struct technique *const *t = techniques; *t; t++) {
+        for (const struct technique_import *i = (*t)->imports; i && i->image; i++)
+            count++;
+    }
+    return count;
 }
 
 enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                 const struct scene *scene)
 {
-    *on_gpu = (struct uploaded_scene){ 0 };
-    enum status status = upload_mesh(gpu, &scene->model.object, &on_gpu->object_vertices,
-                                     &on_gpu->object_indices, "scene.object");
+    enum status status = STATUS_TRY_AGAIN;
+    *on_gpu = (struct uploaded_scene){
+        .meshes = calloc(techniques_count, sizeof(*on_gpu->meshes)),
+        .images = calloc(count_imports(), sizeof(*on_gpu->images)),
+    };
+    if (on_gpu->meshes && on_gpu->images)
+        status = upload_meshes(on_gpu, gpu, scene);
+    else
+        log_error("out of memory");
     if (status == STATUS_OK)
-        status = upload_mesh(gpu, &scene->model.surroundings, &on_gpu->surroundings_vertices,
-                             &on_gpu->surroundings_indices, "scene.surroundings");
-    if (status == STATUS_OK)
-        status = upload_mesh(gpu, &scene->cracks, &on_gpu->cracks_vertices, &on_gpu->cracks_indices,
-                             "scene.cracks");
-    if (status == STATUS_OK)
-        status = upload_environment(on_gpu, gpu, &scene->environment);
-    if (status == STATUS_OK)
-        status = upload_cube(on_gpu, gpu, &scene->cube);
-    if (status == STATUS_OK)
-        status = upload_textures(on_gpu, gpu, &scene->model.textures);
-    if (status == STATUS_OK)
-        status = upload_bump(on_gpu, gpu, &scene->bump);
-    if (status == STATUS_OK)
-        status =
-            upload_mesh(gpu, &scene->air, &on_gpu->air_vertices, &on_gpu->air_indices, "scene.air");
-    if (status == STATUS_OK)
-        status = upload_air(on_gpu, gpu, &scene->air_layers);
+        status = upload_images(on_gpu, gpu, scene);
     if (status != STATUS_OK)
         uploaded_scene_finish(on_gpu, gpu);
     return status;
 }
 
+static void destroy_mesh(struct gpu *gpu, struct uploaded_mesh *mesh)
+{
+    gpu_buffer_destroy(gpu, &mesh->vertices);
+    gpu_buffer_destroy(gpu, &mesh->indices);
+}
+
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu)
 {
-    gpu_buffer_destroy(gpu, &on_gpu->object_vertices);
-    gpu_buffer_destroy(gpu, &on_gpu->object_indices);
-    gpu_buffer_destroy(gpu, &on_gpu->surroundings_vertices);
-    gpu_buffer_destroy(gpu, &on_gpu->surroundings_indices);
-    gpu_buffer_destroy(gpu, &on_gpu->cracks_vertices);
-    gpu_buffer_destroy(gpu, &on_gpu->cracks_indices);
-    gpu_image_destroy(gpu, &on_gpu->environment);
-    gpu_image_destroy(gpu, &on_gpu->cube);
-    gpu_image_destroy(gpu, &on_gpu->textures);
-    gpu_image_destroy(gpu, &on_gpu->bump_map);
-    gpu_buffer_destroy(gpu, &on_gpu->air_vertices);
-    gpu_buffer_destroy(gpu, &on_gpu->air_indices);
-    gpu_image_destroy(gpu, &on_gpu->air_layers);
+    destroy_mesh(gpu, &on_gpu->object);
+    destroy_mesh(gpu, &on_gpu->surroundings);
+    for (size_t i = 0; on_gpu->meshes && i < techniques_count; i++)
+        destroy_mesh(gpu, &on_gpu->meshes[i]);
+    for (size_t i = 0; i < on_gpu->image_count; i++)
+        gpu_image_destroy(gpu, &on_gpu->images[i].image);
+    free(on_gpu->meshes);
+    free(on_gpu->images);
     *on_gpu = (struct uploaded_scene){ 0 };
+}
+
+struct rg_mesh uploaded_scene_mesh(const struct uploaded_mesh *mesh)
+{
+    return (struct rg_mesh){
+        .vertices = mesh->vertices.buffer,
+        .indices = mesh->indices.buffer,
+        .index_count = (uint32_t)(mesh->indices.size / sizeof(uint32_t)),
+    };
+}
+
+VkImage uploaded_scene_image(const struct uploaded_scene *on_gpu, const struct rg_image *declared)
+{
+    for (size_t i = 0; i < on_gpu->image_count; i++) {
+        if (on_gpu->images[i].declared == declared)
+            return on_gpu->images[i].image.image;
+    }
+    return VK_NULL_HANDLE;
 }

@@ -2,29 +2,38 @@
 #ifndef FIRN_RENDER_UPLOADED_SCENE_H
 #define FIRN_RENDER_UPLOADED_SCENE_H
 
-#include "src/frame/plan.h"
+#include "graph/rg_cmd.h"
 #include "src/gpu/gpu.h"
 #include "src/scene/scene.h"
 
-struct uploaded_scene {
-    struct gpu_buffer object_vertices, object_indices;
-    struct gpu_buffer surroundings_vertices, surroundings_indices;
-    struct gpu_buffer cracks_vertices, cracks_indices;
-    struct gpu_image environment; /* 1x1 if the scene has none */
-    struct gpu_image cube;        /* {0} if the scene has none */
-    struct gpu_image textures;    /* 1x1 if the scene has none */
-    struct gpu_image bump_map;    /* the same */
-    struct gpu_buffer air_vertices, air_indices;
-    struct gpu_image air_layers; /* 1x1 if the scene has none */
+/* A mesh; without triangles {0}. */
+struct uploaded_mesh {
+    struct gpu_buffer vertices, indices;
 };
 
-/* Fills what a plan must know of the scene's pictures; needs no device. */
-void uploaded_scene_describe(const struct scene *scene, struct frame_request *request);
+/* An image that a technique imports. */
+struct uploaded_image {
+    const struct rg_image *declared;
+    struct gpu_image image; /* {0}: the scene has none, and no texel stands in for it */
+};
+
+struct uploaded_scene {
+    struct uploaded_mesh object, surroundings;
+    struct uploaded_mesh *meshes; /* of techniques, as techniques_index() counts them */
+    struct uploaded_image *images;
+    size_t image_count;
+};
 
 /* On failure (logged) *on_gpu is {0}. */
 MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                          const struct scene *scene);
 
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu);
+
+/* To draw it. */
+struct rg_mesh uploaded_scene_mesh(const struct uploaded_mesh *mesh);
+
+/* The image that was uploaded for a declaration, or VK_NULL_HANDLE. */
+VkImage uploaded_scene_image(const struct uploaded_scene *on_gpu, const struct rg_image *declared);
 
 #endif

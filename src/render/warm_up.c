@@ -11,6 +11,7 @@
 #include "src/gpu/gpu.h"
 #include "src/settings/settings.h"
 #include "src/tech/frame.h"
+#include "src/tech/techniques.h"
 
 enum {
     THREAD_COUNT_MAX = 3, /* more find nothing left */
@@ -21,7 +22,8 @@ struct warm_up {
     struct frame_exec_params described;
     struct settings settings;
     struct rg_frame frame;
-    atomic_int next; /* pass; below 0: all are done, or it is over */
+    struct rg_mesh *meshes; /* of techniques */
+    atomic_int next;        /* pass; below 0: all are done, or it is over */
     pthread_t threads[THREAD_COUNT_MAX];
     uint32_t thread_count;
 };
@@ -69,16 +71,17 @@ static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exe
                      const struct renderer_params *params)
 {
     const struct rg_mesh mesh = { .index_count = 3 };
+    for (size_t i = 0; i < techniques_count; i++)
+        warm_up->meshes[i] = mesh;
     frame_exec_describe(&warm_up->described, frame_exec, params);
     warm_up->gpu = params->gpu;
     warm_up->settings = *params->settings;
     warm_up->frame = (struct rg_frame){
         .settings = &warm_up->settings,
+        .scene = params->scene,
         .object = mesh,
         .surroundings = mesh,
-        .cracks = mesh,
-        .air = mesh,
-        .bubble_count = 1,
+        .meshes = warm_up->meshes,
         .faces_due = FRAME_CUBE_ALL,
     };
     struct rg_exec_params *exec = &warm_up->described.params;
@@ -107,6 +110,11 @@ struct warm_up *warm_up_begin(const struct frame_exec *frame_exec,
     struct warm_up *warm_up = cores > 1 ? calloc(1, sizeof(*warm_up)) : NULL;
     if (!warm_up)
         return NULL;
+    warm_up->meshes = calloc(techniques_count, sizeof(*warm_up->meshes));
+    if (!warm_up->meshes) {
+        free(warm_up);
+        return NULL;
+    }
     describe(warm_up, frame_exec, params);
     const uint32_t most = cores > THREAD_COUNT_MAX ? THREAD_COUNT_MAX : (uint32_t)cores - 1;
     while (warm_up->thread_count < most &&
@@ -122,5 +130,6 @@ void warm_up_end(struct warm_up *warm_up)
     atomic_store(&warm_up->next, -1); /* no further pass */
     for (uint32_t i = 0; i < warm_up->thread_count; i++)
         pthread_join(warm_up->threads[i], NULL);
+    free(warm_up->meshes);
     free(warm_up);
 }

@@ -268,3 +268,9 @@ void scene_finish(struct scene *scene)
     mesh_finish(&scene->cracks);
     *scene = (struct scene){ 0 };
 }
+
+float scene_near_plane(const struct scene *scene)
+{
+    float diagonal = box_diagonal(scene->box);
+    return diagonal > 0.0f ? diagonal * 1e-3f : 1e-3f;
+}

@@ -90,4 +90,7 @@ MUST_USE enum status scene_make_cracks(struct scene *scene, const struct scene_c
 
 void scene_finish(struct scene *scene);
 
+/* Metres from the eye to the near plane of pictures of a scene; there is no far plane. */
+float scene_near_plane(const struct scene *scene);
+
 #endif

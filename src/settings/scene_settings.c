@@ -9,6 +9,7 @@ static const struct setting object_rows[] = {
         .type = SETTING_COUNT,
         .offset = offsetof(struct object_params, triangles),
         .max = GENERATE_TRIANGLES_MAX,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "triangles of a built-in object (0: sphere 960, ice 4800, teapot 14400)",
     },
 };
@@ -22,6 +23,7 @@ static const struct setting landscape_rows[] = {
         .type = SETTING_COUNT,
         .offset = offsetof(struct landscape_params, triangles),
         .max = GENERATE_TRIANGLES_MAX,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "triangles of the landscape (0: 2340)",
     },
     {
@@ -29,6 +31,7 @@ static const struct setting landscape_rows[] = {
         .type = SETTING_SWITCH,
         .offset = offsetof(struct landscape_params, flat),
         .max = 1,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "a level floor of tiles under the object, in place of the valley",
     },
 };
@@ -85,6 +88,7 @@ static const struct setting texture_rows[] = {
         .initial = 4,
         .min = 1,
         .max = 16,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "samples that textures seen at a slant may take (1: fast on CPUs)",
     },
 };
@@ -112,6 +116,7 @@ static const struct setting motion_rows[] = {
         .type = SETTING_COUNT,
         .offset = offsetof(struct motion_params, count),
         .max = GENERATE_MOVERS_MAX,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "objects that move around the ice",
     },
 };
@@ -132,9 +137,11 @@ static const struct setting light_rows[] = {
         .offset = offsetof(struct light_params, count),
         .initial = 2,
         .max = GLOBALS_LIGHT_COUNT,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "lights around the ice, whose highlights it shows",
     },
-    LIGHT(strength, .initial = 1, .max = 100, .help = "brightness of their highlights"),
+    LIGHT(strength, .initial = 1, .max = 100, .switches = SETTING_AFFECTS_PLAN,
+          .help = "brightness of their highlights"),
     LIGHT(azimuth, .initial = 60, .min = -360, .max = 360, .unit = "degrees",
           .help = "direction of the first light at time 0; 0 on +Z, 90 on +X"),
     LIGHT(elevation, .initial = 50, .min = -90, .max = 90, .unit = "degrees",
@@ -145,32 +152,33 @@ static const struct setting light_rows[] = {
 
 const struct setting_group light_settings = SETTING_GROUP("light", light_rows, struct light_params);
 
-#define ABSORB(field) \
-    { \
-        .name = "absorb." #field, .type = SETTING_FLOAT, \
-        .offset = offsetof(struct absorb_params, field), .max = 1e4, .unit = "1/metre", \
-        .help = "how fast the object takes " #field " light" \
-    }
-
-static const struct setting absorb_rows[] = {
-    ABSORB(red),
-    ABSORB(green),
-    ABSORB(blue),
+static const struct setting env_cube_rows[] = {
+    {
+        .name = "env_cube.dynamic",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct env_cube_params, dynamic),
+        .initial = 1,
+        .max = 1,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "draw the environment cube as it changes (off: once, at motion.time)",
+    },
+    {
+        .name = "env_cube.always",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct env_cube_params, always),
+        .max = 1,
+        .help = "and all six faces of it in every frame (off: those in which something changed)",
+    },
+    {
+        .name = "env_cube.faces",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct env_cube_params, faces),
+        .initial = 6,
+        .min = 1,
+        .max = 6,
+        .help = "or at most so many a frame of a window, in turn",
+    },
 };
 
-const struct setting_group absorb_settings =
-    SETTING_GROUP("absorb", absorb_rows, struct absorb_params);
-
-#define LOCAL(field, what) \
-    { \
-        .name = "local." #field, .type = SETTING_FLOAT, \
-        .offset = offsetof(struct local_params, field), .min = -1e6, .max = 1e6, .unit = "metres", \
-        .help = "of refract.lookup=box: " what " of its box (all 0: what the surroundings need)" \
-    }
-
-static const struct setting local_rows[] = {
-    LOCAL(left, "least x"),   LOCAL(right, "greatest x"), LOCAL(bottom, "least y"),
-    LOCAL(top, "greatest y"), LOCAL(back, "least z"),     LOCAL(front, "greatest z"),
-};
-
-const struct setting_group local_settings = SETTING_GROUP("local", local_rows, struct local_params);
+const struct setting_group env_cube_settings =
+    SETTING_GROUP("env_cube", env_cube_rows, struct env_cube_params);

@@ -42,19 +42,14 @@ struct light_params {
     float distance;  /* from the object's centre, in its bounding sphere's radii */
 };
 
-/* What the object takes of light that passes it, by Beer and Lambert: exp(-absorb * length). */
-struct absorb_params {
-    float red, green, blue; /* 1 / metre */
-};
-
-/* The box of refract.lookup=box, metres, world; all 0: that of the surroundings. */
-struct local_params {
-    float left, right; /* along x */
-    float bottom, top; /* y */
-    float back, front; /* z: the front is nearer to +Z */
+/* The environment cube, which lives from frame to frame. */
+struct env_cube_params {
+    uint32_t dynamic; /* drawn by the frames, else once, at motion.time */
+    uint32_t always;  /* in all of them */
+    uint32_t faces;   /* at most, in a frame of a window */
 };
 
 extern const struct setting_group object_settings, landscape_settings, sky_settings,
-    texture_settings, motion_settings, light_settings, absorb_settings, local_settings;
+    texture_settings, motion_settings, light_settings, env_cube_settings;
 
 #endif

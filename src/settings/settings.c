@@ -6,67 +6,70 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/reference/reference_settings.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/air.h"
-#include "src/tech/bubbles.h"
-#include "src/tech/bump.h"
-#include "src/tech/caustics.h"
-#include "src/tech/cracks.h"
-#include "src/tech/env_cube.h"
-#include "src/tech/frost.h"
-#include "src/tech/ice_caustics.h"
-#include "src/tech/ice_interval.h"
-#include "src/tech/refract.h"
-#include "src/tech/refract_blend.h"
-#include "src/tech/refract_bounce.h"
-#include "src/tech/refract_paper.h"
-#include "src/tech/refract_search.h"
-#include "src/tech/surface.h"
-#include "src/tech/tonemap.h"
-#include "src/tech/water.h"
+#include "src/tech/techniques.h"
 
-const struct setting_group *const setting_groups[] = {
-    &object_settings,
-    &landscape_settings,
-    &sky_settings,
-    &texture_settings,
-    &motion_settings,
-    &light_settings,
-    &env_cube_settings,
-    &refract_settings,
-    &refract_paper_settings,
-    &refract_blend_settings,
-    &refract_search_settings,
-    &refract_bounce_settings,
-    &absorb_settings,
-    &local_settings,
-    &reference_settings,
-    &air_settings,
-    &bubbles_settings,
-    &cracks_settings,
-    &ice_interval_settings,
-    &bump_settings,
-    &surface_settings,
-    &frost_settings,
-    &ice_caustics_settings,
-    &pool_settings,
-    &water_settings,
-    &caustics_settings,
-    &tonemap_settings,
-    NULL,
+/* Those that belong to no technique come first. */
+static const struct setting_group *const scene_groups[] = {
+    &object_settings, &landscape_settings, &sky_settings,      &texture_settings,
+    &motion_settings, &light_settings,     &env_cube_settings,
 };
 
-/* Where a group's struct begins; groups lie one after another, 16 bytes aligned. */
+enum {
+    SCENE_GROUP_COUNT = sizeof(scene_groups) / sizeof(scene_groups[0])
+};
+
+/* A walk over all groups, for whoever needs more than one of them. */
+struct walk {
+    const struct setting_group *group; /* NULL at the end */
+    size_t offset;                     /* of its struct: one lies after another, 16 bytes aligned */
+    const struct technique *const *technique;
+    size_t index; /* among the scene's groups, or the technique's */
+};
+
+static struct walk first_group(void)
+{
+    return (struct walk){ .group = scene_groups[0] };
+}
+
+static void next_group(struct walk *walk)
+{
+    walk->offset += (walk->group->params_size + 15) / 16 * 16;
+    walk->group = NULL;
+    walk->index++;
+    if (!walk->technique && walk->index < SCENE_GROUP_COUNT)
+        walk->group = scene_groups[walk->index];
+    if (!walk->technique && walk->index == SCENE_GROUP_COUNT) {
+        walk->technique = techniques;
+        walk->index = 0;
+    }
+    while (!walk->group && walk->technique && *walk->technique) {
+        if (walk->index < TECHNIQUE_GROUP_COUNT)
+            walk->group = (*walk->technique)->settings[walk->index];
+        if (!walk->group) {
+            walk->technique++;
+            walk->index = 0;
+        }
+    }
+}
+
+const struct setting_group *settings_group(size_t i)
+{
+    struct walk walk = first_group();
+    while (walk.group && i-- > 0)
+        next_group(&walk);
+    return walk.group;
+}
+
 static size_t group_offset(const struct setting_group *group)
 {
-    size_t offset = 0;
-    for (size_t g = 0; setting_groups[g] != group; g++) {
-        assert(setting_groups[g]); /* the group is in the list */
-        offset += (setting_groups[g]->params_size + 15) / 16 * 16;
+    struct walk walk = first_group();
+    while (walk.group != group) {
+        next_group(&walk);
+        assert(walk.group); /* the group is in the list */
     }
-    assert(offset + group->params_size <= SETTINGS_SIZE);
-    return offset;
+    assert(walk.offset + group->params_size <= SETTINGS_SIZE);
+    return walk.offset;
 }
 
 const void *settings_of(const struct settings *settings, const struct setting_group *group)
@@ -76,13 +79,21 @@ const void *settings_of(const struct settings *settings, const struct setting_gr
 
 static size_t row_offset(const struct setting *row)
 {
-    for (size_t g = 0; setting_groups[g]; g++) {
-        const struct setting_group *group = setting_groups[g];
-        if (row >= group->rows && row < group->rows + group->row_count)
-            return group_offset(group) + row->offset;
+    for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
+        if (row >= walk.group->rows && row < walk.group->rows + walk.group->row_count)
+            return walk.offset + row->offset;
     }
     assert(false && "the row is in a listed group");
     return 0;
+}
+
+const struct setting *settings_row(const struct setting_group *group, size_t offset)
+{
+    size_t i = 0;
+    while (i < group->row_count && group->rows[i].offset != offset)
+        i++;
+    assert(i < group->row_count); /* every field has a row */
+    return &group->rows[i];
 }
 
 void settings_put(struct settings *settings, const struct setting *row, double value)
@@ -107,23 +118,40 @@ double settings_get(const struct settings *settings, const struct setting *row)
     return count;
 }
 
+enum setting_effect settings_changed(const struct settings *before, const struct settings *after)
+{
+    enum setting_effect most = SETTING_AFFECTS_NOTHING;
+    for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
+        for (size_t r = 0; r < walk.group->row_count; r++) {
+            const struct setting *row = &walk.group->rows[r];
+            const double a = settings_get(before, row), b = settings_get(after, row);
+            if (!(a < b) && !(a > b))
+                continue;
+            most = most > SETTING_AFFECTS_FRAME ? most : SETTING_AFFECTS_FRAME;
+            most = most > row->affects ? most : row->affects;
+            if (!(a > 0.0 || a < 0.0) != !(b > 0.0 || b < 0.0))
+                most = most > row->switches ? most : row->switches;
+        }
+    }
+    return most;
+}
+
 struct settings settings_default(void)
 {
     struct settings settings = { 0 };
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++)
-            settings_put(&settings, &setting_groups[g]->rows[r],
-                         setting_groups[g]->rows[r].initial);
+    for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
+        for (size_t r = 0; r < walk.group->row_count; r++)
+            settings_put(&settings, &walk.group->rows[r], walk.group->rows[r].initial);
     }
     return settings;
 }
 
 const struct setting *settings_find(const char *name)
 {
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
-            if (!strcmp(setting_groups[g]->rows[r].name, name))
-                return &setting_groups[g]->rows[r];
+    for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
+        for (size_t r = 0; r < walk.group->row_count; r++) {
+            if (!strcmp(walk.group->rows[r].name, name))
+                return &walk.group->rows[r];
         }
     }
     return NULL;
@@ -160,12 +188,12 @@ static const char *nearest_name(const char *name)
 {
     const char *nearest = "";
     size_t best = SIZE_MAX;
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
-            size_t distance = edit_distance(name, setting_groups[g]->rows[r].name);
+    for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
+        for (size_t r = 0; r < walk.group->row_count; r++) {
+            size_t distance = edit_distance(name, walk.group->rows[r].name);
             if (distance < best) {
                 best = distance;
-                nearest = setting_groups[g]->rows[r].name;
+                nearest = walk.group->rows[r].name;
             }
         }
     }

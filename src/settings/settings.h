@@ -3,7 +3,7 @@
  *
  * A group is a struct of parameters (often the very struct a shader reads) and the rows that
  * describe its fields: name, type, range, default, unit, help. The rows drive --set, the help,
- * `firn list settings` and the metadata of pictures. settings.c lists the groups.
+ * `firn list settings` and the metadata of pictures. Techniques bring their groups with them.
  *
  * Thread-safety: a struct settings may be read from many threads.
  */
@@ -23,14 +23,24 @@ enum setting_type {
     SETTING_CHOICE, /* uint32_t, index into choices */
 };
 
+/* What has to be made anew when a setting changes, each with all before it. */
+enum setting_effect {
+    SETTING_AFFECTS_NOTHING,
+    SETTING_AFFECTS_FRAME, /* it is read in every frame */
+    SETTING_AFFECTS_PLAN,  /* the plan, or constants that its pipelines are made with */
+    SETTING_AFFECTS_SCENE, /* what is loaded or generated */
+};
+
 struct setting {
     const char *name; /* "<group>.<parameter>" */
     enum setting_type type;
     size_t offset; /* of the field in the group's struct */
     double initial, min, max;
-    const char *unit;           /* "degrees"; NULL: none */
-    const char *const *choices; /* ends at NULL */
-    const char *help;           /* one line, no full stop */
+    const char *unit;             /* "degrees"; NULL: none */
+    const char *const *choices;   /* ends at NULL */
+    const char *help;             /* one line, no full stop */
+    enum setting_effect affects;  /* of any change; SETTING_AFFECTS_NOTHING means FRAME */
+    enum setting_effect switches; /* of a change from 0 or to it, if that affects more */
 };
 
 struct setting_group {
@@ -54,15 +64,18 @@ struct settings {
     _Alignas(16) unsigned char values[SETTINGS_SIZE];
 };
 
-/* All groups, in the order of help and metadata; ends at NULL. */
-extern const struct setting_group *const setting_groups[];
+/* Group i in the order of help and metadata; NULL: there are no more. */
+const struct setting_group *settings_group(size_t i);
 
 struct settings settings_default(void);
 
 /* The struct of a group. */
 const void *settings_of(const struct settings *settings, const struct setting_group *group);
 
-/* Row of that name, or NULL. */
+/* The row of a group for the field at that offset of its struct. */
+const struct setting *settings_row(const struct setting_group *group, size_t offset);
+
+/* Row of that name, or NULL. For names that come from outside. */
 const struct setting *settings_find(const char *name);
 
 /*
@@ -74,6 +87,9 @@ MUST_USE enum status settings_set(struct settings *settings, const char *assignm
 /* The same for a value known to be in range. */
 void settings_put(struct settings *settings, const struct setting *row, double value);
 double settings_get(const struct settings *settings, const struct setting *row);
+
+/* The most that the changes from `before` to `after` affect. */
+enum setting_effect settings_changed(const struct settings *before, const struct settings *after);
 
 /* A row's value as --set takes it: "0.33", "on", "neutral". */
 void settings_print(const struct settings *settings, const struct setting *row, FILE *out);

@@ -20,7 +20,16 @@
 #include "src/tech/frame.h"
 #include "src/tech/ice_depth.h"
 
-static rg_record_fn record_layer, record_planes;
+static rg_record_fn record_planes;
+
+/* Imported: struct air_layers of the scene; the size is that of the fallback. */
+static const struct rg_image air_layers = {
+    .name = "frame.air",
+    .format = VK_FORMAT_R8G8_UNORM,
+    .width = 1,
+    .height = 1,
+    .array = true,
+};
 
 const struct rg_image air_cover = {
     .name = "air.cover",
@@ -42,7 +51,7 @@ static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     { .image = &ice_depth_front, .access = RG_SAMPLED, .binding = ICE_DEPTH_FRONT, .here = true },
     {
-        .image = &frame_air,
+        .image = &air_layers,
         .access = RG_SAMPLED,
         .binding = AIR_LAYERS,
         .sampler = &layers_sampler,
@@ -75,7 +84,7 @@ static const struct rg_pass passes[] = {
         .uses = layer_uses,
         .vert = &over_vert,
         .frag = &air_layer_frag,
-        .record = record_layer,
+        .record = frame_draw_screen,
     },
 };
 
@@ -84,13 +93,7 @@ static void record_planes(struct rg_cmd *cmd, const struct rg_frame *frame)
     const struct air_params *params = settings_of(frame->settings, &air_settings);
     const struct air_push push = { params->strength, params->haze };
     rg_cmd_push(cmd, &push, sizeof(push));
-    rg_cmd_draw_mesh(cmd, &frame->air);
-}
-
-static void record_layer(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    (void)frame;
-    rg_cmd_draw(cmd, 3);
+    frame_draw_mesh(cmd, frame, &air);
 }
 
 static const struct setting rows[] = {
@@ -100,6 +103,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, count),
         .initial = 19,
         .max = 64,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "planes of air in the ice; 0 for none",
     },
     {
@@ -108,6 +112,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, seed),
         .initial = 1,
         .max = 999999,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "chooses how the planes of air lie and where their bubbles are",
     },
     {
@@ -117,6 +122,7 @@ static const struct setting rows[] = {
         .initial = 0.01,
         .min = 0.002,
         .max = 0.1,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "diameter of the air's largest bubbles, in the object's diagonals",
     },
     {
@@ -126,6 +132,7 @@ static const struct setting rows[] = {
         .initial = 24,
         .min = 1,
         .max = 128,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "the air's largest bubbles along the object's diagonal",
     },
     {
@@ -148,8 +155,54 @@ static const struct setting rows[] = {
 
 const struct setting_group air_settings = SETTING_GROUP("air", rows, struct air_params);
 
+static bool is_on(const struct settings *settings)
+{
+    const struct air_params *params = settings_of(settings, &air_settings);
+    return params->count > 0;
+}
+
+static const struct mesh *find_planes(const struct scene *scene)
+{
+    return &scene->air;
+}
+
+static struct technique_texels find_layers(const struct scene *scene)
+{
+    const struct air_layers *found = &scene->air_layers;
+    return (struct technique_texels){
+        .texels = found->texels,
+        .width = found->size,
+        .height = found->size,
+        .layers = found->count,
+        .all_mips = true,
+    };
+}
+
+static const uint8_t clear[2] = { 0 };
+
+static const struct technique_import imports[] = {
+    { &air_layers, find_layers, clear },
+    { 0 },
+};
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "air",
+        .image = &air_color,
+        .planes = { "air.R", "air.G", "air.B", "air.A" },
+        .mean = true,
+        .help = "planes of air in the ice, premultiplied",
+    },
+    { 0 },
+};
+
 const struct technique air = {
-    .graph = RG_TECHNIQUE("air", passes),
-    .settings = &air_settings,
+    .name = "air",
     .help = "milky planes of air in the ice (Seipel and Nivfors 2006)",
+    .settings = { &air_settings },
+    .is_on = is_on,
+    .layers = layers,
+    .imports = imports,
+    .mesh = find_planes,
+    .parts = { { PHASE_INCLUSIONS, .graph = RG_TECHNIQUE("air", passes) } },
 };

@@ -9,10 +9,8 @@ extern const struct rg_image air_color; /* premultiplied; 0 where there is none;
 
 /* What over.vert reads of the environment for the air's light. */
 #define AIR_USE_ENVIRONMENT \
-    { \
-        .image = &frame_environment, .access = RG_SAMPLED, .binding = OVER_ENVIRONMENT, \
-        .sampler = &frame_environment_sampler, .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT \
-    }
+    FRAME_SAMPLE(frame_environment, OVER_ENVIRONMENT, .sampler = &frame_environment_sampler, \
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
 
 extern const struct technique air;
 extern const struct setting_group air_settings;

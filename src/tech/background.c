@@ -7,74 +7,82 @@
 #include "shaders/embedded.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_caustics.h"
+#include "src/tech/row_builder.h"
 
 static rg_record_fn record_surroundings, record_sky;
 
-const struct rg_image background_color = {
-    .name = "background.color",
-    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-};
-
-const struct rg_image background_depth = {
-    .name = "background.depth",
-    .format = VK_FORMAT_D32_SFLOAT,
-};
-
-const struct rg_use background_sky_uses[] = {
+static const struct rg_use plain_uses[] = {
     FRAME_USE_GLOBALS,
-    {
-        .image = &frame_environment,
-        .access = RG_SAMPLED,
-        .binding = BACKGROUND_ENVIRONMENT,
-        .sampler = &frame_environment_sampler,
-    },
+    FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler),
     { 0 },
 };
 
-#define USE_TEXTURES \
-    { \
-        .image = &frame_textures, .access = RG_SAMPLED, .binding = BACKGROUND_TEXTURES, \
-        .sampler = &frame_texture_sampler \
-    }
-
-const struct rg_use background_uses[] = { FRAME_USE_GLOBALS, USE_TEXTURES, { 0 } };
-
-const struct rg_use background_shine_uses[] = {
+static const struct rg_use sky_uses[] = {
     FRAME_USE_GLOBALS,
-    USE_TEXTURES,
-    ICE_CAUSTICS_USES,
+    FRAME_SAMPLE(frame_environment, BACKGROUND_ENVIRONMENT, .sampler = &frame_environment_sampler),
     { 0 },
 };
 
-#define SURROUNDINGS_ROW(...) \
-    { \
-        .name = "background.surroundings", .record = record_surroundings, __VA_ARGS__ \
-    }
-
-#define ONTO_THE_ICE \
-    .color = RG_TARGETS({ &background_color, RG_LOAD_KEEP }), \
-    .depth = { &background_depth, RG_LOAD_KEEP }
-
-#define SKY_ROW \
-    { \
-        .name = "background.sky", BACKGROUND_SKY(&background_color, &background_depth), \
-        .record = record_sky \
-    }
-
+/* What background_make() fills in: names, targets, uses, record functions. */
 static const struct rg_pass passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS(&background_color, &background_depth)),
-    SKY_ROW,
+    {
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .vert = &background_vert,
+        .vertices = &frame_mesh_layout,
+        .push_size = sizeof(struct background_push),
+    },
+    {
+        .depth_read_only = true,
+        .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
+        .vert = &background_sky_vert,
+        .frag = &background_sky_frag,
+        .uses = sky_uses,
+        .push_size = sizeof(struct background_push),
+    },
 };
 
-static const struct rg_pass around_passes[] = {
-    SURROUNDINGS_ROW(ONTO_THE_ICE, BACKGROUND_PLAIN),
-    SKY_ROW,
-};
+struct rg_technique background_make(struct row_builder *builder, const struct background_rows *b)
+{
+    /* the sky fills what the surroundings leave */
+    const enum rg_load color_load = b->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
+    const enum rg_load depth_load = b->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
+    const struct rg_use *const uses[] = { plain_uses, b->shine ? ice_caustics_uses : NULL };
+    struct rg_pass *rows = row_builder_rows(builder, passes, 2);
+    if (!rows)
+        return (struct rg_technique){ 0 };
+    rows[0].name = row_builder_name(builder, b->name, "surroundings");
+    rows[0].color = row_builder_target(builder, (struct rg_target){ b->color, color_load });
+    rows[0].depth = (struct rg_target){ b->depth, depth_load };
+    rows[0].frag = b->shine ? &background_shine_frag : &background_frag;
+    rows[0].uses = row_builder_uses(builder, uses, 2);
+    rows[0].record = b->record_surroundings;
+    rows[1].name = row_builder_name(builder, b->name, "sky");
+    rows[1].color = row_builder_target(builder, (struct rg_target){ b->color, RG_LOAD_KEEP });
+    rows[1].depth = (struct rg_target){ b->depth, RG_LOAD_KEEP };
+    rows[1].record = b->record_sky;
+    for (size_t i = 0; i < 2; i++) {
+        rows[i].color_count = 1;
+        rows[i].repeat = b->repeat;
+        rows[i].when = b->when;
+    }
+    return (struct rg_technique){ b->name, rows, 2 };
+}
 
-static const struct rg_pass around_shine_passes[] = {
-    SURROUNDINGS_ROW(ONTO_THE_ICE, BACKGROUND_SHINING),
-    SKY_ROW,
-};
+/* In a pool first of all, else after the object. */
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    const struct background_rows rows = {
+        .name = "background",
+        .color = &frame_color,
+        .depth = &frame_depth,
+        .keep = !choice->has_pool,
+        .shine = !choice->has_pool && ice_caustics.is_on(choice->settings),
+        .record_surroundings = record_surroundings,
+        .record_sky = record_sky,
+    };
+    return background_make(builder, &rows);
+}
 
 static void record_sky(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
@@ -88,17 +96,42 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
+/* ---- pictures of the scene ---- */
+
+static struct technique_texels find_environment(const struct scene *scene)
+{
+    const struct environment *environment = &scene->environment;
+    return (struct technique_texels){
+        .texels = environment->texels,
+        .width = environment->width,
+        .height = environment->height,
+    };
+}
+
+static struct technique_texels find_textures(const struct scene *scene)
+{
+    const struct texture_layers *textures = &scene->model.textures;
+    return (struct technique_texels){
+        .texels = textures->texels,
+        .width = textures->size,
+        .height = textures->size,
+        .layers = textures->count,
+    };
+}
+
+static const uint16_t black[4] = { 0 };
+static const uint8_t white[4] = { 255, 255, 255, 255 };
+
+static const struct technique_import imports[] = {
+    { &frame_environment, find_environment, black },
+    { &frame_textures, find_textures, white },
+    { 0 },
+};
+
 const struct technique background = {
-    .graph = RG_TECHNIQUE("background", passes),
+    .name = "background",
     .help = "sky or environment picture, and the surroundings",
-};
-
-const struct technique background_around = {
-    .graph = RG_TECHNIQUE("background", around_passes),
-    .help = "the same around the ice",
-};
-
-const struct technique background_around_shine = {
-    .graph = RG_TECHNIQUE("background", around_shine_passes),
-    .help = "the same with light that comes through the ice",
+    .parts = { { PHASE_LIGHT, SCENE_OF_POOL, .rows = make_rows },
+               { PHASE_BACKGROUND, SCENE_OF_OBJECT, .rows = make_rows } },
+    .imports = imports,
 };

@@ -14,10 +14,10 @@
  * ice_depth is.
  */
 #include "src/tech/bubbles.h"
+#include <stdlib.h>
 #include "shaders/bubbles.h"
 #include "shaders/embedded.h"
 #include "shaders/ice_depth.h"
-#include "src/tech/env_cube.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_depth.h"
 
@@ -39,7 +39,7 @@ static const struct rg_use uses[] = {
     { .image = &ice_depth_front, .access = RG_SAMPLED, .binding = ICE_DEPTH_FRONT, .here = true },
     { .image = &ice_depth_back, .access = RG_SAMPLED, .binding = ICE_DEPTH_BACK, .here = true },
     {
-        .image = &env_cube_color,
+        .image = &frame_env_cube,
         .access = RG_SAMPLED,
         .binding = BUBBLES_ENV_CUBE,
         .sampler = &frame_linear,
@@ -66,8 +66,8 @@ static const struct rg_pass passes[] = {
 
 static void record_spheres(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    if (frame->bubble_count)
-        rg_cmd_draw(cmd, 6 * frame->bubble_count);
+    if (frame->scene->bubbles.count)
+        rg_cmd_draw(cmd, 6 * frame->scene->bubbles.count);
 }
 
 static const struct setting rows[] = {
@@ -77,6 +77,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct bubbles_params, count),
         .initial = 40,
         .max = BUBBLES_COUNT_MAX,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "bubbles in the ice, as far as there is room; 0 for none",
     },
     {
@@ -85,6 +86,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct bubbles_params, seed),
         .initial = 1,
         .max = 999999,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "chooses where the bubbles are and how large",
     },
     {
@@ -94,14 +96,72 @@ static const struct setting rows[] = {
         .initial = 0.03,
         .min = 0.001,
         .max = 0.5,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "diameter of the largest bubbles, in the object's diagonals",
     },
 };
 
 const struct setting_group bubbles_settings = SETTING_GROUP("bubbles", rows, struct bubbles_params);
 
+static bool is_on(const struct settings *settings)
+{
+    const struct bubbles_params *params = settings_of(settings, &bubbles_settings);
+    return params->count > 0;
+}
+
+/* ---- the spheres of a frame ---- */
+
+struct far_sphere {
+    struct bubbles_sphere sphere;
+    float power; /* squared length of the tangents from the eye */
+};
+
+static int compare_far(const void *a, const void *b)
+{
+    const struct far_sphere *x = a;
+    const struct far_sphere *y = b;
+    return (x->power < y->power) - (x->power > y->power);
+}
+
+/* Of spheres that do not overlap, the plane of points of equal power lies between each two. */
+void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals)
+{
+    const struct bubbles *all = &view->scene->bubbles;
+    struct bubbles_sphere *sorted = memory;
+    struct far_sphere order[BUBBLES_COUNT_MAX];
+    for (uint32_t i = 0; i < all->count; i++) {
+        struct bubbles_sphere s = all->spheres[i];
+        s.center = glms_mat4_mulv3(globals->world_from_object, s.center, 1.0f);
+        float distance2 = glms_vec3_distance2(s.center, globals->eye);
+        order[i] = (struct far_sphere){ s, distance2 - s.radius * s.radius };
+    }
+    qsort(order, all->count, sizeof(order[0]), compare_far);
+    for (uint32_t i = 0; i < all->count; i++)
+        sorted[i] = order[i].sphere;
+}
+
+static const struct technique_upload uploads[] = {
+    { &bubbles_spheres, bubbles_write },
+    { 0 },
+};
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "bubbles",
+        .image = &bubbles_color,
+        .planes = { "bubbles.R", "bubbles.G", "bubbles.B", "bubbles.A" },
+        .mean = true,
+        .help = "bubbles in the ice, premultiplied",
+    },
+    { 0 },
+};
+
 const struct technique bubbles = {
-    .graph = RG_TECHNIQUE("bubbles", passes),
-    .settings = &bubbles_settings,
+    .name = "bubbles",
     .help = "bubbles of air in the ice, which reflect totally at their rims",
+    .settings = { &bubbles_settings },
+    .is_on = is_on,
+    .layers = layers,
+    .uploads = uploads,
+    .parts = { { PHASE_INCLUSIONS, .graph = RG_TECHNIQUE("bubbles", passes) } },
 };

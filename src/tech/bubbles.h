@@ -5,9 +5,12 @@
 
 extern const struct rg_image bubbles_color; /* premultiplied; 0 where there is none */
 
-/* BUBBLES_COUNT_MAX of struct bubbles_sphere in the world, of which frame.bubble_count are there,
- * farthest first; written before each frame. */
+/* BUBBLES_COUNT_MAX of struct bubbles_sphere in the world, of which as many are there as the scene
+ * has. */
 extern const struct rg_buffer bubbles_spheres;
+
+/* Writes them, farthest first: none can hide one that comes after it. */
+void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals);
 
 extern const struct technique bubbles;
 extern const struct setting_group bubbles_settings;

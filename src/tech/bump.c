@@ -1,5 +1,8 @@
 /* bump.c: the map of the ice's uneven surface. */
 #include "src/tech/bump.h"
+#include <math.h>
+#include "shaders/constants.h"
+#include "src/tech/frame.h"
 
 const struct rg_image bump_map = {
     .name = "bump.map",
@@ -21,6 +24,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct bump_params, strength),
         .initial = 0.25,
         .max = 4,
+        .switches = SETTING_AFFECTS_SCENE,
         .help = "how steep the bumps of the ice's surface are (0: none)",
     },
     {
@@ -38,6 +42,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct bump_params, mask),
         .initial = 0.4,
         .max = 1,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "share of the surface that is smooth",
     },
     {
@@ -47,6 +52,7 @@ static const struct setting rows[] = {
         .initial = BUMP_TRIPLANAR,
         .max = BUMP_UV,
         .choices = mappings,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "whether they lie along three planes or by the mesh's uv",
     },
     {
@@ -54,8 +60,57 @@ static const struct setting rows[] = {
         .type = SETTING_COUNT,
         .offset = offsetof(struct bump_params, seed),
         .max = 1e6,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "another number makes other bumps",
     },
 };
 
 const struct setting_group bump_settings = SETTING_GROUP("bump", rows, struct bump_params);
+
+static bool is_on(const struct settings *settings)
+{
+    const struct bump_params *params = settings_of(settings, &bump_settings);
+    return params->strength > 0.0f;
+}
+
+static struct technique_texels find_map(const struct scene *scene)
+{
+    return (struct technique_texels){
+        .texels = scene->bump.texels,
+        .width = scene->bump.size,
+        .height = scene->bump.size,
+        .all_mips = true,
+    };
+}
+
+static const uint16_t even[4] = { 0 };
+
+static const struct technique_import imports[] = {
+    { &bump_map, find_map, even },
+    { 0 },
+};
+
+static void write_globals(const struct frame_view *view, struct globals *g)
+{
+    const struct bump_params *params = settings_of(view->settings, &bump_settings);
+    const float width = fmaxf(2.0f * g->radius, 1e-6f);
+    g->bump_strength = params->strength;
+    g->bump_scale = params->mapping == BUMP_UV ? params->scale : params->scale / width;
+}
+
+static void write_constants(const struct settings *settings, uint32_t *values)
+{
+    const struct bump_params *params = settings_of(settings, &bump_settings);
+    values[CONSTANT_BUMP_UV] = params->mapping == BUMP_UV;
+}
+
+const struct technique bump = {
+    .name = "bump",
+    .help = "bumps of the ice's surface",
+    .settings = { &bump_settings },
+    .is_on = is_on,
+    .title = "bumps",
+    .imports = imports,
+    .write_globals = write_globals,
+    .write_constants = write_constants,
+};

@@ -14,6 +14,7 @@
 /* Imported; the size is that of the stand-in where the scene has none. */
 extern const struct rg_image bump_map;
 
+extern const struct technique bump;
 extern const struct setting_group bump_settings;
 
 struct bump_params {
@@ -30,10 +31,6 @@ enum {
 };
 
 /* The use of the map. */
-#define BUMP_USE_MAP \
-    { \
-        .image = &bump_map, .access = RG_SAMPLED, .binding = BUMP_MAP, \
-        .sampler = &frame_texture_sampler \
-    }
+#define BUMP_USE_MAP FRAME_SAMPLE(bump_map, BUMP_MAP, .sampler = &frame_texture_sampler)
 
 #endif

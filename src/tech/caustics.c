@@ -252,7 +252,7 @@ static const char *const slopes[] = {
 
 static const struct setting rows[] = {
     ROW(method, SETTING_CHOICE, .initial = CAUSTICS_AREA, .max = CAUSTICS_AREA, .choices = methods,
-        .help = "how light on the pool's floor is found"),
+        .affects = SETTING_AFFECTS_PLAN, .help = "how light on the pool's floor is found"),
     ROW(sun, SETTING_FLOAT, .initial = 0.53, .min = 0.01, .max = 20, .unit = "degrees",
         .help = "the sun's diameter (backtrace: see caustics.glow)"),
     ROW(photons, SETTING_COUNT, .initial = 1000000, .min = 1, .max = 16000000,
@@ -270,20 +270,43 @@ static const struct setting rows[] = {
 const struct setting_group caustics_settings =
     SETTING_GROUP("caustics", rows, struct caustics_params);
 
-#define TECHNIQUE(passes, text) \
-    { \
-        .graph = RG_TECHNIQUE("caustics", passes), .settings = &caustics_settings, .help = (text) \
-    }
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    static const struct rg_technique methods_rows[] = {
+        [CAUSTICS_NONE] = { 0 },
+        [CAUSTICS_NAIVE] = RG_TECHNIQUE("caustics", naive_passes),
+        [CAUSTICS_GATHER] = RG_TECHNIQUE("caustics", gather_passes),
+        [CAUSTICS_BACKTRACE] = RG_TECHNIQUE("caustics", backtrace_passes),
+        [CAUSTICS_AREA] = RG_TECHNIQUE("caustics", area_passes),
+    };
+    const struct caustics_params *params = settings_of(choice->settings, &caustics_settings);
+    (void)builder;
+    return methods_rows[params->method];
+}
 
-static const struct technique techniques[] = {
-    [CAUSTICS_NAIVE] = TECHNIQUE(naive_passes, "light on the floor, by counting photons"),
-    [CAUSTICS_GATHER] = TECHNIQUE(gather_passes, "the same, gathered from the floor's points"),
-    [CAUSTICS_BACKTRACE] = TECHNIQUE(backtrace_passes, "the same, by one ray up from each"),
-    [CAUSTICS_AREA] = TECHNIQUE(area_passes, "the same, by the areas of refracted triangles"),
-};
-
-const struct technique *caustics_find(const struct settings *settings)
+bool caustics_are_lit(const struct settings *settings)
 {
     const struct caustics_params *params = settings_of(settings, &caustics_settings);
-    return params->method == CAUSTICS_NONE ? NULL : &techniques[params->method];
+    return params->method != CAUSTICS_NONE;
 }
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "caustics",
+        .image = &caustics_seen,
+        .planes = { "caustics.Z" },
+        .mean = true,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "the sun's light on the ground; 1: below water at rest, or without the ice",
+    },
+    { 0 },
+};
+
+const struct technique caustics = {
+    .name = "caustics",
+    .help = "the sun's light on the floor of a pool",
+    .settings = { &caustics_settings },
+    .parts = { { PHASE_DEPTHS, SCENE_OF_POOL, .rows = make_rows } },
+    .layers = layers,
+};

@@ -12,9 +12,10 @@ extern const struct rg_image caustics_light;
  * without the ice (ice_caustics.h); 0 elsewhere. */
 extern const struct rg_image caustics_seen;
 
+extern const struct technique caustics;              /* its rows are those of the method */
 extern const struct setting_group caustics_settings; /* struct caustics_params */
 
-/* The technique of the method that the settings choose, or NULL: none. */
-const struct technique *caustics_find(const struct settings *settings);
+/* Whether the settings choose a method. */
+bool caustics_are_lit(const struct settings *settings);
 
 #endif

@@ -24,8 +24,9 @@
 #include "src/tech/ice_interval.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
+#include "src/tech/row_builder.h"
 
-static rg_record_fn record_cracks, record_screen;
+static rg_record_fn record_cracks;
 
 const struct rg_image cracks_color = {
     .name = "cracks.color",
@@ -37,124 +38,133 @@ static const struct rg_image cracks_depth = {
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
-/*
- * Each way to clip reads other images, and so is a row of its own. PRECUT and NONE test nothing;
- * NONE is drawn over the whole picture, all others by over.c.
- */
-enum clipping {
-    CONVEX,
-    PRECUT,
-    NONE,
-    INTERVAL, /* the first of ICE_INTERVAL_MAX */
-    CLIPPING_COUNT = INTERVAL + ICE_INTERVAL_MAX,
-};
-
-/* ---- what the rows read ---- */
-
-#define USE(image_, binding_) \
-    { \
-        .image = &(image_), .access = RG_SAMPLED, .binding = (binding_), .here = true \
-    }
-#define USE_ENV_CUBE \
-    { \
-        .image = &env_cube_color, .access = RG_SAMPLED, .binding = CRACKS_ENV_CUBE, \
-        .sampler = &frame_linear \
-    }
-#define USE_NO_DEPTH FRAME_USE_GLOBALS
-#define USE_FRONT    FRAME_USE_GLOBALS, USE(ice_depth_front, CRACKS_FRONT)
-#define USE_DEPTH    USE_FRONT, USE(ice_depth_back, CRACKS_BACK)
-#define USE_LAYERS(k) \
-    FRAME_USE_GLOBALS, USE(ice_interval_near[(k)-1], CRACKS_NEAR), \
-        USE(ice_interval_far[(k)-1], CRACKS_FAR)
-
 /* ---- rows ---- */
 
-#define DRAW(vert_, frag_, ...) \
-    .uses = RG_USES(__VA_ARGS__), .vert = &(vert_), .frag = &(frag_), \
-    .vertices = &frame_mesh_layout, .push_size = sizeof(struct cracks_look), \
-    .record = record_cracks
+/* A way to clip: what its shaders read, and which they are. */
+struct clipping {
+    const struct rg_use *uses, *normal_uses;
+    const struct rg_shader *vert, *color, *gap, *normal;
+    bool before_back; /* the depth test leaves out what is behind the ice */
+};
 
-#define COLOR_TARGET \
-    .name = "cracks.color", \
-    .color = RG_TARGETS({ &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER })
-#define COLOR(...) \
-    { \
-        COLOR_TARGET, DRAW(__VA_ARGS__) \
+static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
+
+static const struct rg_use front_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .here = true),
+    { 0 },
+};
+
+static const struct rg_use depth_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .here = true),
+    FRAME_SAMPLE(ice_depth_back, CRACKS_BACK, .here = true),
+    { 0 },
+};
+
+static const struct rg_use cube_use[] = {
+    FRAME_SAMPLE(frame_env_cube, CRACKS_ENV_CUBE, .sampler = &frame_linear),
+    { 0 },
+};
+
+static const struct clipping convex = {
+    .uses = front_uses,
+    .normal_uses = depth_uses,
+    .vert = &cracks_vert,
+    .color = &cracks_convex_color_frag,
+    .gap = &cracks_convex_gap_frag,
+    .normal = &cracks_convex_normal_frag,
+    .before_back = true,
+};
+
+/* Tests nothing: cracks that are cut already, or over the whole picture. */
+static const struct clipping none = {
+    .uses = globals_use,
+    .normal_uses = globals_use,
+    .vert = &cracks_free_vert,
+    .color = &cracks_free_color_frag,
+    .gap = &cracks_free_gap_frag,
+    .normal = &cracks_free_normal_frag,
+};
+
+static const struct clipping interval = {
+    .vert = &cracks_vert,
+    .color = &cracks_interval_color_frag,
+    .gap = &cracks_interval_gap_frag,
+    .normal = &cracks_interval_normal_frag,
+    .before_back = true,
+};
+
+static const struct rg_use *use_intervals(struct row_builder *builder, uint32_t index)
+{
+    const struct rg_use layers[] = {
+        FRAME_SAMPLE(ice_interval_near[index], CRACKS_NEAR, .here = true),
+        FRAME_SAMPLE(ice_interval_far[index], CRACKS_FAR, .here = true),
+        { 0 },
+    };
+    return row_builder_uses(builder, (const struct rg_use *const[]){ globals_use, layers }, 2);
+}
+
+/* What is surely convex has one interval, from the nearest to the farthest face: others are not
+ * searched for. */
+static struct clipping find_clipping(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
+    struct clipping found = none;
+    if (params->clip == CRACKS_CLIP_CONVEX || params->clip == CRACKS_CLIP_INTERVAL)
+        found = convex;
+    if (params->clip == CRACKS_CLIP_INTERVAL && !choice->is_convex) {
+        found = interval;
+        found.uses = use_intervals(builder, ice_interval_index(choice->settings));
+        found.normal_uses = found.uses;
     }
-/* The same, where the depth test leaves out what is behind the ice. */
-#define COLOR_BEFORE_BACK(...) \
-    { \
-        COLOR_TARGET, ICE_DEPTH_BEFORE_BACK, DRAW(__VA_ARGS__) \
-    }
+    return found;
+}
+
+static const struct rg_pass color_row = {
+    .name = "cracks.color",
+    .color = RG_TARGETS({ &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
+    .vertices = &frame_mesh_layout,
+    .push_size = sizeof(struct cracks_look),
+    .record = record_cracks,
+};
+
+static const struct rg_pass color_before_back_row = {
+    .name = "cracks.color",
+    .color = RG_TARGETS({ &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
+    ICE_DEPTH_BEFORE_BACK,
+    .vertices = &frame_mesh_layout,
+    .push_size = sizeof(struct cracks_look),
+    .record = record_cracks,
+};
+
+static const struct rg_pass normal_row = {
+    .name = "cracks.normal",
+    .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }),
+    .depth = { &cracks_depth, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } },
+    .depth_compare = VK_COMPARE_OP_LESS,
+    .vertices = &frame_mesh_layout,
+    .push_size = sizeof(struct cracks_look),
+    .record = record_cracks,
+};
 
 static const struct rg_pass over_all[] = {
     {
         .name = "cracks.over",
-        .color = RG_TARGETS({ &background_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
-        .uses = RG_USES(REFRACT_USE_OVER(&cracks_color)),
+        .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
+        .uses = RG_USES(FRAME_SAMPLE(cracks_color, REFRACT_OVER, .here = true)),
         .vert = &screen_vert,
         .frag = &refract_over_frag,
-        .record = record_screen,
+        .record = frame_draw_screen,
     },
-};
-
-#define NORMAL(...) \
-    { \
-        { \
-            .name = "cracks.normal", .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }), \
-            .depth = { &cracks_depth, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } }, \
-            .depth_compare = VK_COMPARE_OP_LESS, DRAW(cracks_vert, __VA_ARGS__) \
-        } \
-    }
-
-#define EACH_INTERVAL(ROWS) ROWS(1), ROWS(2), ROWS(3), ROWS(4), ROWS(5), ROWS(6), ROWS(7), ROWS(8)
-
-#define HIGHLIGHTS(k) \
-    { \
-        COLOR_BEFORE_BACK(cracks_vert, cracks_interval_color_frag, USE_LAYERS(k)) \
-    }
-static const struct rg_pass highlights[CLIPPING_COUNT][1] = {
-    [CONVEX] = { COLOR_BEFORE_BACK(cracks_vert, cracks_convex_color_frag, USE_FRONT) },
-    [PRECUT] = { COLOR(cracks_free_vert, cracks_free_color_frag, USE_NO_DEPTH) },
-    [NONE] = { COLOR(cracks_free_vert, cracks_free_color_frag, USE_NO_DEPTH) },
-    [INTERVAL] = EACH_INTERVAL(HIGHLIGHTS),
-};
-
-#define GAPS(k) \
-    { \
-        COLOR_BEFORE_BACK(cracks_vert, cracks_interval_gap_frag, USE_LAYERS(k), USE_ENV_CUBE) \
-    }
-static const struct rg_pass gaps[CLIPPING_COUNT][1] = {
-    [CONVEX] = { COLOR_BEFORE_BACK(cracks_vert, cracks_convex_gap_frag, USE_FRONT, USE_ENV_CUBE) },
-    [PRECUT] = { COLOR(cracks_free_vert, cracks_free_gap_frag, USE_NO_DEPTH, USE_ENV_CUBE) },
-    [NONE] = { COLOR(cracks_free_vert, cracks_free_gap_frag, USE_NO_DEPTH, USE_ENV_CUBE) },
-    [INTERVAL] = EACH_INTERVAL(GAPS),
-};
-
-#define NORMALS(k) NORMAL(cracks_interval_normal_frag, USE_LAYERS(k))
-static const struct rg_pass normals[CLIPPING_COUNT][1] = {
-    [CONVEX] = NORMAL(cracks_convex_normal_frag, USE_DEPTH),
-    [PRECUT] = NORMAL(cracks_free_normal_frag, USE_NO_DEPTH),
-    [NONE] = NORMAL(cracks_free_normal_frag, USE_NO_DEPTH),
-    [INTERVAL] = EACH_INTERVAL(NORMALS),
-};
-
-/* Draws no triangle: the layer of a picture without cracks. */
-static const struct rg_pass no_cracks[] = {
-    COLOR(cracks_free_vert, cracks_free_color_frag, USE_NO_DEPTH),
 };
 
 static void record_cracks(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct cracks_params *params = settings_of(frame->settings, &cracks_settings);
     rg_cmd_push(cmd, &params->look, sizeof(params->look));
-    rg_cmd_draw_mesh(cmd, &frame->cracks);
-}
-
-static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    (void)frame;
-    rg_cmd_draw(cmd, 3);
+    frame_draw_mesh(cmd, frame, &cracks);
 }
 
 /* ---- settings ---- */
@@ -169,6 +179,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct cracks_params, count),
         .initial = 2,
         .max = CRACKS_MAX,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "cracks inside the ice",
     },
     {
@@ -177,6 +188,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct cracks_params, seed),
         .initial = 1,
         .max = 999999,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "how they lie: another number, other cracks",
     },
     {
@@ -186,6 +198,7 @@ static const struct setting rows[] = {
         .initial = CRACKS_CLIP_INTERVAL,
         .max = CRACKS_CLIP_NONE,
         .choices = clip_names,
+        .affects = SETTING_AFFECTS_SCENE,
         .help = "what keeps them inside; convex is the paper's, for convex objects",
     },
     {
@@ -195,6 +208,7 @@ static const struct setting rows[] = {
         .initial = CRACKS_REFRACT_OFF,
         .max = CRACKS_REFRACT_GAP,
         .choices = refract_names,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "how they change what is seen through the ice",
     },
     {
@@ -235,51 +249,10 @@ const struct setting_group cracks_settings = SETTING_GROUP("cracks", rows, struc
 
 /* ---- techniques ---- */
 
-#define TECHNIQUE(title, table, help_) \
-    { \
-        .graph = RG_TECHNIQUE(title, table), .settings = &cracks_settings, .help = (help_) \
-    }
-#define EACH_TECHNIQUE(TECHNIQUE_) \
-    TECHNIQUE_(0), TECHNIQUE_(1), TECHNIQUE_(2), TECHNIQUE_(3), TECHNIQUE_(4), TECHNIQUE_(5), \
-        TECHNIQUE_(6), TECHNIQUE_(7), TECHNIQUE_(8), TECHNIQUE_(9), TECHNIQUE_(10)
-_Static_assert(CLIPPING_COUNT == 11, "as many techniques");
-
-#define OF_HIGHLIGHTS(i) TECHNIQUE("cracks", highlights[i], "highlights on cracks in the ice")
-static const struct technique highlight_techniques[] = { EACH_TECHNIQUE(OF_HIGHLIGHTS) };
-
-#define OF_GAPS(i) TECHNIQUE("cracks", gaps[i], "cracks in the ice as gaps filled with air")
-static const struct technique gap_techniques[] = { EACH_TECHNIQUE(OF_GAPS) };
-
-#define OF_NORMALS(i) TECHNIQUE("cracks_normal", normals[i], "cracks that refract as back faces do")
-static const struct technique normal_techniques[] = { EACH_TECHNIQUE(OF_NORMALS) };
-
-static const struct technique over_technique =
-    TECHNIQUE("cracks_over", over_all, "cracks over the whole picture");
-
-static const struct technique no_technique = TECHNIQUE("cracks", no_cracks, "no cracks");
-
-static enum clipping find_clipping(const struct settings *settings, bool is_convex)
-{
-    static const enum clipping clippings[] = {
-        [CRACKS_CLIP_CONVEX] = CONVEX,
-        [CRACKS_CLIP_INTERVAL] = CONVEX,
-        [CRACKS_CLIP_PRECUT] = PRECUT,
-        [CRACKS_CLIP_NONE] = NONE,
-    };
-    const struct cracks_params *params = settings_of(settings, &cracks_settings);
-    if (params->clip == CRACKS_CLIP_INTERVAL && !is_convex) /* then both find the same */
-        return INTERVAL + ice_interval_index(settings);
-    return clippings[params->clip];
-}
-
-const struct technique *cracks_find(const struct settings *settings, bool is_convex)
+static bool is_on(const struct settings *settings)
 {
     const struct cracks_params *params = settings_of(settings, &cracks_settings);
-    enum clipping clipping = find_clipping(settings, is_convex);
-    if (!params->count)
-        return &no_technique;
-    return params->refract == CRACKS_REFRACT_GAP ? &gap_techniques[clipping]
-                                                 : &highlight_techniques[clipping];
+    return params->count > 0;
 }
 
 bool cracks_are_in_ice(const struct settings *settings)
@@ -288,15 +261,73 @@ bool cracks_are_in_ice(const struct settings *settings)
     return params->count && params->clip != CRACKS_CLIP_NONE;
 }
 
-const struct technique *cracks_find_over(const struct settings *settings)
+/* Without cracks it draws nothing there, and is culled unless the layer is asked for. */
+static struct rg_technique make_color(const struct technique_choice *choice,
+                                      struct row_builder *builder)
 {
-    const struct cracks_params *params = settings_of(settings, &cracks_settings);
-    return params->count && !cracks_are_in_ice(settings) ? &over_technique : NULL;
+    const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
+    const struct clipping clipping = params->count ? find_clipping(choice, builder) : none;
+    const bool are_gaps = params->count && params->refract == CRACKS_REFRACT_GAP;
+    const struct rg_use *const uses[] = { clipping.uses, are_gaps ? cube_use : NULL };
+    struct rg_pass *row =
+        row_builder_rows(builder, clipping.before_back ? &color_before_back_row : &color_row, 1);
+    if (!row)
+        return (struct rg_technique){ 0 };
+    row->uses = row_builder_uses(builder, uses, 2);
+    row->vert = clipping.vert;
+    row->frag = are_gaps ? clipping.gap : clipping.color;
+    return (struct rg_technique){ "cracks", row, 1 };
 }
 
-const struct technique *cracks_find_normals(const struct settings *settings, bool is_convex)
+static struct rg_technique make_normals(const struct technique_choice *choice,
+                                        struct row_builder *builder)
 {
-    const struct cracks_params *params = settings_of(settings, &cracks_settings);
-    bool wanted = params->count && params->refract == CRACKS_REFRACT_NORMALS;
-    return wanted ? &normal_techniques[find_clipping(settings, is_convex)] : NULL;
+    const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
+    if (!params->count || params->refract != CRACKS_REFRACT_NORMALS)
+        return (struct rg_technique){ 0 };
+    const struct clipping clipping = find_clipping(choice, builder);
+    struct rg_pass *row = row_builder_rows(builder, &normal_row, 1);
+    if (!row)
+        return (struct rg_technique){ 0 };
+    row->uses = clipping.normal_uses;
+    row->vert = &cracks_vert;
+    row->frag = clipping.normal;
+    return (struct rg_technique){ "cracks_normal", row, 1 };
 }
+
+static struct rg_technique make_over(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    (void)builder;
+    if (!is_on(choice->settings) || cracks_are_in_ice(choice->settings))
+        return (struct rg_technique){ 0 };
+    return (struct rg_technique)RG_TECHNIQUE("cracks_over", over_all);
+}
+
+static const struct mesh *find_sheets(const struct scene *scene)
+{
+    return &scene->cracks;
+}
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "cracks",
+        .image = &cracks_color,
+        .planes = { "cracks.R", "cracks.G", "cracks.B", "cracks.A" },
+        .mean = true,
+        .help = "what cracks inside the ice show, premultiplied",
+    },
+    { 0 },
+};
+
+const struct technique cracks = {
+    .name = "cracks",
+    .help = "cracks in the ice",
+    .settings = { &cracks_settings, &ice_interval_settings },
+    .is_on = is_on,
+    .parts = { { PHASE_NORMALS, .rows = make_normals },
+               { PHASE_INCLUSIONS, .rows = make_color },
+               { PHASE_FINISH, .rows = make_over } },
+    .layers = layers,
+    .mesh = find_sheets,
+};

@@ -31,19 +31,10 @@ extern const struct rg_image cracks_color;
 
 extern const struct setting_group cracks_settings;
 
-/*
- * What draws cracks_color. Without cracks it draws nothing there, and is culled unless the layer is
- * asked for. What is surely convex has one interval, from the nearest to the farthest face, and is
- * not searched for others.
- */
-const struct technique *cracks_find(const struct settings *settings, bool is_convex);
+extern const struct technique cracks;
 
-/* Cracks are clipped to the ice, over whose picture over.c draws them; or what to list after that
- * draws them over all the picture, else NULL. */
+/* Whether there are cracks and they are clipped to the ice, over whose picture over.c draws them;
+ * others are drawn over all the picture. */
 bool cracks_are_in_ice(const struct settings *settings);
-const struct technique *cracks_find_over(const struct settings *settings);
-
-/* What to list before the rung and after ice_normal, whose image it changes; may be NULL. */
-const struct technique *cracks_find_normals(const struct settings *settings, bool is_convex);
 
 #endif

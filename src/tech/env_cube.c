@@ -10,75 +10,26 @@
  * Limits: what lies near the object is seen from its centre, not from where light leaves it, if
  * refract.lookup is infinite; and else, too, what other things hide from the centre is not there.
  */
-#include "src/tech/env_cube.h"
-#include "shaders/embedded.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/background.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_caustics.h"
 
-enum {
-    FACE_SIZE = 512
-};
-
 static rg_record_fn record_surroundings, record_sky;
 static rg_when_fn is_due;
-
-const struct rg_image env_cube_color = {
-    .name = "env_cube.color",
-    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-    .width = FACE_SIZE,
-    .height = FACE_SIZE,
-    .cube = true,
-    .persistent = true, /* of a face that is not due, the last picture */
-};
 
 static const struct rg_image env_cube_depth = {
     .name = "env_cube.depth",
     .format = VK_FORMAT_D32_SFLOAT,
-    .width = FACE_SIZE,
-    .height = FACE_SIZE,
+    .width = FRAME_FACE_SIZE,
+    .height = FRAME_FACE_SIZE,
     .layers = 6,
-};
-
-/* As large as the view. */
-const struct rg_image env_cube_baked = {
-    .name = "env_cube.baked",
-    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-    .cube = true,
 };
 
 static const struct rg_image env_cube_baked_depth = {
     .name = "env_cube.baked_depth",
     .format = VK_FORMAT_D32_SFLOAT,
     .layers = 6,
-};
-
-#define SURROUNDINGS_ROW(surroundings, target, target_depth, condition) \
-    { \
-        .name = "env_cube.surroundings", .repeat = RG_PER_LAYER, \
-        surroundings(&(target), &(target_depth)), .record = record_surroundings, \
-        .when = (condition) \
-    }
-
-#define SKY_ROW(target, target_depth, condition) \
-    { \
-        .name = "env_cube.sky", .repeat = RG_PER_LAYER, \
-        BACKGROUND_SKY(&(target), &(target_depth)), .record = record_sky, .when = (condition) \
-    }
-
-static const struct rg_pass passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS, env_cube_color, env_cube_depth, is_due),
-    SKY_ROW(env_cube_color, env_cube_depth, is_due),
-};
-
-static const struct rg_pass shine_passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SHINING_SURROUNDINGS, env_cube_color, env_cube_depth, is_due),
-    SKY_ROW(env_cube_color, env_cube_depth, is_due),
-};
-
-static const struct rg_pass bake_passes[] = {
-    SURROUNDINGS_ROW(BACKGROUND_SURROUNDINGS, env_cube_baked, env_cube_baked_depth, NULL),
-    SKY_ROW(env_cube_baked, env_cube_baked_depth, NULL),
 };
 
 static bool is_due(const struct rg_frame *frame, uint32_t repetition)
@@ -103,50 +54,49 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
-static const struct setting rows[] = {
-    {
-        .name = "env_cube.dynamic",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct env_cube_params, dynamic),
-        .initial = 1,
-        .max = 1,
-        .help = "draw the environment cube as it changes (off: once, at motion.time)",
-    },
-    {
-        .name = "env_cube.always",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct env_cube_params, always),
-        .max = 1,
-        .help = "and all six faces of it in every frame (off: those in which something changed)",
-    },
-    {
-        .name = "env_cube.faces",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct env_cube_params, faces),
-        .initial = 6,
-        .min = 1,
-        .max = 6,
-        .help = "or at most so many a frame of a window, in turn",
-    },
-};
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    const struct env_cube_params *params = settings_of(choice->settings, &env_cube_settings);
+    const bool is_picture = choice->purpose == TECHNIQUE_PICTURE;
+    const bool is_baked = choice->purpose == TECHNIQUE_BAKE;
+    const struct background_rows rows = {
+        .name = "env_cube",
+        .color = is_baked ? &frame_env_cube_baked : &frame_env_cube,
+        .depth = is_baked ? &env_cube_baked_depth : &env_cube_depth,
+        .shine = is_picture && ice_caustics.is_on(choice->settings),
+        .repeat = RG_PER_LAYER,
+        .record_surroundings = record_surroundings,
+        .record_sky = record_sky,
+        .when = is_baked ? NULL : is_due,
+    };
+    if (is_picture && (!params->dynamic || choice->has_cube))
+        return (struct rg_technique){ 0 };
+    return background_make(builder, &rows);
+}
 
-const struct setting_group env_cube_settings =
-    SETTING_GROUP("env_cube", rows, struct env_cube_params);
+static struct technique_texels find_cube(const struct scene *scene)
+{
+    return (struct technique_texels){
+        .texels = scene->cube.texels,
+        .width = scene->cube.width,
+        .height = scene->cube.width,
+        .layers = 6,
+        .no_mips = true,
+    };
+}
+
+static const struct technique_import imports[] = {
+    { &frame_env_cube, find_cube, NULL },
+    { 0 },
+};
 
 const struct technique env_cube = {
-    .graph = RG_TECHNIQUE("env_cube", passes),
-    .settings = &env_cube_settings,
+    .name = "env_cube",
     .help = "the scene without the ice, six ways from its centre",
-};
-
-const struct technique env_cube_shine = {
-    .graph = RG_TECHNIQUE("env_cube", shine_passes),
-    .settings = &env_cube_settings,
-    .help = "the same with light that comes through the ice",
-};
-
-const struct technique env_cube_bake = {
-    .graph = RG_TECHNIQUE("env_cube", bake_passes),
-    .settings = &env_cube_settings,
-    .help = "the same in faces as large as the view",
+    .parts = { { PHASE_ENVIRONMENT,
+                 .purposes =
+                     1u << TECHNIQUE_PICTURE | 1u << TECHNIQUE_CAPTURE | 1u << TECHNIQUE_BAKE,
+                 .rows = make_rows } },
+    .imports = imports,
 };

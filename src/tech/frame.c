@@ -1,6 +1,7 @@
 /* frame.c: what all techniques share. */
 #include "src/tech/frame.h"
 #include "src/scene/mesh.h"
+#include "src/tech/techniques.h"
 
 static const VkVertexInputAttributeDescription mesh_attributes[] = {
     {
@@ -42,7 +43,43 @@ const struct rg_buffer frame_globals = {
     .memory = RG_MEMORY_UPLOAD,
 };
 
-/* Imported; the sizes are those of the stand-ins where the scene has no such picture. */
+const struct rg_image frame_color = {
+    .name = "background.color",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_image frame_depth = {
+    .name = "background.depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+};
+
+const struct rg_image frame_display = {
+    .name = "tonemap.color",
+    .format = VK_FORMAT_R8G8B8A8_UNORM,
+};
+
+const struct rg_image frame_env_cube = {
+    .name = "env_cube.color",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .width = FRAME_FACE_SIZE,
+    .height = FRAME_FACE_SIZE,
+    .cube = true,
+    .persistent = true, /* of a face that is not due, the last picture */
+};
+
+const struct rg_image frame_env_cube_baked = {
+    .name = "env_cube.baked",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .cube = true,
+};
+
+const struct rg_buffer frame_samples = {
+    .name = "resolve.samples",
+    .size_per_texel = 8,
+    .memory = RG_MEMORY_UPLOAD,
+};
+
+/* Imported; the sizes are those of the fallbacks where the scene has no such picture. */
 const struct rg_image frame_environment = {
     .name = "frame.environment",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
@@ -53,14 +90,6 @@ const struct rg_image frame_environment = {
 const struct rg_image frame_textures = {
     .name = "frame.textures",
     .format = VK_FORMAT_R8G8B8A8_SRGB,
-    .width = 1,
-    .height = 1,
-    .array = true,
-};
-
-const struct rg_image frame_air = {
-    .name = "frame.air",
-    .format = VK_FORMAT_R8G8_UNORM,
     .width = 1,
     .height = 1,
     .array = true,
@@ -87,8 +116,20 @@ void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw_mesh(cmd, &frame->object);
 }
 
+void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    rg_cmd_draw(cmd, 3);
+}
+
 void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_scissor(cmd, frame->lookup_area);
     rg_cmd_draw(cmd, 3);
+}
+
+void frame_draw_mesh(struct rg_cmd *cmd, const struct rg_frame *frame,
+                     const struct technique *technique)
+{
+    rg_cmd_draw_mesh(cmd, &frame->meshes[techniques_index(technique)]);
 }

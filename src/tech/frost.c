@@ -37,7 +37,7 @@ static const struct rg_pass passes[] = {
         .name = "frost.cube",
         .repeat = RG_PER_LAYER,
         .color = RG_TARGETS({ &frost_blurred, RG_LOAD_DISCARD }),
-        .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &env_cube_color,
+        .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &frame_env_cube,
                                              .access = RG_SAMPLED,
                                              .binding = FROST_ENV_CUBE,
                                              .sampler = &frame_linear }),
@@ -48,7 +48,10 @@ static const struct rg_pass passes[] = {
     },
     {
         .name = "frost.over",
-        REFRACT_OVER_TARGETS,
+        .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
+        .depth = { &frame_depth, RG_LOAD_KEEP },
+        .depth_read_only = true,
+        .depth_compare = VK_COMPARE_OP_EQUAL, /* on the faces that the rung drew */
         .uses = RG_USES(
             FRAME_USE_GLOBALS, BUMP_USE_MAP,
             { .image = &frost_blurred,
@@ -56,7 +59,9 @@ static const struct rg_pass passes[] = {
               .binding = FROST_CUBE,
               .sampler = &frame_linear },
             { .image = &refract_exit, .access = RG_SAMPLED, .binding = FROST_EXIT, .here = true }),
-        REFRACT_BUMPED_FACES,
+        .vert = &refract_bump_vert,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_BACK_BIT,
         .frag = &frost_frag,
         .push_size = sizeof(struct frost_push),
         .record = record_object,
@@ -90,6 +95,7 @@ static const struct setting rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct frost_params, amount),
         .max = 1,
+        .switches = SETTING_AFFECTS_SCENE,
         .help = "how thick frost lies where the ice is not smooth (0: none)",
     },
     {
@@ -104,8 +110,16 @@ static const struct setting rows[] = {
 
 const struct setting_group frost_settings = SETTING_GROUP("frost", rows, struct frost_params);
 
+static bool is_on(const struct settings *settings)
+{
+    const struct frost_params *params = settings_of(settings, &frost_settings);
+    return params->amount > 0.0f;
+}
+
 const struct technique frost = {
-    .graph = RG_TECHNIQUE("frost", passes),
-    .settings = &frost_settings,
+    .name = "frost",
     .help = "crystals on the ice's surface",
+    .settings = { &frost_settings },
+    .is_on = is_on,
+    .parts = { { PHASE_FINISH, .graph = RG_TECHNIQUE("frost", passes) } },
 };

@@ -26,16 +26,13 @@ const struct rg_image gbuffer_depth = {
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
-#define NOTHING \
-    { \
-        .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } \
-    }
-
 static const struct rg_pass passes[] = {
     {
         .name = "gbuffer.surroundings",
         .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_CLEAR },
-                            { &gbuffer_position, RG_LOAD_CLEAR, NOTHING }),
+                            { &gbuffer_position,
+                              RG_LOAD_CLEAR,
+                              { .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } } }),
         .depth = { &gbuffer_depth, RG_LOAD_CLEAR },
         .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = RG_USES(FRAME_USE_GLOBALS),
@@ -72,7 +69,35 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw_mesh(cmd, &frame->object);
 }
 
+static const struct frame_layer layers[] = {
+    {
+        .name = "Z",
+        .image = &gbuffer_position,
+        .planes = { "Z" },
+        .first_channel = 3,
+        .shown = FRAME_SHOWN_DISTANCE,
+        .help = "distance along the view's axis, metres; 1e10: no surface",
+    },
+    {
+        .name = "N",
+        .image = &gbuffer_normal,
+        .planes = { "N.X", "N.Y", "N.Z" },
+        .shown = FRAME_SHOWN_DIRECTION,
+        .help = "world normal of the first surface",
+    },
+    {
+        .name = "P",
+        .image = &gbuffer_position,
+        .planes = { "P.X", "P.Y", "P.Z" },
+        .shown = FRAME_SHOWN_POSITION,
+        .help = "world position of the first surface, metres",
+    },
+    { 0 },
+};
+
 const struct technique gbuffer = {
-    .graph = RG_TECHNIQUE("gbuffer", passes),
+    .name = "gbuffer",
     .help = "normal, position and depth of the nearest surface",
+    .layers = layers,
+    .parts = { { PHASE_SURFACES, SCENE_OF_ANY, .graph = RG_TECHNIQUE("gbuffer", passes) } },
 };

@@ -16,18 +16,19 @@
  * Cracks, air, bubbles and frost let all light pass; what lies around casts no shadows of its own.
  */
 #include "src/tech/ice_caustics.h"
+#include <math.h>
 #include "shaders/background.h"
+#include "shaders/constants.h"
 #include "shaders/embedded.h"
 #include "shaders/globals.h"
 #include "shaders/refract.h"
-#include "src/tech/background.h"
 #include "src/tech/bump.h"
 #include "src/tech/caustics.h"
 #include "src/tech/frame.h"
 #include "src/tech/refract_bounce.h"
+#include "src/tech/row_builder.h"
 
-static rg_record_fn record_ground, record_photons, record_clear, record_splat, record_map,
-    record_layers;
+static rg_record_fn record_ground, record_photons, record_clear, record_splat, record_layers;
 
 #define PICTURE(title, texel) \
     { \
@@ -84,107 +85,128 @@ static const struct rg_image counts = {
     { \
         .buffer = &ice_caustics_light, .access = RG_UNIFORM, .binding = ICE_CAUSTICS_LIGHT \
     }
-#define USE_IMAGE(target, at) \
-    { \
-        .image = (target), .access = RG_SAMPLED, .binding = (at) \
-    }
-#define USE_LINEAR(target, at) \
-    { \
-        .image = (target), .access = RG_SAMPLED, .binding = (at), .sampler = &frame_linear \
-    }
 
-/* What the sun sees of the ice, as ice_normal.c. */
-#define FACES(title, normals, depths, hidden) \
-    { \
-        .name = (title), .color = RG_TARGETS({ (normals), RG_LOAD_CLEAR }), \
-        .depth = { (depths), RG_LOAD_CLEAR }, .depth_compare = VK_COMPARE_OP_GREATER, \
-        .uses = RG_USES(USE_GLOBALS), .vert = &ice_normal_vert, .frag = &ice_normal_frag, \
-        .vertices = &frame_mesh_layout, .cull = (hidden), .record = frame_draw_object \
-    }
+const struct rg_use ice_caustics_uses[] = {
+    USE_LIGHT,
+    FRAME_SAMPLE(ice_caustics_map, ICE_CAUSTICS_MAP, .sampler = &frame_linear),
+    FRAME_READ(ice_caustics_ground, ICE_CAUSTICS_GROUND),
+    FRAME_READ(ice_caustics_front_depth, ICE_CAUSTICS_FRONT),
+    { 0 },
+};
 
-#define GROUND \
-    { \
-        .name = "ice_caustics.ground", .depth = { &ice_caustics_ground, RG_LOAD_CLEAR }, \
-        .depth_compare = VK_COMPARE_OP_GREATER, \
-        .uses = RG_USES(FRAME_USE_GLOBALS, USE_LIGHT, \
-                        USE_IMAGE(&ice_caustics_front_depth, ICE_CAUSTICS_FRONT)), \
-        .vert = &ice_caustics_ground_vert, .frag = &ice_caustics_ground_frag, \
-        .vertices = &frame_mesh_layout, .record = record_ground \
-    }
+static const struct rg_use face_uses[] = { USE_GLOBALS, { 0 } };
 
-#define PHOTON_USES \
-    USE_GLOBALS, USE_LIGHT, USE_LINEAR(&back, REFRACT_NORMAL_BACK), \
-        USE_IMAGE(&back_depth, REFRACT_DEPTH_BACK), USE_LINEAR(&front, REFRACT_NORMAL_FRONT), \
-        USE_IMAGE(&ice_caustics_front_depth, REFRACT_DEPTH_FRONT), \
-        USE_IMAGE(&ice_caustics_ground, ICE_CAUSTICS_GROUND)
+static const struct rg_use photon_uses[] = {
+    USE_GLOBALS,
+    USE_LIGHT,
+    FRAME_SAMPLE(back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(back_depth, REFRACT_DEPTH_BACK),
+    FRAME_SAMPLE(front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
+    FRAME_READ(ice_caustics_front_depth, REFRACT_DEPTH_FRONT),
+    FRAME_READ(ice_caustics_ground, ICE_CAUSTICS_GROUND),
+    { 0 },
+};
 
-#define PHOTONS(...) \
-    { \
-        .name = "ice_caustics.photons", \
-        .color = RG_TARGETS({ &landed_red, RG_LOAD_CLEAR }, { &landed_green, RG_LOAD_CLEAR }, \
-                            { &landed_blue, RG_LOAD_CLEAR }), \
-        .depth = { &photons_depth, RG_LOAD_CLEAR }, .depth_compare = VK_COMPARE_OP_GREATER, \
-        .vertices = &frame_mesh_layout, .cull = VK_CULL_MODE_BACK_BIT, \
-        .push_size = sizeof(struct ice_caustics_push), .record = record_photons, __VA_ARGS__ \
-    }
+static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
-#define BEFORE \
-    FACES("ice_caustics.back", &back, &back_depth, VK_CULL_MODE_FRONT_BIT), \
-        FACES("ice_caustics.front", &front, &ice_caustics_front_depth, VK_CULL_MODE_BACK_BIT), \
-        GROUND
-
-#define AFTER \
-    { .name = "ice_caustics.clear", \
-      .kind = RG_COMPUTE, \
-      .uses = RG_USES( \
-          { .image = &counts, .access = RG_STORAGE_WRITE, .binding = ICE_CAUSTICS_COUNTS }), \
-      .comp = &ice_caustics_clear_comp, \
-      .record = record_clear }, \
-        { .name = "ice_caustics.splat", \
-          .kind = RG_COMPUTE, \
-          .uses = RG_USES(USE_IMAGE(&landed_red, ICE_CAUSTICS_LANDED), \
-                          USE_IMAGE(&landed_green, ICE_CAUSTICS_LANDED + 1), \
-                          USE_IMAGE(&landed_blue, ICE_CAUSTICS_LANDED + 2), \
-                          { .image = &counts, \
-                            .access = RG_STORAGE_READ_WRITE, \
-                            .binding = ICE_CAUSTICS_COUNTS }), \
-          .comp = &ice_caustics_splat_comp, \
-          .record = record_splat }, \
-    { \
-        .name = "ice_caustics.map", .color = RG_TARGETS({ &ice_caustics_map, RG_LOAD_DISCARD }), \
-        .uses = RG_USES(USE_LIGHT, USE_IMAGE(&counts, ICE_CAUSTICS_COUNTS), \
-                        USE_LINEAR(&front, ICE_CAUSTICS_NORMAL)), \
-        .vert = &screen_vert, .frag = &ice_caustics_map_frag, .record = record_map, \
-    }
+enum {
+    PHOTONS_ROW = 3 /* of these: */
+};
 
 static const struct rg_pass passes[] = {
-    BEFORE,
-    PHOTONS(.uses = RG_USES(PHOTON_USES), .vert = &refract_vert,
-            .frag = &ice_caustics_photons_frag),
-    AFTER,
-};
-
-static const struct rg_pass bumped_passes[] = {
-    BEFORE,
-    PHOTONS(.uses = RG_USES(PHOTON_USES, BUMP_USE_MAP), .vert = &refract_bump_vert,
-            .frag = &ice_caustics_photons_bump_frag),
-    AFTER,
-};
-
-static const struct rg_pass seen_passes[] = {
+    /* what the sun sees of the ice, as ice_normal.c */
     {
-        .name = "ice_caustics.layers",
-        .color = RG_TARGETS({ &caustics_seen, RG_LOAD_CLEAR }),
-        .depth = { &background_depth, RG_LOAD_KEEP },
-        .depth_read_only = true,
-        .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
-        .uses = RG_USES(FRAME_USE_GLOBALS, ICE_CAUSTICS_USES),
-        .vert = &background_vert,
-        .frag = &ice_caustics_layers_frag,
+        .name = "ice_caustics.back",
+        .color = RG_TARGETS({ &back, RG_LOAD_CLEAR }),
+        .depth = { &back_depth, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = face_uses,
+        .vert = &ice_normal_vert,
+        .frag = &ice_normal_frag,
         .vertices = &frame_mesh_layout,
-        .push_size = sizeof(struct background_push),
-        .record = record_layers,
+        .cull = VK_CULL_MODE_FRONT_BIT,
+        .record = frame_draw_object,
     },
+    {
+        .name = "ice_caustics.front",
+        .color = RG_TARGETS({ &front, RG_LOAD_CLEAR }),
+        .depth = { &ice_caustics_front_depth, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = face_uses,
+        .vert = &ice_normal_vert,
+        .frag = &ice_normal_frag,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_BACK_BIT,
+        .record = frame_draw_object,
+    },
+    {
+        .name = "ice_caustics.ground",
+        .depth = { &ice_caustics_ground, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = RG_USES(FRAME_USE_GLOBALS, USE_LIGHT,
+                        FRAME_READ(ice_caustics_front_depth, ICE_CAUSTICS_FRONT)),
+        .vert = &ice_caustics_ground_vert,
+        .frag = &ice_caustics_ground_frag,
+        .vertices = &frame_mesh_layout,
+        .record = record_ground,
+    },
+    {
+        .name = "ice_caustics.photons",
+        .color = RG_TARGETS({ &landed_red, RG_LOAD_CLEAR }, { &landed_green, RG_LOAD_CLEAR },
+                            { &landed_blue, RG_LOAD_CLEAR }),
+        .depth = { &photons_depth, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = photon_uses,
+        .vert = &refract_vert,
+        .frag = &ice_caustics_photons_frag,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_BACK_BIT,
+        .push_size = sizeof(struct ice_caustics_push),
+        .record = record_photons,
+    },
+    {
+        .name = "ice_caustics.clear",
+        .kind = RG_COMPUTE,
+        .uses = RG_USES(
+            { .image = &counts, .access = RG_STORAGE_WRITE, .binding = ICE_CAUSTICS_COUNTS }),
+        .comp = &ice_caustics_clear_comp,
+        .record = record_clear,
+    },
+    {
+        .name = "ice_caustics.splat",
+        .kind = RG_COMPUTE,
+        .uses = RG_USES(
+            FRAME_READ(landed_red, ICE_CAUSTICS_LANDED),
+            FRAME_READ(landed_green, ICE_CAUSTICS_LANDED + 1),
+            FRAME_READ(landed_blue, ICE_CAUSTICS_LANDED + 2),
+            { .image = &counts, .access = RG_STORAGE_READ_WRITE, .binding = ICE_CAUSTICS_COUNTS }),
+        .comp = &ice_caustics_splat_comp,
+        .record = record_splat,
+    },
+    {
+        .name = "ice_caustics.map",
+        .color = RG_TARGETS({ &ice_caustics_map, RG_LOAD_DISCARD }),
+        .uses = RG_USES(USE_LIGHT, FRAME_READ(counts, ICE_CAUSTICS_COUNTS),
+                        FRAME_SAMPLE(front, ICE_CAUSTICS_NORMAL, .sampler = &frame_linear)),
+        .vert = &screen_vert,
+        .frag = &ice_caustics_map_frag,
+        .record = frame_draw_screen,
+    },
+};
+
+static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
+
+static const struct rg_pass seen_row = {
+    .name = "ice_caustics.layers",
+    .color = RG_TARGETS({ &caustics_seen, RG_LOAD_CLEAR }),
+    .depth = { &frame_depth, RG_LOAD_KEEP },
+    .depth_read_only = true,
+    .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
+    .vert = &background_vert,
+    .frag = &ice_caustics_layers_frag,
+    .vertices = &frame_mesh_layout,
+    .push_size = sizeof(struct background_push),
+    .record = record_layers,
 };
 
 static void record_ground(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -195,12 +217,12 @@ static void record_ground(struct rg_cmd *cmd, const struct rg_frame *frame)
 static void record_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct refract_march *march = settings_of(frame->settings, &refract_bounce_settings);
-    const struct caustics_params *caustics = settings_of(frame->settings, &caustics_settings);
+    const struct caustics_params *pool = settings_of(frame->settings, &caustics_settings);
     const struct ice_caustics_push push = {
         .march = *march,
         .sun_x = frame->jitter.x,
         .sun_y = frame->jitter.y,
-        .sun = caustics->sun,
+        .sun = pool->sun,
     };
     rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw_mesh(cmd, &frame->object);
@@ -218,12 +240,6 @@ static void record_splat(struct rg_cmd *cmd, const struct rg_frame *frame)
     const uint32_t groups = ICE_CAUSTICS_PHOTONS / ICE_CAUSTICS_GROUP;
     (void)frame;
     rg_cmd_dispatch(cmd, groups, groups, 1);
-}
-
-static void record_map(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    (void)frame;
-    rg_cmd_draw(cmd, 3);
 }
 
 static void record_layers(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -245,6 +261,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct ice_caustics_params, light),
         .max = ICE_CAUSTICS_SUN,
         .choices = lights,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "whose light goes through the ice to what lies around it (none: no shadow, too)",
     },
     {
@@ -263,6 +280,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct ice_caustics_params, shadow),
         .initial = 1,
         .max = 1,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "what the ice covers gets no sun but through it (off: that light is added)",
     },
 };
@@ -270,26 +288,111 @@ static const struct setting rows[] = {
 const struct setting_group ice_caustics_settings =
     SETTING_GROUP("ice_caustics", rows, struct ice_caustics_params);
 
-bool ice_caustics_is_on(const struct settings *settings)
+static bool is_on(const struct settings *settings)
 {
     const struct ice_caustics_params *params = settings_of(settings, &ice_caustics_settings);
     return params->light != ICE_CAUSTICS_NONE;
 }
 
+static struct rg_technique make_maps(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    const size_t count = sizeof(passes) / sizeof(passes[0]);
+    const struct rg_use *const uses[] = { photon_uses, bump_uses };
+    if (!is_on(choice->settings))
+        return (struct rg_technique){ 0 };
+    if (!bump.is_on(choice->settings))
+        return (struct rg_technique)RG_TECHNIQUE("ice_caustics", passes);
+    struct rg_pass *made = row_builder_rows(builder, passes, count);
+    if (!made)
+        return (struct rg_technique){ 0 };
+    made[PHOTONS_ROW].uses = row_builder_uses(builder, uses, 2);
+    made[PHOTONS_ROW].vert = &refract_bump_vert;
+    made[PHOTONS_ROW].frag = &ice_caustics_photons_bump_frag;
+    return (struct rg_technique){ "ice_caustics", made, count };
+}
+
+/* How much of the sun's light there is on what is seen. */
+static struct rg_technique make_layer(const struct technique_choice *choice,
+                                      struct row_builder *builder)
+{
+    const struct rg_use *const uses[] = { globals_use, ice_caustics_uses };
+    struct rg_pass *row = row_builder_rows(builder, &seen_row, 1);
+    if (!row || !is_on(choice->settings))
+        return (struct rg_technique){ 0 };
+    row->uses = row_builder_uses(builder, uses, 2);
+    return (struct rg_technique){ "ice_caustics", row, 1 };
+}
+
+/* ---- the sun's view ---- */
+
+/* So far away that its rays are nearly parallel. */
+static struct camera sun_camera(const struct globals *globals)
+{
+    const float radius = fmaxf(globals->radius, 1e-6f);
+    const float distance = ICE_CAUSTICS_DISTANCE * radius;
+    return (struct camera){
+        .eye = glms_vec3_add(globals->center, glms_vec3_scale(globals->sun_dir, distance)),
+        .target = globals->center,
+        .fov_deg = 2.0f * atanf(ICE_CAUSTICS_MARGIN / ICE_CAUSTICS_DISTANCE) / 0.01745329252f,
+    };
+}
+
+void ice_caustics_write_globals(void *memory, const struct frame_view *view,
+                                const struct globals *globals)
+{
+    struct globals *sun = memory;
+    const struct camera camera = sun_camera(globals);
+    *sun = *globals;
+    sun->lod_bias = 0.0f; /* its picture is whole, whatever tiles the view is drawn in */
+    sun->eye = camera.eye;
+    sun->forward = glms_vec3_negate(globals->sun_dir);
+    sun->clip_from_world =
+        camera_clip_from_world(&camera, ICE_CAUSTICS_PHOTONS, ICE_CAUSTICS_PHOTONS,
+                               scene_near_plane(view->scene), view->jitter);
+}
+
+/* The map is the same picture, wider. */
+void ice_caustics_write_light(void *memory, const struct frame_view *view,
+                              const struct globals *globals)
+{
+    const struct ice_caustics_params *params = settings_of(view->settings, &ice_caustics_settings);
+    const struct camera camera = sun_camera(globals);
+    const float radius = fmaxf(globals->radius, 1e-6f);
+    struct ice_caustics_light *map = memory;
+    *map = (struct ice_caustics_light){
+        .clip_from_world =
+            camera_clip_from_world(&camera, ICE_CAUSTICS_PHOTONS, ICE_CAUSTICS_PHOTONS,
+                                   scene_near_plane(view->scene), (vec2s){ { 0.0f, 0.0f } }),
+        .reach = params->reach,
+        .front = ICE_CAUSTICS_DISTANCE * radius - radius,
+    };
+    for (int column = 0; column < 4; column++) {
+        map->clip_from_world.raw[column][0] /= params->reach;
+        map->clip_from_world.raw[column][1] /= params->reach;
+    }
+}
+
+static const struct technique_upload uploads[] = {
+    { &ice_caustics_globals, ice_caustics_write_globals },
+    { &ice_caustics_light, ice_caustics_write_light },
+    { 0 },
+};
+
+static void write_constants(const struct settings *settings, uint32_t *values)
+{
+    const struct ice_caustics_params *params = settings_of(settings, &ice_caustics_settings);
+    values[CONSTANT_ICE_SHADOW] = params->shadow;
+}
+
 const struct technique ice_caustics = {
-    .graph = RG_TECHNIQUE("ice_caustics", passes),
-    .settings = &ice_caustics_settings,
+    .name = "ice_caustics",
     .help = "the sun's light through the ice, by photons in its view",
-};
-
-const struct technique ice_caustics_bumped = {
-    .graph = RG_TECHNIQUE("ice_caustics", bumped_passes),
-    .settings = &ice_caustics_settings,
-    .help = "the same with bumps",
-};
-
-const struct technique ice_caustics_seen = {
-    .graph = RG_TECHNIQUE("ice_caustics", seen_passes),
-    .settings = &ice_caustics_settings,
-    .help = "how much of the sun's light there is on what is seen",
+    .settings = { &ice_caustics_settings },
+    .is_on = is_on,
+    .relights = true, /* the light turns with the ice */
+    .title = "light through the ice",
+    .parts = { { PHASE_LIGHT, .rows = make_maps }, { PHASE_FINISH, .rows = make_layer } },
+    .uploads = uploads,
+    .write_constants = write_constants,
 };

@@ -20,22 +20,15 @@ extern const struct rg_image ice_caustics_ground, ice_caustics_front_depth;
 
 extern const struct setting_group ice_caustics_settings;
 
-/* The maps, which come first in a frame, and the layer `caustics`, which comes after the rung. */
-extern const struct technique ice_caustics, ice_caustics_bumped, ice_caustics_seen;
+extern const struct technique ice_caustics;
 
-/* Whether settings ask for them. */
-bool ice_caustics_is_on(const struct settings *settings);
+/* The uses of rows whose shaders include lib/ice_shine.glsl; ends at {0}. */
+extern const struct rg_use ice_caustics_uses[];
 
-/* The uses of rows whose shaders include lib/ice_shine.glsl. */
-#define ICE_CAUSTICS_USES \
-    { .buffer = &ice_caustics_light, .access = RG_UNIFORM, .binding = ICE_CAUSTICS_LIGHT }, \
-        { .image = &ice_caustics_map, \
-          .access = RG_SAMPLED, \
-          .binding = ICE_CAUSTICS_MAP, \
-          .sampler = &frame_linear }, \
-        { .image = &ice_caustics_ground, .access = RG_SAMPLED, .binding = ICE_CAUSTICS_GROUND }, \
-    { \
-        .image = &ice_caustics_front_depth, .access = RG_SAMPLED, .binding = ICE_CAUSTICS_FRONT \
-    }
+/* What fills the two buffers (struct technique_upload). */
+void ice_caustics_write_globals(void *memory, const struct frame_view *view,
+                                const struct globals *globals);
+void ice_caustics_write_light(void *memory, const struct frame_view *view,
+                              const struct globals *globals);
 
 #endif

@@ -13,8 +13,6 @@
 #include "shaders/ice_depth.h"
 #include "src/tech/frame.h"
 
-static rg_record_fn record_layers;
-
 const struct rg_image ice_depth_front = {
     .name = "ice_depth.front",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -65,17 +63,40 @@ static const struct rg_pass passes[] = {
                           .here = true }),
         .vert = &screen_vert,
         .frag = &ice_depth_frag,
-        .record = record_layers,
+        .record = frame_draw_screen,
     },
 };
 
-static void record_layers(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    (void)frame;
-    rg_cmd_draw(cmd, 3);
-}
+static const struct frame_layer layers[] = {
+    {
+        .name = "front.Z",
+        .image = &ice_depth_layers,
+        .planes = { "front.Z" },
+        .shown = FRAME_SHOWN_DISTANCE,
+        .help = "distance of the ice's front along the view's axis, metres; 0: no ice",
+    },
+    {
+        .name = "back.Z",
+        .image = &ice_depth_layers,
+        .planes = { "back.Z" },
+        .first_channel = 1,
+        .shown = FRAME_SHOWN_DISTANCE,
+        .help = "distance of the ice's back along the view's axis, metres; 0: no ice",
+    },
+    {
+        .name = "thickness",
+        .image = &ice_depth_layers,
+        .planes = { "thickness.Z" },
+        .first_channel = 2,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "from the ice's front to its back along the ray, metres",
+    },
+    { 0 },
+};
 
 const struct technique ice_depth = {
-    .graph = RG_TECHNIQUE("ice_depth", passes),
+    .name = "ice_depth",
     .help = "depth of the ice's front and back faces, fitted to it",
+    .layers = layers,
+    .parts = { { PHASE_DEPTHS, .graph = RG_TECHNIQUE("ice_depth", passes) } },
 };

@@ -11,8 +11,7 @@
 #include "src/tech/ice_interval.h"
 #include "shaders/embedded.h"
 #include "src/tech/frame.h"
-
-static rg_record_fn record_count;
+#include "src/tech/row_builder.h"
 
 const struct rg_image ice_interval_count = {
     .name = "ice_interval.count",
@@ -23,79 +22,104 @@ const struct rg_image ice_interval_count = {
     { \
         .name = (title), .format = VK_FORMAT_D32_SFLOAT, .layers = (k), .array = true \
     }
-#define NEAR(k) LAYERS("ice_interval.near", k)
-#define FAR(k)  LAYERS("ice_interval.far", k)
 
 const struct rg_image ice_interval_near[ICE_INTERVAL_MAX] = {
-    NEAR(1), NEAR(2), NEAR(3), NEAR(4), NEAR(5), NEAR(6), NEAR(7), NEAR(8),
+    LAYERS("ice_interval.near", 1), LAYERS("ice_interval.near", 2), LAYERS("ice_interval.near", 3),
+    LAYERS("ice_interval.near", 4), LAYERS("ice_interval.near", 5), LAYERS("ice_interval.near", 6),
+    LAYERS("ice_interval.near", 7), LAYERS("ice_interval.near", 8),
 };
 
 const struct rg_image ice_interval_far[ICE_INTERVAL_MAX] = {
-    FAR(1), FAR(2), FAR(3), FAR(4), FAR(5), FAR(6), FAR(7), FAR(8),
+    LAYERS("ice_interval.far", 1), LAYERS("ice_interval.far", 2), LAYERS("ice_interval.far", 3),
+    LAYERS("ice_interval.far", 4), LAYERS("ice_interval.far", 5), LAYERS("ice_interval.far", 6),
+    LAYERS("ice_interval.far", 7), LAYERS("ice_interval.far", 8),
 };
 
-/* Both kinds of faces, nearest first, into the layers from `first_layer` on. */
-#define PEEL(layers_, first_layer) \
-    .depth = { &(layers_), \
-               RG_LOAD_CLEAR, \
-               { .depthStencil = { 1.0f, 0 } }, \
-               .layer = (first_layer) }, \
-    .depth_compare = VK_COMPARE_OP_LESS, .vert = &ice_depth_vert, .vertices = &frame_mesh_layout, \
-    .record = frame_draw_object
+/* ---- rows ---- */
 
-#define USE(layers_, binding_, ...) \
-    { \
-        .image = &(layers_), .access = RG_SAMPLED, .binding = (binding_), .here = true, \
-        __VA_ARGS__ \
-    }
-#define BEHIND(layers_, ...) \
-    .uses = RG_USES(FRAME_USE_GLOBALS, USE(layers_, ICE_INTERVAL_BEFORE, .range = __VA_ARGS__)), \
-    .frag = &ice_interval_next_frag
-
-#define FIRST(k) \
-    { \
-        .name = "ice_interval.first", PEEL(ice_interval_near[(k)-1], 0), \
-        .uses = RG_USES(FRAME_USE_GLOBALS), .frag = &ice_interval_first_frag \
-    }
-#define NEXT(title, layers_) \
-    { \
-        .name = (title), .repeat = RG_PER_LAYER, PEEL(layers_, 1), \
-        BEHIND(layers_, { .each = true }) \
-    }
-/* Behind the last layer of the nearer ones. */
-#define MIDDLE(k) \
-    { \
-        .name = "ice_interval.middle", PEEL(ice_interval_far[(k)-1], 0), \
-        BEHIND(ice_interval_near[(k)-1], { .layer = (k)-1 }) \
-    }
-#define COUNT(k) \
-    { \
-        .name = "ice_interval.count", \
-        .color = RG_TARGETS({ &ice_interval_count, RG_LOAD_DISCARD }), \
-        .uses = RG_USES(USE(ice_interval_near[(k)-1], ICE_INTERVAL_NEAR, .range = { 0 }), \
-                        USE(ice_interval_far[(k)-1], ICE_INTERVAL_FAR, .range = { 0 })), \
-        .vert = &screen_vert, .frag = &ice_interval_count_frag, .record = record_count \
-    }
-
-/* One layer near and one far. */
-static const struct rg_pass one_passes[] = { FIRST(1), MIDDLE(1), COUNT(1) };
-
-#define ROWS(k) \
-    { \
-        FIRST(k), NEXT("ice_interval.next", ice_interval_near[(k)-1]), MIDDLE(k), \
-            NEXT("ice_interval.last", ice_interval_far[(k)-1]), COUNT(k) \
-    }
-
-/* The others: [k - 2]. */
-static const struct rg_pass passes[ICE_INTERVAL_MAX - 1][5] = {
-    ROWS(2), ROWS(3), ROWS(4), ROWS(5), ROWS(6), ROWS(7), ROWS(8),
+/* Both kinds of faces, nearest first, into the layers from depth.layer on. */
+static const struct rg_pass peel = {
+    .depth = { .load = RG_LOAD_CLEAR, .clear = { .depthStencil = { 1.0f, 0 } } },
+    .depth_compare = VK_COMPARE_OP_LESS,
+    .vert = &ice_depth_vert,
+    .vertices = &frame_mesh_layout,
+    .record = frame_draw_object,
 };
 
-static void record_count(struct rg_cmd *cmd, const struct rg_frame *frame)
+static const struct rg_pass count = {
+    .name = "ice_interval.count",
+    .color = RG_TARGETS({ &ice_interval_count, RG_LOAD_DISCARD }),
+    .vert = &screen_vert,
+    .frag = &ice_interval_count_frag,
+    .record = frame_draw_screen,
+};
+
+static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
+
+/* Globals, and a range of the layers that a shader reads. */
+static const struct rg_use *use_before(struct row_builder *builder, const struct rg_image *layers,
+                                       struct rg_range range)
 {
-    (void)frame;
-    rg_cmd_draw(cmd, 3);
+    const struct rg_use before[] = {
+        { .image = layers,
+          .access = RG_SAMPLED,
+          .binding = ICE_INTERVAL_BEFORE,
+          .here = true,
+          .range = range },
+        { 0 },
+    };
+    return row_builder_uses(builder, (const struct rg_use *const[]){ globals_use, before }, 2);
 }
+
+/* The first layer, and then, if there are several, each behind the one before. */
+static struct rg_pass *peel_all(struct rg_pass *row, struct row_builder *builder,
+                                const struct rg_image *layers, const char *first, const char *next)
+{
+    *row = peel;
+    row->name = first;
+    row->depth.image = layers;
+    row++;
+    if (layers->layers == 1)
+        return row;
+    *row = peel;
+    row->name = next;
+    row->repeat = RG_PER_LAYER;
+    row->depth.image = layers;
+    row->depth.layer = 1;
+    row->uses = use_before(builder, layers, (struct rg_range){ .each = true });
+    row->frag = &ice_interval_next_frag;
+    return row + 1;
+}
+
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    const uint32_t index = ice_interval_index(choice->settings);
+    const struct rg_image *near = &ice_interval_near[index];
+    const struct rg_image *far = &ice_interval_far[index];
+    const struct rg_use count_uses[] = {
+        { .image = near, .access = RG_SAMPLED, .binding = ICE_INTERVAL_NEAR, .here = true },
+        { .image = far, .access = RG_SAMPLED, .binding = ICE_INTERVAL_FAR, .here = true },
+        { 0 },
+    };
+    struct rg_pass *rows = row_builder_alloc(builder, 5 * sizeof(*rows));
+    if (!rows)
+        return (struct rg_technique){ 0 };
+    struct rg_pass *middle =
+        peel_all(rows, builder, near, "ice_interval.first", "ice_interval.next");
+    struct rg_pass *last =
+        peel_all(middle, builder, far, "ice_interval.middle", "ice_interval.last");
+    rows->uses = globals_use;
+    rows->frag = &ice_interval_first_frag;
+    /* behind the last of the nearer layers */
+    middle->uses = use_before(builder, near, (struct rg_range){ .layer = near->layers - 1 });
+    middle->frag = &ice_interval_next_frag;
+    *last = count;
+    last->uses = row_builder_uses(builder, (const struct rg_use *const[]){ count_uses }, 1);
+    return (struct rg_technique){ "ice_interval", rows, (size_t)(last + 1 - rows) };
+}
+
+/* ---- settings ---- */
 
 static const struct setting rows[] = {
     {
@@ -105,6 +129,7 @@ static const struct setting rows[] = {
         .initial = 4,
         .min = 1,
         .max = ICE_INTERVAL_MAX,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "how often a ray can enter a concave object, for cracks.clip=interval",
     },
 };
@@ -112,19 +137,26 @@ static const struct setting rows[] = {
 const struct setting_group ice_interval_settings =
     SETTING_GROUP("ice_interval", rows, struct ice_interval_params);
 
-#define TECHNIQUE(table) \
-    { \
-        .graph = RG_TECHNIQUE("ice_interval", table), .settings = &ice_interval_settings, \
-        .help = "the intervals of each ray that lie inside the ice" \
-    }
-
-const struct technique ice_interval[ICE_INTERVAL_MAX] = {
-    TECHNIQUE(one_passes), TECHNIQUE(passes[0]), TECHNIQUE(passes[1]), TECHNIQUE(passes[2]),
-    TECHNIQUE(passes[3]),  TECHNIQUE(passes[4]), TECHNIQUE(passes[5]), TECHNIQUE(passes[6]),
-};
-
 uint32_t ice_interval_index(const struct settings *settings)
 {
     const struct ice_interval_params *params = settings_of(settings, &ice_interval_settings);
     return params->count - 1;
 }
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "intervals",
+        .image = &ice_interval_count,
+        .planes = { "intervals.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "how often the ray is inside the ice",
+    },
+    { 0 },
+};
+
+const struct technique ice_interval = {
+    .name = "ice_interval",
+    .help = "the intervals of each ray that lie inside the ice",
+    .parts = { { PHASE_DEPTHS, .rows = make_rows } },
+    .layers = layers,
+};

@@ -8,12 +8,9 @@ struct ice_interval_params {
     uint32_t count; /* intervals of a pixel that are found: 1 to ICE_INTERVAL_MAX */
 };
 
-/* [k - 1] finds k intervals: the one to list, to read and to write is [ice_interval_index()]. */
-extern const struct technique ice_interval[ICE_INTERVAL_MAX];
-
-/* Two layers an interval, by fitted depth, the nearer half of them and the others: two images, for
- * one of a large picture would be larger than devices allow. shaders/ice_interval.glsl reads
- * them. */
+/* [k - 1] has k intervals: [ice_interval_index()] is drawn. Two layers an interval, by fitted
+ * depth, the nearer half of them and the others: two images, for one of a large picture would be
+ * larger than devices allow. shaders/ice_interval.glsl reads them. */
 extern const struct rg_image ice_interval_near[ICE_INTERVAL_MAX];
 extern const struct rg_image ice_interval_far[ICE_INTERVAL_MAX];
 

@@ -13,7 +13,8 @@
 #include "shaders/embedded.h"
 #include "src/tech/bump.h"
 #include "src/tech/frame.h"
-#include "src/tech/refract.h"
+#include "src/tech/row_builder.h"
+#include "src/tech/water.h"
 
 const struct rg_image ice_normal_back = {
     .name = "ice_normal.back",
@@ -46,62 +47,84 @@ static const struct rg_image front_test = {
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
-#define NO(what, target) \
-    { \
-        .name = "ice_normal.no_" what, .color = RG_TARGETS({ &(target), RG_LOAD_DISCARD }), \
-        .vert = &screen_vert, .frag = &nothing_frag, .record = frame_draw_lookup_area, \
-    }
+static const struct rg_use smooth_uses[] = { FRAME_USE_GLOBALS, { 0 } };
+static const struct rg_use bumped_uses[] = { FRAME_USE_GLOBALS, BUMP_USE_MAP, { 0 } };
 
-#define BACK \
-    NO("back", ice_normal_back), \
-    { \
-        .name = "ice_normal.back", .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }), \
-        .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* 0 is infinity */ \
-            .depth_compare = VK_COMPARE_OP_GREATER, .uses = RG_USES(FRAME_USE_GLOBALS), \
-        .vert = &ice_normal_vert, .frag = &ice_normal_frag, .vertices = &frame_mesh_layout, \
-        .cull = VK_CULL_MODE_FRONT_BIT, .record = frame_draw_object, \
-    }
-
-#define FRONT(depth_image, ...) \
-    NO("front", ice_normal_front), \
-    { \
-        .name = "ice_normal.front", \
-        .color = RG_TARGETS({ &ice_normal_front, RG_LOAD_KEEP }, \
-                            { &ice_normal_front_depth, RG_LOAD_CLEAR }, \
-                            { &ice_normal_shading, RG_LOAD_DISCARD }), \
-        .depth = { &(depth_image), RG_LOAD_CLEAR }, .depth_compare = VK_COMPARE_OP_GREATER, \
-        .record = frame_draw_object, __VA_ARGS__, \
-    }
-
-#define SMOOTH REFRACT_FRONT_FACES, .frag = &ice_front_frag, .uses = RG_USES(FRAME_USE_GLOBALS)
+enum {
+    FRONT_ROW = 3 /* of these: */
+};
 
 static const struct rg_pass passes[] = {
-    BACK,
-    FRONT(background_depth, SMOOTH),
+    {
+        .name = "ice_normal.no_back",
+        .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_DISCARD }),
+        .vert = &screen_vert,
+        .frag = &nothing_frag,
+        .record = frame_draw_lookup_area,
+    },
+    {
+        .name = "ice_normal.back",
+        .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }),
+        .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = smooth_uses,
+        .vert = &ice_normal_vert,
+        .frag = &ice_normal_frag,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_FRONT_BIT,
+        .record = frame_draw_object,
+    },
+    {
+        .name = "ice_normal.no_front",
+        .color = RG_TARGETS({ &ice_normal_front, RG_LOAD_DISCARD }),
+        .vert = &screen_vert,
+        .frag = &nothing_frag,
+        .record = frame_draw_lookup_area,
+    },
+    {
+        .name = "ice_normal.front",
+        .color = RG_TARGETS({ &ice_normal_front, RG_LOAD_KEEP },
+                            { &ice_normal_front_depth, RG_LOAD_CLEAR },
+                            { &ice_normal_shading, RG_LOAD_DISCARD }),
+        .depth = { &frame_depth, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_BACK_BIT,
+        .record = frame_draw_object,
+    },
 };
 
-static const struct rg_pass passes_with_bumps[] = {
-    BACK,
-    FRONT(background_depth, REFRACT_BUMPED_FACES, .frag = &ice_front_bump_frag,
-          .uses = RG_USES(FRAME_USE_GLOBALS, BUMP_USE_MAP)),
-};
+/* In a pool it comes after the background, whose depth it leaves alone, and shows no bumps. */
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    const bool bumped = !choice->has_pool && bump.is_on(choice->settings);
+    const size_t count = sizeof(passes) / sizeof(passes[0]);
+    struct rg_pass *rows = row_builder_rows(builder, passes, count);
+    if (!rows || (choice->has_pool && !water_has_ice(choice->settings)))
+        return (struct rg_technique){ 0 };
+    rows[FRONT_ROW].vert = bumped ? &refract_bump_vert : &refract_vert;
+    rows[FRONT_ROW].frag = bumped ? &ice_front_bump_frag : &ice_front_frag;
+    rows[FRONT_ROW].uses = bumped ? bumped_uses : smooth_uses;
+    if (choice->has_pool)
+        rows[FRONT_ROW].depth.image = &front_test;
+    return (struct rg_technique){ "ice_normal", rows, count };
+}
 
-static const struct rg_pass passes_of_pool[] = {
-    BACK,
-    FRONT(front_test, SMOOTH),
+static const struct frame_layer layers[] = {
+    {
+        .name = "back.N",
+        .image = &ice_normal_back,
+        .planes = { "back.N.X", "back.N.Y", "back.N.Z" },
+        .shown = FRAME_SHOWN_DIRECTION,
+        .help = "outward world normal of the ice's back face",
+    },
+    { 0 },
 };
 
 const struct technique ice_normal = {
-    .graph = RG_TECHNIQUE("ice_normal", passes),
+    .name = "ice_normal",
     .help = "outward normals and depth of the ice's faces",
-};
-
-const struct technique ice_normal_with_bumps = {
-    .graph = RG_TECHNIQUE("ice_normal", passes_with_bumps),
-    .help = "the same with bumps",
-};
-
-const struct technique ice_normal_of_pool = {
-    .graph = RG_TECHNIQUE("ice_normal", passes_of_pool),
-    .help = "the same of ice that floats",
+    .parts = { { PHASE_NORMALS, SCENE_OF_ANY, .rows = make_rows } },
+    .layers = layers,
 };

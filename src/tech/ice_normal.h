@@ -15,11 +15,4 @@ extern const struct rg_image ice_normal_shading;
 /* Their depth by globals.clip_from_world: near over the distance; 0 where there is none. */
 extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 
-/* The first that draws to background_depth: that of the front faces, if they are wanted. */
-extern const struct technique ice_normal;
-extern const struct technique ice_normal_with_bumps;
-
-/* For after the background, whose depth it leaves alone. */
-extern const struct technique ice_normal_of_pool;
-
 #endif

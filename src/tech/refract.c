@@ -1,5 +1,12 @@
-/* refract.c: the layers that every refraction rung can write, and the settings of them all. */
+/* refract.c: what refraction rungs have in common: rows, layers, settings. */
 #include "src/tech/refract.h"
+#include "shaders/constants.h"
+#include "shaders/embedded.h"
+#include "src/tech/bump.h"
+#include "src/tech/frame.h"
+#include "src/tech/ice_normal.h"
+#include "src/tech/row_builder.h"
+#include "src/tech/surface.h"
 
 const struct rg_image refract_exit = {
     .name = "refract.exit",
@@ -25,6 +32,128 @@ const struct rg_image refract_way = {
     .name = "refract.way",
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
 };
+
+/* ---- rows ---- */
+
+static const struct rg_target color_targets[] = {
+    [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
+    /* below 0 where the rung draws no ice */
+    [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } },
+};
+
+static const struct rg_target layer_targets[] = {
+    [REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR },
+    [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR },
+    [REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR },
+    [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR },
+    [REFRACT_OUT_WAY] = { &refract_way, RG_LOAD_CLEAR },
+};
+
+static const struct rg_use face_uses[] = { FRAME_USE_GLOBALS, { 0 } };
+
+static const struct rg_use pixel_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
+    FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .here = true),
+    { 0 },
+};
+
+static const struct rg_use scene_uses[] = {
+    FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .here = true),
+    { 0 },
+};
+
+static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
+
+/* Rows that draw front faces find which are in front by a depth test of their own; those that draw
+ * pixels know it from ice_normal.front. */
+static const struct rg_pass color_row = {
+    .color = color_targets,
+    .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
+    .depth = { &frame_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
+    .depth_compare = VK_COMPARE_OP_GREATER,
+};
+
+static const struct rg_pass pixel_color_row = {
+    .color = color_targets,
+    .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
+    .depth = { &frame_depth, RG_LOAD_KEEP },
+    .depth_read_only = true,
+    .depth_compare = VK_COMPARE_OP_LESS,
+};
+
+static const struct rg_pass layer_row = {
+    .color = layer_targets,
+    .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
+    .depth = { &frame_depth, RG_LOAD_KEEP },
+    .depth_read_only = true,
+    .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
+};
+
+static const struct rg_pass pixel_layer_row = {
+    .color = layer_targets,
+    .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
+};
+
+static bool shows_bumps(const struct technique_choice *choice)
+{
+    return choice->rung->rung.rows->bump_frag && bump.is_on(choice->settings);
+}
+
+/* Of front faces, with eq. 4 at the vertices. */
+static void draw_faces(struct rg_pass *row, const struct refract_rung *rung, bool bumped)
+{
+    row->vert = rung->vert ? rung->vert : bumped ? &refract_bump_vert : &refract_vert;
+    row->vertices = &frame_mesh_layout;
+    row->cull = VK_CULL_MODE_BACK_BIT;
+}
+
+static struct rg_technique make_row(const struct technique_choice *choice,
+                                    struct row_builder *builder, const struct rg_pass *base,
+                                    bool is_layers)
+{
+    const struct technique *technique = choice->rung;
+    const struct refract_rung *rung = technique->rung.rows;
+    const bool bumped = shows_bumps(choice);
+    const struct rg_use *const uses[] = {
+        rung->by_pixel ? pixel_uses : face_uses,
+        rung->by_pixel && is_layers ? scene_uses : NULL,
+        rung->uses,
+        bumped ? bump_uses : NULL,
+    };
+    struct rg_pass *row = row_builder_rows(builder, base, 1);
+    if (!row)
+        return (struct rg_technique){ 0 };
+    row->name = row_builder_name(builder, technique->name, is_layers ? "layers" : "color");
+    row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    if (rung->by_pixel)
+        row->vert = &refract_seen_vert;
+    else
+        draw_faces(row, rung, bumped);
+    if (is_layers)
+        row->frag = bumped ? rung->bump_layers_frag : rung->layers_frag;
+    else
+        row->frag = bumped ? rung->bump_frag : rung->frag;
+    row->push_size = rung->push_size;
+    row->record = rung->record ? rung->record : frame_draw_object;
+    return (struct rg_technique){ technique->name, row, 1 };
+}
+
+struct rg_technique refract_color_rows(const struct technique_choice *choice,
+                                       struct row_builder *builder)
+{
+    const bool by_pixel = choice->rung->rung.rows->by_pixel;
+    return make_row(choice, builder, by_pixel ? &pixel_color_row : &color_row, false);
+}
+
+struct rg_technique refract_layer_rows(const struct technique_choice *choice,
+                                       struct row_builder *builder)
+{
+    const bool by_pixel = choice->rung->rung.rows->by_pixel;
+    return make_row(choice, builder, by_pixel ? &pixel_layer_row : &layer_row, true);
+}
+
+/* ---- settings ---- */
 
 static const char *const fresnels[] = {
     [REFRACT_FRESNEL_PAPER] = "paper",
@@ -55,6 +184,7 @@ static const struct setting rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_params, dispersion),
         .max = 10,
+        .switches = SETTING_AFFECTS_PLAN,
         .help = "20 / Abbe number; ice has 0.376",
     },
     {
@@ -63,6 +193,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_params, fresnel),
         .max = REFRACT_FRESNEL_CROSSFADE,
         .choices = fresnels,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "how much is reflected: by the paper's eq. 4, by Fresnel's equations, or evenly",
     },
     {
@@ -79,6 +210,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_params, lookup),
         .max = REFRACT_LOOKUP_BOX,
         .choices = lookups,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "where the environment is seen: infinitely far away, at its distance, on a box",
     },
     {
@@ -88,8 +220,96 @@ static const struct setting rows[] = {
         .initial = 4,
         .min = 1,
         .max = 32,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "of refract.lookup=distance: how often a ray looks how far it has to go",
     },
 };
 
 const struct setting_group refract_settings = SETTING_GROUP("refract", rows, struct refract_params);
+
+/* KHR_materials_dispersion: red has the index n - h, blue n + h, h = (n - 1) 0.025 dispersion. */
+static void write_globals(const struct frame_view *view, struct globals *g)
+{
+    const struct refract_params *params = settings_of(view->settings, &refract_settings);
+    float half = (params->ior - 1.0f) * 0.025f * params->dispersion;
+    g->eta = REFRACT_IOR_AIR / params->ior;
+    g->etas = (vec3s){ { REFRACT_IOR_AIR / (params->ior - half), g->eta,
+                         REFRACT_IOR_AIR / (params->ior + half) } };
+    g->refract_crossfade = params->crossfade;
+}
+
+static void write_constants(const struct settings *settings, uint32_t *values)
+{
+    const struct refract_params *params = settings_of(settings, &refract_settings);
+    values[CONSTANT_REFRACT_COLORS] = params->dispersion > 0.0f ? 3 : 1;
+    values[CONSTANT_REFRACT_FRESNEL] = params->fresnel;
+    values[CONSTANT_REFRACT_LOOKUP] = params->lookup;
+    values[CONSTANT_REFRACT_STEPS] = params->steps;
+}
+
+/* ---- layers ---- */
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "exit",
+        .image = &refract_exit,
+        .planes = { "exit.X", "exit.Y", "exit.Z" },
+        .shown = FRAME_SHOWN_DIRECTION,
+        .help = "direction in which refracted light leaves: looks up the environment",
+    },
+    {
+        .name = "refraction",
+        .image = &refract_refraction,
+        .planes = { "refraction.R", "refraction.G", "refraction.B" },
+        .mean = true,
+        .help = "radiance seen by refraction",
+    },
+    {
+        .name = "reflection",
+        .image = &refract_reflection,
+        .planes = { "reflection.R", "reflection.G", "reflection.B" },
+        .mean = true,
+        .help = "radiance seen by reflection",
+    },
+    {
+        .name = "fresnel",
+        .image = &refract_fresnel,
+        .planes = { "fresnel.Z" },
+        .mean = true,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "share of the reflection",
+    },
+    {
+        .name = "path",
+        .image = &refract_way,
+        .planes = { "path.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "how far refracted light goes inside until it leaves, metres; 0: no ice",
+    },
+    {
+        .name = "bounces",
+        .image = &refract_way,
+        .planes = { "bounces.Z" },
+        .first_channel = 1,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "how often it is totally reflected on this way",
+    },
+    {
+        .name = "tir",
+        .image = &refract_way,
+        .planes = { "tir.Z" },
+        .first_channel = 2,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "1 where it is so at the first surface that it meets inside, else 0",
+    },
+    { 0 },
+};
+
+const struct technique refract = {
+    .name = "refract",
+    .help = "what all rungs of refraction share",
+    .settings = { &refract_settings },
+    .layers = layers,
+    .write_globals = write_globals,
+    .write_constants = write_constants,
+};

@@ -8,42 +8,29 @@
  * Error: 6 degrees on average on a sphere, 12 on cubes (docs/truth.md): still one bend, and no
  * total reflection. It knows no thickness: nothing is absorbed.
  */
-#include "src/tech/refract_blend.h"
-#include "shaders/embedded.h"
 #include "shaders/refract_blend.h"
-#include "src/tech/bump.h"
+#include "shaders/embedded.h"
 #include "src/tech/frame.h"
+#include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 
 static rg_record_fn record_object;
 
 static const struct rg_use uses[] = {
-    FRAME_USE_GLOBALS,
-    REFRACT_USE_ENV_CUBE,
-    REFRACT_USE_NORMAL_BACK_HERE,
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear, .here = true),
     { 0 },
 };
 
-static const struct rg_use bumped_uses[] = {
-    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK_HERE, BUMP_USE_MAP, { 0 },
+static const struct refract_rung rung = {
+    .frag = &refract_blend_frag,
+    .layers_frag = &refract_blend_aov_frag,
+    .bump_frag = &refract_blend_bump_frag,
+    .bump_layers_frag = &refract_blend_bump_aov_frag,
+    .uses = uses,
+    .push_size = sizeof(struct refract_blend_params),
+    .record = record_object,
 };
-
-static const struct rg_pass passes[] = {
-    REFRACT_ROWS(blend, , REFRACT_FRONT_FACES, .uses = uses,
-                 .push_size = sizeof(struct refract_blend_params), .record = record_object),
-};
-
-static const struct rg_pass bumped_passes[] = {
-    REFRACT_ROWS(blend, _bump, REFRACT_BUMPED_FACES, .uses = bumped_uses,
-                 .push_size = sizeof(struct refract_blend_params), .record = record_object),
-};
-
-static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    rg_cmd_push(cmd, settings_of(frame->settings, &refract_blend_settings),
-                sizeof(struct refract_blend_params));
-    rg_cmd_draw_mesh(cmd, &frame->object);
-}
 
 static const struct setting rows[] = {
     {
@@ -56,13 +43,20 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group refract_blend_settings =
+static const struct setting_group refract_blend_settings =
     SETTING_GROUP("refract_blend", rows, struct refract_blend_params);
 
-const struct technique refract_blend[] =
-    REFRACT_TECHNIQUES("refract_blend", passes, .settings = &refract_blend_settings,
-                       .help = "front and back normals blended so that bending adds up");
+static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, settings_of(frame->settings, &refract_blend_settings),
+                sizeof(struct refract_blend_params));
+    rg_cmd_draw_mesh(cmd, &frame->object);
+}
 
-const struct technique refract_blend_bumped[] =
-    REFRACT_TECHNIQUES("refract_blend", bumped_passes, .settings = &refract_blend_settings,
-                       .help = "the same with bumps");
+const struct technique refract_blend = {
+    .name = "refract_blend",
+    .help = "front and back normals blended so that bending adds up",
+    .settings = { &refract_blend_settings },
+    .parts = REFRACT_PARTS,
+    .rung = { .name = "blend", .rows = &rung },
+};

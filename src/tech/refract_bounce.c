@@ -13,13 +13,26 @@
 #include "shaders/embedded.h"
 #include "shaders/refract_march.h"
 #include "src/tech/frame.h"
+#include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 
 static rg_record_fn record_screen;
 
-static const struct rg_pass passes[] = {
-    REFRACT_SEEN_ROWS(bounce, struct refract_march, record_screen, REFRACT_USE_ENV_CUBE,
-                      REFRACT_USE_NORMAL_BACK, REFRACT_USE_DEPTH_BACK, REFRACT_USE_NORMAL_FRONT),
+static const struct rg_use uses[] = {
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
+    FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
+    { 0 },
+};
+
+static const struct refract_rung rung = {
+    .frag = &refract_bounce_frag,
+    .layers_frag = &refract_bounce_aov_frag,
+    .uses = uses,
+    .push_size = sizeof(struct refract_march),
+    .record = record_screen,
+    .by_pixel = true,
 };
 
 static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -61,6 +74,10 @@ static const struct setting rows[] = {
 const struct setting_group refract_bounce_settings =
     SETTING_GROUP("refract_bounce", rows, struct refract_march);
 
-const struct technique refract_bounce[] =
-    REFRACT_TECHNIQUES("refract_bounce", passes, .settings = &refract_bounce_settings,
-                       .help = "two bends and total reflections between, searched among all faces");
+const struct technique refract_bounce = {
+    .name = "refract_bounce",
+    .help = "two bends and total reflections between, searched among all faces",
+    .settings = { &refract_bounce_settings },
+    .parts = REFRACT_PARTS,
+    .rung = { .name = "bounce", .rows = &rung },
+};

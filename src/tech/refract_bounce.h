@@ -3,7 +3,6 @@
 #define TECH_REFRACT_BOUNCE_H
 #include "src/tech/technique.h"
 
-extern const struct technique refract_bounce[];
 extern const struct setting_group refract_bounce_settings;
 
 #endif

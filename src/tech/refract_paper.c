@@ -13,31 +13,26 @@
 #include "src/tech/refract_paper.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_paper.h"
-#include "src/tech/bump.h"
 #include "src/tech/frame.h"
+#include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 
 static rg_record_fn record_object;
 
 static const struct rg_use uses[] = {
-    FRAME_USE_GLOBALS,
-    REFRACT_USE_ENV_CUBE,
-    REFRACT_USE_NORMAL_BACK_HERE,
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear, .here = true),
     { 0 },
 };
 
-static const struct rg_use bumped_uses[] = {
-    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK_HERE, BUMP_USE_MAP, { 0 },
-};
-
-static const struct rg_pass passes[] = {
-    REFRACT_ROWS(paper, , REFRACT_FRONT_FACES, .uses = uses,
-                 .push_size = sizeof(struct refract_paper_params), .record = record_object),
-};
-
-static const struct rg_pass bumped_passes[] = {
-    REFRACT_ROWS(paper, _bump, REFRACT_BUMPED_FACES, .uses = bumped_uses,
-                 .push_size = sizeof(struct refract_paper_params), .record = record_object),
+static const struct refract_rung rung = {
+    .frag = &refract_paper_frag,
+    .layers_frag = &refract_paper_aov_frag,
+    .bump_frag = &refract_paper_bump_frag,
+    .bump_layers_frag = &refract_paper_bump_aov_frag,
+    .uses = uses,
+    .push_size = sizeof(struct refract_paper_params),
+    .record = record_object,
 };
 
 static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -61,10 +56,10 @@ static const struct setting rows[] = {
 const struct setting_group refract_paper_settings =
     SETTING_GROUP("refract_paper", rows, struct refract_paper_params);
 
-const struct technique refract_paper[] =
-    REFRACT_TECHNIQUES("refract_paper", passes, .settings = &refract_paper_settings,
-                       .help = "front and back normals blended into one (Seipel and Nivfors 2006)");
-
-const struct technique refract_paper_bumped[] =
-    REFRACT_TECHNIQUES("refract_paper", bumped_passes, .settings = &refract_paper_settings,
-                       .help = "the same with bumps");
+const struct technique refract_paper = {
+    .name = "refract_paper",
+    .help = "front and back normals blended into one (Seipel and Nivfors 2006)",
+    .settings = { &refract_paper_settings },
+    .parts = REFRACT_PARTS,
+    .rung = { .name = "paper", .rows = &rung },
+};

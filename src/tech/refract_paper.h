@@ -3,7 +3,6 @@
 #define TECH_REFRACT_PAPER_H
 #include "src/tech/technique.h"
 
-extern const struct technique refract_paper[], refract_paper_bumped[];
 extern const struct setting_group refract_paper_settings;
 
 #endif

@@ -8,21 +8,25 @@
  * Error: that of refract_one_sided.c and, where triangles are large, of interpolation. It has no
  * bumps: they are finer than vertices.
  */
-#include "src/tech/refract_per_vertex.h"
 #include "shaders/embedded.h"
 #include "src/tech/frame.h"
 #include "src/tech/refract.h"
 
 static const struct rg_use uses[] = {
-    FRAME_USE_GLOBALS,
-    REFRACT_USE_ENV_CUBE,
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
     { 0 },
 };
 
-static const struct rg_pass passes[] = {
-    REFRACT_ROWS(per_vertex, , .vert = &refract_per_vertex_vert, .vertices = &frame_mesh_layout,
-                 .cull = VK_CULL_MODE_BACK_BIT, .uses = uses, .record = frame_draw_object),
+static const struct refract_rung rung = {
+    .frag = &refract_per_vertex_frag,
+    .layers_frag = &refract_per_vertex_aov_frag,
+    .vert = &refract_per_vertex_vert,
+    .uses = uses,
 };
 
-const struct technique refract_per_vertex[] = REFRACT_TECHNIQUES(
-    "refract_per_vertex", passes, .help = "one-sided, with directions computed at the vertices");
+const struct technique refract_per_vertex = {
+    .name = "refract_per_vertex",
+    .help = "one-sided, with directions computed at the vertices",
+    .parts = REFRACT_PARTS,
+    .rung = { .name = "per-vertex", .rows = &rung },
+};

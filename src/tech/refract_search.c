@@ -9,40 +9,30 @@
  * the size of the pixels; but what is totally reflected leaves in the direction of its first
  * reflection, dozens of degrees off. Of a concave object the nearest back faces count.
  */
-#include "src/tech/refract_search.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_march.h"
-#include "src/tech/bump.h"
 #include "src/tech/frame.h"
+#include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 
 static rg_record_fn record_object;
 
 static const struct rg_use uses[] = {
-    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK, REFRACT_USE_DEPTH_BACK, { 0 },
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
+    { 0 },
 };
 
-static const struct rg_use bumped_uses[] = {
-    FRAME_USE_GLOBALS,      REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK,
-    REFRACT_USE_DEPTH_BACK, BUMP_USE_MAP,         { 0 },
+static const struct refract_rung rung = {
+    .frag = &refract_search_frag,
+    .layers_frag = &refract_search_aov_frag,
+    .bump_frag = &refract_search_bump_frag,
+    .bump_layers_frag = &refract_search_bump_aov_frag,
+    .uses = uses,
+    .push_size = sizeof(struct refract_march),
+    .record = record_object,
 };
-
-static const struct rg_pass passes[] = {
-    REFRACT_ROWS(search, , REFRACT_FRONT_FACES, .uses = uses,
-                 .push_size = sizeof(struct refract_march), .record = record_object),
-};
-
-static const struct rg_pass bumped_passes[] = {
-    REFRACT_ROWS(search, _bump, REFRACT_BUMPED_FACES, .uses = bumped_uses,
-                 .push_size = sizeof(struct refract_march), .record = record_object),
-};
-
-static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    rg_cmd_push(cmd, settings_of(frame->settings, &refract_search_settings),
-                sizeof(struct refract_march));
-    rg_cmd_draw_mesh(cmd, &frame->object);
-}
 
 static const struct setting rows[] = {
     {
@@ -64,13 +54,20 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group refract_search_settings =
+static const struct setting_group refract_search_settings =
     SETTING_GROUP("refract_search", rows, struct refract_march);
 
-const struct technique refract_search[] =
-    REFRACT_TECHNIQUES("refract_search", passes, .settings = &refract_search_settings,
-                       .help = "two bends, the exit searched among the back faces");
+static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, settings_of(frame->settings, &refract_search_settings),
+                sizeof(struct refract_march));
+    rg_cmd_draw_mesh(cmd, &frame->object);
+}
 
-const struct technique refract_search_bumped[] =
-    REFRACT_TECHNIQUES("refract_search", bumped_passes, .settings = &refract_search_settings,
-                       .help = "the same with bumps");
+const struct technique refract_search = {
+    .name = "refract_search",
+    .help = "two bends, the exit searched among the back faces",
+    .settings = { &refract_search_settings },
+    .parts = REFRACT_PARTS,
+    .rung = { .name = "search", .rows = &rung },
+};

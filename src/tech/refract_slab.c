@@ -7,35 +7,28 @@
  *
  * Error: all of the deviation, wherever the back is not parallel to the front.
  */
-#include "src/tech/refract_slab.h"
 #include "shaders/embedded.h"
-#include "src/tech/bump.h"
 #include "src/tech/frame.h"
+#include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 
 static const struct rg_use uses[] = {
-    FRAME_USE_GLOBALS,
-    REFRACT_USE_ENV_CUBE,
-    REFRACT_USE_DEPTH_BACK_HERE,
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    FRAME_SAMPLE(ice_normal_back_depth, REFRACT_DEPTH_BACK, .here = true),
     { 0 },
 };
 
-static const struct rg_use bumped_uses[] = {
-    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_DEPTH_BACK_HERE, BUMP_USE_MAP, { 0 },
+static const struct refract_rung rung = {
+    .frag = &refract_slab_frag,
+    .layers_frag = &refract_slab_aov_frag,
+    .bump_frag = &refract_slab_bump_frag,
+    .bump_layers_frag = &refract_slab_bump_aov_frag,
+    .uses = uses,
 };
 
-static const struct rg_pass passes[] = {
-    REFRACT_ROWS(slab, , REFRACT_FRONT_FACES, .uses = uses, .record = frame_draw_object),
+const struct technique refract_slab = {
+    .name = "refract_slab",
+    .help = "a pane parallel to the front face: light is moved aside, not turned",
+    .parts = REFRACT_PARTS,
+    .rung = { .name = "slab", .rows = &rung },
 };
-
-static const struct rg_pass bumped_passes[] = {
-    REFRACT_ROWS(slab, _bump, REFRACT_BUMPED_FACES, .uses = bumped_uses,
-                 .record = frame_draw_object),
-};
-
-const struct technique refract_slab[] = REFRACT_TECHNIQUES(
-    "refract_slab", passes,
-    .help = "a pane parallel to the front face: light is moved aside, not turned");
-
-const struct technique refract_slab_bumped[] =
-    REFRACT_TECHNIQUES("refract_slab", bumped_passes, .help = "the same with bumps");

@@ -8,36 +8,26 @@
  * Error: 0.1 degrees on average on a sphere of triangles, 11 on cubes (docs/truth.md). A sphere
  * never reflects light totally that came in; two fifths of the first hits inside those cubes do.
  */
-#include "src/tech/refract_sphere.h"
 #include "shaders/embedded.h"
-#include "src/tech/bump.h"
 #include "src/tech/frame.h"
 #include "src/tech/refract.h"
 
 static const struct rg_use uses[] = {
-    FRAME_USE_GLOBALS,
-    REFRACT_USE_ENV_CUBE,
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
     { 0 },
 };
 
-static const struct rg_use bumped_uses[] = {
-    FRAME_USE_GLOBALS,
-    REFRACT_USE_ENV_CUBE,
-    BUMP_USE_MAP,
-    { 0 },
+static const struct refract_rung rung = {
+    .frag = &refract_sphere_frag,
+    .layers_frag = &refract_sphere_aov_frag,
+    .bump_frag = &refract_sphere_bump_frag,
+    .bump_layers_frag = &refract_sphere_bump_aov_frag,
+    .uses = uses,
 };
 
-static const struct rg_pass passes[] = {
-    REFRACT_ROWS(sphere, , REFRACT_FRONT_FACES, .uses = uses, .record = frame_draw_object),
+const struct technique refract_sphere = {
+    .name = "refract_sphere",
+    .help = "two bends, as in a sphere that touches the front face",
+    .parts = REFRACT_PARTS,
+    .rung = { .name = "sphere", .rows = &rung },
 };
-
-static const struct rg_pass bumped_passes[] = {
-    REFRACT_ROWS(sphere, _bump, REFRACT_BUMPED_FACES, .uses = bumped_uses,
-                 .record = frame_draw_object),
-};
-
-const struct technique refract_sphere[] = REFRACT_TECHNIQUES(
-    "refract_sphere", passes, .help = "two bends, as in a sphere that touches the front face");
-
-const struct technique refract_sphere_bumped[] =
-    REFRACT_TECHNIQUES("refract_sphere", bumped_passes, .help = "the same with bumps");

@@ -10,33 +10,29 @@
  * Error: 7 degrees on average on a sphere, 2 to 3 on cubes, 11 on a teapot (docs/truth.md). What is
  * totally reflected leaves in the direction of its first reflection.
  */
-#include "src/tech/refract_wyman.h"
 #include "shaders/embedded.h"
-#include "src/tech/bump.h"
 #include "src/tech/frame.h"
+#include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 
 static const struct rg_use uses[] = {
-    FRAME_USE_GLOBALS, REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK, REFRACT_USE_DEPTH_BACK, { 0 },
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
+    { 0 },
 };
 
-static const struct rg_use bumped_uses[] = {
-    FRAME_USE_GLOBALS,      REFRACT_USE_ENV_CUBE, REFRACT_USE_NORMAL_BACK,
-    REFRACT_USE_DEPTH_BACK, BUMP_USE_MAP,         { 0 },
+static const struct refract_rung rung = {
+    .frag = &refract_wyman_frag,
+    .layers_frag = &refract_wyman_aov_frag,
+    .bump_frag = &refract_wyman_bump_frag,
+    .bump_layers_frag = &refract_wyman_bump_aov_frag,
+    .uses = uses,
 };
 
-static const struct rg_pass passes[] = {
-    REFRACT_ROWS(wyman, , REFRACT_FRONT_FACES, .uses = uses, .record = frame_draw_object),
+const struct technique refract_wyman = {
+    .name = "refract_wyman",
+    .help = "two bends, the exit guessed from two thicknesses (Wyman 2005)",
+    .parts = REFRACT_PARTS,
+    .rung = { .name = "wyman", .rows = &rung, .reach = 3.0f }, /* it looks a diameter further */
 };
-
-static const struct rg_pass bumped_passes[] = {
-    REFRACT_ROWS(wyman, _bump, REFRACT_BUMPED_FACES, .uses = bumped_uses,
-                 .record = frame_draw_object),
-};
-
-const struct technique refract_wyman[] =
-    REFRACT_TECHNIQUES("refract_wyman", passes,
-                       .help = "two bends, the exit guessed from two thicknesses (Wyman 2005)");
-
-const struct technique refract_wyman_bumped[] =
-    REFRACT_TECHNIQUES("refract_wyman", bumped_passes, .help = "the same with bumps");

@@ -2,26 +2,19 @@
  * resolve.c: fills the picture with the mean of its samples.
  *
  * Samples are added up in float on the CPU; tonemapping a mean is not the mean of the tonemapped,
- * so the mean goes back into background_color before tonemap reads it.
+ * so the mean goes back into frame_color before tonemap reads it.
  */
-#include "src/tech/resolve.h"
-#include "src/tech/background.h"
 #include "src/tech/frame.h"
+#include "src/tech/technique.h"
 
 static rg_record_fn record_upload;
-
-const struct rg_buffer resolve_samples = {
-    .name = "resolve.samples",
-    .size_per_texel = 8,
-    .memory = RG_MEMORY_UPLOAD,
-};
 
 static const struct rg_pass passes[] = {
     {
         .name = "resolve.upload",
         .kind = RG_TRANSFER,
-        .uses = RG_USES({ .buffer = &resolve_samples, .access = RG_COPY_SRC },
-                        { .image = &background_color, .access = RG_COPY_DST }),
+        .uses = RG_USES({ .buffer = &frame_samples, .access = RG_COPY_SRC },
+                        { .image = &frame_color, .access = RG_COPY_DST }),
         .record = record_upload,
     },
 };
@@ -29,10 +22,12 @@ static const struct rg_pass passes[] = {
 static void record_upload(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     (void)frame;
-    rg_cmd_copy_buffer_to_image(cmd, &resolve_samples, 0, &background_color);
+    rg_cmd_copy_buffer_to_image(cmd, &frame_samples, 0, &frame_color);
 }
 
 const struct technique resolve = {
-    .graph = RG_TECHNIQUE("resolve", passes),
+    .name = "resolve",
     .help = "the mean of many samples, back on the device",
+    .parts = { { PHASE_ENVIRONMENT, SCENE_OF_ANY, .purposes = 1u << TECHNIQUE_RESOLVE,
+                 .graph = RG_TECHNIQUE("resolve", passes) } },
 };

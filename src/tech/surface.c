@@ -12,6 +12,8 @@
  */
 #include "src/tech/surface.h"
 #include "shaders/surface.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/frame.h"
 
 const struct rg_image surface_highlight = {
     .name = "surface.highlight",
@@ -25,6 +27,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct surface_params, strength),
         .initial = 6,
         .max = 100,
+        .switches = SETTING_AFFECTS_PLAN,
         .help = "brightness of the lights' highlights on the ice (0: none)",
     },
     {
@@ -39,3 +42,25 @@ static const struct setting rows[] = {
 };
 
 const struct setting_group surface_settings = SETTING_GROUP("surface", rows, struct surface_params);
+
+static bool is_on(const struct settings *settings)
+{
+    const struct light_params *light = settings_of(settings, &light_settings);
+    const struct surface_params *params = settings_of(settings, &surface_settings);
+    return light->count > 0 && light->strength > 0.0f && params->strength > 0.0f;
+}
+
+static void write_globals(const struct frame_view *view, struct globals *g)
+{
+    const struct surface_params *params = settings_of(view->settings, &surface_settings);
+    g->surface = *params;
+}
+
+const struct technique surface = {
+    .name = "surface",
+    .help = "highlights of the lights on the ice's front",
+    .settings = { &surface_settings },
+    .is_on = is_on,
+    .title = "highlights",
+    .write_globals = write_globals,
+};

@@ -6,6 +6,7 @@
 /* Radiance of the highlights; below 0 where no ice is seen. A rung's row writes it. */
 extern const struct rg_image surface_highlight;
 
+extern const struct technique surface;
 extern const struct setting_group surface_settings; /* struct surface_params */
 
 #endif

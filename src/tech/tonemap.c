@@ -6,23 +6,18 @@
  */
 #include "src/tech/tonemap.h"
 #include <math.h>
+#include "shaders/constants.h"
 #include "shaders/embedded.h"
 #include "shaders/tonemap.h"
-#include "src/tech/background.h"
 #include "src/tech/frame.h"
 
 static rg_record_fn record_screen;
 
-const struct rg_image tonemap_color = {
-    .name = "tonemap.color",
-    .format = VK_FORMAT_R8G8B8A8_UNORM,
-};
-
 static const struct rg_pass passes[] = {
     {
         .name = "tonemap.screen",
-        .color = RG_TARGETS({ &tonemap_color, RG_LOAD_DISCARD }),
-        .uses = RG_USES({ .image = &background_color,
+        .color = RG_TARGETS({ &frame_display, RG_LOAD_DISCARD }),
+        .uses = RG_USES({ .image = &frame_color,
                           .access = RG_SAMPLED,
                           .binding = TONEMAP_COLOR,
                           .here = true }),
@@ -64,14 +59,25 @@ static const struct setting rows[] = {
         .initial = TONEMAP_NEUTRAL,
         .max = TONEMAP_CLIP,
         .choices = curves,
+        .affects = SETTING_AFFECTS_PLAN,
         .help = "how PNG pictures show highlights",
     },
 };
 
 const struct setting_group tonemap_settings = SETTING_GROUP("tonemap", rows, struct tonemap_params);
 
+static void write_constants(const struct settings *settings, uint32_t *values)
+{
+    const struct tonemap_params *params = settings_of(settings, &tonemap_settings);
+    values[CONSTANT_TONEMAP_CURVE] = params->curve;
+}
+
 const struct technique tonemap = {
-    .graph = RG_TECHNIQUE("tonemap", passes),
-    .settings = &tonemap_settings,
+    .name = "tonemap",
     .help = "linear light to 8-bit sRGB",
+    .settings = { &tonemap_settings },
+    .parts = { { PHASE_DISPLAY, SCENE_OF_ANY,
+                 .purposes = 1u << TECHNIQUE_PICTURE | 1u << TECHNIQUE_RESOLVE,
+                 .graph = RG_TECHNIQUE("tonemap", passes) } },
+    .write_constants = write_constants,
 };

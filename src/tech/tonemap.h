@@ -8,8 +8,6 @@ struct tonemap_params {
     uint32_t curve; /* TONEMAP_NEUTRAL ... */
 };
 
-extern const struct rg_image tonemap_color; /* sRGB-encoded */
-extern const struct technique tonemap;
 extern const struct setting_group tonemap_settings;
 
 #endif

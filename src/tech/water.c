@@ -21,93 +21,127 @@
  */
 #include "src/tech/water.h"
 #include "shaders/embedded.h"
-#include "src/tech/background.h"
 #include "src/tech/caustics.h"
 #include "src/tech/frame.h"
 #include "src/tech/gbuffer.h"
+#include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
+#include "src/tech/row_builder.h"
 
 static rg_record_fn record_surface, record_ice;
 
-#define SURFACE \
-    .vert = &water_vert, .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP, \
-    .push_size = sizeof(struct water_push), .record = record_surface
+static const struct rg_use surface_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_environment, WATER_ENVIRONMENT, .sampler = &frame_environment_sampler),
+    { 0 },
+};
 
-#define USE_ENVIRONMENT \
-    { \
-        .image = &frame_environment, .access = RG_SAMPLED, .binding = WATER_ENVIRONMENT, \
-        .sampler = &frame_environment_sampler, \
-    }
-
-#define GBUFFER_ROW \
-    { \
-        .name = "water.gbuffer", \
-        .color = \
-            RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP }), \
-        .depth = { &gbuffer_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER, \
-        .uses = RG_USES(FRAME_USE_GLOBALS), .frag = &water_gbuffer_frag, SURFACE, \
-    }
-
-#define USE_CAUSTICS \
-    { \
-        .image = &caustics_light, .access = RG_SAMPLED, .binding = WATER_CAUSTICS, \
-        .sampler = &frame_linear, \
-    }
+static const struct rg_use caustics_uses[] = {
+    FRAME_SAMPLE(caustics_light, WATER_CAUSTICS, .sampler = &frame_linear),
+    { 0 },
+};
 
 /* Where the ice is: shaders/refract_inside.glsl. */
-#define USE_ICE \
-    REFRACT_USE_NORMAL_BACK, REFRACT_USE_DEPTH_BACK, REFRACT_USE_NORMAL_FRONT, \
-        REFRACT_USE_DEPTH_FRONT
+static const struct rg_use ice_uses[] = {
+    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
+    FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
+    { 0 },
+};
 
-#define COLOR_TARGETS \
-    .color = RG_TARGETS({ &background_color, RG_LOAD_KEEP }), \
-    .depth = { &background_depth, RG_LOAD_KEEP }, .depth_compare = VK_COMPARE_OP_GREATER
+static const struct rg_pass gbuffer_row = {
+    .name = "water.gbuffer",
+    .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP }),
+    .depth = { &gbuffer_depth, RG_LOAD_KEEP },
+    .depth_compare = VK_COMPARE_OP_GREATER,
+    .uses = RG_USES(FRAME_USE_GLOBALS),
+    .vert = &water_vert,
+    .frag = &water_gbuffer_frag,
+    .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
+    .push_size = sizeof(struct water_push),
+    .record = record_surface,
+};
 
-#define COLOR_ROW(shader, ...) \
-    { \
-        .name = "water.color", COLOR_TARGETS, .uses = RG_USES(FRAME_USE_GLOBALS, __VA_ARGS__), \
-        .frag = (shader), SURFACE, \
+static const struct rg_pass color_row = {
+    .name = "water.color",
+    .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP }),
+    .depth = { &frame_depth, RG_LOAD_KEEP },
+    .depth_compare = VK_COMPARE_OP_GREATER,
+    .vert = &water_vert,
+    .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
+    .push_size = sizeof(struct water_push),
+    .record = record_surface,
+};
+
+/* What of the ice stands out of the water. */
+static const struct rg_pass ice_row = {
+    .name = "water.ice",
+    .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP }),
+    .depth = { &frame_depth, RG_LOAD_KEEP },
+    .depth_compare = VK_COMPARE_OP_GREATER,
+    .vert = &refract_vert,
+    .vertices = &frame_mesh_layout,
+    .cull = VK_CULL_MODE_BACK_BIT,
+    .push_size = sizeof(struct water_push),
+    .record = record_ice,
+};
+
+static const struct rg_pass layers_row = {
+    .name = "water.layers",
+    .color = RG_TARGETS({ &caustics_seen, RG_LOAD_CLEAR }),
+    .depth = { &frame_depth, RG_LOAD_KEEP },
+    .depth_read_only = true,
+    .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
+    .vert = &water_vert,
+    .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
+    .push_size = sizeof(struct water_push),
+    .record = record_surface,
+};
+
+enum {
+    ROW_COUNT = 4
+};
+
+/* Shaders for water without and with ice, in plain light and in that of caustics. */
+static const struct rg_shader *const color_frags[2][2] = {
+    { &water_frag, &water_caustics_frag },
+    { &water_iced_frag, &water_iced_caustics_frag },
+};
+static const struct rg_shader *const ice_frags[2] = { &water_ice_frag, &water_ice_caustics_frag };
+static const struct rg_shader *const layers_frags[2] = {
+    &water_caustics_aov_frag,
+    &water_iced_caustics_aov_frag,
+};
+
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    const bool lit = caustics_are_lit(choice->settings);
+    const bool iced = water_has_ice(choice->settings);
+    const struct rg_use *const lists[] = { surface_uses, lit ? caustics_uses : NULL,
+                                           iced ? ice_uses : NULL };
+    const struct rg_use *uses = row_builder_uses(builder, lists, 3);
+    struct rg_pass *rows = row_builder_alloc(builder, ROW_COUNT * sizeof(*rows));
+    if (!rows)
+        return (struct rg_technique){ 0 };
+    struct rg_pass *row = rows;
+    *row++ = gbuffer_row;
+    *row = color_row;
+    row->uses = uses;
+    row++->frag = color_frags[iced][lit];
+    if (iced) {
+        *row = ice_row;
+        row->uses = uses;
+        row++->frag = ice_frags[lit];
     }
-
-/* What of it stands out of the water. */
-#define ICE_ROW(shader, ...) \
-    { \
-        .name = "water.ice", COLOR_TARGETS, .uses = RG_USES(FRAME_USE_GLOBALS, __VA_ARGS__), \
-        .frag = (shader), REFRACT_FRONT_FACES, .push_size = sizeof(struct water_push), \
-        .record = record_ice, \
+    if (lit) {
+        *row = layers_row;
+        row->uses = uses;
+        row++->frag = layers_frags[iced];
     }
-
-#define LAYERS_ROW(shader, ...) \
-    { \
-        .name = "water.layers", .color = RG_TARGETS({ &caustics_seen, RG_LOAD_CLEAR }), \
-        .depth = { &background_depth, RG_LOAD_KEEP }, .depth_read_only = true, \
-        .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL, \
-        .uses = RG_USES(FRAME_USE_GLOBALS, __VA_ARGS__), .frag = (shader), SURFACE, \
-    }
-
-static const struct rg_pass passes[] = {
-    GBUFFER_ROW,
-    COLOR_ROW(&water_frag, USE_ENVIRONMENT),
-};
-
-static const struct rg_pass lit_passes[] = {
-    GBUFFER_ROW,
-    COLOR_ROW(&water_caustics_frag, USE_ENVIRONMENT, USE_CAUSTICS),
-    LAYERS_ROW(&water_caustics_aov_frag, USE_ENVIRONMENT, USE_CAUSTICS),
-};
-
-static const struct rg_pass iced_passes[] = {
-    GBUFFER_ROW,
-    COLOR_ROW(&water_iced_frag, USE_ENVIRONMENT, USE_ICE),
-    ICE_ROW(&water_ice_frag, USE_ENVIRONMENT, USE_ICE),
-};
-
-static const struct rg_pass iced_lit_passes[] = {
-    GBUFFER_ROW,
-    COLOR_ROW(&water_iced_caustics_frag, USE_ENVIRONMENT, USE_CAUSTICS, USE_ICE),
-    ICE_ROW(&water_ice_caustics_frag, USE_ENVIRONMENT, USE_CAUSTICS, USE_ICE),
-    LAYERS_ROW(&water_iced_caustics_aov_frag, USE_ENVIRONMENT, USE_CAUSTICS, USE_ICE),
-};
+    return (struct rg_technique){ "water", rows, (size_t)(row - rows) };
+}
 
 struct water_push water_push_of(const struct settings *settings)
 {
@@ -121,13 +155,7 @@ struct water_push water_push_of(const struct settings *settings)
 bool water_has_ice(const struct settings *settings)
 {
     const struct pool_params *pool = settings_of(settings, &pool_settings);
-    return pool->water && pool->ice > 0.0f;
-}
-
-bool water_is_on(const struct settings *settings)
-{
-    const struct pool_params *pool = settings_of(settings, &pool_settings);
-    return pool->water;
+    return pool->ice > 0.0f;
 }
 
 static void record_surface(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -206,42 +234,20 @@ static const struct setting pool_rows[] = {
         .max = 1,
         .help = "a pool of water in place of the object; the scene pool switches it on",
     },
-    POOL(size, .initial = 4, .min = 0.1, .max = 100, .help = "length of the pool's sides"),
-    POOL(depth, .initial = 1.2, .min = 0.01, .max = 100, .help = "depth of its water"),
+    POOL(size, .initial = 4, .min = 0.1, .max = 100, .affects = SETTING_AFFECTS_SCENE,
+         .help = "length of the pool's sides"),
+    POOL(depth, .initial = 1.2, .min = 0.01, .max = 100, .affects = SETTING_AFFECTS_SCENE,
+         .help = "depth of its water"),
     POOL(tile, .initial = 0.25, .min = 0.01, .max = 100, .help = "length of its tiles' sides"),
-    POOL(ice, .max = 50, .help = "width of the ice that floats in it (0: none)"),
+    POOL(ice, .max = 50, .affects = SETTING_AFFECTS_SCENE,
+         .help = "width of the ice that floats in it (0: none)"),
 };
 
 const struct setting_group pool_settings = SETTING_GROUP("pool", pool_rows, struct pool_params);
 
-static const struct technique techniques[2][2] = {
-    {
-        {
-            .graph = RG_TECHNIQUE("water", passes),
-            .settings = &water_settings,
-            .help = "a pool of water and the ground below it",
-        },
-        {
-            .graph = RG_TECHNIQUE("water", lit_passes),
-            .settings = &water_settings,
-            .help = "the same under the light of caustics",
-        },
-    },
-    {
-        {
-            .graph = RG_TECHNIQUE("water", iced_passes),
-            .settings = &water_settings,
-            .help = "a pool in which ice floats",
-        },
-        {
-            .graph = RG_TECHNIQUE("water", iced_lit_passes),
-            .settings = &water_settings,
-            .help = "the same under the light of caustics",
-        },
-    },
+const struct technique water = {
+    .name = "water",
+    .help = "a pool of water and the ground below it",
+    .settings = { &pool_settings, &water_settings },
+    .parts = { { PHASE_REFRACTION, SCENE_OF_POOL, .rows = make_rows } },
 };
-
-const struct technique *water_find(const struct settings *settings)
-{
-    return &techniques[water_has_ice(settings)][caustics_find(settings) != NULL];
-}

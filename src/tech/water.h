@@ -4,17 +4,14 @@
 #include "shaders/water.h"
 #include "src/tech/technique.h"
 
-/* What the settings choose: its ground under even light or caustics_light; ice that floats in it.
- * Comes after ice_normal where there is ice. */
-const struct technique *water_find(const struct settings *settings);
+/* Whether ice floats in the pool. */
 bool water_has_ice(const struct settings *settings);
 extern const struct setting_group water_settings, pool_settings;
 
 /* What shaders of the pool are told: struct water_push. */
 struct water_push water_push_of(const struct settings *settings);
 
-/* Whether the frame is of a pool; and the row that says so. */
-bool water_is_on(const struct settings *settings);
+/* The row that says in a picture's settings that its scene is a pool. */
 #define WATER_IS_ON_ROW (&pool_settings.rows[0])
 
 #endif

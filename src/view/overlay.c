@@ -102,7 +102,8 @@ static void record_parts(struct rg_cmd *cmd, const struct rg_frame *frame)
 }
 
 const struct technique overlay = {
-    .graph = RG_TECHNIQUE("overlay", passes),
+    .name = "overlay",
+    .parts = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("overlay", passes) } },
     .help = "panels over the picture",
 };
 

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "shaders/present.h"
 #include "src/base/log.h"
-#include "src/frame/view.h"
+#include "src/frame/list.h"
 #include "src/settings/scene_settings.h"
 #include "src/view/watch.h"
 
@@ -100,7 +100,7 @@ struct renderer_params picture_params(struct picture *p)
     };
 }
 
-static enum status make_renderer(struct picture *p, const struct rung *rung,
+static enum status make_renderer(struct picture *p, const struct technique *rung,
                                  struct renderer **renderer)
 {
     struct renderer_params params = picture_params(p);
@@ -146,9 +146,9 @@ enum status picture_resize(struct picture *p, VkExtent2D size)
     return make_renderers(p);
 }
 
-enum status picture_split(struct picture *p, const struct rung *rung)
+enum status picture_split(struct picture *p, const struct technique *rung)
 {
-    const struct rung *before = p->o.split;
+    const struct technique *before = p->o.split;
     p->o.split = rung;
     const enum status status = picture_remake(p);
     if (status != STATUS_OK)
@@ -213,44 +213,18 @@ static enum status replace(struct picture **picture, const struct app_options *o
     return STATUS_OK;
 }
 
-static bool same_list(const struct rung *before, const struct settings *settings_before,
-                      const struct rung *after, const struct settings *settings_after)
-{
-    const struct frame_list a = frame_with(before, settings_before, false);
-    const struct frame_list b = frame_with(after, settings_after, false);
-    for (size_t i = 0; i < FRAME_TECHNIQUE_COUNT; i++) {
-        if (a.techniques[i] != b.techniques[i])
-            return false;
-    }
-    return true;
-}
-
-/* What pipelines and samplers are made with. */
-static bool same_making(const struct scene *scene, const struct settings *before,
-                        const struct settings *after)
-{
-    const struct texture_params *old = settings_of(before, &texture_settings);
-    const struct texture_params *new = settings_of(after, &texture_settings);
-    const struct frame_constants a = frame_view_constants(scene, before);
-    const struct frame_constants b = frame_view_constants(scene, after);
-    return old->anisotropy == new->anisotropy && !memcmp(&a, &b, sizeof(a));
-}
-
+/* Whether the renderers of one draw the other, too. */
 static bool same_frame(const struct picture *p, const struct app_options *a,
                        const struct app_options *b)
 {
-    if (!same_making(&p->scene, &a->settings, &b->settings))
-        return false;
-    if (!same_list(a->rung, &a->settings, b->rung, &b->settings))
-        return false;
-    if (b->split && !same_list(b->split, &a->settings, b->split, &b->settings))
+    if (settings_changed(&a->settings, &b->settings) >= SETTING_AFFECTS_PLAN || a->rung != b->rung)
         return false;
     /* a cube that is drawn only once shows the settings it was drawn with */
-    return frame_cube_is_dynamic(&a->settings) && frame_cube_is_dynamic(&b->settings);
+    return frame_draws_cube(&a->settings, &p->scene) && frame_draws_cube(&b->settings, &p->scene);
 }
 
 enum status picture_change(struct picture **picture, const struct settings *settings,
-                           const struct rung *rung, bool *remade)
+                           const struct technique *rung, bool *remade)
 {
     struct picture *p = *picture;
     const struct app_options before = p->o;
@@ -259,7 +233,7 @@ enum status picture_change(struct picture **picture, const struct settings *sett
     wanted.settings = *settings;
     wanted.rung = rung;
     wanted.ior_is_set = true; /* whatever it is, it is in the settings */
-    if (!app_same_scene(&before, &wanted)) {
+    if (settings_changed(&before.settings, settings) == SETTING_AFFECTS_SCENE) {
         *remade = true;
         return replace(picture, &wanted, true);
     }

@@ -49,7 +49,7 @@ MUST_USE enum status picture_resize(struct picture *picture, VkExtent2D size);
  * renderer_picture(). A new scene keeps the camera.
  */
 MUST_USE enum status picture_change(struct picture **picture, const struct settings *settings,
-                                    const struct rung *rung, bool *remade);
+                                    const struct technique *rung, bool *remade);
 
 /*
  * Another object (a model file) or, by its ending, another environment (.exr, .hdr). If that fails
@@ -59,7 +59,7 @@ MUST_USE enum status picture_change(struct picture **picture, const struct setti
 MUST_USE enum status picture_open(struct picture **picture, const char *path, bool *remade);
 
 /* Shows another rung on the right; NULL: none. On failure it stays as it was. */
-MUST_USE enum status picture_split(struct picture *picture, const struct rung *rung);
+MUST_USE enum status picture_split(struct picture *picture, const struct technique *rung);
 
 /* Makes the renderers anew, if there are any: the watched shaders are others. On failure those
  * before stay. */

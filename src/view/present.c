@@ -24,7 +24,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
         .name = "present.screen",
         .color = RG_TARGETS({ &present_window, RG_LOAD_DISCARD }),
         .uses =
-            RG_USES({ .image = &tonemap_color, .access = RG_SAMPLED, .binding = PRESENT_PICTURE }),
+            RG_USES({ .image = &frame_display, .access = RG_SAMPLED, .binding = PRESENT_PICTURE }),
         .vert = &present_vert,
         .frag = &present_frag,
         .push_size = sizeof(struct present_push),
@@ -67,8 +67,9 @@ static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
 }
 
 const struct technique present = {
-    .graph = RG_TECHNIQUE("present", passes),
+    .name = "present",
     .help = "the picture in a window",
+    .parts = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("present", passes) } },
 };
 
 void present_tables_init(struct present_tables *tables, VkFormat format)

@@ -1,7 +1,7 @@
 /*
  * present.h: a picture in a window, texel by texel; or two, side by side.
  *
- * The pictures (tonemap_color and, right of a line, present_right) and the window's image are
+ * The pictures (frame_display and, right of a line, present_right) and the window's image are
  * imported by a plan of their own, apart from that of the frame. The window's format is known at
  * run time only, so its rows are made then.
  */
@@ -33,7 +33,7 @@ struct present_tables {
 void present_tables_init(struct present_tables *tables, VkFormat format);
 
 extern const struct rg_image present_window; /* the same for the format most windows have */
-extern const struct rg_image present_right;  /* as tonemap_color */
+extern const struct rg_image present_right;  /* as frame_display */
 extern const struct technique present;
 
 #endif

@@ -53,13 +53,13 @@ static uint32_t import_count(const struct screen *s)
 
 static enum status compile(struct screen *s, const struct rg_device *device)
 {
-    const struct rg_technique *const techniques[] = {
+    const struct rg_technique *const parts[] = {
         &s->tables.technique,
         &s->overlay.technique,
     };
     const VkExtent2D extent = s->swapchain.extent;
     const struct rg_import imports[IMPORT_COUNT] = {
-        [IMPORT_PICTURE] = { .image = &tonemap_color, .access = RG_SAMPLED },
+        [IMPORT_PICTURE] = { .image = &frame_display, .access = RG_SAMPLED },
         [IMPORT_RIGHT] = { .image = &present_right, .access = RG_SAMPLED },
         [IMPORT_WINDOW] = { .image = &s->tables.window },
         [IMPORT_FONT] = {
@@ -69,7 +69,7 @@ static enum status compile(struct screen *s, const struct rg_device *device)
         },
     };
     s->plan = rg_compile(&(struct rg_compile_params){
-        .techniques = techniques,
+        .techniques = parts,
         .technique_count = s->font ? 2 : 1,
         .view = extent,
         .outputs = &(struct rg_output){ .image = &s->tables.window, .access = RG_PRESENT },

@@ -55,8 +55,8 @@ void view_show_name(struct view *v)
     const struct app_options *o = &v->picture->o;
     char words[200];
     if (o->split)
-        snprintf(words, sizeof(words), "%s, %s | %s%s", o->positionals[0], o->rung->name,
-                 o->split->name, v->paused ? ", paused" : "");
+        snprintf(words, sizeof(words), "%s, %s | %s%s", o->positionals[0], o->rung->rung.name,
+                 o->split->rung.name, v->paused ? ", paused" : "");
     else
         snprintf(words, sizeof(words), "%s%s", o->positionals[0], v->paused ? ", paused" : "");
     view_say(v, words);

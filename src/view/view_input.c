@@ -22,18 +22,18 @@ static void zoom(struct view *v, float steps)
 }
 
 /* --split, or the last rung, which is the most exact one; beside it the first. */
-static const struct rung *other_rung(const struct view *v)
+static const struct technique *other_rung(const struct view *v)
 {
-    const struct rung *last = frame_rungs;
+    const struct technique *last = NULL, *next;
     if (v->options->split)
         return v->options->split;
-    while (last[1].name)
-        last++;
-    return v->picture->o.rung == last ? frame_rungs : last;
+    for (size_t i = 0; (next = techniques_rung(i)); i++)
+        last = next;
+    return v->picture->o.rung == last ? techniques_rung(0) : last;
 }
 
 /* A failure has been logged; it stays as it was. NULL: not split. */
-static void split(struct view *v, const struct rung *rung)
+static void split(struct view *v, const struct technique *rung)
 {
     const double start = clock_seconds();
     screen_disconnect(&v->screen);

@@ -42,7 +42,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct scene scene = { .box = { { { -1, -1, -1 } }, { { 1, 2, 1 } } } };
     struct app_options options = {
         .settings = settings_default(),
-        .rung = &frame_rungs[0],
+        .rung = techniques_rung(0),
         .width = 64,
         .height = 48,
     };

@@ -26,9 +26,10 @@ static void check_row(const struct settings *settings, const struct setting *row
 
 static void check_all(const struct settings *settings)
 {
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
-            const struct setting *row = &setting_groups[g]->rows[r];
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
             const double value = settings_get(settings, row);
             /* a float's limits are those of its doubles, rounded */
             FUZZ_CHECK(row->type == SETTING_CHOICE || row->type == SETTING_SWITCH ||

@@ -1,4 +1,5 @@
 /* test_env_cube.c: every texel of the environment cube shows what lies in its direction. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,9 +9,9 @@
 #include "graph/rg_exec.h"
 #include "shaders/constants.h"
 #include "shaders/globals.h"
+#include "src/frame/list.h"
 #include "src/image/half.h"
 #include "src/render/uploaded_scene.h"
-#include "src/tech/env_cube.h"
 #include "src/tech/frame.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
@@ -62,7 +63,7 @@ static const struct rg_pass copy_passes[] = {
     {
         .name = "test.copy",
         .kind = RG_TRANSFER,
-        .uses = RG_USES({ .image = &env_cube_color, .access = RG_COPY_SRC },
+        .uses = RG_USES({ .image = &frame_env_cube, .access = RG_COPY_SRC },
                         { .buffer = &copied, .access = RG_COPY_DST }),
         .record = record_copy,
     },
@@ -73,24 +74,32 @@ static const struct rg_technique copy = RG_TECHNIQUE("test", copy_passes);
 static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     (void)frame;
-    rg_cmd_copy_image_to_buffer(cmd, &env_cube_color, &copied, 0);
+    rg_cmd_copy_image_to_buffer(cmd, &frame_env_cube, &copied, 0);
 }
 
-static struct rg_plan *compile(const struct rg_device *device, const struct scene *scene)
+/* The plan reads the list, which the caller frees after it. */
+static struct rg_plan *compile(const struct rg_device *device, const struct scene *scene,
+                               struct frame_list *list)
 {
-    static const struct rg_technique *const techniques[] = { &env_cube.graph, &copy };
-    struct frame_request request = { 0 };
-    uploaded_scene_describe(scene, &request);
+    const struct settings settings = settings_default();
+    const struct technique_choice choice = { .settings = &settings, .purpose = TECHNIQUE_CAPTURE };
+    const struct rg_technique *parts[] = { NULL, &copy };
+    const struct environment *environment = &scene->environment;
+    const uint32_t side =
+        environment->width > environment->height ? environment->width : environment->height;
+    assert_int_equal(frame_list_init(list, &choice), STATUS_OK);
+    assert_int_equal(list->count, 1);
+    parts[0] = &list->parts[0];
     const struct rg_import imports[] = {
         { .image = &frame_environment,
           .access = RG_SAMPLED,
-          .extent = request.environment,
-          .mips = request.environment_mips },
+          .extent = { environment->width, environment->height },
+          .mips = environment->texels ? (uint32_t)log2(side) + 1 : 0 },
         { .image = &frame_textures, .access = RG_SAMPLED },
     };
     const struct rg_output output = { .buffer = &copied, .access = RG_HOST_READ };
     struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
-        .techniques = techniques,
+        .techniques = parts,
         .technique_count = 2,
         .view = { 64, 64 },
         .outputs = &output,
@@ -107,11 +116,7 @@ static struct rg_plan *compile(const struct rg_device *device, const struct scen
 static struct rg_frame make_frame(const struct uploaded_scene *on_gpu, vec3s center)
 {
     struct rg_frame frame = {
-        .surroundings = {
-            .vertices = on_gpu->surroundings_vertices.buffer,
-            .indices = on_gpu->surroundings_indices.buffer,
-            .index_count = (uint32_t)(on_gpu->surroundings_indices.size / sizeof(uint32_t)),
-        },
+        .surroundings = uploaded_scene_mesh(&on_gpu->surroundings),
     };
     for (uint32_t i = 0; i < 6; i++) {
         const struct camera_basis basis = camera_cube_basis(i);
@@ -137,12 +142,13 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
         gpu->device,
     };
     const struct rg_device device = rg_exec_device(&vulkan);
-    struct rg_plan *plan = compile(&device, scene);
+    struct frame_list list;
+    struct rg_plan *plan = compile(&device, scene, &list);
     struct uploaded_scene on_gpu;
     assert_int_equal(uploaded_scene_init(&on_gpu, gpu, scene), STATUS_OK);
     const struct rg_exec_import imports[] = {
-        { .image = on_gpu.environment.image },
-        { .image = on_gpu.textures.image },
+        { .image = uploaded_scene_image(&on_gpu, &frame_environment) },
+        { .image = uploaded_scene_image(&on_gpu, &frame_textures) },
     };
     const uint32_t background =
         scene->background == SCENE_COLOR ? GLOBALS_COLOR : GLOBALS_ENVIRONMENT;
@@ -176,6 +182,7 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
     memcpy(cube, rg_exec_mapped(exec, &copied, slot), copied.size);
     rg_exec_destroy(exec);
     rg_plan_destroy(plan);
+    frame_list_finish(&list);
     uploaded_scene_finish(&on_gpu, gpu);
     assert_int_equal(gpu->message_count, 0);
     return cube;
@@ -201,8 +208,8 @@ static void check_directions(const uint16_t *cube, double tolerance, double at_p
 static void faces_are_vulkans(void **state)
 {
     (void)state;
-    assert_int_equal(env_cube_color.width, SIDE);
-    assert_int_equal(env_cube_color.height, SIDE);
+    assert_int_equal(frame_env_cube.width, SIDE);
+    assert_int_equal(frame_env_cube.height, SIDE);
 }
 
 static void surroundings_are_where_they_are(void **state)

@@ -168,12 +168,14 @@ static void every_rung_sees_the_box(void **state)
 {
     struct scene scene = box_scene();
     print_message("degrees, mean and greatest:      refracted        reflected\n");
-    for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        const struct errors box = measure(*state, &scene, rung->name, "refract.lookup=box");
-        const struct errors far = measure(*state, &scene, rung->name, "refract.lookup=infinite");
+    const struct technique *rung;
+    for (size_t r = 0; (rung = techniques_rung(r)); r++) {
+        const struct errors box = measure(*state, &scene, rung->rung.name, "refract.lookup=box");
+        const struct errors far =
+            measure(*state, &scene, rung->rung.name, "refract.lookup=infinite");
         print_message("%-12s box %7.4f %7.4f  %7.4f %7.4f  infinite %5.2f %5.2f  %5.2f %5.2f\n",
-                      rung->name, box.mean[0], box.worst[0], box.mean[1], box.worst[1], far.mean[0],
-                      far.worst[0], far.mean[1], far.worst[1]);
+                      rung->rung.name, box.mean[0], box.worst[0], box.mean[1], box.worst[1],
+                      far.mean[0], far.worst[0], far.mean[1], far.worst[1]);
         for (size_t which = 0; which < 2; which++) {
             assert_true(box.mean[which] < (which ? 0.1 : 0.05)); /* a mirror doubles errors */
             assert_true(box.worst[which] < 0.5);

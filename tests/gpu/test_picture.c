@@ -459,7 +459,7 @@ static void renderer_forgets_earlier_views(void **state)
                                          .gpu = *state,
                                          .scene = &scene,
                                          .settings = &still,
-                                         .rung = &frame_rungs[0],
+                                         .rung = techniques_rung(0),
                                          .width = request.width,
                                          .height = request.height,
                                          .layers = PICTURE_ALL_LAYERS,

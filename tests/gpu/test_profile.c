@@ -78,7 +78,7 @@ static enum status measure(struct gpu *gpu, enum rg_clock clock, struct progress
                             .renderer = { .gpu = gpu,
                                           .scene = &scene,
                                           .settings = &settings,
-                                          .rung = &frame_rungs[0],
+                                          .rung = techniques_rung(0),
                                           .width = SIDE,
                                           .height = SIDE },
                             .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
@@ -185,15 +185,16 @@ static void a_kept_frame_is_the_picture(void **state)
     const struct renderer_shot shot = {
         .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
     };
-    assert_int_equal(renderer_create(&renderer, &(struct renderer_params){ .gpu = *state,
-                                                                           .scene = &scene,
-                                                                           .settings = &settings,
-                                                                           .rung = &frame_rungs[0],
-                                                                           .width = SIDE,
-                                                                           .height = SIDE,
-                                                                           .display = true,
-                                                                           .keep = true }),
-                     STATUS_OK);
+    assert_int_equal(
+        renderer_create(&renderer, &(struct renderer_params){ .gpu = *state,
+                                                              .scene = &scene,
+                                                              .settings = &settings,
+                                                              .rung = techniques_rung(0),
+                                                              .width = SIDE,
+                                                              .height = SIDE,
+                                                              .display = true,
+                                                              .keep = true }),
+        STATUS_OK);
     assert_true(renderer_picture(renderer) != VK_NULL_HANDLE);
     assert_int_equal(renderer_render(renderer, &shot, &first, NULL, NULL), STATUS_OK);
     for (uint32_t i = 0; i < 3; i++)
@@ -223,7 +224,7 @@ static void a_picture_that_does_not_fit_is_refused(void **state)
         .gpu = &gpu,
         .scene = &scene,
         .settings = &settings,
-        .rung = &frame_rungs[0],
+        .rung = techniques_rung(0),
         .width = SIDE,
         .height = SIDE,
         .display = true,

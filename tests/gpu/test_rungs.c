@@ -133,9 +133,10 @@ static void sphere_deviates_as_known(void **state)
     CHECK_NEAR(deviation_deg(0.6), 19.163, 1e-3);
     for (size_t k = 0; k < sizeof(at_six_tenths) / sizeof(at_six_tenths[0]); k++)
         check_at_six_tenths(*state, &scene, k);
-    for (const struct rung *rung = frame_rungs; rung->name; rung++) {
+    const struct technique *rung;
+    for (size_t r = 0; (rung = techniques_rung(r)); r++) {
         size_t k = 0;
-        while (strcmp(at_six_tenths[k].rung, rung->name) != 0)
+        while (strcmp(at_six_tenths[k].rung, rung->rung.name) != 0)
             assert_true(++k < sizeof(at_six_tenths) / sizeof(at_six_tenths[0]));
     }
     scene_finish(&scene);
@@ -357,8 +358,9 @@ static void white_furnace_is_white(void **state)
     struct scene scene = { .background = SCENE_COLOR, .background_color = { { 1, 1, 1 } } };
     make_ice_cube(&scene.model.object);
     scene.box = mesh_box(&scene.model.object);
-    for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        struct rung_picture p = draw(*state, &scene, rung->name, &settings, 128);
+    const struct technique *rung;
+    for (size_t r = 0; (rung = techniques_rung(r)); r++) {
+        struct rung_picture p = draw(*state, &scene, rung->rung.name, &settings, 128);
         for (size_t i = 0; i < p.pixel_count; i++)
             CHECK_NEAR(vec_difference(picture_at(p.beauty, i), (struct vec){ 1, 1, 1 }), 0, 1e-3);
         finish(&p);
@@ -375,8 +377,9 @@ static void light_is_absorbed_along_the_way(void **state)
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 4800);
     scene.background = SCENE_COLOR;
     scene.background_color = (vec3s){ { 1, 1, 1 } };
-    for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        struct rung_picture p = draw(*state, &scene, rung->name, &settings, 64);
+    const struct technique *rung;
+    for (size_t r = 0; (rung = techniques_rung(r)); r++) {
+        struct rung_picture p = draw(*state, &scene, rung->rung.name, &settings, 64);
         for (size_t i = 0; i < p.pixel_count; i++) {
             const double path = (double)p.path[i];
             const struct vec left = { exp(-2 * path), exp(-0.5 * path), 1 };

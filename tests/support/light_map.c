@@ -68,14 +68,15 @@ static double run_once(struct run *run, const struct rg_frame *frame, const stru
 static void run_method(struct gpu *gpu, const struct settings *settings,
                        const struct globals *globals, uint32_t run_count, struct light_map *map)
 {
-    const struct technique *technique = caustics_find(settings);
+    const struct technique_choice choice = { .settings = settings, .has_pool = true };
+    const struct rg_technique technique = caustics.parts[0].rows(&choice, NULL);
     const struct rg_frame frame = { .settings = settings };
     struct rg_pass rows[ROWS_MAX];
     struct run run;
-    assert_non_null(technique);
-    const size_t count = technique->graph.pass_count;
+    const size_t count = technique.pass_count;
+    assert_true(count > 0);
     assert_true(count < ROWS_MAX);
-    memcpy(rows, technique->graph.passes, count * sizeof(rows[0]));
+    memcpy(rows, technique.passes, count * sizeof(rows[0]));
     rows[count] = read_row;
     run_open(&run, gpu,
              &(struct run_params){

@@ -7,9 +7,12 @@
 
 #include "tests/support/check.h"
 
+#include "src/frame/list.h"
 #include "src/frame/view.h"
 #include "src/image/half.h"
 #include "src/scene/generate/generate.h"
+#include "src/tech/bump.h"
+#include "src/tech/frost.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -26,7 +29,7 @@ void picture_open(struct picture_stage *stage, struct gpu *gpu,
         .gpu = gpu,
         .scene = request->scene,
         .settings = &stage->settings,
-        .rung = request->rung ? frame_find_rung(request->rung) : &frame_rungs[0],
+        .rung = request->rung ? techniques_find_rung(request->rung) : techniques_rung(0),
         .width = request->width,
         .height = request->height,
         .samples = request->samples,
@@ -45,8 +48,9 @@ static bool is_same_stage(const struct scene *scene, const struct settings *a,
 {
     const struct frame_constants x = frame_view_constants(scene, a);
     const struct frame_constants y = frame_view_constants(scene, b);
-    return !memcmp(&x, &y, sizeof(x)) && frame_reads_bump_maps(a) == frame_reads_bump_maps(b) &&
-           frame_cube_is_dynamic(a) == frame_cube_is_dynamic(b);
+    return !memcmp(&x, &y, sizeof(x)) && bump.is_on(a) == bump.is_on(b) &&
+           frost.is_on(a) == frost.is_on(b) &&
+           frame_draws_cube(a, scene) == frame_draws_cube(b, scene);
 }
 
 struct render_result picture_take(struct picture_stage *stage,
@@ -85,8 +89,8 @@ struct render_result picture_render(struct gpu *gpu, const struct picture_reques
 
 uint32_t picture_layer_bit(const char *name)
 {
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
-        if (!strcmp(frame_layers[i].name, name))
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        if (!strcmp(techniques_layer(i)->name, name))
             return 1u << i;
     }
     fail_msg("no layer %s", name);

@@ -10,7 +10,7 @@
 #include "src/render/renderer.h"
 #include "tests/support/vec.h"
 
-#define PICTURE_ALL_LAYERS ((1u << FRAME_LAYER_COUNT) - 1)
+#define PICTURE_ALL_LAYERS UINT32_MAX
 
 struct picture_request {
     const struct scene *scene;

@@ -1,7 +1,11 @@
 /* What shaders are told of camera and time, against closed forms. */
 #include <math.h>
 
+#include "shaders/bubbles.h"
+#include "shaders/ice_caustics.h"
 #include "src/frame/view.h"
+#include "src/tech/bubbles.h"
+#include "src/tech/ice_caustics.h"
 #include "tests/support/check.h"
 
 static const vec3s center = { { 0.0f, 0.0f, 0.0f } };
@@ -246,12 +250,12 @@ static void test_bubbles_are_sorted(void **state)
     struct bubbles_sphere sorted[3];
     struct globals globals = { .world_from_object = glms_mat4_identity(),
                                .eye = { { 0.0f, 0.0f, 3.0f } } };
-    frame_view_bubbles(&view, &globals, sorted);
+    bubbles_write(sorted, &view, &globals);
     assert_memory_equal(&sorted[0], &spheres[2], sizeof(sorted[0]));
     assert_memory_equal(&sorted[1], &spheres[1], sizeof(sorted[0]));
     assert_memory_equal(&sorted[2], &spheres[0], sizeof(sorted[0]));
     globals.world_from_object = glms_rotate_y(glms_mat4_identity(), 3.14159265f);
-    frame_view_bubbles(&view, &globals, sorted);
+    bubbles_write(sorted, &view, &globals);
     assert_float_equal(sorted[0].radius, 0.05f, 0.0f);
     assert_float_equal(sorted[0].center.z, -0.9f, 1e-6);
     assert_float_equal(sorted[1].radius, 0.1f, 0.0f);
@@ -276,16 +280,19 @@ static void test_sun_sees_all_of_it(void **state)
         .radius = 2,
         .lod_bias = -3,
     };
-    const struct frame_view_sun sun = frame_view_sun(&view, &globals);
+    struct globals sun;
+    struct ice_caustics_light map;
+    ice_caustics_write_globals(&sun, &view, &globals);
+    ice_caustics_write_light(&map, &view, &globals);
     const vec4s middle = { { 0, 0, 0, 1 } };
-    const vec4s clip = glms_mat4_mulv(sun.globals.clip_from_world, middle);
-    const vec4s edge = glms_mat4_mulv(sun.map.clip_from_world, (vec4s){ { 0, 0, 2, 1 } });
+    const vec4s clip = glms_mat4_mulv(sun.clip_from_world, middle);
+    const vec4s edge = glms_mat4_mulv(map.clip_from_world, (vec4s){ { 0, 0, 2, 1 } });
     CHECK_NEAR(clip.x / clip.w, 0, 1e-3);
     CHECK_NEAR(clip.y / clip.w, 0, 1e-3);
     CHECK_NEAR(fmax(fabs((double)edge.x), fabs((double)edge.y)) / (double)edge.w,
-               1 / (1.02 * (double)sun.map.reach), 1e-3);
-    CHECK_NEAR(sun.globals.lod_bias, 0, 0);
-    CHECK_NEAR(glms_vec3_norm(sun.globals.eye) / 2, 1000, 1);
+               1 / (1.02 * (double)map.reach), 1e-3);
+    CHECK_NEAR(sun.lod_bias, 0, 0);
+    CHECK_NEAR(glms_vec3_norm(sun.eye) / 2, 1000, 1);
 }
 
 int main(void)

@@ -13,7 +13,7 @@
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/caustics.h"
-#include "src/tech/ice_normal.h"
+#include "src/tech/refract.h"
 #include "tests/support/check.h"
 #include "tests/support/feature.h"
 
@@ -29,6 +29,7 @@ struct golden {
     const char *rung;
     bool layers;                   /* all of them */
     bool static_cube;              /* that comes from outside */
+    bool pool;                     /* the scene is one */
     const char *setting;           /* that is changed; NULL: none */
     const struct feature *feature; /* instead of a list */
     const char *program, *folder;
@@ -42,8 +43,8 @@ static const struct golden goldens[] = {
     { .name = "plan_one_sided", .rung = "one-sided" },
     { .name = "plan_one_sided_layers", .rung = "one-sided", .layers = true },
     { .name = "plan_bounce", .rung = "bounce" },
-    { .name = "plan_pool", .rung = "paper", .setting = "pool.water=on" },
-    { .name = "plan_pool_layers", .rung = "paper", .setting = "pool.water=on", .layers = true },
+    { .name = "plan_pool", .rung = "paper", .pool = true },
+    { .name = "plan_pool_layers", .rung = "paper", .pool = true, .layers = true },
     { .name = "plan_shine_layers",
       .rung = "paper",
       .setting = "ice_caustics.light=sun",
@@ -58,30 +59,33 @@ enum {
     OTHER_COUNT = 4, /* tests without a golden file */
 };
 
-static struct frame_request request_of(const struct golden *golden)
+/* `settings` is for the request, and gets the golden's. */
+static struct frame_request request_of(const struct golden *golden, struct settings *settings)
 {
-    struct frame_request request = {
+    static const enum technique_purpose purposes[] = {
+        [LIST_FRAME] = TECHNIQUE_PICTURE,
+        [LIST_CAPTURE] = TECHNIQUE_CAPTURE,
+        [LIST_RESOLVE] = TECHNIQUE_RESOLVE,
+    };
+
+    *settings = settings_default();
+    if (golden->static_cube)
+        assert_int_equal(settings_set(settings, "env_cube.dynamic=off"), STATUS_OK);
+    if (golden->setting)
+        assert_int_equal(settings_set(settings, golden->setting), STATUS_OK);
+    return (struct frame_request){
+        .choice = {
+            .settings = settings,
+            .purpose = purposes[golden->list],
+            .rung = golden->rung ? techniques_find_rung(golden->rung) : NULL,
+            .has_pool = golden->pool,
+        },
         .view = { 1024, 768 },
-        .layers = golden->layers ? (1u << FRAME_LAYER_COUNT) - 1 : 0,
+        .layers = golden->layers ? UINT32_MAX : 0,
         .beauty = golden->list == LIST_FRAME,
         .display = golden->list != LIST_CAPTURE,
         .keep_cube = golden->list == LIST_CAPTURE,
     };
-    if (golden->list == LIST_CAPTURE) {
-        request.list = frame_capture();
-    } else if (golden->list == LIST_RESOLVE) {
-        request.list = frame_resolve();
-    } else {
-        const struct rung *rung = frame_find_rung(golden->rung);
-        assert_non_null(rung);
-        struct settings settings = settings_default();
-        if (golden->static_cube)
-            assert_int_equal(settings_set(&settings, "env_cube.dynamic=off"), STATUS_OK);
-        if (golden->setting)
-            assert_int_equal(settings_set(&settings, golden->setting), STATUS_OK);
-        request.list = frame_with(rung, &settings, false);
-    }
-    return request;
 }
 
 /* The caller frees it. */
@@ -105,7 +109,8 @@ static char *dump(const struct golden *golden)
         rg_plan_destroy(plan);
         return text;
     }
-    const struct frame_request request = request_of(golden);
+    struct settings settings;
+    const struct frame_request request = request_of(golden, &settings);
     struct frame_plan plan;
     assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
     char *text = text_of(plan.plan);
@@ -172,10 +177,10 @@ static bool has_pass_of(const struct rg_plan *plan, const char *technique)
     return false;
 }
 
-static bool is_culled(const struct rg_plan *plan, const struct rg_pass *pass)
+static bool is_culled(const struct rg_plan *plan, const char *pass)
 {
     for (uint32_t i = 0; i < plan->culled_count; i++) {
-        if (plan->culled[i].pass == pass)
+        if (!strcmp(plan->culled[i].pass->name, pass))
             return true;
     }
     return false;
@@ -187,20 +192,20 @@ static void test_one_sided_draws_no_back_normals(void **state)
     (void)state;
     const struct golden one_sided = { .rung = "one-sided" };
     const struct golden paper = { .rung = "paper" };
-    const struct rg_pass *pass = &ice_normal_with_bumps.graph.passes[0];
-    struct frame_request request = request_of(&one_sided);
+    const char *pass = "ice_normal.no_back";
+    struct settings settings;
+    struct frame_request request = request_of(&one_sided, &settings);
     struct frame_plan plan;
     assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
     assert_false(has_pass_of(plan.plan, "ice_normal"));
     assert_true(is_culled(plan.plan, pass));
     frame_plan_finish(&plan);
 
-    request = request_of(&paper);
+    request = request_of(&paper, &settings);
     assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
     assert_true(has_pass_of(plan.plan, "ice_normal"));
     assert_false(is_culled(plan.plan, pass));
-    assert_true(
-        is_culled(plan.plan, frame_rungs[0].bumped[1].graph.passes)); /* no layer is asked for */
+    assert_true(is_culled(plan.plan, "refract_paper.layers")); /* no layer is asked for */
     frame_plan_finish(&plan);
 }
 
@@ -222,12 +227,14 @@ static void check_surface(const char *const *assignments, bool lights, bool fros
         assert_int_equal(settings_set(&settings, nothing[i]), STATUS_OK);
     for (; *assignments; assignments++)
         assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
-    assert_int_equal(frame_reads_bump_maps(&settings), maps > 0);
-    for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        if (!rung->bumped)
+    const struct technique *rung;
+    for (size_t r = 0; (rung = techniques_rung(r)); r++) {
+        if (!rung->rung.rows->bump_frag && !rung->rung.rows->by_pixel)
             continue;
-        struct frame_request request = request_of(&(struct golden){ .rung = rung->name });
-        request.list = frame_with(rung, &settings, false);
+        struct settings defaults;
+        struct frame_request request =
+            request_of(&(struct golden){ .rung = rung->rung.name }, &defaults);
+        request.choice.settings = &settings;
         struct frame_plan plan;
         assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
         assert_int_equal(has_pass_of(plan.plan, "over"), lights);
@@ -267,19 +274,18 @@ static bool has_image(const struct rg_plan *plan, const char *name)
 static uint32_t check_inside(const char *setting, bool air_is_on, bool bubbles_are_on)
 {
     const struct golden paper = { .rung = "paper", .layers = true };
-    struct frame_request request = request_of(&paper);
-    struct settings settings = settings_default();
+    struct settings settings;
+    struct frame_request request = request_of(&paper, &settings);
     struct frame_plan plan;
     assert_int_equal(settings_set(&settings, setting), STATUS_OK);
-    request.list = frame_with(&frame_rungs[0], &settings, false);
     assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
     assert_true(has_pass_of(plan.plan, "air") == air_is_on);
     assert_true(has_image(plan.plan, "frame.air") == air_is_on);
     assert_true(has_image(plan.plan, "air.color") == air_is_on);
     assert_true(has_pass_of(plan.plan, "bubbles") == bubbles_are_on);
     assert_true(has_image(plan.plan, "bubbles.color") == bubbles_are_on);
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
-        const struct rg_image *image = frame_layers[i].image;
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        const struct rg_image *image = techniques_layer(i)->image;
         const bool is_off = !image || (image == &air_color && !air_is_on) ||
                             (image == &bubbles_color && !bubbles_are_on) || image == &caustics_seen;
         assert_true(!frame_plan_buffer(&plan, image) == is_off);
@@ -309,7 +315,7 @@ static void test_no_cracks_no_passes(void **state)
         struct frame_plan plan;
         assert_int_equal(settings_set(&settings, switches[i]), STATUS_OK);
         const struct frame_request request = {
-            .list = frame_with(&frame_rungs[0], &settings, i == 2),
+            .choice = { .settings = &settings, .rung = techniques_rung(0), .is_convex = i == 2 },
             .view = { 64, 64 },
             .display = true,
         };

@@ -33,8 +33,8 @@ static struct settings settings_of_all(const char *const *assignments)
 static uint32_t all_layers(void)
 {
     uint32_t layers = 0;
-    for (uint32_t i = 0; frame_layers[i].name; i++)
-        layers |= reference_makes(&frame_layers[i]) ? 1u << i : 0;
+    for (uint32_t i = 0; techniques_layer(i); i++)
+        layers |= reference_makes(techniques_layer(i)) ? 1u << i : 0;
     return layers;
 }
 

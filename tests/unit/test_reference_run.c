@@ -19,8 +19,8 @@ static const struct renderer_shot shot = {
 static uint32_t traced_layers(void)
 {
     uint32_t layers = 0;
-    for (uint32_t i = 0; frame_layers[i].name; i++)
-        layers |= reference_makes(&frame_layers[i]) ? 1u << i : 0;
+    for (uint32_t i = 0; techniques_layer(i); i++)
+        layers |= reference_makes(techniques_layer(i)) ? 1u << i : 0;
     return layers;
 }
 
@@ -108,8 +108,8 @@ static void test_layers(void **state)
     const size_t count = (size_t)WIDTH * HEIGHT;
     struct render_result result = trace(&f->request);
     uint32_t planes = 4;
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
-        const struct frame_layer *layer = &frame_layers[i];
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        const struct frame_layer *layer = techniques_layer(i);
         for (uint32_t p = 0; p < 4 && layer->planes[p]; p++) {
             const float *texels = image_find(&result.image, layer->planes[p]);
             assert_true(!texels == !reference_makes(layer));

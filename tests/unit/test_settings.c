@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "src/frame/frames.h"
+#include "src/frame/layers.h"
 #include "src/settings/settings.h"
 #include "tests/support/check.h"
 
@@ -14,9 +14,10 @@ typedef void row_fn(const struct setting_group *group, const struct setting *row
 static void for_each_row(row_fn *check)
 {
     size_t rows = 0;
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++, rows++)
-            check(setting_groups[g], &setting_groups[g]->rows[r]);
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++, rows++)
+            check(group, &group->rows[r]);
     }
     assert_true(rows > 0);
 }
@@ -24,10 +25,11 @@ static void for_each_row(row_fn *check)
 /* The first row of a type, from any group. */
 static const struct setting *row_of(enum setting_type type)
 {
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
-            if (setting_groups[g]->rows[r].type == type)
-                return &setting_groups[g]->rows[r];
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            if (group->rows[r].type == type)
+                return &group->rows[r];
         }
     }
     fail_msg("no row of type %d", (int)type);
@@ -84,8 +86,9 @@ static void test_every_row(void **state)
 
 static bool is_listed(const struct setting_group *group)
 {
-    for (size_t g = 0; setting_groups[g]; g++) {
-        if (setting_groups[g] == group)
+    const struct setting_group *listed;
+    for (size_t g = 0; (listed = settings_group(g)); g++) {
+        if (listed == group)
             return true;
     }
     return false;
@@ -96,18 +99,34 @@ static void test_groups(void **state)
     (void)state;
     const struct settings settings = settings_default();
     const unsigned char *end = settings.values;
-    for (size_t g = 0; setting_groups[g]; g++) {
-        const unsigned char *params = settings_of(&settings, setting_groups[g]);
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        const unsigned char *params = settings_of(&settings, group);
         assert_int_equal((uintptr_t)params % 16, 0);
         assert_true(params >= end); /* of the group before */
-        end = params + setting_groups[g]->params_size;
+        end = params + group->params_size;
         assert_true(end <= settings.values + SETTINGS_SIZE);
     }
-    for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        const struct frame_list list = frame_with(rung, &settings, false);
-        for (size_t t = 0; list.techniques[t]; t++)
-            assert_true(!list.techniques[t]->settings || is_listed(list.techniques[t]->settings));
+    for (const struct technique *const *technique = techniques; *technique; technique++) {
+        for (size_t g = 0; g < TECHNIQUE_GROUP_COUNT && (*technique)->settings[g]; g++)
+            assert_true(is_listed((*technique)->settings[g]));
     }
+}
+
+/* What can be switched off is off where the first of its settings is 0. */
+static void test_techniques_are_switched_off(void **state)
+{
+    (void)state;
+    uint32_t count = 0;
+    for (const struct technique *const *t = techniques; *t; t++) {
+        struct settings settings = settings_default();
+        if (!(*t)->is_on)
+            continue;
+        techniques_switch_off(&settings, *t);
+        assert_false((*t)->is_on(&settings));
+        count++;
+    }
+    assert_true(count > 0);
 }
 
 /* ---- values ---- */
@@ -349,6 +368,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_row),
         cmocka_unit_test(test_groups),
+        cmocka_unit_test(test_techniques_are_switched_off),
         cmocka_unit_test(test_defaults),
         cmocka_unit_test(test_round_trips),
         cmocka_unit_test(test_prints_as_people_write),

@@ -1,31 +1,19 @@
 /*
  * Rows and shaders agree: bindings, push constants, the layout of shared structs, vertex fields,
- * targets. Looked up in the embedded SPIR-V of every row that a frame can have.
+ * targets. Looked up in the embedded SPIR-V of every row that a frame can have: all techniques are
+ * asked for their rows, with each two values of all settings that may change these.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "shaders/air.h"
-#include "shaders/background.h"
-#include "shaders/caustics.h"
-#include "shaders/cracks.h"
-#include "shaders/frost.h"
-#include "shaders/gbuffer.h"
-#include "shaders/globals.h"
-#include "shaders/ice_caustics.h"
-#include "shaders/overlay.h"
-#include "shaders/present.h"
-#include "shaders/refract_blend.h"
-#include "shaders/refract_march.h"
-#include "shaders/refract_paper.h"
-#include "shaders/surface.h"
-#include "shaders/tonemap.h"
-#include "shaders/water.h"
-#include "src/frame/frames.h"
-#include "src/view/overlay.h"
-#include "src/view/present.h"
+#include "src/frame/list.h"
+#include "src/tech/techniques.h"
 #include "tests/support/check.h"
 #include "tests/support/spirv.h"
+#include "tests/unit/shared_headers.inc"
+
+extern const struct technique VIEW_DECLARED;
 
 /* ---- structs that C and GLSL share ---- */
 
@@ -40,156 +28,9 @@ struct shared {
     struct field fields[32];
 };
 
-#define FIELD(type, member) \
-    { \
-#member, offsetof(struct type, member), sizeof(((struct type *)0)->member) \
-    }
-
+/* All of shaders/x.h: made by shared_structs.py. */
 static const struct shared shared_structs[] = {
-    {
-        "air_push",
-        sizeof(struct air_push),
-        { FIELD(air_push, strength), FIELD(air_push, haze) },
-    },
-    {
-        "background_push",
-        sizeof(struct background_push),
-        {
-            FIELD(background_push, clip_from_world),
-            FIELD(background_push, eye),
-            FIELD(background_push, environment_lod),
-            FIELD(background_push, right),
-            FIELD(background_push, up),
-            FIELD(background_push, forward),
-            FIELD(background_push, inverse),
-        },
-    },
-    {
-        "caustics_push",
-        sizeof(struct caustics_push),
-        {
-            FIELD(caustics_push, water),
-            FIELD(caustics_push, pool),
-            FIELD(caustics_push, caustics),
-        },
-    },
-    {
-        "cracks_look",
-        sizeof(struct cracks_look),
-        {
-            FIELD(cracks_look, strength),
-            FIELD(cracks_look, shininess),
-            FIELD(cracks_look, bump),
-            FIELD(cracks_look, surface),
-        },
-    },
-    {
-        "frost_cube_push",
-        sizeof(struct frost_cube_push),
-        {
-            FIELD(frost_cube_push, right),
-            FIELD(frost_cube_push, spread),
-            FIELD(frost_cube_push, up),
-            FIELD(frost_cube_push, forward),
-        },
-    },
-    {
-        "frost_push",
-        sizeof(struct frost_push),
-        { FIELD(frost_push, amount) },
-    },
-    {
-        "gbuffer_push",
-        sizeof(struct gbuffer_push),
-        { FIELD(gbuffer_push, object) },
-    },
-    {
-        "globals",
-        sizeof(struct globals),
-        {
-            FIELD(globals, clip_from_world),
-            FIELD(globals, fitted_clip_from_world),
-            FIELD(globals, world_from_object),
-            FIELD(globals, world_from_movers),
-            FIELD(globals, lights),
-            FIELD(globals, eye),
-            FIELD(globals, eta),
-            FIELD(globals, forward),
-            FIELD(globals, background_color),
-            FIELD(globals, sky_strength),
-            FIELD(globals, sun_dir),
-            FIELD(globals, sun_strength),
-            FIELD(globals, center),
-            FIELD(globals, radius),
-            FIELD(globals, fitted),
-            FIELD(globals, time),
-            FIELD(globals, bump_strength),
-            FIELD(globals, bump_scale),
-            FIELD(globals, etas),
-            FIELD(globals, absorb),
-            FIELD(globals, refract_crossfade),
-            FIELD(globals, surface),
-            FIELD(globals, local_min),
-            FIELD(globals, local_max),
-            FIELD(globals, lod_bias),
-        },
-    },
-    {
-        "ice_caustics_light",
-        sizeof(struct ice_caustics_light),
-        {
-            FIELD(ice_caustics_light, clip_from_world),
-            FIELD(ice_caustics_light, reach),
-            FIELD(ice_caustics_light, front),
-        },
-    },
-    {
-        "ice_caustics_push",
-        sizeof(struct ice_caustics_push),
-        {
-            FIELD(ice_caustics_push, march),
-            FIELD(ice_caustics_push, sun_x),
-            FIELD(ice_caustics_push, sun_y),
-            FIELD(ice_caustics_push, sun),
-        },
-    },
-    {
-        "refract_blend_params",
-        sizeof(struct refract_blend_params),
-        { FIELD(refract_blend_params, a) },
-    },
-    {
-        "refract_march",
-        sizeof(struct refract_march),
-        {
-            FIELD(refract_march, steps),
-            FIELD(refract_march, halvings),
-            FIELD(refract_march, bounces),
-        },
-    },
-    {
-        "overlay_push",
-        sizeof(struct overlay_push),
-        { FIELD(overlay_push, clip_from_pixel), FIELD(overlay_push, encodes) },
-    },
-    { "present_push",
-      sizeof(struct present_push),
-      { FIELD(present_push, encodes), FIELD(present_push, line), FIELD(present_push, left) } },
-    {
-        "refract_paper_params",
-        sizeof(struct refract_paper_params),
-        { FIELD(refract_paper_params, a) },
-    },
-    {
-        "tonemap_push",
-        sizeof(struct tonemap_push),
-        { FIELD(tonemap_push, gain) },
-    },
-    {
-        "water_push",
-        sizeof(struct water_push),
-        { FIELD(water_push, water), FIELD(water_push, pool) },
-    },
+#include "tests/unit/shared_structs.inc"
 };
 
 enum {
@@ -203,9 +44,8 @@ enum {
 /* What the shaders of a row were seen to use. */
 struct seen {
     const struct rg_pass *row;
-    uint32_t bindings;          /* bit b: binding b */
-    uint32_t push_size;         /* bytes of the C struct */
-    bool structs[SHARED_COUNT]; /* in any row */
+    uint32_t bindings;  /* bit b: binding b */
+    uint32_t push_size; /* bytes of the C struct */
 };
 
 /* What failed is said in words. */
@@ -218,7 +58,7 @@ struct seen {
     } while (0)
 
 /* A block holds one struct that C knows, member by member. */
-static const struct shared *check_block(const struct spirv *s, uint32_t type, struct seen *seen)
+static const struct shared *check_block(const struct spirv *s, uint32_t type)
 {
     const char *shader = s->shader->name;
     uint32_t count;
@@ -243,7 +83,6 @@ static const struct shared *check_block(const struct spirv *s, uint32_t type, st
     }
     CHECK(!shared->fields[count].name, "%s: %s lacks %s\n", shader, name,
           shared->fields[count].name);
-    seen->structs[k] = true;
     return shared;
 }
 
@@ -297,7 +136,7 @@ static void check_descriptor(const struct spirv *s, const struct spirv_variable 
     if (use->image)
         check_image(s, v, use->image);
     else if (v->storage == SPIRV_UNIFORM)
-        assert_int_equal(check_block(s, v->type, seen)->size, use->buffer->size);
+        assert_int_equal(check_block(s, v->type)->size, use->buffer->size);
 }
 
 static void check_vertex_input(const struct spirv *s, const struct spirv_variable *v,
@@ -337,7 +176,7 @@ static void check_resources(const struct spirv *s, struct seen *seen)
         if (descriptor && v->used)
             check_descriptor(s, v, seen);
         if (v->storage == SPIRV_PUSH_CONSTANT)
-            seen->push_size = (uint32_t)check_block(s, v->type, seen)->size;
+            seen->push_size = (uint32_t)check_block(s, v->type)->size;
     }
 }
 
@@ -394,67 +233,145 @@ static void check_row(const struct rg_pass *row, struct seen *seen)
           row->push_size, seen->push_size);
 }
 
-/* Returns the number of rows. */
-static size_t check_list(const struct frame_list *list, struct seen *seen)
-{
-    size_t rows = 0;
-    for (size_t t = 0; list->techniques[t]; t++) {
-        const struct rg_technique *technique = &list->techniques[t]->graph;
-        for (size_t p = 0; p < technique->pass_count; p++, rows++)
-            check_row(&technique->passes[p], seen);
-    }
-    return rows;
-}
+/* ---- all rows ---- */
 
-/* Settings with which a frame has other rows than with the defaults. */
-static const char *const variants[] = {
-    "bump.strength=0",      "frost.amount=1",   "cracks.count=0",         "cracks.clip=convex",
-    "cracks.clip=precut",   "cracks.clip=none", "cracks.refract=normals", "cracks.refract=gap",
-    "ice_interval.count=8", "pool.water=on",
+/* Rows that were checked, by what a check looks at. */
+struct checked {
+    uint64_t *hashes;
+    size_t count, room;
+    struct seen seen;
 };
 
-/* Each together with these. */
-static const char *const also[][3] = {
-    { NULL },
-    { "ice_caustics.light=sun" },
-    { "pool.ice=1" },
-    { "pool.ice=1", "caustics.method=none" },
-    { "caustics.method=none" },
-};
-
-static size_t check_variants(const struct rung *rung, const char *const *more, struct seen *seen)
+static uint64_t mix(uint64_t hash, const void *data, size_t size)
 {
-    size_t rows = 0;
-    for (size_t i = 0; i < sizeof(variants) / sizeof(variants[0]); i++) {
-        struct settings settings = settings_default();
-        assert_int_equal(settings_set(&settings, variants[i]), STATUS_OK);
-        for (size_t k = 0; more[k]; k++)
-            assert_int_equal(settings_set(&settings, more[k]), STATUS_OK);
-        const struct frame_list list = frame_with(rung, &settings, false);
-        rows += check_list(&list, seen);
-    }
-    return rows;
+    const unsigned char *bytes = data;
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ bytes[i]) * UINT64_C(1099511628211);
+    return hash;
 }
 
+static uint64_t hash_row(const struct rg_pass *row)
+{
+    uint64_t hash = mix(UINT64_C(14695981039346656037), row->name, strlen(row->name));
+    const void *const pointers[] = { row->vert, row->frag, row->comp, row->vertices };
+    hash = mix(hash, pointers, sizeof(pointers));
+    hash = mix(hash, &row->push_size, sizeof(row->push_size));
+    for (uint32_t i = 0; i < row->color_count; i++)
+        hash = mix(hash, &row->color[i].image, sizeof(row->color[i].image));
+    for (const struct rg_use *use = row->uses; use && use->access; use++) {
+        hash = mix(hash, &use->image, sizeof(use->image));
+        hash = mix(hash, &use->buffer, sizeof(use->buffer));
+        hash = mix(hash, &use->access, sizeof(use->access));
+        hash = mix(hash, &use->binding, sizeof(use->binding));
+    }
+    return hash;
+}
+
+static void check_once(const struct rg_pass *row, struct checked *checked)
+{
+    const uint64_t hash = hash_row(row);
+    for (size_t i = 0; i < checked->count; i++) {
+        if (checked->hashes[i] == hash)
+            return;
+    }
+    if (checked->count == checked->room) {
+        checked->room = 2 * checked->room + 64;
+        checked->hashes = realloc(checked->hashes, checked->room * sizeof(*checked->hashes));
+        assert_non_null(checked->hashes);
+    }
+    checked->hashes[checked->count++] = hash;
+    check_row(row, &checked->seen);
+}
+
+static void check_table(const struct rg_technique *technique, struct checked *checked)
+{
+    for (size_t p = 0; p < technique->pass_count; p++)
+        check_once(&technique->passes[p], checked);
+}
+
+/* With and without a pool, for objects of any shape. */
+static void check_settings(const struct settings *settings, const struct technique *rung,
+                           struct checked *checked)
+{
+    static const struct technique_choice choices[] = {
+        { 0 },
+        { .is_convex = true },
+        { .has_pool = true },
+        { .purpose = TECHNIQUE_CAPTURE },
+        { .purpose = TECHNIQUE_BAKE },
+        { .purpose = TECHNIQUE_RESOLVE },
+    };
+    for (size_t i = 0; i < sizeof(choices) / sizeof(choices[0]); i++) {
+        struct technique_choice choice = choices[i];
+        struct frame_list list;
+        choice.settings = settings;
+        choice.rung = rung;
+        assert_int_equal(frame_list_init(&list, &choice), STATUS_OK);
+        for (size_t t = 0; t < list.count; t++)
+            check_table(&list.parts[t], checked);
+        frame_list_finish(&list);
+    }
+}
+
+/* Settings that may change rows, each with one of its values. */
+struct change {
+    const struct setting *row;
+    double value;
+};
+
+enum {
+    CHANGE_MAX = 512
+};
+
+static size_t find_changes(struct change changes[static CHANGE_MAX])
+{
+    const struct setting_group *group;
+    size_t count = 0;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            const bool is_list = row->type == SETTING_CHOICE || row->type == SETTING_SWITCH;
+            const double step = is_list || row->max - row->min < 1 ? 1 : row->max - row->min;
+            if (row->affects < SETTING_AFFECTS_PLAN && row->switches < SETTING_AFFECTS_PLAN)
+                continue;
+            for (double value = row->min; value <= row->max; value += step) {
+                assert_true(count < CHANGE_MAX);
+                changes[count++] = (struct change){ row, value };
+            }
+        }
+    }
+    return count;
+}
+
+/* Each value of each of these settings with each value of another one; every rung with all ice and
+ * light there is. */
 static void test_rows_and_shaders_agree(void **state)
 {
     (void)state;
-    struct seen seen = { 0 };
-    size_t rows = 0;
-    for (const struct rung *rung = frame_rungs; rung->name; rung++) {
-        for (size_t i = 0; i < sizeof(also) / sizeof(also[0]); i++)
-            rows += check_variants(rung, also[i], &seen);
+    struct change changes[CHANGE_MAX];
+    struct checked checked = { 0 };
+    const struct technique *rung;
+    const size_t count = find_changes(changes);
+    for (size_t i = 0; i < count; i++) {
+        for (size_t k = 0; k <= i; k++) {
+            struct settings settings = settings_default();
+            settings_put(&settings, changes[i].row, changes[i].value);
+            settings_put(&settings, changes[k].row, changes[k].value);
+            check_settings(&settings, techniques_rung(0), &checked);
+        }
+        struct settings settings = settings_default();
+        settings_put(&settings, changes[i].row, changes[i].value);
+        for (size_t r = 1; (rung = techniques_rung(r)); r++)
+            check_settings(&settings, rung, &checked);
     }
-    const struct frame_list capture = frame_capture();
-    const struct frame_list bake = frame_bake();
-    const struct frame_list resolve = frame_resolve();
-    const struct frame_list window = { { &present, &overlay } };
-    rows += check_list(&capture, &seen) + check_list(&bake, &seen) + check_list(&resolve, &seen) +
-            check_list(&window, &seen);
-    print_message("%zu rows\n", rows);
-    assert_true(rows > 0);
-    for (size_t i = 0; i < SHARED_COUNT; i++)
-        CHECK(seen.structs[i], "no shader reads %s\n", shared_structs[i].name);
+    static const struct technique *const windows[] = { VIEW_TECHNIQUES };
+    for (size_t t = 0; t < sizeof(windows) / sizeof(windows[0]); t++) {
+        for (size_t p = 0; p < TECHNIQUE_PART_COUNT; p++)
+            check_table(&windows[t]->parts[p].graph, &checked);
+    }
+    print_message("%zu rows\n", checked.count);
+    assert_true(checked.count > 0);
+    free(checked.hashes);
 }
 
 int main(void)

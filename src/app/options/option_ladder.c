@@ -2,7 +2,9 @@
 #include "src/app/options/option_ladder.h"
 #include <string.h>
 #include "src/app/options/option_values.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/refract.h"
+#include "src/tech/techniques.h"
 
 enum {
     RUNS_MAX = 10000
@@ -26,8 +28,9 @@ enum status option_ladder_output(struct app_options *o, const char *value)
 
 static bool add_rung(struct app_options *o, const char *name, size_t length)
 {
-    for (uint32_t i = 0; frame_rungs[i].name; i++) {
-        if (strlen(frame_rungs[i].name) == length && !strncmp(frame_rungs[i].name, name, length)) {
+    const struct technique *rung;
+    for (uint32_t i = 0; (rung = techniques_rung(i)); i++) {
+        if (strlen(rung->rung.name) == length && !strncmp(rung->rung.name, name, length)) {
             o->ladder.rungs |= 1u << i;
             return true;
         }
@@ -71,13 +74,17 @@ enum status option_truth(struct app_options *o, const char *value)
 
 void option_ladder_defaults(struct app_options *o)
 {
-    static const char *const off[] = {
-        "cracks.count", "air.count",   "bubbles.count",    "bump.strength",
-        "frost.amount", "light.count", "env_cube.dynamic",
-    };
-    for (size_t i = 0; i < sizeof(off) / sizeof(off[0]); i++)
-        settings_put(&o->settings, settings_find(off[i]), 0.0);
-    settings_put(&o->settings, settings_find("refract.fresnel"), REFRACT_FRESNEL_EXACT);
-    settings_put(&o->settings, settings_find("refract.lookup"), REFRACT_LOOKUP_DISTANCE);
+    struct settings *s = &o->settings;
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if ((*t)->is_on && !(*t)->is_traced)
+            techniques_switch_off(s, *t);
+    }
+    settings_put(s, settings_row(&light_settings, offsetof(struct light_params, count)), 0.0);
+    settings_put(s, settings_row(&env_cube_settings, offsetof(struct env_cube_params, dynamic)),
+                 0.0);
+    settings_put(s, settings_row(&refract_settings, offsetof(struct refract_params, fresnel)),
+                 REFRACT_FRESNEL_EXACT);
+    settings_put(s, settings_row(&refract_settings, offsetof(struct refract_params, lookup)),
+                 REFRACT_LOOKUP_DISTANCE);
     o->ladder.run_count = 10;
 }

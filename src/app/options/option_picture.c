@@ -8,6 +8,7 @@
 #include "src/base/log.h"
 #include "src/reference/reference.h"
 #include "src/scene/material.h"
+#include "src/tech/refract_reference.h"
 
 static enum status add_output(struct app_options *o, const char *option, const char *value)
 {
@@ -121,9 +122,9 @@ static enum status add_layer(struct app_options *o, const char *name, size_t len
         o->all_layers = true;
         return STATUS_OK;
     }
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
-        if (strlen(frame_layers[i].name) == length &&
-            !strncmp(frame_layers[i].name, name, length)) {
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        if (strlen(techniques_layer(i)->name) == length &&
+            !strncmp(techniques_layer(i)->name, name, length)) {
             o->layers |= 1u << i;
             return STATUS_OK;
         }
@@ -180,8 +181,8 @@ enum status option_resume(struct app_options *o, const char *value)
 
 enum status option_refraction(struct app_options *o, const char *value)
 {
-    const bool is_traced = !strcmp(value, reference_rung.name);
-    o->rung = is_traced ? &reference_rung : frame_find_rung(value);
+    const bool is_traced = !strcmp(value, refract_reference.rung.name);
+    o->rung = is_traced ? &refract_reference : techniques_find_rung(value);
     return o->rung ? STATUS_OK
                    : option_refuse("refraction", value, "no such rung (firn list rungs)");
 }

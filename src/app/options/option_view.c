@@ -28,7 +28,7 @@ enum status option_present(struct app_options *o, const char *value)
 
 enum status option_split(struct app_options *o, const char *value)
 {
-    o->split = frame_find_rung(value);
+    o->split = techniques_find_rung(value);
     return o->split ? STATUS_OK : option_refuse("split", value, "no such rung (firn list rungs)");
 }
 

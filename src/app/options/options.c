@@ -19,6 +19,7 @@
 #include "src/reference/reference.h"
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
+#include "src/tech/refract_reference.h"
 
 struct option {
     const char *group; /* heading in the help */
@@ -372,7 +373,7 @@ static enum status add_positional(struct app_options *o, enum app_command comman
 
 static enum status refuse_traced(const struct app_options *o)
 {
-    if (o->rung != &reference_rung)
+    if (o->rung != &refract_reference)
         return STATUS_OK;
     log_error("--refraction reference: it is traced, only firn render does that");
     return STATUS_USAGE;
@@ -382,15 +383,15 @@ static enum status refuse_traced(const struct app_options *o)
 static enum status settle_layers(struct app_options *o)
 {
     uint32_t made = 0;
-    for (uint32_t i = 0; frame_layers[i].name; i++) {
-        const struct frame_layer *layer = &frame_layers[i];
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        const struct frame_layer *layer = techniques_layer(i);
         const bool is_made =
-            o->rung == &reference_rung ? reference_makes(layer) : layer->image != NULL;
+            o->rung == &refract_reference ? reference_makes(layer) : layer->image != NULL;
         made |= is_made ? 1u << i : 0;
         if (is_made || !((o->layers & 1u << i) || o->show == layer))
             continue;
         log_error("--%s %s: --refraction %s does not make it (firn list layers)",
-                  o->show == layer ? "show" : "aov", layer->name, o->rung->name);
+                  o->show == layer ? "show" : "aov", layer->name, o->rung->rung.name);
         return STATUS_USAGE;
     }
     if (o->all_layers)
@@ -405,7 +406,7 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     *done = false;
     *o = (struct app_options){
         .settings = settings_default(),
-        .rung = &frame_rungs[0],
+        .rung = techniques_rung(0),
         .warmup = 5,
         .run_count = 30,
     };

@@ -45,8 +45,8 @@ struct ui_wish {
     enum view_action action; /* VIEW_NOTHING: none */
     bool changed;            /* these: */
     struct settings settings;
-    const struct rung *rung;
-    const struct rung *split; /* whatever is changed: on the right; NULL: not split */
+    const struct technique *rung;
+    const struct technique *split; /* whatever is changed: on the right; NULL: not split */
 };
 
 /* Opens or closes what an action names: times, plan, keys. */

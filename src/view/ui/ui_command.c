@@ -87,7 +87,8 @@ static void print_setting(FILE *out, const struct settings *settings, const stru
 /* Unless it is what the model, or firn, has by itself. */
 static void print_ior(FILE *out, const struct ui_command *c)
 {
-    const struct setting *row = &refract_settings.rows[0];
+    const struct setting *row =
+        settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const struct model *model = &c->scene->model;
     const struct settings defaults = settings_default();
     const double ior = settings_get(&c->options->settings, row);
@@ -107,10 +108,11 @@ static void print_settings(FILE *out, const struct ui_command *c)
     const struct settings defaults = settings_default();
     struct settings settings = c->options->settings;
     settings_put(&settings, settings_find("motion.time"), (double)c->time);
-    for (size_t g = 0; setting_groups[g]; g++) {
-        for (size_t r = 0; r < setting_groups[g]->row_count; r++) {
-            const struct setting *row = &setting_groups[g]->rows[r];
-            if (row != &refract_settings.rows[0] &&
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            if (row != settings_row(&refract_settings, offsetof(struct refract_params, ior)) &&
                 differ(settings_get(&settings, row), settings_get(&defaults, row)))
                 print_setting(out, &settings, row);
         }
@@ -129,8 +131,8 @@ static void print(FILE *out, const struct ui_command *c)
     fprintf(out, " --size %ux%u", o->width, o->height);
     if (o->samples > 1)
         fprintf(out, " --samples %u", o->samples);
-    if (o->rung != &frame_rungs[0])
-        print_name(out, "refraction", o->rung->name);
+    if (o->rung != techniques_rung(0))
+        print_name(out, "refraction", o->rung->rung.name);
     print_ior(out, c);
     print_settings(out, c);
     print_name(out, "env", o->environment);

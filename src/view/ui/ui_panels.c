@@ -24,12 +24,13 @@ static const char *const often[] = { "refract.crossfade", "cracks.count", "bubbl
 
 /* The index of `rung` in names, which are those of all rungs. */
 static uint32_t name_rungs(const char *names[static RUNG_MAX], uint32_t *count,
-                           const struct rung *rung)
+                           const struct technique *rung)
 {
     uint32_t chosen = 0;
-    for (*count = 0; frame_rungs[*count].name && *count < RUNG_MAX; ++*count) {
-        names[*count] = frame_rungs[*count].name;
-        chosen = rung == &frame_rungs[*count] ? *count : chosen;
+    const struct technique *next;
+    for (*count = 0; *count < RUNG_MAX && (next = techniques_rung(*count)); ++*count) {
+        names[*count] = next->rung.name;
+        chosen = rung == next ? *count : chosen;
     }
     return chosen;
 }
@@ -40,21 +41,22 @@ static void rung_lists(struct ui_wish *wish)
     uint32_t count;
     uint32_t left = name_rungs(&names[1], &count, wish->rung);
     if (imgui_list("refraction", &names[1], count, &left)) {
-        wish->rung = &frame_rungs[left];
+        wish->rung = techniques_rung(left);
         wish->changed = true;
     }
     imgui_tip("how light finds its way through the ice; with a divider, on its left");
     uint32_t right = wish->split ? name_rungs(&names[1], &count, wish->split) + 1 : 0;
     imgui_next_width(widget_width * imgui_scale());
     if (imgui_list("right of a divider", names, count + 1, &right))
-        wish->split = right ? &frame_rungs[right - 1] : NULL;
+        wish->split = right ? techniques_rung(right - 1) : NULL;
     imgui_tip("another one beside it (S, [ and ])");
 }
 
 /* By its index of refraction: glass and plastic are one. */
 static void material_list(struct ui_wish *wish)
 {
-    const struct setting *ior = &refract_settings.rows[0];
+    const struct setting *ior =
+        settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const double is = settings_get(&wish->settings, ior);
     const char *names[MATERIAL_MAX + 1];
     uint32_t count = 0;

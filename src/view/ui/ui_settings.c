@@ -173,7 +173,8 @@ static bool group_panel(struct settings *settings, const struct setting_group *g
 bool ui_settings_panel(struct settings *settings, const char *filter)
 {
     bool changed = false;
-    for (size_t g = 0; setting_groups[g]; g++)
-        changed = group_panel(settings, setting_groups[g], filter) || changed;
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++)
+        changed = group_panel(settings, group, filter) || changed;
     return changed;
 }

@@ -56,13 +56,13 @@ static void make_tables(struct shot *s)
 static enum status compile(struct shot *s, const struct gpu_image *font,
                            const struct rg_device *device)
 {
-    const struct rg_technique *const techniques[] = {
+    const struct rg_technique *const parts[] = {
         &s->present.technique,
         &s->overlay.technique,
         &s->readback,
     };
     const struct rg_import imports[IMPORT_COUNT] = {
-        [IMPORT_PICTURE] = { .image = &tonemap_color, .access = RG_SAMPLED },
+        [IMPORT_PICTURE] = { .image = &frame_display, .access = RG_SAMPLED },
         [IMPORT_RIGHT] = { .image = &present_right, .access = RG_SAMPLED },
         [IMPORT_FONT] = {
             .image = &overlay_font,
@@ -71,8 +71,8 @@ static enum status compile(struct shot *s, const struct gpu_image *font,
         },
     };
     s->plan = rg_compile(&(struct rg_compile_params){
-        .techniques = techniques,
-        .technique_count = sizeof(techniques) / sizeof(techniques[0]),
+        .techniques = parts,
+        .technique_count = sizeof(parts) / sizeof(parts[0]),
         .view = s->screen->swapchain.extent,
         .outputs = &(struct rg_output){ .buffer = &pixels, .access = RG_HOST_READ },
         .output_count = 1,

@@ -11,7 +11,6 @@
 #include "shaders/refract_paper.h"
 #include "shaders/tonemap.h"
 #include "src/frame/view.h"
-#include "src/tech/env_cube.h"
 #include "src/tech/frame.h"
 #include "src/tech/refract_paper.h"
 #include "src/tech/tonemap.h"
@@ -129,10 +128,10 @@ struct by_hand *by_hand_create(const struct by_hand_params *params)
     h->params = *params;
     h->device = params->gpu->device;
     by_hand_make_objects(h, sizeof(struct globals));
-    h->imported[0] = by_hand_view(h, scene->environment.image, scene->environment.format,
-                                  VK_IMAGE_VIEW_TYPE_2D, 0);
-    h->imported[1] = by_hand_view(h, scene->textures.image, scene->textures.format,
-                                  VK_IMAGE_VIEW_TYPE_2D_ARRAY, 0);
+    h->imported[0] = by_hand_view(h, uploaded_scene_image(scene, &frame_environment),
+                                  frame_environment.format, VK_IMAGE_VIEW_TYPE_2D, 0);
+    h->imported[1] = by_hand_view(h, uploaded_scene_image(scene, &frame_textures),
+                                  frame_textures.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY, 0);
     make_pools(h);
     make_pipelines(h);
     return h;
@@ -295,8 +294,8 @@ static void draw_around(struct by_hand *h, struct pass pass, bool sky, bool onto
     pass.color_load = onto ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
     pass.depth_load = onto ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
     pass.push_size = sizeof(struct background_push);
-    pass.vertices = sky ? NULL : &h->params.uploaded->surroundings_vertices;
-    pass.indices = &h->params.uploaded->surroundings_indices;
+    pass.vertices = sky ? NULL : &h->params.uploaded->surroundings.vertices;
+    pass.indices = &h->params.uploaded->surroundings.indices;
     draw_pass(h, &pass);
 }
 
@@ -338,8 +337,8 @@ static void draw_ice(struct by_hand *h)
                                  .depth = h->views[NORMAL_DEPTH],
                                  .color_load = VK_ATTACHMENT_LOAD_OP_CLEAR,
                                  .depth_load = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                 .vertices = &scene->object_vertices,
-                                 .indices = &scene->object_indices });
+                                 .vertices = &scene->object.vertices,
+                                 .indices = &scene->object.indices });
     after_drawing(h, read, 2);
     draw_pass(h, &(struct pass){ .pipeline = PAPER,
                                  .size = size,
@@ -349,8 +348,8 @@ static void draw_ice(struct by_hand *h)
                                  .depth_load = VK_ATTACHMENT_LOAD_OP_CLEAR,
                                  .push = settings_of(h->params.settings, &refract_paper_settings),
                                  .push_size = sizeof(struct refract_paper_params),
-                                 .vertices = &scene->object_vertices,
-                                 .indices = &scene->object_indices });
+                                 .vertices = &scene->object.vertices,
+                                 .indices = &scene->object.indices });
 }
 
 static void draw_screen(struct by_hand *h)
@@ -400,7 +399,7 @@ void by_hand_draw(struct by_hand *h)
         .camera = h->params.camera,
         .width = h->params.width,
         .height = h->params.height,
-        .face_size = env_cube_color.width,
+        .face_size = frame_env_cube.width,
     };
     const struct background_push push = frame_view_push(&view);
     const struct globals globals = frame_view_globals(&view, &push);

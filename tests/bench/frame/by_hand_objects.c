@@ -3,7 +3,7 @@
 
 #include "tests/bench/frame/by_hand_private.h"
 
-#include "src/tech/env_cube.h"
+#include "src/tech/frame.h"
 
 #define TARGET VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
 #define DEPTHS VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
@@ -63,7 +63,7 @@ VkImageView by_hand_view(const struct by_hand *h, VkImage image, VkFormat format
 VkExtent2D by_hand_size(const struct by_hand *h, uint32_t i)
 {
     if (i == CUBE || i == CUBE_DEPTH)
-        return (VkExtent2D){ env_cube_color.width, env_cube_color.height };
+        return (VkExtent2D){ frame_env_cube.width, frame_env_cube.height };
     return (VkExtent2D){ h->params.width, h->params.height };
 }
 

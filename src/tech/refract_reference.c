@@ -1,5 +1,9 @@
-/* reference_settings.c: the rows of reference.*. */
-#include "src/reference/reference_settings.h"
+/*
+ * refract_reference.c: the truth, traced on the CPU (src/reference), as a rung of --refraction.
+ *
+ * It has no rows: nothing of it is drawn.
+ */
+#include "src/tech/refract_reference.h"
 
 static const char *const normals[] = {
     [REFERENCE_NORMALS_INTERPOLATED] = "interpolated",
@@ -38,3 +42,21 @@ static const struct setting rows[] = {
 
 const struct setting_group reference_settings =
     SETTING_GROUP("reference", rows, struct reference_params);
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "remaining",
+        .planes = { "remaining.R", "remaining.G", "remaining.B" },
+        .mean = true,
+        .help = "weight of the light that was not followed to its end",
+    },
+    { 0 },
+};
+
+const struct technique refract_reference = {
+    .name = "refract_reference",
+    .help = "the truth, traced on the CPU",
+    .settings = { &reference_settings },
+    .rung = { .name = "reference" },
+    .layers = layers,
+};

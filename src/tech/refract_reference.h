@@ -1,8 +1,7 @@
-/* reference_settings.h: what --set reference.* changes. In every build. */
-#ifndef FIRN_REFERENCE_SETTINGS_H
-#define FIRN_REFERENCE_SETTINGS_H
-
-#include "src/settings/settings.h"
+/* refract_reference.h: the traced rung, and what --set reference.* changes. In every build. */
+#ifndef TECH_REFRACT_REFERENCE_H
+#define TECH_REFRACT_REFERENCE_H
+#include "src/tech/technique.h"
 
 enum reference_normals {
     REFERENCE_NORMALS_INTERPOLATED, /* of the vertices, as rasterised */
@@ -19,6 +18,7 @@ struct reference_params {
     uint32_t normals; /* enum reference_normals, of the object */
 };
 
+extern const struct technique refract_reference;
 extern const struct setting_group reference_settings;
 
 #endif

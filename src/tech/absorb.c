@@ -1,0 +1,45 @@
+/* absorb.c: what the object takes of the light that goes through it, by Beer and Lambert. */
+#include "src/tech/absorb.h"
+#include "src/tech/frame.h"
+
+static const struct setting rows[] = {
+    {
+        .name = "absorb.red",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct absorb_params, red),
+        .max = 1e4,
+        .unit = "1/metre",
+        .help = "how fast the object takes red light",
+    },
+    {
+        .name = "absorb.green",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct absorb_params, green),
+        .max = 1e4,
+        .unit = "1/metre",
+        .help = "how fast the object takes green light",
+    },
+    {
+        .name = "absorb.blue",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct absorb_params, blue),
+        .max = 1e4,
+        .unit = "1/metre",
+        .help = "how fast the object takes blue light",
+    },
+};
+
+const struct setting_group absorb_settings = SETTING_GROUP("absorb", rows, struct absorb_params);
+
+static void write_globals(const struct frame_view *view, struct globals *g)
+{
+    const struct absorb_params *params = settings_of(view->settings, &absorb_settings);
+    g->absorb = (vec3s){ { params->red, params->green, params->blue } };
+}
+
+const struct technique absorb = {
+    .name = "absorb",
+    .help = "absorption of light in the object",
+    .settings = { &absorb_settings },
+    .write_globals = write_globals,
+};

@@ -1,0 +1,141 @@
+/*
+ * Every setting's row says what has to be made anew when it changes: the scene, if other things are
+ * loaded or generated; the plan, if it has other rows, or pipelines other constants.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "src/app/app.h"
+#include "src/frame/plan.h"
+#include "src/frame/view.h"
+#include "src/scene/bump_maps.h"
+#include "tests/support/check.h"
+
+/* Of a change that was tried, as found by its results. */
+static enum setting_effect affected;
+
+static bool same_scene(const struct app_options *a, const struct app_options *b)
+{
+    struct bump_maps_params map_a, map_b;
+    struct scene_params x = app_describe_scene(a, &map_a);
+    struct scene_params y = app_describe_scene(b, &map_b);
+    if (!x.bump != !y.bump || (x.bump && memcmp(&map_a, &map_b, sizeof(map_a)) != 0))
+        return false;
+    x.bump = y.bump = NULL;
+    return !memcmp(&x.air, &y.air, sizeof(x.air)) &&
+           !memcmp(&x.bubbles, &y.bubbles, sizeof(x.bubbles)) &&
+           !memcmp(&x.pool, &y.pool, sizeof(x.pool)) && x.cracks.count == y.cracks.count &&
+           x.cracks.seed == y.cracks.seed && x.cracks.cut == y.cracks.cut &&
+           x.object_triangles == y.object_triangles &&
+           x.landscape_triangles == y.landscape_triangles && x.flat == y.flat &&
+           x.mover_count == y.mover_count;
+}
+
+/* The plan of a frame as text, and the constants; the caller frees it. */
+static char *describe_plan(const struct settings *settings, bool has_pool)
+{
+    const struct scene scene = { .has_pool = has_pool };
+    const struct frame_constants constants = frame_view_constants(&scene, settings);
+    const struct frame_request request = {
+        .choice = { .settings = settings,
+                    .rung = techniques_find_rung("paper"),
+                    .has_pool = has_pool },
+        .view = { 64, 64 },
+        .layers = UINT32_MAX,
+        .beauty = true,
+        .display = true,
+    };
+    struct frame_plan plan;
+    char *text;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    assert_non_null(file);
+    assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
+    rg_dump(plan.plan, file);
+    for (size_t i = 0; i < CONSTANT_COUNT; i++)
+        fprintf(file, "%u ", constants.values[i]);
+    fclose(file);
+    frame_plan_finish(&plan);
+    return text;
+}
+
+static bool same_plan(const struct settings *a, const struct settings *b)
+{
+    bool same = true;
+    for (int pool = 0; pool < 2; pool++) {
+        char *before = describe_plan(a, pool), *after = describe_plan(b, pool);
+        same = same && !strcmp(before, after);
+        free(before);
+        free(after);
+    }
+    return same;
+}
+
+static void check_change(const struct setting *row, const struct settings *before, double value)
+{
+    struct app_options a = { .settings = *before }, b = { .settings = *before };
+    settings_put(&b.settings, row, value);
+    const enum setting_effect said = settings_changed(&a.settings, &b.settings);
+    enum setting_effect found = SETTING_AFFECTS_FRAME;
+    if (!same_plan(&a.settings, &b.settings))
+        found = SETTING_AFFECTS_PLAN;
+    if (!same_scene(&a, &b))
+        found = SETTING_AFFECTS_SCENE;
+    if (said < found)
+        print_error("%s=%g: the row says %d, it affects %d\n", row->name, value, said, found);
+    assert_true(said >= found);
+    affected = affected > found ? affected : found;
+}
+
+static void check_row(const struct setting *row, const struct settings *before)
+{
+    const double old = settings_get(before, row);
+    const double step = row->type == SETTING_FLOAT ? (row->max - row->min) / 3 : 1;
+    const double values[] = { row->min, old - step, old + step, row->max };
+    for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++) {
+        if (values[i] >= row->min && values[i] <= row->max && values[i] != old)
+            check_change(row, before, values[i]);
+    }
+}
+
+/* Settings with which others count: gaps are refracted, frost lies, cracks are there. */
+static const char *const states[] = { "tonemap.exposure=0", "frost.amount=1",
+                                      "ice_caustics.light=sun", "bump.strength=0" };
+
+static void test_rows_say_what_they_affect(void **state)
+{
+    const struct setting_group *group;
+    (void)state;
+    for (size_t s = 0; s < sizeof(states) / sizeof(states[0]); s++) {
+        struct settings settings = settings_default();
+        assert_int_equal(settings_set(&settings, states[s]), STATUS_OK);
+        for (size_t g = 0; (group = settings_group(g)); g++) {
+            for (size_t r = 0; r < group->row_count; r++)
+                check_row(&group->rows[r], &settings);
+        }
+    }
+    assert_int_equal(affected, SETTING_AFFECTS_SCENE);
+}
+
+/* A change that affects no more than frames does not load the scene anew. */
+static void test_no_row_says_too_much(void **state)
+{
+    struct settings before = settings_default(), after = before;
+    (void)state;
+    assert_int_equal(settings_changed(&before, &after), SETTING_AFFECTS_NOTHING);
+    assert_int_equal(settings_set(&after, "bump.strength=0.5"), STATUS_OK);
+    assert_int_equal(settings_changed(&before, &after), SETTING_AFFECTS_FRAME);
+    assert_int_equal(settings_set(&after, "tonemap.curve=clip"), STATUS_OK);
+    assert_int_equal(settings_changed(&before, &after), SETTING_AFFECTS_PLAN);
+    assert_int_equal(settings_set(&after, "bump.strength=0"), STATUS_OK);
+    assert_int_equal(settings_changed(&before, &after), SETTING_AFFECTS_SCENE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rows_say_what_they_affect),
+        cmocka_unit_test(test_no_row_says_too_much),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
