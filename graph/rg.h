@@ -43,7 +43,7 @@ enum {
 
 #define RG_NONE UINT32_MAX /* no index */
 
-/* What a pass does to a resource. One row each in rg_access.c. */
+/* What a pass does to a resource. One row each in compile/access.c. */
 enum rg_access {
     RG_ACCESS_NONE,
     RG_COLOR,              /* colour target; not in rg_use */
@@ -149,8 +149,8 @@ struct rg_use {
     enum rg_access access;
     uint16_t binding; /* in descriptor set 0, if the access needs a descriptor */
     bool partial;     /* a write that leaves some of the range as it was */
-    bool here;        /* RG_SAMPLED: fragments read the texel alone that they draw; what counts is
-                         told at rg_exec_limit() */
+    bool same_texel;  /* RG_SAMPLED: fragments read the texel alone that they draw; what counts is
+                         told at rg_exec_set_region() */
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
     VkPipelineStageFlags2 stages;     /* of the pass's shaders; 0: fragment or compute, and vertex
                                          too for RG_UNIFORM */
@@ -269,7 +269,7 @@ struct rg_output {
 };
 
 /* Memory that a resource needs, as Vulkan says it. */
-struct rg_memory_need {
+struct rg_memory_requirements {
     VkDeviceSize size, alignment; /* a power of two; 0 means 1 */
     uint32_t type_bits;
 };
@@ -277,8 +277,9 @@ struct rg_memory_need {
 /* What the compiler may ask of a device; made by rg_exec_device(), or by hand for tests. */
 struct rg_device {
     const void *user;
-    struct rg_memory_need (*image_memory)(const void *user, const VkImageCreateInfo *info);
-    struct rg_memory_need (*buffer_memory)(const void *user, const VkBufferCreateInfo *info);
+    struct rg_memory_requirements (*image_memory)(const void *user, const VkImageCreateInfo *info);
+    struct rg_memory_requirements (*buffer_memory)(const void *user,
+                                                   const VkBufferCreateInfo *info);
     /* VK_IMAGE_TILING_OPTIMAL */
     VkFormatFeatureFlags (*format_features)(const void *user, VkFormat format);
     /* which rg_image.samples such an image may have */
@@ -299,8 +300,8 @@ enum rg_sharing {
 struct rg_compile_params {
     const struct rg_technique *const *techniques;
     size_t technique_count;
-    VkExtent2D view; /* texels; not 0 */
-    VkExtent2D part; /* the largest that rg_exec_limit() is given; 0 means the view */
+    VkExtent2D view;       /* texels; not 0 */
+    VkExtent2D max_region; /* the largest that rg_exec_set_region() is given; 0 means the view */
     const struct rg_output *outputs;
     size_t output_count; /* 0 is a fault: everything would be culled */
     const struct rg_import *imports;
@@ -437,7 +438,7 @@ struct rg_culled {
 struct rg_plan {
     const struct rg_fault *faults;
     uint32_t fault_count; /* not 0: nothing below is to be used */
-    VkExtent2D view, part;
+    VkExtent2D view, max_region;
     uint32_t pass_count, image_count, buffer_count, barrier_count, use_count, block_count;
     uint32_t culled_count, color_count;
     uint32_t batch_count; /* passes with barriers before them, and the end if it has some */

@@ -66,9 +66,9 @@ struct rg_exec_params {
     /* Record through VkRenderPass objects: some releases of the synchronization validation do not
      * look into dynamic rendering. */
     bool render_passes;
-    /* For rg_exec_prime() alone: imports are stood in for, `imports` do not count, and nothing has
+    /* For rg_exec_warm_up() alone: imports are stood in for, `imports` do not count, nothing has
      * content. Without render_passes. */
-    bool hollow;
+    bool warm_up_only;
     bool measured;   /* rg_time.h */
     bool statistics; /* the same: pipelineStatisticsQuery and occlusionQueryPrecise are enabled */
     /* Specialization constants of all shaders; an id that a shader lacks is none of its business.
@@ -94,7 +94,7 @@ RG_API void rg_exec_destroy(struct rg_exec *exec);
  * executor on a device of its own does so beside another one, in another thread, and leaves the
  * result in the driver's cache. Passes that would not run, or do not draw, are passed over.
  */
-RG_API VkResult rg_exec_prime(struct rg_exec *exec, const struct rg_frame *frame, uint32_t pass);
+RG_API VkResult rg_exec_warm_up(struct rg_exec *exec, const struct rg_frame *frame, uint32_t pass);
 
 /* Takes the next slot, 0..frames_in_flight - 1, waiting until its earlier frame is finished. */
 RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
@@ -103,31 +103,31 @@ RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 RG_API VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
 
 /* What ties a frame to what is outside its queue; {0}: nothing. */
-struct rg_exec_ties {
-    uint32_t image;                    /* which of an import's several images */
+struct rg_exec_external_sync {
+    uint32_t image_index;              /* which of the images of an import */
     VkSemaphore wait;                  /* binary; VK_NULL_HANDLE: none */
     VkPipelineStageFlags2 wait_stages; /* that wait for it; 0 means all */
     VkSemaphore signal;                /* binary, when all is done; VK_NULL_HANDLE: none */
 };
 
 /* The same with ties. */
-RG_API VkResult rg_exec_submit_tied(struct rg_exec *exec, const struct rg_frame *frame,
-                                    const struct rg_exec_ties *ties);
+RG_API VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *frame,
+                                      const struct rg_exec_external_sync *sync);
 
 /*
  * Part of the view, for pictures that are too large to be drawn at once: from the next submit on
  * frames draw no more than that, with the bits that the whole picture has there, and leave
  * undefined what lies outside. It counts for images of the view's size, neither imported nor
  * persistent: rows that draw into them, and rows that only copy from them to buffers, which get
- * `part` alone, rows tight. What a row reads without rg_use.here is drawn in `reach` as well.
- * Everything else is drawn whole. Fragments that take derivatives want even offsets.
+ * `region` alone, rows tight. What a row reads without rg_use.same_texel is drawn in `reach`, too.
+ * Everything else is drawn whole. Fragments that take derivatives need even offsets.
  */
-struct rg_exec_part {
-    VkRect2D part;  /* within the view; not empty, no more texels than rg_compile_params.part */
-    VkRect2D reach; /* the same, of any size: where fragments look beside their own texel */
+struct rg_exec_region {
+    VkRect2D region; /* in the view; not empty, no more texels than rg_compile_params.max_region */
+    VkRect2D reach;  /* in the view, of any size: where fragments read beside their own texel */
 };
 
-RG_API void rg_exec_limit(struct rg_exec *exec, const struct rg_exec_part *part);
+RG_API void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region *region);
 
 /* Waits for the frame submitted in a slot; readback buffers are then up to date. */
 RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);

@@ -146,7 +146,7 @@ enum status frame_plan_init(struct frame_plan *p, const struct frame_request *re
         .techniques = p->techniques,
         .technique_count = p->technique_count,
         .view = request->view,
-        .part = request->part,
+        .max_region = request->part,
         .outputs = p->outputs,
         .output_count = p->output_count,
         .imports = p->imports,

@@ -36,7 +36,7 @@ static void prime_passes(struct prime *prime, const struct gpu_twin *twin)
     for (int pass = 0; result == VK_SUCCESS && pass >= 0;) {
         pass = atomic_fetch_sub(&prime->next, 1);
         if (pass >= 0)
-            result = rg_exec_prime(exec, &prime->frame, (uint32_t)pass);
+            result = rg_exec_warm_up(exec, &prime->frame, (uint32_t)pass);
     }
     rg_exec_destroy(exec);
 }
@@ -85,7 +85,7 @@ static void describe(struct prime *prime, const struct stage *stage,
     exec->pipeline_cache = VK_NULL_HANDLE;
     exec->frames_in_flight = 1;
     exec->measured = false;
-    exec->hollow = true;
+    exec->warm_up_only = true;
     exec->log = NULL;
     atomic_init(&prime->next, (int)stage->frame.plan->pass_count - 1);
 }

@@ -22,7 +22,7 @@ static void log_exec(void *user, const char *what, VkResult result)
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
     const bool is_cpu = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-    const VkDeviceSize texels = (VkDeviceSize)plan->part.width * plan->part.height;
+    const VkDeviceSize texels = (VkDeviceSize)plan->max_region.width * plan->max_region.height;
     const VkDeviceSize parts =
         is_cpu ? (VkDeviceSize)plan->view.width * plan->view.height / texels : 1;
     VkDeviceSize host_size = 0;
@@ -79,7 +79,7 @@ static rg_advise_fn *choose_advice(const struct gpu *gpu, const struct rg_plan *
     if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU)
         return NULL;
     const bool whole =
-        plan->part.width == plan->view.width && plan->part.height == plan->view.height;
+        plan->max_region.width == plan->view.width && plan->max_region.height == plan->view.height;
     return whole ? want_large_pages : want_small_pages;
 }
 

@@ -53,7 +53,7 @@ enum clipping {
 
 #define USE(image_, binding_) \
     { \
-        .image = &(image_), .access = RG_SAMPLED, .binding = (binding_), .here = true \
+        .image = &(image_), .access = RG_SAMPLED, .binding = (binding_), .same_texel = true \
     }
 #define USE_ENV_CUBE \
     { \

@@ -45,7 +45,7 @@ const struct rg_image ice_interval_far[ICE_INTERVAL_MAX] = {
 
 #define USE(layers_, binding_, ...) \
     { \
-        .image = &(layers_), .access = RG_SAMPLED, .binding = (binding_), .here = true, \
+        .image = &(layers_), .access = RG_SAMPLED, .binding = (binding_), .same_texel = true, \
         __VA_ARGS__ \
     }
 #define BEHIND(layers_, ...) \

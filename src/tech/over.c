@@ -18,7 +18,7 @@ static rg_record_fn record_area;
 
 #define LAYER(image_, binding_) \
     { \
-        .image = &(image_), .access = RG_SAMPLED, .binding = (binding_), .here = true \
+        .image = &(image_), .access = RG_SAMPLED, .binding = (binding_), .same_texel = true \
     }
 
 #define USES(air, bubbles, cracks) \

@@ -59,12 +59,12 @@ struct refract_params {
 #define REFRACT_USE_NORMAL_BACK_HERE \
     { \
         .image = &ice_normal_back, .access = RG_SAMPLED, .binding = REFRACT_NORMAL_BACK, \
-        .sampler = &frame_linear, .here = true \
+        .sampler = &frame_linear, .same_texel = true \
     }
 #define REFRACT_USE_DEPTH_BACK_HERE \
     { \
         .image = &ice_normal_back_depth, .access = RG_SAMPLED, .binding = REFRACT_DEPTH_BACK, \
-        .here = true \
+        .same_texel = true \
     }
 #define REFRACT_USE_NORMAL_FRONT \
     { \
@@ -79,7 +79,7 @@ struct refract_params {
 /* The use that refract_over.frag has: what is drawn over the picture, of the view's size. */
 #define REFRACT_USE_OVER(target) \
     { \
-        .image = (target), .access = RG_SAMPLED, .binding = REFRACT_OVER, .here = true \
+        .image = (target), .access = RG_SAMPLED, .binding = REFRACT_OVER, .same_texel = true \
     }
 
 /* What is drawn: the front faces, with eq. 4 at the vertices. */
@@ -159,12 +159,12 @@ enum {
     FRAME_USE_GLOBALS, REFRACT_USE_DEPTH_FRONT, \
     { \
         .image = &ice_normal_shading, .access = RG_SAMPLED, .binding = REFRACT_SHADING, \
-        .here = true \
+        .same_texel = true \
     }
 #define REFRACT_USE_DEPTH_SCENE \
     { \
         .image = &background_depth, .access = RG_SAMPLED, .binding = REFRACT_DEPTH_SCENE, \
-        .here = true \
+        .same_texel = true \
     }
 
 /* What lies in or on the ice is drawn over the rung's picture, on the front faces that it drew:
