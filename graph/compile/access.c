@@ -1,174 +1,131 @@
-/* access.c: the one table that turns an access into Vulkan's words. */
+/* access.c: the one table that turns an access into Vulkan's words, and what follows from it. */
 #include "graph/compile/compiler.h"
 
-#define NO_DESCRIPTOR \
-    .image_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM, \
-    .buffer_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM
+#define STAGE(name)   VK_PIPELINE_STAGE_2_##name##_BIT
+#define ACCESS(name)  VK_ACCESS_2_##name##_BIT
+#define LAYOUT(name)  VK_IMAGE_LAYOUT_##name
+#define IMAGE(name)   VK_IMAGE_USAGE_##name##_BIT
+#define BUFFER(name)  VK_BUFFER_USAGE_##name##_BIT
+#define FEATURE(name) VK_FORMAT_FEATURE_##name##_BIT
+#define DESCRIPTORS(image, buffer) \
+    .image_descriptor = VK_DESCRIPTOR_TYPE_##image, .buffer_descriptor = VK_DESCRIPTOR_TYPE_##buffer
+#define NO_DESCRIPTOR DESCRIPTORS(MAX_ENUM, MAX_ENUM)
+#define DEPTH_STAGES  (STAGE(EARLY_FRAGMENT_TESTS) | STAGE(LATE_FRAGMENT_TESTS))
+#define STORAGE \
+    .layout = LAYOUT(GENERAL), .image_usage = IMAGE(STORAGE), \
+    .buffer_usage = BUFFER(STORAGE_BUFFER), .format_features = FEATURE(STORAGE_IMAGE), \
+    DESCRIPTORS(STORAGE_IMAGE, STORAGE_BUFFER)
 
 const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
-    [RG_ACCESS_NONE] = {
-        .name = "none",
-        NO_DESCRIPTOR,
-    },
-    [RG_COLOR] = {
-        .name = "color",
-        .stages = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-        .reads = VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT,
-        .writes = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
-        .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-        .image_usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
-        .format_features = VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT,
-        .writes_content = true,
-        NO_DESCRIPTOR,
-    },
-    [RG_DEPTH] = {
-        .name = "depth",
-        .stages = VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
-                  VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
-        .reads = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
-        .writes = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
-        .layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
-        .image_usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-        .format_features = VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT,
-        .writes_content = true,
-        NO_DESCRIPTOR,
-    },
-    [RG_DEPTH_READ] = {
-        .name = "depth read",
-        .stages = VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
-                  VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
-        .reads = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
-        .layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL,
-        .image_usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-        .format_features = VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT,
-        .reads_content = true,
-        NO_DESCRIPTOR,
-    },
-    [RG_RESOLVE] = {
-        .name = "resolve",
-        .stages = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-        .writes = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
-        .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-        .image_usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
-        .format_features = VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT,
-        .writes_content = true,
-        NO_DESCRIPTOR,
-    },
-    [RG_SAMPLED] = {
-        .name = "sampled",
-        .reads = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
-        .layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
-        .image_usage = VK_IMAGE_USAGE_SAMPLED_BIT,
-        .format_features = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT,
-        .image_descriptor = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        .buffer_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM,
-        .reads_content = true,
-    },
-    [RG_STORAGE_READ] = {
-        .name = "storage read",
-        .reads = VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
-        .layout = VK_IMAGE_LAYOUT_GENERAL,
-        .image_usage = VK_IMAGE_USAGE_STORAGE_BIT,
-        .buffer_usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-        .format_features = VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT,
-        .image_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-        .buffer_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-        .reads_content = true,
-    },
-    [RG_STORAGE_WRITE] = {
-        .name = "storage write",
-        .writes = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
-        .layout = VK_IMAGE_LAYOUT_GENERAL,
-        .image_usage = VK_IMAGE_USAGE_STORAGE_BIT,
-        .buffer_usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-        .format_features = VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT,
-        .image_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-        .buffer_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-        .writes_content = true,
-    },
-    [RG_STORAGE_READ_WRITE] = {
-        .name = "storage read write",
-        .reads = VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
-        .writes = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
-        .layout = VK_IMAGE_LAYOUT_GENERAL,
-        .image_usage = VK_IMAGE_USAGE_STORAGE_BIT,
-        .buffer_usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-        .format_features = VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT,
-        .image_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-        .buffer_descriptor = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-        .reads_content = true,
-        .writes_content = true,
-    },
-    [RG_UNIFORM] = {
-        .name = "uniform",
-        .reads = VK_ACCESS_2_UNIFORM_READ_BIT,
-        .buffer_usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-        .image_descriptor = VK_DESCRIPTOR_TYPE_MAX_ENUM,
-        .buffer_descriptor = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-        .reads_content = true,
-    },
-    [RG_VERTEX] = {
-        .name = "vertex",
-        .stages = VK_PIPELINE_STAGE_2_VERTEX_ATTRIBUTE_INPUT_BIT,
-        .reads = VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT,
-        .buffer_usage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
-        .reads_content = true,
-        NO_DESCRIPTOR,
-    },
-    [RG_INDEX] = {
-        .name = "index",
-        .stages = VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT,
-        .reads = VK_ACCESS_2_INDEX_READ_BIT,
-        .buffer_usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
-        .reads_content = true,
-        NO_DESCRIPTOR,
-    },
-    [RG_INDIRECT] = {
-        .name = "indirect",
-        .stages = VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
-        .reads = VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT,
-        .buffer_usage = VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
-        .reads_content = true,
-        NO_DESCRIPTOR,
-    },
-    [RG_COPY_SRC] = {
-        .name = "copy source",
-        .stages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-        .reads = VK_ACCESS_2_TRANSFER_READ_BIT,
-        .layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-        .image_usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-        .buffer_usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-        .format_features = VK_FORMAT_FEATURE_TRANSFER_SRC_BIT,
-        .reads_content = true,
-        NO_DESCRIPTOR,
-    },
-    [RG_COPY_DST] = {
-        .name = "copy destination",
-        .stages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-        .writes = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-        .layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-        .image_usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-        .buffer_usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-        .format_features = VK_FORMAT_FEATURE_TRANSFER_DST_BIT,
-        .writes_content = true,
-        NO_DESCRIPTOR,
-    },
-    [RG_HOST_READ] = {
-        .name = "host read",
-        .stages = VK_PIPELINE_STAGE_2_HOST_BIT,
-        .reads = VK_ACCESS_2_HOST_READ_BIT,
-        .layout = VK_IMAGE_LAYOUT_GENERAL,
-        .reads_content = true,
-        NO_DESCRIPTOR,
-    },
-    [RG_PRESENT] = {
-        .name = "present",
-        /* so that a semaphore signalled after all commands comes after the change of layout */
-        .stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR,
-        .reads_content = true,
-        NO_DESCRIPTOR,
-    },
+    [RG_ACCESS_NONE] = { .name = "none", NO_DESCRIPTOR },
+    [RG_COLOR] = { .name = "color",
+                   .stages = STAGE(COLOR_ATTACHMENT_OUTPUT),
+                   .reads = ACCESS(COLOR_ATTACHMENT_READ),
+                   .writes = ACCESS(COLOR_ATTACHMENT_WRITE),
+                   .layout = LAYOUT(COLOR_ATTACHMENT_OPTIMAL),
+                   .image_usage = IMAGE(COLOR_ATTACHMENT),
+                   .format_features = FEATURE(COLOR_ATTACHMENT),
+                   .writes_content = true,
+                   NO_DESCRIPTOR },
+    [RG_DEPTH] = { .name = "depth",
+                   .stages = DEPTH_STAGES,
+                   .reads = ACCESS(DEPTH_STENCIL_ATTACHMENT_READ),
+                   .writes = ACCESS(DEPTH_STENCIL_ATTACHMENT_WRITE),
+                   .layout = LAYOUT(DEPTH_STENCIL_ATTACHMENT_OPTIMAL),
+                   .image_usage = IMAGE(DEPTH_STENCIL_ATTACHMENT),
+                   .format_features = FEATURE(DEPTH_STENCIL_ATTACHMENT),
+                   .writes_content = true,
+                   NO_DESCRIPTOR },
+    [RG_DEPTH_READ] = { .name = "depth read",
+                        .stages = DEPTH_STAGES,
+                        .reads = ACCESS(DEPTH_STENCIL_ATTACHMENT_READ),
+                        .layout = LAYOUT(DEPTH_STENCIL_READ_ONLY_OPTIMAL),
+                        .image_usage = IMAGE(DEPTH_STENCIL_ATTACHMENT),
+                        .format_features = FEATURE(DEPTH_STENCIL_ATTACHMENT),
+                        .reads_content = true,
+                        NO_DESCRIPTOR },
+    [RG_RESOLVE] = { .name = "resolve",
+                     .stages = STAGE(COLOR_ATTACHMENT_OUTPUT),
+                     .writes = ACCESS(COLOR_ATTACHMENT_WRITE),
+                     .layout = LAYOUT(COLOR_ATTACHMENT_OPTIMAL),
+                     .image_usage = IMAGE(COLOR_ATTACHMENT),
+                     .format_features = FEATURE(COLOR_ATTACHMENT),
+                     .writes_content = true,
+                     NO_DESCRIPTOR },
+    [RG_SAMPLED] = { .name = "sampled",
+                     .reads = ACCESS(SHADER_SAMPLED_READ),
+                     .layout = LAYOUT(SHADER_READ_ONLY_OPTIMAL),
+                     .image_usage = IMAGE(SAMPLED),
+                     .format_features = FEATURE(SAMPLED_IMAGE),
+                     .reads_content = true,
+                     DESCRIPTORS(COMBINED_IMAGE_SAMPLER, MAX_ENUM) },
+    [RG_STORAGE_READ] = { .name = "storage read",
+                          .reads = ACCESS(SHADER_STORAGE_READ),
+                          .reads_content = true,
+                          STORAGE },
+    [RG_STORAGE_WRITE] = { .name = "storage write",
+                           .writes = ACCESS(SHADER_STORAGE_WRITE),
+                           .writes_content = true,
+                           STORAGE },
+    [RG_STORAGE_READ_WRITE] = { .name = "storage read write",
+                                .reads = ACCESS(SHADER_STORAGE_READ),
+                                .writes = ACCESS(SHADER_STORAGE_WRITE),
+                                .reads_content = true,
+                                .writes_content = true,
+                                STORAGE },
+    [RG_UNIFORM] = { .name = "uniform",
+                     .reads = ACCESS(UNIFORM_READ),
+                     .buffer_usage = BUFFER(UNIFORM_BUFFER),
+                     .reads_content = true,
+                     DESCRIPTORS(MAX_ENUM, UNIFORM_BUFFER) },
+    [RG_VERTEX] = { .name = "vertex",
+                    .stages = STAGE(VERTEX_ATTRIBUTE_INPUT),
+                    .reads = ACCESS(VERTEX_ATTRIBUTE_READ),
+                    .buffer_usage = BUFFER(VERTEX_BUFFER),
+                    .reads_content = true,
+                    NO_DESCRIPTOR },
+    [RG_INDEX] = { .name = "index",
+                   .stages = STAGE(INDEX_INPUT),
+                   .reads = ACCESS(INDEX_READ),
+                   .buffer_usage = BUFFER(INDEX_BUFFER),
+                   .reads_content = true,
+                   NO_DESCRIPTOR },
+    [RG_INDIRECT] = { .name = "indirect",
+                      .stages = STAGE(DRAW_INDIRECT),
+                      .reads = ACCESS(INDIRECT_COMMAND_READ),
+                      .buffer_usage = BUFFER(INDIRECT_BUFFER),
+                      .reads_content = true,
+                      NO_DESCRIPTOR },
+    [RG_COPY_SRC] = { .name = "copy source",
+                      .stages = STAGE(ALL_TRANSFER),
+                      .reads = ACCESS(TRANSFER_READ),
+                      .layout = LAYOUT(TRANSFER_SRC_OPTIMAL),
+                      .image_usage = IMAGE(TRANSFER_SRC),
+                      .buffer_usage = BUFFER(TRANSFER_SRC),
+                      .format_features = FEATURE(TRANSFER_SRC),
+                      .reads_content = true,
+                      NO_DESCRIPTOR },
+    [RG_COPY_DST] = { .name = "copy destination",
+                      .stages = STAGE(ALL_TRANSFER),
+                      .writes = ACCESS(TRANSFER_WRITE),
+                      .layout = LAYOUT(TRANSFER_DST_OPTIMAL),
+                      .image_usage = IMAGE(TRANSFER_DST),
+                      .buffer_usage = BUFFER(TRANSFER_DST),
+                      .format_features = FEATURE(TRANSFER_DST),
+                      .writes_content = true,
+                      NO_DESCRIPTOR },
+    [RG_HOST_READ] = { .name = "host read",
+                       .stages = STAGE(HOST),
+                       .reads = ACCESS(HOST_READ),
+                       .layout = LAYOUT(GENERAL),
+                       .reads_content = true,
+                       NO_DESCRIPTOR },
+    /* All stages, so that a semaphore signalled after all commands comes after the new layout. */
+    [RG_PRESENT] = { .name = "present",
+                     .stages = STAGE(ALL_COMMANDS),
+                     .layout = LAYOUT(PRESENT_SRC_KHR),
+                     .reads_content = true,
+                     NO_DESCRIPTOR },
 };
 
 const struct rg_access_info *rg_access_info(enum rg_access access)
@@ -185,78 +142,80 @@ static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
     [RG_COPY_SRC] = 1 << 14, [RG_HOST_READ] = 1 << 15,
 };
 
-uint32_t rg_visibility(enum rg_access access, VkPipelineStageFlags2 stages)
+uint32_t rg_visibility(enum rg_access kind, VkPipelineStageFlags2 stages)
 {
-    uint32_t bit = visibility_bits[access];
-    if (access > RG_UNIFORM || access < RG_SAMPLED)
+    uint32_t bit = visibility_bits[kind];
+    if (!rg_is_shader_access(kind))
         return bit;
     uint32_t visibility = stages & ~RG_ANY_SHADER ? ~RG_VISIBLE_TO_ALL : 0;
-    visibility |= stages & VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT ? bit : 0;
-    visibility |= stages & VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT ? bit << 1 : 0;
-    visibility |= stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT ? bit << 2 : 0;
+    visibility |= stages & STAGE(VERTEX_SHADER) ? bit : 0;
+    visibility |= stages & STAGE(FRAGMENT_SHADER) ? bit << 1 : 0;
+    visibility |= stages & STAGE(COMPUTE_SHADER) ? bit << 2 : 0;
     return visibility;
 }
 
-struct effect rg_effect(enum rg_access access, bool reads, VkPipelineStageFlags2 stages)
+struct access rg_boundary_access(struct resource *r, enum rg_access kind)
 {
-    const struct rg_access_info *info = &rg_access_table[access];
-    return (struct effect){
-        .access = access,
-        .visibility = info->writes_content ? 0 : rg_visibility(access, stages),
-        .layout = info->layout,
-        .usage = info->image_usage,
-        .stages = stages,
-        .mask = (reads ? info->reads : VK_ACCESS_2_NONE) | info->writes,
-        .writes = info->writes,
-    };
+    const struct rg_access_info *info = &rg_access_table[kind];
+    bool shader = !info->stages && (info->reads || info->writes);
+    struct access a;
+    rg_access_init(&a, r, kind, true, shader ? RG_ANY_SHADER : info->stages);
+    a.flags |= ACCESS_READS;
+    return a;
 }
 
 #define KIND_BIT(kind) (1u << (kind))
+#define BY_SHADERS     (KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE))
 
 /* The kinds of pass that may have such a use. */
 static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
-    [RG_SAMPLED] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
-    [RG_STORAGE_READ] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
-    [RG_STORAGE_WRITE] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
-    [RG_STORAGE_READ_WRITE] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
-    [RG_UNIFORM] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
+    [RG_SAMPLED] = BY_SHADERS,
+    [RG_STORAGE_READ] = BY_SHADERS,
+    [RG_STORAGE_WRITE] = BY_SHADERS,
+    [RG_STORAGE_READ_WRITE] = BY_SHADERS,
+    [RG_UNIFORM] = BY_SHADERS,
     [RG_VERTEX] = KIND_BIT(RG_RASTER),
     [RG_INDEX] = KIND_BIT(RG_RASTER),
-    [RG_INDIRECT] = KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE),
+    [RG_INDIRECT] = BY_SHADERS,
     [RG_COPY_SRC] = KIND_BIT(RG_TRANSFER),
     [RG_COPY_DST] = KIND_BIT(RG_TRANSFER),
 };
 
 static const VkPipelineStageFlags2 stages_of_kind[] = {
-    [RG_RASTER] = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-    [RG_COMPUTE] = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+    [RG_RASTER] = STAGE(VERTEX_SHADER) | STAGE(FRAGMENT_SHADER),
+    [RG_COMPUTE] = STAGE(COMPUTE_SHADER),
     [RG_TRANSFER] = VK_PIPELINE_STAGE_2_NONE,
 };
 
-/* Of a use that names none. */
-static VkPipelineStageFlags2 stages_of_use(enum rg_kind kind, enum rg_access access)
+/* A wild value counts as compute. */
+static enum rg_kind kind_of(const struct rg_pass *pass)
 {
-    if (rg_access_table[access].stages)
-        return rg_access_table[access].stages;
-    if (kind == RG_RASTER && access != RG_UNIFORM)
-        return VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    return stages_of_kind[kind];
+    return (unsigned)pass->kind <= RG_TRANSFER ? pass->kind : RG_COMPUTE;
 }
 
-void rg_meaning_learn(struct meaning *m, enum rg_kind kind, enum rg_access access)
+VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use)
 {
-    const struct rg_access_info *info = &rg_access_table[access];
-    bool fits = kinds_of_use[access] & KIND_BIT(kind);
-    unsigned flags = info->reads_content ? ACCESS_READS_CONTENT : 0;
-    if (info->writes_content)
-        flags |= ACCESS_WRITES_CONTENT | (info->reads_content ? 0 : ACCESS_OVERWRITES);
-    m->on_image = rg_effect(access, true, stages_of_use(kind, access));
-    m->shaders = stages_of_kind[kind];
-    m->flags = flags;
-    m->fits = fits;
-    m->image = fits && info->image_usage;
-    m->buffer = fits && info->buffer_usage;
-    m->on_buffer = m->on_image;
-    m->on_buffer.layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    m->on_buffer.usage = info->buffer_usage;
+    if (rg_access_table[use->access].stages)
+        return rg_access_table[use->access].stages;
+    if (use->stages)
+        return use->stages;
+    if (kind_of(pass) == RG_RASTER && use->access != RG_UNIFORM)
+        return STAGE(FRAGMENT_SHADER);
+    return stages_of_kind[kind_of(pass)];
+}
+
+const char *rg_use_trouble(const struct rg_pass *pass, const struct rg_use *use)
+{
+    const struct rg_access_info *info = &rg_access_table[use->access];
+    if (!(kinds_of_use[use->access] & KIND_BIT(kind_of(pass))))
+        return "this kind of pass cannot do that; targets go into .color and .depth";
+    if (use->stages & ~stages_of_kind[kind_of(pass)])
+        return "name only stages of the shaders that the pass has";
+    if (use->image && !info->image_usage)
+        return "an image cannot be used so";
+    if (use->buffer && !info->buffer_usage)
+        return "a buffer cannot be used so";
+    if (use->buffer && use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
+        return "the CPU writes this buffer; a pass may only read it";
+    return NULL;
 }

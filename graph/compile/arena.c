@@ -12,9 +12,14 @@ struct arena_chunk {
     max_align_t data[];
 };
 
+static size_t align(size_t size)
+{
+    return (size + _Alignof(max_align_t) - 1) & ~(_Alignof(max_align_t) - 1);
+}
+
 void rg_arena_init(struct arena *arena, void *memory, size_t size)
 {
-    size_t gap = memory ? rg_arena_align((uintptr_t)memory) - (uintptr_t)memory : 0;
+    size_t gap = memory ? align((uintptr_t)memory) - (uintptr_t)memory : 0;
     *arena = (struct arena){ 0 };
     if (memory && gap <= size) {
         arena->next = (char *)memory + gap;
@@ -38,7 +43,7 @@ static bool add_chunk(struct arena *arena, size_t size)
     return true;
 }
 
-void *rg_arena_alloc_more(struct arena *arena, size_t count, size_t element_size)
+void *rg_arena_alloc(struct arena *arena, size_t count, size_t element_size)
 {
     size_t size;
     if (arena->failed || __builtin_mul_overflow(count, element_size, &size) ||
@@ -46,7 +51,7 @@ void *rg_arena_alloc_more(struct arena *arena, size_t count, size_t element_size
         arena->failed = true;
         return NULL;
     }
-    size = rg_arena_align(size);
+    size = align(size);
     if (size > (size_t)(arena->end - arena->next) && !add_chunk(arena, size)) {
         arena->failed = true;
         return NULL;
@@ -72,7 +77,7 @@ void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t l
         arena->failed = true;
         return array;
     }
-    uint32_t grown = *room < least / 2 ? least : *room * 2;
+    uint32_t grown = *room * 2 < least ? least : *room * 2;
     void *copy = rg_arena_alloc(arena, grown, element_size);
     if (!copy)
         return array;

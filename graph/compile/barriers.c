@@ -1,33 +1,39 @@
 /*
  * barriers.c: which barrier goes before which pass.
  *
- * A barrier may lie anywhere between its release (whoever it waits for has been recorded) and its
- * deadline (the pass that waits for it). A batch is one vkCmdPipelineBarrier2 before a pass.
+ * A barrier may be anywhere between its release (the accesses it waits for have been recorded) and
+ * its deadline (the pass that waits for it). A batch is one vkCmdPipelineBarrier2 before a pass.
  * Greedy interval stabbing: barriers come in the order of their deadlines; each joins the newest
  * batch if that is not before its release, or else opens one at its deadline. No set of batches
  * for the same order of passes is smaller, and none waits earlier than it has to.
+ *
+ * A barrier whose memory is taken over from a previous owner has no source stages until
+ * rg_wait_for_owners(); every other one has some.
  */
-#include "graph/compile/barriers.h"
 #include <assert.h>
+#include "graph/compile/compiler.h"
 
-static void close_batch(struct sync *sync)
+/* Gives the newest batch to its pass, or to the end of the frame. */
+static void close_batch(struct barrier_list *list)
 {
-    struct rg_plan *plan = sync->c->plan;
-    uint32_t count = sync->barrier_count - sync->batch_first;
-    if (!sync->batch_end)
+    struct rg_plan *plan = list->c->plan;
+    uint32_t count = list->count - list->batch_first;
+    if (!list->batch_end)
         return;
-    uint32_t position = sync->batch_end - 1;
+    uint32_t position = list->batch_end - 1;
     plan->batch_count++;
     if (position == plan->pass_count) {
-        plan->first_final_barrier = sync->batch_first;
+        plan->first_final_barrier = list->batch_first;
         plan->final_barrier_count = count;
     } else {
-        sync->passes[position].first_barrier = sync->batch_first;
-        sync->passes[position].barrier_count = count;
+        list->passes[position].first_barrier = list->batch_first;
+        list->passes[position].barrier_count = count;
     }
 }
 
-static bool same_words(const struct rg_barrier *a, const struct rg_barrier *b)
+/* ---- joining barriers that differ in their ranges alone ---- */
+
+static bool is_alike(const struct rg_barrier *a, const struct rg_barrier *b)
 {
     return a->image == b->image && a->buffer == b->buffer && a->src_stages == b->src_stages &&
            a->dst_stages == b->dst_stages && a->src_access == b->src_access &&
@@ -52,29 +58,37 @@ static bool join_ranges(VkImageSubresourceRange *a, const VkImageSubresourceRang
     return true;
 }
 
-/* Makes one of the newest barrier and that of index `before`, of the same batch, if it can. */
-static bool join(struct sync *sync, uint32_t before)
+/* Makes one of the newest barrier and barrier `before` of the same batch, if it can. */
+static bool join(struct barrier_list *list, uint32_t before)
 {
-    struct rg_barrier *a = &sync->barriers[before];
-    const struct rg_barrier *b = &sync->barriers[sync->barrier_count - 1];
-    if (before < sync->batch_first || !same_words(a, b) || !join_ranges(&a->range, &b->range))
+    struct rg_barrier *a = &list->barriers[before];
+    const struct rg_barrier *b = &list->barriers[list->count - 1];
+    if (before < list->batch_first || a->image == RG_NONE || !is_alike(a, b) ||
+        !join_ranges(&a->range, &b->range))
         return false;
-    sync->barrier_count--;
+    list->count--;
     return true;
 }
 
-void rg_sync_open_batch(struct sync *sync, uint32_t position)
+/* Joins the newest barriers, all from `start` on and of one resource, while they make one. */
+static void join_rows(struct barrier_list *list, struct resource *r, uint32_t start)
 {
-    close_batch(sync);
-    sync->batch_first = sync->barrier_count;
-    sync->batch_end = position + 1;
+    while (list->count >= start + 2 && join(list, list->count - 2))
+        r->last_barrier = list->count - 1;
 }
 
-bool rg_sync_widen(struct sync *sync, const struct cell *s, const struct access *a,
-                   const struct rg_barrier *next)
+/* ---- adding ---- */
+
+/*
+ * Another stage reads what an earlier barrier of this frame has made visible to some: that barrier
+ * makes it visible to this one too, instead of a barrier more. `next` is what would be added. False
+ * if there is no such barrier.
+ */
+static bool widen(struct barrier_list *list, const struct cell *s, const struct access *a,
+                  const struct rg_barrier *next)
 {
-    for (uint32_t i = s->first_barrier; i < s->barrier_end && i < sync->barrier_count; i++) {
-        struct rg_barrier *b = &sync->barriers[i];
+    for (uint32_t i = s->first_barrier; i < s->barrier_end && i < list->count; i++) {
+        struct rg_barrier *b = &list->barriers[i];
         const VkImageSubresourceRange *all = &b->range;
         const VkImageSubresourceRange *one = &next->range;
         if (b->image != next->image || b->buffer != next->buffer)
@@ -83,243 +97,200 @@ bool rg_sync_widen(struct sync *sync, const struct cell *s, const struct access 
                                     one->baseMipLevel - all->baseMipLevel >= all->levelCount ||
                                     one->baseArrayLayer - all->baseArrayLayer >= all->layerCount))
             continue;
-        b->dst_stages |= a->effect->stages;
-        b->dst_access |= a->effect->mask;
+        b->dst_stages |= a->stages;
+        b->dst_access |= a->mask;
         return true;
     }
     return false;
 }
 
-void rg_sync_whole(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass)
-{
-    struct cell *cell = &r->cell;
-    if (!rg_sync_has_room(sync))
-        return;
-    struct rg_barrier *b = &sync->barriers[sync->barrier_count];
-    uint32_t release;
-    bool needed = rg_state_decide(cell, a, b, &release);
-    bool added = false;
-    if (needed) {
-        rg_sync_name(b, r);
-        b->range = r->all;
-        added = !rg_state_may_widen(cell, a) || !rg_sync_widen(sync, cell, a, b);
-        if (added)
-            rg_sync_put(sync, b, r, cell->flags & CELL_FRESH, release, pass);
-    }
-    rg_state_apply(cell, a, pass, needed);
-    if (added && !(a->flags & ACCESS_WRITES_CONTENT)) {
-        cell->first_barrier = sync->barrier_count - 1;
-        cell->barrier_end = sync->barrier_count;
-    }
-}
-
-static VkImageAspectFlags aspect_bit(VkImageAspectFlags aspects, uint32_t index)
-{
-    while (index--)
-        aspects &= aspects - 1;
-    return aspects & (~aspects + 1);
-}
-
-static VkImageSubresourceRange cell_range(const struct resource *r, const struct cell_walk *w)
-{
-    if (!r->image)
-        return (VkImageSubresourceRange){ 0 };
-    return (VkImageSubresourceRange){
-        aspect_bit(r->all.aspectMask, w->aspect), w->mip, 1, w->layer, 1,
-    };
-}
-
-/* Adds the barrier of one cell to those from `start` on, or to the resource's last one. */
-static void put_cell(struct sync *sync, struct rg_barrier *b, struct resource *r,
-                     const struct cell_walk *w, uint32_t release, uint32_t pass)
+/* Adds the barrier behind the last one, to the newest batch or to a new one before `deadline`. */
+static void put(struct barrier_list *list, const struct cell_walk *w, struct resource *r,
+                uint32_t release, uint32_t deadline)
 {
     uint32_t before = r->last_barrier;
-    r->last_barrier = rg_sync_put(sync, b, r, w->cell->flags & CELL_FRESH, release, pass);
-    if (before != RG_NONE && r->image && join(sync, before))
+    if (release >= list->batch_end) {
+        close_batch(list);
+        list->batch_first = list->count;
+        list->batch_end = deadline + 1;
+    }
+    if (w->cell->flags & CELL_FRESH && r->acquired_at >= list->batch_end)
+        r->acquired_at = list->batch_end - 1;
+    r->last_barrier = list->count++;
+    if (before != RG_NONE && join(list, before))
         r->last_barrier = before;
 }
 
-/* Joins the newest barriers, all from `start` on and of one resource, while they make one. */
-static void join_rows(struct sync *sync, struct resource *r, uint32_t start)
-{
-    while (sync->barrier_count >= start + 2 && join(sync, sync->barrier_count - 2))
-        r->last_barrier = sync->barrier_count - 1;
-}
-
-/* Whether a frame has left an import in another state than it came in. */
-static bool has_to_go_back(const struct cell *s, const struct access *arrival)
-{
-    if (!(arrival->flags & ACCESS_WRITES_CONTENT))
-        return s->flags & CELL_CHANGED;
-    const struct effect *e = arrival->effect;
-    return s->layout != e->layout || s->write_stages != e->stages || s->write_access != e->writes ||
-           s->read_stages;
-}
-
 /* Returns whether it has added a barrier. */
-static bool sync_cell(struct sync *sync, struct resource *r, const struct cell_walk *w,
-                      const struct access *a, uint32_t pass)
+static bool sync_cell(struct barrier_list *list, const struct cell_walk *w, const struct access *a,
+                      uint32_t pass)
 {
-    if (!rg_sync_has_room(sync))
-        return false;
-    struct rg_barrier *b = &sync->barriers[sync->barrier_count];
+    struct resource *r = a->resource;
+    struct rg_barrier *b = &list->barriers[list->count];
     uint32_t release;
-    bool needed = rg_state_decide(w->cell, a, b, &release);
+    bool needed = rg_needs_barrier(w->cell, a, b, &release);
     bool added = false;
     if (needed) {
-        rg_sync_name(b, r);
-        b->range = cell_range(r, w);
-        added = !rg_state_may_widen(w->cell, a) || !rg_sync_widen(sync, w->cell, a, b);
+        bool only_reads = !(a->flags & ACCESS_WRITES) && w->cell->layout == a->layout;
+        b->image = r->plan_image;
+        b->buffer = r->plan_buffer;
+        b->range = rg_cell_range(w);
+        added = !only_reads || !widen(list, w->cell, a, b);
         if (added)
-            put_cell(sync, b, r, w, release, pass);
+            put(list, w, r, release, pass);
     }
-    rg_state_apply(w->cell, a, pass, needed);
+    rg_apply_access(w->cell, a, pass, needed);
     return added;
 }
 
-static void sync_cells(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass,
-                       bool hand_back)
+static bool has_room(struct barrier_list *list)
 {
-    bool writes = a->flags & ACCESS_WRITES_CONTENT;
-    uint32_t start = sync->barrier_count;
-    uint32_t mip = RG_NONE;
-    const VkImageSubresourceRange *range = rg_range_of(sync->c, a);
-    for (struct cell_walk w = rg_walk(r, range); rg_walk_next(&w);) {
-        if (hand_back && !has_to_go_back(w.cell, a))
+    return ARENA_ROOM(list->c->arena, list->barriers, list->count, list->room,
+                      list->c->row_count * 2);
+}
+
+/* Whether a frame has left a cell of an import in another state than it arrived in. */
+static bool has_to_go_back(const struct cell *s, const struct access *arrival)
+{
+    if (!(arrival->flags & ACCESS_WRITES))
+        return s->flags & CELL_CHANGED;
+    return s->layout != arrival->layout || s->write_stages != arrival->stages ||
+           s->write_access != rg_access_table[arrival->kind].writes || s->read_stages;
+}
+
+/* `hands_back`: only cells that are not as the import arrived. */
+static void sync_cells(struct barrier_list *list, const struct access *a, uint32_t pass,
+                       bool hands_back)
+{
+    struct resource *r = a->resource;
+    bool writes = a->flags & ACCESS_WRITES;
+    uint32_t start = list->count;
+    uint32_t mip = a->range.baseMipLevel;
+    for (struct cell_walk w = rg_cells(r, &a->range); w.cell && has_room(list); rg_next_cell(&w)) {
+        if (hands_back && !has_to_go_back(w.cell, a))
             continue;
         if (w.mip != mip)
-            join_rows(sync, r, start); /* the mip before with those before it */
+            join_rows(list, r, start); /* the mip before with those before it */
         mip = w.mip;
-        if (sync_cell(sync, r, &w, a, pass) && !writes && r->last_barrier < start) {
+        if (sync_cell(list, &w, a, pass) && !writes && r->last_barrier < start) {
             w.cell->first_barrier = r->last_barrier;
             w.cell->barrier_end = r->last_barrier + 1;
         }
     }
-    join_rows(sync, r, start);
-    if (writes || sync->barrier_count == start)
+    join_rows(list, r, start);
+    if (writes || list->count == start)
         return;
-    for (struct cell_walk w = rg_walk(r, range); rg_walk_next(&w);) {
+    for (struct cell_walk w = rg_cells(r, &a->range); w.cell; rg_next_cell(&w)) {
         if (w.cell->barrier_end)
             continue;
         w.cell->first_barrier = start;
-        w.cell->barrier_end = sync->barrier_count;
+        w.cell->barrier_end = list->count;
     }
 }
 
-void rg_sync_cells(struct sync *sync, struct resource *r, const struct access *a, uint32_t pass)
+void rg_add_barriers(struct barrier_list *list, const struct access *a, uint32_t pass)
 {
-    sync_cells(sync, r, a, pass, false);
+    sync_cells(list, a, pass, false);
 }
 
-void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes)
+void rg_begin_barriers(struct barrier_list *list, struct compiler *c, struct rg_plan_pass *passes)
 {
-    struct compiler *c = sync->c;
-    sync->passes = passes;
-    sync->changes_early = c->params->sharing == RG_SHARE_FEWEST_BATCHES;
-    sync->barrier_room = c->alive_access_count;
-    sync->barriers = ARENA_ARRAY(c->arena, struct rg_barrier, sync->barrier_room);
-    rg_state_begin(c);
+    *list = (struct barrier_list){ .c = c, .passes = passes };
+    rg_begin_cells(c);
 }
 
-/* Outputs become ready for their access; other imports go back as they came. */
-static void end_resource(struct sync *sync, struct resource *r)
+/* ---- after the last pass, and before the first frame ---- */
+
+/* Outputs become ready for their access; other imports go back as they arrived. */
+static void end_resource(struct barrier_list *list, struct resource *r)
 {
-    struct compiler *c = sync->c;
-    bool hand_back = r->output == RG_NONE && r->import != RG_NONE;
+    const struct rg_compile_params *params = list->c->params;
+    bool hands_back = r->output == RG_NONE && r->import != RG_NONE;
     enum rg_access access = RG_ACCESS_NONE;
-    if (hand_back)
-        access = c->params->imports[r->import].access;
+    if (hands_back)
+        access = params->imports[r->import].access;
     else if (r->output != RG_NONE)
-        access = c->params->outputs[r->output].access;
+        access = params->outputs[r->output].access;
     if (access == RG_ACCESS_NONE)
         return;
-    struct effect effect;
-    const struct access a = rg_end_access(r, access, &effect);
-    if (r->cell_count > 1)
-        sync_cells(sync, r, &a, c->plan->pass_count, hand_back);
-    else if (!hand_back || has_to_go_back(&r->cell, &a))
-        rg_sync_whole(sync, r, &a, c->plan->pass_count);
+    const struct access a = rg_boundary_access(r, access);
+    sync_cells(list, &a, list->c->plan->pass_count, hands_back);
 }
 
-/* From the zeros of the very first frame to what every frame finds: what every frame leaves. */
-static void begin_history(struct sync *sync, struct resource *r)
+/* From the zeros of the very first frame to what every frame finds, which is what it leaves. */
+static void begin_history(struct barrier_list *list, struct resource *r)
 {
-    uint32_t start = sync->barrier_count;
-    uint32_t mip = RG_NONE;
-    for (struct cell_walk w = rg_walk(r, &r->all); rg_walk_next(&w);) {
+    uint32_t start = list->count;
+    uint32_t mip = 0;
+    for (struct cell_walk w = rg_cells(r, &r->all); w.cell && has_room(list); rg_next_cell(&w)) {
         if (w.mip != mip)
-            join_rows(sync, r, start);
+            join_rows(list, r, start);
         mip = w.mip;
-        if (!rg_sync_has_room(sync))
-            return;
-        struct rg_barrier *b = &sync->barriers[sync->barrier_count];
-        *b = (struct rg_barrier){
+        VkImageLayout found = w.cell->layout ? w.cell->layout : VK_IMAGE_LAYOUT_GENERAL;
+        list->barriers[list->count++] = (struct rg_barrier){
+            .image = r->plan_image,
+            .buffer = r->plan_buffer,
             .src_stages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
             .src_access = VK_ACCESS_2_TRANSFER_WRITE_BIT,
             .dst_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
             .dst_access = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+            .old_layout = r->image ? VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL : 0,
+            .new_layout = r->image ? found : VK_IMAGE_LAYOUT_UNDEFINED,
+            .range = rg_cell_range(&w),
         };
-        rg_sync_name(b, r);
-        b->range = cell_range(r, &w);
-        if (r->image) {
-            b->old_layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-            b->new_layout = w.cell->layout == VK_IMAGE_LAYOUT_UNDEFINED ? VK_IMAGE_LAYOUT_GENERAL
-                                                                        : w.cell->layout;
-        }
-        sync->barrier_count++;
-        if (sync->barrier_count >= start + 2 && r->image)
-            join(sync, sync->barrier_count - 2);
+        if (list->count >= start + 2)
+            join(list, list->count - 2);
     }
-    join_rows(sync, r, start);
+    join_rows(list, r, start);
 }
 
-/* The barrier by which this frame makes what it leaves visible to some makes it so to who reads it
- * in the next frame, as that expects. */
-static void serve_early(void *user, struct resource *r, const struct cell_walk *w,
-                        const struct access *a)
+/* The barrier by which this frame makes visible what it leaves makes it visible to a read of the
+ * next frame, too, as that frame expects (cell_state.c). */
+static void serve_history_read(void *user, const struct cell_walk *w, const struct access *a)
 {
-    struct sync *sync = user;
-    struct rg_barrier next = { .range = cell_range(r, w) };
-    if (!(a->effect->visibility & RG_VISIBLE_TO_ALL & ~w->cell->visible) || !w->cell->visible)
+    const struct rg_barrier next = {
+        .image = a->resource->plan_image,
+        .buffer = a->resource->plan_buffer,
+        .range = rg_cell_range(w),
+    };
+    if (!(a->visibility & RG_VISIBLE_TO_ALL & ~w->cell->visible) || !w->cell->visible)
         return;
-    rg_sync_name(&next, r);
-    bool served = rg_sync_widen(sync, w->cell, a, &next);
+    bool served = widen(user, w->cell, a, &next);
     assert(served);
     (void)served;
 }
 
-void rg_sync_end(struct sync *sync)
+void rg_end_barriers(struct barrier_list *list)
 {
-    struct compiler *c = sync->c;
+    struct compiler *c = list->c;
     struct rg_plan *plan = c->plan;
-    for (uint32_t i = 0; i < c->end_count; i++) {
-        if (c->resources[i].first != RG_NONE)
-            end_resource(sync, &c->resources[i]);
+    for (uint32_t i = 0; i < c->boundary_count; i++) {
+        if (c->resources[i]->first != RG_NONE)
+            end_resource(list, c->resources[i]);
     }
     if (c->persistent_count && !c->arena->failed)
-        rg_state_each_early(c, serve_early, sync);
-    close_batch(sync);
-    plan->barrier_count = sync->barrier_count;
-    plan->first_initial_barrier = sync->batch_first = sync->barrier_count;
-    for (uint32_t i = 0; i < c->resource_count && c->persistent_count; i++) {
-        if (c->resources[i].first != RG_NONE && c->resources[i].persistent)
-            begin_history(sync, &c->resources[i]);
+        rg_each_history_read(c, serve_history_read, list);
+    close_batch(list);
+    plan->barrier_count = list->count;
+    plan->first_initial_barrier = list->batch_first = list->count;
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        if (c->resources[i]->first != RG_NONE && c->resources[i]->persistent)
+            begin_history(list, c->resources[i]);
     }
-    plan->initial_barrier_count = sync->barrier_count - plan->barrier_count;
-    plan->barriers = sync->barriers;
+    plan->initial_barrier_count = list->count - plan->barrier_count;
+    plan->barriers = c->barriers = list->barriers;
 }
 
-void rg_sync_takeovers(struct sync *sync)
+void rg_wait_for_owners(struct compiler *c)
 {
-    const struct compiler *c = sync->c;
-    bool placed_before = c->params->sharing == RG_SHARE_LEAST_MEMORY;
-    const uint32_t *places = placed_before ? NULL : c->item_places;
-    struct rg_barrier *end = sync->barriers + c->plan->barrier_count;
-    for (struct rg_barrier *b = sync->barriers; b < end; b++) {
-        if (b->src_access != RG_SYNC_TAKEOVER)
+    for (uint32_t i = 0; i < c->plan->barrier_count; i++) {
+        struct rg_barrier *b = &c->barriers[i];
+        if (b->src_stages)
             continue;
-        const struct former *former = &c->formers[places ? places[b->src_stages] : b->src_stages];
-        b->src_stages = former->stages;
-        b->src_access = former->writes;
+        const struct resource *r = b->image != RG_NONE
+                                       ? rg_resource_of(c, c->images[b->image].image, NULL)
+                                       : rg_resource_of(c, NULL, c->buffers[b->buffer].buffer);
+        b->src_stages = c->owners[r->item].stages;
+        b->src_access = c->owners[r->item].writes;
     }
 }

@@ -2,18 +2,9 @@
 #include <stdlib.h>
 #include "graph/compile/compiler.h"
 
-static const char *use_trouble(const struct rg_use *use, const struct meaning *m)
+static const char *use_name(const struct rg_use *use)
 {
-    if (!m->fits)
-        return "this kind of pass cannot do that; targets go into .color and .depth";
-    if (use->stages & ~m->shaders)
-        return "name only stages of the shaders that the pass has";
-    if (!(use->image ? m->image : m->buffer))
-        return use->image ? "an image cannot be used so" : "a buffer cannot be used so";
-    if (use->buffer && use->buffer->memory == RG_MEMORY_UPLOAD &&
-        (m->flags & ACCESS_WRITES_CONTENT))
-        return "the CPU writes this buffer; a pass may only read it";
-    return NULL;
+    return use->image ? use->image->name : use->buffer ? use->buffer->name : NULL;
 }
 
 static const char *samples_trouble(const struct rg_use *use)
@@ -25,17 +16,21 @@ static const char *samples_trouble(const struct rg_use *use)
     return use->sampler ? "texelFetch reads its samples: name no sampler" : NULL;
 }
 
-static void tell_trouble(struct compiler *c, const struct rg_use *use, struct place place,
-                         const char *use_hint, const char *samples_hint)
+static void check_use(struct compiler *c, const struct rg_pass *pass, const struct rg_use *use,
+                      struct fault_location location)
 {
-    place.resource = use->image ? use->image->name : use->buffer ? use->buffer->name : NULL;
-    if (!rg_is_good_use(use))
-        rg_fault_add(c, RG_ERROR_NOT_ONE_RESOURCE, place,
+    location.resource = use_name(use);
+    if (!rg_is_good_use(use)) {
+        rg_fault_add(c, RG_ERROR_NOT_ONE_RESOURCE, location,
                      "a use names one image or one buffer, and an access");
-    if (use_hint)
-        rg_fault_add(c, RG_ERROR_ACCESS, place, use_hint);
-    if (samples_hint)
-        rg_fault_add(c, RG_ERROR_SAMPLES, place, samples_hint);
+        return;
+    }
+    const char *hint = rg_use_trouble(pass, use);
+    if (hint)
+        rg_fault_add(c, RG_ERROR_ACCESS, location, hint);
+    hint = samples_trouble(use);
+    if (hint)
+        rg_fault_add(c, RG_ERROR_SAMPLES, location, hint);
 }
 
 static int compare_bindings(const void *a, const void *b)
@@ -47,70 +42,68 @@ static int compare_bindings(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* Names every use whose binding is taken. */
-static void check_bindings(struct compiler *c, const struct rg_pass *pass, struct place place)
+/* Of rows whose bindings do not rise. */
+static void check_bindings(struct compiler *c, const struct rg_pass *pass, uint32_t use_count,
+                           struct fault_location location)
 {
     uint32_t count = 0;
-    uint32_t use_count = 0;
-    while (rg_is_use(&pass->uses[use_count]))
-        use_count++;
     const struct rg_use **sorted = ARENA_ARRAY(c->arena, const struct rg_use *, use_count);
-    for (uint32_t i = 0; sorted && i < use_count; i++) {
+    for (uint32_t i = 0; i < use_count && sorted; i++) {
         if (rg_is_good_use(&pass->uses[i]) && rg_is_shader_access(pass->uses[i].access))
             sorted[count++] = &pass->uses[i];
     }
     if (count)
         qsort(sorted, count, sizeof(*sorted), compare_bindings); /* NOLINT: pointers are sorted */
     for (uint32_t i = 1; i < count; i++) {
-        place.resource = sorted[i]->image ? sorted[i]->image->name : sorted[i]->buffer->name;
+        location.resource = use_name(sorted[i]);
         if (sorted[i]->binding == sorted[i - 1]->binding)
-            rg_fault_add(c, RG_ERROR_DUPLICATE_BINDING, place,
+            rg_fault_add(c, RG_ERROR_DUPLICATE_BINDING, location,
                          "give each use of the row a binding of its own");
     }
 }
 
-void rg_check_uses(struct compiler *c, const struct rg_pass *pass, const struct place *place)
+static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t color_count,
+                       struct fault_location location)
 {
-    bool writes = rg_draws(pass);
-    for (const struct rg_use *use = pass->uses; use && rg_is_use(use); use++) {
-        bool good = rg_is_good_use(use);
-        tell_trouble(c, use, *place,
-                     good ? use_trouble(use, rg_meaning(c, rg_kind_of(pass), use->access)) : NULL,
-                     good ? samples_trouble(use) : NULL);
+    /* a raster row without targets has a fault already */
+    bool writes =
+        pass->kind == RG_RASTER && (color_count || !pass->depth.image || !pass->depth_read_only);
+    bool rising = true;
+    uint32_t next_binding = 0;
+    uint32_t use_count = 0;
+    for (const struct rg_use *use = pass->uses; use && rg_is_use(use); use++, use_count++) {
+        check_use(c, pass, use, location);
         writes = writes || ((unsigned)use->access < RG_ACCESS_COUNT &&
                             rg_access_table[use->access].writes_content);
+        if (!rg_is_shader_access(use->access))
+            continue;
+        rising = rising && use->binding >= next_binding;
+        next_binding = use->binding + 1u;
     }
-    if (pass->uses)
-        check_bindings(c, pass, *place);
+    if (!rising)
+        check_bindings(c, pass, use_count, location);
     if (!writes)
-        rg_fault_add(c, RG_ERROR_WRITES_NOTHING, *place, "a pass without a result is never needed");
+        rg_fault_add(c, RG_ERROR_WRITES_NOTHING, location,
+                     "a pass without a result is never needed");
 }
 
-/* Nothing is to follow the colour targets, of which there are `count`. */
-static void check_gap(struct compiler *c, const struct rg_pass *pass, uint32_t count,
-                      struct place place)
-{
-    uint32_t room = rg_color_room(pass);
-    for (uint32_t i = count; i < room; i++) {
-        const struct rg_target *target = &pass->color[i];
-        place.resource = target->image     ? target->image->name
-                         : target->resolve ? target->resolve->name
-                                           : NULL;
-        if (target->image || target->resolve)
-            rg_fault_add(c, RG_ERROR_NO_TARGET, place,
-                         "leave no gap: colour targets end at the first without an image");
-    }
-}
-
-static void check_target_list(struct compiler *c, const struct rg_pass *pass, uint32_t color_count,
-                              const struct place *place)
+static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32_t color_count,
+                          struct fault_location location)
 {
     bool any = color_count || pass->depth.image;
     if (pass->kind != RG_RASTER && any)
-        rg_fault_add(c, RG_ERROR_ACCESS, *place, "only a raster pass has targets");
+        rg_fault_add(c, RG_ERROR_ACCESS, location, "only a raster pass has targets");
     if (pass->kind == RG_RASTER && !any)
-        rg_fault_add(c, RG_ERROR_NO_TARGET, *place, "name an image in .color or .depth");
-    check_gap(c, pass, color_count, *place);
+        rg_fault_add(c, RG_ERROR_NO_TARGET, location, "name an image in .color or .depth");
+    for (uint32_t i = color_count, room = rg_color_room(pass); i < room; i++) {
+        const struct rg_image *image =
+            pass->color[i].image ? pass->color[i].image : pass->color[i].resolve;
+        if (!image)
+            continue;
+        location.resource = image->name;
+        rg_fault_add(c, RG_ERROR_NO_TARGET, location,
+                     "leave no gap: colour targets end at the first without an image");
+    }
 }
 
 static const char *value_trouble(const struct rg_pass *pass, uint32_t color_count)
@@ -140,18 +133,19 @@ static const char *shader_trouble(const struct rg_pass *pass, uint32_t color_cou
     return NULL;
 }
 
-void rg_check_row(struct compiler *c, const struct rg_pass *pass, const struct place *place)
+void rg_check_row(struct compiler *c, const struct rg_pass *pass, struct fault_location location)
 {
     uint32_t color_count = rg_color_count(pass);
     if (!pass->record)
-        rg_fault_add(c, RG_ERROR_NO_RECORD, *place, "name its record function");
+        rg_fault_add(c, RG_ERROR_NO_RECORD, location, "name its record function");
     const char *hint = value_trouble(pass, color_count);
     if (hint)
-        rg_fault_add(c, RG_ERROR_VALUE, *place, hint);
+        rg_fault_add(c, RG_ERROR_VALUE, location, hint);
     hint = shader_trouble(pass, color_count);
     if (hint)
-        rg_fault_add(c, RG_ERROR_NO_SHADER, *place, hint);
-    if (!rg_is_push_size(pass->push_size))
-        rg_fault_add(c, RG_ERROR_PUSH_SIZE, *place, "at most 128 bytes, a multiple of 4");
-    check_target_list(c, pass, color_count, place);
+        rg_fault_add(c, RG_ERROR_NO_SHADER, location, hint);
+    if (pass->push_size > RG_MAX_PUSH || pass->push_size % 4)
+        rg_fault_add(c, RG_ERROR_PUSH_SIZE, location, "at most 128 bytes, a multiple of 4");
+    check_targets(c, pass, color_count, location);
+    check_uses(c, pass, color_count, location);
 }

@@ -1,5 +1,5 @@
-/* compile.c: the compiler's steps, in their order. */
-#include "graph/compile/name.h"
+/* compile.c: the steps of the compiler, in their order. */
+#include "graph/compile/compiler.h"
 
 /* The plan and what it lives in. */
 struct owned_plan {
@@ -7,76 +7,62 @@ struct owned_plan {
     struct arena arena;
 };
 
-/* Lists what the plan needs memory for, and places it. */
-static void place(struct compiler *c)
-{
-    rg_list(c);
-    if (!c->arena->failed && !c->fault_count)
-        rg_place(c);
-}
-
-/* Barriers need memory's places, or places the barriers, as enum rg_sharing has it. What the device
- * cannot do is found on the way. */
-static void place_and_sync(struct compiler *c)
-{
-    struct sync sync = { .c = c };
-    bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
-    rg_check_formats(c);
-    if (place_first) {
-        rg_follow_passes(c);
-        rg_follow_outputs(c);
-        place(c);
-        if (!c->arena->failed && !c->fault_count)
-            rg_place_ends(c);
-    }
-    if (!c->arena->failed)
-        rg_emit(c, &sync);
-    if (!place_first && !c->arena->failed)
-        place(c);
-    if (c->arena->failed || c->fault_count)
-        return;
-    rg_place_left(c);
-    if (!c->arena->failed)
-        rg_sync_takeovers(&sync);
-}
-
-/* Room for what the tables are likely to hold, so that nothing has to be copied as it grows. */
+/* Makes room for about as much as the tables hold, so that little is copied as it grows. */
 static void expect(struct compiler *c)
 {
     size_t rows = 0;
     for (size_t t = 0; t < c->params->technique_count; t++)
         rows += c->params->techniques[t]->pass_count;
-    uint32_t count = rows < UINT32_MAX / 64 ? (uint32_t)rows + 8 : UINT32_MAX / 64;
-    c->pass_room = count;
-    c->passes = ARENA_ARRAY(c->arena, struct pass, count);
-    c->access_room = count * 4 + 64;
-    c->accesses = ARENA_ARRAY(c->arena, struct access, c->access_room);
-    c->meanings = rg_arena_alloc(c->arena, RG_TRANSFER + 1, sizeof(*c->meanings));
-    rg_resource_expect(c, count * 2);
-    rg_name_expect(c, NAME_RESOURCE, count * 2);
-    rg_name_expect(c, NAME_PASS, count);
+    uint32_t count = rows < UINT32_MAX / 64 ? (uint32_t)rows : UINT32_MAX / 64;
+    c->row_count = count + 8; /* arrays are never empty */
+    c->resource_names.of_texts = c->pass_names.of_texts = true;
+    rg_map_expect(c->arena, &c->by_address, count * 2);
+    rg_map_expect(c->arena, &c->resource_names, count * 2);
+    rg_map_expect(c->arena, &c->pass_names, count);
 }
 
+static bool failed(const struct compiler *c)
+{
+    return c->arena->failed || c->fault_count;
+}
+
+/* Returns at the first step that finds a fault, or for which memory is short. */
 static void run(struct compiler *c)
 {
+    bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
     expect(c);
     if (c->arena->failed)
         return;
     rg_check_params(c);
-    rg_add_ends(c);
-    if (!c->arena->failed)
-        rg_expand(c);
-    if (c->arena->failed || c->fault_count)
+    rg_add_boundary(c);
+    rg_expand(c);
+    if (failed(c))
         return;
     rg_cull(c);
-    place_and_sync(c);
+    rg_find_lifetimes(c);
+    rg_check_formats(c);
+    rg_list_resources(c);
+    if (failed(c))
+        return;
+    if (place_first) { /* barriers wait for the previous owners of memory */
+        rg_place_items(c);
+        rg_find_owner_ends(c);
+    }
+    if (!failed(c))
+        rg_write_passes(c);
+    if (!failed(c) && !place_first) /* memory is shared where barriers permit it */
+        rg_place_items(c);
+    if (!failed(c))
+        rg_find_owners(c);
+    if (!failed(c))
+        rg_wait_for_owners(c);
 }
 
 struct rg_plan *rg_compile(const struct rg_compile_params *params)
 {
     struct arena arena;
     rg_arena_init(&arena, params->memory, params->memory_size);
-    struct owned_plan *owned = rg_arena_zeroed(&arena, 1, sizeof(*owned));
+    struct owned_plan *owned = ARENA_ZEROED(&arena, struct owned_plan, 1);
     if (!owned)
         return NULL;
     const struct rg_device *device = params->device;

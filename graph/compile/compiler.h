@@ -1,179 +1,119 @@
 /*
- * compiler.h: what the compiler's steps share. Private to graph/.
+ * compiler.h: data that the steps of the compiler share. Private to graph/compile/.
  *
- * Words: a *pass* here is one repetition of a row; an *access* is one use or target of a pass with
- * its range resolved; a *cell* is one (aspect, mip, layer) of an image, or a whole buffer: the
- * unit of every state the compiler tracks.
+ * Words: a *row* is a struct rg_pass of a table; a *pass* is one repetition of a row; an *access*
+ * is one use or target of a pass with its range resolved; a *cell* is one (aspect, mip, layer) of
+ * an image, or a whole buffer. State is tracked for each cell.
  */
 #ifndef RG_COMPILE_COMPILER_H
 #define RG_COMPILE_COMPILER_H
 
 #include "graph/compile/arena.h"
+#include "graph/compile/map.h"
 #include "graph/rg.h"
 
-/* ---- what the tables say ---- */
-
-/* Whether earlier passes have filled a cell; from CELL_FILLED_BY on, if a condition holds. */
+/* struct cell.filled: whether earlier passes have given the cell content. */
 enum {
     CELL_EMPTY,
     CELL_FILLED,
-    CELL_FILLED_BY, /* plus the index of a conditional pass */
+    CELL_FILLED_BY, /* plus the index of a conditional pass: filled if its condition holds */
 };
 
+/* struct access.flags */
 enum {
-    ACCESS_READS_CONTENT = 1 << 0,  /* needs what earlier passes left */
-    ACCESS_WRITES_CONTENT = 1 << 1, /* leaves something for later ones */
-    ACCESS_OVERWRITES = 1 << 2,     /* nothing of the range's earlier content remains */
-    ACCESS_NEEDED = 1 << 3,         /* of a target: somebody wants what it writes */
-    ACCESS_CONDITIONAL = 1 << 4,    /* does not happen in every frame */
+    ACCESS_READS = 1 << 0,       /* needs the content that earlier passes left */
+    ACCESS_WRITES = 1 << 1,      /* leaves content for later passes */
+    ACCESS_OVERWRITES = 1 << 2,  /* nothing of the earlier content of the range remains */
+    ACCESS_NEEDED = 1 << 3,      /* of a target: a later pass or an output needs what it writes */
+    ACCESS_CONDITIONAL = 1 << 4, /* does not happen in every frame */
 };
 
+/* struct cell.flags */
 enum {
-    CELL_CERTAIN = 1 << 0, /* the last write is of this frame, and of every frame */
-    CELL_AWAITED = 1 << 1, /* a read of every frame has waited for it */
-    CELL_FRESH = 1 << 2,   /* shared memory that this frame has not used: who had it is not known */
-    CELL_CHANGED = 1 << 3, /* content or layout, by this frame */
+    CELL_CERTAIN = 1 << 0, /* the last write happens in every frame, and in this frame */
+    CELL_AWAITED = 1 << 1, /* a read that happens in every frame has waited for the last write */
+    CELL_FRESH = 1 << 2,   /* shared memory that this frame has not used yet */
+    CELL_CHANGED = 1 << 3, /* this frame has changed content or layout */
 };
 
-/* In an order that lets neighbours be written together (rg_state_write()). */
 struct cell {
-    VkPipelineStageFlags2 write_stages; /* of the last write, or that it was chained on to */
-    VkAccessFlags2 write_access;        /* of it, while not yet available */
-    VkPipelineStageFlags2 read_stages;  /* since then */
-    uint32_t visible;                   /* to whom the write was made visible (rg_visibility) */
-    uint32_t barrier_end;               /* of the access that made the write visible first, or 0 */
+    VkPipelineStageFlags2 write_stages; /* of the last write, or stages it was chained to */
+    VkAccessFlags2 write_access;        /* of the last write, while it is not yet available */
+    VkPipelineStageFlags2 read_stages;  /* that have read since the last write */
+    uint32_t visible;                   /* reads that see the write: bits of rg_visibility() */
+    uint32_t first_barrier;             /* barriers that made the write visible: from this one */
+    uint32_t barrier_end;               /* up to this one; 0: none */
     VkImageLayout layout;
     uint32_t flags;
-    uint32_t written, touched; /* the first pass after the last write, and after the last access */
-    uint32_t first_barrier;    /* as barrier_end */
-    uint32_t last_access;      /* one more than the index of the latest one found */
+    uint32_t written;     /* the first pass after the last write */
+    uint32_t touched;     /* the first pass after the last access */
+    uint32_t last_access; /* while expanding: one more than the index of the latest access */
     uint32_t filled;
-    bool wanted;      /* by later passes or outputs, while culling; of one of several */
-    bool wanted_next; /* of a persistent resource: by the next frame */
-    bool changed;     /* the same, in rg_state_each_early(): by the passes so far */
-};
-
-/* What later passes or outputs want of a resource, while culling. */
-enum wanted {
-    WANT_NOTHING,
-    WANT_ALL = ACCESS_WRITES_CONTENT, /* of an access's flags */
-    WANT_CELLS = 1 << 8,              /* none of these: it has several, and each says it */
+    bool wanted;      /* while culling: later passes or outputs need the content */
+    bool wanted_next; /* while culling: the next frame needs the content (persistent) */
+    bool changed;     /* scratch of rg_each_history_read(): passes so far have changed the cell */
 };
 
 #define RG_SIZE_OVERFLOW UINT64_MAX
 
 struct resource {
-    const void *address;          /* of: */
+    const char *name;             /* "?" if the table gives none */
     const struct rg_image *image; /* this or: */
     const struct rg_buffer *buffer;
-    struct cell *cells; /* of a single one: &cell */
+    struct cell *cells; /* by aspect, then mip, then layer */
     uint32_t cell_count;
     bool persistent;
-    bool shared; /* transient, in a block */
-    bool plain;  /* one cell, and nothing but its access can be wrong with a use of all of it */
-    enum wanted wanted;
-    VkImageSubresourceRange all; /* of an image */
-    VkExtent2D extent;
+    bool shared;                         /* transient: its memory is part of a block */
+    VkImageSubresourceRange all;         /* of a buffer: one mip and layer of the colour aspect */
+    VkExtent2D extent;                   /* of an image */
     const struct rg_format_info *format; /* NULL: unknown, or a buffer */
-    VkDeviceSize size;                   /* of a buffer, as declared; or RG_SIZE_OVERFLOW */
-    uint32_t import;                     /* index into the params' imports, or RG_NONE */
-    uint32_t output;                     /* index into the params' outputs, or RG_NONE */
-    /* of the living passes: */
-    uint32_t first, last;  /* plan passes; first RG_NONE: unused */
-    VkFlags usage;         /* VkImageUsageFlags or VkBufferUsageFlags */
-    uint32_t plan_image;   /* index into the plan's images, or RG_NONE */
-    uint32_t plan_buffer;  /* the same of its buffers */
-    uint32_t item;         /* in compiler.items, or RG_NONE: it shares no memory */
-    uint32_t last_barrier; /* of several cells: index of the newest one, or RG_NONE */
-    uint32_t taken;        /* of an item: the pass before which the memory changes hands */
-    struct cell cell;
-};
-
-/* What an access does, in Vulkan's words; many accesses share one. */
-struct effect {
-    enum rg_access access;
-    uint32_t visibility; /* that it needs (rg_visibility) */
-    VkImageLayout layout;
-    VkFlags usage; /* VkImageUsageFlags or VkBufferUsageFlags */
-    VkPipelineStageFlags2 stages;
-    VkAccessFlags2 mask;   /* all it does */
-    VkAccessFlags2 writes; /* of it */
+    VkDeviceSize size;                   /* of a buffer, bytes; or RG_SIZE_OVERFLOW */
+    uint32_t import, output;             /* index into the params' imports, outputs; or RG_NONE */
+    uint32_t first, last;                /* plan passes that access it; first RG_NONE: unused */
+    VkFlags usage;                       /* VkImageUsageFlags or VkBufferUsageFlags */
+    uint32_t plan_image, plan_buffer;    /* index into the plan's images or buffers, or RG_NONE */
+    uint32_t item;                       /* index into compiler.items, or RG_NONE */
+    uint32_t acquired_at;                /* the pass before which it takes over its memory */
+    uint32_t last_barrier;               /* index of the newest barrier, or RG_NONE */
 };
 
 struct access {
     struct resource *resource;
-    const struct effect *effect;
-    const void *declared; /* const struct rg_use or rg_target */
-    uint32_t range;       /* one more than its index in compiler.ranges; 0: all (rg_range_of) */
+    const void *declared; /* const struct rg_use or const struct rg_target */
+    VkImageSubresourceRange range;
+    enum rg_access kind;
     uint32_t flags;
+    uint32_t visibility; /* of a read: the bits of rg_visibility() that it needs */
+    VkImageLayout layout;
+    VkPipelineStageFlags2 stages;
+    VkAccessFlags2 mask; /* everything that it does */
 };
 
 struct pass {
     const struct rg_technique *technique;
     const struct rg_pass *rg;
     uint32_t row, repetition;
-    VkExtent2D extent;
+    VkExtent2D extent; /* of the targets; the view's without targets */
     uint32_t first_access, access_count;
-    bool alive;
+    uint32_t first_fallback, fallback_count;
+    bool alive; /* not culled */
 };
 
-/* Where a fault lies; unused fields are NULL or RG_NONE. */
-struct place {
-    const struct rg_technique *technique;
-    uint32_t row;
-    const char *resource;
-};
-
-/* Open addressing; NULL is an empty slot. */
-struct resource_map {
-    struct resource **slots;
-    uint32_t mask; /* one less than how many, half of which stay empty */
-};
-
-enum name_kind {
-    NAME_RESOURCE,
-    NAME_PASS,
-    NAME_KIND_COUNT,
-};
-
-/* The same of names of a kind. */
-struct name_map {
-    const char **slots;
-    uint32_t mask;
-    uint32_t room; /* for so many more */
-};
-
-/* What an access means as a use of a kind of pass, as long as the use says nothing special. */
-struct meaning {
-    struct effect on_image, on_buffer;
-    VkPipelineStageFlags2 shaders; /* that such a pass has */
-    uint32_t flags;                /* of the access */
-    bool fits;                     /* the kind of pass */
-    bool image, buffer;            /* fits, and either can be used so */
-};
-
-/* A transient resource that shares memory; in the order of first use. */
+/* A transient resource, or in tests a span of bytes, that pack.c gives a place in a block. */
 struct pack_item {
-    VkDeviceSize size, alignment; /* a power of two */
-    VkDeviceSize offset;
+    VkDeviceSize size, alignment; /* bytes; a power of two */
+    VkDeviceSize offset;          /* result: bytes from the start of the block */
+    uint32_t first, last;         /* passes during which no other item may have the bytes */
+    uint32_t first_use;           /* the first pass that accesses it; not before `first` */
+    uint32_t type_bits;           /* as of VkMemoryRequirements */
     struct resource *resource;
-
-    union {
-        struct rg_plan_image *image;
-        struct rg_plan_buffer *buffer; /* if it is_buffer */
-    };
-
-    uint32_t first_use, last; /* passes */
-    uint32_t first;           /* from it on the memory is taken; not after the first use */
-    uint32_t type_bits;
-    bool is_buffer;
 };
 
-/* Who had the memory of an item before it, in this frame or the one before. */
-struct former {
-    VkPipelineStageFlags2 stages;
-    VkAccessFlags2 writes; /* not yet available */
-    uint32_t end;          /* the first pass of this frame after them; 0: none in this one */
+/* How the accesses end that had the memory of an item before the item. */
+struct previous_owner {
+    VkPipelineStageFlags2 stages; /* that may still use the bytes */
+    VkAccessFlags2 writes;        /* that are not yet available */
+    uint32_t end;                 /* the first pass of this frame after them; 0: none before it */
 };
 
 struct compiler {
@@ -181,162 +121,180 @@ struct compiler {
     struct rg_plan *plan;
     struct arena *arena;
     uint32_t max_image_size, max_layers; /* the device's, or Vulkan's where it has no limit */
-    struct resource *resources;
+    uint32_t row_count;          /* of all techniques, about: how large arrays are at first */
+    struct resource **resources; /* imports and outputs come first */
     uint32_t resource_count, resource_room;
-    uint32_t end_count; /* of the first resources: imports and outputs are among them */
-    uint32_t persistent_count;
-    struct resource_map map;
-    struct name_map names[NAME_KIND_COUNT];
+    uint32_t boundary_count;   /* resources up to the last import or output */
+    uint32_t persistent_count; /* resources that are persistent */
+    struct map by_address;     /* of rg_image or rg_buffer: struct resource */
+    struct map resource_names, pass_names;
+    struct map written; /* images that rows or imports write, once a fallback asks for them */
     struct pass *passes;
     uint32_t pass_count, pass_room;
     struct access *accesses;
     uint32_t access_count, access_room;
-    VkImageSubresourceRange *ranges; /* of accesses to some cells of several */
-    uint32_t range_count, range_room;
-    uint32_t alive_access_count;
-    uint32_t color_access_count;    /* of colour targets, alive or not */
-    struct rg_plan_image *images;   /* the plan's, still to be written */
-    struct rg_plan_buffer *buffers; /* the same */
-    struct rg_plan_target *colors;  /* the same */
-    struct pack_item *items;
+    const struct rg_use **fallbacks; /* uses that are bound to their fallback */
+    uint32_t fallback_count, fallback_room;
+    struct rg_plan_image *images;   /* of the plan, while it is written */
+    struct rg_plan_buffer *buffers; /* of the plan, while it is written */
+    struct pack_item *items;        /* in the order of first use; those of one block adjoin */
     uint32_t item_count;
-    uint32_t *item_places;  /* where each has gone, if rg_place() has moved them; or NULL */
-    struct former *formers; /* of the items */
+    struct previous_owner *owners; /* of each item; NULL: not known yet */
+    struct rg_barrier *barriers;   /* of the plan, while they are written */
     struct rg_fault *faults;
     uint32_t fault_count, fault_room;
-    uint32_t row_first_fault;                    /* of the row being looked at */
-    struct meaning (*meanings)[RG_ACCESS_COUNT]; /* by enum rg_kind */
-    uint32_t known[RG_TRANSFER + 1];             /* a bit each, of those filled in so far */
-    const struct meaning *of_shaders[RG_TRANSFER + 1][RG_ACCESS_COUNT]; /* of these: what shaders do
-                                                                           to images; or NULL */
+    uint32_t row_first_fault; /* the first fault of the row at work */
 };
 
-/* ---- rg_fault.c ---- */
+/* ---- fault.c ---- */
 
-/* Faults of one row that are told already are left out. */
-void rg_fault_add(struct compiler *c, enum rg_error error, struct place place, const char *hint);
-
-/* Brings the faults from `later` on before those from `first` on. */
-void rg_fault_reorder(struct compiler *c, uint32_t first, uint32_t later);
-
-/* ---- rg_format.c ---- */
-
-enum {
-    RG_FORMAT_COUNT = VK_FORMAT_D32_SFLOAT_S8_UINT + 1, /* from 0 to the last one known */
+/* Where a fault is; fields that do not apply are NULL or RG_NONE. */
+struct fault_location {
+    const struct rg_technique *technique;
+    uint32_t row;
+    const char *resource;
 };
 
-extern const struct rg_format_info rg_format_table[RG_FORMAT_COUNT];
+#define RG_NOWHERE ((struct fault_location){ .row = RG_NONE })
 
-/* rg_format_info() */
-static inline const struct rg_format_info *rg_format_find(VkFormat format)
+/* Adds a fault, unless the row at work has the same one already. */
+void rg_fault_add(struct compiler *c, enum rg_error error, struct fault_location location,
+                  const char *hint);
+
+/* Adds a fault of a resource that belongs to no row. */
+void rg_fault_of(struct compiler *c, enum rg_error error, const char *resource, const char *hint);
+
+/* ---- access.c ---- */
+
+extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
+
+/* All shader stages of the graph: those of imports and outputs that shaders read or write. */
+#define RG_ANY_SHADER \
+    (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
+     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
+
+#define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
+
+/* Returns the (stage, access) pairs of a read, one bit each. Bit 31 stands for all pairs that are
+ * not told apart; it is never set in cell.visible. */
+uint32_t rg_visibility(enum rg_access kind, VkPipelineStageFlags2 stages);
+
+/* Whether shaders do it, through a descriptor. */
+static inline bool rg_is_shader_access(enum rg_access kind)
 {
-    if ((size_t)format >= RG_FORMAT_COUNT || !rg_format_table[format].name)
-        return NULL;
-    return &rg_format_table[format];
+    return kind >= RG_SAMPLED && kind <= RG_UNIFORM;
 }
 
-/* ---- rg_resource.c ---- */
-
-/* Room for about so many. */
-void rg_resource_expect(struct compiler *c, uint32_t count);
-
-/* The import and output lists; faults of them. */
-void rg_add_ends(struct compiler *c);
-
-/* Adds a resource, which is checked and sized, and may move the others; NULL: memory is short.
- * `slot` is its own. */
-struct resource *rg_resource_add(struct compiler *c, const struct rg_image *image,
-                                 const struct rg_buffer *buffer, struct resource **slot);
-
-/* The same of an image as most are: transient, of colour, of one cell. NULL, and nothing is done,
- * if it is another one, or there may be something to be said of it, or no room. */
-struct resource *rg_resource_add_plain(struct compiler *c, const struct rg_image *image,
-                                       struct resource **slot);
-
-/* Where in the map a resource is, or would be. Neighbours in the tables are neighbours in the map,
- * and soon in the cache; higher bits are added for those that lie a power of two apart. */
-static inline struct resource **rg_resource_slot(const struct resource_map *map,
-                                                 const void *address)
+/* Makes an access to all of a resource. `reads` says whether `mask` has what it may read; the flags
+ * are those of its kind, without ACCESS_OVERWRITES. */
+static inline void rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
+                                  bool reads, VkPipelineStageFlags2 stages)
 {
-    uintptr_t at = (uintptr_t)address;
-    uint32_t i = (uint32_t)((at + (at >> 9)) >> 4) & map->mask;
-    while (map->slots[i] && map->slots[i]->address != address)
-        i = (i + 1) & map->mask;
-    return &map->slots[i];
+    const struct rg_access_info *info = &rg_access_table[kind];
+    a->resource = r;
+    a->declared = NULL;
+    a->range = r->all;
+    a->kind = kind;
+    a->flags =
+        (info->reads_content ? ACCESS_READS : 0u) | (info->writes_content ? ACCESS_WRITES : 0u);
+    a->visibility = info->writes_content ? 0 : rg_visibility(kind, stages);
+    a->layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED;
+    a->stages = stages;
+    a->mask = (reads ? info->reads : VK_ACCESS_2_NONE) | info->writes;
 }
 
-/* The resource, which is added when it is new. */
-static inline struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
-                                              const struct rg_buffer *buffer)
+/* Returns the image or buffer usage flags that an access needs. */
+static inline VkFlags rg_usage(const struct resource *r, enum rg_access kind)
 {
-    const void *address = image ? (const void *)image : (const void *)buffer;
-    struct resource **slot = rg_resource_slot(&c->map, address);
-    return *slot ? *slot : rg_resource_add(c, image, buffer, slot);
+    const struct rg_access_info *info = &rg_access_table[kind];
+    return r->image ? info->image_usage : info->buffer_usage;
 }
 
-const char *rg_resource_name(const struct resource *r); /* "?" if it has none */
+/* Returns what happens to an import before the frame, or to an output after it. */
+struct access rg_boundary_access(struct resource *r, enum rg_access kind);
 
-/* Or the end of a row's uses. */
+/* Returns the stages of a use: its own, or those that its kind of pass has by default. */
+VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use);
+
+/* Says what is wrong with a good use in a kind of pass; NULL: nothing. */
+const char *rg_use_trouble(const struct rg_pass *pass, const struct rg_use *use);
+
+/* ---- for (struct cell_walk w = rg_cells(r, &range); w.cell; rg_next_cell(&w)) ---- */
+
+struct cell_walk {
+    const struct resource *resource;
+    const VkImageSubresourceRange *range;
+    VkImageAspectFlags aspects; /* those left; the lowest bit is at work */
+    uint32_t mip, layer;
+    struct cell *cell; /* NULL: the range is at its end */
+};
+
+/* Of aspects, only depth and stencil come together. */
+static inline struct cell *rg_find_cell(const struct cell_walk *w)
+{
+    const VkImageSubresourceRange *all = &w->resource->all;
+    VkImageAspectFlags below = all->aspectMask & ((w->aspects & (~w->aspects + 1)) - 1);
+    uint32_t row = (below ? all->levelCount : 0) + w->mip;
+    return &w->resource->cells[row * all->layerCount + w->layer];
+}
+
+/* Begins at the first cell of a range that the resource has. */
+static inline struct cell_walk rg_cells(const struct resource *r,
+                                        const VkImageSubresourceRange *range)
+{
+    struct cell_walk w = {
+        r, range, range->aspectMask, range->baseMipLevel, range->baseArrayLayer, NULL
+    };
+    w.cell = rg_find_cell(&w);
+    return w;
+}
+
+/* Moves on by layers, then mips, then aspects. */
+static inline void rg_next_cell(struct cell_walk *w)
+{
+    w->cell++;
+    if (++w->layer < w->range->baseArrayLayer + w->range->layerCount)
+        return;
+    w->layer = w->range->baseArrayLayer;
+    if (++w->mip == w->range->baseMipLevel + w->range->levelCount) {
+        w->mip = w->range->baseMipLevel;
+        w->aspects &= w->aspects - 1;
+    }
+    w->cell = w->aspects ? rg_find_cell(w) : NULL;
+}
+
+/* Returns the range of the cell at work, as barriers have it: of a buffer all zero. */
+static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
+{
+    VkImageAspectFlags lowest = w->aspects & (~w->aspects + 1);
+    if (!w->resource->image)
+        return (VkImageSubresourceRange){ 0 };
+    return (VkImageSubresourceRange){ lowest, w->mip, 1, w->layer, 1 };
+}
+
+/* ---- check.c, check_row.c ---- */
+
+void rg_check_params(struct compiler *c);
+void rg_check_resource(struct compiler *c, struct resource *r);
+void rg_check_output_memory(struct compiler *c, const struct resource *r);
+
+/* Finds what is wrong with a row by itself, its name left out. */
+void rg_check_row(struct compiler *c, const struct rg_pass *pass, struct fault_location location);
+
+/* Whether it is a use, or the end of a row's uses. */
 static inline bool rg_is_use(const struct rg_use *use)
 {
     return use->image || use->buffer || use->access;
 }
 
-/* Of one resource. */
+/* Whether it names one resource and an access. */
 static inline bool rg_is_good_use(const struct rg_use *use)
 {
     return !use->image != !use->buffer && use->access > RG_ACCESS_NONE &&
            use->access < RG_ACCESS_COUNT;
 }
 
-/* ---- rg_walk.c: the cells of an access ---- */
-
-/* Of a buffer: zeros. */
-static inline const VkImageSubresourceRange *rg_range_of(const struct compiler *c,
-                                                         const struct access *a)
-{
-    return a->range ? &c->ranges[a->range - 1] : &a->resource->all;
-}
-
-/* for (struct cell_walk w = rg_walk(r, range); rg_walk_next(&w);) */
-struct cell_walk {
-    const struct resource *resource;
-    VkImageSubresourceRange range;
-    uint32_t aspect; /* index among the resource's aspects, from the lowest bit */
-    uint32_t mip, layer;
-    struct cell *cell;
-    bool started;
-};
-struct cell_walk rg_walk(const struct resource *r, const VkImageSubresourceRange *range);
-bool rg_walk_next(struct cell_walk *walk);
-
-/* ---- rg_check.c, rg_check_row.c ---- */
-
-void rg_check_params(struct compiler *c);
-void rg_check_output_memory(struct compiler *c, const struct resource *r);
-void rg_check_resource(struct compiler *c, struct resource *r); /* but for its name */
-void rg_check_tell(struct compiler *c, const struct resource *r, enum rg_error error,
-                   const char *hint);
-
-/* But for its name. Not needed if rg_is_simple_row(). */
-void rg_check_row(struct compiler *c, const struct rg_pass *pass, const struct place *place);
-
-/* The rest of it: faults of its uses, and that neither these nor its targets write. Not needed if
- * rg_is_fine_use() holds for all of them, their bindings differ and something is written. */
-void rg_check_uses(struct compiler *c, const struct rg_pass *pass, const struct place *place);
-
-/* Whether a good use cannot have faults, as the most cannot. */
-static inline bool rg_is_fine_use(const struct rg_use *use, const struct meaning *m)
-{
-    if (use->stages & ~m->shaders)
-        return false;
-    if (use->image)
-        return m->image && use->image->samples <= 1;
-    return m->buffer &&
-           (use->buffer->memory != RG_MEMORY_UPLOAD || !(m->flags & ACCESS_WRITES_CONTENT));
-}
-
-/* Entries of .color that can be looked at, whatever the row says. */
+/* Returns how many entries of .color may be read, whatever the row says. */
 static inline uint32_t rg_color_room(const struct rg_pass *pass)
 {
     if (!pass->color)
@@ -344,7 +302,7 @@ static inline uint32_t rg_color_room(const struct rg_pass *pass)
     return pass->color_count < RG_COLOR_COUNT ? pass->color_count : RG_COLOR_COUNT;
 }
 
-/* Colour targets: they end at the first entry without an image. */
+/* Returns the number of colour targets: they end at the first entry without an image. */
 static inline uint32_t rg_color_count(const struct rg_pass *pass)
 {
     uint32_t room = rg_color_room(pass);
@@ -354,216 +312,100 @@ static inline uint32_t rg_color_count(const struct rg_pass *pass)
     return count;
 }
 
-static inline bool rg_is_push_size(uint32_t size)
-{
-    return size <= RG_MAX_PUSH && size % 4 == 0;
-}
+/* ---- format.c ---- */
 
-/* Whether a row is one that computes, once in every frame, and says nothing of drawing: by itself
- * it cannot have faults, its name and uses left out. */
-static inline bool rg_is_simple_row(const struct rg_pass *pass)
-{
-    return pass->kind == RG_COMPUTE && pass->repeat == RG_ONCE && !pass->when && pass->comp &&
-           pass->record && pass->uses && !pass->color_count && !pass->depth.image &&
-           rg_is_push_size(pass->push_size);
-}
+enum {
+    RG_FORMAT_COUNT = VK_FORMAT_D32_SFLOAT_S8_UINT + 1, /* from 0 to the last one known */
+};
 
-/* Whether targets are written, or the lack of them is another fault. */
-static inline bool rg_draws(const struct rg_pass *pass)
-{
-    return pass->kind == RG_RASTER &&
-           (rg_color_count(pass) || !pass->depth.image || !pass->depth_read_only);
-}
+/* ---- resource.c: the resources that tables name ---- */
 
-/* The row's kind; a wild value counts as compute. */
-static inline enum rg_kind rg_kind_of(const struct rg_pass *pass)
-{
-    return (unsigned)pass->kind <= RG_TRANSFER ? pass->kind : RG_COMPUTE;
-}
+/* Adds imports and outputs, with their faults. */
+void rg_add_boundary(struct compiler *c);
 
-static inline bool rg_is_shader_access(enum rg_access access)
-{
-    return access >= RG_SAMPLED && access <= RG_UNIFORM;
-}
+/* Returns the resource of an image or a buffer; a new one is sized and checked. NULL: memory is
+ * short. */
+struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
+                                const struct rg_buffer *buffer);
 
-/* ---- rg_expand.c: passes and accesses from the rows; faults of rows, ranges and content ---- */
+/* ---- the steps, in their order; each needs those before it ---- */
 
+/* expand.c: rows become passes and accesses; finds the faults of rows. */
 void rg_expand(struct compiler *c);
 
-/* ---- rg_access.c ---- */
-
-extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT]; /* rg_access_info() */
-
-/* The (stage, access) pairs of a read, one bit each. Bit 31 stands for all that is not told apart
- * and never counts as visible. */
-uint32_t rg_visibility(enum rg_access access, VkPipelineStageFlags2 stages);
-
-#define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
-
-/* On an image; `reads` says whether the mask has what the access may read. */
-struct effect rg_effect(enum rg_access access, bool reads, VkPipelineStageFlags2 stages);
-
-/* Of a valid access. */
-void rg_meaning_learn(struct meaning *m, enum rg_kind kind, enum rg_access access);
-
-static inline const struct meaning *rg_meaning(struct compiler *c, enum rg_kind kind,
-                                               enum rg_access access)
-{
-    struct meaning *m = &c->meanings[kind][access];
-    if (!(c->known[kind] >> access & 1)) {
-        rg_meaning_learn(m, kind, access);
-        c->known[kind] |= UINT32_C(1) << access;
-        c->of_shaders[kind][access] = m->image && rg_is_shader_access(access) ? m : NULL;
-    }
-    return m;
-}
-
-/* ---- rg_cull.c: which passes live ---- */
-
+/* cull.c: decides which passes live. */
 void rg_cull(struct compiler *c);
 
-/* ---- rg_list.c: the plan's images and buffers in order of first use, and their memory ---- */
-
-/* Faults of what the device cannot do with formats. */
+/* requirements.c: lifetimes of resources, the plan's images and buffers, their memory needs. */
+void rg_find_lifetimes(struct compiler *c);
 void rg_check_formats(struct compiler *c);
+void rg_list_resources(struct compiler *c);
 
-/* Numbers a resource: a living pass is the first to name it. */
-static inline void rg_meet(struct compiler *c, struct resource *r, uint32_t pass)
-{
-    if (r->image)
-        r->plan_image = c->plan->image_count++;
-    else
-        r->plan_buffer = c->plan->buffer_count++;
-    r->first = pass;
-    if (r->persistent)
-        r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    if (r->shared)
-        r->item = c->item_count++;
-    r->taken = pass;
-}
+/* memory.c: the blocks of memory, and the place of each item in its block. */
+void rg_place_items(struct compiler *c);
 
-static inline void rg_follow(struct compiler *c, struct resource *r, VkFlags usage, uint32_t pass)
-{
-    if (r->first == RG_NONE)
-        rg_meet(c, r, pass);
-    r->last = pass;
-    r->usage |= usage;
-}
+/* passes.c: the plan's passes, their targets and uses; barriers.c: the barriers between them. */
+void rg_write_passes(struct compiler *c);
 
-void rg_follow_passes(struct compiler *c);
+/* previous_owner.c: how the accesses end that had an item's memory before it. The first needs
+ * places, the second also the state that every cell is left in. */
+void rg_find_owner_ends(struct compiler *c);
+void rg_find_owners(struct compiler *c);
 
-/* After the last pass. */
-void rg_follow_outputs(struct compiler *c);
+/* barriers.c: completes the barriers that take over memory from previous owners. */
+void rg_wait_for_owners(struct compiler *c);
 
-/* Of all that was followed. */
-void rg_list(struct compiler *c);
+/* ---- cell_state.c ---- */
 
-/* ---- rg_sync.c: barriers, in batches; rg_sync.h has the rest of it ---- */
+/* Puts every cell into the state in which a frame finds it. */
+void rg_begin_cells(struct compiler *c);
 
-struct sync {
+/* Fills `b` but for resource and range, and *release: the first pass before which the barrier may
+ * be. Returns false if the access needs no barrier. */
+bool rg_needs_barrier(const struct cell *s, const struct access *a, struct rg_barrier *b,
+                      uint32_t *release);
+
+/* Changes the state by an access in a pass; `made_visible`: it has just been given a barrier. */
+void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass, bool made_visible);
+
+typedef void rg_history_read_fn(void *user, const struct cell_walk *w, const struct access *a);
+
+/* Calls `see` for each read of a persistent cell that finds what the frame before left there, in
+ * the layout that the cell has in between. */
+void rg_each_history_read(struct compiler *c, rg_history_read_fn *see, void *user);
+
+/* ---- barriers.c ---- */
+
+struct barrier_list {
     struct compiler *c;
-    struct rg_plan_pass *passes; /* the plan's; those so far are filled */
+    struct rg_plan_pass *passes; /* the plan's; those up to the pass at work are filled */
     struct rg_barrier *barriers;
-    uint32_t barrier_count, barrier_room;
-    uint32_t batch_first; /* barrier of the newest batch */
-    uint32_t batch_end;   /* one more than the pass it lies before; 0: there is none yet */
-    bool changes_early;   /* memory changes hands in the batch, which may be an earlier one */
+    uint32_t count, room;
+    uint32_t batch_first; /* the first barrier of the newest batch */
+    uint32_t batch_end;   /* one more than the pass that the newest batch is before; 0: none yet */
 };
 
-void rg_sync_begin(struct sync *sync, struct rg_plan_pass *passes);
+void rg_begin_barriers(struct barrier_list *list, struct compiler *c, struct rg_plan_pass *passes);
 
-/* The barriers after the last pass, and before the first frame. */
-void rg_sync_end(struct sync *sync);
+/* Adds what an access of a pass needs. */
+void rg_add_barriers(struct barrier_list *list, const struct access *a, uint32_t pass);
 
-/* Once it is known who had which memory before: what the first barriers wait for. */
-void rg_sync_takeovers(struct sync *sync);
+/* Adds the barriers after the last pass, and those before the first frame. */
+void rg_end_barriers(struct barrier_list *list);
 
-/* ---- rg_state.c; rg_state.h has the rest of it ---- */
-
-/* Every cell as the frame finds it. */
-void rg_state_begin(struct compiler *c);
-
-typedef void rg_early_fn(void *user, struct resource *r, const struct cell_walk *w,
-                         const struct access *a);
-
-/* Sees every read of a persistent cell that finds what the frame before left, in the layout that
- * the cell is in now: that in which a frame finds and leaves it. */
-void rg_state_each_early(struct compiler *c, rg_early_fn *see, void *user);
-
-/* ---- rg_end.c: what is done to a whole resource outside the frame ---- */
-
-/* `effect` is for what it does. */
-struct access rg_end_access(struct resource *r, enum rg_access access, struct effect *effect);
-
-static inline VkFlags rg_usage(const struct resource *r, enum rg_access access)
-{
-    const struct rg_access_info *info = &rg_access_table[access];
-    return r->image ? info->image_usage : info->buffer_usage;
-}
-
-/* All shader stages that the graph knows: those of imports and outputs. */
-#define RG_ANY_SHADER \
-    (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
-     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
-
-/* ---- rg_emit.c: the plan's passes, their targets and uses ---- */
-
-void rg_emit(struct compiler *c, struct sync *sync);
-
-/* ---- rg_place.c: the place of every transient resource ---- */
-
-/* Before or after the barriers are known (enum rg_sharing). */
-void rg_place(struct compiler *c);
-
-/* After rg_place(): when those who had the memory before are over. */
-void rg_place_ends(struct compiler *c);
-
-/* After rg_place(), and when what cells are left in is known: what those leave behind. */
-void rg_place_left(struct compiler *c);
-
-/* ---- spans of bytes: rising, and none touches the next; one more is at UINT64_MAX ---- */
-
-struct span {
-    VkDeviceSize begin, end;
-};
-
-/* Before `next`. No memmove(): there are few behind it. */
-static inline void rg_span_insert(struct span *next, struct span span)
-{
-    while (span.begin != UINT64_MAX) {
-        struct span moved = *next;
-        *next++ = span;
-        span = moved;
-    }
-    *next = span;
-}
-
-/* ---- rg_pack.c ---- */
+/* ---- pack.c ---- */
 
 struct pack_result {
-    VkDeviceSize size;       /* bytes of the block */
-    VkDeviceSize apart;      /* if nothing were shared */
-    VkDeviceSize bound;      /* no packing can be smaller */
-    VkDeviceSize least;      /* the same if items took their memory at the first use */
-    VkDeviceSize alignments; /* of all items, each a bit */
+    VkDeviceSize size;      /* bytes of the block */
+    VkDeviceSize apart;     /* bytes if nothing were shared */
+    VkDeviceSize bound;     /* no packing is smaller */
+    VkDeviceSize least;     /* the bound if items took their memory at the first use */
+    VkDeviceSize alignment; /* the largest of all items */
 };
 
-/* Fills the items' offsets. None lives beyond the pass `end`. */
+/* Fills the offsets of items, which are in the order of first use and end at pass `end` or before.
+ * `apart`: nothing is shared. */
 struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
                            uint32_t end, bool apart);
-
-/* ---- rg_former.c: who had the memory of the items of a block, in the order of first use ---- */
-
-/* `end` of each former. */
-void rg_former_ends(struct arena *arena, const struct pack_item *items, struct former *formers,
-                    uint32_t count);
-
-/* What each item finds, left behind when the frame before was over. */
-void rg_former_left(struct arena *arena, const struct pack_item *items, struct former *formers,
-                    uint32_t count);
-
-/* The same, if each follows itself. */
-void rg_former_itself(struct arena *arena, const struct pack_item *items, struct former *formers,
-                      uint32_t count);
 
 #endif

@@ -1,25 +1,24 @@
 /*
  * expand.c: rows become passes (one for each repetition), uses and targets become accesses.
- * What is wrong with a row together with those before it is found on the way.
+ *
+ * Faults of a row by itself come first, then those of what it does together with other rows.
  */
-#include "graph/compile/name.h"
+#include "graph/compile/compiler.h"
 
 /* The pass being made. */
 struct expansion {
     struct compiler *c;
     struct pass *pass;
-    struct place place;
+    struct fault_location location;
     uint32_t target_samples; /* 0: no target yet */
-    unsigned flags;          /* of all uses */
-    uint32_t next_binding;   /* of uses; none so far has it or a higher one */
 };
 
 static void fault(const struct expansion *e, enum rg_error error, const struct resource *r,
                   const char *hint)
 {
-    struct place place = e->place;
-    place.resource = rg_resource_name(r);
-    rg_fault_add(e->c, error, place, hint);
+    struct fault_location location = e->location;
+    location.resource = r->name;
+    rg_fault_add(e->c, error, location, hint);
 }
 
 /* ---- what an access finds and leaves ---- */
@@ -31,46 +30,17 @@ static bool is_filled(const struct compiler *c, const struct cell *cell, const s
             c->passes[cell->filled - CELL_FILLED_BY].rg->when == pass->rg->when);
 }
 
-enum {
-    FOUND_CONFLICT = 1 << 0,
-    FOUND_NOTHING = 1 << 1,
-};
-
-/* The access is c->accesses[c->access_count]. Returns what is wrong. */
-static inline unsigned enter_cell(struct compiler *c, const struct pass *pass, struct cell *cell,
-                                  const struct access *a)
+/* Whether the pass accesses the cell already, in a way that the access contradicts. */
+static bool is_conflict(const struct compiler *c, const struct pass *pass, const struct cell *cell,
+                        const struct access *a)
 {
-    unsigned found = 0;
-    uint32_t last = cell->last_access;
-    cell->last_access = c->access_count + 1;
-    if (last > pass->first_access) {
-        const struct access *b = &c->accesses[last - 1];
-        if (((a->flags | b->flags) & ACCESS_WRITES_CONTENT) ||
-            a->effect->layout != b->effect->layout)
-            found |= FOUND_CONFLICT;
-    }
-    if ((a->flags & ACCESS_READS_CONTENT) && !is_filled(c, cell, pass))
-        found |= FOUND_NOTHING;
-    if (!(a->flags & ACCESS_WRITES_CONTENT))
-        return found;
-    if (!pass->rg->when)
-        cell->filled = CELL_FILLED;
-    else if (!is_filled(c, cell, pass))
-        cell->filled = CELL_FILLED_BY + c->pass_count;
-    return found;
+    if (cell->last_access <= pass->first_access)
+        return false;
+    const struct access *before = &c->accesses[cell->last_access - 1];
+    return ((a->flags | before->flags) & ACCESS_WRITES) || a->layout != before->layout;
 }
 
-static void report(const struct expansion *e, const struct resource *r, unsigned found,
-                   const char *hint)
-{
-    if (found & FOUND_CONFLICT)
-        fault(e, RG_ERROR_CONFLICT, r,
-              "split the pass in two, or read another mip, layer or image");
-    if (found & FOUND_NOTHING)
-        fault(e, RG_ERROR_READ_BEFORE_WRITE, r, hint);
-}
-
-static bool in_range(const struct resource *r, const VkImageSubresourceRange *range)
+static bool is_in_range(const struct resource *r, const VkImageSubresourceRange *range)
 {
     return range->aspectMask && !(range->aspectMask & ~r->all.aspectMask) && range->levelCount &&
            range->layerCount && range->baseMipLevel < r->all.levelCount &&
@@ -79,79 +49,66 @@ static bool in_range(const struct resource *r, const VkImageSubresourceRange *ra
            range->layerCount <= r->all.layerCount - range->baseArrayLayer;
 }
 
-/* The next access, which does not count before keep_access(); NULL: memory is short. */
-static struct access *next_access(struct compiler *c)
+/* Makes the next access, which counts after keep_access(). NULL: memory is short. */
+static struct access *next_access(struct expansion *e, struct resource *r, enum rg_access kind,
+                                  bool reads, VkPipelineStageFlags2 stages)
 {
-    return ARENA_ROOM(c->arena, c->accesses, c->access_count, c->access_room, 256)
-               ? &c->accesses[c->access_count]
-               : NULL;
+    struct compiler *c = e->c;
+    if (!r || !ARENA_ROOM(c->arena, c->accesses, c->access_count, c->access_room, c->row_count * 4))
+        return NULL;
+    struct access *a = &c->accesses[c->access_count];
+    rg_access_init(a, r, kind, reads, stages);
+    return a;
 }
 
-static inline void keep_access(struct expansion *e, const struct resource *r, unsigned found,
-                               const char *unfilled_hint)
+/* Adds the next access to the pass, unless its range is a fault. */
+static void keep_access(struct expansion *e, const struct access *a, const char *unfilled_hint)
 {
-    if (found)
-        report(e, r, found, unfilled_hint);
-    e->c->access_count++;
-}
-
-static bool is_same_range(const VkImageSubresourceRange *a, const VkImageSubresourceRange *b)
-{
-    return a->aspectMask == b->aspectMask && a->baseMipLevel == b->baseMipLevel &&
-           a->levelCount == b->levelCount && a->baseArrayLayer == b->baseArrayLayer &&
-           a->layerCount == b->layerCount;
-}
-
-static void set_range(struct compiler *c, struct access *a, const VkImageSubresourceRange *range)
-{
-    if (is_same_range(range, &a->resource->all) ||
-        !ARENA_ROOM(c->arena, c->ranges, c->range_count, c->range_room, 64))
-        return;
-    c->ranges[c->range_count++] = *range;
-    a->range = c->range_count;
-}
-
-/* For what no other access does; NULL: memory is short. */
-static struct effect *new_effect(const struct compiler *c, const struct effect *effect)
-{
-    struct effect *new = ARENA_ARRAY(c->arena, struct effect, 1);
-    if (new)
-        *new = *effect;
-    return new;
-}
-
-/* Appends the access to the pass, unless its range is a fault. */
-static void add_access(struct expansion *e, struct access *a, const VkImageSubresourceRange *range,
-                       const char *unfilled_hint)
-{
-    const struct resource *r = a->resource;
-    VkImageAspectFlags aspects = range->aspectMask;
-    unsigned found = 0;
-    if (r->image && !in_range(r, range)) {
-        fault(e, RG_ERROR_RANGE, r, "name a mip, layer and aspect that the image has");
+    struct compiler *c = e->c;
+    struct pass *pass = e->pass;
+    VkImageAspectFlags aspects = a->range.aspectMask;
+    bool conflict = false;
+    bool unfilled = false;
+    if (!is_in_range(a->resource, &a->range)) {
+        fault(e, RG_ERROR_RANGE, a->resource, "name a mip, layer and aspect that the image has");
         return;
     }
-    if ((aspects & (aspects - 1)) && rg_is_shader_access(a->effect->access))
-        fault(e, RG_ERROR_RANGE, r, "a shader sees one aspect: name depth or stencil");
-    if (r->cell_count > 1)
-        set_range(e->c, a, range);
-    for (struct cell_walk w = rg_walk(r, range); rg_walk_next(&w);)
-        found |= enter_cell(e->c, e->pass, w.cell, a);
-    keep_access(e, r, found, unfilled_hint);
+    if ((aspects & (aspects - 1)) && rg_is_shader_access(a->kind))
+        fault(e, RG_ERROR_RANGE, a->resource, "a shader sees one aspect: name depth or stencil");
+    for (struct cell_walk w = rg_cells(a->resource, &a->range); w.cell; rg_next_cell(&w)) {
+        bool filled = is_filled(c, w.cell, pass);
+        conflict = conflict || is_conflict(c, pass, w.cell, a);
+        unfilled = unfilled || ((a->flags & ACCESS_READS) && !filled);
+        if (a->flags & ACCESS_WRITES && !pass->rg->when)
+            w.cell->filled = CELL_FILLED;
+        else if (a->flags & ACCESS_WRITES && !filled)
+            w.cell->filled = CELL_FILLED_BY + c->pass_count;
+        w.cell->last_access = c->access_count + 1;
+    }
+    if (conflict)
+        fault(e, RG_ERROR_CONFLICT, a->resource,
+              "split the pass in two, or read another mip, layer or image");
+    if (unfilled)
+        fault(e, RG_ERROR_READ_BEFORE_WRITE, a->resource, unfilled_hint);
+    c->access_count++;
+}
+
+/* A conditional pass leaves what it does not draw over. */
+static void set_conditional(const struct expansion *e, struct access *a)
+{
+    if (!e->pass->rg->when)
+        return;
+    a->flags &= ~(uint32_t)ACCESS_OVERWRITES;
+    a->flags |= ACCESS_CONDITIONAL;
 }
 
 /* ---- targets ---- */
 
-static VkExtent2D mip_extent(const struct resource *r, uint32_t mip)
-{
-    VkExtent2D extent = { mip < 32 ? r->extent.width >> mip : 0,
-                          mip < 32 ? r->extent.height >> mip : 0 };
-    return (VkExtent2D){ extent.width ? extent.width : 1, extent.height ? extent.height : 1 };
-}
-
 static void check_extent(struct expansion *e, const struct resource *r, uint32_t mip)
 {
-    VkExtent2D extent = mip_extent(r, mip);
+    uint32_t width = mip < 32 ? r->extent.width >> mip : 0;
+    uint32_t height = mip < 32 ? r->extent.height >> mip : 0;
+    VkExtent2D extent = { width ? width : 1, height ? height : 1 };
     if (e->c->access_count == e->pass->first_access && !e->target_samples)
         e->pass->extent = extent;
     else if (extent.width != e->pass->extent.width || extent.height != e->pass->extent.height)
@@ -192,29 +149,23 @@ static VkImageSubresourceRange target_range(const struct pass *pass, const struc
 
 static void add_resolve(struct expansion *e, const struct rg_target *target)
 {
-    const struct effect effect = rg_effect(RG_RESOLVE, false, rg_access_table[RG_RESOLVE].stages);
-    const struct effect *kept = new_effect(e->c, &effect);
     struct resource *r = rg_resource_of(e->c, target->resolve, NULL);
-    struct access *a = next_access(e->c);
-    if (!r || !a || !kept)
+    struct access *a = next_access(e, r, RG_RESOLVE, false, rg_access_table[RG_RESOLVE].stages);
+    if (!a)
         return;
-    *a = (struct access){
-        .resource = r,
-        .effect = kept,
-        .declared = target,
-        .flags =
-            ACCESS_WRITES_CONTENT | (e->pass->rg->when ? ACCESS_CONDITIONAL : ACCESS_OVERWRITES),
-    };
-    const VkImageSubresourceRange range =
-        target_range(e->pass, r, target->resolve_mip, target->resolve_layer);
+    a->declared = target;
+    a->range = target_range(e->pass, r, target->resolve_mip, target->resolve_layer);
+    a->flags |= ACCESS_OVERWRITES;
+    if (e->pass->rg->when)
+        a->flags = ACCESS_WRITES | ACCESS_CONDITIONAL;
     if (r->image->samples > 1)
         fault(e, RG_ERROR_SAMPLES, r, "resolve to an image of one sample a texel");
     if (target->image->samples <= 1)
         fault(e, RG_ERROR_SAMPLES, r, "resolve from an image of several samples a texel");
     if (r->image->format != target->image->format)
         fault(e, RG_ERROR_FORMAT, r, "resolve to an image of the same format");
-    check_extent(e, r, range.baseMipLevel);
-    add_access(e, a, &range, NULL);
+    check_extent(e, r, a->range.baseMipLevel);
+    keep_access(e, a, NULL);
 }
 
 static void add_target(struct expansion *e, const struct rg_target *target)
@@ -223,37 +174,26 @@ static void add_target(struct expansion *e, const struct rg_target *target)
     enum rg_access kind = target != &rg->depth  ? RG_COLOR
                           : rg->depth_read_only ? RG_DEPTH_READ
                                                 : RG_DEPTH;
-    const struct rg_access_info *info = &rg_access_table[kind];
     bool keeps = target->load == RG_LOAD_KEEP;
     bool reads = keeps || target->blend || kind != RG_COLOR;
-    const struct effect effect = rg_effect(kind, reads, info->stages);
-    const struct effect *kept = new_effect(e->c, &effect);
     struct resource *r = rg_resource_of(e->c, target->image, NULL);
-    struct access *a = next_access(e->c);
-    if (!r || !a || !kept)
+    struct access *a = next_access(e, r, kind, reads, rg_access_table[kind].stages);
+    if (!a)
         return;
-    unsigned flags = rg->when ? ACCESS_CONDITIONAL : 0;
-    if (keeps || kind == RG_DEPTH_READ)
-        flags |= ACCESS_READS_CONTENT;
-    if (info->writes_content)
-        flags |= ACCESS_WRITES_CONTENT | (keeps || rg->when ? 0 : ACCESS_OVERWRITES);
-    *a = (struct access){
-        .resource = r,
-        .effect = kept,
-        .declared = target,
-        .flags = flags,
-    };
-    e->c->color_access_count += kind == RG_COLOR;
-    const VkImageSubresourceRange range = target_range(e->pass, r, target->mip, target->layer);
-    check_target(e, target, r, range.baseMipLevel);
-    add_access(e, a, &range, "clear it, or put the pass that fills it before this one");
+    a->declared = target;
+    a->range = target_range(e->pass, r, target->mip, target->layer);
+    if (keeps)
+        a->flags |= ACCESS_READS;
+    else if (a->flags & ACCESS_WRITES)
+        a->flags |= ACCESS_OVERWRITES;
+    set_conditional(e, a);
+    check_target(e, target, r, a->range.baseMipLevel);
+    keep_access(e, a, "clear it, or put the pass that fills it before this one");
     if (target->resolve && target != &rg->depth)
         add_resolve(e, target);
 }
 
 /* ---- uses ---- */
-
-static const char unwritten_hint[] = "put the pass that writes it before this one, or import it";
 
 static VkImageSubresourceRange use_range(const struct resource *r, const struct rg_range *range,
                                          const struct pass *pass)
@@ -279,186 +219,49 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
     return out;
 }
 
-/* Whether a use says nothing beyond its image, access, binding and sampler. */
-static bool is_plain(const struct rg_use *use)
+static void add_use(struct expansion *e, const struct rg_use *use)
 {
-    const struct rg_range *range = &use->range;
-    return !(range->aspect | range->mip | range->mip_count | range->layer | range->layer_count |
-             range->each | use->stages | use->partial | (uintptr_t)use->buffer);
-}
-
-/* An access that begins as what it means by itself. */
-static void refine_use(struct expansion *e, const struct rg_use *use, struct access *a)
-{
-    static const VkImageSubresourceRange none = { 0 };
-    const struct resource *r = a->resource;
-    const VkImageSubresourceRange range = r->image ? use_range(r, &use->range, e->pass) : none;
-    if (use->stages && !rg_access_table[use->access].stages) {
-        struct effect *effect = new_effect(e->c, a->effect);
-        if (!effect)
-            return;
-        effect->stages = use->stages;
-        if (!(a->flags & ACCESS_WRITES_CONTENT))
-            effect->visibility = rg_visibility(use->access, use->stages);
-        a->effect = effect;
-    }
-    if (use->partial || e->pass->rg->when)
-        a->flags &= ~(uint32_t)ACCESS_OVERWRITES;
-    if (e->pass->rg->when)
-        a->flags |= ACCESS_CONDITIONAL;
-    add_access(e, a, &range, unwritten_hint);
-}
-
-/* Returns false if rg_check_uses() has to look at it. */
-__attribute__((noinline)) static bool add_use(struct expansion *e, const struct rg_use *use)
-{
-    struct compiler *c = e->c;
-    if (!rg_is_good_use(use))
-        return false;
-    const struct meaning *m = rg_meaning(c, rg_kind_of(e->pass->rg), use->access);
-    bool fine = rg_is_fine_use(use, m);
-    if (rg_is_shader_access(use->access)) {
-        fine = fine && use->binding >= e->next_binding;
-        if (use->binding >= e->next_binding)
-            e->next_binding = use->binding + 1u;
-    }
-    e->flags |= m->flags;
-    struct resource *r = rg_resource_of(c, use->image, use->buffer);
-    struct access *a = next_access(c);
-    if (!r || !a)
-        return fine;
-    *a = (struct access){
-        .resource = r,
-        .effect = use->image ? &m->on_image : &m->on_buffer,
-        .declared = use,
-        .flags = m->flags,
-    };
-    refine_use(e, use, a);
-    return fine;
-}
-
-/* What shaders of such a pass do to images by an access; NULL: nothing. */
-__attribute__((noinline)) static const struct meaning *learn(struct compiler *c, enum rg_kind kind,
-                                                             enum rg_access access)
-{
-    if ((unsigned)access >= RG_ACCESS_COUNT)
-        return NULL;
-    rg_meaning(c, kind, access);
-    return c->of_shaders[kind][access];
-}
-
-/*
- * Adds uses while nothing can be wrong with them, which is nearly always: shaders read or write all
- * of an image of one cell, at rising bindings. Returns the first other one, or the end.
- */
-__attribute__((always_inline)) static inline const struct rg_use *
-add_plain_uses(struct expansion *e, enum rg_kind kind, const struct rg_use *use)
-{
-    struct compiler *c = e->c;
-    const uint32_t first = e->pass->first_access;
-    uint32_t count = c->access_count;
-    uint32_t next_binding = e->next_binding;
-    for (; use->image && count < c->access_room; use++) {
-        const struct meaning *m =
-            (unsigned)use->access < RG_ACCESS_COUNT ? c->of_shaders[kind][use->access] : NULL;
-        if (!m && !(m = learn(c, kind, use->access)))
-            break;
-        if (use->binding < next_binding || !is_plain(use))
-            break;
-        struct resource **slot = rg_resource_slot(&c->map, use->image);
-        struct resource *r = *slot ? *slot : rg_resource_add_plain(c, use->image, slot);
-        if (!r)
-            break;
-        bool unfilled = m->flags & ACCESS_READS_CONTENT && r->cell.filled != CELL_FILLED;
-        if (!r->plain || r->cell.last_access > first || unfilled)
-            break;
-        struct access *a = &c->accesses[count];
-        a->resource = r;
-        a->effect = &m->on_image;
-        a->declared = use;
-        a->range = 0;
-        a->flags = m->flags;
-        r->cell.last_access = ++count;
-        if (m->flags & ACCESS_WRITES_CONTENT)
-            r->cell.filled = CELL_FILLED;
-        next_binding = use->binding + 1u;
-        e->flags |= m->flags;
-    }
-    c->access_count = count;
-    e->next_binding = next_binding;
-    return use;
-}
-
-/* Returns false if rg_check_uses() has to look at them. */
-__attribute__((noinline)) static bool add_uses(struct expansion *e, const struct rg_use *use)
-{
-    const struct rg_pass *rg = e->pass->rg;
-    bool fine = true;
-    for (; use; use++) {
-        if (!rg->when)
-            use = add_plain_uses(e, rg_kind_of(rg), use);
-        if (!rg_is_use(use))
-            break;
-        fine = add_use(e, use) && fine;
-    }
-    return fine;
+    struct resource *r = rg_resource_of(e->c, use->image, use->buffer);
+    struct access *a = next_access(e, r, use->access, true, rg_use_stages(e->pass->rg, use));
+    if (!a)
+        return;
+    a->declared = use;
+    if (use->image)
+        a->range = use_range(r, &use->range, e->pass);
+    if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
+        a->flags |= ACCESS_OVERWRITES;
+    set_conditional(e, a);
+    keep_access(e, a, "put the pass that writes it before this one, or import it");
 }
 
 /* ---- rows ---- */
 
-/* False: memory is short. */
-static inline bool begin_pass(struct expansion *e, const struct rg_pass *rg, uint32_t repetition)
+static void add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t repetition)
 {
     struct compiler *c = e->c;
-    if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, 64))
-        return false;
-    struct pass *pass = &c->passes[c->pass_count];
-    pass->technique = e->place.technique;
-    pass->row = e->place.row;
-    pass->repetition = repetition;
-    pass->rg = rg;
-    pass->extent = c->params->view;
-    pass->first_access = c->access_count;
-    e->pass = pass;
-    e->next_binding = 0;
-    e->flags = 0;
-    return true;
-}
-
-static inline void end_pass(struct expansion *e)
-{
-    struct compiler *c = e->c;
-    e->pass->access_count = c->access_count - e->pass->first_access;
-    c->pass_count++;
-}
-
-/* Of a row as most are: it computes, once in every frame. Returns false if rg_check_uses() has to
- * look at it. */
-static inline bool add_simple_pass(struct expansion *e, const struct rg_pass *rg)
-{
-    if (!begin_pass(e, rg, 0))
-        return false;
-    const struct rg_use *use = add_plain_uses(e, RG_COMPUTE, rg->uses);
-    bool fine = !rg_is_use(use) || add_uses(e, use);
-    end_pass(e);
-    return fine && (e->flags & ACCESS_WRITES_CONTENT);
-}
-
-/* The same of any row. */
-static bool add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t repetition)
-{
-    if (!begin_pass(e, rg, repetition))
-        return false;
-    e->target_samples = 0;
     uint32_t color_count = rg_color_count(rg);
+    if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, c->row_count))
+        return;
+    e->pass = &c->passes[c->pass_count];
+    e->target_samples = 0;
+    *e->pass = (struct pass){
+        .technique = e->location.technique,
+        .rg = rg,
+        .row = e->location.row,
+        .repetition = repetition,
+        .extent = c->params->view,
+        .first_access = c->access_count,
+    };
     for (uint32_t i = 0; i < color_count; i++)
         add_target(e, &rg->color[i]);
     if (rg->depth.image)
         add_target(e, &rg->depth);
-    e->flags = rg_draws(rg) ? ACCESS_WRITES_CONTENT : 0;
-    bool fine = add_uses(e, rg->uses);
-    end_pass(e);
-    return fine && (e->flags & ACCESS_WRITES_CONTENT);
+    for (const struct rg_use *use = rg->uses; use && rg_is_use(use); use++) {
+        if (rg_is_good_use(use))
+            add_use(e, use);
+    }
+    e->pass->access_count = c->access_count - e->pass->first_access;
+    c->pass_count++;
 }
 
 /* The layers or mips of a row's first image written, from the first one named; at least 1, so that
@@ -469,6 +272,8 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
     const struct rg_image *image = target->image;
     uint32_t mip = target->mip;
     uint32_t layer = target->layer;
+    if (pass->repeat == RG_ONCE)
+        return 1;
     for (const struct rg_use *use = pass->uses; use && rg_is_use(use) && !image; use++) {
         if (rg_is_good_use(use) && rg_access_table[use->access].writes_content) {
             image = use->image;
@@ -484,65 +289,59 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
     return r->all.levelCount > mip ? r->all.levelCount - mip : 1;
 }
 
-/* The same. */
-__attribute__((noinline)) static bool add_passes(struct expansion *e, const struct rg_pass *rg)
+static void check_pass_name(struct expansion *e, const struct rg_pass *rg)
 {
-    uint32_t count = rg->repeat == RG_ONCE ? 1 : repetition_count(e->c, rg);
-    bool fine = count;
-    if (!count)
-        rg_fault_add(e->c, RG_ERROR_REPEAT, e->place,
-                     "a repeated row writes an image, whose layers or mips it counts");
-    for (uint32_t i = 0; i < count && !e->c->arena->failed; i++)
-        fine = add_pass(e, rg, i) && fine;
-    return fine;
+    struct compiler *c = e->c;
+    if (!rg->name) {
+        rg_fault_add(c, RG_ERROR_NO_NAME, e->location, "give the pass a name");
+        return;
+    }
+    void **known = rg_map_value(c->arena, &c->pass_names, rg->name);
+    if (known && *known)
+        rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, e->location, "give each a name of its own");
+    if (known)
+        *known = c;
 }
 
-/* Faults of uses by themselves come before those of what they do together with others. */
 static void expand_row(struct expansion *e, const struct rg_pass *rg)
 {
     struct compiler *c = e->c;
     c->row_first_fault = c->fault_count;
-    if (!rg->name)
-        rg_fault_add(c, RG_ERROR_NO_NAME, e->place, "give the pass a name");
-    else if (!rg_name_add_quickly(c, NAME_PASS, rg->name) &&
-             !rg_name_is_new(c, NAME_PASS, rg->name))
-        rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, e->place, RG_HINT_NAME);
-    bool simple = rg_is_simple_row(rg);
-    if (!simple)
-        rg_check_row(c, rg, &e->place);
-    uint32_t first_fault = c->fault_count;
-    if (simple ? add_simple_pass(e, rg) : add_passes(e, rg))
-        return;
-    uint32_t later_fault = c->fault_count;
-    rg_check_uses(c, rg, &e->place);
-    rg_fault_reorder(c, first_fault, later_fault);
+    check_pass_name(e, rg);
+    rg_check_row(c, rg, e->location);
+    uint32_t count = repetition_count(c, rg);
+    if (!count)
+        rg_fault_add(c, RG_ERROR_REPEAT, e->location,
+                     "a repeated row writes an image, whose layers or mips it counts");
+    for (uint32_t i = 0; i < count && !c->arena->failed; i++)
+        add_pass(e, rg, i);
 }
 
-static void expand_technique(struct compiler *c, const struct rg_technique *technique)
+static void check_output(struct compiler *c, const struct resource *r)
 {
-    struct expansion e = { .c = c, .place = { technique, RG_NONE, NULL } };
-    if (!technique->name)
-        rg_fault_add(c, RG_ERROR_NO_NAME, e.place, "give the technique a name");
-    for (uint32_t p = 0; p < technique->pass_count && !c->arena->failed; p++) {
-        e.place.row = p;
-        expand_row(&e, &technique->passes[p]);
-    }
+    bool complete = true;
+    for (uint32_t k = 0; k < r->cell_count; k++)
+        complete = complete && r->cells[k].filled == CELL_FILLED;
+    if (!complete)
+        rg_fault_of(c, RG_ERROR_OUTPUT_NOT_WRITTEN, r->name,
+                    "list the technique whose passes write all of it, whatever conditions say");
 }
 
 void rg_expand(struct compiler *c)
 {
-    for (uint32_t t = 0; t < c->params->technique_count; t++)
-        expand_technique(c, c->params->techniques[t]);
+    for (uint32_t t = 0; t < c->params->technique_count; t++) {
+        const struct rg_technique *technique = c->params->techniques[t];
+        struct expansion e = { .c = c, .location = { technique, RG_NONE, NULL } };
+        if (!technique->name)
+            rg_fault_add(c, RG_ERROR_NO_NAME, e.location, "give the technique a name");
+        for (uint32_t p = 0; p < technique->pass_count && !c->arena->failed; p++) {
+            e.location.row = p;
+            expand_row(&e, &technique->passes[p]);
+        }
+    }
     c->row_first_fault = c->fault_count;
-    for (uint32_t i = 0; i < c->end_count; i++) {
-        const struct resource *r = &c->resources[i];
-        bool complete = true;
-        for (uint32_t k = 0; k < r->cell_count && r->output != RG_NONE; k++)
-            complete = complete && r->cells[k].filled == CELL_FILLED;
-        if (!complete)
-            rg_fault_add(
-                c, RG_ERROR_OUTPUT_NOT_WRITTEN,
-                (struct place){ .row = RG_NONE, .resource = rg_resource_name(r) },
-                "list the technique whose passes write all of it, whatever conditions say");
+    for (uint32_t i = 0; i < c->boundary_count; i++) {
+        if (c->resources[i]->output != RG_NONE)
+            check_output(c, c->resources[i]);
     }
 }

@@ -51,44 +51,39 @@ int rg_fault_text(const struct rg_fault *fault, char *text, size_t size)
 }
 
 /* The repetitions of a row have the same faults: once is enough. */
-static bool is_known(const struct compiler *c, enum rg_error error, struct place place,
+static bool is_known(const struct compiler *c, enum rg_error error, struct fault_location location,
                      const char *hint)
 {
-    const char *technique = place.technique ? place.technique->name : NULL;
+    const char *technique = location.technique ? location.technique->name : NULL;
     for (uint32_t i = c->row_first_fault; i < c->fault_count; i++) {
         const struct rg_fault *f = &c->faults[i];
-        if (f->error == error && f->technique == technique && f->row == place.row &&
-            f->resource == place.resource && f->hint == hint)
+        if (f->error == error && f->technique == technique && f->row == location.row &&
+            f->resource == location.resource && f->hint == hint)
             return true;
     }
     return false;
 }
 
-void rg_fault_add(struct compiler *c, enum rg_error error, struct place place, const char *hint)
+void rg_fault_add(struct compiler *c, enum rg_error error, struct fault_location location,
+                  const char *hint)
 {
-    if (is_known(c, error, place, hint) ||
+    if (is_known(c, error, location, hint) ||
         !ARENA_ROOM(c->arena, c->faults, c->fault_count, c->fault_room, 8))
         return;
     const struct rg_pass *pass = NULL;
-    if (place.technique && place.row != RG_NONE)
-        pass = &place.technique->passes[place.row];
+    if (location.technique && location.row != RG_NONE)
+        pass = &location.technique->passes[location.row];
     c->faults[c->fault_count++] = (struct rg_fault){
         .error = error,
-        .technique = place.technique ? place.technique->name : NULL,
+        .technique = location.technique ? location.technique->name : NULL,
         .pass = pass ? pass->name : NULL,
-        .resource = place.resource,
-        .row = place.row,
+        .resource = location.resource,
+        .row = location.row,
         .hint = hint,
     };
 }
 
-void rg_fault_reorder(struct compiler *c, uint32_t first, uint32_t later)
+void rg_fault_of(struct compiler *c, enum rg_error error, const char *resource, const char *hint)
 {
-    uint32_t count = later - first;
-    struct rg_fault *moved = ARENA_ARRAY(c->arena, struct rg_fault, count);
-    if (!moved || !count)
-        return;
-    memcpy(moved, &c->faults[first], count * sizeof(*moved));
-    memmove(&c->faults[first], &c->faults[later], (c->fault_count - later) * sizeof(*moved));
-    memcpy(&c->faults[c->fault_count - count], moved, count * sizeof(*moved));
+    rg_fault_add(c, error, (struct fault_location){ .row = RG_NONE, .resource = resource }, hint);
 }

@@ -1,5 +1,5 @@
 /* format.c: names, sizes and aspects of formats a pass can draw to, sample or store. */
-#include "graph/compile/compiler.h"
+#include "graph/rg.h"
 
 #define COLOR(format, bytes) \
     [VK_FORMAT_##format] = { \
@@ -9,7 +9,7 @@
         VK_IMAGE_ASPECT_COLOR_BIT, \
     }
 
-const struct rg_format_info rg_format_table[RG_FORMAT_COUNT] = {
+static const struct rg_format_info formats[] = {
     COLOR(R8_UNORM, 1),
     COLOR(R8_UINT, 1),
     COLOR(R8G8_UNORM, 2),
@@ -52,5 +52,8 @@ const struct rg_format_info rg_format_table[RG_FORMAT_COUNT] = {
 
 const struct rg_format_info *rg_format_info(VkFormat format)
 {
-    return rg_format_find(format);
+    size_t index = (size_t)format; /* a negative one is beyond the table, too */
+    if (index >= sizeof(formats) / sizeof(formats[0]) || !formats[index].name)
+        return NULL;
+    return &formats[index];
 }

@@ -1,5 +1,5 @@
-/* passes.c: the plan's passes, their targets and uses. */
-#include "graph/compile/barriers.h"
+/* passes.c: the plan's passes, their targets and uses, with the barriers before each pass. */
+#include "graph/compile/compiler.h"
 
 static const VkAttachmentLoadOp load_ops[] = {
     [RG_LOAD_KEEP] = VK_ATTACHMENT_LOAD_OP_LOAD,
@@ -7,131 +7,116 @@ static const VkAttachmentLoadOp load_ops[] = {
     [RG_LOAD_DISCARD] = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
 };
 
-static struct rg_plan_target plan_target(const struct compiler *c, const struct access *a)
+/* The plan's arrays, while they are written. */
+struct writer {
+    struct compiler *c;
+    struct rg_plan_pass *passes;
+    struct rg_plan_use *uses;
+    struct rg_plan_target *colors;
+    struct rg_culled *culled;
+    struct barrier_list barriers;
+};
+
+static struct rg_plan_target plan_target(const struct access *a)
 {
     const struct rg_target *target = a->declared;
-    bool writes = a->flags & ACCESS_WRITES_CONTENT;
+    bool writes = a->flags & ACCESS_WRITES;
     VkAttachmentStoreOp store =
         a->flags & ACCESS_NEEDED ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
     return (struct rg_plan_target){
         .image = a->resource->plan_image,
-        .mip = rg_range_of(c, a)->baseMipLevel,
-        .layer = rg_range_of(c, a)->baseArrayLayer,
+        .mip = a->range.baseMipLevel,
+        .layer = a->range.baseArrayLayer,
         .load = writes ? load_ops[target->load] : VK_ATTACHMENT_LOAD_OP_LOAD,
         .store = writes ? store : VK_ATTACHMENT_STORE_OP_NONE,
-        .layout = a->effect->layout,
+        .layout = a->layout,
         .resolve = RG_NONE,
     };
 }
 
-static void add_resolve(const struct compiler *c, const struct access *a,
-                        struct rg_plan_target *target)
+static void write_access(struct writer *w, const struct access *a, struct rg_plan_pass *pass)
 {
-    target->resolve = a->resource->plan_image;
-    target->resolve_mip = rg_range_of(c, a)->baseMipLevel;
-    target->resolve_layer = rg_range_of(c, a)->baseArrayLayer;
-}
-
-/* Of targets only says that there are none so far (emit_target). */
-static void begin_pass(const struct compiler *c, const struct pass *pass, struct rg_plan_pass *out)
-{
-    out->pass = pass->rg;
-    out->technique = pass->technique;
-    out->row = pass->row;
-    out->repetition = pass->repetition;
-    out->extent = pass->extent;
-    out->first_barrier = out->barrier_count = 0;
-    out->color = &c->colors[c->plan->color_count];
-    out->color_count = 0;
-    out->depth.image = RG_NONE;
-    out->first_use = c->plan->use_count;
-}
-
-static void emit_target(struct compiler *c, const struct access *a, struct rg_plan_pass *out)
-{
-    if (a->effect->access == RG_COLOR) {
-        c->colors[c->plan->color_count++] = plan_target(c, a);
-        out->color_count++;
-    } else if (a->effect->access == RG_RESOLVE) {
-        add_resolve(c, a, &c->colors[c->plan->color_count - 1]);
+    struct rg_plan *plan = w->c->plan;
+    struct rg_plan_target *newest = &w->colors[plan->color_count];
+    if (a->kind == RG_COLOR) {
+        *newest = plan_target(a);
+        plan->color_count++;
+        pass->color_count++;
+    } else if (a->kind == RG_RESOLVE) {
+        newest[-1].resolve = a->resource->plan_image;
+        newest[-1].resolve_mip = a->range.baseMipLevel;
+        newest[-1].resolve_layer = a->range.baseArrayLayer;
+    } else if (a->kind == RG_DEPTH || a->kind == RG_DEPTH_READ) {
+        pass->depth = plan_target(a);
     } else {
-        out->depth = plan_target(c, a);
+        w->uses[plan->use_count++] = (struct rg_plan_use){
+            .use = a->declared,
+            .image = a->resource->plan_image,
+            .buffer = a->resource->plan_buffer,
+            .range = a->resource->image ? a->range : (VkImageSubresourceRange){ 0 },
+            .layout = a->layout,
+        };
+        pass->use_count++;
     }
-}
-
-/* Field by field: a copy of the whole takes twice as long. */
-static inline void emit_use(const struct compiler *c, const struct resource *r,
-                            const struct access *a, struct rg_plan_use *use)
-{
-    use->use = a->declared;
-    use->image = r->plan_image;
-    use->buffer = r->plan_buffer;
-    use->range = a->range ? c->ranges[a->range - 1] : r->all;
-    use->layout = a->effect->layout;
 }
 
 /*
  * Barriers of memory that is used for the first time come last: if the pass needs a new batch
- * anyway, they lie in it, and the memory changes hands as late as it can.
+ * anyway, they are part of it, and the memory changes hands as late as it can.
  */
-static void emit_pass(struct sync *sync, const struct pass *pass, struct rg_plan_use *uses,
-                      uint32_t index)
+static void write_pass(struct writer *w, const struct pass *pass, uint32_t index)
 {
-    struct compiler *c = sync->c;
-    struct rg_plan_pass *out = &sync->passes[index];
-    struct rg_plan_use *use = &uses[c->plan->use_count];
-    const struct access *a = &c->accesses[pass->first_access];
-    const struct access *late = NULL;
-    begin_pass(c, pass, out);
-    const struct access *end = a + pass->access_count;
-    for (; a < end; a++) {
-        struct resource *r = a->resource;
-        rg_follow(c, r, a->effect->usage, index);
-        if (a->effect->access > RG_RESOLVE)
-            emit_use(c, r, a, use++);
+    const struct access *first = &w->c->accesses[pass->first_access];
+    const struct access *end = first + pass->access_count;
+    struct rg_plan_pass *out = &w->passes[index];
+    *out = (struct rg_plan_pass){
+        .pass = pass->rg,
+        .technique = pass->technique,
+        .row = pass->row,
+        .repetition = pass->repetition,
+        .extent = pass->extent,
+        .first_use = w->c->plan->use_count,
+        .color = &w->colors[w->c->plan->color_count],
+        .depth = { .image = RG_NONE },
+    };
+    bool any_first = false;
+    for (const struct access *a = first; a < end; a++) {
+        write_access(w, a, out);
+        if (a->resource->first != index)
+            rg_add_barriers(&w->barriers, a, index);
         else
-            emit_target(c, a, out);
-        if (r->first != index)
-            rg_sync_access(sync, r, a, index);
-        else if (!late)
-            late = a;
+            any_first = true;
     }
-    out->use_count = (uint32_t)(use - uses) - out->first_use;
-    c->plan->use_count += out->use_count;
-    for (; late && late < end; late++) {
-        struct resource *r = late->resource;
-        if (r->first != index)
-            continue;
-        if (r->cell_count == 1 && r->cell.flags & CELL_FRESH)
-            rg_sync_move(sync, r, late, index, true);
-        else
-            rg_sync_access(sync, r, late, index);
+    for (const struct access *a = first; a < end && any_first; a++) {
+        if (a->resource->first == index)
+            rg_add_barriers(&w->barriers, a, index);
     }
 }
 
-void rg_emit(struct compiler *c, struct sync *sync)
+void rg_write_passes(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
-    struct rg_plan_pass *passes = ARENA_ARRAY(c->arena, struct rg_plan_pass, plan->pass_count);
-    struct rg_plan_use *uses = ARENA_ARRAY(c->arena, struct rg_plan_use, c->alive_access_count);
-    struct rg_culled *culled =
-        ARENA_ARRAY(c->arena, struct rg_culled, c->pass_count - plan->pass_count);
-    c->colors = ARENA_ARRAY(c->arena, struct rg_plan_target, c->color_access_count);
-    rg_sync_begin(sync, passes);
-    if (c->arena->failed)
-        return;
-    plan->passes = passes;
-    plan->uses = uses;
-    plan->colors = c->colors;
-    plan->culled = culled;
+    uint32_t culled_count = c->pass_count - plan->pass_count;
     uint32_t index = 0;
-    for (const struct pass *pass = c->passes, *end = pass + c->pass_count; pass < end; pass++) {
+    struct writer w = {
+        .c = c,
+        .passes = ARENA_ARRAY(c->arena, struct rg_plan_pass, plan->pass_count),
+        .uses = ARENA_ARRAY(c->arena, struct rg_plan_use, c->access_count),
+        .colors = ARENA_ARRAY(c->arena, struct rg_plan_target, c->access_count),
+        .culled = ARENA_ARRAY(c->arena, struct rg_culled, culled_count),
+    };
+    rg_begin_barriers(&w.barriers, c, w.passes);
+    for (uint32_t p = 0; p < c->pass_count && !c->arena->failed; p++) {
+        const struct pass *pass = &c->passes[p];
         if (pass->alive)
-            emit_pass(sync, pass, uses, index++);
+            write_pass(&w, pass, index++);
         else
-            *culled++ = (struct rg_culled){ pass->rg, pass->repetition };
+            w.culled[plan->culled_count++] = (struct rg_culled){ pass->rg, pass->repetition };
     }
-    plan->culled_count = c->pass_count - plan->pass_count;
-    rg_follow_outputs(c);
-    rg_sync_end(sync);
+    plan->passes = w.passes;
+    plan->uses = w.uses;
+    plan->colors = w.colors;
+    plan->culled = w.culled;
+    if (!c->arena->failed)
+        rg_end_barriers(&w.barriers);
 }
