@@ -142,6 +142,12 @@ struct rg_sampler {
     float anisotropy; /* at most; 0 means none; ignored where the device has none */
 };
 
+/* What a use samples where nothing provides its image: one texel of this content. */
+struct rg_fallback {
+    float
+        color[4]; /* linear, as for VkClearColorValue; of depth the first, of integers truncated */
+};
+
 /* One thing a pass reads or writes besides its targets. */
 struct rg_use {
     const struct rg_image *image; /* this or: */
@@ -152,7 +158,10 @@ struct rg_use {
     bool same_texel;  /* RG_SAMPLED: fragments read the texel alone that they draw; what counts is
                          told at rg_exec_set_region() */
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
-    VkPipelineStageFlags2 stages;     /* of the pass's shaders; 0: fragment or compute, and vertex
+    /* RG_SAMPLED of one sample a texel: bound by the executor if no row of any technique writes the
+     * image and no import provides it. NULL: then the read is a fault. */
+    const struct rg_fallback *fallback;
+    VkPipelineStageFlags2 stages; /* of the pass's shaders; 0: fragment or compute, and vertex
                                          too for RG_UNIFORM */
     struct rg_range range;
 };
@@ -425,6 +434,7 @@ struct rg_plan_pass {
     VkExtent2D extent;                     /* of the targets; the view's without targets */
     uint32_t first_barrier, barrier_count; /* one batch, before the pass */
     uint32_t first_use, use_count;
+    uint32_t first_fallback, fallback_count;
     const struct rg_plan_target *color; /* color_count of them, in the plan's colors */
     uint32_t color_count;
     struct rg_plan_target depth; /* image RG_NONE: none */
@@ -440,7 +450,7 @@ struct rg_plan {
     uint32_t fault_count; /* not 0: nothing below is to be used */
     VkExtent2D view, max_region;
     uint32_t pass_count, image_count, buffer_count, barrier_count, use_count, block_count;
-    uint32_t culled_count, color_count;
+    uint32_t culled_count, color_count, fallback_count;
     uint32_t batch_count; /* passes with barriers before them, and the end if it has some */
     const struct rg_plan_pass *passes;  /* in execution order */
     const struct rg_plan_image *images; /* those that living passes use, in order of first use */
@@ -451,7 +461,9 @@ struct rg_plan {
      * with zeros) to the state that every frame finds and leaves; in no batch. */
     uint32_t first_initial_barrier, initial_barrier_count;
     const struct rg_plan_use *uses;
-    const struct rg_plan_target *colors; /* colour targets: those of each pass in a row */
+    const struct rg_use *const *fallbacks; /* uses that are bound to their fallback; no images or
+                                              uses of the plan, and in no dump */
+    const struct rg_plan_target *colors;   /* colour targets: those of each pass in a row */
     const struct rg_block *blocks;
     const struct rg_culled *culled;
     VkDeviceSize memory_used;             /* bytes of all blocks */

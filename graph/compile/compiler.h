@@ -128,7 +128,8 @@ struct compiler {
     uint32_t persistent_count; /* resources that are persistent */
     struct map by_address;     /* of rg_image or rg_buffer: struct resource */
     struct map resource_names, pass_names;
-    struct map written; /* images that rows or imports write, once a fallback asks for them */
+    struct map
+        provided; /* images that rows write or imports provide; only if a use has a fallback */
     struct pass *passes;
     uint32_t pass_count, pass_room;
     struct access *accesses;
@@ -280,6 +281,10 @@ void rg_check_output_memory(struct compiler *c, const struct resource *r);
 
 /* Finds what is wrong with a row by itself, its name left out. */
 void rg_check_row(struct compiler *c, const struct rg_pass *pass, struct fault_location location);
+
+/* fallback.c: binds a use to its fallback, if it has one and nothing provides its image. Returns
+ * whether it does. */
+bool rg_use_fallback(struct compiler *c, const struct rg_use *use);
 
 /* Whether it is a use, or the end of a row's uses. */
 static inline bool rg_is_use(const struct rg_use *use)

@@ -251,16 +251,18 @@ static void add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t rep
         .repetition = repetition,
         .extent = c->params->view,
         .first_access = c->access_count,
+        .first_fallback = c->fallback_count,
     };
     for (uint32_t i = 0; i < color_count; i++)
         add_target(e, &rg->color[i]);
     if (rg->depth.image)
         add_target(e, &rg->depth);
     for (const struct rg_use *use = rg->uses; use && rg_is_use(use); use++) {
-        if (rg_is_good_use(use))
+        if (rg_is_good_use(use) && !rg_use_fallback(c, use))
             add_use(e, use);
     }
     e->pass->access_count = c->access_count - e->pass->first_access;
+    e->pass->fallback_count = c->fallback_count - e->pass->first_fallback;
     c->pass_count++;
 }
 

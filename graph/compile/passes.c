@@ -76,6 +76,8 @@ static void write_pass(struct writer *w, const struct pass *pass, uint32_t index
         .repetition = pass->repetition,
         .extent = pass->extent,
         .first_use = w->c->plan->use_count,
+        .first_fallback = pass->first_fallback,
+        .fallback_count = pass->fallback_count,
         .color = &w->colors[w->c->plan->color_count],
         .depth = { .image = RG_NONE },
     };
@@ -117,6 +119,8 @@ void rg_write_passes(struct compiler *c)
     plan->uses = w.uses;
     plan->colors = w.colors;
     plan->culled = w.culled;
+    plan->fallbacks = c->fallbacks;
+    plan->fallback_count = c->fallback_count;
     if (!c->arena->failed)
         rg_end_barriers(&w.barriers);
 }

@@ -1,19 +1,20 @@
-/* clear.c: before the first frame: persistent resources become zero, and are where the plan's
- * frames expect them. */
+/* clear.c: what is done before the first frame: persistent resources become zero, and are brought
+ * into the layouts that the plan's frames expect. */
 #include "graph/exec/exec.h"
 
-static const VkImageLayout fill_layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+static const VkImageLayout clear_layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
 
-/* Nobody has used the image yet, so there is nothing to wait for. */
-static void prepare_image(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
-                          const VkImageSubresourceRange *range)
+void rg_exec_record_move(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
+                         const VkImageSubresourceRange *range, VkImageLayout from, VkImageLayout to)
 {
     const VkImageMemoryBarrier2 barrier = {
         .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-        .dstStageMask = VK_PIPELINE_STAGE_2_CLEAR_BIT,
-        .dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-        .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
-        .newLayout = fill_layout,
+        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+        .oldLayout = from,
+        .newLayout = to,
         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
         .image = image,
@@ -26,25 +27,27 @@ static void prepare_image(const struct rg_exec *exec, VkCommandBuffer commands, 
                                            });
 }
 
-static void fill_image(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
-                       const struct rg_plan_image *plan)
+void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
+                                const VkImageSubresourceRange *range,
+                                const VkClearColorValue *color)
 {
-    const VkImageSubresourceRange range = { plan->aspects, 0, plan->mips, 0, plan->layers };
-    prepare_image(exec, commands, image, &range);
-    if (plan->aspects & VK_IMAGE_ASPECT_COLOR_BIT)
-        exec->vk.CmdClearColorImage(commands, image, fill_layout, &(VkClearColorValue){ { 0 } }, 1,
-                                    &range);
+    const VkClearDepthStencilValue depth = { color->float32[0], 0 };
+    rg_exec_record_move(exec, commands, image, range, VK_IMAGE_LAYOUT_UNDEFINED, clear_layout);
+    if (range->aspectMask & VK_IMAGE_ASPECT_COLOR_BIT)
+        exec->vk.CmdClearColorImage(commands, image, clear_layout, color, 1, range);
     else
-        exec->vk.CmdClearDepthStencilImage(commands, image, fill_layout,
-                                           &(VkClearDepthStencilValue){ 0 }, 1, &range);
+        exec->vk.CmdClearDepthStencilImage(commands, image, clear_layout, &depth, 1, range);
 }
 
 void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands)
 {
     const struct rg_plan *plan = exec->plan;
+    const VkClearColorValue zero = { { 0 } };
     for (uint32_t i = 0; i < plan->image_count; i++) {
-        if (plan->images[i].persistent)
-            fill_image(exec, commands, exec->images[i], &plan->images[i]);
+        const struct rg_plan_image *image = &plan->images[i];
+        const VkImageSubresourceRange all = { image->aspects, 0, image->mips, 0, image->layers };
+        if (image->persistent)
+            rg_exec_record_clear_image(exec, commands, exec->images[i], &all, &zero);
     }
     for (uint32_t i = 0; i < plan->buffer_count; i++) {
         if (plan->buffers[i].persistent)

@@ -86,19 +86,17 @@ static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct
 }
 
 /* Samplers of equal description are one object. */
-static VkResult find_sampler(struct rg_exec *exec, const struct rg_plan_use *use,
-                             VkSampler *sampler)
+static VkResult find_sampler(struct rg_exec *exec, const struct rg_use *use, VkSampler *sampler)
 {
     static const struct rg_sampler nearest = { 0 };
-    const struct rg_sampler *key = use->use->sampler ? use->use->sampler : &nearest;
+    const struct rg_sampler *key = use->sampler ? use->sampler : &nearest;
     VkResult result = VK_SUCCESS;
     uint32_t i = 0;
     while (i < exec->sampler_count && !same_sampler(&exec->samplers[i].key, key))
         i++;
     if (i == exec->sampler_count) {
         const VkSamplerCreateInfo info = sampler_info(exec, key);
-        RG_MAKE(exec, exec->plan->images[use->image].image->name, CreateSampler,
-                &exec->samplers[i].sampler, &info);
+        RG_MAKE(exec, use->image->name, CreateSampler, &exec->samplers[i].sampler, &info);
         exec->samplers[i].key = *key;
         exec->sampler_count++;
     }
@@ -112,7 +110,8 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
 {
     VkResult result = VK_ERROR_OUT_OF_HOST_MEMORY;
     uint32_t count = 0;
-    VkDescriptorSetLayoutBinding *bindings = calloc(plan->use_count + 1, sizeof(*bindings));
+    VkDescriptorSetLayoutBinding *bindings =
+        calloc((size_t)plan->use_count + plan->fallback_count + 1, sizeof(*bindings));
     if (!bindings)
         return rg_exec_check(exec, result, "calloc", plan->pass->name);
     for (uint32_t i = 0; i < plan->use_count; i++) {
@@ -124,6 +123,15 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
                 .descriptorCount = 1,
                 .stageFlags = use_stages(plan->pass, use->use),
             };
+    }
+    for (uint32_t i = 0; i < plan->fallback_count; i++) {
+        const struct rg_use *use = exec->plan->fallbacks[plan->first_fallback + i];
+        bindings[count++] = (VkDescriptorSetLayoutBinding){
+            .binding = use->binding,
+            .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+            .descriptorCount = 1,
+            .stageFlags = use_stages(plan->pass, use),
+        };
     }
     RG_MAKE(exec, plan->pass->name, CreateDescriptorSetLayout, layout,
             &(VkDescriptorSetLayoutCreateInfo){
@@ -159,6 +167,7 @@ static VkResult make_pool(struct rg_exec *exec)
                 sizes[t].descriptorCount += set_count;
         }
     }
+    sizes[0].descriptorCount += exec->plan->fallback_count * set_count; /* they are sampled */
     RG_MAKE(exec, NULL, CreateDescriptorPool, &exec->descriptor_pool,
             &(VkDescriptorPoolCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
@@ -184,21 +193,41 @@ static VkResult write_use(struct rg_exec *exec, uint32_t index, uint32_t slot, V
     if (use->buffer != RG_NONE)
         buffer.buffer = rg_exec_buffer(exec, use->buffer, slot);
     else if (use->use->access == RG_SAMPLED)
-        result = find_sampler(exec, use, &image.sampler);
+        result = find_sampler(exec, use->use, &image.sampler);
     if (result != VK_SUCCESS)
         return result;
-    exec->vk.UpdateDescriptorSets(exec->device, 1,
-                                  &(VkWriteDescriptorSet){
-                                      .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                                      .dstSet = set,
-                                      .dstBinding = use->use->binding,
-                                      .descriptorCount = 1,
-                                      .descriptorType = descriptor_type(use),
-                                      .pImageInfo = &image,
-                                      .pBufferInfo = &buffer,
-                                  },
-                                  0, NULL);
+    const VkWriteDescriptorSet write = {
+        .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+        .dstSet = set,
+        .dstBinding = use->use->binding,
+        .descriptorCount = 1,
+        .descriptorType = descriptor_type(use),
+        .pImageInfo = &image,
+        .pBufferInfo = &buffer,
+    };
+    exec->vk.UpdateDescriptorSets(exec->device, 1, &write, 0, NULL);
     return VK_SUCCESS;
+}
+
+static VkResult write_fallback(struct rg_exec *exec, uint32_t index, VkDescriptorSet set)
+{
+    const struct rg_use *use = exec->plan->fallbacks[index];
+    VkDescriptorImageInfo image = {
+        .imageView = exec->fallbacks[index].view,
+        .imageLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+    };
+    VkResult result = find_sampler(exec, use, &image.sampler);
+    const VkWriteDescriptorSet write = {
+        .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+        .dstSet = set,
+        .dstBinding = use->binding,
+        .descriptorCount = 1,
+        .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+        .pImageInfo = &image,
+    };
+    if (result == VK_SUCCESS)
+        exec->vk.UpdateDescriptorSets(exec->device, 1, &write, 0, NULL);
+    return result;
 }
 
 static VkResult make_sets(struct rg_exec *exec, const struct rg_plan_pass *plan,
@@ -217,6 +246,8 @@ static VkResult make_sets(struct rg_exec *exec, const struct rg_plan_pass *plan,
                 set);
         for (uint32_t i = 0; i < plan->use_count; i++)
             RG_PASS(write_use(exec, plan->first_use + i, slot, *set));
+        for (uint32_t i = 0; i < plan->fallback_count; i++)
+            RG_PASS(write_fallback(exec, plan->first_fallback + i, *set));
     }
 fail:
     return result;

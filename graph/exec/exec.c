@@ -74,7 +74,9 @@ static bool make_arrays(struct rg_exec *exec)
     exec->buffers = make_array(plan->buffer_count, sizeof(*exec->buffers));
     exec->use_views =
         make_array((size_t)plan->use_count * exec->image_set_count, sizeof(VkImageView));
-    exec->samplers = make_array(plan->use_count, sizeof(*exec->samplers));
+    exec->fallbacks = make_array(plan->fallback_count, sizeof(*exec->fallbacks));
+    exec->samplers =
+        make_array((size_t)plan->use_count + plan->fallback_count, sizeof(*exec->samplers));
     exec->passes = make_array(plan->pass_count, sizeof(*exec->passes));
     exec->targets =
         make_array((size_t)plan->pass_count * exec->image_set_count, sizeof(*exec->targets));
@@ -82,15 +84,16 @@ static bool make_arrays(struct rg_exec *exec)
     exec->image_batch = make_array(barrier_count, sizeof(*exec->image_batch));
     exec->buffer_batch = make_array(barrier_count, sizeof(*exec->buffer_batch));
     return exec->blocks && exec->images && exec->import_images && exec->image_memory &&
-           exec->buffers && exec->use_views && exec->samplers && exec->passes && exec->targets &&
-           exec->slots && exec->image_batch && exec->buffer_batch;
+           exec->buffers && exec->use_views && exec->fallbacks && exec->samplers && exec->passes &&
+           exec->targets && exec->slots && exec->image_batch && exec->buffer_batch;
 }
 
 static VkResult make_all(struct rg_exec *exec)
 {
     VkResult (*const steps[])(struct rg_exec *) = {
-        rg_exec_make_memory, rg_exec_make_targets, rg_exec_make_descriptors, rg_exec_make_pipelines,
-        make_slots,          rg_exec_make_time,    rg_exec_make_coverage,    rg_exec_make_warm_up,
+        rg_exec_make_memory,      rg_exec_make_fallbacks, rg_exec_make_targets,
+        rg_exec_make_descriptors, rg_exec_make_pipelines, make_slots,
+        rg_exec_make_time,        rg_exec_make_coverage,  rg_exec_make_warm_up,
     };
     VkResult counted = rg_exec_count_image_sets(exec);
     if (counted != VK_SUCCESS)
@@ -153,6 +156,7 @@ void rg_exec_destroy(struct rg_exec *exec)
         rg_exec_free_targets(exec);
     }
     rg_exec_free_descriptors(exec);
+    rg_exec_free_fallbacks(exec);
     rg_exec_free_memory(exec);
     rg_exec_free_time(exec);
     rg_exec_free_warm_up(exec);
@@ -162,6 +166,7 @@ void rg_exec_destroy(struct rg_exec *exec)
     free(exec->image_memory);
     free(exec->buffers);
     free(exec->use_views);
+    free(exec->fallbacks);
     free(exec->samplers);
     free(exec->passes);
     free(exec->targets);

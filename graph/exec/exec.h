@@ -35,6 +35,13 @@ struct exec_pass {
     uint32_t coverage;     /* how much of a region it draws: region.c */
 };
 
+struct exec_fallback {
+    bool owner; /* else all is borrowed from an earlier one that is alike */
+    VkImage image;
+    VkDeviceMemory memory;
+    VkImageView view;
+};
+
 struct exec_slot {
     VkCommandBuffer commands;
     VkFence fence;
@@ -62,7 +69,8 @@ struct rg_exec {
     VkImage *import_images; /* for each set, one a plan image: null unless it comes as several */
     VkDeviceMemory *image_memory; /* of persistent images */
     struct exec_buffer *buffers;
-    VkImageView *use_views; /* of each set, one a plan use; null for buffers */
+    VkImageView *use_views;          /* of each set, one a plan use; null for buffers */
+    struct exec_fallback *fallbacks; /* one a fallback of the plan */
     struct exec_sampler *samplers;
     uint32_t sampler_count;
     struct exec_pass *passes;
@@ -172,6 +180,21 @@ void rg_exec_free_targets(struct rg_exec *exec);
 
 /* clear.c: before the first frame */
 void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands);
+/* Waits for all work, and changes the layout of an image for all that follows. */
+void rg_exec_record_move(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
+                         const VkImageSubresourceRange *range, VkImageLayout from,
+                         VkImageLayout to);
+/* Clears a new image, which is left in TRANSFER_DST_OPTIMAL; of depth the first float counts. */
+void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
+                                const VkImageSubresourceRange *range,
+                                const VkClearColorValue *color);
+
+/* fallback.c */
+VkResult rg_exec_make_fallbacks(struct rg_exec *exec);
+void rg_exec_free_fallbacks(struct rg_exec *exec);
+void rg_exec_record_fallbacks(struct rg_exec *exec, VkCommandBuffer commands);
+/* Brings one into the layout that shaders expect, with any content. */
+void rg_exec_discard_fallback(const struct rg_exec *exec, VkCommandBuffer commands, uint32_t index);
 
 /* record.c */
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,

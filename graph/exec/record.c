@@ -224,6 +224,8 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint
             });
     if (first == 0 && !exec->filled)
         rg_exec_record_clear(exec, commands);
+    if (first == 0 && !exec->filled)
+        rg_exec_record_fallbacks(exec, commands);
     if (first == 0)
         rg_time_begin_frame(exec, commands);
     for (uint32_t p = first; p < first + count; p++)

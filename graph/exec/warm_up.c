@@ -37,28 +37,12 @@ void rg_exec_free_warm_up(struct rg_exec *exec)
     exec->vk.FreeMemory(exec->device, exec->triangle_memory, NULL);
 }
 
-/* Nobody has written the image, so what it holds does not count, now as before. */
+/* Nothing has written the image, so what it holds does not count, now as before. */
 static void prepare(const struct rg_exec *exec, VkCommandBuffer commands, uint32_t image,
                     VkImageSubresourceRange range, VkImageLayout layout)
 {
-    const VkImageMemoryBarrier2 barrier = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-        .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
-        .newLayout = layout,
-        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .image = exec->images[image],
-        .subresourceRange = range,
-    };
-    exec->vk.CmdPipelineBarrier2(commands, &(VkDependencyInfo){
-                                               .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                               .imageMemoryBarrierCount = 1,
-                                               .pImageMemoryBarriers = &barrier,
-                                           });
+    rg_exec_record_move(exec, commands, exec->images[image], &range, VK_IMAGE_LAYOUT_UNDEFINED,
+                        layout);
 }
 
 static void prepare_target(const struct rg_exec *exec, VkCommandBuffer commands,
@@ -84,6 +68,8 @@ static void prepare_pass(const struct rg_exec *exec, VkCommandBuffer commands,
         if (use->image != RG_NONE)
             prepare(exec, commands, use->image, use->range, use->layout);
     }
+    for (uint32_t i = 0; i < pass->fallback_count; i++)
+        rg_exec_discard_fallback(exec, commands, pass->first_fallback + i);
     for (uint32_t i = 0; i < pass->color_count; i++)
         prepare_target(exec, commands, &pass->color[i]);
     prepare_target(exec, commands, &pass->depth);

@@ -81,6 +81,8 @@ static VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL find(VkInstance instance, const 
 static const struct rg_image given = COLOR_IMAGE("given");
 static const struct rg_image seen = COLOR_IMAGE("seen");
 static const struct rg_image layers = COLOR_IMAGE("layers", .layers = 3);
+static const struct rg_image absent = COLOR_IMAGE("absent");
+static const struct rg_fallback white = { { 1, 1, 1, 1 } };
 static const struct rg_image kept = COLOR_IMAGE("kept", .persistent = true);
 static const struct rg_image depth = { .name = "depth", .format = VK_FORMAT_D32_SFLOAT };
 static const struct rg_buffer seen_out = COLOR_BUFFER("seen out");
@@ -118,6 +120,7 @@ enum {
     LAYERS,
     UNWANTED,
     MESH,
+    FALL_BACK,
     NOT_DRAWN,
 };
 
@@ -150,6 +153,13 @@ static const struct rg_pass rows[] = {
         .vertices = &feature_indirect_vertices,
         .push_size = sizeof(struct paint_push),
         .record = record_mesh,
+    },
+    [FALL_BACK] = {
+        .name = "fall back",
+        .color = RG_TARGETS({ &kept, RG_LOAD_KEEP }),
+        .uses = RG_USES({ .image = &absent, .access = RG_SAMPLED, .binding = PAINT_SOURCE,
+                          .fallback = &white }),
+        PAINTED_BY(record_rectangle, &fetch_frag),
     },
     [NOT_DRAWN] = {
         .name = "not drawn",
@@ -206,12 +216,12 @@ static void passes_draw_nowhere(void **state)
     pipeline_count = drawn = 0;
     struct rg_exec *exec = make_warm_up(&run, &twin);
     assert_int_equal(count_written(), 1); /* the triangle of zeros */
-    assert_int_equal(pipeline_count, 3);  /* LAYERS and UNWANTED draw alike */
+    assert_int_equal(pipeline_count, 4);  /* LAYERS and UNWANTED draw alike */
     for (uint32_t round = 0; round < 2; round++) {
         for (uint32_t pass = run.plan->pass_count; pass-- > 0;)
             assert_int_equal(rg_exec_warm_up(exec, &frame, pass), VK_SUCCESS);
     }
-    assert_int_equal(drawn, 1u << SEE | 1u << LAYERS | 1u << MESH);
+    assert_int_equal(drawn, 1u << SEE | 1u << LAYERS | 1u << MESH | 1u << FALL_BACK);
     assert_int_equal(count_written(), 1);
     rg_exec_destroy(exec);
     gpu_twin_destroy(&twin);
