@@ -28,7 +28,10 @@ TEXT_NAMES = (*SHELL_NAMES, 'LICENSE', '.clang-format', '.clang-tidy', '.gitigno
 
 # What a file may include begins with one of these; the longest folder that fits the file counts.
 MAY_INCLUDE = {
-    'graph/': ('graph/',),
+    'graph/': ('graph/rg',),
+    'graph/compile/': ('graph/compile/', 'graph/rg.h'),
+    'graph/dump/': ('graph/dump/', 'graph/rg.h'),
+    'graph/exec/': ('graph/exec/', 'graph/rg'),
     'src/base/': ('src/base/',),
     'src/settings/': ('src/settings/', 'src/base/', 'src/scene/generate/generate.h', 'src/tech/',
                       'shaders/'),
@@ -256,6 +259,12 @@ SAMPLES = (
     ('src/a.c', 'void f(void)\n{\n' + LONG * 58 + '}\n', None),
     ('tests/a.py', 'def f():\n' + '    x = 1\n' * 60, 'a.py:1: function of 61 lines'),
     ('graph/a.c', '#include "src/base/log.h"\n', 'graph/ may not include "src/base/log.h"'),
+    ('graph/rg.h', '#include "graph/exec/exec.h"\n', 'graph/ may not include'),
+    ('graph/compile/a.c', '#include "graph/exec/exec.h"\n', 'graph/compile/ may not include'),
+    ('graph/compile/a.c', '#include "graph/rg_exec.h"\n', 'graph/compile/ may not include'),
+    ('graph/dump/a.c', '#include "graph/compile/arena.h"\n', 'graph/dump/ may not include'),
+    ('graph/exec/a.c', '#include "graph/compile/arena.h"\n', 'graph/exec/ may not include'),
+    ('graph/exec/a.c', '#include "graph/exec/exec.h"\n#include "graph/rg_time.h"\n', None),
     ('graph/a.c', '#include <cglm/struct.h>\n', 'graph/ may not include <cglm'),
     ('graph/a.c', '#include <stdlib.h>\n#include <vulkan/vulkan_core.h>\n', None),
     ('src/tech/a.c', '#include "graph/rg_exec.h"\n', 'may not include "graph/rg_exec.h"'),

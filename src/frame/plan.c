@@ -155,7 +155,7 @@ static enum status compile(struct frame_plan *p, const struct frame_request *req
         .techniques = p->techniques,
         .technique_count = p->technique_count,
         .view = request->view,
-        .part = request->part,
+        .max_region = request->part,
         .outputs = p->outputs,
         .output_count = p->output_count,
         .imports = p->imports,

@@ -206,12 +206,12 @@ static void limit(const struct renderer *r, const struct frame_view *view,
                   const struct globals *globals)
 {
     const struct tile *t = &r->tile;
-    const struct rg_exec_part part = {
-        .part = { { (int32_t)t->x, (int32_t)t->y }, { t->width, t->height } },
+    const struct rg_exec_region region = {
+        .region = { { (int32_t)t->x, (int32_t)t->y }, { t->width, t->height } },
         .reach = frame_view_reach(view, globals, r->params.rung->rung.reach),
     };
     if (r->tiling.columns * r->tiling.rows > 1)
-        rg_exec_limit(r->picture.exec, &part);
+        rg_exec_set_region(r->picture.exec, &region);
 }
 
 static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_exec,

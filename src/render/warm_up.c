@@ -38,7 +38,7 @@ static void prime_passes(struct warm_up *warm_up, const struct gpu_twin *twin)
     for (int pass = 0; result == VK_SUCCESS && pass >= 0;) {
         pass = atomic_fetch_sub(&warm_up->next, 1);
         if (pass >= 0)
-            result = rg_exec_prime(exec, &warm_up->frame, (uint32_t)pass);
+            result = rg_exec_warm_up(exec, &warm_up->frame, (uint32_t)pass);
     }
     rg_exec_destroy(exec);
 }
@@ -88,7 +88,7 @@ static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exe
     exec->pipeline_cache = VK_NULL_HANDLE;
     exec->frames_in_flight = 1;
     exec->measured = false;
-    exec->hollow = true;
+    exec->warm_up_only = true;
     exec->log = NULL;
     atomic_init(&warm_up->next, (int)frame_exec->frame.plan->pass_count - 1);
 }

@@ -49,7 +49,10 @@ static const struct rg_sampler layers_sampler = {
 
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
-    { .image = &ice_depth_front, .access = RG_SAMPLED, .binding = ICE_DEPTH_FRONT, .here = true },
+    { .image = &ice_depth_front,
+      .access = RG_SAMPLED,
+      .binding = ICE_DEPTH_FRONT,
+      .same_texel = true },
     {
         .image = &air_layers,
         .access = RG_SAMPLED,
@@ -62,7 +65,7 @@ static const struct rg_use uses[] = {
 static const struct rg_use layer_uses[] = {
     FRAME_USE_GLOBALS,
     AIR_USE_ENVIRONMENT,
-    { .image = &air_cover, .access = RG_SAMPLED, .binding = OVER_AIR, .here = true },
+    { .image = &air_cover, .access = RG_SAMPLED, .binding = OVER_AIR, .same_texel = true },
     { 0 },
 };
 

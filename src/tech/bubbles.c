@@ -36,8 +36,14 @@ const struct rg_buffer bubbles_spheres = {
 
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
-    { .image = &ice_depth_front, .access = RG_SAMPLED, .binding = ICE_DEPTH_FRONT, .here = true },
-    { .image = &ice_depth_back, .access = RG_SAMPLED, .binding = ICE_DEPTH_BACK, .here = true },
+    { .image = &ice_depth_front,
+      .access = RG_SAMPLED,
+      .binding = ICE_DEPTH_FRONT,
+      .same_texel = true },
+    { .image = &ice_depth_back,
+      .access = RG_SAMPLED,
+      .binding = ICE_DEPTH_BACK,
+      .same_texel = true },
     {
         .image = &frame_env_cube,
         .access = RG_SAMPLED,

@@ -51,14 +51,14 @@ static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
 
 static const struct rg_use front_uses[] = {
     FRAME_USE_GLOBALS,
-    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .here = true),
+    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .same_texel = true),
     { 0 },
 };
 
 static const struct rg_use depth_uses[] = {
     FRAME_USE_GLOBALS,
-    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .here = true),
-    FRAME_SAMPLE(ice_depth_back, CRACKS_BACK, .here = true),
+    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .same_texel = true),
+    FRAME_SAMPLE(ice_depth_back, CRACKS_BACK, .same_texel = true),
     { 0 },
 };
 
@@ -98,8 +98,8 @@ static const struct clipping interval = {
 static const struct rg_use *use_intervals(struct row_builder *builder, uint32_t index)
 {
     const struct rg_use layers[] = {
-        FRAME_SAMPLE(ice_interval_near[index], CRACKS_NEAR, .here = true),
-        FRAME_SAMPLE(ice_interval_far[index], CRACKS_FAR, .here = true),
+        FRAME_SAMPLE(ice_interval_near[index], CRACKS_NEAR, .same_texel = true),
+        FRAME_SAMPLE(ice_interval_far[index], CRACKS_FAR, .same_texel = true),
         { 0 },
     };
     return row_builder_uses(builder, (const struct rg_use *const[]){ globals_use, layers }, 2);
@@ -153,7 +153,7 @@ static const struct rg_pass over_all[] = {
     {
         .name = "cracks.over",
         .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
-        .uses = RG_USES(FRAME_SAMPLE(cracks_color, REFRACT_OVER, .here = true)),
+        .uses = RG_USES(FRAME_SAMPLE(cracks_color, REFRACT_OVER, .same_texel = true)),
         .vert = &screen_vert,
         .frag = &refract_over_frag,
         .record = frame_draw_screen,

@@ -64,7 +64,7 @@ static const struct rg_use *use_before(struct row_builder *builder, const struct
         { .image = layers,
           .access = RG_SAMPLED,
           .binding = ICE_INTERVAL_BEFORE,
-          .here = true,
+          .same_texel = true,
           .range = range },
         { 0 },
     };
@@ -98,8 +98,8 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     const struct rg_image *near = &ice_interval_near[index];
     const struct rg_image *far = &ice_interval_far[index];
     const struct rg_use count_uses[] = {
-        { .image = near, .access = RG_SAMPLED, .binding = ICE_INTERVAL_NEAR, .here = true },
-        { .image = far, .access = RG_SAMPLED, .binding = ICE_INTERVAL_FAR, .here = true },
+        { .image = near, .access = RG_SAMPLED, .binding = ICE_INTERVAL_NEAR, .same_texel = true },
+        { .image = far, .access = RG_SAMPLED, .binding = ICE_INTERVAL_FAR, .same_texel = true },
         { 0 },
     };
     struct rg_pass *rows = row_builder_alloc(builder, 5 * sizeof(*rows));

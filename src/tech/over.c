@@ -21,10 +21,10 @@ static rg_record_fn record_area;
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     AIR_USE_ENVIRONMENT,
-    FRAME_SAMPLE(surface_highlight, OVER_HIGHLIGHT, .here = true),
-    FRAME_SAMPLE(air_cover, OVER_AIR, .here = true),
-    FRAME_SAMPLE(bubbles_color, OVER_BUBBLES, .here = true),
-    FRAME_SAMPLE(cracks_color, OVER_CRACKS, .here = true),
+    FRAME_SAMPLE(surface_highlight, OVER_HIGHLIGHT, .same_texel = true),
+    FRAME_SAMPLE(air_cover, OVER_AIR, .same_texel = true),
+    FRAME_SAMPLE(bubbles_color, OVER_BUBBLES, .same_texel = true),
+    FRAME_SAMPLE(cracks_color, OVER_CRACKS, .same_texel = true),
     { 0 },
 };
 

@@ -54,12 +54,12 @@ static const struct rg_use face_uses[] = { FRAME_USE_GLOBALS, { 0 } };
 static const struct rg_use pixel_uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
-    FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .here = true),
+    FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .same_texel = true),
     { 0 },
 };
 
 static const struct rg_use scene_uses[] = {
-    FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .here = true),
+    FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .same_texel = true),
     { 0 },
 };
 

@@ -14,7 +14,7 @@
 
 static const struct rg_use uses[] = {
     FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
-    FRAME_SAMPLE(ice_normal_back_depth, REFRACT_DEPTH_BACK, .here = true),
+    FRAME_SAMPLE(ice_normal_back_depth, REFRACT_DEPTH_BACK, .same_texel = true),
     { 0 },
 };
 

@@ -20,7 +20,7 @@ static const struct rg_pass passes[] = {
         .uses = RG_USES({ .image = &frame_color,
                           .access = RG_SAMPLED,
                           .binding = TONEMAP_COLOR,
-                          .here = true }),
+                          .same_texel = true }),
         .vert = &screen_vert,
         .frag = &tonemap_frag,
         .push_size = sizeof(struct tonemap_push),

@@ -150,7 +150,7 @@ enum status screen_connect(struct screen *s, VkImage picture, VkImage right)
     params.imports = objects;
     params.import_count = import_count(s);
     params.measured = true;
-    params.replace = s->replace;
+    params.replace_shader = s->replace;
     params.user = s->replace_user;
     s->exec = rg_exec_create(&params, &result);
     if (s->exec)
@@ -194,12 +194,12 @@ enum status screen_end(struct screen *s, uint32_t line, const struct overlay_lis
         .overlay = list,
     };
     const struct rg_frame frame = { .window = &window };
-    const struct rg_exec_ties ties = {
-        .image = s->index,
+    const struct rg_exec_external_sync sync = {
+        .image_index = s->index,
         .wait = chain->acquired[s->slot],
         .signal = chain->drawn[s->index],
     };
-    enum status status = gpu_status(rg_exec_submit_tied(s->exec, &frame, &ties));
+    enum status status = gpu_status(rg_exec_submit_synced(s->exec, &frame, &sync));
     const double start = clock_seconds();
     if (status == STATUS_OK)
         status = gpu_swapchain_present(s->gpu, &s->swapchain, s->index);

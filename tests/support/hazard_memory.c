@@ -26,8 +26,8 @@ static bool belongs_in_block(const struct hazard_resource *resource)
            (resource->image || resource->buffer->memory == RG_MEMORY_DEVICE);
 }
 
-static struct rg_memory_need image_need(const struct hazard *h,
-                                        const struct hazard_resource *resource)
+static struct rg_memory_requirements image_need(const struct hazard *h,
+                                                const struct hazard_resource *resource)
 {
     const struct rg_plan_image *planned = &h->plan->images[resource->plan];
     const struct rg_device *device = h->params->device;
@@ -45,7 +45,7 @@ static struct rg_memory_need image_need(const struct hazard *h,
     };
     if (device)
         return device->image_memory(device->user, &info);
-    struct rg_memory_need need = { .alignment = 256, .type_bits = 1 };
+    struct rg_memory_requirements need = { .alignment = 256, .type_bits = 1 };
     for (uint32_t mip = 0; mip < resource->mips; mip++) {
         VkDeviceSize width = resource->extent.width >> mip, height = resource->extent.height >> mip;
         need.size += (width ? width : 1) * (height ? height : 1) * resource->layers *
@@ -54,8 +54,8 @@ static struct rg_memory_need image_need(const struct hazard *h,
     return need;
 }
 
-static struct rg_memory_need buffer_need(const struct hazard *h,
-                                         const struct hazard_resource *resource)
+static struct rg_memory_requirements buffer_need(const struct hazard *h,
+                                                 const struct hazard_resource *resource)
 {
     const struct rg_plan_buffer *planned = &h->plan->buffers[resource->plan];
     const struct rg_device *device = h->params->device;
@@ -66,7 +66,8 @@ static struct rg_memory_need buffer_need(const struct hazard *h,
     };
     if (device)
         return device->buffer_memory(device->user, &info);
-    return (struct rg_memory_need){ .size = planned->size, .alignment = 256, .type_bits = 1 };
+    return (
+        struct rg_memory_requirements){ .size = planned->size, .alignment = 256, .type_bits = 1 };
 }
 
 static void check_place(struct hazard *h, const struct hazard_resource *resource)
@@ -75,7 +76,7 @@ static void check_place(struct hazard *h, const struct hazard_resource *resource
     const char *name = name_of(resource);
     if (place.persistent != resource->persistent)
         hazard_find(h, "'%s' keeps its content, or does not", name);
-    struct rg_memory_need need = { 0 };
+    struct rg_memory_requirements need = { 0 };
     if (!resource->import)
         need = resource->image ? image_need(h, resource) : buffer_need(h, resource);
     if (place.size < need.size && (resource->persistent || belongs_in_block(resource)))

@@ -271,7 +271,7 @@ static void draw_outputs(struct random_tables *t, struct rg_compile_params *para
     }
 }
 
-static struct rg_memory_need image_memory(const void *user, const VkImageCreateInfo *info)
+static struct rg_memory_requirements image_memory(const void *user, const VkImageCreateInfo *info)
 {
     (void)user;
     VkDeviceSize size = (VkDeviceSize)info->extent.width * info->extent.height * info->arrayLayers *
@@ -279,7 +279,7 @@ static struct rg_memory_need image_memory(const void *user, const VkImageCreateI
     bool attachment = info->usage & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                      VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
     VkDeviceSize alignment = info->extent.width > 40 ? 65536 : 1024;
-    return (struct rg_memory_need){
+    return (struct rg_memory_requirements){
         .size = (size + alignment - 1) / alignment * alignment,
         .alignment = alignment,
         .type_bits = attachment            ? 0x5
@@ -288,10 +288,10 @@ static struct rg_memory_need image_memory(const void *user, const VkImageCreateI
     };
 }
 
-static struct rg_memory_need buffer_memory(const void *user, const VkBufferCreateInfo *info)
+static struct rg_memory_requirements buffer_memory(const void *user, const VkBufferCreateInfo *info)
 {
     (void)user;
-    return (struct rg_memory_need){
+    return (struct rg_memory_requirements){
         .size = (info->size + 63) / 64 * 64,
         .alignment = info->usage & VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT ? 256 : 64,
         .type_bits = 0x3,

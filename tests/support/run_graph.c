@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "graph/rg_functions.h"
+#include "graph/exec/functions.h"
 #include "tests/support/check.h"
 
 static void log_line(void *user, const char *what, VkResult result)
@@ -49,7 +49,7 @@ void run_tables_init(struct run_tables *tables, const struct run_params *params,
         .techniques = &tables->technique,
         .technique_count = 1,
         .view = params->view.width ? params->view : (VkExtent2D){ 8, 8 },
-        .part = params->part,
+        .max_region = params->max_region,
         .outputs = tables->outputs,
         .output_count = output_count,
         .imports = params->imports,

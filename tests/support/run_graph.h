@@ -15,8 +15,8 @@ enum {
 
 struct run_params {
     struct rg_technique technique;
-    VkExtent2D view; /* texels; 0 means 8 x 8 */
-    VkExtent2D part; /* of rg_compile_params, as is */
+    VkExtent2D view;       /* texels; 0 means 8 x 8 */
+    VkExtent2D max_region; /* of rg_compile_params, as is */
     /* read back after the frame, in memory that the host reads; ends at NULL */
     const struct rg_buffer *outputs[RUN_OUTPUT_COUNT + 1];
     struct rg_output kept[RUN_KEPT_COUNT + 1]; /* more outputs; ends at {0} */

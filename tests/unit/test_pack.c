@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 #include <string.h>
-#include "graph/rg_internal.h"
+#include "graph/compile/compiler.h"
 
 enum {
     MOST = 600,

@@ -244,7 +244,7 @@ static void test_buffers_of_a_part(void **state)
         .techniques = &techniques,
         .technique_count = 1,
         .view = { 7, 5 },
-        .part = { 3, 2 },
+        .max_region = { 3, 2 },
         .outputs = &(struct rg_output){ .buffer = &down, .access = RG_HOST_READ },
         .output_count = 1,
         .imports = &(struct rg_import){ .image = &image, .access = RG_SAMPLED },
@@ -254,7 +254,7 @@ static void test_buffers_of_a_part(void **state)
     assert_int_equal(plan->fault_count, 0);
     assert_int_equal(buffer_of(plan, &down)->size, 3 + 4 * 6);
     assert_int_equal(plan->images[0].extent.width, 7);
-    assert_int_equal(plan->part.height, 2);
+    assert_int_equal(plan->max_region.height, 2);
     rg_plan_destroy(plan);
 }
 

@@ -1,0 +1,296 @@
+/*
+ * barriers.c: which barrier goes before which pass.
+ *
+ * A barrier may be anywhere between its release (the accesses it waits for have been recorded) and
+ * its deadline (the pass that waits for it). A batch is one vkCmdPipelineBarrier2 before a pass.
+ * Greedy interval stabbing: barriers come in the order of their deadlines; each joins the newest
+ * batch if that is not before its release, or else opens one at its deadline. No set of batches
+ * for the same order of passes is smaller, and none waits earlier than it has to.
+ *
+ * A barrier whose memory is taken over from a previous owner has no source stages until
+ * rg_wait_for_owners(); every other one has some.
+ */
+#include <assert.h>
+#include "graph/compile/compiler.h"
+
+/* Gives the newest batch to its pass, or to the end of the frame. */
+static void close_batch(struct barrier_list *list)
+{
+    struct rg_plan *plan = list->c->plan;
+    uint32_t count = list->count - list->batch_first;
+    if (!list->batch_end)
+        return;
+    uint32_t position = list->batch_end - 1;
+    plan->batch_count++;
+    if (position == plan->pass_count) {
+        plan->first_final_barrier = list->batch_first;
+        plan->final_barrier_count = count;
+    } else {
+        list->passes[position].first_barrier = list->batch_first;
+        list->passes[position].barrier_count = count;
+    }
+}
+
+/* ---- joining barriers that differ in their ranges alone ---- */
+
+static bool is_alike(const struct rg_barrier *a, const struct rg_barrier *b)
+{
+    return a->image == b->image && a->buffer == b->buffer && a->src_stages == b->src_stages &&
+           a->dst_stages == b->dst_stages && a->src_access == b->src_access &&
+           a->dst_access == b->dst_access && a->old_layout == b->old_layout &&
+           a->new_layout == b->new_layout;
+}
+
+/* Grows `a` by `b` if together they are one range of layers, mips or aspects. */
+static bool join_ranges(VkImageSubresourceRange *a, const VkImageSubresourceRange *b)
+{
+    bool aspects = a->aspectMask == b->aspectMask;
+    bool mips = a->baseMipLevel == b->baseMipLevel && a->levelCount == b->levelCount;
+    bool layers = a->baseArrayLayer == b->baseArrayLayer && a->layerCount == b->layerCount;
+    if (aspects && mips && a->baseArrayLayer + a->layerCount == b->baseArrayLayer)
+        a->layerCount += b->layerCount;
+    else if (aspects && layers && a->baseMipLevel + a->levelCount == b->baseMipLevel)
+        a->levelCount += b->levelCount;
+    else if (mips && layers)
+        a->aspectMask |= b->aspectMask;
+    else
+        return false;
+    return true;
+}
+
+/* Makes one of the newest barrier and barrier `before` of the same batch, if it can. */
+static bool join(struct barrier_list *list, uint32_t before)
+{
+    struct rg_barrier *a = &list->barriers[before];
+    const struct rg_barrier *b = &list->barriers[list->count - 1];
+    if (before < list->batch_first || a->image == RG_NONE || !is_alike(a, b) ||
+        !join_ranges(&a->range, &b->range))
+        return false;
+    list->count--;
+    return true;
+}
+
+/* Joins the newest barriers, all from `start` on and of one resource, while they make one. */
+static void join_rows(struct barrier_list *list, struct resource *r, uint32_t start)
+{
+    while (list->count >= start + 2 && join(list, list->count - 2))
+        r->last_barrier = list->count - 1;
+}
+
+/* ---- adding ---- */
+
+/*
+ * Another stage reads what an earlier barrier of this frame has made visible to some: that barrier
+ * makes it visible to this one too, instead of a barrier more. `next` is what would be added. False
+ * if there is no such barrier.
+ */
+static bool widen(struct barrier_list *list, const struct cell *s, const struct access *a,
+                  const struct rg_barrier *next)
+{
+    for (uint32_t i = s->first_barrier; i < s->barrier_end && i < list->count; i++) {
+        struct rg_barrier *b = &list->barriers[i];
+        const VkImageSubresourceRange *all = &b->range;
+        const VkImageSubresourceRange *one = &next->range;
+        if (b->image != next->image || b->buffer != next->buffer)
+            continue;
+        if (b->image != RG_NONE && (!(all->aspectMask & one->aspectMask) ||
+                                    one->baseMipLevel - all->baseMipLevel >= all->levelCount ||
+                                    one->baseArrayLayer - all->baseArrayLayer >= all->layerCount))
+            continue;
+        b->dst_stages |= a->stages;
+        b->dst_access |= a->mask;
+        return true;
+    }
+    return false;
+}
+
+/* Adds the barrier behind the last one, to the newest batch or to a new one before `deadline`. */
+static void put(struct barrier_list *list, const struct cell_walk *w, struct resource *r,
+                uint32_t release, uint32_t deadline)
+{
+    uint32_t before = r->last_barrier;
+    if (release >= list->batch_end) {
+        close_batch(list);
+        list->batch_first = list->count;
+        list->batch_end = deadline + 1;
+    }
+    if (w->cell->flags & CELL_FRESH && r->acquired_at >= list->batch_end)
+        r->acquired_at = list->batch_end - 1;
+    r->last_barrier = list->count++;
+    if (before != RG_NONE && join(list, before))
+        r->last_barrier = before;
+}
+
+/* Returns whether it has added a barrier. */
+static bool sync_cell(struct barrier_list *list, const struct cell_walk *w, const struct access *a,
+                      uint32_t pass)
+{
+    struct resource *r = a->resource;
+    struct rg_barrier *b = &list->barriers[list->count];
+    uint32_t release;
+    bool needed = rg_needs_barrier(w->cell, a, b, &release);
+    bool added = false;
+    if (needed) {
+        bool only_reads = !(a->flags & ACCESS_WRITES) && w->cell->layout == a->layout;
+        b->image = r->plan_image;
+        b->buffer = r->plan_buffer;
+        b->range = rg_cell_range(w);
+        added = !only_reads || !widen(list, w->cell, a, b);
+        if (added)
+            put(list, w, r, release, pass);
+    }
+    rg_apply_access(w->cell, a, pass, needed);
+    return added;
+}
+
+static bool has_room(struct barrier_list *list)
+{
+    return ARENA_ROOM(list->c->arena, list->barriers, list->count, list->room,
+                      list->c->row_count * 2);
+}
+
+/* Whether a frame has left a cell of an import in another state than it arrived in. */
+static bool has_to_go_back(const struct cell *s, const struct access *arrival)
+{
+    if (!(arrival->flags & ACCESS_WRITES))
+        return s->flags & CELL_CHANGED;
+    return s->layout != arrival->layout || s->write_stages != arrival->stages ||
+           s->write_access != rg_access_table[arrival->kind].writes || s->read_stages;
+}
+
+/* `hands_back`: only cells that are not as the import arrived. */
+static void sync_cells(struct barrier_list *list, const struct access *a, uint32_t pass,
+                       bool hands_back)
+{
+    struct resource *r = a->resource;
+    bool writes = a->flags & ACCESS_WRITES;
+    uint32_t start = list->count;
+    uint32_t mip = a->range.baseMipLevel;
+    for (struct cell_walk w = rg_cells(r, &a->range); w.cell && has_room(list); rg_next_cell(&w)) {
+        if (hands_back && !has_to_go_back(w.cell, a))
+            continue;
+        if (w.mip != mip)
+            join_rows(list, r, start); /* the mip before with those before it */
+        mip = w.mip;
+        if (sync_cell(list, &w, a, pass) && !writes && r->last_barrier < start) {
+            w.cell->first_barrier = r->last_barrier;
+            w.cell->barrier_end = r->last_barrier + 1;
+        }
+    }
+    join_rows(list, r, start);
+    if (writes || list->count == start)
+        return;
+    for (struct cell_walk w = rg_cells(r, &a->range); w.cell; rg_next_cell(&w)) {
+        if (w.cell->barrier_end)
+            continue;
+        w.cell->first_barrier = start;
+        w.cell->barrier_end = list->count;
+    }
+}
+
+void rg_add_barriers(struct barrier_list *list, const struct access *a, uint32_t pass)
+{
+    sync_cells(list, a, pass, false);
+}
+
+void rg_begin_barriers(struct barrier_list *list, struct compiler *c, struct rg_plan_pass *passes)
+{
+    *list = (struct barrier_list){ .c = c, .passes = passes };
+    rg_begin_cells(c);
+}
+
+/* ---- after the last pass, and before the first frame ---- */
+
+/* Outputs become ready for their access; other imports go back as they arrived. */
+static void end_resource(struct barrier_list *list, struct resource *r)
+{
+    const struct rg_compile_params *params = list->c->params;
+    bool hands_back = r->output == RG_NONE && r->import != RG_NONE;
+    enum rg_access access = RG_ACCESS_NONE;
+    if (hands_back)
+        access = params->imports[r->import].access;
+    else if (r->output != RG_NONE)
+        access = params->outputs[r->output].access;
+    if (access == RG_ACCESS_NONE)
+        return;
+    const struct access a = rg_boundary_access(r, access);
+    sync_cells(list, &a, list->c->plan->pass_count, hands_back);
+}
+
+/* From the zeros of the very first frame to what every frame finds, which is what it leaves. */
+static void begin_history(struct barrier_list *list, struct resource *r)
+{
+    uint32_t start = list->count;
+    uint32_t mip = 0;
+    for (struct cell_walk w = rg_cells(r, &r->all); w.cell && has_room(list); rg_next_cell(&w)) {
+        if (w.mip != mip)
+            join_rows(list, r, start);
+        mip = w.mip;
+        VkImageLayout found = w.cell->layout ? w.cell->layout : VK_IMAGE_LAYOUT_GENERAL;
+        list->barriers[list->count++] = (struct rg_barrier){
+            .image = r->plan_image,
+            .buffer = r->plan_buffer,
+            .src_stages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+            .src_access = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+            .dst_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+            .dst_access = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+            .old_layout = r->image ? VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL : 0,
+            .new_layout = r->image ? found : VK_IMAGE_LAYOUT_UNDEFINED,
+            .range = rg_cell_range(&w),
+        };
+        if (list->count >= start + 2)
+            join(list, list->count - 2);
+    }
+    join_rows(list, r, start);
+}
+
+/* The barrier by which this frame makes visible what it leaves makes it visible to a read of the
+ * next frame, too, as that frame expects (cell_state.c). */
+static void serve_history_read(void *user, const struct cell_walk *w, const struct access *a)
+{
+    const struct rg_barrier next = {
+        .image = a->resource->plan_image,
+        .buffer = a->resource->plan_buffer,
+        .range = rg_cell_range(w),
+    };
+    if (!(a->visibility & RG_VISIBLE_TO_ALL & ~w->cell->visible) || !w->cell->visible)
+        return;
+    bool served = widen(user, w->cell, a, &next);
+    assert(served);
+    (void)served;
+}
+
+void rg_end_barriers(struct barrier_list *list)
+{
+    struct compiler *c = list->c;
+    struct rg_plan *plan = c->plan;
+    for (uint32_t i = 0; i < c->boundary_count; i++) {
+        if (c->resources[i]->first != RG_NONE)
+            end_resource(list, c->resources[i]);
+    }
+    if (c->persistent_count && !c->arena->failed)
+        rg_each_history_read(c, serve_history_read, list);
+    close_batch(list);
+    plan->barrier_count = list->count;
+    plan->first_initial_barrier = list->batch_first = list->count;
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        if (c->resources[i]->first != RG_NONE && c->resources[i]->persistent)
+            begin_history(list, c->resources[i]);
+    }
+    plan->initial_barrier_count = list->count - plan->barrier_count;
+    plan->barriers = c->barriers = list->barriers;
+}
+
+void rg_wait_for_owners(struct compiler *c)
+{
+    for (uint32_t i = 0; i < c->plan->barrier_count; i++) {
+        struct rg_barrier *b = &c->barriers[i];
+        if (b->src_stages)
+            continue;
+        const struct resource *r = b->image != RG_NONE
+                                       ? rg_resource_of(c, c->images[b->image].image, NULL)
+                                       : rg_resource_of(c, NULL, c->buffers[b->buffer].buffer);
+        b->src_stages = c->owners[r->item].stages;
+        b->src_access = c->owners[r->item].writes;
+    }
+}

@@ -1,0 +1,175 @@
+/*
+ * cell_state.c: what a cell needs before an access, and what the access leaves.
+ *
+ * Every cell (compiler.h) has its layout, its last write, the stages that have read it since, and
+ * the stages and accesses that the write was made visible to. From these follow (Vulkan 1.3,
+ * chapter 7): a read needs a barrier unless it is covered by an earlier one; a write always needs
+ * one; a change of layout is a write between the barrier's two halves, and later barriers chain to
+ * the stages it was made visible to.
+ *
+ * A frame follows the frame before on one queue without a pause, so the first use of any memory
+ * waits for its last use in the frame before, and for the resources it is shared with.
+ */
+#include "graph/compile/compiler.h"
+
+bool rg_needs_barrier(const struct cell *s, const struct access *a, struct rg_barrier *b,
+                      uint32_t *release)
+{
+    bool moves = s->layout != a->layout;
+    bool writes = a->flags & ACCESS_WRITES;
+    if (!writes && !moves && !(a->visibility & ~s->visible))
+        return false;
+    VkPipelineStageFlags2 readers = writes || moves ? s->read_stages : VK_PIPELINE_STAGE_2_NONE;
+    /* the readers have waited for the write, and a barrier made the write available then */
+    bool awaited = readers && s->flags & CELL_AWAITED;
+    *b = (struct rg_barrier){
+        .src_stages = awaited ? readers : readers | s->write_stages,
+        .src_access = awaited ? VK_ACCESS_2_NONE : s->write_access,
+        .dst_stages = a->stages,
+        .dst_access = a->mask,
+        .old_layout = a->flags & ACCESS_OVERWRITES ? VK_IMAGE_LAYOUT_UNDEFINED : s->layout,
+        .new_layout = a->layout,
+    };
+    *release = writes || moves ? s->touched : s->written;
+    return moves || b->src_stages || s->flags & CELL_FRESH;
+}
+
+void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass, bool made_visible)
+{
+    bool writes = a->flags & ACCESS_WRITES;
+    if (writes || s->layout != a->layout) { /* a change of layout is a write */
+        s->write_stages = a->stages;
+        s->write_access = rg_access_table[a->kind].writes;
+        s->read_stages = VK_PIPELINE_STAGE_2_NONE;
+        s->visible = 0;
+        s->barrier_end = 0;
+        s->layout = a->layout;
+        s->flags = a->flags & ACCESS_CONDITIONAL ? CELL_CHANGED : CELL_CHANGED | CELL_CERTAIN;
+        s->written = s->touched = pass + 1;
+    }
+    if (writes)
+        return;
+    s->touched = pass + 1;
+    s->flags &= ~(uint32_t)CELL_FRESH;
+    s->read_stages |= a->stages;
+    /* the synchronization validation of some releases takes a read only for that in the frame of
+     * the write, and no barrier for one */
+    if (s->flags & CELL_CERTAIN && !(a->flags & ACCESS_CONDITIONAL))
+        s->flags |= CELL_AWAITED;
+    if (made_visible)
+        s->visible |= a->visibility & RG_VISIBLE_TO_ALL;
+}
+
+/* As struct rg_import says; other reads of it are not known, so a write waits for everything. */
+static struct cell import_state(const struct compiler *c, struct resource *r)
+{
+    enum rg_access access = c->params->imports[r->import].access;
+    const struct access arrival = rg_boundary_access(r, access);
+    struct cell s = {
+        .layout = arrival.layout,
+        .write_stages = arrival.stages ? arrival.stages : VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .write_access = rg_access_table[access].writes,
+    };
+    if (access == RG_ACCESS_NONE)
+        s.write_access = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    if (arrival.flags & ACCESS_WRITES || access == RG_ACCESS_NONE)
+        return s;
+    s.read_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    s.flags = CELL_AWAITED;
+    s.visible = arrival.visibility & RG_VISIBLE_TO_ALL;
+    return s;
+}
+
+/* ---- persistent resources: a frame finds what a frame leaves ---- */
+
+static void rehearse_access(const struct access *a)
+{
+    for (struct cell_walk w = rg_cells(a->resource, &a->range); w.cell; rg_next_cell(&w)) {
+        struct rg_barrier unused;
+        uint32_t release;
+        bool needed = rg_needs_barrier(w.cell, a, &unused, &release);
+        rg_apply_access(w.cell, a, 0, needed);
+    }
+}
+
+static void rehearse_frame(struct compiler *c)
+{
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        const struct access *a = &c->accesses[pass->first_access];
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
+            if (a[i].resource->persistent)
+                rehearse_access(&a[i]);
+        }
+    }
+    for (uint32_t i = 0; i < c->boundary_count; i++) {
+        struct resource *r = c->resources[i];
+        if (!r->persistent || r->output == RG_NONE)
+            continue;
+        const struct access a = rg_boundary_access(r, c->params->outputs[r->output].access);
+        rehearse_access(&a);
+    }
+}
+
+void rg_each_history_read(struct compiler *c, rg_history_read_fn *see, void *user)
+{
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        const struct resource *r = c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count && r->persistent; k++)
+            r->cells[k].changed = false;
+    }
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        const struct access *first = &c->accesses[pass->first_access];
+        const struct access *end = first + (pass->alive ? pass->access_count : 0);
+        for (const struct access *a = first; a < end; a++) {
+            if (!a->resource->persistent)
+                continue;
+            for (struct cell_walk w = rg_cells(a->resource, &a->range); w.cell; rg_next_cell(&w)) {
+                if (a->flags & ACCESS_WRITES || w.cell->layout != a->layout)
+                    w.cell->changed = true;
+                if (!w.cell->changed)
+                    see(user, &w, a);
+            }
+        }
+    }
+}
+
+/* A barrier of the frame before that makes the write visible to other reads will make it visible
+ * to this one, too (barriers.c). */
+static void expect_history_read(void *user, const struct cell_walk *w, const struct access *a)
+{
+    (void)user;
+    if (w->cell->visible)
+        w->cell->visible |= a->visibility & RG_VISIBLE_TO_ALL;
+}
+
+static void begin_history(struct compiler *c)
+{
+    rehearse_frame(c);
+    rg_each_history_read(c, expect_history_read, NULL);
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        const struct resource *r = c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {
+            struct cell *s = &r->cells[k];
+            s->written = s->touched = s->barrier_end = 0;
+            s->flags &= ~(uint32_t)(CELL_CHANGED | CELL_CERTAIN);
+        }
+    }
+}
+
+void rg_begin_cells(struct compiler *c)
+{
+    for (uint32_t i = 0; i < c->item_count && c->owners; i++) {
+        const struct resource *r = c->items[i].resource;
+        for (uint32_t k = 0; k < r->cell_count; k++)
+            r->cells[k].written = r->cells[k].touched = c->owners[i].end;
+    }
+    for (uint32_t i = 0; i < c->boundary_count; i++) {
+        struct resource *r = c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count && r->import != RG_NONE; k++)
+            r->cells[k] = import_state(c, r);
+    }
+    if (c->persistent_count)
+        begin_history(c);
+}

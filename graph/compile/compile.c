@@ -1,0 +1,99 @@
+/* compile.c: the steps of the compiler, in their order. */
+#include "graph/compile/compiler.h"
+
+/* The plan and what it lives in. */
+struct owned_plan {
+    struct rg_plan plan; /* first: what the caller sees */
+    struct arena arena;
+};
+
+/* Makes room for about as much as the tables hold, so that little is copied as it grows. */
+static void expect(struct compiler *c)
+{
+    size_t rows = 0;
+    for (size_t t = 0; t < c->params->technique_count; t++)
+        rows += c->params->techniques[t]->pass_count;
+    uint32_t count = rows < UINT32_MAX / 64 ? (uint32_t)rows : UINT32_MAX / 64;
+    c->row_count = count + 8; /* arrays are never empty */
+    c->resource_names.of_texts = c->pass_names.of_texts = true;
+    rg_map_expect(c->arena, &c->by_address, count * 2);
+    rg_map_expect(c->arena, &c->resource_names, count * 2);
+    rg_map_expect(c->arena, &c->pass_names, count);
+}
+
+static bool failed(const struct compiler *c)
+{
+    return c->arena->failed || c->fault_count;
+}
+
+/* Returns at the first step that finds a fault, or for which memory is short. */
+static void run(struct compiler *c)
+{
+    bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
+    expect(c);
+    if (c->arena->failed)
+        return;
+    rg_check_params(c);
+    rg_add_boundary(c);
+    rg_expand(c);
+    if (failed(c))
+        return;
+    rg_cull(c);
+    rg_find_lifetimes(c);
+    rg_check_formats(c);
+    rg_list_resources(c);
+    if (failed(c))
+        return;
+    if (place_first) { /* barriers wait for the previous owners of memory */
+        rg_place_items(c);
+        rg_find_owner_ends(c);
+    }
+    if (!failed(c))
+        rg_write_passes(c);
+    if (!failed(c) && !place_first) /* memory is shared where barriers permit it */
+        rg_place_items(c);
+    if (!failed(c))
+        rg_find_owners(c);
+    if (!failed(c))
+        rg_wait_for_owners(c);
+}
+
+struct rg_plan *rg_compile(const struct rg_compile_params *params)
+{
+    struct arena arena;
+    rg_arena_init(&arena, params->memory, params->memory_size);
+    struct owned_plan *owned = ARENA_ZEROED(&arena, struct owned_plan, 1);
+    if (!owned)
+        return NULL;
+    const struct rg_device *device = params->device;
+    struct compiler c = {
+        .params = params,
+        .plan = &owned->plan,
+        .arena = &arena,
+        .max_image_size = device && device->max_image_size ? device->max_image_size : 1u << 16,
+        .max_layers = device && device->max_layers ? device->max_layers : 1u << 11,
+    };
+    owned->plan.view = params->view;
+    owned->plan.max_region = params->max_region.width ? params->max_region : params->view;
+    run(&c);
+    owned->arena = arena;
+    if (arena.failed) {
+        rg_plan_destroy(&owned->plan);
+        return NULL;
+    }
+    if (c.fault_count) /* nothing half-made is to be seen */
+        owned->plan =
+            (struct rg_plan){ .view = params->view, .max_region = owned->plan.max_region };
+    owned->plan.faults = c.faults;
+    owned->plan.fault_count = c.fault_count;
+    owned->plan.arena_size = arena.used + _Alignof(max_align_t);
+    return &owned->plan;
+}
+
+void rg_plan_destroy(struct rg_plan *plan)
+{
+    if (!plan)
+        return;
+    struct arena arena = ((struct owned_plan *)plan)->arena;
+    rg_arena_finish(&arena); /* the plan lives in it */
+}

@@ -1,0 +1,416 @@
+/*
+ * compiler.h: data that the steps of the compiler share. Private to graph/compile/.
+ *
+ * Words: a *row* is a struct rg_pass of a table; a *pass* is one repetition of a row; an *access*
+ * is one use or target of a pass with its range resolved; a *cell* is one (aspect, mip, layer) of
+ * an image, or a whole buffer. State is tracked for each cell.
+ */
+#ifndef RG_COMPILE_COMPILER_H
+#define RG_COMPILE_COMPILER_H
+
+#include "graph/compile/arena.h"
+#include "graph/compile/map.h"
+#include "graph/rg.h"
+
+/* struct cell.filled: whether earlier passes have given the cell content. */
+enum {
+    CELL_EMPTY,
+    CELL_FILLED,
+    CELL_FILLED_BY, /* plus the index of a conditional pass: filled if its condition holds */
+};
+
+/* struct access.flags */
+enum {
+    ACCESS_READS = 1 << 0,       /* needs the content that earlier passes left */
+    ACCESS_WRITES = 1 << 1,      /* leaves content for later passes */
+    ACCESS_OVERWRITES = 1 << 2,  /* nothing of the earlier content of the range remains */
+    ACCESS_NEEDED = 1 << 3,      /* of a target: a later pass or an output needs what it writes */
+    ACCESS_CONDITIONAL = 1 << 4, /* does not happen in every frame */
+};
+
+/* struct cell.flags */
+enum {
+    CELL_CERTAIN = 1 << 0, /* the last write happens in every frame, and in this frame */
+    CELL_AWAITED = 1 << 1, /* a read that happens in every frame has waited for the last write */
+    CELL_FRESH = 1 << 2,   /* shared memory that this frame has not used yet */
+    CELL_CHANGED = 1 << 3, /* this frame has changed content or layout */
+};
+
+struct cell {
+    VkPipelineStageFlags2 write_stages; /* of the last write, or stages it was chained to */
+    VkAccessFlags2 write_access;        /* of the last write, while it is not yet available */
+    VkPipelineStageFlags2 read_stages;  /* that have read since the last write */
+    uint32_t visible;                   /* reads that see the write: bits of rg_visibility() */
+    uint32_t first_barrier;             /* barriers that made the write visible: from this one */
+    uint32_t barrier_end;               /* up to this one; 0: none */
+    VkImageLayout layout;
+    uint32_t flags;
+    uint32_t written;     /* the first pass after the last write */
+    uint32_t touched;     /* the first pass after the last access */
+    uint32_t last_access; /* while expanding: one more than the index of the latest access */
+    uint32_t filled;
+    bool wanted;      /* while culling: later passes or outputs need the content */
+    bool wanted_next; /* while culling: the next frame needs the content (persistent) */
+    bool changed;     /* scratch of rg_each_history_read(): passes so far have changed the cell */
+};
+
+#define RG_SIZE_OVERFLOW UINT64_MAX
+
+struct resource {
+    const char *name;             /* "?" if the table gives none */
+    const struct rg_image *image; /* this or: */
+    const struct rg_buffer *buffer;
+    struct cell *cells; /* by aspect, then mip, then layer */
+    uint32_t cell_count;
+    bool persistent;
+    bool shared;                         /* transient: its memory is part of a block */
+    VkImageSubresourceRange all;         /* of a buffer: one mip and layer of the colour aspect */
+    VkExtent2D extent;                   /* of an image */
+    const struct rg_format_info *format; /* NULL: unknown, or a buffer */
+    VkDeviceSize size;                   /* of a buffer, bytes; or RG_SIZE_OVERFLOW */
+    uint32_t import, output;             /* index into the params' imports, outputs; or RG_NONE */
+    uint32_t first, last;                /* plan passes that access it; first RG_NONE: unused */
+    VkFlags usage;                       /* VkImageUsageFlags or VkBufferUsageFlags */
+    uint32_t plan_image, plan_buffer;    /* index into the plan's images or buffers, or RG_NONE */
+    uint32_t item;                       /* index into compiler.items, or RG_NONE */
+    uint32_t acquired_at;                /* the pass before which it takes over its memory */
+    uint32_t last_barrier;               /* index of the newest barrier, or RG_NONE */
+};
+
+struct access {
+    struct resource *resource;
+    const void *declared; /* const struct rg_use or const struct rg_target */
+    VkImageSubresourceRange range;
+    enum rg_access kind;
+    uint32_t flags;
+    uint32_t visibility; /* of a read: the bits of rg_visibility() that it needs */
+    VkImageLayout layout;
+    VkPipelineStageFlags2 stages;
+    VkAccessFlags2 mask; /* everything that it does */
+};
+
+struct pass {
+    const struct rg_technique *technique;
+    const struct rg_pass *rg;
+    uint32_t row, repetition;
+    VkExtent2D extent; /* of the targets; the view's without targets */
+    uint32_t first_access, access_count;
+    uint32_t first_fallback, fallback_count;
+    bool alive; /* not culled */
+};
+
+/* A transient resource, or in tests a span of bytes, that pack.c gives a place in a block. */
+struct pack_item {
+    VkDeviceSize size, alignment; /* bytes; a power of two */
+    VkDeviceSize offset;          /* result: bytes from the start of the block */
+    uint32_t first, last;         /* passes during which no other item may have the bytes */
+    uint32_t first_use;           /* the first pass that accesses it; not before `first` */
+    uint32_t type_bits;           /* as of VkMemoryRequirements */
+    struct resource *resource;
+};
+
+/* How the accesses end that had the memory of an item before the item. */
+struct previous_owner {
+    VkPipelineStageFlags2 stages; /* that may still use the bytes */
+    VkAccessFlags2 writes;        /* that are not yet available */
+    uint32_t end;                 /* the first pass of this frame after them; 0: none before it */
+};
+
+struct compiler {
+    const struct rg_compile_params *params;
+    struct rg_plan *plan;
+    struct arena *arena;
+    uint32_t max_image_size, max_layers; /* the device's, or Vulkan's where it has no limit */
+    uint32_t row_count;          /* of all techniques, about: how large arrays are at first */
+    struct resource **resources; /* imports and outputs come first */
+    uint32_t resource_count, resource_room;
+    uint32_t boundary_count;   /* resources up to the last import or output */
+    uint32_t persistent_count; /* resources that are persistent */
+    struct map by_address;     /* of rg_image or rg_buffer: struct resource */
+    struct map resource_names, pass_names;
+    struct map
+        provided; /* images that rows write or imports provide; only if a use has a fallback */
+    struct pass *passes;
+    uint32_t pass_count, pass_room;
+    struct access *accesses;
+    uint32_t access_count, access_room;
+    const struct rg_use **fallbacks; /* uses that are bound to their fallback */
+    uint32_t fallback_count, fallback_room;
+    struct rg_plan_image *images;   /* of the plan, while it is written */
+    struct rg_plan_buffer *buffers; /* of the plan, while it is written */
+    struct pack_item *items;        /* in the order of first use; those of one block adjoin */
+    uint32_t item_count;
+    struct previous_owner *owners; /* of each item; NULL: not known yet */
+    struct rg_barrier *barriers;   /* of the plan, while they are written */
+    struct rg_fault *faults;
+    uint32_t fault_count, fault_room;
+    uint32_t row_first_fault; /* the first fault of the row at work */
+};
+
+/* ---- fault.c ---- */
+
+/* Where a fault is; fields that do not apply are NULL or RG_NONE. */
+struct fault_location {
+    const struct rg_technique *technique;
+    uint32_t row;
+    const char *resource;
+};
+
+#define RG_NOWHERE ((struct fault_location){ .row = RG_NONE })
+
+/* Adds a fault, unless the row at work has the same one already. */
+void rg_fault_add(struct compiler *c, enum rg_error error, struct fault_location location,
+                  const char *hint);
+
+/* Adds a fault of a resource that belongs to no row. */
+void rg_fault_of(struct compiler *c, enum rg_error error, const char *resource, const char *hint);
+
+/* ---- access.c ---- */
+
+extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
+
+/* All shader stages of the graph: those of imports and outputs that shaders read or write. */
+#define RG_ANY_SHADER \
+    (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
+     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
+
+#define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
+
+/* Returns the (stage, access) pairs of a read, one bit each. Bit 31 stands for all pairs that are
+ * not told apart; it is never set in cell.visible. */
+uint32_t rg_visibility(enum rg_access kind, VkPipelineStageFlags2 stages);
+
+/* Whether shaders do it, through a descriptor. */
+static inline bool rg_is_shader_access(enum rg_access kind)
+{
+    return kind >= RG_SAMPLED && kind <= RG_UNIFORM;
+}
+
+/* Makes an access to all of a resource. `reads` says whether `mask` has what it may read; the flags
+ * are those of its kind, without ACCESS_OVERWRITES. */
+static inline void rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
+                                  bool reads, VkPipelineStageFlags2 stages)
+{
+    const struct rg_access_info *info = &rg_access_table[kind];
+    a->resource = r;
+    a->declared = NULL;
+    a->range = r->all;
+    a->kind = kind;
+    a->flags =
+        (info->reads_content ? ACCESS_READS : 0u) | (info->writes_content ? ACCESS_WRITES : 0u);
+    a->visibility = info->writes_content ? 0 : rg_visibility(kind, stages);
+    a->layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED;
+    a->stages = stages;
+    a->mask = (reads ? info->reads : VK_ACCESS_2_NONE) | info->writes;
+}
+
+/* Returns the image or buffer usage flags that an access needs. */
+static inline VkFlags rg_usage(const struct resource *r, enum rg_access kind)
+{
+    const struct rg_access_info *info = &rg_access_table[kind];
+    return r->image ? info->image_usage : info->buffer_usage;
+}
+
+/* Returns what happens to an import before the frame, or to an output after it. */
+struct access rg_boundary_access(struct resource *r, enum rg_access kind);
+
+/* Returns the stages of a use: its own, or those that its kind of pass has by default. */
+VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use);
+
+/* Says what is wrong with a good use in a kind of pass; NULL: nothing. */
+const char *rg_use_trouble(const struct rg_pass *pass, const struct rg_use *use);
+
+/* ---- for (struct cell_walk w = rg_cells(r, &range); w.cell; rg_next_cell(&w)) ---- */
+
+struct cell_walk {
+    const struct resource *resource;
+    const VkImageSubresourceRange *range;
+    VkImageAspectFlags aspects; /* those left; the lowest bit is at work */
+    uint32_t mip, layer;
+    struct cell *cell; /* NULL: the range is at its end */
+};
+
+/* Of aspects, only depth and stencil come together. */
+static inline struct cell *rg_find_cell(const struct cell_walk *w)
+{
+    const VkImageSubresourceRange *all = &w->resource->all;
+    VkImageAspectFlags below = all->aspectMask & ((w->aspects & (~w->aspects + 1)) - 1);
+    uint32_t row = (below ? all->levelCount : 0) + w->mip;
+    return &w->resource->cells[row * all->layerCount + w->layer];
+}
+
+/* Begins at the first cell of a range that the resource has. */
+static inline struct cell_walk rg_cells(const struct resource *r,
+                                        const VkImageSubresourceRange *range)
+{
+    struct cell_walk w = {
+        r, range, range->aspectMask, range->baseMipLevel, range->baseArrayLayer, NULL
+    };
+    w.cell = rg_find_cell(&w);
+    return w;
+}
+
+/* Moves on by layers, then mips, then aspects. */
+static inline void rg_next_cell(struct cell_walk *w)
+{
+    w->cell++;
+    if (++w->layer < w->range->baseArrayLayer + w->range->layerCount)
+        return;
+    w->layer = w->range->baseArrayLayer;
+    if (++w->mip == w->range->baseMipLevel + w->range->levelCount) {
+        w->mip = w->range->baseMipLevel;
+        w->aspects &= w->aspects - 1;
+    }
+    w->cell = w->aspects ? rg_find_cell(w) : NULL;
+}
+
+/* Returns the range of the cell at work, as barriers have it: of a buffer all zero. */
+static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
+{
+    VkImageAspectFlags lowest = w->aspects & (~w->aspects + 1);
+    if (!w->resource->image)
+        return (VkImageSubresourceRange){ 0 };
+    return (VkImageSubresourceRange){ lowest, w->mip, 1, w->layer, 1 };
+}
+
+/* ---- check.c, check_row.c ---- */
+
+void rg_check_params(struct compiler *c);
+void rg_check_resource(struct compiler *c, struct resource *r);
+void rg_check_output_memory(struct compiler *c, const struct resource *r);
+
+/* Finds what is wrong with a row by itself, its name left out. */
+void rg_check_row(struct compiler *c, const struct rg_pass *pass, struct fault_location location);
+
+/* fallback.c: binds a use to its fallback, if it has one and nothing provides its image. Returns
+ * whether it does. */
+bool rg_use_fallback(struct compiler *c, const struct rg_use *use);
+
+/* Whether it is a use, or the end of a row's uses. */
+static inline bool rg_is_use(const struct rg_use *use)
+{
+    return use->image || use->buffer || use->access;
+}
+
+/* Whether it names one resource and an access. */
+static inline bool rg_is_good_use(const struct rg_use *use)
+{
+    return !use->image != !use->buffer && use->access > RG_ACCESS_NONE &&
+           use->access < RG_ACCESS_COUNT;
+}
+
+/* Returns how many entries of .color may be read, whatever the row says. */
+static inline uint32_t rg_color_room(const struct rg_pass *pass)
+{
+    if (!pass->color)
+        return 0;
+    return pass->color_count < RG_COLOR_COUNT ? pass->color_count : RG_COLOR_COUNT;
+}
+
+/* Returns the number of colour targets: they end at the first entry without an image. */
+static inline uint32_t rg_color_count(const struct rg_pass *pass)
+{
+    uint32_t room = rg_color_room(pass);
+    uint32_t count = 0;
+    while (count < room && pass->color[count].image)
+        count++;
+    return count;
+}
+
+/* ---- format.c ---- */
+
+enum {
+    RG_FORMAT_COUNT = VK_FORMAT_D32_SFLOAT_S8_UINT + 1, /* from 0 to the last one known */
+};
+
+/* ---- resource.c: the resources that tables name ---- */
+
+/* Adds imports and outputs, with their faults. */
+void rg_add_boundary(struct compiler *c);
+
+/* Returns the resource of an image or a buffer; a new one is sized and checked. NULL: memory is
+ * short. */
+struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
+                                const struct rg_buffer *buffer);
+
+/* ---- the steps, in their order; each needs those before it ---- */
+
+/* expand.c: rows become passes and accesses; finds the faults of rows. */
+void rg_expand(struct compiler *c);
+
+/* cull.c: decides which passes live. */
+void rg_cull(struct compiler *c);
+
+/* requirements.c: lifetimes of resources, the plan's images and buffers, their memory needs. */
+void rg_find_lifetimes(struct compiler *c);
+void rg_check_formats(struct compiler *c);
+void rg_list_resources(struct compiler *c);
+
+/* memory.c: the blocks of memory, and the place of each item in its block. */
+void rg_place_items(struct compiler *c);
+
+/* passes.c: the plan's passes, their targets and uses; barriers.c: the barriers between them. */
+void rg_write_passes(struct compiler *c);
+
+/* previous_owner.c: how the accesses end that had an item's memory before it. The first needs
+ * places, the second also the state that every cell is left in. */
+void rg_find_owner_ends(struct compiler *c);
+void rg_find_owners(struct compiler *c);
+
+/* barriers.c: completes the barriers that take over memory from previous owners. */
+void rg_wait_for_owners(struct compiler *c);
+
+/* ---- cell_state.c ---- */
+
+/* Puts every cell into the state in which a frame finds it. */
+void rg_begin_cells(struct compiler *c);
+
+/* Fills `b` but for resource and range, and *release: the first pass before which the barrier may
+ * be. Returns false if the access needs no barrier. */
+bool rg_needs_barrier(const struct cell *s, const struct access *a, struct rg_barrier *b,
+                      uint32_t *release);
+
+/* Changes the state by an access in a pass; `made_visible`: it has just been given a barrier. */
+void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass, bool made_visible);
+
+typedef void rg_history_read_fn(void *user, const struct cell_walk *w, const struct access *a);
+
+/* Calls `see` for each read of a persistent cell that finds what the frame before left there, in
+ * the layout that the cell has in between. */
+void rg_each_history_read(struct compiler *c, rg_history_read_fn *see, void *user);
+
+/* ---- barriers.c ---- */
+
+struct barrier_list {
+    struct compiler *c;
+    struct rg_plan_pass *passes; /* the plan's; those up to the pass at work are filled */
+    struct rg_barrier *barriers;
+    uint32_t count, room;
+    uint32_t batch_first; /* the first barrier of the newest batch */
+    uint32_t batch_end;   /* one more than the pass that the newest batch is before; 0: none yet */
+};
+
+void rg_begin_barriers(struct barrier_list *list, struct compiler *c, struct rg_plan_pass *passes);
+
+/* Adds what an access of a pass needs. */
+void rg_add_barriers(struct barrier_list *list, const struct access *a, uint32_t pass);
+
+/* Adds the barriers after the last pass, and those before the first frame. */
+void rg_end_barriers(struct barrier_list *list);
+
+/* ---- pack.c ---- */
+
+struct pack_result {
+    VkDeviceSize size;      /* bytes of the block */
+    VkDeviceSize apart;     /* bytes if nothing were shared */
+    VkDeviceSize bound;     /* no packing is smaller */
+    VkDeviceSize least;     /* the bound if items took their memory at the first use */
+    VkDeviceSize alignment; /* the largest of all items */
+};
+
+/* Fills the offsets of items, which are in the order of first use and end at pass `end` or before.
+ * `apart`: nothing is shared. */
+struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
+                           uint32_t end, bool apart);
+
+#endif

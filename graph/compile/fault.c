@@ -1,0 +1,89 @@
+/* fault.c: the list of faults, and a fault as one line of text. */
+#include <string.h>
+#include "graph/compile/compiler.h"
+
+static const char *const messages[RG_ERROR_COUNT] = {
+    [RG_ERROR_NONE] = "no fault",
+    [RG_ERROR_NO_OUTPUT] = "no output is asked for",
+    [RG_ERROR_NO_NAME] = "has no name",
+    [RG_ERROR_DUPLICATE_NAME] = "name is used twice",
+    [RG_ERROR_NO_SIZE] = "has no size",
+    [RG_ERROR_TOO_LARGE] = "is too large",
+    [RG_ERROR_FORMAT] = "format cannot be used so",
+    [RG_ERROR_CUBE] = "is no cube",
+    [RG_ERROR_RANGE] = "has no such mip, layer or aspect",
+    [RG_ERROR_NOT_ONE_RESOURCE] = "use without exactly one resource and an access",
+    [RG_ERROR_ACCESS] = "access does not fit",
+    [RG_ERROR_DUPLICATE_BINDING] = "binding is used twice",
+    [RG_ERROR_TARGET_SIZE] = "target differs in size",
+    [RG_ERROR_NO_TARGET] = "raster pass without a target",
+    [RG_ERROR_NO_SHADER] = "shader is missing",
+    [RG_ERROR_NO_RECORD] = "record function is missing",
+    [RG_ERROR_PUSH_SIZE] = "push constants have an impossible size",
+    [RG_ERROR_CONFLICT] = "is used in two ways by one pass",
+    [RG_ERROR_READ_BEFORE_WRITE] = "is read before anything writes it",
+    [RG_ERROR_OUTPUT_NOT_WRITTEN] = "is an output that nothing writes",
+    [RG_ERROR_WRITES_NOTHING] = "writes nothing",
+    [RG_ERROR_REPEAT] = "has nothing to be repeated for",
+    [RG_ERROR_LISTED_TWICE] = "is listed twice",
+    [RG_ERROR_SAMPLES] = "cannot have or resolve samples so",
+    [RG_ERROR_PERSISTENT] = "cannot be persistent",
+    [RG_ERROR_VALUE] = "has a value that does not exist",
+};
+
+static const char *or_else(const char *text, const char *instead)
+{
+    return text ? text : instead;
+}
+
+int rg_fault_text(const struct rg_fault *fault, char *text, size_t size)
+{
+    char row[24] = "";
+    bool in_row = fault->row != RG_NONE;
+    const char *end = fault->technique ? ": " : "";
+    if (in_row) {
+        snprintf(row, sizeof(row), " row %u (", fault->row);
+        end = "): ";
+    }
+    return snprintf(text, size, "%s%s%s%s%s%s%s; %s", or_else(fault->technique, in_row ? "?" : ""),
+                    row, in_row ? or_else(fault->pass, "?") : "", end, or_else(fault->resource, ""),
+                    fault->resource ? " " : "", messages[fault->error], fault->hint);
+}
+
+/* The repetitions of a row have the same faults: once is enough. */
+static bool is_known(const struct compiler *c, enum rg_error error, struct fault_location location,
+                     const char *hint)
+{
+    const char *technique = location.technique ? location.technique->name : NULL;
+    for (uint32_t i = c->row_first_fault; i < c->fault_count; i++) {
+        const struct rg_fault *f = &c->faults[i];
+        if (f->error == error && f->technique == technique && f->row == location.row &&
+            f->resource == location.resource && f->hint == hint)
+            return true;
+    }
+    return false;
+}
+
+void rg_fault_add(struct compiler *c, enum rg_error error, struct fault_location location,
+                  const char *hint)
+{
+    if (is_known(c, error, location, hint) ||
+        !ARENA_ROOM(c->arena, c->faults, c->fault_count, c->fault_room, 8))
+        return;
+    const struct rg_pass *pass = NULL;
+    if (location.technique && location.row != RG_NONE)
+        pass = &location.technique->passes[location.row];
+    c->faults[c->fault_count++] = (struct rg_fault){
+        .error = error,
+        .technique = location.technique ? location.technique->name : NULL,
+        .pass = pass ? pass->name : NULL,
+        .resource = location.resource,
+        .row = location.row,
+        .hint = hint,
+    };
+}
+
+void rg_fault_of(struct compiler *c, enum rg_error error, const char *resource, const char *hint)
+{
+    rg_fault_add(c, error, (struct fault_location){ .row = RG_NONE, .resource = resource }, hint);
+}

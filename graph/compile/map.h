@@ -1,0 +1,27 @@
+/* map.h: a hash map in an arena, from addresses or texts to pointers. Private to graph/compile/. */
+#ifndef RG_COMPILE_MAP_H
+#define RG_COMPILE_MAP_H
+
+#include "graph/compile/arena.h"
+
+struct map_slot {
+    const void *key; /* NULL: the slot is empty */
+    void *value;
+};
+
+/* Open addressing: the slots are a power of two, and at most half of them have a key. {0} is an
+ * empty map of addresses. */
+struct map {
+    struct map_slot *slots;
+    uint32_t mask; /* one less than the number of slots */
+    uint32_t count;
+    bool of_texts; /* keys are strings, compared by their characters; else addresses */
+};
+
+/* Makes room for `count` keys. */
+void rg_map_expect(struct arena *arena, struct map *map, uint32_t count);
+
+/* Returns where the value of a key is; a new key has the value NULL. NULL: memory is short. */
+void **rg_map_value(struct arena *arena, struct map *map, const void *key);
+
+#endif

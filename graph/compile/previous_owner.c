@@ -1,0 +1,172 @@
+/*
+ * previous_owner.c: how the accesses end that had an item's memory before it.
+ *
+ * In a frame, the items that had some of its bytes before it; over the end of a frame, all items
+ * that have some of its bytes, the item itself among them. That a barrier in between has waited for
+ * an owner does not count: a barrier is about the memory of its own resource.
+ */
+#include <string.h>
+#include "graph/compile/compiler.h"
+
+enum {
+    MAX_SEGMENTS = 256 /* beyond it items count as having whole segments, so that barriers wait for
+                          more than they must; the cost stays linear */
+};
+
+/* The bytes of a block from `begin` to the next segment, and how the accesses to them end. */
+struct segment {
+    VkDeviceSize begin;
+    struct previous_owner left;
+};
+
+struct segments {
+    struct segment items[MAX_SEGMENTS]; /* rising; the first begins at 0 */
+    uint32_t count;
+};
+
+static void split(struct segments *s, uint32_t i, VkDeviceSize offset)
+{
+    memmove(&s->items[i + 1], &s->items[i], (s->count++ - i) * sizeof(*s->items));
+    s->items[i + 1].begin = offset;
+}
+
+/* The last segment that begins at or before an offset. */
+static uint32_t find(const struct segments *s, VkDeviceSize offset)
+{
+    uint32_t first = 0;
+    for (uint32_t count = s->count; count > 1;) {
+        uint32_t half = count / 2;
+        first += s->items[first + half].begin <= offset ? half : 0;
+        count -= half;
+    }
+    return first;
+}
+
+static void add(struct previous_owner *to, const struct previous_owner *left)
+{
+    to->stages |= left->stages;
+    to->writes |= left->writes;
+    to->end = to->end < left->end ? left->end : to->end;
+}
+
+static bool has_all(const struct previous_owner *a, const struct previous_owner *b)
+{
+    return !(b->stages & ~a->stages) && !(b->writes & ~a->writes) && b->end <= a->end;
+}
+
+/* Adds how the accesses to an item end to its bytes. A segment is split where only a part of it is
+ * the item's, unless that changes nothing or there is no room. */
+static void leave(struct segments *s, const struct pack_item *item,
+                  const struct previous_owner *left)
+{
+    VkDeviceSize stop = item->offset + item->size;
+    uint32_t i = find(s, item->offset);
+    if (s->items[i].begin != item->offset && !has_all(&s->items[i].left, left) &&
+        s->count < MAX_SEGMENTS)
+        split(s, i++, item->offset);
+    for (; i < s->count && s->items[i].begin < stop; i++) {
+        if (has_all(&s->items[i].left, left))
+            continue;
+        if ((i + 1 == s->count || s->items[i + 1].begin > stop) && s->count < MAX_SEGMENTS)
+            split(s, i, stop);
+        add(&s->items[i].left, left);
+    }
+}
+
+/* Returns how all accesses to an item's bytes end. */
+static struct previous_owner look_up(const struct segments *s, const struct pack_item *item)
+{
+    struct previous_owner all = { 0 };
+    for (uint32_t i = find(s, item->offset);
+         i < s->count && s->items[i].begin < item->offset + item->size; i++)
+        add(&all, &s->items[i].left);
+    return all;
+}
+
+static void find_ends(struct segments *s, const struct pack_item *items,
+                      struct previous_owner *owners, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const struct previous_owner left = { .end = items[i].last + 1 };
+        uint32_t end = look_up(s, &items[i]).end;
+        owners[i].end = end < items[i].first ? end : items[i].first; /* a neighbour may live on */
+        leave(s, &items[i], &left);
+    }
+}
+
+/* What the last accesses to a resource do, and which writes are not available after the frame. */
+static struct previous_owner find_left(const struct resource *r)
+{
+    struct previous_owner left = { 0 };
+    for (uint32_t k = 0; k < r->cell_count; k++) {
+        const struct cell *cell = &r->cells[k];
+        bool awaited = cell->flags & CELL_AWAITED;
+        left.stages |= cell->read_stages | (awaited ? 0 : cell->write_stages);
+        left.writes |= awaited ? 0 : cell->write_access;
+    }
+    return left;
+}
+
+/* What is left of all items is left of all bytes, so that only what is more splits segments. */
+static void find_owners(struct segments *s, const struct pack_item *items,
+                        struct previous_owner *owners, uint32_t count)
+{
+    struct previous_owner common = { UINT64_MAX, UINT64_MAX, 0 };
+    for (uint32_t i = 0; i < count; i++) {
+        owners[i] = find_left(items[i].resource);
+        common.stages &= owners[i].stages;
+        common.writes &= owners[i].writes;
+    }
+    s->items[0].left = common;
+    for (uint32_t i = 0; i < count; i++) {
+        if (!has_all(&common, &owners[i]))
+            leave(s, &items[i], &owners[i]);
+    }
+    for (uint32_t i = 0; i < count; i++)
+        owners[i] = look_up(s, &items[i]);
+}
+
+typedef void find_fn(struct segments *s, const struct pack_item *items,
+                     struct previous_owner *owners, uint32_t count);
+
+static uint32_t block_of(const struct compiler *c, const struct pack_item *item)
+{
+    const struct resource *r = item->resource;
+    return r->image ? c->images[r->plan_image].block : c->buffers[r->plan_buffer].block;
+}
+
+/* Calls a function for the items of each block. */
+static void each_block(struct compiler *c, find_fn *find_in_block)
+{
+    struct segments *segments = ARENA_ARRAY(c->arena, struct segments, 1);
+    if (!c->owners)
+        c->owners = ARENA_ZEROED(c->arena, struct previous_owner, c->item_count);
+    for (uint32_t done = 0, count; done < c->item_count && !c->arena->failed; done += count) {
+        const struct pack_item *items = &c->items[done];
+        count = 1;
+        while (done + count < c->item_count && block_of(c, &items[count]) == block_of(c, items))
+            count++;
+        segments->items[0] = (struct segment){ 0 };
+        segments->count = 1;
+        find_in_block(segments, items, &c->owners[done], count);
+    }
+}
+
+void rg_find_owner_ends(struct compiler *c)
+{
+    each_block(c, find_ends);
+}
+
+static void find_themselves(struct segments *s, const struct pack_item *items,
+                            struct previous_owner *owners, uint32_t count)
+{
+    (void)s;
+    for (uint32_t i = 0; i < count; i++)
+        owners[i] = find_left(items[i].resource);
+}
+
+void rg_find_owners(struct compiler *c)
+{
+    bool apart = c->params->sharing == RG_SHARE_NOTHING;
+    each_block(c, apart ? find_themselves : find_owners);
+}

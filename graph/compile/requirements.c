@@ -1,0 +1,225 @@
+/* requirements.c: lifetimes of resources, the plan's images and buffers, the memory they need. */
+#include "graph/compile/compiler.h"
+
+VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
+{
+    return (VkImageCreateInfo){
+        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+        .flags = image->flags,
+        .imageType = VK_IMAGE_TYPE_2D,
+        .format = image->image->format,
+        .extent = { image->extent.width, image->extent.height, 1 },
+        .mipLevels = image->mips,
+        .arrayLayers = image->layers,
+        .samples = (VkSampleCountFlagBits)image->samples,
+        .tiling = VK_IMAGE_TILING_OPTIMAL,
+        .usage = image->usage,
+        .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
+        .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+    };
+}
+
+/* ---- lifetimes ---- */
+
+/* A resource that a living pass is the first to access. */
+static void number(struct compiler *c, struct resource *r, uint32_t pass)
+{
+    if (r->image)
+        r->plan_image = c->plan->image_count++;
+    else
+        r->plan_buffer = c->plan->buffer_count++;
+    if (r->persistent)
+        r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    if (r->shared)
+        r->item = c->item_count++;
+    r->first = r->acquired_at = pass;
+}
+
+static void live(struct compiler *c, struct resource *r, VkFlags usage, uint32_t pass)
+{
+    if (r->first == RG_NONE)
+        number(c, r, pass);
+    r->last = pass;
+    r->usage |= usage;
+}
+
+void rg_find_lifetimes(struct compiler *c)
+{
+    uint32_t index = 0;
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        const struct access *a = &c->accesses[pass->first_access];
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++)
+            live(c, a[i].resource, rg_usage(a[i].resource, a[i].kind), index);
+        index += pass->alive;
+    }
+    for (size_t i = 0; i < c->params->output_count; i++) {
+        const struct rg_output *output = &c->params->outputs[i];
+        struct resource *r = rg_resource_of(c, output->image, output->buffer);
+        live(c, r, rg_usage(r, output->access), index);
+    }
+}
+
+/* ---- what the device cannot do ---- */
+
+static void check_format(struct compiler *c, const struct pass *pass, const struct access *a)
+{
+    const struct rg_device *device = c->params->device;
+    const struct rg_sampler *sampler =
+        a->kind == RG_SAMPLED ? ((const struct rg_use *)a->declared)->sampler : NULL;
+    VkFormatFeatureFlags needed = rg_access_table[a->kind].format_features;
+    if (sampler && sampler->linear)
+        needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    if (a->kind == RG_COLOR && ((const struct rg_target *)a->declared)->blend)
+        needed |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
+    if (needed & ~device->format_features(device->user, a->resource->image->format))
+        rg_fault_add(c, RG_ERROR_FORMAT,
+                     (struct fault_location){ pass->technique, pass->row, a->resource->name },
+                     "this device cannot use the format so; choose another format or device");
+}
+
+void rg_check_formats(struct compiler *c)
+{
+    const struct rg_device *device = c->params->device;
+    for (uint32_t p = 0; p < c->pass_count && device && device->format_features; p++) {
+        const struct pass *pass = &c->passes[p];
+        const struct access *a = &c->accesses[pass->first_access];
+        if (pass->alive && !pass->repetition)
+            c->row_first_fault = c->fault_count;
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
+            if (a[i].resource->image)
+                check_format(c, pass, &a[i]);
+        }
+    }
+}
+
+static void check_samples(struct compiler *c, const struct rg_plan_image *image)
+{
+    const struct rg_device *device = c->params->device;
+    if (image->samples == 1 || !device || !device->sample_counts)
+        return;
+    VkImageCreateInfo info = rg_image_create_info(image);
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    if (!(device->sample_counts(device->user, &info) & image->samples))
+        rg_fault_of(c, RG_ERROR_SAMPLES, image->image->name,
+                    "this device has no such images of so many samples; ask for fewer");
+}
+
+/* ---- the plan's lists ---- */
+
+/* Without a device: tight sizes, so that plans are the same everywhere. */
+static VkDeviceSize estimate_image(const struct rg_plan_image *image)
+{
+    VkDeviceSize texels = 0;
+    for (uint32_t mip = 0; mip < image->mips; mip++) {
+        VkDeviceSize width = image->extent.width >> mip;
+        VkDeviceSize height = image->extent.height >> mip;
+        texels += (width ? width : 1) * (height ? height : 1);
+    }
+    return texels * image->layers * image->samples * rg_format_info(image->image->format)->size;
+}
+
+static struct rg_memory_requirements image_memory(const struct compiler *c,
+                                                  const struct rg_plan_image *image)
+{
+    const struct rg_device *device = c->params->device;
+    if (!device || !device->image_memory)
+        return (struct rg_memory_requirements){ estimate_image(image), 256, 1 };
+    const VkImageCreateInfo info = rg_image_create_info(image);
+    return device->image_memory(device->user, &info);
+}
+
+static struct rg_memory_requirements buffer_memory(const struct compiler *c,
+                                                   const struct rg_plan_buffer *buffer)
+{
+    const struct rg_device *device = c->params->device;
+    const VkBufferCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+        .size = buffer->size,
+        .usage = buffer->usage,
+    };
+    if (!device || !device->buffer_memory)
+        return (struct rg_memory_requirements){ buffer->size, 256, 1 };
+    return device->buffer_memory(device->user, &info);
+}
+
+/* Of an item, or of a resource that shares its memory with nothing. Returns the size. */
+static VkDeviceSize need_memory(struct compiler *c, struct resource *r,
+                                const struct rg_memory_requirements *needs)
+{
+    if (r->item == RG_NONE)
+        c->plan->memory_persistent += needs->size;
+    else
+        c->items[r->item] = (struct pack_item){
+            .size = needs->size,
+            .alignment = needs->alignment ? needs->alignment : 1,
+            .last = r->last,
+            .first_use = r->first,
+            .type_bits = needs->type_bits,
+            .resource = r,
+        };
+    return needs->size;
+}
+
+static void list_image(struct compiler *c, struct resource *r)
+{
+    struct rg_plan_image *image = &c->images[r->plan_image];
+    *image = (struct rg_plan_image){
+        .image = r->image,
+        .extent = r->extent,
+        .layers = r->all.layerCount,
+        .mips = r->all.levelCount,
+        .aspects = r->all.aspectMask,
+        .usage = r->usage,
+        .flags = r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
+        .samples = r->image->samples ? r->image->samples : 1,
+        .imported = r->import != RG_NONE,
+        .persistent = r->persistent,
+        .import = r->import,
+        .first = r->first,
+        .last = r->last,
+        .block = RG_NONE,
+    };
+    if (image->imported)
+        return;
+    check_samples(c, image);
+    const struct rg_memory_requirements needs = image_memory(c, image);
+    image->size = need_memory(c, r, &needs);
+}
+
+static void list_buffer(struct compiler *c, struct resource *r)
+{
+    struct rg_plan_buffer *buffer = &c->buffers[r->plan_buffer];
+    *buffer = (struct rg_plan_buffer){
+        .buffer = r->buffer,
+        .size = r->size,
+        .usage = r->usage,
+        .imported = r->import != RG_NONE,
+        .persistent = r->persistent,
+        .import = r->import,
+        .first = r->first,
+        .last = r->last,
+        .block = RG_NONE,
+    };
+    if (buffer->imported || r->buffer->memory != RG_MEMORY_DEVICE)
+        return;
+    const struct rg_memory_requirements needs = buffer_memory(c, buffer);
+    buffer->memory_size = need_memory(c, r, &needs);
+}
+
+void rg_list_resources(struct compiler *c)
+{
+    struct rg_plan *plan = c->plan;
+    plan->images = c->images = ARENA_ARRAY(c->arena, struct rg_plan_image, plan->image_count);
+    plan->buffers = c->buffers = ARENA_ARRAY(c->arena, struct rg_plan_buffer, plan->buffer_count);
+    c->items = ARENA_ARRAY(c->arena, struct pack_item, c->item_count);
+    for (uint32_t i = 0; i < c->resource_count && !c->arena->failed; i++) {
+        struct resource *r = c->resources[i];
+        if (r->first == RG_NONE)
+            continue;
+        if (r->image)
+            list_image(c, r);
+        else
+            list_buffer(c, r);
+    }
+}

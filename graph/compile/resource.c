@@ -1,0 +1,184 @@
+/* resource.c: the images and buffers that tables name: sized, checked and given cells. */
+#include <math.h>
+#include "graph/compile/compiler.h"
+
+/* ---- sizes ---- */
+
+static uint32_t scaled(uint32_t view, float scale)
+{
+    if (scale == 0.0f || scale == 1.0f)
+        return view;
+    double texels = ceil((double)view * (double)scale);
+    return !(texels >= 1.0) ? 1 : texels > (double)UINT32_MAX ? UINT32_MAX : (uint32_t)texels;
+}
+
+static uint32_t full_chain(VkExtent2D extent)
+{
+    uint32_t side = extent.width > extent.height ? extent.width : extent.height;
+    uint32_t mips = 1;
+    while (side >>= 1)
+        mips++;
+    return mips;
+}
+
+static void size_image(struct resource *r, const struct rg_image *image, VkExtent2D view)
+{
+    r->format = rg_format_info(image->format);
+    r->extent.width = image->width ? image->width : scaled(view.width, image->scale);
+    r->extent.height = image->height ? image->height : scaled(view.height, image->scale);
+    r->all.aspectMask = r->format ? r->format->aspects : VK_IMAGE_ASPECT_COLOR_BIT;
+    r->all.layerCount = image->layers ? image->layers : image->cube ? 6 : 1;
+    r->all.levelCount = image->mips == RG_ALL_MIPS ? full_chain(r->extent)
+                        : image->mips              ? image->mips
+                                                   : 1;
+    r->persistent = image->persistent;
+}
+
+static void size_buffer(struct resource *r, const struct rg_buffer *buffer, VkExtent2D region)
+{
+    uint64_t texels = (uint64_t)region.width * region.height;
+    if (__builtin_mul_overflow(texels, buffer->size_per_texel, &r->size) ||
+        __builtin_add_overflow(r->size, buffer->size, &r->size) || r->size > UINT64_MAX >> 16)
+        r->size = RG_SIZE_OVERFLOW;
+    r->persistent = buffer->persistent;
+}
+
+/* An imported resource may differ from its declaration. */
+static void size_import(struct resource *r, const struct rg_import *import)
+{
+    r->persistent = false;
+    if (import->size)
+        r->size = import->size;
+    if (import->extent.width && import->extent.height) {
+        r->extent = import->extent;
+        if (r->image && r->image->mips == RG_ALL_MIPS)
+            r->all.levelCount = full_chain(r->extent);
+    }
+    if (r->image && import->layers)
+        r->all.layerCount = import->layers;
+    if (r->image && import->mips)
+        r->all.levelCount = import->mips;
+}
+
+/* ---- adding ---- */
+
+/* Gives it cells in the state in which a frame finds them, unless it is imported, persistent or
+ * takes over memory (cell_state.c). */
+static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
+{
+    struct cell cell = { .flags = r->shared ? CELL_FRESH : 0 };
+    uint64_t aspects = r->all.aspectMask & (r->all.aspectMask - 1) ? 2 : 1;
+    uint64_t count = aspects * r->all.levelCount * r->all.layerCount;
+    bool upload = r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD;
+    if (upload || r->persistent || (import && import->access != RG_ACCESS_NONE))
+        cell.filled = CELL_FILLED;
+    if (upload)
+        cell.visible = RG_VISIBLE_TO_ALL; /* a submit shows all of it to all */
+    r->cell_count = (uint32_t)count;
+    r->cells = ARENA_ARRAY(c->arena, struct cell, count);
+    for (uint32_t i = 0; r->cells && i < count; i++)
+        r->cells[i] = cell;
+}
+
+static void check_name(struct compiler *c, struct resource *r)
+{
+    const char *name = r->image ? r->image->name : r->buffer->name;
+    r->name = name ? name : "?";
+    if (!name) {
+        rg_fault_of(c, RG_ERROR_NO_NAME, r->name, "give the resource a name");
+        return;
+    }
+    void **known = rg_map_value(c->arena, &c->resource_names, name);
+    if (known && *known)
+        rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each a name of its own");
+    if (known)
+        *known = r;
+}
+
+/* NULL: memory is short. */
+static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
+                                     const struct rg_buffer *buffer, const struct rg_import *import)
+{
+    struct resource *r = ARENA_ARRAY(c->arena, struct resource, 1);
+    if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room,
+                    c->row_count * 2) ||
+        !r)
+        return NULL;
+    *r = (struct resource){
+        .image = image,
+        .buffer = image ? NULL : buffer,
+        .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
+        .import = import ? (uint32_t)(import - c->params->imports) : RG_NONE,
+        .output = RG_NONE,
+        .first = RG_NONE,
+        .last = RG_NONE,
+        .plan_image = RG_NONE,
+        .plan_buffer = RG_NONE,
+        .item = RG_NONE,
+        .last_barrier = RG_NONE,
+    };
+    if (image)
+        size_image(r, image, c->params->view);
+    else
+        size_buffer(r, buffer, c->plan->max_region);
+    if (import)
+        size_import(r, import);
+    r->shared = !import && !r->persistent && (image || buffer->memory == RG_MEMORY_DEVICE);
+    check_name(c, r);
+    rg_check_resource(c, r);
+    add_cells(c, r, import);
+    c->persistent_count += r->persistent;
+    c->resources[c->resource_count++] = r;
+    return c->arena->failed ? NULL : r;
+}
+
+struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
+                                const struct rg_buffer *buffer)
+{
+    const void *address = image ? (const void *)image : (const void *)buffer;
+    void **value = rg_map_value(c->arena, &c->by_address, address);
+    if (value && !*value)
+        *value = add_resource(c, image, buffer, NULL);
+    return value ? *value : NULL;
+}
+
+/* ---- imports and outputs ---- */
+
+static void add_import(struct compiler *c, const struct rg_import *import)
+{
+    const void *address =
+        import->image ? (const void *)import->image : (const void *)import->buffer;
+    void **value = rg_map_value(c->arena, &c->by_address, address);
+    if (value && *value)
+        rg_fault_of(c, RG_ERROR_LISTED_TWICE, ((struct resource *)*value)->name,
+                    "list an import once");
+    else if (value)
+        *value = add_resource(c, import->image, import->buffer, import);
+}
+
+static void add_output(struct compiler *c, uint32_t index)
+{
+    const struct rg_output *output = &c->params->outputs[index];
+    struct resource *r = rg_resource_of(c, output->image, output->buffer);
+    if (!r)
+        return;
+    if (r->output != RG_NONE)
+        rg_fault_of(c, RG_ERROR_LISTED_TWICE, r->name, "list an output once");
+    else
+        r->output = index;
+    rg_check_output_memory(c, r);
+}
+
+void rg_add_boundary(struct compiler *c)
+{
+    const struct rg_compile_params *params = c->params;
+    for (size_t i = 0; i < params->import_count; i++) {
+        if (!params->imports[i].image != !params->imports[i].buffer)
+            add_import(c, &params->imports[i]);
+    }
+    for (size_t i = 0; i < params->output_count && !c->arena->failed; i++) {
+        if (!params->outputs[i].image != !params->outputs[i].buffer)
+            add_output(c, (uint32_t)i);
+    }
+    c->boundary_count = c->resource_count;
+}

@@ -1,0 +1,431 @@
+/*
+ * chart.c: the drawing of an HTML page. Rows of one width: x is a pass, and a last column
+ * stands for what comes after the frame; the marks of batches lie between the columns.
+ */
+#include <inttypes.h>
+#include "graph/dump/dump.h"
+
+enum {
+    AXIS_WIDTH = 190, /* pixels, as all that follows */
+    LEFT = 36,        /* before the first column: the barriers before the first frame */
+    MIN_COLUMN = 24,
+    MAX_COLUMN = 96,
+    CHART_WIDTH = 1200, /* of few passes */
+    BAR_HEIGHT = 20,
+    MIN_BLOCK_HEIGHT = 96,
+    MAX_BLOCK_HEIGHT = 480,
+    MAX_NAME_HEIGHT = 240,
+    LABEL_DISTANCE = 900, /* between the labels of something long */
+    TICK_COUNT = 4,
+};
+
+struct chart {
+    struct rg_dump d;
+    uint32_t column, columns; /* width of one, and how many */
+};
+
+enum group {
+    TRANSIENT,
+    PERSISTENT,
+    IMPORTED,
+    HOST,
+};
+
+/* An image or a buffer. */
+struct item {
+    const char *name, *style;
+    uint32_t index;
+    bool is_buffer;
+    enum group group;
+    uint32_t first, last, block;
+    VkDeviceSize offset, size;
+};
+
+static const char *style_of(const struct rg_plan_image *image)
+{
+    return image->usage & VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT ? "depth"
+           : image->usage & VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT       ? "color"
+           : image->usage & VK_IMAGE_USAGE_STORAGE_BIT                ? "storage"
+                                                                      : "copy";
+}
+
+static enum group group_of(bool imported, bool persistent, uint32_t block)
+{
+    return imported ? IMPORTED : persistent ? PERSISTENT : block != RG_NONE ? TRANSIENT : HOST;
+}
+
+static uint32_t item_count(const struct rg_plan *plan)
+{
+    return plan->image_count + plan->buffer_count;
+}
+
+/* Images first. */
+static struct item item_at(const struct rg_plan *plan, uint32_t index)
+{
+    if (index < plan->image_count) {
+        const struct rg_plan_image *i = &plan->images[index];
+        return (struct item){
+            .name = i->image->name,
+            .style = style_of(i),
+            .index = index,
+            .group = group_of(i->imported, i->persistent, i->block),
+            .first = i->first,
+            .last = i->last,
+            .block = i->block,
+            .offset = i->offset,
+            .size = i->size,
+        };
+    }
+    const struct rg_plan_buffer *b = &plan->buffers[index - plan->image_count];
+    return (struct item){
+        .name = b->buffer->name,
+        .style = "data",
+        .index = index - plan->image_count,
+        .is_buffer = true,
+        .group = group_of(b->imported, b->persistent, b->block),
+        .first = b->first,
+        .last = b->last,
+        .block = b->block,
+        .offset = b->offset,
+        .size = b->memory_size,
+    };
+}
+
+/* ---- pieces ---- */
+
+static void open_row(const struct chart *c, const char *style)
+{
+    fprintf(c->d.out, "<div class=\"row %s\">\n", style);
+}
+
+static void close_row(const struct chart *c)
+{
+    fputs("</svg>\n</div>\n", c->d.out);
+}
+
+static void open_axis(const struct chart *c, uint32_t height)
+{
+    fprintf(c->d.out, "<svg class=\"axis\" width=\"%d\" height=\"%u\">\n", AXIS_WIDTH, height);
+}
+
+/* What follows is in columns: x 0 is where the first begins. */
+static void open_plot(const struct chart *c, uint32_t height, const char *attributes)
+{
+    uint32_t width = LEFT + c->columns * c->column;
+    fprintf(c->d.out,
+            "</svg>\n<svg class=\"plot\" width=\"%u\" height=\"%u\" viewBox=\"-%d 0 %u %u\"%s>\n",
+            width, height, LEFT, width, height, attributes);
+}
+
+static void print_axis_text(const struct chart *c, uint32_t y, const char *text)
+{
+    fprintf(c->d.out, "<text x=\"6\" y=\"%u\">", y);
+    c->d.name(c->d.out, text);
+    fputs("</text>\n", c->d.out);
+}
+
+/* A line wherever barriers are recorded. */
+static void print_batch_lines(const struct chart *c, uint32_t height)
+{
+    const struct rg_plan *plan = c->d.plan;
+    fprintf(c->d.out, "<rect class=\"grid\" width=\"%u\" height=\"%u\"/>\n<path class=\"batches\" ",
+            c->columns * c->column, height);
+    fputs("d=\"M0 0", c->d.out);
+    for (uint32_t p = 0; p < plan->pass_count; p++) {
+        if (plan->passes[p].barrier_count)
+            fprintf(c->d.out, "M%u 0v%u", p * c->column, height);
+    }
+    if (plan->final_barrier_count)
+        fprintf(c->d.out, "M%u 0v%u", plan->pass_count * c->column, height);
+    fputs("\"/>\n", c->d.out);
+}
+
+/* A name in a box, cut off where the box ends, and said again where the box is long. */
+static void print_label(const struct chart *c, uint32_t x, uint32_t width, uint64_t y,
+                        const char *name)
+{
+    fprintf(c->d.out, "<svg x=\"%u\" y=\"%" PRIu64 "\" width=\"%u\" height=\"16\">", x, y,
+            width - 2);
+    for (uint32_t at = 0; at == 0 || at + LABEL_DISTANCE / 2 < width; at += LABEL_DISTANCE) {
+        fprintf(c->d.out, "<text x=\"%u\" y=\"12\">", at + 4);
+        c->d.name(c->d.out, name);
+        fputs("</text>", c->d.out);
+    }
+    fputs("</svg>", c->d.out);
+}
+
+/* Where pixels have thousandths. */
+static void print_pixels(FILE *out, const char *name, uint64_t thousandths)
+{
+    fprintf(out, " %s=\"%" PRIu64 ".%03u\"", name, thousandths / 1000,
+            (unsigned)(thousandths % 1000));
+}
+
+/* ---- passes and barriers ---- */
+
+/* What stands in the column: a pass, or what comes after the last one. */
+static void print_column_name(const struct chart *c, uint32_t column)
+{
+    const struct rg_plan *plan = c->d.plan;
+    if (column < plan->pass_count)
+        rg_dump_pass_name(&c->d, plan->passes[column].pass, plan->passes[column].repetition);
+    else
+        fputs("the frame's end", c->d.out);
+}
+
+static void print_techniques(const struct chart *c)
+{
+    const struct rg_plan *plan = c->d.plan;
+    open_row(c, "techniques");
+    open_axis(c, BAR_HEIGHT);
+    print_axis_text(c, 14, "technique");
+    open_plot(c, BAR_HEIGHT, "");
+    for (uint32_t first = 0, end; first < plan->pass_count; first = end) {
+        const struct rg_technique *technique = plan->passes[first].technique;
+        for (end = first; end < plan->pass_count && plan->passes[end].technique == technique;)
+            end++;
+        uint32_t x = first * c->column, width = (end - first) * c->column;
+        fputs("<g class=\"technique\"><title>", c->d.out);
+        c->d.name(c->d.out, technique->name);
+        fprintf(c->d.out, "</title><rect x=\"%u\" y=\"0\" width=\"%u\" height=\"%d\"/>", x, width,
+                BAR_HEIGHT);
+        print_label(c, x, width, 2, technique->name);
+        fputs("</g>\n", c->d.out);
+    }
+    close_row(c);
+}
+
+/* Pixels for the longest name of a pass, written upwards. */
+static uint32_t name_height(const struct rg_plan *plan)
+{
+    uint32_t longest = 16; /* of the last column */
+    for (uint32_t p = 0; p < plan->pass_count; p++) {
+        const char *name = plan->passes[p].pass->name;
+        uint32_t length = 5; /* a repetition's number */
+        for (; *name; length++)
+            rg_dump_character(&name);
+        longest = length > longest ? length : longest;
+    }
+    uint32_t height = 7 * longest + 8;
+    return height < MAX_NAME_HEIGHT ? height : MAX_NAME_HEIGHT;
+}
+
+static void print_passes(const struct chart *c)
+{
+    static const char *const styles[] = {
+        [RG_RASTER] = "color",
+        [RG_COMPUTE] = "storage",
+        [RG_TRANSFER] = "copy",
+    };
+    const struct rg_plan *plan = c->d.plan;
+    uint32_t height = name_height(plan);
+    open_row(c, "passes");
+    open_axis(c, height);
+    print_axis_text(c, height - 6, "pass");
+    open_plot(c, height, "");
+    for (uint32_t p = 0; p <= plan->pass_count; p++) {
+        if (p < plan->pass_count) {
+            const struct rg_pass *pass = plan->passes[p].pass;
+            fprintf(c->d.out, "<g class=\"%s%s\" tabindex=\"0\" data-pass=\"%u\"><title>",
+                    styles[pass->kind], pass->when ? " when" : "", p);
+            rg_dump_pass(&c->d, p);
+            fprintf(c->d.out, "</title><rect x=\"%u\" y=\"1\" width=\"%u\" height=\"%u\"/>",
+                    p * c->column + 2, c->column - 4, height - 2);
+        } else {
+            fputs("<g>", c->d.out);
+        }
+        fprintf(c->d.out, "<text transform=\"translate(%u %u) rotate(-90)\">",
+                p * c->column + c->column / 2 + 4, height - 6);
+        print_column_name(c, p);
+        fputs("</text></g>\n", c->d.out);
+    }
+    close_row(c);
+}
+
+static void print_batch(const struct chart *c, uint32_t x, uint32_t first, uint32_t count)
+{
+    if (!count)
+        return;
+    fputs("<g class=\"batch\" tabindex=\"0\"><title>", c->d.out);
+    rg_dump_barriers(&c->d, "barrier", first, count);
+    fprintf(c->d.out,
+            "</title><circle cx=\"%u\" cy=\"12\" r=\"9\"/>"
+            "<text class=\"middle\" x=\"%u\" y=\"16\">%u</text></g>\n",
+            x, x, count);
+}
+
+static void print_batches(const struct chart *c)
+{
+    const struct rg_plan *plan = c->d.plan;
+    open_row(c, "barriers");
+    open_axis(c, 24);
+    print_axis_text(c, 16, "barriers");
+    open_plot(c, 24, "");
+    if (plan->initial_barrier_count) {
+        fputs("<g class=\"batch\" tabindex=\"0\" data-initial=\"0\"><title>", c->d.out);
+        rg_dump_barriers(&c->d, "barrier before the first frame", plan->first_initial_barrier,
+                         plan->initial_barrier_count);
+        fprintf(c->d.out,
+                "</title><rect x=\"-34\" y=\"3\" width=\"22\" height=\"18\"/>"
+                "<text class=\"middle\" x=\"-23\" y=\"16\">%u</text></g>\n",
+                plan->initial_barrier_count);
+    }
+    for (uint32_t p = 0; p < plan->pass_count; p++)
+        print_batch(c, p * c->column, plan->passes[p].first_barrier, plan->passes[p].barrier_count);
+    print_batch(c, plan->pass_count * c->column, plan->first_final_barrier,
+                plan->final_barrier_count);
+    close_row(c);
+}
+
+/* ---- memory ---- */
+
+/* The beginning of an item's group: what it is, where, and from which pass to which. */
+static void open_item(const struct chart *c, const struct item *item)
+{
+    fprintf(c->d.out, "<g class=\"%s\" tabindex=\"0\" data-%s=\"%u\"><title>", item->style,
+            item->is_buffer ? "buffer" : "image", item->index);
+    if (item->is_buffer)
+        rg_dump_buffer(&c->d, item->index);
+    else
+        rg_dump_image(&c->d, item->index);
+    if (item->group == TRANSIENT || item->group == PERSISTENT) {
+        rg_dump_bytes(c->d.out, item->size);
+        if (item->group == TRANSIENT) {
+            fputs(" at ", c->d.out);
+            rg_dump_bytes(c->d.out, item->offset);
+        }
+        fputs(", ", c->d.out);
+    }
+    fputs("from ", c->d.out);
+    print_column_name(c, item->first);
+    fputs(" to ", c->d.out);
+    print_column_name(c, item->last);
+    fputs("</title>", c->d.out);
+}
+
+/* A part of a block as thousandths of pixels. */
+static uint64_t scaled(VkDeviceSize size, const struct rg_block *block, uint32_t height)
+{
+    return (uint64_t)((double)size / (double)block->size * height * 1000.0 + 0.5);
+}
+
+static void print_rectangle(const struct chart *c, const struct item *item,
+                            const struct rg_block *block, uint32_t height)
+{
+    uint32_t x = item->first * c->column, width = (item->last - item->first + 1) * c->column;
+    uint64_t top = scaled(item->offset, block, height);
+    uint64_t bottom = scaled(item->offset + item->size, block, height);
+    open_item(c, item);
+    fprintf(c->d.out, "<rect x=\"%u\" width=\"%u\"", x, width);
+    print_pixels(c->d.out, "y", top);
+    print_pixels(c->d.out, "height", bottom - top);
+    fputs("/>", c->d.out);
+    if (bottom - top >= 12000)
+        print_label(c, x, width, top / 1000, item->name);
+    fputs("</g>\n", c->d.out);
+}
+
+static uint32_t block_height(const struct rg_plan *plan, uint32_t block)
+{
+    uint32_t height = MIN_BLOCK_HEIGHT;
+    for (uint32_t i = 0; i < item_count(plan) && height < MAX_BLOCK_HEIGHT; i++) {
+        struct item item = item_at(plan, i);
+        if (item.group == TRANSIENT && item.block == block)
+            height += 2 * BAR_HEIGHT;
+    }
+    return height < MAX_BLOCK_HEIGHT ? height : MAX_BLOCK_HEIGHT;
+}
+
+static void print_block(const struct chart *c, uint32_t index)
+{
+    const struct rg_plan *plan = c->d.plan;
+    const struct rg_block *block = &plan->blocks[index];
+    uint32_t height = block_height(plan, index);
+    char attributes[64];
+    fprintf(c->d.out, "<h2>Block %u: %s</h2>\n", index, block->buffers ? "buffers" : "images");
+    open_row(c, "block");
+    open_axis(c, height);
+    for (uint32_t i = 0; i <= TICK_COUNT; i++) {
+        uint32_t y = i * (height - 1) / TICK_COUNT;
+        fprintf(c->d.out,
+                "<path class=\"line\" d=\"M%d %uh8\"/><text class=\"end\" x=\"%d\" y=\"%u\">",
+                AXIS_WIDTH - 8, y, AXIS_WIDTH - 12,
+                i == 0            ? 10
+                : i == TICK_COUNT ? y
+                                  : y + 4);
+        rg_dump_bytes(c->d.out, block->size / TICK_COUNT * i + block->size % TICK_COUNT * i / 4);
+        fputs("</text>\n", c->d.out);
+    }
+    snprintf(attributes, sizeof(attributes), " data-block=\"%u\" data-column=\"%u\"", index,
+             c->column);
+    open_plot(c, height, attributes);
+    print_batch_lines(c, height);
+    for (uint32_t i = 0; i < item_count(plan); i++) {
+        struct item item = item_at(plan, i);
+        if (item.group == TRANSIENT && item.block == index)
+            print_rectangle(c, &item, block, height);
+    }
+    close_row(c);
+}
+
+/* ---- what shares no memory ---- */
+
+static void print_bars(const struct chart *c, enum group group, const char *title)
+{
+    const struct rg_plan *plan = c->d.plan;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < item_count(plan); i++)
+        count += item_at(plan, i).group == group;
+    if (!count)
+        return;
+    fprintf(c->d.out, "<h2>%s</h2>\n", title);
+    open_row(c, "bars");
+    open_axis(c, count * BAR_HEIGHT);
+    for (uint32_t i = 0, y = 14; i < item_count(plan); i++) {
+        struct item item = item_at(plan, i);
+        if (item.group != group)
+            continue;
+        print_axis_text(c, y, item.name);
+        y += BAR_HEIGHT;
+    }
+    open_plot(c, count * BAR_HEIGHT, "");
+    print_batch_lines(c, count * BAR_HEIGHT);
+    for (uint32_t i = 0, y = 2; i < item_count(plan); i++) {
+        struct item item = item_at(plan, i);
+        if (item.group != group)
+            continue;
+        open_item(c, &item);
+        if (group == PERSISTENT) /* from frame to frame */
+            fprintf(c->d.out,
+                    "<rect class=\"frames\" x=\"0\" y=\"%u\" width=\"%u\" height=\"%d\"/>", y,
+                    c->columns * c->column, BAR_HEIGHT - 4);
+        fprintf(c->d.out, "<rect x=\"%u\" y=\"%u\" width=\"%u\" height=\"%d\"/></g>\n",
+                item.first * c->column, y, (item.last - item.first + 1) * c->column,
+                BAR_HEIGHT - 4);
+        y += BAR_HEIGHT;
+    }
+    close_row(c);
+}
+
+void rg_dump_chart(const struct rg_dump *d)
+{
+    uint32_t columns = d->plan->pass_count + 1, column = CHART_WIDTH / columns;
+    column = column < MIN_COLUMN ? MIN_COLUMN : column > MAX_COLUMN ? MAX_COLUMN : column;
+    const struct chart chart = { *d, column, columns };
+    fprintf(d->out,
+            "<main tabindex=\"0\">\n<svg width=\"0\" height=\"0\"><defs><pattern id=\"grid\" "
+            "width=\"%u\" height=\"8\" patternUnits=\"userSpaceOnUse\">"
+            "<path class=\"line\" d=\"M0 0v8\"/></pattern></defs></svg>\n"
+            "<div class=\"head\">\n",
+            column);
+    print_techniques(&chart);
+    print_passes(&chart);
+    print_batches(&chart);
+    fputs("</div>\n", d->out);
+    for (uint32_t i = 0; i < d->plan->block_count; i++)
+        print_block(&chart, i);
+    print_bars(&chart, PERSISTENT, "Persistent");
+    print_bars(&chart, IMPORTED, "Imported");
+    print_bars(&chart, HOST, "Written or read by the CPU");
+    fputs("</main>\n", d->out);
+}

@@ -1,0 +1,62 @@
+/*
+ * dump.h: what the dumps of a plan share: its words, and its lines as text with names
+ * written as the page around them wants. Private to graph/.
+ */
+#ifndef RG_DUMP_DUMP_H
+#define RG_DUMP_DUMP_H
+
+#include "graph/rg.h"
+
+/* Writes a name, quoted or escaped if need be. */
+typedef void rg_dump_name_fn(FILE *out, const char *name);
+
+/* Where a plan is written to, and how. */
+struct rg_dump {
+    const struct rg_plan *plan;
+    FILE *out;
+    rg_dump_name_fn *name;
+};
+
+/* words.c */
+
+/* The next character of text that is not at its end, which moves on. A byte that is no part of
+ * valid UTF-8 gives U+FFFD. */
+uint32_t rg_dump_character(const char **text);
+
+/* The character itself, or U+FFFD for controls and what XML forbids. */
+uint32_t rg_dump_visible(uint32_t character);
+
+void rg_dump_utf8(FILE *out, uint32_t character);
+
+/* A number of bytes for people: 12.5 MiB. */
+void rg_dump_bytes(FILE *out, VkDeviceSize size);
+
+/* The names of flags with the separator between them; nothing for none. */
+void rg_dump_stages(FILE *out, VkPipelineStageFlags2 stages, const char *separator);
+void rg_dump_accesses(FILE *out, VkAccessFlags2 accesses, const char *separator);
+
+const char *rg_dump_layout(VkImageLayout layout);
+const char *rg_dump_load(VkAttachmentLoadOp load);
+const char *rg_dump_store(VkAttachmentStoreOp store);
+const char *rg_dump_kind(enum rg_kind kind);
+const char *rg_dump_depth(const struct rg_pass *pass); /* what it does to its depth target */
+
+/* The binding of a use that needs a descriptor, or RG_NONE. */
+uint32_t rg_dump_binding(const struct rg_plan_use *use);
+
+/* Barriers of all batches: those that a frame records. */
+uint32_t rg_dump_barrier_count(const struct rg_plan *plan);
+
+/* text.c: lines of text, each with its newline. */
+
+void rg_dump_pass_name(const struct rg_dump *d, const struct rg_pass *pass, uint32_t repetition);
+void rg_dump_image(const struct rg_dump *d, uint32_t index);
+void rg_dump_buffer(const struct rg_dump *d, uint32_t index);
+void rg_dump_barriers(const struct rg_dump *d, const char *what, uint32_t first, uint32_t count);
+void rg_dump_pass(const struct rg_dump *d, uint32_t index); /* without its barriers */
+void rg_dump_text(const struct rg_dump *d);
+
+/* chart.c: the drawing of an HTML page: passes, blocks of memory, other resources */
+void rg_dump_chart(const struct rg_dump *d);
+
+#endif

@@ -1,0 +1,143 @@
+/* html.c: the plan as an HTML page that is well-formed XML too and needs nothing else. */
+#include <inttypes.h>
+#include "graph/dump/dump.h"
+
+/* Colours by what a resource is for. */
+static const char colors[] =
+    ":root{--back:#fff;--text:#1b1b1b;--line:#e3e3e3;--edge:#5a5a5a;--batch:#b3410e;\n"
+    "--focus:#d0006f;--color:#a9cdee;--depth:#d3c1ea;--storage:#f6d393;--copy:#d2d2d2;\n"
+    "--data:#b2e0ba}\n"
+    "@media(prefers-color-scheme:dark){:root{--back:#16181b;--text:#ececec;--line:#33373c;\n"
+    "--edge:#9a9a9a;--batch:#ff9a5c;--focus:#ff6bb5;--color:#264f73;--depth:#533f73;\n"
+    "--storage:#6d4f14;--copy:#4a4a4a;--data:#2a5a35}}\n";
+
+static const char style[] =
+    "body{margin:1rem;background:var(--back);color:var(--text);\n"
+    "font:14px/1.5 system-ui,sans-serif}\n"
+    "h1{font-size:1.3rem;margin:0}\n"
+    "h2{font-size:.95rem;position:sticky;left:0;width:max-content;margin:0;\n"
+    "padding:.6rem .5rem .2rem}\n"
+    "p{margin:.4rem 0}\n"
+    "pre{margin:0;font-size:12px}\n"
+    "b{padding:0 .5em;font-weight:normal;border:1px solid var(--edge)}\n"
+    "main{overflow:auto;max-height:max(20rem,100vh - 18rem);border:1px solid var(--line);\n"
+    "scroll-padding:16rem 1rem 1rem 14rem}\n"
+    "svg{display:block;flex:none}\n"
+    "text{font:11px system-ui,sans-serif;fill:var(--text)}\n"
+    "rect{stroke:var(--edge)}\n"
+    "details{margin-top:.6rem}\n"
+    ".row{display:flex;width:max-content;border-top:1px solid var(--line)}\n"
+    ".head{position:sticky;top:0;z-index:2;background:var(--back)}\n"
+    ".axis{position:sticky;left:0;z-index:1;background:var(--back);\n"
+    "border-right:1px solid var(--line)}\n"
+    ".middle{text-anchor:middle}\n"
+    ".end{text-anchor:end}\n"
+    ".grid{fill:url(#grid);stroke:none}\n"
+    ".line{stroke:var(--line)}\n"
+    ".batches{stroke:var(--batch);stroke-dasharray:2 3}\n"
+    ".batch *{stroke:var(--batch);stroke-width:1.5;fill:var(--back)}\n"
+    ".batch text{stroke:none;fill:var(--text)}\n"
+    ".color{fill:var(--color);background:var(--color)}\n"
+    ".depth{fill:var(--depth);background:var(--depth)}\n"
+    ".storage{fill:var(--storage);background:var(--storage)}\n"
+    ".copy{fill:var(--copy);background:var(--copy)}\n"
+    ".data{fill:var(--data);background:var(--data)}\n"
+    ".technique{fill:var(--line)}\n"
+    ".when rect{stroke-dasharray:3 2;stroke-width:2}\n"
+    ".frames{fill-opacity:.3}\n"
+    "g:focus{outline:none}\n"
+    "g:focus rect,g:focus circle{stroke:var(--focus);stroke-width:3}\n"
+    "#detail{position:sticky;bottom:0;height:8.5em;overflow:auto;padding:.5rem;z-index:3;\n"
+    "background:var(--back);border:1px solid var(--line)}\n"
+    "#detail[hidden]{display:none}\n";
+
+/* What a rectangle's tooltip says, in a panel too: for the keyboard, and for long lists. */
+static const char script[] =
+    "const panel=document.getElementById('detail');panel.hidden=false;\n"
+    "const show=event=>{const title=event.target.closest('g[tabindex]')?.querySelector('title');\n"
+    "if(title)panel.textContent=title.textContent;};\n"
+    "document.addEventListener('focusin',show);document.addEventListener('pointerover',show);\n";
+
+static void html_name(FILE *out, const char *name)
+{
+    while (*name) {
+        uint32_t c = rg_dump_visible(rg_dump_character(&name));
+        if (c == '&' || c == '<' || c == '>' || c == '"')
+            fprintf(out, "&#%u;", c);
+        else
+            rg_dump_utf8(out, c);
+    }
+}
+
+static void print_head(FILE *out)
+{
+    fputs("<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
+          "<meta charset=\"utf-8\"/>\n"
+          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+          "style-src 'unsafe-inline'; script-src 'unsafe-inline'\"/>\n"
+          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+          "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
+          "<title>Render graph plan</title>\n",
+          out);
+    fprintf(out, "<style>\n%s%s</style>\n</head>\n<body>\n", colors, style);
+}
+
+static void print_faults(FILE *out, const struct rg_plan *plan)
+{
+    fprintf(out, "<h1>Faults: %u</h1>\n<ol>\n", plan->fault_count);
+    for (uint32_t i = 0; i < plan->fault_count; i++) {
+        char text[512];
+        rg_fault_text(&plan->faults[i], text, sizeof(text));
+        fputs("<li>", out);
+        html_name(out, text);
+        fputs("</li>\n", out);
+    }
+    fputs("</ol>\n", out);
+}
+
+static void print_sum(FILE *out, const char *what, VkDeviceSize size)
+{
+    fprintf(out, "%s ", what);
+    rg_dump_bytes(out, size);
+}
+
+static void print_summary(FILE *out, const struct rg_plan *plan)
+{
+    fprintf(out, "<h1>Plan for %ux%u</h1>\n<p id=\"summary\">", plan->view.width,
+            plan->view.height);
+    fprintf(out, "%u passes, %u culled; %u barriers in %u batches; ", plan->pass_count,
+            plan->culled_count, rg_dump_barrier_count(plan), plan->batch_count);
+    print_sum(out, "transient memory: used", plan->memory_used);
+    print_sum(out, ", without aliasing", plan->memory_without_aliasing);
+    print_sum(out, ", bound", plan->memory_bound);
+    if (plan->memory_least != plan->memory_bound) {
+        print_sum(out, ", least", plan->memory_least);
+        fputs(" if batches did not count", out);
+    }
+    if (plan->memory_persistent)
+        print_sum(out, "; persistent memory:", plan->memory_persistent);
+    fputs("</p>\n"
+          "<p><b class=\"color\">colour target, raster pass</b> <b class=\"depth\">depth</b> "
+          "<b class=\"storage\">storage image, compute pass</b> <b class=\"copy\">other image, "
+          "transfer pass</b> <b class=\"data\">buffer</b> circles: barriers of a batch; square: "
+          "those before the first frame; dashed: passes that do not run in every frame</p>\n",
+          out);
+}
+
+void rg_dump_html(const struct rg_plan *plan, FILE *out)
+{
+    const struct rg_dump d = { plan, out, html_name };
+    print_head(out);
+    if (plan->fault_count) {
+        print_faults(out, plan);
+    } else {
+        print_summary(out, plan);
+        rg_dump_chart(&d);
+        fputs("<pre id=\"detail\" role=\"status\" hidden=\"hidden\">Point at something, or reach "
+              "it with Tab.</pre>\n<details>\n<summary>The same as text</summary>\n<pre>",
+              out);
+        rg_dump_text(&d);
+        fprintf(out, "</pre>\n</details>\n<script>\n%s</script>\n", script);
+    }
+    fputs("</body>\n</html>\n", out);
+}

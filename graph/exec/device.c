@@ -1,0 +1,77 @@
+/* device.c: what the compiler asks of a device. */
+#include "graph/rg_exec.h"
+
+#define FIND(vulkan, name) ((PFN_##name)(vulkan)->get_proc_addr((vulkan)->instance, #name))
+
+static struct rg_memory_requirements need_of(const VkMemoryRequirements2 *r)
+{
+    return (struct rg_memory_requirements){
+        .size = r->memoryRequirements.size,
+        .alignment = r->memoryRequirements.alignment,
+        .type_bits = r->memoryRequirements.memoryTypeBits,
+    };
+}
+
+static struct rg_memory_requirements image_memory(const void *user, const VkImageCreateInfo *info)
+{
+    const struct rg_vulkan *vulkan = user;
+    const PFN_vkGetDeviceImageMemoryRequirements ask =
+        FIND(vulkan, vkGetDeviceImageMemoryRequirements);
+    VkMemoryRequirements2 needs = { .sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2 };
+    ask(vulkan->device,
+        &(VkDeviceImageMemoryRequirements){
+            .sType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS,
+            .pCreateInfo = info,
+        },
+        &needs);
+    return need_of(&needs);
+}
+
+static struct rg_memory_requirements buffer_memory(const void *user, const VkBufferCreateInfo *info)
+{
+    const struct rg_vulkan *vulkan = user;
+    const PFN_vkGetDeviceBufferMemoryRequirements ask =
+        FIND(vulkan, vkGetDeviceBufferMemoryRequirements);
+    VkMemoryRequirements2 needs = { .sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2 };
+    ask(vulkan->device,
+        &(VkDeviceBufferMemoryRequirements){
+            .sType = VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS,
+            .pCreateInfo = info,
+        },
+        &needs);
+    return need_of(&needs);
+}
+
+static VkFormatFeatureFlags format_features(const void *user, VkFormat format)
+{
+    const struct rg_vulkan *vulkan = user;
+    VkFormatProperties properties;
+    FIND(vulkan, vkGetPhysicalDeviceFormatProperties)(vulkan->physical, format, &properties);
+    return properties.optimalTilingFeatures;
+}
+
+static VkSampleCountFlags sample_counts(const void *user, const VkImageCreateInfo *info)
+{
+    const struct rg_vulkan *vulkan = user;
+    const PFN_vkGetPhysicalDeviceImageFormatProperties ask =
+        FIND(vulkan, vkGetPhysicalDeviceImageFormatProperties);
+    VkImageFormatProperties properties;
+    VkResult result = ask(vulkan->physical, info->format, info->imageType, info->tiling,
+                          info->usage, info->flags, &properties);
+    return result == VK_SUCCESS ? properties.sampleCounts : 0;
+}
+
+struct rg_device rg_exec_device(const struct rg_vulkan *vulkan)
+{
+    VkPhysicalDeviceProperties properties;
+    FIND(vulkan, vkGetPhysicalDeviceProperties)(vulkan->physical, &properties);
+    return (struct rg_device){
+        .user = vulkan,
+        .image_memory = image_memory,
+        .buffer_memory = buffer_memory,
+        .format_features = format_features,
+        .sample_counts = sample_counts,
+        .max_image_size = properties.limits.maxImageDimension2D,
+        .max_layers = properties.limits.maxImageArrayLayers,
+    };
+}

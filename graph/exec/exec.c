@@ -1,0 +1,311 @@
+/* exec.c: the executor's life, and a frame's: wait, record, submit. */
+#include "graph/exec/exec.h"
+#include <stdlib.h>
+#include <string.h>
+
+VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
+                       const char *of)
+{
+    if (result != VK_SUCCESS && exec->params.log) {
+        char what[512];
+        if (of)
+            snprintf(what, sizeof(what), "%s of %s", call, of);
+        else
+            snprintf(what, sizeof(what), "%s of a frame of %u passes", call,
+                     exec->plan->pass_count);
+        exec->params.log(exec->params.user, what, result);
+    }
+    return result;
+}
+
+void rg_exec_name(const struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name)
+{
+    const VkDebugUtilsObjectNameInfoEXT info = {
+        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
+        .objectType = type,
+        .objectHandle = handle,
+        .pObjectName = name,
+    };
+    if (exec->vk.SetDebugUtilsObjectNameEXT)
+        exec->vk.SetDebugUtilsObjectNameEXT(exec->device, &info);
+}
+
+static VkResult make_slots(struct rg_exec *exec)
+{
+    VkResult result;
+    RG_MAKE(exec, NULL, CreateCommandPool, &exec->command_pool,
+            &(VkCommandPoolCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                .queueFamilyIndex = exec->params.queue_family,
+            });
+    for (uint32_t i = 0; i < exec->slot_count; i++) {
+        struct exec_slot *slot = &exec->slots[i];
+        RG_CALL(exec, NULL, AllocateCommandBuffers, exec->device,
+                &(VkCommandBufferAllocateInfo){
+                    .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                    .commandPool = exec->command_pool,
+                    .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                    .commandBufferCount = 1,
+                },
+                &slot->commands);
+        RG_MAKE(exec, NULL, CreateFence, &slot->fence,
+                &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
+    }
+fail:
+    return result;
+}
+
+/* calloc wants at least one element to be told apart from failure */
+static void *make_array(size_t count, size_t size)
+{
+    return calloc(count ? count : 1, size);
+}
+
+static bool make_arrays(struct rg_exec *exec)
+{
+    const struct rg_plan *plan = exec->plan;
+    size_t barrier_count = (size_t)plan->barrier_count + plan->initial_barrier_count;
+    exec->blocks = make_array(plan->block_count, sizeof(*exec->blocks));
+    exec->images = make_array(plan->image_count, sizeof(*exec->images));
+    exec->import_images =
+        make_array((size_t)plan->image_count * exec->image_set_count, sizeof(VkImage));
+    exec->image_memory = make_array(plan->image_count, sizeof(*exec->image_memory));
+    exec->buffers = make_array(plan->buffer_count, sizeof(*exec->buffers));
+    exec->use_views =
+        make_array((size_t)plan->use_count * exec->image_set_count, sizeof(VkImageView));
+    exec->fallbacks = make_array(plan->fallback_count, sizeof(*exec->fallbacks));
+    exec->samplers =
+        make_array((size_t)plan->use_count + plan->fallback_count, sizeof(*exec->samplers));
+    exec->passes = make_array(plan->pass_count, sizeof(*exec->passes));
+    exec->targets =
+        make_array((size_t)plan->pass_count * exec->image_set_count, sizeof(*exec->targets));
+    exec->slots = make_array(exec->slot_count, sizeof(*exec->slots));
+    exec->image_batch = make_array(barrier_count, sizeof(*exec->image_batch));
+    exec->buffer_batch = make_array(barrier_count, sizeof(*exec->buffer_batch));
+    return exec->blocks && exec->images && exec->import_images && exec->image_memory &&
+           exec->buffers && exec->use_views && exec->fallbacks && exec->samplers && exec->passes &&
+           exec->targets && exec->slots && exec->image_batch && exec->buffer_batch;
+}
+
+static VkResult make_all(struct rg_exec *exec)
+{
+    VkResult (*const steps[])(struct rg_exec *) = {
+        rg_exec_make_memory,      rg_exec_make_fallbacks, rg_exec_make_targets,
+        rg_exec_make_descriptors, rg_exec_make_pipelines, make_slots,
+        rg_exec_make_time,        rg_exec_make_coverage,  rg_exec_make_warm_up,
+    };
+    VkResult counted = rg_exec_count_image_sets(exec);
+    if (counted != VK_SUCCESS)
+        return counted;
+    exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
+    if (!make_arrays(exec))
+        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
+    for (size_t i = 0; i < sizeof(steps) / sizeof(steps[0]); i++) {
+        VkResult result = steps[i](exec);
+        if (result != VK_SUCCESS)
+            return result;
+    }
+    return VK_SUCCESS;
+}
+
+struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result)
+{
+    struct rg_exec start = {
+        .params = *params,
+        .plan = params->plan,
+        .device = params->device,
+        .slot_count = params->frames_in_flight ? params->frames_in_flight : 2,
+    };
+    start.slot = start.slot_count - 1;
+    if (params->warm_up_only)
+        start.params.import_count = 0;
+    VkResult outcome = rg_exec_find_functions(&start);
+    struct rg_exec *exec = outcome == VK_SUCCESS ? calloc(1, sizeof(*exec)) : NULL;
+    if (exec) {
+        *exec = start;
+        outcome = make_all(exec);
+    } else if (outcome == VK_SUCCESS) {
+        outcome = rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
+    }
+    if (result)
+        *result = outcome;
+    if (outcome == VK_SUCCESS)
+        return exec;
+    rg_exec_destroy(exec);
+    return NULL;
+}
+
+static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
+{
+    return exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX);
+}
+
+void rg_exec_destroy(struct rg_exec *exec)
+{
+    if (!exec)
+        return;
+    for (uint32_t i = 0; exec->slots && i < exec->slot_count; i++) {
+        if (exec->slots[i].submitted) /* lost or not, it goes */
+            (void)wait_fence(exec, &exec->slots[i]);
+        exec->vk.DestroyFence(exec->device, exec->slots[i].fence, NULL);
+    }
+    exec->vk.DestroyCommandPool(exec->device, exec->command_pool, NULL);
+    if (exec->passes) {
+        rg_exec_free_pipelines(exec);
+        rg_exec_free_targets(exec);
+    }
+    rg_exec_free_descriptors(exec);
+    rg_exec_free_fallbacks(exec);
+    rg_exec_free_memory(exec);
+    rg_exec_free_time(exec);
+    rg_exec_free_warm_up(exec);
+    free(exec->blocks);
+    free(exec->images);
+    free(exec->import_images);
+    free(exec->image_memory);
+    free(exec->buffers);
+    free(exec->use_views);
+    free(exec->fallbacks);
+    free(exec->samplers);
+    free(exec->passes);
+    free(exec->targets);
+    free(exec->slots);
+    free(exec->image_batch);
+    free(exec->buffer_batch);
+    free(exec);
+}
+
+VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
+{
+    const uint64_t start = rg_time_now();
+    exec->slot = (exec->slot + 1) % exec->slot_count;
+    *slot = exec->slot;
+    VkResult result = rg_exec_wait(exec, exec->slot);
+    rg_time_begin(exec, start);
+    return result;
+}
+
+static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineStageFlags2 stages)
+{
+    return (VkSemaphoreSubmitInfo){
+        .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+        .semaphore = semaphore,
+        .stageMask = stages ? stages : VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+    };
+}
+
+/* The pass, if it is one; else NULL. */
+static const char *pass_name(const struct rg_exec *exec, uint32_t first, uint32_t count)
+{
+    return count == 1 ? exec->plan->passes[first].pass->name : NULL;
+}
+
+/* Records some passes into the slot taken last and submits them. */
+static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
+                       uint32_t count)
+{
+    const struct rg_exec_external_sync *sync = &exec->external_sync;
+    VkResult result;
+    struct exec_slot *slot = &exec->slots[exec->slot];
+    const VkCommandBufferSubmitInfo commands = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+        .commandBuffer = slot->commands,
+    };
+    const VkSemaphoreSubmitInfo wait = semaphore_info(sync->wait, sync->wait_stages);
+    const VkSemaphoreSubmitInfo signal = semaphore_info(sync->signal, 0);
+    const bool is_last = first + count == exec->plan->pass_count;
+    const char *of = pass_name(exec, first, count);
+    const VkSubmitInfo2 info = {
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+        .waitSemaphoreInfoCount = first == 0 && sync->wait,
+        .pWaitSemaphoreInfos = &wait,
+        .commandBufferInfoCount = 1,
+        .pCommandBufferInfos = &commands,
+        .signalSemaphoreInfoCount = is_last && sync->signal,
+        .pSignalSemaphoreInfos = &signal,
+    };
+    const uint64_t start = rg_time_now();
+    RG_PASS(rg_exec_record(exec, frame, first, count));
+    RG_CALL(exec, of, ResetFences, exec->device, 1, &slot->fence);
+    const uint64_t recorded = rg_time_now();
+    RG_CALL(exec, of, QueueSubmit2, exec->params.queue, 1, &info, slot->fence);
+    slot->submitted = true;
+    slot->times.record += recorded - start;
+    slot->times.submit += rg_time_now() - recorded;
+fail:
+    return result;
+}
+
+/* Each pass alone, between two looks at the host's clock. */
+static VkResult submit_alone(struct rg_exec *exec, const struct rg_frame *frame)
+{
+    VkResult result = VK_SUCCESS;
+    struct exec_slot *slot = &exec->slots[exec->slot];
+    uint64_t begin = 0;
+    for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
+        RG_PASS(submit(exec, frame, p, 1));
+        const uint64_t submitted = rg_time_now();
+        RG_PASS(
+            rg_exec_check(exec, wait_fence(exec, slot), "vkWaitForFences", pass_name(exec, p, 1)));
+        slot->passes[p].begin = begin;
+        begin += slot->times.submit + rg_time_now() - submitted;
+        slot->passes[p].end = begin;
+        slot->times.submit = 0; /* it is the pass's */
+    }
+fail:
+    return result;
+}
+
+VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
+{
+    return rg_exec_submit_synced(exec, frame, &(struct rg_exec_external_sync){ 0 });
+}
+
+VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *frame,
+                               const struct rg_exec_external_sync *sync)
+{
+    VkResult result;
+    exec->external_sync = *sync;
+    rg_exec_select_image_set(exec, sync->image_index);
+    RG_PASS(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
+    if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_SUBMITS)
+        RG_PASS(submit_alone(exec, frame));
+    else
+        RG_PASS(submit(exec, frame, 0, exec->plan->pass_count));
+    exec->filled = true;
+fail:
+    return result;
+}
+
+VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
+{
+    VkResult result;
+    const uint64_t start = rg_time_now();
+    if (!exec->slots[slot].submitted)
+        return VK_SUCCESS;
+    RG_PASS(rg_exec_check(exec, wait_fence(exec, &exec->slots[slot]), "vkWaitForFences", NULL));
+    exec->slots[slot].submitted = false;
+    RG_PASS(rg_exec_sync_host(exec, slot, RG_MEMORY_READBACK));
+    RG_PASS(rg_time_finish(exec, slot, start));
+fail:
+    return result;
+}
+
+void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot)
+{
+    for (uint32_t i = 0; i < exec->plan->buffer_count; i++) {
+        if (exec->plan->buffers[i].buffer == buffer && exec->buffers[i].mapped)
+            return exec->buffers[i].mapped[slot];
+    }
+    return NULL;
+}
+
+VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image)
+{
+    for (uint32_t i = 0; i < exec->plan->image_count; i++) {
+        if (exec->plan->images[i].image == image)
+            return exec->images[i];
+    }
+    return VK_NULL_HANDLE;
+}

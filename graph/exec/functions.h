@@ -1,0 +1,109 @@
+/*
+ * functions.h: the Vulkan functions that the executor calls. Private to graph/.
+ *
+ * Every executor finds its own through its instance. So no loader is linked, nothing is global, and
+ * no name here meets one of a program that links the loader or has loaded functions by itself.
+ */
+#ifndef RG_EXEC_FUNCTIONS_H
+#define RG_EXEC_FUNCTIONS_H
+
+#include <vulkan/vulkan_core.h>
+
+/* One a line: */
+/* clang-format off */
+#define RG_FUNCTIONS(row) \
+    row(AllocateCommandBuffers) \
+    row(AllocateDescriptorSets) \
+    row(AllocateMemory) \
+    row(BeginCommandBuffer) \
+    row(BindBufferMemory) \
+    row(BindImageMemory) \
+    row(CmdBeginQuery) \
+    row(CmdBeginRenderPass) \
+    row(CmdBeginRendering) \
+    row(CmdBindDescriptorSets) \
+    row(CmdBindIndexBuffer) \
+    row(CmdBindPipeline) \
+    row(CmdBindVertexBuffers) \
+    row(CmdClearColorImage) \
+    row(CmdClearDepthStencilImage) \
+    row(CmdCopyBufferToImage) \
+    row(CmdCopyImageToBuffer) \
+    row(CmdDispatch) \
+    row(CmdDispatchIndirect) \
+    row(CmdDraw) \
+    row(CmdDrawIndexed) \
+    row(CmdDrawIndexedIndirect) \
+    row(CmdDrawIndirect) \
+    row(CmdEndQuery) \
+    row(CmdEndRenderPass) \
+    row(CmdEndRendering) \
+    row(CmdFillBuffer) \
+    row(CmdPipelineBarrier2) \
+    row(CmdPushConstants) \
+    row(CmdResetQueryPool) \
+    row(CmdSetScissor) \
+    row(CmdSetViewport) \
+    row(CmdWriteTimestamp2) \
+    row(CreateBuffer) \
+    row(CreateCommandPool) \
+    row(CreateComputePipelines) \
+    row(CreateDescriptorPool) \
+    row(CreateDescriptorSetLayout) \
+    row(CreateFence) \
+    row(CreateFramebuffer) \
+    row(CreateGraphicsPipelines) \
+    row(CreateImage) \
+    row(CreateImageView) \
+    row(CreatePipelineLayout) \
+    row(CreateQueryPool) \
+    row(CreateRenderPass) \
+    row(CreateSampler) \
+    row(CreateShaderModule) \
+    row(DestroyBuffer) \
+    row(DestroyCommandPool) \
+    row(DestroyDescriptorPool) \
+    row(DestroyDescriptorSetLayout) \
+    row(DestroyFence) \
+    row(DestroyFramebuffer) \
+    row(DestroyImage) \
+    row(DestroyImageView) \
+    row(DestroyPipeline) \
+    row(DestroyPipelineLayout) \
+    row(DestroyQueryPool) \
+    row(DestroyRenderPass) \
+    row(DestroySampler) \
+    row(DestroyShaderModule) \
+    row(EndCommandBuffer) \
+    row(FlushMappedMemoryRanges) \
+    row(FreeMemory) \
+    row(GetBufferMemoryRequirements) \
+    row(GetImageMemoryRequirements) \
+    row(GetPhysicalDeviceMemoryProperties) \
+    row(GetPhysicalDeviceProperties) \
+    row(GetPhysicalDeviceQueueFamilyProperties) \
+    row(GetQueryPoolResults) \
+    row(InvalidateMappedMemoryRanges) \
+    row(MapMemory) \
+    row(QueueSubmit2) \
+    row(ResetFences) \
+    row(UnmapMemory) \
+    row(UpdateDescriptorSets) \
+    row(WaitForFences)
+
+/* NULL unless the instance has VK_EXT_debug_utils enabled: */
+#define RG_FUNCTIONS_DEBUG(row) \
+    row(CmdBeginDebugUtilsLabelEXT) \
+    row(CmdEndDebugUtilsLabelEXT) \
+    row(SetDebugUtilsObjectNameEXT)
+
+/* clang-format on */
+
+struct rg_functions {
+#define MEMBER(name) PFN_vk##name name;
+    RG_FUNCTIONS(MEMBER)
+    RG_FUNCTIONS_DEBUG(MEMBER)
+#undef MEMBER
+};
+
+#endif

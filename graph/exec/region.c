@@ -1,0 +1,183 @@
+/* region.c: which passes draw how much of the view where a part of it is wanted. */
+#include <assert.h>
+#include <stdlib.h>
+#include "graph/exec/exec.h"
+
+/* Of an image: what later passes read; of a pass: what it draws. Sums of: */
+enum {
+    COVER_REGION = 1, /* the part wanted */
+    COVER_REACH = 2,  /* where fragments look elsewhere */
+    COVER_ALL = 4,
+};
+
+/* Neither of a size of its own nor seen outside the frame. */
+static bool is_of_view(const struct rg_plan_image *image)
+{
+    const struct rg_image *declared = image->image;
+    const bool whole =
+        !(declared->scale > 0.0f) || !(declared->scale < 1.0f || declared->scale > 1.0f);
+    return !declared->width && !declared->height && whole && image->mips == 1 && !declared->cube &&
+           !image->imported && !image->persistent;
+}
+
+/* Whether it can draw a part alone: into targets of the view's size, or from such an image into a
+ * buffer. */
+static bool is_divisible(const struct rg_exec *exec, const struct rg_plan_pass *pass)
+{
+    const struct rg_plan_image *images = exec->plan->images;
+    bool divisible = pass->pass->kind == RG_RASTER;
+    if (pass->pass->kind == RG_TRANSFER) {
+        divisible = pass->use_count > 0;
+        for (uint32_t i = 0; i < pass->use_count; i++) {
+            const struct rg_plan_use *use = &exec->plan->uses[pass->first_use + i];
+            divisible = divisible && (use->image == RG_NONE || (use->use->access == RG_COPY_SRC &&
+                                                                is_of_view(&images[use->image])));
+        }
+    }
+    for (uint32_t i = 0; i < pass->color_count; i++)
+        divisible = divisible && is_of_view(&images[pass->color[i].image]) &&
+                    pass->color[i].resolve == RG_NONE;
+    return divisible && (pass->depth.image == RG_NONE || is_of_view(&images[pass->depth.image]));
+}
+
+/* True if that is new. */
+static bool need(uint8_t *needs, uint32_t image, uint32_t coverage)
+{
+    const uint8_t before = needs[image];
+    needs[image] = (uint8_t)(before | coverage);
+    return needs[image] != before;
+}
+
+static uint32_t coverage_of(const struct rg_exec *exec, const struct rg_plan_pass *pass,
+                            const uint8_t *needs)
+{
+    uint32_t coverage = 0;
+    if (!is_divisible(exec, pass))
+        return COVER_ALL;
+    for (uint32_t i = 0; i < pass->color_count; i++)
+        coverage |= needs[pass->color[i].image];
+    if (pass->depth.image != RG_NONE && !pass->pass->depth_read_only)
+        coverage |= needs[pass->depth.image];
+    return coverage ? coverage : COVER_REGION;
+}
+
+/* How much of an image a pass that draws `coverage` reads by a use. */
+static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
+{
+    if (coverage & COVER_ALL)
+        return COVER_ALL;
+    if (use->access == RG_COPY_SRC || use->same_texel)
+        return coverage;
+    return use->access == RG_SAMPLED ? COVER_REACH : COVER_ALL;
+}
+
+/* From the last pass back; true if an earlier round has told a pass less than is needed now. */
+static bool spread(struct rg_exec *exec, uint8_t *needs)
+{
+    bool news = false;
+    for (uint32_t p = exec->plan->pass_count; p-- > 0;) {
+        const struct rg_plan_pass *pass = &exec->plan->passes[p];
+        const uint32_t coverage = coverage_of(exec, pass, needs);
+        exec->passes[p].coverage = coverage;
+        for (uint32_t i = 0; i < pass->color_count; i++) {
+            news |= need(needs, pass->color[i].image, coverage);
+            if (pass->color[i].resolve != RG_NONE)
+                news |= need(needs, pass->color[i].resolve, coverage);
+        }
+        if (pass->depth.image != RG_NONE)
+            news |= need(needs, pass->depth.image, coverage);
+        for (uint32_t i = 0; i < pass->use_count; i++) {
+            const struct rg_plan_use *use = &exec->plan->uses[pass->first_use + i];
+            if (use->image != RG_NONE)
+                news |= need(needs, use->image, coverage_read(use->use, coverage));
+        }
+    }
+    return news;
+}
+
+VkResult rg_exec_make_coverage(struct rg_exec *exec)
+{
+    const struct rg_plan *plan = exec->plan;
+    uint8_t *needs = calloc(plan->image_count ? plan->image_count : 1, sizeof(*needs));
+    if (!needs)
+        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
+    for (uint32_t i = 0; i < plan->image_count; i++) /* outputs */
+        needs[i] = plan->images[i].last == plan->pass_count ? COVER_REGION : 0;
+    while (spread(exec, needs))
+        ;
+    free(needs);
+    return VK_SUCCESS;
+}
+
+bool rg_exec_is_limited(const struct rg_exec *exec, const struct rg_plan_pass *pass)
+{
+    return exec->region.region.extent.width &&
+           !(exec->passes[pass - exec->plan->passes].coverage & COVER_ALL);
+}
+
+static int32_t end_of(int32_t offset, uint32_t extent)
+{
+    return offset + (int32_t)extent;
+}
+
+static VkRect2D around_both(VkRect2D a, VkRect2D b)
+{
+    const int32_t ends[4] = {
+        end_of(a.offset.x, a.extent.width),
+        end_of(b.offset.x, b.extent.width),
+        end_of(a.offset.y, a.extent.height),
+        end_of(b.offset.y, b.extent.height),
+    };
+    VkRect2D both = a;
+    both.offset.x = a.offset.x < b.offset.x ? a.offset.x : b.offset.x;
+    both.offset.y = a.offset.y < b.offset.y ? a.offset.y : b.offset.y;
+    both.extent.width = (uint32_t)((ends[0] > ends[1] ? ends[0] : ends[1]) - both.offset.x);
+    both.extent.height = (uint32_t)((ends[2] > ends[3] ? ends[2] : ends[3]) - both.offset.y);
+    return both;
+}
+
+VkRect2D rg_exec_area(const struct rg_exec *exec, const struct rg_plan_pass *pass)
+{
+    const struct rg_exec_region *region = &exec->region;
+    const uint32_t coverage = exec->passes[pass - exec->plan->passes].coverage;
+    if (!rg_exec_is_limited(exec, pass))
+        return (VkRect2D){ .extent = pass->extent };
+    if (coverage == COVER_REGION)
+        return region->region;
+    return coverage == COVER_REACH ? region->reach : around_both(region->region, region->reach);
+}
+
+VkRect2D rg_exec_within(VkRect2D inner, VkRect2D outer)
+{
+    const int32_t ends[4] = {
+        end_of(inner.offset.x, inner.extent.width),
+        end_of(outer.offset.x, outer.extent.width),
+        end_of(inner.offset.y, inner.extent.height),
+        end_of(outer.offset.y, outer.extent.height),
+    };
+    const int32_t right = ends[0] < ends[1] ? ends[0] : ends[1];
+    const int32_t bottom = ends[2] < ends[3] ? ends[2] : ends[3];
+    VkRect2D common = inner;
+    if (common.offset.x < outer.offset.x)
+        common.offset.x = outer.offset.x;
+    if (common.offset.y < outer.offset.y)
+        common.offset.y = outer.offset.y;
+    common.extent.width = right > common.offset.x ? (uint32_t)(right - common.offset.x) : 0;
+    common.extent.height = bottom > common.offset.y ? (uint32_t)(bottom - common.offset.y) : 0;
+    return common;
+}
+
+static bool is_in_view(const struct rg_plan *plan, VkRect2D area)
+{
+    return area.offset.x >= 0 && area.offset.y >= 0 && area.extent.width && area.extent.height &&
+           (uint64_t)area.offset.x + area.extent.width <= plan->view.width &&
+           (uint64_t)area.offset.y + area.extent.height <= plan->view.height;
+}
+
+void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region *region)
+{
+    assert(is_in_view(exec->plan, region->region) && is_in_view(exec->plan, region->reach));
+    assert((uint64_t)region->region.extent.width * region->region.extent.height <=
+           (uint64_t)exec->plan->max_region.width * exec->plan->max_region.height);
+    exec->region = *region;
+}

@@ -1,0 +1,294 @@
+/*
+ * time.c: timestamps, statistics and the host's clock around passes.
+ *
+ * The order pass, timestamp, barrier is the one that tile-based software rasterisers bill right: a
+ * barrier before the timestamp lets it slip behind the next pass.
+ */
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include "graph/exec/exec.h"
+
+/* Results come in the order of these bits. */
+enum {
+    COUNTED = VK_QUERY_PIPELINE_STATISTIC_VERTEX_SHADER_INVOCATIONS_BIT |
+              VK_QUERY_PIPELINE_STATISTIC_CLIPPING_INVOCATIONS_BIT |
+              VK_QUERY_PIPELINE_STATISTIC_FRAGMENT_SHADER_INVOCATIONS_BIT |
+              VK_QUERY_PIPELINE_STATISTIC_COMPUTE_SHADER_INVOCATIONS_BIT,
+    COUNTED_COUNT = 4,
+};
+
+struct exec_time {
+    struct rg_measure measure; /* of the frames to come */
+    VkQueryPool stamps;        /* of each slot: one before the first pass, one after each */
+    VkQueryPool counts, samples;
+    uint64_t stamp_mask;           /* 0: the queue has no timestamps */
+    double period;                 /* nanoseconds */
+    uint64_t *results;             /* room for what any pool has of a slot */
+    struct rg_pass_time *passes;   /* of all slots */
+    struct rg_pass_time *finished; /* of the last frame finished */
+    struct rg_times times;
+};
+
+uint64_t rg_time_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (uint64_t)t.tv_sec * 1000000000u + (uint64_t)t.tv_nsec;
+}
+
+/* ---- life ---- */
+
+static VkResult make_pool(const struct rg_exec *exec, VkQueryType type, uint32_t count,
+                          VkQueryPool *pool)
+{
+    VkResult result;
+    RG_MAKE(exec, NULL, CreateQueryPool, pool,
+            &(VkQueryPoolCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                .queryType = type,
+                .queryCount = count,
+                .pipelineStatistics = type == VK_QUERY_TYPE_PIPELINE_STATISTICS ? COUNTED : 0,
+            });
+fail:
+    return result;
+}
+
+/* Of the one family that is used; families beyond the 64th are not asked. */
+static uint64_t stamp_mask(const struct rg_exec *exec)
+{
+    VkQueueFamilyProperties families[64];
+    uint32_t count = 64;
+    exec->vk.GetPhysicalDeviceQueueFamilyProperties(exec->params.physical, &count, families);
+    if (exec->params.queue_family >= count)
+        return 0;
+    uint32_t bits = families[exec->params.queue_family].timestampValidBits;
+    return bits >= 64 ? UINT64_MAX : ((uint64_t)1 << bits) - 1;
+}
+
+VkResult rg_exec_make_time(struct rg_exec *exec)
+{
+    VkPhysicalDeviceProperties properties;
+    const uint32_t pass_count = exec->plan->pass_count;
+    VkResult result = VK_SUCCESS;
+    if (!exec->params.measured)
+        return result;
+    struct exec_time *time = calloc(1, sizeof(*time));
+    exec->time = time;
+    if (time) {
+        time->passes = calloc((size_t)exec->slot_count * pass_count, sizeof(*time->passes));
+        time->finished = calloc(pass_count, sizeof(*time->finished));
+        time->results = calloc((size_t)pass_count * COUNTED_COUNT + 1, sizeof(*time->results));
+    }
+    if (!time || !time->passes || !time->finished || !time->results)
+        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
+    exec->vk.GetPhysicalDeviceProperties(exec->params.physical, &properties);
+    time->period = (double)properties.limits.timestampPeriod;
+    time->stamp_mask = stamp_mask(exec);
+    if (time->stamp_mask)
+        RG_PASS(make_pool(exec, VK_QUERY_TYPE_TIMESTAMP, exec->slot_count * (pass_count + 1),
+                          &time->stamps));
+    if (exec->params.statistics) {
+        RG_PASS(make_pool(exec, VK_QUERY_TYPE_PIPELINE_STATISTICS, exec->slot_count * pass_count,
+                          &time->counts));
+        RG_PASS(make_pool(exec, VK_QUERY_TYPE_OCCLUSION, exec->slot_count * pass_count,
+                          &time->samples));
+    }
+fail:
+    return result;
+}
+
+void rg_exec_free_time(struct rg_exec *exec)
+{
+    struct exec_time *time = exec->time;
+    if (!time)
+        return;
+    exec->vk.DestroyQueryPool(exec->device, time->stamps, NULL);
+    exec->vk.DestroyQueryPool(exec->device, time->counts, NULL);
+    exec->vk.DestroyQueryPool(exec->device, time->samples, NULL);
+    free(time->passes);
+    free(time->finished);
+    free(time->results);
+    free(time);
+}
+
+/* ---- what is measured ---- */
+
+bool rg_exec_has_clock(const struct rg_exec *exec, enum rg_clock clock)
+{
+    bool is_stamped = clock == RG_CLOCK_STREAM || clock == RG_CLOCK_EXACT;
+    return exec->time && (!is_stamped || exec->time->stamps);
+}
+
+void rg_exec_measure(struct rg_exec *exec, const struct rg_measure *measure)
+{
+    if (!exec->time)
+        return;
+    exec->time->measure = (struct rg_measure){
+        .clock = rg_exec_has_clock(exec, measure->clock) ? measure->clock : RG_CLOCK_NONE,
+        .statistics = measure->statistics && exec->time->counts,
+    };
+}
+
+struct rg_times rg_exec_times(const struct rg_exec *exec)
+{
+    return exec->time ? exec->time->times : (struct rg_times){ 0 };
+}
+
+/* ---- a frame ---- */
+
+static uint32_t first_stamp(const struct rg_exec *exec, uint32_t slot)
+{
+    return slot * (exec->plan->pass_count + 1);
+}
+
+void rg_time_begin(struct rg_exec *exec, uint64_t start)
+{
+    struct exec_slot *slot = &exec->slots[exec->slot];
+    slot->times = (struct rg_times){ .start = start, .begin = rg_time_now() - start };
+    if (!exec->time)
+        return;
+    slot->times.measure = exec->time->measure;
+    slot->times.pass_count = exec->plan->pass_count;
+    slot->passes = &exec->time->passes[(size_t)exec->slot * exec->plan->pass_count];
+}
+
+static bool is_stamped(const struct exec_slot *slot)
+{
+    return slot->times.measure.clock == RG_CLOCK_STREAM ||
+           slot->times.measure.clock == RG_CLOCK_EXACT;
+}
+
+static void stamp(const struct rg_exec *exec, VkCommandBuffer commands, uint32_t index)
+{
+    const VkMemoryBarrier2 all = {
+        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+    };
+    const VkDependencyInfo info = {
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+        .memoryBarrierCount = 1,
+        .pMemoryBarriers = &all,
+    };
+    exec->vk.CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_BOTTOM_OF_PIPE_BIT,
+                                exec->time->stamps, first_stamp(exec, exec->slot) + index);
+    if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_EXACT)
+        exec->vk.CmdPipelineBarrier2(commands, &info);
+}
+
+void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands)
+{
+    const struct exec_slot *slot = &exec->slots[exec->slot];
+    const uint32_t pass_count = exec->plan->pass_count;
+    const uint32_t first = exec->slot * pass_count;
+    if (is_stamped(slot)) {
+        exec->vk.CmdResetQueryPool(commands, exec->time->stamps, first_stamp(exec, exec->slot),
+                                   pass_count + 1);
+        stamp(exec, commands, 0);
+    }
+    if (slot->times.measure.statistics) {
+        exec->vk.CmdResetQueryPool(commands, exec->time->counts, first, pass_count);
+        exec->vk.CmdResetQueryPool(commands, exec->time->samples, first, pass_count);
+    }
+}
+
+void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass)
+{
+    const struct exec_slot *slot = &exec->slots[exec->slot];
+    const uint32_t query = exec->slot * exec->plan->pass_count + pass;
+    if (!slot->passes)
+        return;
+    slot->passes[pass] = (struct rg_pass_time){ .record_begin = rg_time_now() - slot->times.start };
+    if (slot->times.measure.statistics) {
+        exec->vk.CmdBeginQuery(commands, exec->time->counts, query, 0);
+        exec->vk.CmdBeginQuery(commands, exec->time->samples, query, VK_QUERY_CONTROL_PRECISE_BIT);
+    }
+}
+
+void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass)
+{
+    const struct exec_slot *slot = &exec->slots[exec->slot];
+    const uint32_t query = exec->slot * exec->plan->pass_count + pass;
+    if (!slot->passes)
+        return;
+    if (slot->times.measure.statistics) {
+        exec->vk.CmdEndQuery(commands, exec->time->samples, query);
+        exec->vk.CmdEndQuery(commands, exec->time->counts, query);
+    }
+    if (is_stamped(slot))
+        stamp(exec, commands, pass + 1);
+    struct rg_pass_time *time = &slot->passes[pass];
+    time->record = rg_time_now() - slot->times.start - time->record_begin;
+}
+
+/* ---- results ---- */
+
+static VkResult read_pool(struct rg_exec *exec, VkQueryPool pool, uint32_t first, uint32_t count,
+                          uint32_t values)
+{
+    const size_t stride = values * sizeof(uint64_t);
+    return rg_exec_check(exec,
+                         exec->vk.GetQueryPoolResults(
+                             exec->device, pool, first, count, count * stride, exec->time->results,
+                             stride, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+                         "vkGetQueryPoolResults", NULL);
+}
+
+static VkResult read_stamps(struct rg_exec *exec, uint32_t slot)
+{
+    const struct exec_time *time = exec->time;
+    const uint64_t *stamps = time->results;
+    VkResult result =
+        read_pool(exec, time->stamps, first_stamp(exec, slot), exec->plan->pass_count + 1, 1);
+    for (uint32_t p = 0; p < exec->plan->pass_count && result == VK_SUCCESS; p++) {
+        uint64_t begin = (stamps[p] - stamps[0]) & time->stamp_mask;
+        uint64_t end = (stamps[p + 1] - stamps[0]) & time->stamp_mask;
+        exec->slots[slot].passes[p].begin = (uint64_t)((double)begin * time->period);
+        exec->slots[slot].passes[p].end = (uint64_t)((double)end * time->period);
+    }
+    return result;
+}
+
+static VkResult read_statistics(struct rg_exec *exec, uint32_t slot)
+{
+    const uint32_t pass_count = exec->plan->pass_count;
+    const uint64_t *results = exec->time->results;
+    struct rg_pass_time *passes = exec->slots[slot].passes;
+    VkResult result;
+    RG_PASS(read_pool(exec, exec->time->counts, slot * pass_count, pass_count, COUNTED_COUNT));
+    for (uint32_t p = 0; p < pass_count; p++) {
+        const uint64_t *counts = &results[(size_t)p * COUNTED_COUNT];
+        passes[p].vertices = counts[0];
+        passes[p].triangles = counts[1];
+        passes[p].fragments = counts[2];
+        passes[p].invocations = counts[3];
+    }
+    RG_PASS(read_pool(exec, exec->time->samples, slot * pass_count, pass_count, 1));
+    for (uint32_t p = 0; p < pass_count; p++)
+        passes[p].samples = results[p];
+fail:
+    return result;
+}
+
+VkResult rg_time_finish(struct rg_exec *exec, uint32_t index, uint64_t wait_start)
+{
+    struct exec_slot *slot = &exec->slots[index];
+    const uint64_t end = rg_time_now();
+    VkResult result = VK_SUCCESS;
+    slot->times.wait += end - wait_start;
+    slot->times.whole = end - slot->times.start;
+    if (!exec->time)
+        return result;
+    if (is_stamped(slot))
+        RG_PASS(read_stamps(exec, index));
+    if (slot->times.measure.statistics)
+        RG_PASS(read_statistics(exec, index));
+    memcpy(exec->time->finished, slot->passes, exec->plan->pass_count * sizeof(*slot->passes));
+    exec->time->times = slot->times;
+    exec->time->times.passes = exec->time->finished;
+fail:
+    return result;
+}
