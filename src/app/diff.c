@@ -7,6 +7,7 @@
 #include "src/app/diff_report.h"
 #include "src/app/input.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
 #include "src/image/png.h"
@@ -20,12 +21,6 @@ struct job {
     struct comparison comparison;
     struct diff_report report;
 };
-
-static enum status out_of_memory(void)
-{
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
-}
 
 /* ---- pictures ---- */
 
@@ -68,8 +63,8 @@ static enum status check_options(struct job *job)
         log_error("two pictures are wanted: firn diff REFERENCE TEST (see --help)");
         return status;
     }
-    job->is_display = input_ends_in(paths[0], ".png");
-    if (job->is_display != input_ends_in(paths[1], ".png"))
+    job->is_display = path_ends_in(paths[0], ".png");
+    if (job->is_display != path_ends_in(paths[1], ".png"))
         log_error("%s and %s: a PNG picture is for the eye and can be compared with no other kind",
                   paths[0], paths[1]);
     else if (job->is_display && o->diff.has_exposure)
@@ -102,7 +97,7 @@ static enum status check_layers(const struct job *job)
         return STATUS_DATA;
     }
     for (uint32_t i = 0; i < o->output_count; i++) {
-        if (c->has_beauty || (c->has_exit && input_ends_in(o->outputs[i], ".exr")))
+        if (c->has_beauty || (c->has_exit && path_ends_in(o->outputs[i], ".exr")))
             continue;
         log_error("%s: there is no error to show, the pictures do not both have R, G and B",
                   o->outputs[i]);
@@ -139,7 +134,7 @@ static enum status encode_png(const struct job *job, void **data, size_t *size)
     const size_t count = (size_t)width * height;
     uint8_t *rgba = malloc(4 * count);
     if (!rgba)
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     for (size_t i = 0; i < count; i++) {
         rgba[4 * i + 3] = 255;
         if (!job->counted || job->counted[i])
@@ -176,7 +171,7 @@ static enum status write_errors(const struct job *job, const char *path)
     void *data = NULL;
     size_t size;
     enum status status =
-        input_ends_in(path, ".png") ? encode_png(job, &data, &size) : encode_exr(job, &data, &size);
+        path_ends_in(path, ".png") ? encode_png(job, &data, &size) : encode_exr(job, &data, &size);
     if (status == STATUS_OK)
         status = file_write(path, data, size);
     free(data);
@@ -199,7 +194,7 @@ static enum status compare(struct job *job)
         .ppd = o->ppd > 0.0f ? (double)o->ppd : FLIP_PPD,
     };
     if (!comparison_init(&job->comparison, &params))
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     job->report = (struct diff_report){
         .options = job->options,
         .comparison = &job->comparison,
@@ -215,7 +210,7 @@ static enum status print_report(const struct job *job)
     if (job->options->format != APP_FORMAT_JSON)
         diff_report_text(&job->report, stdout);
     else if (!diff_report_json(&job->report, stdout))
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     return STATUS_OK;
 }
 

@@ -13,6 +13,7 @@
 #include "src/app/farm_status.h"
 #include "src/app/sequence.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 
 enum {
     NAME_SIZE = 64,
@@ -24,8 +25,7 @@ enum {
 
 static bool is_picture(const char *word)
 {
-    const char *dot = word ? strrchr(word, '.') : NULL;
-    return dot && (!strcmp(dot, ".exr") || !strcmp(dot, ".png"));
+    return word && (path_ends_in(word, ".exr") || path_ends_in(word, ".png"));
 }
 
 /* "status" may be of files alone. */
@@ -145,9 +145,8 @@ static enum status make_script(const struct app_options *o, const struct sequenc
         status = STATUS_TRY_AGAIN;
     } else if (o->farm.submit) {
         status = run_script(text);
-    } else if (fputs(text, stdout) < 0 || fflush(stdout)) {
-        log_error("stdout: cannot be written");
-        status = STATUS_WRITE;
+    } else {
+        fputs(text, stdout); /* standard_streams_end() looks whether it could be written */
     }
     free(text);
     return status;

@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include "src/app/output.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/image/exr.h"
 #include "src/image/png.h"
 
@@ -38,12 +39,6 @@ struct look {
     uint32_t counts[STATE_COUNT];
 };
 
-static enum status out_of_memory(void)
-{
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
-}
-
 /* ---- files ---- */
 
 /* Reads a file to its end; NULL if that cannot be done. What differs from frame to frame is cut. */
@@ -52,8 +47,8 @@ static char *read_settings(const char *path)
     static const char time[] = " motion.time=";
     static const char name[] = "firn/settings";
     char *text = NULL;
-    const enum status status =
-        output_is_png(path) ? png_inspect(path, name, &text) : exr_inspect(path, name, &text);
+    const enum status status = path_ends_in(path, ".png") ? png_inspect(path, name, &text)
+                                                          : exr_inspect(path, name, &text);
     if (status != STATUS_OK)
         return NULL;
     char *at = strstr(text, time);
@@ -95,7 +90,7 @@ static enum status look_at_frame(struct look *look, uint32_t index)
         const enum state state = path ? judge(look, has_scene ? &output : NULL, i, path) : DONE;
         worst = state > worst ? state : worst;
         if (!path)
-            status = out_of_memory();
+            status = log_out_of_memory(NULL);
         free(path);
     }
     look->frames[index] = worst;
@@ -112,7 +107,7 @@ static enum status find_newest(struct look *look, uint32_t i)
         char *path = frame_name_make(&look->sequence->names[i], look->sequence->range.frames[f]);
         struct stat info;
         if (!path)
-            return out_of_memory();
+            return log_out_of_memory(NULL);
         const bool newer =
             stat(path, &info) == 0 && S_ISREG(info.st_mode) &&
             (info.st_mtim.tv_sec > best.tv_sec ||
@@ -188,7 +183,7 @@ static enum status print_json(const struct look *look)
     free(text);
     json_decref(json);
     json_decref(frames);
-    return ok ? STATUS_OK : out_of_memory();
+    return ok ? STATUS_OK : log_out_of_memory(NULL);
 }
 
 /* ---- all of it ---- */
@@ -200,7 +195,7 @@ static enum status look_at_all(struct look *look)
     enum status status = STATUS_OK;
     look->frames = calloc(count, sizeof(*look->frames));
     if (!look->frames)
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     if (o->positionals[0]) {
         status = app_load_scene(&look->scene, o);
         if (status == STATUS_OK)
@@ -224,10 +219,6 @@ enum status farm_status(const struct app_options *options, const struct sequence
         status = print_json(&look);
     else if (status == STATUS_OK)
         print_text(&look);
-    if (fflush(stdout) || ferror(stdout)) {
-        log_error("stdout: cannot be written");
-        status = STATUS_WRITE;
-    }
     if (status == STATUS_OK && look.counts[DONE] < sequence->range.count)
         status = STATUS_FAILED;
     for (uint32_t i = 0; i < APP_OUTPUT_COUNT; i++)

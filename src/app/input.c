@@ -3,23 +3,18 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/image/exr.h"
 #include "src/image/hdr.h"
 #include "src/image/png.h"
 
-bool input_ends_in(const char *path, const char *ending)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && !strcmp(dot, ending);
-}
-
 enum status input_read(const char *path, struct image *image)
 {
-    if (input_ends_in(path, ".exr"))
+    if (path_ends_in(path, ".exr"))
         return exr_read(path, image);
-    if (input_ends_in(path, ".hdr"))
+    if (path_ends_in(path, ".hdr"))
         return hdr_read(path, image);
-    if (input_ends_in(path, ".png"))
+    if (path_ends_in(path, ".png"))
         return png_read(path, image);
     log_error("%s: a name that ends in .exr, .hdr or .png is wanted", path);
     return STATUS_USAGE;

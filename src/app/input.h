@@ -5,8 +5,6 @@
 #include "src/base/status.h"
 #include "src/image/image.h"
 
-bool input_ends_in(const char *path, const char *ending);
-
 /* An EXR, HDR or PNG file into *image ({0} before), as their readers say; else STATUS_USAGE. */
 MUST_USE enum status input_read(const char *path, struct image *image);
 

@@ -7,6 +7,7 @@
 #include "src/app/progress.h"
 #include "src/app/shell_words.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/image/file.h"
 #include "src/ladder/furnace.h"
 #include "src/ladder/ladder_report.h"
@@ -163,15 +164,14 @@ static enum status measure(struct job *job)
 
 static enum status encode(const struct job *job, const char *path, void **data, size_t *size)
 {
-    const char *ending = strrchr(path, '.');
     char *text = NULL;
     enum status status;
-    if (!strcmp(ending, ".png"))
+    if (path_ends_in(path, ".png"))
         return ladder_sheet(&job->report, data, size);
-    if (!strcmp(ending, ".exr"))
+    if (path_ends_in(path, ".exr"))
         return ladder_exr(&job->report, data, size);
-    status = !strcmp(ending, ".svg") ? ladder_svg(&job->report, &text, size)
-                                     : ladder_page(&job->report, &text, size);
+    status = path_ends_in(path, ".svg") ? ladder_svg(&job->report, &text, size)
+                                        : ladder_page(&job->report, &text, size);
     *data = text;
     return status;
 }

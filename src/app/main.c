@@ -105,6 +105,6 @@ int main(int argc, char **argv)
     if (decode_is_wanted(argc, argv))
         return decode_main(argc, argv);
     standard_streams_begin();
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
+    signal(SIGPIPE, SIG_IGN); /* of a file it is a write error; standard_streams_end() tells */
     return (int)standard_streams_end(run(argc, argv));
 }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include "src/app/layer_picture.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/base/tile.h"
 #include "src/frame/list.h"
 #include "src/frame/view.h"
@@ -28,12 +29,6 @@ struct texts {
     uint32_t count, compared_count;
     char tile[32];
 };
-
-bool output_is_png(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && !strcmp(dot, ".png");
-}
 
 /* ---- words ---- */
 
@@ -181,7 +176,8 @@ enum status output_check_tiles(const struct app_options *o)
         else
             wrong = check_sizes(o);
         for (uint32_t i = 0; i < o->output_count && o->tile && !wrong; i++)
-            wrong = output_is_png(o->outputs[i]) ? "--tile: a tile is an .exr file, no .png" : NULL;
+            wrong = path_ends_in(o->outputs[i], ".png") ? "--tile: a tile is an .exr file, no .png"
+                                                        : NULL;
     }
     if (!wrong)
         return STATUS_OK;
@@ -229,7 +225,7 @@ bool output_is_current(const struct output *output, const char *path)
     struct texts texts;
     if (file_is_straight(path) || access(path, R_OK) != 0)
         return false;
-    const bool is_png = output_is_png(path);
+    const bool is_png = path_ends_in(path, ".png");
     fill_texts(&texts, output, is_png, "");
     const struct png_picture picture = {
         .width = pixels_of(output->options).width,
@@ -284,7 +280,7 @@ enum status output_encode(const struct output *output, const char *path,
                           size_t *size)
 {
     struct texts texts;
-    const bool is_png = output_is_png(path);
+    const bool is_png = path_ends_in(path, ".png");
     fill_texts(&texts, output, is_png, device);
     const struct png_picture picture = {
         .rgba = result->rgba,

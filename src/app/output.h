@@ -16,8 +16,6 @@ struct output {
     char *png_settings; /* the same of PNG files, which --show changes */
 };
 
-bool output_is_png(const char *path);
-
 /*
  * Fills output->settings and png_settings: options, camera, every setting. A frame is described as
  * the single picture of its time (motion.time), so that both give the same bytes. Logs:

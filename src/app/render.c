@@ -12,6 +12,7 @@
 #include "src/app/signals.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/base/tile.h"
 #include "src/image/file.h"
 #include "src/reference/reference.h"
@@ -41,12 +42,6 @@ struct frame {
     struct render_result result;
 };
 
-static enum status out_of_memory(void)
-{
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
-}
-
 /* ---- a frame ---- */
 
 static void frame_finish(struct frame *frame)
@@ -72,7 +67,7 @@ static enum status frame_init(struct frame *frame, const struct job *job, int32_
     for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++) {
         frame->paths[i] = frame_name_make(&job->sequence.names[i], number);
         if (!frame->paths[i])
-            status = out_of_memory();
+            status = log_out_of_memory(NULL);
         else if (job->o.resume)
             frame->is_current[i] = output_is_current(&frame->output, frame->paths[i]);
     }
@@ -145,7 +140,7 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
         job->tile_done = i;
         status = renderer_render(job->renderer, &part, &tile, show_progress, job);
         if (status == STATUS_OK && i == 0 && !make_whole(job, &tile, whole))
-            status = out_of_memory();
+            status = log_out_of_memory(NULL);
         if (status == STATUS_OK)
             put_tile(job, i, &tile, whole);
         render_result_finish(&tile);
@@ -252,7 +247,7 @@ static enum status open_renderer(struct job *job)
         .warm_up = true,
     };
     for (uint32_t i = 0; i < o->output_count; i++) {
-        if (output_is_png(o->outputs[i]))
+        if (path_ends_in(o->outputs[i], ".png"))
             params.display = !o->show;
         else
             params.linear = true;
@@ -363,7 +358,7 @@ static enum status write_report(const struct job *job, int code)
     const char *path = job->o.reports.json;
     size_t size;
     char *text = report_json(&job->report, &job->sequence, &job->o, code, &size);
-    enum status status = text ? file_write(path, text, size) : out_of_memory();
+    enum status status = text ? file_write(path, text, size) : log_out_of_memory(NULL);
     free(text);
     return status;
 }
@@ -428,7 +423,7 @@ enum status app_render(const struct app_options *options)
 {
     struct job *job = calloc(1, sizeof(*job));
     if (!job)
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     job->o = *options;
     if (!job->o.samples)
         job->o.samples = 1;

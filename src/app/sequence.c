@@ -5,14 +5,9 @@
 #include <string.h>
 #include "src/app/output.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/image/file.h"
 #include "src/settings/scene_settings.h"
-
-static enum status out_of_memory(void)
-{
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
-}
 
 static enum status parse_frames(struct sequence *sequence, const struct app_options *o)
 {
@@ -20,7 +15,7 @@ static enum status parse_frames(struct sequence *sequence, const struct app_opti
         return frame_range_parse(&sequence->range, o->frames);
     sequence->range.frames = calloc(1, sizeof(*sequence->range.frames));
     sequence->range.count = 1;
-    return sequence->range.frames ? STATUS_OK : out_of_memory();
+    return sequence->range.frames ? STATUS_OK : log_out_of_memory(NULL);
 }
 
 /* After the names: those of all frames must differ, whoever draws them. */
@@ -74,7 +69,7 @@ static enum status parse_names(struct sequence *sequence, struct app_options *o)
             return STATUS_USAGE;
         }
         stdout_taken = stdout_taken || is_stdout;
-        has_png = has_png || output_is_png(o->outputs[i]);
+        has_png = has_png || path_ends_in(o->outputs[i], ".png");
         status = parse_name(sequence, o, i);
     }
     if (status == STATUS_OK && o->show && !has_png) {
@@ -114,7 +109,7 @@ static enum status check_frame(const struct sequence *sequence, const struct app
     }
     for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++) {
         char *path = frame_name_make(&sequence->names[i], frame);
-        status = path ? file_check(path) : out_of_memory();
+        status = path ? file_check(path) : log_out_of_memory(NULL);
         free(path);
     }
     return status;

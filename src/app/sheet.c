@@ -37,24 +37,18 @@ struct job {
 
 /* ---- what there is to draw ---- */
 
-static enum status out_of_memory(void)
-{
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
-}
-
 /* "material=ice,water,..." */
 static enum status sweep_materials(struct job *job)
 {
     size_t size;
     FILE *out = open_memstream(&job->materials, &size);
     if (!out)
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     for (const struct material *m = materials; m->name; m++)
         fprintf(out, "%s%s", m == materials ? "material=" : ",", m->name);
     const bool failed = ferror(out) != 0;
     if (fclose(out) || failed)
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     job->o.sweeps[job->o.sweep_count++] = job->materials;
     return STATUS_OK;
 }
@@ -118,7 +112,7 @@ static enum status open_canvas(struct job *job)
     const uint32_t down = (job->sweep.point_count + across - 1) / across;
     const uint32_t width = across * (job->o.width + MARGIN) + MARGIN;
     const uint32_t height = down * (job->o.height + label_height(job) + MARGIN) + MARGIN;
-    return canvas_init(&job->canvas, width, height, GREY) ? STATUS_OK : out_of_memory();
+    return canvas_init(&job->canvas, width, height, GREY) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
 /* "cracks.count=2 air.count=0" */

@@ -1,6 +1,9 @@
 /* standard_streams.c: stdin, stdout and stderr. */
 #include "src/app/standard_streams.h"
 #include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <unistd.h>
 #include "src/base/log.h"
@@ -14,10 +17,31 @@ void standard_streams_begin(void)
     }
 }
 
+/* Whether whoever read stdout has gone. */
+static bool is_abandoned(void)
+{
+    struct pollfd out = { .fd = STDOUT_FILENO, .events = POLLOUT };
+    return poll(&out, 1, 0) == 1 && out.revents & POLLERR;
+}
+
+/* As programs end that leave SIGPIPE alone: quietly. */
+static void end_by_signal(void)
+{
+    sigset_t pipe_signal;
+    sigemptyset(&pipe_signal);
+    sigaddset(&pipe_signal, SIGPIPE);
+    (void)signal(SIGPIPE, SIG_DFL);
+    (void)pthread_sigmask(SIG_UNBLOCK, &pipe_signal, NULL);
+    (void)raise(SIGPIPE);
+}
+
 enum status standard_streams_end(enum status status)
 {
-    if (!fflush(stdout) && !ferror(stdout))
+    const bool whole = !fflush(stdout);
+    if (whole && !ferror(stdout))
         return status;
+    if (is_abandoned())
+        end_by_signal();
     log_error("stdout: cannot be written");
     return STATUS_WRITE;
 }

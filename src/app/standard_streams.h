@@ -9,7 +9,8 @@
  * stands for. */
 void standard_streams_begin(void);
 
-/* At the end: the status, or STATUS_WRITE (logged) if stdout did not take all that was printed. */
+/* At the end: the status, or STATUS_WRITE (logged) if stdout did not take all that was printed.
+ * Where its reader has gone (`firn list | head`) the program ends by SIGPIPE and says nothing. */
 enum status standard_streams_end(enum status status);
 
 #endif

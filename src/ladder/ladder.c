@@ -23,12 +23,6 @@ struct work {
     uint32_t stage;
 };
 
-static enum status out_of_memory(void)
-{
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
-}
-
 static size_t pixel_count(const struct ladder *ladder)
 {
     return (size_t)ladder->width * ladder->height;
@@ -138,7 +132,7 @@ static enum status make_masks(struct masks *masks, struct ladder *ladder,
     const size_t count = pixel_count(ladder);
     masks->object = calloc(2 * count, sizeof(*masks->object));
     if (!masks->object || !path || !tir)
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     masks->straight = masks->object + count;
     masks->truth = params->truth_counted ? params->truth_counted : masks->object;
     for (size_t i = 0; i < count; i++) {
@@ -165,7 +159,7 @@ static enum status measure_flip(struct ladder_rung *rung, const struct ladder *l
     find_planes(&rung->result.image, colors, pair.test);
     rung->flip = malloc(pixel_count(ladder) * sizeof(*rung->flip));
     if (!rung->flip || !flip_ldr(&pair, 0.0, rung->flip))
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     for (size_t i = 0; i < pixel_count(ladder); i++)
         sum += (double)rung->flip[i];
     rung->error.flip = sum / (double)pixel_count(ladder);
@@ -180,7 +174,7 @@ static enum status measure_angle(struct ladder_rung *rung, const struct ladder *
     find_planes(&ladder->reference.image, directions, pair.reference);
     find_planes(&rung->result.image, directions, pair.test);
     if (!angle_measure(&angle, &pair, NULL))
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     rung->error.angle = angle.mean;
     rung->error.angle_95 = angle.most_95;
     return STATUS_OK;

@@ -19,12 +19,6 @@ enum {
     TICK_LENGTH = 8,
 };
 
-static enum status out_of_memory(void)
-{
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
-}
-
 /* ---- the sheet ---- */
 
 static uint32_t cell_width(const struct ladder *ladder)
@@ -139,7 +133,7 @@ enum status ladder_sheet(const struct ladder_report *report, void **data, size_t
         .width = canvas.width,
         .height = canvas.height,
     };
-    enum status status = ok ? png_encode(&picture, data, size) : out_of_memory();
+    enum status status = ok ? png_encode(&picture, data, size) : log_out_of_memory(NULL);
     free(canvas.rgba);
     return status;
 }

@@ -48,12 +48,6 @@ static const struct scene_builtin *find_builtin(const char *name)
     return NULL;
 }
 
-static enum status out_of_memory(const char *what)
-{
-    log_error("%s: out of memory", what);
-    return STATUS_TRY_AGAIN;
-}
-
 /* Ice must find room, also where it turns, and water below. */
 static enum status add_floe(struct scene *scene, const struct scene_params *params)
 {
@@ -61,7 +55,7 @@ static enum status add_floe(struct scene *scene, const struct scene_params *para
     const uint32_t triangles =
         params->object_triangles ? params->object_triangles : GENERATE_ICE_CUBE_TRIANGLES;
     if (!generate_floe(&scene->model.object, pool, triangles))
-        return out_of_memory("ice");
+        return log_out_of_memory("ice");
     scene->floe = mesh_box(&scene->model.object);
     if (1.5f * pool->ice < pool->size && -scene->floe.min.y < pool->depth)
         return STATUS_OK;
@@ -84,7 +78,7 @@ static enum status make_pool(struct scene *scene, const struct scene_params *par
         .fov_deg = 45.0f,
     };
     if (!generate_pool(&scene->model.surroundings, pool))
-        return out_of_memory("pool");
+        return log_out_of_memory("pool");
     return pool->ice > 0.0f ? add_floe(scene, params) : STATUS_OK;
 }
 
@@ -97,7 +91,7 @@ static enum status load_object(struct scene *scene, const struct scene_params *p
         return make_pool(scene, params);
     uint32_t triangles = params->object_triangles ? params->object_triangles : builtin->triangles;
     if (!builtin->generate(&scene->model.object, triangles))
-        return out_of_memory(builtin->name);
+        return log_out_of_memory(builtin->name);
     return STATUS_OK;
 }
 
@@ -118,9 +112,9 @@ static enum status add_landscape(struct scene *scene, const struct scene_params 
         params->landscape_triangles ? params->landscape_triangles : GENERATE_LANDSCAPE_TRIANGLES;
     if (params->flat)
         return generate_floor(&scene->model.surroundings, scene->box) ? STATUS_OK
-                                                                      : out_of_memory("floor");
+                                                                      : log_out_of_memory("floor");
     if (!generate_landscape(&scene->model.surroundings, triangles))
-        return out_of_memory("landscape");
+        return log_out_of_memory("landscape");
     if (!find_builtin(params->name))
         fit_landscape(&scene->model.surroundings, scene->box);
     return STATUS_OK;
@@ -128,7 +122,8 @@ static enum status add_landscape(struct scene *scene, const struct scene_params 
 
 static enum status add_builtin_surroundings(struct scene *scene, const struct scene_builtin *b)
 {
-    return b->surround(&scene->model.surroundings, scene->box) ? STATUS_OK : out_of_memory(b->name);
+    return b->surround(&scene->model.surroundings, scene->box) ? STATUS_OK
+                                                               : log_out_of_memory(b->name);
 }
 
 static enum status add_surroundings(struct scene *scene, const struct scene_params *params)
@@ -170,20 +165,20 @@ static enum status add_movers(struct scene *scene, uint32_t count)
     bool done = generate_movers(&movers, scene->box, count) &&
                 mesh_append(&scene->model.surroundings, &movers);
     mesh_finish(&movers);
-    return done ? STATUS_OK : out_of_memory("moving objects");
+    return done ? STATUS_OK : log_out_of_memory("moving objects");
 }
 
 static enum status add_air(struct scene *scene, const struct generate_air *air)
 {
     bool done = generate_air_planes(&scene->air, scene->box, air) &&
                 generate_air_cut(&scene->air, &scene->model.object);
-    return done ? STATUS_OK : out_of_memory("air");
+    return done ? STATUS_OK : log_out_of_memory("air");
 }
 
 static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
 {
     bool done = generate_bubbles(&scene->bubbles, &scene->model.object, bubbles);
-    return done ? STATUS_OK : out_of_memory("bubbles");
+    return done ? STATUS_OK : log_out_of_memory("bubbles");
 }
 
 enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cracks)
@@ -197,7 +192,7 @@ enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cr
                solid_cut(&solid, &scene->cracks, box_diagonal(scene->box) / 128.0f);
         solid_finish(&solid);
     }
-    return done ? STATUS_OK : out_of_memory("cracks");
+    return done ? STATUS_OK : log_out_of_memory("cracks");
 }
 
 const char *scene_fill(struct scene *scene, const struct scene_params *params)
@@ -215,7 +210,7 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
 static enum status fill_object(struct scene *scene, const struct scene_params *params)
 {
     const char *lacking = params->later ? NULL : scene_fill(scene, params);
-    enum status status = lacking ? out_of_memory(lacking) : STATUS_OK;
+    enum status status = lacking ? log_out_of_memory(lacking) : STATUS_OK;
     if (status == STATUS_OK && params->air.count)
         status = add_air(scene, &params->air);
     if (status == STATUS_OK && params->bubbles.count)
@@ -246,7 +241,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
     /* the cube is drawn from there, and views are often from near by */
     if (status == STATUS_OK &&
         !mesh_sort_by_distance(&scene->model.surroundings, box_center(scene->box)))
-        status = out_of_memory("surroundings");
+        status = log_out_of_memory("surroundings");
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
     if (status == STATUS_OK && !scene->has_pool)

@@ -11,7 +11,7 @@ int main(int argc, char **argv)
     if (decode_is_wanted(argc, argv))
         return decode_main(argc, argv);
     standard_streams_begin();
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, reported as such */
+    signal(SIGPIPE, SIG_IGN); /* of a file it is a write error; standard_streams_end() tells */
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);
     if (status == STATUS_OK && !done)
         status = app_need_scene(&options);

@@ -4,15 +4,10 @@
 #include <string.h>
 #include "shaders/present.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/frame/list.h"
 #include "src/settings/scene_settings.h"
 #include "src/view/watch.h"
-
-static enum status out_of_memory(void)
-{
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
-}
 
 static char *copy(const char *text)
 {
@@ -25,7 +20,7 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
     struct picture *p = calloc(1, sizeof(*p));
     *picture = NULL;
     if (!p)
-        return out_of_memory();
+        return log_out_of_memory(NULL);
     p->gpu = gpu;
     p->watch = watch;
     p->divider = 0.5;
@@ -35,7 +30,7 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
     p->o.environment = p->environment_name = copy(options->environment);
     enum status status = STATUS_OK;
     if (!p->scene_name != !options->positionals[0] || !p->environment_name != !options->environment)
-        status = out_of_memory();
+        status = log_out_of_memory(NULL);
     if (status == STATUS_OK)
         status = app_load_scene(&p->scene, &p->o);
     if (status == STATUS_OK)
@@ -249,8 +244,7 @@ enum status picture_change(struct picture **picture, const struct settings *sett
 
 static bool is_environment(const char *path)
 {
-    const char *dot = strrchr(path, '.');
-    return dot && (!strcmp(dot, ".exr") || !strcmp(dot, ".hdr"));
+    return path_ends_in(path, ".exr") || path_ends_in(path, ".hdr");
 }
 
 enum status picture_open(struct picture **picture, const char *path, bool *remade)

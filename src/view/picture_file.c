@@ -6,6 +6,7 @@
 #include "src/app/output.h"
 #include "src/app/signals.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/image/file.h"
 #include "src/view/picture.h"
 
@@ -84,7 +85,7 @@ static enum status draw_side(struct picture *p, struct side *side, const struct 
     params.rung = side->o.rung;
     params.samples = p->o.samples;
     for (uint32_t i = 0; i < path_count; i++) {
-        if (output_is_png(paths[i]))
+        if (path_ends_in(paths[i], ".png"))
             params.display = true;
         else
             params.linear = true;
@@ -121,7 +122,7 @@ static enum status write_all(struct picture *p, const struct drawn *drawn, const
     const struct render_result *left = &drawn->sides[0].result;
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < path_count && status == STATUS_OK; i++) {
-        if (drawn->side_count == 1 || output_is_png(paths[i])) {
+        if (drawn->side_count == 1 || path_ends_in(paths[i], ".png")) {
             status = write_file(p, &drawn->whole, paths[i], left, stop);
             continue;
         }

@@ -3,6 +3,7 @@
 #include <unistd.h>
 #include "src/app/output.h"
 #include "src/base/clock.h"
+#include "src/base/path.h"
 #include "src/view/ui/ui_shot.h"
 #include "src/view/view_internal.h"
 
@@ -60,7 +61,7 @@ enum status view_write_outputs(struct view *v)
     if (o->overlay != APP_OVERLAY_ON)
         return picture_write(v->picture, v->shown, o->outputs, o->output_count, &v->stop);
     for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
-        status = output_is_png(o->outputs[i])
+        status = path_ends_in(o->outputs[i], ".png")
                      ? shoot_all(v, o->outputs[i])
                      : picture_write(v->picture, v->shown, &o->outputs[i], 1, &v->stop);
     return status;

@@ -270,9 +270,9 @@ static VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical,
 {
     VkLayerDeviceCreateInfo *link;
     FIND_LINK(link, info, VkLayerDeviceCreateInfo, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    VkResult result = fails(CALL_CREATE_DEVICE);
     if (device)
         return VK_ERROR_TOO_MANY_OBJECTS;
-    VkResult result = fails(CALL_CREATE_DEVICE);
     if (!link)
         return VK_ERROR_INITIALIZATION_FAILED;
     if (result != VK_SUCCESS)

@@ -128,6 +128,31 @@ static void test_where_things_move(void **state)
     assert_true(spared >= 719);
 }
 
+/* Of one thing that leaps: where it was, it is no longer, and the face has to say so. */
+static void test_where_things_were(void **state)
+{
+    struct fixture *f = *state;
+    struct scene scene = { 0 };
+    const struct scene_params params = { .name = "sphere", .mover_count = 1 };
+    uint32_t leaps = 0;
+    assert_int_equal(scene_load(&scene, &params), STATUS_OK);
+    frame_cube_finish(&f->cube);
+    assert_int_equal(frame_cube_init(&f->cube, &scene), STATUS_OK);
+    scene_finish(&f->scene);
+    f->scene = scene;
+    change(f, "motion.objects=1");
+    for (int i = 0; i < 8; i++) {
+        f->view.time = 90.0f * (float)i;
+        const uint32_t before = see_corners(f);
+        (void)draw(f);
+        f->view.time = 90.0f * (float)i + 180.0f;
+        const uint32_t now = see_corners(f);
+        assert_int_equal((before | now) & ~draw(f), 0);
+        leaps += (before & now) == 0;
+    }
+    assert_true(leaps > 0);
+}
+
 static void test_in_turn(void **state)
 {
     struct fixture *f = *state;
@@ -190,9 +215,9 @@ static void test_nothing_moves(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        WITH_SCENE(test_only_what_changes), WITH_SCENE(test_where_things_move),
-        WITH_SCENE(test_in_turn),           WITH_SCENE(test_object_out_of_the_picture),
-        WITH_SCENE(test_nothing_moves),
+        WITH_SCENE(test_only_what_changes),         WITH_SCENE(test_where_things_move),
+        WITH_SCENE(test_where_things_were),         WITH_SCENE(test_in_turn),
+        WITH_SCENE(test_object_out_of_the_picture), WITH_SCENE(test_nothing_moves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

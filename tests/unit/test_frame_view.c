@@ -295,9 +295,35 @@ static void test_sun_sees_all_of_it(void **state)
     CHECK_NEAR(glms_vec3_norm(sun.eye) / 2, 1000, 1);
 }
 
+/* A small picture of a large environment reads the mip whose texels are as large as its pixels. */
+static void test_environment_lod(void **state)
+{
+    (void)state;
+    const struct settings settings = settings_default();
+    struct scene scene = { .environment = { .width = 8192, .height = 4096 },
+                           .box = { { { -1, -1, -1 } }, { { 1, 1, 1 } } } };
+    struct frame_view view = {
+        .scene = &scene,
+        .settings = &settings,
+        .camera = { .eye = { { 0, 0, 4 } }, .fov_deg = 90 },
+        .width = 64,
+        .height = 64,
+        .face_size = 512,
+    };
+    const double texel = 2 * acos(-1) / 8192;
+    CHECK_NEAR(frame_view_push(&view).environment_lod, log2(2.0 / 64 / texel), 1e-4);
+    CHECK_NEAR(frame_view_face(&view, 0).environment_lod, log2(2.0 / 512 / texel), 1e-4);
+    view.height = 8192; /* pixels are smaller than texels */
+    CHECK_NEAR(frame_view_push(&view).environment_lod, 0, 0);
+    scene.environment.width = 0;
+    view.height = 64;
+    CHECK_NEAR(frame_view_push(&view).environment_lod, 0, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_environment_lod),
         cmocka_unit_test(test_planes_touch_the_sphere),
         cmocka_unit_test(test_fitted_depth_is_finer),
         cmocka_unit_test(test_eye_inside),

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/options/option_values.h"
+#include "src/base/path.h"
 #include "src/metric/flip_filter.h"
 
 enum status option_mask(struct app_options *o, const char *value)
@@ -47,8 +48,7 @@ enum status option_ppd(struct app_options *o, const char *value)
 
 enum status option_error_picture(struct app_options *o, const char *value)
 {
-    const char *dot = strrchr(value, '.');
-    if (!dot || (strcmp(dot, ".exr") != 0 && strcmp(dot, ".png") != 0))
+    if (!path_ends_in(value, ".exr") && !path_ends_in(value, ".png"))
         return option_refuse("output", value, "a name that ends in .exr or .png is wanted");
     if (o->output_count == APP_OUTPUT_COUNT)
         return option_refuse("output", value, "at most 16 files can be written at once");

@@ -2,6 +2,7 @@
 #include "src/app/options/option_ladder.h"
 #include <string.h>
 #include "src/app/options/option_values.h"
+#include "src/base/path.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/refract.h"
 #include "src/tech/techniques.h"
@@ -13,10 +14,9 @@ enum {
 enum status option_ladder_output(struct app_options *o, const char *value)
 {
     static const char *const endings[] = { ".png", ".exr", ".svg", ".html" };
-    const char *dot = strrchr(value, '.');
     bool known = false;
     for (size_t i = 0; i < sizeof(endings) / sizeof(endings[0]); i++)
-        known = known || (dot && !strcmp(dot, endings[i]));
+        known = known || path_ends_in(value, endings[i]);
     if (!known)
         return option_refuse("output", value,
                              "a name that ends in .png, .exr, .svg or .html is wanted");

@@ -6,15 +6,14 @@
 #include "src/app/layer_picture.h"
 #include "src/app/options/option_values.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/reference/reference.h"
 #include "src/scene/material.h"
 #include "src/tech/refract_reference.h"
 
 static enum status add_output(struct app_options *o, const char *option, const char *value)
 {
-    const char *dot = strrchr(value, '.');
-    bool known = !strcmp(value, "-") || (dot && (!strcmp(dot, ".exr") || !strcmp(dot, ".png")));
-    if (!known)
+    if (strcmp(value, "-") != 0 && !path_ends_in(value, ".exr") && !path_ends_in(value, ".png"))
         return option_refuse(option, value, "a name that ends in .exr or .png, or - is wanted");
     if (o->output_count == APP_OUTPUT_COUNT)
         return option_refuse(option, value, "at most 16 files can be written at once");
@@ -35,22 +34,16 @@ static enum status set_only_output(struct app_options *o, const char *value)
     return STATUS_OK;
 }
 
-static bool ends_in(const char *name, const char *ending)
-{
-    const char *dot = strrchr(name, '.');
-    return dot && !strcmp(dot, ending);
-}
-
 enum status option_bake_output(struct app_options *o, const char *value)
 {
-    if (strcmp(value, "-") != 0 && !ends_in(value, ".exr"))
+    if (strcmp(value, "-") != 0 && !path_ends_in(value, ".exr"))
         return option_refuse("output", value, "a name that ends in .exr, or - is wanted");
     return set_only_output(o, value);
 }
 
 enum status option_sheet_output(struct app_options *o, const char *value)
 {
-    if (!ends_in(value, ".png"))
+    if (!path_ends_in(value, ".png"))
         return option_refuse("output", value, "a name that ends in .png is wanted");
     return set_only_output(o, value);
 }

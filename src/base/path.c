@@ -1,0 +1,9 @@
+/* path.c: names of files. */
+#include "src/base/path.h"
+#include <string.h>
+
+bool path_ends_in(const char *path, const char *ending)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && !strcmp(dot, ending);
+}
