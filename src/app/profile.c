@@ -36,26 +36,6 @@ static enum status check_reports(const struct app_options *o)
 
 /* ---- reports ---- */
 
-static bool is_stdout(const char *path)
-{
-    return path && !strcmp(path, "-");
-}
-
-/* Tables go to stdout unless a file does. */
-static bool has_table(const struct app_options *o)
-{
-    const struct app_reports *r = &o->reports;
-    return !is_stdout(r->json) && !is_stdout(r->csv) && !is_stdout(r->trace) && !is_stdout(r->html);
-}
-
-/* Writes a text, which it frees, where one is wanted. */
-static enum status write_text(const char *path, enum status made, char *text, size_t size)
-{
-    enum status status = made == STATUS_OK ? file_write(path, text, size) : made;
-    free(text);
-    return status;
-}
-
 static enum status write_csv(const char *path, const struct profile *profile)
 {
     char *text = NULL;
@@ -64,7 +44,7 @@ static enum status write_csv(const char *path, const struct profile *profile)
     if (out) {
         profile_csv(profile, out);
         if (!fclose(out))
-            return write_text(path, STATUS_OK, text, size);
+            return profile_job_write_text(path, STATUS_OK, text, size);
         free(text);
     }
     log_error("out of memory");
@@ -79,17 +59,17 @@ static enum status write_reports(const struct profile_job *job, const struct pro
     size_t size;
     if (to->json) {
         enum status made = profile_write_json(profile, &text, &size);
-        status = write_text(to->json, made, text, size);
+        status = profile_job_write_text(to->json, made, text, size);
     }
     if (to->csv && status == STATUS_OK)
         status = write_csv(to->csv, profile);
     if (to->trace && status == STATUS_OK) {
         enum status made = profile_write_trace(profile, &text, &size);
-        status = write_text(to->trace, made, text, size);
+        status = profile_job_write_text(to->trace, made, text, size);
     }
     if (to->html && status == STATUS_OK) {
         enum status made = profile_write_html(profile, NULL, &text, &size);
-        status = write_text(to->html, made, text, size);
+        status = profile_job_write_text(to->html, made, text, size);
     }
     return status;
 }
@@ -103,10 +83,10 @@ static enum status run_frame(struct profile_job *job)
     enum status status = profile_job_measure(job, &job->o, &profile);
     if (status == STATUS_OK)
         status = write_reports(job, &profile);
-    if (status == STATUS_OK && has_table(&job->o))
+    if (status == STATUS_OK && profile_job_has_table(&job->o))
         status = profile_table(&profile, job->o.each, stdout);
     if (status == STATUS_OK && job->o.baseline) {
-        FILE *out = has_table(&job->o) ? stdout : stderr;
+        FILE *out = profile_job_has_table(&job->o) ? stdout : stderr;
         putc('\n', out);
         status = profile_compare(&job->baseline, &profile, job->o.each, out, &is_slower);
     }
@@ -127,24 +107,6 @@ static enum status refuse_reports(const struct app_options *o, const char *many)
     return STATUS_USAGE;
 }
 
-enum status profile_job_write_sweep(const struct profile_job *job)
-{
-    const struct app_reports *to = &job->o.reports;
-    enum status status = STATUS_OK;
-    char *text;
-    size_t size;
-    if (to->json) {
-        enum status made = profile_write_sweep_json(&job->sweep, &text, &size);
-        status = write_text(to->json, made, text, size);
-    }
-    if (to->html && status == STATUS_OK) {
-        const struct profile *last = &job->sweep.points[job->sweep.point_count - 1];
-        enum status made = profile_write_html(last, &job->sweep, &text, &size);
-        status = write_text(to->html, made, text, size);
-    }
-    return status;
-}
-
 static enum status run_sweep(struct profile_job *job)
 {
     struct app_options o;
@@ -156,7 +118,7 @@ static enum status run_sweep(struct profile_job *job)
         if (status == STATUS_OK)
             status = profile_job_measure(job, &o, &job->sweep.points[i]);
     }
-    if (status == STATUS_OK && has_table(&job->o))
+    if (status == STATUS_OK && profile_job_has_table(&job->o))
         status = profile_sweep_table(&job->sweep, stdout);
     return status == STATUS_OK ? profile_job_write_sweep(job) : status;
 }

@@ -7,6 +7,9 @@
 #include "src/app/shell_words.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu_capture.h"
+#include "src/image/file.h"
+#include "src/profile/html.h"
+#include "src/profile/json.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 
@@ -128,5 +131,43 @@ enum status profile_job_measure(struct profile_job *job, const struct app_option
     if (status == STATUS_OK)
         status = describe(profile, &o);
     scene_finish(&scene);
+    return status;
+}
+
+/* ---- reports ---- */
+
+static bool is_stdout(const char *path)
+{
+    return path && !strcmp(path, "-");
+}
+
+bool profile_job_has_table(const struct app_options *o)
+{
+    const struct app_reports *r = &o->reports;
+    return !is_stdout(r->json) && !is_stdout(r->csv) && !is_stdout(r->trace) && !is_stdout(r->html);
+}
+
+enum status profile_job_write_text(const char *path, enum status made, char *text, size_t size)
+{
+    enum status status = made == STATUS_OK ? file_write(path, text, size) : made;
+    free(text);
+    return status;
+}
+
+enum status profile_job_write_sweep(const struct profile_job *job)
+{
+    const struct app_reports *to = &job->o.reports;
+    enum status status = STATUS_OK;
+    char *text;
+    size_t size;
+    if (to->json) {
+        enum status made = profile_write_sweep_json(&job->sweep, &text, &size);
+        status = profile_job_write_text(to->json, made, text, size);
+    }
+    if (to->html && status == STATUS_OK) {
+        const struct profile *last = &job->sweep.points[job->sweep.point_count - 1];
+        enum status made = profile_write_html(last, &job->sweep, &text, &size);
+        status = profile_job_write_text(to->html, made, text, size);
+    }
     return status;
 }

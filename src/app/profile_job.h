@@ -24,6 +24,13 @@ MUST_USE enum status profile_job_measure(struct profile_job *job, const struct a
 /* Writes the reports of job->sweep that the options name, and flushes what tables came before. */
 MUST_USE enum status profile_job_write_sweep(const struct profile_job *job);
 
+/* Tables go to stdout unless a file does. */
+bool profile_job_has_table(const struct app_options *options);
+
+/* Writes a text, which it frees, if `made` says that there is one. */
+MUST_USE enum status profile_job_write_text(const char *path, enum status made, char *text,
+                                            size_t size);
+
 /* firn profile paper: measures the paper's experiments as points of job->sweep. */
 MUST_USE enum status profile_paper(struct profile_job *job);
 

@@ -171,7 +171,6 @@ static void print_pairs(const struct profile *points)
 
 enum status profile_paper(struct profile_job *job)
 {
-    const struct app_reports *reports = &job->o.reports;
     struct app_options o;
     enum status status = make_points(job);
     job->progress.frames = CASE_COUNT;
@@ -184,8 +183,7 @@ enum status profile_paper(struct profile_job *job)
     }
     if (status != STATUS_OK)
         return status;
-    if (!(reports->json && !strcmp(reports->json, "-")) &&
-        !(reports->html && !strcmp(reports->html, "-"))) {
+    if (profile_job_has_table(&job->o)) {
         print_cases(job->sweep.points);
         print_pairs(job->sweep.points);
     }

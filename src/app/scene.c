@@ -10,8 +10,8 @@
 #include "src/tech/cracks.h"
 #include "src/tech/frost.h"
 #include "src/tech/local_box.h"
+#include "src/tech/pool.h"
 #include "src/tech/refract.h"
-#include "src/tech/water.h"
 
 static const float default_fov_deg = 45.0f;
 static const uint32_t default_width = 1024;
@@ -142,7 +142,7 @@ enum status app_begin_scene(struct scene *scene, struct app_options *o)
             settings_put(
                 &o->settings,
                 settings_row(&env_cube_settings, offsetof(struct env_cube_params, dynamic)), 0.0);
-        settings_put(&o->settings, WATER_IS_ON_ROW, scene->has_pool);
+        settings_put(&o->settings, POOL_IS_ON_ROW, scene->has_pool);
     }
     return status;
 }

@@ -1,6 +1,4 @@
-/* gpu_memory.c: device memory, and buffers with their content. */
-#include <string.h>
-
+/* gpu_memory.c: device memory, and buffers without content. */
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
@@ -107,62 +105,6 @@ enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer, VkBuff
     if (status != STATUS_OK)
         gpu_buffer_destroy(gpu, buffer);
     buffer->size = status == STATUS_OK ? size : 0;
-    return status;
-}
-
-/* Makes everything copied so far visible to whatever comes later. */
-static void record_visible(VkCommandBuffer commands)
-{
-    const VkMemoryBarrier2 barrier = {
-        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
-        .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-    };
-    const VkDependencyInfo dependency = {
-        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-        .memoryBarrierCount = 1,
-        .pMemoryBarriers = &barrier,
-    };
-    vkCmdPipelineBarrier2(commands, &dependency);
-}
-
-static enum status fill(struct gpu *gpu, const struct gpu_buffer *buffer, const void *data,
-                        const char *name)
-{
-    struct gpu_upload upload = { 0 };
-    enum status status = gpu_upload_begin(gpu, &upload, buffer->size, name);
-    VkDeviceSize done = 0;
-    while (status == STATUS_OK && done < buffer->size) {
-        const VkDeviceSize left = buffer->size - done;
-        const VkBufferCopy copy = {
-            .dstOffset = done,
-            .size = left < upload.staging.size ? left : upload.staging.size,
-        };
-        memcpy(upload.mapped, (const char *)data + done, copy.size);
-        vkCmdCopyBuffer(upload.commands, upload.staging.buffer, buffer->buffer, 1, &copy);
-        done += copy.size;
-        if (done == buffer->size)
-            record_visible(upload.commands);
-        status = gpu_upload_flush(gpu, &upload);
-    }
-    gpu_upload_finish(gpu, &upload);
-    return status;
-}
-
-enum status gpu_buffer_create(struct gpu *gpu, struct gpu_buffer *buffer, VkBufferUsageFlags usage,
-                              const void *data, VkDeviceSize size, const char *name)
-{
-    *buffer = (struct gpu_buffer){ 0 };
-    if (size == 0)
-        return STATUS_OK;
-    enum status status =
-        gpu_memory_buffer(gpu, buffer, usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, size, false, name);
-    if (status == STATUS_OK)
-        status = fill(gpu, buffer, data, name);
-    if (status != STATUS_OK)
-        gpu_buffer_destroy(gpu, buffer);
     return status;
 }
 

@@ -27,7 +27,7 @@
 #include "src/tech/caustics.h"
 #include "shaders/embedded.h"
 #include "src/tech/frame.h"
-#include "src/tech/water.h"
+#include "src/tech/pool.h"
 
 static rg_record_fn record_map, record_grid, record_photons, record_screen, record_strip,
     record_one;
@@ -189,7 +189,7 @@ static const struct rg_pass area_passes[] = {
 static void push(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct caustics_params *params = settings_of(frame->settings, &caustics_settings);
-    const struct water_push pool = water_push_of(frame->settings);
+    const struct water_push pool = pool_push_of(frame->settings);
     const struct caustics_push all = { pool.water, pool.pool, *params };
     if (rg_cmd_pass(cmd)->push_size)
         rg_cmd_push(cmd, &all, sizeof(all));

@@ -13,8 +13,8 @@
 #include "shaders/embedded.h"
 #include "src/tech/bump.h"
 #include "src/tech/frame.h"
+#include "src/tech/pool.h"
 #include "src/tech/row_builder.h"
-#include "src/tech/water.h"
 
 const struct rg_image ice_normal_back = {
     .name = "ice_normal.back",
@@ -101,7 +101,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     const bool bumped = !choice->has_pool && bump.is_on(choice->settings);
     const size_t count = sizeof(passes) / sizeof(passes[0]);
     struct rg_pass *rows = row_builder_rows(builder, passes, count);
-    if (!rows || (choice->has_pool && !water_has_ice(choice->settings)))
+    if (!rows || (choice->has_pool && !pool_has_ice(choice->settings)))
         return (struct rg_technique){ 0 };
     rows[FRONT_ROW].vert = bumped ? &refract_bump_vert : &refract_vert;
     rows[FRONT_ROW].frag = bumped ? &ice_front_bump_frag : &ice_front_frag;

@@ -5,7 +5,7 @@
 #include "tests/support/check.h"
 
 #include "shaders/water.h"
-#include "src/tech/water.h"
+#include "src/tech/pool.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 #include "tests/support/trace.h"
@@ -74,7 +74,7 @@ static struct render_result draw_from(const struct picture_request *view, struct
     struct settings settings = settings_default();
     set_all(&settings, level);
     set_all(&settings, assignments);
-    struct scene scene = load(background, water_push_of(&settings).pool.ice);
+    struct scene scene = load(background, pool_push_of(&settings).pool.ice);
     struct picture_request drawn = *view;
     drawn.scene = &scene;
     drawn.settings = &settings;

@@ -7,7 +7,7 @@
 #include "tests/support/check.h"
 
 #include "src/settings/settings.h"
-#include "src/tech/water.h"
+#include "src/tech/pool.h"
 #include "tests/gpu/optics_ask.h"
 #include "tests/support/lavapipe.h"
 
@@ -16,7 +16,7 @@ static struct water_params get_water(const json_t *oracles)
 {
     const json_t *row = json_object_get(oracles, "wave_constants");
     const struct settings settings = settings_default();
-    struct water_params waves = water_push_of(&settings).water;
+    struct water_params waves = pool_push_of(&settings).water;
     waves.height = (float)get_number(row, "V");
     waves.frequency = (float)get_number(row, "W");
     waves.amplitude = (float)get_number(row, "F0");

@@ -11,7 +11,7 @@
 
 #include "src/tech/caustics.h"
 #include "src/tech/frame.h"
-#include "src/tech/water.h"
+#include "src/tech/pool.h"
 #include "tests/support/run_graph.h"
 
 enum {
@@ -95,7 +95,7 @@ static void run_method(struct gpu *gpu, const struct settings *settings,
 struct light_map light_map_trace(struct gpu *gpu, const struct light_map_params *params)
 {
     const struct settings settings = settings_of_params(params);
-    const struct water_push push = water_push_of(&settings);
+    const struct water_push push = pool_push_of(&settings);
     const double elevation = params->elevation * pi / 180;
     const struct globals globals = {
         .sun_dir = { { (float)cos(elevation), (float)sin(elevation), 0 } },

@@ -11,12 +11,6 @@
 #include "src/base/log.h"
 #include "src/scene/import/model_import.h"
 
-enum status model_no_memory(const char *path)
-{
-    log_error("%s: out of memory", path);
-    return STATUS_TRY_AGAIN;
-}
-
 static enum status check_file(const char *path)
 {
     struct stat info;
@@ -98,7 +92,7 @@ static enum status add_children(struct model_import *import, uint32_t index, uin
             *room *= 2;
             void *grown = realloc(import->nodes, *room * sizeof(*import->nodes));
             if (!grown)
-                return model_no_memory(import->path);
+                return log_out_of_memory(import->path);
             import->nodes = grown;
         }
         mat4s local = matrix_from(&child->mTransformation);
@@ -117,7 +111,7 @@ static enum status list_nodes(struct model_import *import)
     const struct aiNode *root = import->scene->mRootNode;
     import->nodes = malloc(room * sizeof(*import->nodes));
     if (!import->nodes)
-        return model_no_memory(import->path);
+        return log_out_of_memory(import->path);
     import->nodes[0] = (struct model_node){ root, matrix_from(&root->mTransformation) };
     import->node_count = 1;
     for (uint32_t i = 0; i < import->node_count; i++) {
@@ -135,7 +129,7 @@ static enum status convert(struct model_import *import, struct model *model,
     if (status != STATUS_OK)
         return status;
     if (!model_material_read(import))
-        return model_no_memory(import->path);
+        return log_out_of_memory(import->path);
     status = model_mesh_check(import);
     if (status != STATUS_OK)
         return status;
@@ -200,7 +194,7 @@ enum status model_add_surroundings(struct model *model, struct model *other)
     renumber(&other->surroundings, model->textures.count);
     if (!mesh_append(&other->object, &other->surroundings) ||
         !mesh_append(&model->surroundings, &other->object)) {
-        status = model_no_memory("surroundings");
+        status = log_out_of_memory("surroundings");
         goto fail;
     }
     free(model->textures.texels);

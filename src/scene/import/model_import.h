@@ -87,6 +87,4 @@ MUST_USE enum status model_camera_read(const struct model_import *import, struct
 /* Looks for the first node that names a box. */
 MUST_USE enum status model_box_read(const struct model_import *import, struct model *model);
 
-MUST_USE enum status model_no_memory(const char *path);
-
 #endif

@@ -293,7 +293,7 @@ enum status model_mesh_build(const struct model_import *import, struct model *mo
         struct part *part = &build.parts[i];
         index_count += part->index_count;
         if (!mesh_init(part->mesh, (uint32_t)part->vertex_count, (uint32_t)part->index_count))
-            return model_no_memory(import->path);
+            return log_out_of_memory(import->path);
         part->vertex_count = 0;
         part->index_count = 0;
     }
@@ -305,6 +305,6 @@ enum status model_mesh_build(const struct model_import *import, struct model *mo
     if (status != STATUS_OK)
         return status;
     if (!model_join_vertices(&model->object) || !model_join_vertices(&model->surroundings))
-        return model_no_memory(import->path);
+        return log_out_of_memory(import->path);
     return STATUS_OK;
 }

@@ -59,7 +59,7 @@ static enum status read_file(const struct model_import *import, const struct sou
     bool is_read = picture->owned && fread(picture->owned, 1, size, file) == size;
     fclose(file);
     if (!picture->owned)
-        return model_no_memory(import->path);
+        return log_out_of_memory(import->path);
     if (!is_read)
         return fault(import, source, "the file cannot be read");
     picture->bytes = picture->owned;
@@ -152,7 +152,7 @@ static enum status decode(const struct model_import *import, const struct source
     }
     if (status == STATUS_OK &&
         (!texels || !resample(layer, side, texels, picture.width, picture.height)))
-        status = model_no_memory(import->path);
+        status = log_out_of_memory(import->path);
 fail:
     free(texels);
     free(picture.owned);
@@ -198,7 +198,7 @@ static enum status load(const struct model_import *import, const struct source *
         side_max = picture.height > side_max ? picture.height : side_max;
     }
     if (!allocate(layers, (uint32_t)side_max, count))
-        return model_no_memory(import->path);
+        return log_out_of_memory(import->path);
     for (uint32_t i = 0; i < count; i++) {
         enum status status = decode(import, &sources[i], layer_at(layers, i), layers->size);
         if (status != STATUS_OK)
@@ -251,7 +251,7 @@ static enum status find_source(const struct model_import *import, const struct a
         return STATUS_DATA;
     }
     source->file = join_path(import->path, name.data);
-    return source->file ? STATUS_OK : model_no_memory(import->path);
+    return source->file ? STATUS_OK : log_out_of_memory(import->path);
 }
 
 static bool is_same(const struct source *a, const struct source *b)
@@ -290,7 +290,7 @@ enum status model_texture_load(struct model_import *import, struct texture_layer
     uint32_t count = 0;
     struct source *sources = calloc(MODEL_TEXTURE_MAX, sizeof(*sources));
     if (!sources)
-        return model_no_memory(import->path);
+        return log_out_of_memory(import->path);
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < import->scene->mNumMeshes && status == STATUS_OK; i++) {
         const struct aiMesh *mesh = import->scene->mMeshes[i];
@@ -333,7 +333,7 @@ enum status model_texture_merge(struct texture_layers *both, const struct textur
         !copy(both, first->count, second)) {
         free(both->texels);
         *both = (struct texture_layers){ 0 };
-        return model_no_memory("textures");
+        return log_out_of_memory("textures");
     }
     return STATUS_OK;
 }

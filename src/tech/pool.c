@@ -1,0 +1,102 @@
+/*
+ * pool.c: what a pool of water is: its waves, its ground, what floats in it.
+ *
+ * water.c draws it and caustics.c lights it. Absorption by default is that of pure water (Pope and
+ * Fry 1997) at 650, 550 and 450 nm.
+ */
+#include "src/tech/pool.h"
+#include "src/tech/refract.h"
+
+struct water_push pool_push_of(const struct settings *settings)
+{
+    const struct water_params *params = settings_of(settings, &water_settings);
+    const struct pool_params *pool = settings_of(settings, &pool_settings);
+    struct water_push push = { *params, *pool };
+    push.water.ior /= REFRACT_IOR_AIR;
+    return push;
+}
+
+bool pool_has_ice(const struct settings *settings)
+{
+    const struct pool_params *pool = settings_of(settings, &pool_settings);
+    return pool->ice > 0.0f;
+}
+
+static const char *const waves[] = {
+    [WATER_SERIES] = "series",
+    [WATER_COSINE] = "cosine",
+    NULL,
+};
+
+#define WATER(field, ...) \
+    { \
+        .name = "water." #field, .type = SETTING_FLOAT, \
+        .offset = offsetof(struct water_params, field), __VA_ARGS__ \
+    }
+
+static const struct setting rows[] = {
+    {
+        .name = "water.wave",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct water_params, wave),
+        .initial = WATER_SERIES,
+        .max = WATER_COSINE,
+        .choices = waves,
+        .help = "a series of waves, or one cosine along x",
+    },
+    WATER(height, .initial = 0.01, .max = 1, .help = "how high waves are: V (0: flat)"),
+    WATER(frequency, .initial = 10, .max = 1000, .help = "how many there are: W"),
+    WATER(amplitude, .initial = 1, .min = 0.01, .max = 100,
+          .help = "F of the series: its octaves are F, F/2, F/4 ... high"),
+    WATER(speed, .initial = 2, .min = -100, .max = 100, .unit = "radians a second",
+          .help = "how fast waves change: S"),
+    {
+        .name = "water.octaves",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct water_params, octaves),
+        .initial = 5,
+        .max = 8,
+        .help = "of the series",
+    },
+    WATER(scale, .initial = 2.6, .min = 0.01, .max = 1000, .unit = "metres",
+          .help = "length of a unit of the waves"),
+    WATER(ior, .initial = 1.333, .min = 1.001, .max = 4, .help = "refractive index of the water"),
+    WATER(red, .initial = 0.34, .max = 100, .unit = "1/metres", .help = "absorption of red light"),
+    WATER(green, .initial = 0.0565, .max = 100, .unit = "1/metres",
+          .help = "absorption of green light"),
+    WATER(blue, .initial = 0.0092, .max = 100, .unit = "1/metres",
+          .help = "absorption of blue light"),
+};
+
+const struct setting_group water_settings = SETTING_GROUP("water", rows, struct water_params);
+
+#define POOL(field, ...) \
+    { \
+        .name = "pool." #field, .type = SETTING_FLOAT, \
+        .offset = offsetof(struct pool_params, field), .unit = "metres", __VA_ARGS__ \
+    }
+
+static const struct setting pool_rows[] = {
+    {
+        .name = "pool.water",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct pool_params, water),
+        .max = 1,
+        .help = "a pool of water in place of the object; the scene pool switches it on",
+    },
+    POOL(size, .initial = 4, .min = 0.1, .max = 100, .affects = SETTING_AFFECTS_SCENE,
+         .help = "length of the pool's sides"),
+    POOL(depth, .initial = 1.2, .min = 0.01, .max = 100, .affects = SETTING_AFFECTS_SCENE,
+         .help = "depth of its water"),
+    POOL(tile, .initial = 0.25, .min = 0.01, .max = 100, .help = "length of its tiles' sides"),
+    POOL(ice, .max = 50, .affects = SETTING_AFFECTS_SCENE,
+         .help = "width of the ice that floats in it (0: none)"),
+};
+
+const struct setting_group pool_settings = SETTING_GROUP("pool", pool_rows, struct pool_params);
+
+const struct technique pool = {
+    .name = "pool",
+    .help = "the waves and the ground of a pool",
+    .settings = { &pool_settings, &water_settings },
+};
