@@ -1,20 +1,20 @@
 /*
- * rg.h: declare images, buffers and passes as constant data, compile them to a plan.
+ * rg.h: declare images, buffers and passes as constant data, and compile them to a plan.
  *
- * A program writes `const struct rg_image`, `rg_buffer` and `rg_pass` tables; a resource is known
- * by its address, so a misspelt name is a compiler error. The same structs may be filled at run
- * time. rg_compile() checks the tables, drops what no output needs, and works out every layout,
- * barrier, load and store operation and the place of every resource in memory. It needs no
- * VkDevice and calls no Vulkan function; rg_exec.h realises a plan on a device.
+ * A program writes tables of `const struct rg_image`, `rg_buffer` and `rg_pass`. A resource is
+ * known by its address, so that a misspelt name is an error of the C compiler. The same structs may
+ * be filled at run time. rg_compile() checks the tables, culls passes that no output needs, and
+ * derives every layout, barrier, load and store operation and the memory of every resource. It
+ * needs no VkDevice and calls no Vulkan function; rg_exec.h runs a plan on a device.
  *
  * Order:         passes run in the order of the tables.
- * Zero:          is the default everywhere; every field says what its zero means.
- * Ownership:     the tables belong to the caller and must outlive the plan. A plan lives in memory
- *                that the caller gives (rg_compile_params.memory) or that is freed by
- *                rg_plan_destroy().
- * Errors:        faults in the tables are data (struct rg_fault), all of them at once; nothing is
- *                printed here.
- * Thread-safety: a plan is never changed after rg_compile() and may be read from many threads.
+ * Zero:          is the default of every field; its comment says what zero means.
+ * Ownership:     tables belong to the caller and must outlive the plan. A plan belongs to the
+ *                caller of rg_compile(), who destroys it.
+ * Errors:        faults of tables are data (struct rg_fault), and all of them are found at once.
+ *                Nothing is printed.
+ * Thread-safety: rg_compile() may run in several threads. A plan never changes after it and may be
+ *                read from many threads.
  */
 #ifndef RG_H
 #define RG_H
@@ -26,7 +26,7 @@
 #include <vulkan/vulkan_core.h>
 
 #ifdef __GNUC__
-#define RG_API __attribute__((visibility("default"))) /* all else stays inside the library */
+#define RG_API __attribute__((visibility("default"))) /* exported; all else stays in the library */
 #else
 #define RG_API
 #endif
@@ -36,294 +36,312 @@ extern "C" {
 #endif
 
 enum {
-    RG_COLOR_COUNT = 8,       /* colour targets of a pass; what every desktop device has */
-    RG_ALL_MIPS = UINT16_MAX, /* rg_image.mips: down to 1x1 */
-    RG_MAX_PUSH = 128,        /* bytes of push constants; what every device has */
+    RG_COLOR_COUNT = 8,       /* colour targets of a pass, at most; every desktop device has them */
+    RG_ALL_MIPS = UINT16_MAX, /* value of rg_image.mips: the whole chain, down to 1x1 */
+    RG_MAX_PUSH = 128,        /* bytes of push constants, at most; every device has them */
 };
 
-#define RG_NONE UINT32_MAX /* no index */
+#define RG_NONE UINT32_MAX /* an index that refers to nothing */
 
-/* What a pass does to a resource. One row each in compile/access.c. */
+/* What a pass does to a resource. compile/access.c has a row of Vulkan's words for each. */
 enum rg_access {
-    RG_ACCESS_NONE,
-    RG_COLOR,              /* colour target; not in rg_use */
-    RG_DEPTH,              /* depth-stencil target, written; not in rg_use */
-    RG_DEPTH_READ,         /* depth-stencil target, only tested; not in rg_use */
-    RG_RESOLVE,            /* a target's .resolve; not in rg_use */
-    RG_SAMPLED,            /* image and sampler of a descriptor */
-    RG_STORAGE_READ,       /* storage image or buffer */
-    RG_STORAGE_WRITE,      /* the same; the whole range gets new content unless `partial` */
-    RG_STORAGE_READ_WRITE, /* the same; reads what was there */
+    RG_ACCESS_NONE,        /* no access; of an import: its content is undefined */
+    RG_COLOR,              /* colour target; only derived from rg_pass.color */
+    RG_DEPTH,              /* depth-stencil target, written; only derived from rg_pass.depth */
+    RG_DEPTH_READ,         /* depth-stencil target, only tested; derived as well */
+    RG_RESOLVE,            /* target of a multisample resolve; derived from rg_target.resolve */
+    RG_SAMPLED,            /* combined image sampler */
+    RG_STORAGE_READ,       /* storage image or storage buffer, read */
+    RG_STORAGE_WRITE,      /* storage image or buffer, its whole range written unless `partial` */
+    RG_STORAGE_READ_WRITE, /* storage image or buffer, earlier content read and changed */
     RG_UNIFORM,            /* uniform buffer */
     RG_VERTEX,             /* vertex buffer */
     RG_INDEX,              /* index buffer */
     RG_INDIRECT,           /* parameters of indirect draws and dispatches */
-    RG_COPY_SRC,           /* copied, blitted or resolved from */
-    RG_COPY_DST,           /* copied to; the whole range gets new content unless `partial` */
-    RG_HOST_READ,          /* read by the CPU after the frame; only an output's access */
-    RG_PRESENT,            /* shown; only an import's or output's access */
+    RG_COPY_SRC,           /* source of copies, blits and resolves */
+    RG_COPY_DST,           /* destination of copies, its whole range written unless `partial` */
+    RG_HOST_READ,          /* read by the CPU after the frame; only of outputs */
+    RG_PRESENT,            /* presented by a swapchain; only of imports and outputs */
     RG_ACCESS_COUNT,
 };
 
+/* What a target holds when its pass begins. */
 enum rg_load {
     RG_LOAD_KEEP,    /* what earlier passes left */
-    RG_LOAD_CLEAR,   /* the row's clear value */
-    RG_LOAD_DISCARD, /* undefined: the pass overwrites every texel */
+    RG_LOAD_CLEAR,   /* rg_target.clear */
+    RG_LOAD_DISCARD, /* undefined content: the pass overwrites every texel */
 };
 
+/* How a colour is combined with what its target holds. */
 enum rg_blend {
-    RG_BLEND_NONE,
-    RG_BLEND_OVER, /* premultiplied alpha */
-    RG_BLEND_ADD,
+    RG_BLEND_NONE, /* it replaces it */
+    RG_BLEND_OVER, /* source-over with premultiplied alpha */
+    RG_BLEND_ADD,  /* the sum of both */
 };
 
+/* What a pass records. */
 enum rg_kind {
-    RG_RASTER,
-    RG_COMPUTE,
-    RG_TRANSFER,
+    RG_RASTER,   /* draws into targets */
+    RG_COMPUTE,  /* dispatches */
+    RG_TRANSFER, /* copies, blits and clears */
 };
 
-/* Whether one row stands for several passes, run one after another. */
+/* Whether one row stands for several passes, which run one after another. */
 enum rg_repeat {
-    RG_ONCE,
-    RG_PER_LAYER, /* one for each layer of the first target (or first image written) */
-    RG_PER_MIP,   /* one for each mip of it */
+    RG_ONCE,      /* it stands for one pass */
+    RG_PER_LAYER, /* one pass for each layer of the row's first target, or first image written */
+    RG_PER_MIP,   /* one pass for each mip level of that image */
 };
 
+/* Which memory a buffer has. */
 enum rg_memory {
-    RG_MEMORY_DEVICE,   /* device-local; transient buffers share memory with images' successors */
+    RG_MEMORY_DEVICE,   /* device-local; a transient buffer may share it with other buffers */
     RG_MEMORY_UPLOAD,   /* written by the CPU before each frame; one copy per frame in flight */
     RG_MEMORY_READBACK, /* read by the CPU after each frame; one copy per frame in flight */
 };
 
 /*
- * A two-dimensional image. It is transient, its content living from its first pass to its last one
- * in the frame, unless it is imported or persistent: then what one frame leaves is what the next
- * one finds (history). Before the first frame a persistent resource is all zero.
+ * A two-dimensional image. It is transient unless it is imported or persistent: its content lives
+ * from the first pass of a frame that accesses it to the last one, and its memory may be shared
+ * with other images. A persistent image keeps its content from one frame to the next (history);
+ * before the first frame all of it is zero.
  */
 struct rg_image {
-    const char *name;       /* unique; shown in dumps, captures and messages */
-    VkFormat format;        /* required */
-    uint32_t width, height; /* texels; 0 means the view's times `scale` */
-    float scale;            /* of the view, rounded up, at least one texel; 0 means 1 */
-    uint32_t layers;        /* 0 means 1, or 6 for a cube */
-    uint32_t mips;          /* 0 means 1; RG_ALL_MIPS the whole chain */
-    uint32_t samples;       /* a texel: 1 (0 means 1), 2, 4 ... 64; with more than 1: a target, or
-                               sampled by texelFetch; one mip, no cube */
-    bool cube;              /* sampled as a cube map; layers are a multiple of 6 */
-    bool array;             /* an array for shaders even with one layer; with more it always is */
-    bool persistent;        /* keeps its content from frame to frame; never shares memory. Where it
-                               is imported, it is as it comes */
+    const char *name;       /* unique among resources; shown in dumps, captures and messages */
+    VkFormat format;        /* one of compile/format.c; required */
+    uint32_t width, height; /* texels; 0: the view's, times `scale` */
+    float scale;            /* of the view, rounded up to at least one texel; 0 means 1 */
+    uint32_t layers;        /* array layers; 0 means 1, or 6 for a cube */
+    uint32_t mips;          /* mip levels; 0 means 1, RG_ALL_MIPS all */
+    uint32_t samples;       /* per texel: 1 (0 means 1), 2, 4 ... 64. An image of several samples is
+                               a target, or read by texelFetch; it has one mip and is no cube */
+    bool cube;              /* sampled as a cube map; the number of layers is a multiple of 6 */
+    bool array;      /* an array for shaders even with one layer; with several it always is */
+    bool persistent; /* keeps its content between frames, in memory that it does not share;
+                               an import keeps what it came with instead */
 };
 
+/* A buffer. It is transient, persistent or imported as an image is. */
 struct rg_buffer {
-    const char *name;            /* unique among images and buffers */
-    VkDeviceSize size;           /* bytes, plus: */
-    VkDeviceSize size_per_texel; /* bytes for every texel of the view, or of its part */
-    enum rg_memory memory;
-    bool persistent; /* as of an image; RG_MEMORY_DEVICE alone */
+    const char *name;            /* unique among resources */
+    VkDeviceSize size;           /* bytes, in addition to: */
+    VkDeviceSize size_per_texel; /* bytes for every texel of rg_compile_params.max_region */
+    enum rg_memory memory;       /* persistent and imported buffers are RG_MEMORY_DEVICE */
+    bool persistent;             /* keeps its content between frames; all zero before the first */
 };
 
-/* Part of an image. {0} is all of it. */
+/* A part of an image. {0} is all of it. */
 struct rg_range {
-    VkImageAspectFlags aspect; /* 0 means all of the format's */
-    uint32_t mip, mip_count;   /* count 0 means the rest */
-    uint32_t layer, layer_count;
-    bool
-        each; /* in a repeated row: only this repetition's layer or mip, from `layer` or `mip` on */
+    VkImageAspectFlags aspect;   /* 0 means all aspects of the format */
+    uint32_t mip, mip_count;     /* first mip level, and how many; count 0 means the rest */
+    uint32_t layer, layer_count; /* first layer, and how many; count 0 means the rest */
+    bool each; /* of a repeated row: only the repetition's layer or mip, counted from the first */
 };
 
-/* How a shader samples. {0}: nearest, clamped to the edge, mip 0 only. */
+/* How a shader samples. {0}: the nearest texel of mip 0, clamped to the edge. */
 struct rg_sampler {
-    bool linear;      /* filter, also between mips */
-    bool mips;        /* uses the mip chain */
+    bool linear;      /* linear filter, also between mip levels */
+    bool mips;        /* uses the mip chain; else mip 0 alone */
     bool repeat_u;    /* wraps around horizontally */
     bool repeat_v;    /* wraps around vertically */
-    float anisotropy; /* at most; 0 means none; ignored where the device has none */
+    float anisotropy; /* at most; 0 means none; limited by rg_exec_params.max_anisotropy */
 };
 
-/* What a use samples where nothing provides its image: one texel of this content. */
+/* The content of the one texel that a use samples where nothing provides its image. */
 struct rg_fallback {
-    float
-        color[4]; /* linear, as for VkClearColorValue; of depth the first, of integers truncated */
+    float color[4]; /* linear, as of VkClearColorValue. Depth takes the first; integers truncate */
 };
 
-/* One thing a pass reads or writes besides its targets. */
+/* One resource that a pass reads or writes besides its targets. */
 struct rg_use {
-    const struct rg_image *image; /* this or: */
-    const struct rg_buffer *buffer;
-    enum rg_access access;
-    uint16_t binding; /* in descriptor set 0, if the access needs a descriptor */
-    bool partial;     /* a write that leaves some of the range as it was */
-    bool same_texel;  /* RG_SAMPLED: fragments read the texel alone that they draw; what counts is
-                         told at rg_exec_set_region() */
-    const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
-    /* RG_SAMPLED of one sample a texel: bound by the executor if no row of any technique writes the
-     * image and no import provides it. NULL: then the read is a fault. */
-    const struct rg_fallback *fallback;
-    VkPipelineStageFlags2 stages; /* of the pass's shaders; 0: fragment or compute, and vertex
-                                         too for RG_UNIFORM */
-    struct rg_range range;
+    const struct rg_image *image;   /* exactly one of this */
+    const struct rg_buffer *buffer; /* and this is given */
+    enum rg_access access;          /* required; not one that is derived from targets */
+    uint16_t binding; /* in descriptor set 0, if the access has a descriptor; unique in the row */
+    bool partial;     /* a write that keeps some of the range's earlier content */
+    bool same_texel;  /* RG_SAMPLED: fragments read only the texel at their own position, which
+                         rg_exec_set_region() makes use of */
+    const struct rg_sampler *sampler;   /* RG_SAMPLED; NULL means {0} */
+    const struct rg_fallback *fallback; /* RG_SAMPLED, one sample per texel: bound by the executor
+                                           if no row of any technique writes the image and no import
+                                           provides it. NULL: such a use is a fault */
+    VkPipelineStageFlags2 stages; /* shader stages that access it; 0: fragment or compute, and for
+                                     RG_UNIFORM the vertex stage too */
+    struct rg_range range;        /* of an image; {0} means all of it */
 };
 
+/* An attachment of a raster pass. */
 struct rg_target {
-    const struct rg_image *image;
-    enum rg_load load;
-    VkClearValue clear;  /* for RG_LOAD_CLEAR */
-    uint32_t mip, layer; /* of a repeated row: the first one; an image with a single layer (mip)
-                            serves every repetition */
-    enum rg_blend blend; /* colour only */
-    /* Colour only: gets the mean of each texel's samples when the pass ends. The same format and
-     * size, one sample a texel; `resolve_mip` and `resolve_layer` count as `mip` and `layer` do. */
-    const struct rg_image *resolve;
-    uint32_t resolve_mip, resolve_layer;
+    const struct rg_image *image; /* NULL: no target */
+    enum rg_load load;            /* content at the start of the pass */
+    VkClearValue clear;           /* value for RG_LOAD_CLEAR */
+    uint32_t mip, layer;          /* where to draw; of a repeated row the first one. An image with a
+                                      single layer (mip) serves every repetition */
+    enum rg_blend blend;          /* of a colour target */
+    const struct rg_image
+        *resolve; /* of a colour target: gets the mean of the samples of each texel
+                                       when the pass ends; same format and size, one sample */
+    uint32_t resolve_mip, resolve_layer; /* of `resolve`, counted as `mip` and `layer` are */
 };
 
-/* SPIR-V words of one stage, embedded at build time; its entry point is "main". */
+/* The SPIR-V code of one shader stage; its entry point is "main". */
 struct rg_shader {
-    const char *name;
-    const uint32_t *words;
-    size_t word_count;
+    const char *name;      /* for captures and messages */
+    const uint32_t *words; /* the module; borrowed */
+    size_t word_count;     /* 32-bit words */
 };
 
-/* One vertex buffer, binding 0. */
+/* The layout of the vertex buffer at binding 0. */
 struct rg_vertex_layout {
-    uint32_t stride; /* bytes */
-    uint32_t attribute_count;
-    const VkVertexInputAttributeDescription *attributes;
+    uint32_t stride;                                     /* bytes from vertex to vertex */
+    uint32_t attribute_count;                            /* elements of: */
+    const VkVertexInputAttributeDescription *attributes; /* borrowed */
 };
 
-struct rg_cmd;   /* what record functions draw with; see rg_cmd.h */
-struct rg_frame; /* left to the program to define: what its record functions may read */
+struct rg_cmd;   /* the pass being recorded; rg_cmd.h has the functions to draw with */
+struct rg_frame; /* defined by the program: the data of a frame that its functions read */
 
-/* When it runs, everything its row names is bound: pipeline, set 0, viewport, targets. */
+/* Records the work of one pass. The row's pipeline, descriptor set 0, viewport, scissor and targets
+ * are bound when it is called. Called from rg_exec_submit(), in its thread. */
 typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 /*
- * Whether a conditional pass runs in this frame; asked once for each recording of each pass, and
- * to answer the same for the same frame and repetition (0 for a row without). A pass that does not
- * run leaves everything as it was, its clears included; its barriers are recorded all the same. So
- * what only conditional passes write is there only for passes of the same condition (of several,
- * that of the last one that writes it), unless it is persistent or imported. A condition is a
- * function: where its answer depends on the repetition, let a pass read of such content only what
- * was written by the same repetition.
+ * Says whether a conditional pass runs in a frame; `repetition` is 0 for a row without repetitions.
+ * It is asked once for each recording of each pass, and must answer the same for the same frame and
+ * repetition. A pass that does not run leaves all content as it was, clears included; its barriers
+ * are recorded all the same. So content that only conditional passes write is available only to
+ * passes with the same condition (of several writers: that of the last one), unless it is
+ * persistent or imported. Where the answer depends on the repetition, a pass may read of such
+ * content only what the same repetition has written.
  */
 typedef bool rg_when_fn(const struct rg_frame *frame, uint32_t repetition);
 
+/* A row: a pass, or several repetitions of it. */
 struct rg_pass {
-    const char *name; /* unique */
-    enum rg_kind kind;
-    enum rg_repeat repeat;
-    const struct rg_target *color;           /* RG_TARGETS(); NULL means none */
-    uint32_t color_count;                    /* at most RG_COLOR_COUNT; the last may be zeros */
-    VkCompareOp depth_compare;               /* 0 means LESS_OR_EQUAL */
-    struct rg_target depth;                  /* no image: none */
-    const struct rg_use *uses;               /* ends at a row of zeros; NULL means none */
-    const struct rg_shader *vert, *frag;     /* raster; without frag only depth is written */
-    const struct rg_shader *comp;            /* compute */
-    const struct rg_vertex_layout *vertices; /* NULL means none: the shader makes them up */
+    const char *name;              /* unique among passes; shown in dumps, captures and messages */
+    enum rg_kind kind;             /* what it records */
+    enum rg_repeat repeat;         /* whether it stands for several passes */
+    const struct rg_target *color; /* colour targets: RG_TARGETS(); NULL means none */
+    uint32_t color_count;      /* at most RG_COLOR_COUNT; entries after the last image are zeros */
+    VkCompareOp depth_compare; /* of the depth test; 0 means LESS_OR_EQUAL */
+    struct rg_target depth;    /* depth-stencil target; without image: none */
+    const struct rg_use *uses; /* RG_USES(): ended by a row of zeros; NULL means none */
+    const struct rg_shader *vert, *frag; /* of a raster pass; without frag it only writes depth */
+    const struct rg_shader *comp;        /* of a compute pass */
+    const struct rg_vertex_layout *vertices; /* NULL: the vertex shader needs no vertex buffer */
     VkPrimitiveTopology topology;            /* 0 (points) means TRIANGLE_LIST */
-    VkCullModeFlags cull;                    /* 0 means none */
-    VkFrontFace front;                       /* 0 means counter-clockwise */
-    uint32_t push_size;                      /* bytes of push constants */
-    rg_record_fn *record;                    /* required */
-    rg_when_fn *when;                        /* NULL: it runs in every frame */
-    bool depth_read_only;                    /* tested, not written */
+    VkCullModeFlags cull;                    /* faces that are not drawn; 0 means none */
+    VkFrontFace front;                       /* winding of front faces; 0 means counter-clockwise */
+    uint32_t push_size;   /* bytes of push constants, for all stages: a multiple of 4 */
+    rg_record_fn *record; /* required */
+    rg_when_fn *when;     /* the condition; NULL: the pass runs in every frame */
+    bool depth_read_only; /* the depth target is tested and not written */
 };
 
-/* Passes that belong together. */
+/* Passes that belong together, in the order in which they run. */
 struct rg_technique {
-    const char *name;
+    const char *name; /* required; shown in faults and dumps */
     const struct rg_pass *passes;
     size_t pass_count;
 };
 
-/* Initializer of a technique from an array of passes. */
+/* Initialises a technique from its name and an array of passes. */
 #define RG_TECHNIQUE(title, table) \
     { \
         .name = (title), .passes = (table), .pass_count = sizeof(table) / sizeof((table)[0]) \
     }
 
-/* The colour targets of a row and their number:
- * .color = RG_TARGETS({ &a, RG_LOAD_CLEAR }, { &b, RG_LOAD_KEEP }). As RG_USES(), a literal of the
- * scope that it is in: for rows made in a loop keep an array of targets. */
+/*
+ * The colour targets of a row and their number:
+ * .color = RG_TARGETS({ &a, RG_LOAD_CLEAR }, { &b, RG_LOAD_KEEP }). A compound literal, as that of
+ * RG_USES(): it lives as long as the scope it is in. Rows made in a loop need arrays of their own.
+ */
 #define RG_TARGETS(...) \
     (const struct rg_target[]){ __VA_ARGS__ }, \
         .color_count = \
             sizeof((const struct rg_target[]){ __VA_ARGS__ }) / sizeof(struct rg_target)
 
-/* The uses of a row, ended: .uses = RG_USES({ .image = &a, .access = RG_SAMPLED }, ...) */
+/* The uses of a row, with their end: .uses = RG_USES({ .image = &a, .access = RG_SAMPLED }, ...) */
 #define RG_USES(...) ((const struct rg_use[]){ __VA_ARGS__, { 0 } })
 
 /*
- * A resource that comes from outside. It arrives in the layout of `access`, with every earlier
- * write made visible to that access if it only reads (by shaders: vertex, fragment and compute
- * ones); with RG_ACCESS_NONE its content is undefined. It is handed back in the same state unless
- * it is an output. What passes write to it survives only if it is an output.
+ * A resource that exists outside of the plan. It arrives in the layout of `access`. If that only
+ * reads, earlier writes are visible to it (to vertex, fragment and compute shaders, if shaders do
+ * it); with RG_ACCESS_NONE its content is undefined. After the frame it is handed back in the same
+ * state, unless it is an output. What passes write to it is kept only if it is an output.
  */
 struct rg_import {
-    const struct rg_image *image; /* this or: */
-    const struct rg_buffer *buffer;
-    enum rg_access access;
-    VkExtent2D extent;     /* of the image that comes; as declared if either is 0 */
-    uint32_t layers, mips; /* the same */
-    VkDeviceSize size;     /* of the buffer; the same */
+    const struct rg_image *image;   /* exactly one of this */
+    const struct rg_buffer *buffer; /* and this is given */
+    enum rg_access access;          /* the state in which it arrives */
+    VkExtent2D extent;              /* texels of the image that comes; 0: as declared */
+    uint32_t layers, mips;          /* of the image that comes; 0: as declared */
+    VkDeviceSize size;              /* bytes of the buffer that comes; 0: as declared */
 };
 
-/* A resource whose content is wanted after the plan; it arrives there ready for `access`. */
+/* A resource whose content is needed after the frame; it is left ready for `access`. */
 struct rg_output {
-    const struct rg_image *image; /* this or: */
-    const struct rg_buffer *buffer;
-    enum rg_access access;
+    const struct rg_image *image;   /* exactly one of this */
+    const struct rg_buffer *buffer; /* and this is given */
+    enum rg_access access;          /* required */
 };
 
-/* Memory that a resource needs, as Vulkan says it. */
+/* The memory that a resource needs, as of VkMemoryRequirements. */
 struct rg_memory_requirements {
-    VkDeviceSize size, alignment; /* a power of two; 0 means 1 */
-    uint32_t type_bits;
-};
-
-/* What the compiler may ask of a device; made by rg_exec_device(), or by hand for tests. */
-struct rg_device {
-    const void *user;
-    struct rg_memory_requirements (*image_memory)(const void *user, const VkImageCreateInfo *info);
-    struct rg_memory_requirements (*buffer_memory)(const void *user,
-                                                   const VkBufferCreateInfo *info);
-    /* VK_IMAGE_TILING_OPTIMAL */
-    VkFormatFeatureFlags (*format_features)(const void *user, VkFormat format);
-    /* which rg_image.samples such an image may have */
-    VkSampleCountFlags (*sample_counts)(const void *user, const VkImageCreateInfo *info);
-    uint32_t max_image_size, max_layers; /* texels; 0 means no limit */
+    VkDeviceSize size, alignment; /* bytes; the alignment is a power of two, 0 means 1 */
+    uint32_t type_bits;           /* bit i: memory type i may be used */
 };
 
 /*
- * Which transient resources may lie in the same memory. Taking over memory needs a barrier after
- * its former user's last pass, where the frame might need none: fewer bytes or fewer batches.
+ * What the compiler may ask of a device. rg_exec_device() makes one of a VkDevice, tests make it by
+ * hand. Each function gets `user`; one that is NULL restricts nothing. All are called from within
+ * rg_compile() alone.
+ */
+struct rg_device {
+    const void *user; /* borrowed */
+    /* Return the memory that an image or a buffer of this description needs. */
+    struct rg_memory_requirements (*image_memory)(const void *user, const VkImageCreateInfo *info);
+    struct rg_memory_requirements (*buffer_memory)(const void *user,
+                                                   const VkBufferCreateInfo *info);
+    /* Returns what images of a format can do with VK_IMAGE_TILING_OPTIMAL. */
+    VkFormatFeatureFlags (*format_features)(const void *user, VkFormat format);
+    /* Returns which numbers of samples such an image may have. */
+    VkSampleCountFlags (*sample_counts)(const void *user, const VkImageCreateInfo *info);
+    uint32_t max_image_size, max_layers; /* texels on a side, and layers; 0 means no limit */
+};
+
+/*
+ * Which transient resources may share memory. When memory changes hands, a barrier must come after
+ * the last access of the previous owner, where the frame might need none: so the fewest bytes and
+ * the fewest batches of barriers exclude each other.
  */
 enum rg_sharing {
-    RG_SHARE_FEWEST_BATCHES, /* those that need no batch more than if nothing were shared */
-    RG_SHARE_LEAST_MEMORY,   /* all that are not alive together */
+    RG_SHARE_FEWEST_BATCHES, /* resources whose sharing costs no batch */
+    RG_SHARE_LEAST_MEMORY,   /* all resources that are not alive at the same time */
     RG_SHARE_NOTHING,        /* none */
 };
 
+/* What rg_compile() works on. All of it is borrowed, and must outlive the plan, but for `memory`
+ * only while rg_compile() runs: techniques (the array), outputs, imports, device. */
 struct rg_compile_params {
-    const struct rg_technique *const *techniques;
+    const struct rg_technique *const *techniques; /* in the order in which they run */
     size_t technique_count;
-    VkExtent2D view;       /* texels; not 0 */
-    VkExtent2D max_region; /* the largest that rg_exec_set_region() is given; 0 means the view */
-    const struct rg_output *outputs;
-    size_t output_count; /* 0 is a fault: everything would be culled */
+    VkExtent2D view;       /* texels; required */
+    VkExtent2D max_region; /* texels: the largest one for rg_exec_set_region(); 0 means the view */
+    const struct rg_output *outputs; /* what the frame is for; passes that none needs are culled */
+    size_t output_count;             /* 0 is a fault */
     const struct rg_import *imports;
     size_t import_count;
-    const struct rg_device *device; /* NULL: tight sizes, alignment 256, every format works */
-    enum rg_sharing sharing;
-    /* Room for the plan and for compiling it, aligned for any type; it outlives the plan and may
-     * serve again after rg_plan_destroy(). What it lacks (plan->arena_size says how much would be
-     * enough), or all where it is NULL, comes from malloc. */
+    const struct rg_device *device; /* NULL: tight sizes, alignment 256, no limits of formats */
+    enum rg_sharing sharing;        /* fewer batches or less memory */
+    /* Memory for the plan and for compiling it, aligned for any type. It outlives the plan, and may
+     * be used again after rg_plan_destroy(). What it lacks comes from malloc(); rg_plan.arena_size
+     * says how much is enough. NULL: everything comes from malloc(). */
     void *memory;
     size_t memory_size; /* bytes */
 };
 
+/* The kinds of faults. rg_fault_text() writes them out. */
 enum rg_error {
     RG_ERROR_NONE,
     RG_ERROR_NO_OUTPUT,          /* no output asked for */
@@ -354,47 +372,47 @@ enum rg_error {
     RG_ERROR_COUNT,
 };
 
-/* One fault, with the names a message needs. Any name may be NULL where it does not apply. */
+/* One fault, with the names that a message needs; a name that does not apply is NULL. */
 struct rg_fault {
     enum rg_error error;
-    const char *technique;
-    const char *pass;
-    const char *resource;
-    uint32_t row;     /* of the technique's table, from 0; RG_NONE if none */
+    const char *technique, *pass, *resource;
+    uint32_t row;     /* index into the technique's passes; RG_NONE if the fault is in no row */
     const char *hint; /* how to mend it */
 };
 
+/* An image that living passes access. */
 struct rg_plan_image {
-    const struct rg_image *image;
-    VkExtent2D extent;
+    const struct rg_image *image; /* the declaration */
+    VkExtent2D extent;            /* texels of mip 0 */
     uint32_t layers, mips;
-    VkImageAspectFlags aspects;
-    VkImageUsageFlags usage;
+    VkImageAspectFlags aspects; /* of the format */
+    VkImageUsageFlags usage;    /* of all accesses */
     VkImageCreateFlags flags;
-    uint32_t samples;
-    bool imported, persistent;
+    uint32_t samples;          /* per texel */
+    bool imported, persistent; /* neither: transient */
     uint32_t import;           /* index into the params' imports, or RG_NONE */
-    uint32_t first, last;      /* plan passes that touch it; an output's last is pass_count */
+    uint32_t first, last;      /* plan passes that access it; an output's last is pass_count */
     uint32_t block;            /* index into blocks; RG_NONE unless transient */
-    VkDeviceSize offset, size; /* in the block */
+    VkDeviceSize offset, size; /* bytes, in the block */
 };
 
+/* A buffer that living passes access. */
 struct rg_plan_buffer {
-    const struct rg_buffer *buffer;
-    VkDeviceSize size; /* bytes, as declared */
-    VkBufferUsageFlags usage;
-    bool imported, persistent;
-    uint32_t import;
-    uint32_t first, last;
-    uint32_t block; /* RG_NONE unless transient and RG_MEMORY_DEVICE */
-    VkDeviceSize offset, memory_size;
+    const struct rg_buffer *buffer;   /* the declaration */
+    VkDeviceSize size;                /* bytes, without alignment */
+    VkBufferUsageFlags usage;         /* of all accesses */
+    bool imported, persistent;        /* neither: transient */
+    uint32_t import;                  /* index into the params' imports, or RG_NONE */
+    uint32_t first, last;             /* plan passes, as of an image */
+    uint32_t block;                   /* RG_NONE unless transient and RG_MEMORY_DEVICE */
+    VkDeviceSize offset, memory_size; /* bytes, in the block */
 };
 
-/* Memory shared by the transient resources of one kind. */
+/* Memory that transient images, or transient buffers, share. */
 struct rg_block {
-    VkDeviceSize size, alignment;
-    uint32_t type_bits;
-    bool buffers; /* of buffers; else of images */
+    VkDeviceSize size, alignment; /* bytes */
+    uint32_t type_bits;           /* memory types that suit all of them */
+    bool buffers;                 /* of buffers; else of images */
 };
 
 /* One VkImageMemoryBarrier2 or VkBufferMemoryBarrier2. */
@@ -403,130 +421,131 @@ struct rg_barrier {
     uint32_t buffer; /* index into buffers, or RG_NONE */
     VkPipelineStageFlags2 src_stages, dst_stages;
     VkAccessFlags2 src_access, dst_access;
-    VkImageLayout old_layout, new_layout;
-    VkImageSubresourceRange range;
+    VkImageLayout old_layout, new_layout; /* of an image */
+    VkImageSubresourceRange range;        /* of an image */
 };
 
+/* An attachment of a pass. */
 struct rg_plan_target {
-    uint32_t image; /* index into images */
-    uint32_t mip, layer;
+    uint32_t image;      /* index into images */
+    uint32_t mip, layer; /* where it draws */
     VkAttachmentLoadOp load;
-    VkAttachmentStoreOp store;
+    VkAttachmentStoreOp store; /* derived from what later passes and outputs need */
     VkImageLayout layout;
     uint32_t resolve; /* index into images, or RG_NONE; in the layout of a colour target */
     uint32_t resolve_mip, resolve_layer;
 };
 
-/* A descriptor, or an access that needs none, with its range resolved. */
+/* A use with its range resolved: a descriptor, or an access that has none. */
 struct rg_plan_use {
-    const struct rg_use *use;
-    uint32_t image, buffer; /* index, or RG_NONE */
-    VkImageSubresourceRange range;
-    VkImageLayout layout;
+    const struct rg_use *use;      /* the declaration */
+    uint32_t image, buffer;        /* index into images or buffers; the other is RG_NONE */
+    VkImageSubresourceRange range; /* of an image */
+    VkImageLayout layout;          /* of an image, during the pass */
 };
 
 /* One pass to record: a row, or one repetition of it. */
 struct rg_plan_pass {
-    const struct rg_pass *pass;
+    const struct rg_pass *pass; /* the row */
     const struct rg_technique *technique;
     uint32_t row;                          /* index into the technique's passes */
     uint32_t repetition;                   /* from 0 */
-    VkExtent2D extent;                     /* of the targets; the view's without targets */
-    uint32_t first_barrier, barrier_count; /* one batch, before the pass */
+    VkExtent2D extent;                     /* texels of the targets; the view's without targets */
+    uint32_t first_barrier, barrier_count; /* one batch, recorded before the pass */
     uint32_t first_use, use_count;
     uint32_t first_fallback, fallback_count;
-    const struct rg_plan_target *color; /* color_count of them, in the plan's colors */
+    const struct rg_plan_target *color; /* `color_count` of rg_plan.colors */
     uint32_t color_count;
-    struct rg_plan_target depth; /* image RG_NONE: none */
+    struct rg_plan_target depth; /* its image is RG_NONE if there is none */
 };
 
+/* A pass that no output needs. */
 struct rg_culled {
     const struct rg_pass *pass;
     uint32_t repetition;
 };
 
+/* The result of rg_compile(). If fault_count is not 0, only the faults may be read. */
 struct rg_plan {
     const struct rg_fault *faults;
-    uint32_t fault_count; /* not 0: nothing below is to be used */
-    VkExtent2D view, max_region;
+    uint32_t fault_count;
+    VkExtent2D view, max_region; /* of the params */
     uint32_t pass_count, image_count, buffer_count, barrier_count, use_count, block_count;
     uint32_t culled_count, color_count, fallback_count;
-    uint32_t batch_count; /* passes with barriers before them, and the end if it has some */
-    const struct rg_plan_pass *passes;  /* in execution order */
-    const struct rg_plan_image *images; /* those that living passes use, in order of first use */
+    uint32_t batch_count;              /* passes with barriers before them, and the end with some */
+    const struct rg_plan_pass *passes; /* in the order in which they run */
+    const struct rg_plan_image *images; /* in the order of their first access */
     const struct rg_plan_buffer *buffers;
     const struct rg_barrier *barriers; /* of the frame; behind them the initial ones */
-    uint32_t first_final_barrier, final_barrier_count; /* after the last pass */
-    /* Before the first frame, from TRANSFER_DST_OPTIMAL (persistent resources have just been filled
-     * with zeros) to the state that every frame finds and leaves; in no batch. */
+    uint32_t first_final_barrier, final_barrier_count; /* one batch, after the last pass */
+    /* Barriers before the first frame, in no batch: from TRANSFER_DST_OPTIMAL (persistent resources
+     * have just been filled with zeros) to the state that every frame finds and leaves. */
     uint32_t first_initial_barrier, initial_barrier_count;
-    const struct rg_plan_use *uses;
-    const struct rg_use *const *fallbacks; /* uses that are bound to their fallback; no images or
-                                              uses of the plan, and in no dump */
-    const struct rg_plan_target *colors;   /* colour targets: those of each pass in a row */
+    const struct rg_plan_use *uses;        /* those of a pass adjoin */
+    const struct rg_use *const *fallbacks; /* uses bound to their fallback; in no dump */
+    const struct rg_plan_target *colors;   /* colour targets; those of a pass adjoin */
     const struct rg_block *blocks;
     const struct rg_culled *culled;
     VkDeviceSize memory_used;             /* bytes of all blocks */
     VkDeviceSize memory_without_aliasing; /* bytes if nothing were shared */
-    VkDeviceSize memory_bound;            /* the least possible with these batches: bytes that are
-                                             taken at some one time */
-    VkDeviceSize memory_least;            /* the same if batches did not count */
+    VkDeviceSize memory_bound;            /* bytes taken at some one time: no packing needs less */
+    VkDeviceSize memory_least;            /* that bound if batches did not count */
     VkDeviceSize memory_persistent;       /* bytes of persistent resources, beside all this */
-    size_t arena_size;                    /* bytes that compiling took */
+    size_t arena_size;                    /* bytes of memory that compiling took */
 };
 
 /*
- * Compiles techniques, in the order given. Returns a plan, which the caller destroys, with all
- * faults found in it (fault_count 0: a good plan); NULL only when memory is short.
+ * Compiles the techniques of `params`, in their order. Returns a plan, which the caller destroys;
+ * check its fault_count first. Returns NULL only when memory is short. Thread-safe.
  */
 RG_API struct rg_plan *rg_compile(const struct rg_compile_params *params);
 
-/* How to create an image of a plan; the compiler asks for its memory with the same words. */
+/* Frees a plan. NULL is allowed. rg_compile_params.memory stays the caller's. */
+RG_API void rg_plan_destroy(struct rg_plan *plan);
+
+/* Returns how to create an image of a plan; the compiler asks a device about the same structure. */
 RG_API VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image);
 
-RG_API void rg_plan_destroy(struct rg_plan *plan); /* may be NULL */
+/*
+ * Each of these writes a plan, or its faults, to `out`, whose errors the caller checks. The same
+ * tables give the same bytes: no addresses are written. docs/render-graph.md describes the forms.
+ */
+RG_API void rg_dump(const struct rg_plan *plan, FILE *out);      /* text, one line a thing */
+RG_API void rg_dump_dot(const struct rg_plan *plan, FILE *out);  /* a Graphviz digraph */
+RG_API void rg_dump_json(const struct rg_plan *plan, FILE *out); /* one JSON object */
+RG_API void rg_dump_html(const struct rg_plan *plan, FILE *out); /* one page, without network */
 
-/* The plan as text, one line a thing; the form golden tests compare. No names of techniques'
- * functions and no addresses: the same tables give the same text. */
-RG_API void rg_dump(const struct rg_plan *plan, FILE *out);
-
-/* The plan as a Graphviz digraph: passes, resources and what flows between them. */
-RG_API void rg_dump_dot(const struct rg_plan *plan, FILE *out);
-
-/* The plan as a JSON object: everything that rg_dump() says, and offsets. */
-RG_API void rg_dump_json(const struct rg_plan *plan, FILE *out);
-
-/* The plan as one HTML page that needs no network: passes as columns, resources as bars over their
- * life in the shared memory, barriers between the passes. */
-RG_API void rg_dump_html(const struct rg_plan *plan, FILE *out);
-
-/* One line without newline: technique, row, pass, what is wrong with which resource, hint.
- * Returns the length it would have, as snprintf. */
+/* Writes a fault as one line without newline: technique, row, pass, resource, what is wrong, hint.
+ * Writes at most `size` bytes; returns the length of the whole line, as snprintf() does. */
 RG_API int rg_fault_text(const struct rg_fault *fault, char *text, size_t size);
 
-/* The stages, accesses, layout and usage of an access, as Vulkan names them. */
+/* What an access is in Vulkan's words. */
 struct rg_access_info {
-    const char *name;
+    const char *name;             /* as in dumps */
     VkPipelineStageFlags2 stages; /* 0: the shader stages of the use */
-    VkAccessFlags2 reads, writes; /* access masks */
-    VkImageLayout layout;         /* UNDEFINED: buffers only */
+    VkAccessFlags2 reads, writes;
+    VkImageLayout layout; /* UNDEFINED: only buffers are accessed so */
     VkImageUsageFlags image_usage;
     VkBufferUsageFlags buffer_usage;
     VkFormatFeatureFlags format_features; /* that the image's format must have */
     VkDescriptorType image_descriptor;    /* VK_DESCRIPTOR_TYPE_MAX_ENUM: none */
-    VkDescriptorType buffer_descriptor;   /* the same */
-    bool reads_content;                   /* wants what was there (a KEEP target does too) */
+    VkDescriptorType buffer_descriptor;   /* VK_DESCRIPTOR_TYPE_MAX_ENUM: none */
+    bool reads_content; /* needs earlier content; a RG_LOAD_KEEP target does too */
     bool writes_content;
 };
+
+/* Returns the words of an access, which is below RG_ACCESS_COUNT. Static data. */
 RG_API const struct rg_access_info *rg_access_info(enum rg_access access);
 
-/* Name, bytes of a texel and aspects of a format; NULL for formats unknown to the graph. */
+/* What the graph knows of a format. */
 struct rg_format_info {
     VkFormat format;
-    const char *name; /* without VK_FORMAT_ */
-    uint32_t size;    /* bytes a texel */
-    VkImageAspectFlags aspects;
+    const char *name;           /* without VK_FORMAT_ */
+    uint32_t size;              /* bytes per texel */
+    VkImageAspectFlags aspects; /* colour, or depth and stencil */
 };
+
+/* Returns what is known of a format; NULL if it is unknown to the graph. Static data. */
 RG_API const struct rg_format_info *rg_format_info(VkFormat format);
 
 #ifdef __cplusplus

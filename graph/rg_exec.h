@@ -1,12 +1,12 @@
 /*
- * rg_exec.h: realises a plan on a VkDevice and runs it, frame after frame.
+ * rg_exec.h: run a plan on a VkDevice, frame after frame.
  *
- * Everything a plan needs (memory, images, views, samplers, descriptors, pipelines, command
- * buffers) is made once by rg_exec_create(); a frame allocates nothing. Needs Vulkan 1.3 with
- * dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
+ * rg_exec_create() makes everything that a plan needs: memory, images, views, samplers,
+ * descriptors, pipelines, command buffers. A frame allocates nothing. The device needs Vulkan 1.3
+ * with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
  * separateDepthStencilLayouts enabled, and independentBlend where the targets of a row blend
- * differently. Every function is found through the program's own vkGetInstanceProcAddr: nothing is
- * loaded or linked here, and each executor has its own table.
+ * differently. Functions are found through the program's own vkGetInstanceProcAddr: no loader is
+ * linked, nothing is global, and executors of several instances can exist side by side.
  *
  *     while (...) {
  *         rg_exec_begin(exec, &slot);                    waits until the slot is free
@@ -17,9 +17,11 @@
  *     }
  *
  * Ownership:     the plan, its tables, the device and imported objects outlive the executor.
- * Errors:        VkResult; the log callback gets the failing call and the name of the pass, image
- *                or buffer that it was for. After a failure only rg_exec_destroy() may be called.
- * Thread-safety: one thread at a time per executor; the queue is used only inside submit.
+ * Errors:        VkResult. The log callback gets the call that failed and the name of the pass,
+ *                image or buffer that it was for. After a failure only rg_exec_destroy() may be
+ *                called.
+ * Thread-safety: one thread at a time per executor. The queue is used only by rg_exec_submit(),
+ *                rg_exec_submit_synced() and rg_exec_warm_up().
  */
 #ifndef RG_EXEC_H
 #define RG_EXEC_H
@@ -30,121 +32,142 @@
 extern "C" {
 #endif
 
-/* The object behind each of the compile params' imports, in the same order. */
+/* The object behind an import. */
 struct rg_exec_import {
-    VkImage image;
-    VkBuffer buffer;
-    /* Instead of `image`: several, of which each frame uses one, as those of a swapchain. Imports
-     * that come so have equally many, and the same choice counts for all of them. */
+    VkImage image;   /* of an imported image that is the same one in each frame */
+    VkBuffer buffer; /* of an imported buffer */
+    /* Instead of `image`: several images, of which each frame uses one, as those of a swapchain.
+     * All imports that have several have equally many, and a frame uses the same index of all. */
     const VkImage *images;
     uint32_t image_count;
 };
 
-/* What stands in for a shader that a table names: that shader, or one with the same interface. */
-typedef const struct rg_shader *rg_replace_fn(void *user, const struct rg_shader *shader);
+/* Returns the shader to use in place of one that a table names: the same one, or one with the same
+ * interface. What it returns is read until rg_exec_create() returns. */
+typedef const struct rg_shader *rg_replace_shader_fn(void *user, const struct rg_shader *shader);
 
-/* Gets where transient memory that the host could map lies, before anything is in it: on devices
- * that are the CPU, this process's own memory. */
-typedef void rg_advise_fn(void *memory, size_t size);
-
-/* Gets what failed ("vkCreateImage of depth") and how. */
+/* Receives what failed ("vkCreateImage of depth") and how. Called in the thread of the executor. */
 typedef void rg_log_fn(void *user, const char *what, VkResult result);
 
+/* What an executor is made of. */
 struct rg_exec_params {
-    const struct rg_plan *plan; /* without faults */
+    const struct rg_plan *plan; /* without faults, compiled for this device */
     VkInstance instance;
     PFN_vkGetInstanceProcAddr get_proc_addr; /* the loader's vkGetInstanceProcAddr, or volk's */
     VkPhysicalDevice physical;
     VkDevice device;
-    VkQueue queue; /* graphics and compute */
-    uint32_t queue_family;
-    VkPipelineCache pipeline_cache;       /* may be VK_NULL_HANDLE */
-    uint32_t frames_in_flight;            /* 0 means 2 */
-    const struct rg_exec_import *imports; /* as many as the plan has; read by create alone */
+    VkQueue queue;                        /* for graphics and compute */
+    uint32_t queue_family;                /* of the queue */
+    VkPipelineCache pipeline_cache;       /* VK_NULL_HANDLE is allowed */
+    uint32_t frames_in_flight;            /* frames that may be unfinished at once; 0 means 2 */
+    const struct rg_exec_import *imports; /* in the order of the compile params' imports; only read
+                                             by rg_exec_create() */
     size_t import_count;
-    float max_anisotropy; /* the enabled device limit; 0: samplerAnisotropy is off */
-    /* Record through VkRenderPass objects: some releases of the synchronization validation do not
-     * look into dynamic rendering. */
-    bool render_passes;
-    /* For rg_exec_warm_up() alone: imports are stood in for, `imports` do not count, nothing has
-     * content. Without render_passes. */
-    bool warm_up_only;
-    bool measured;   /* rg_time.h */
-    bool statistics; /* the same: pipelineStatisticsQuery and occlusionQueryPrecise are enabled */
-    /* Specialization constants of all shaders; an id that a shader lacks is none of its business.
-     * Read by create alone; NULL: each has its own defaults. */
+    float max_anisotropy; /* limit of the device; 0: samplerAnisotropy is not enabled */
+    bool render_passes;   /* records VkRenderPass objects instead of dynamic rendering, which some
+                             releases of the synchronization validation do not check */
+    bool warm_up_only;    /* for rg_exec_warm_up() alone: `imports` are not needed, nothing has
+                             content; without render_passes */
+    bool measured;        /* rg_time.h can be used */
+    bool statistics;      /* rg_time.h can count work: pipelineStatisticsQuery and
+                             occlusionQueryPrecise are enabled */
+    /* Specialization constants for all shaders; a shader ignores ids that it lacks. Only read by
+     * rg_exec_create(). NULL: every constant has its default. */
     const VkSpecializationInfo *constants;
-    rg_replace_fn *replace; /* called by create alone; NULL: nothing does */
-    rg_advise_fn *advise;   /* the same */
-    rg_log_fn *log;         /* NULL: silent */
-    void *user;             /* of both */
+    rg_replace_shader_fn
+        *replace_shader; /* called by rg_exec_create(); NULL: no shader is replaced */
+    rg_log_fn *log;      /* NULL: failures are not told */
+    void *user;          /* passed to both functions */
 };
 
-struct rg_exec;
+struct rg_exec; /* an executor of one plan */
 
-/* NULL on failure; *result says why and may be NULL. */
+/* Makes an executor. Returns NULL on failure. *result gets the reason, or VK_SUCCESS; `result` may
+ * be NULL. The caller destroys the executor. */
 RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result);
 
-/* Waits for all frames. May be NULL. */
+/* Waits for all submitted frames and frees everything. NULL is allowed. */
 RG_API void rg_exec_destroy(struct rg_exec *exec);
 
-/*
- * Has a pass compiled, for drivers that leave that to its first draw, as those do that run on the
- * CPU: draws a triangle of each of its draws where nothing of it can be seen, and waits. A hollow
- * executor on a device of its own does so beside another one, in another thread, and leaves the
- * result in the driver's cache. Passes that would not run, or do not draw, are passed over.
- */
-RG_API VkResult rg_exec_warm_up(struct rg_exec *exec, const struct rg_frame *frame, uint32_t pass);
+/* ---- a frame ---- */
 
-/* Takes the next slot, 0..frames_in_flight - 1, waiting until its earlier frame is finished. */
+/* Begins a frame in the next slot (0 to frames_in_flight - 1), and waits until the earlier frame of
+ * that slot is finished. *slot gets the slot. */
 RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 
-/* Records the plan into the slot taken last and submits it. */
+/* Records the plan into the slot begun last, and submits it. `frame` is passed to the record and
+ * when functions, which are called before this returns. */
 RG_API VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
 
-/* What ties a frame to what is outside its queue; {0}: nothing. */
+/* What connects a frame with work outside of its queue. {0}: nothing. */
 struct rg_exec_external_sync {
-    uint32_t image_index;              /* which of the images of an import */
-    VkSemaphore wait;                  /* binary; VK_NULL_HANDLE: none */
-    VkPipelineStageFlags2 wait_stages; /* that wait for it; 0 means all */
-    VkSemaphore signal;                /* binary, when all is done; VK_NULL_HANDLE: none */
+    uint32_t image_index;              /* which of the images of rg_exec_import is used */
+    VkSemaphore wait;                  /* binary, waited for; VK_NULL_HANDLE: none */
+    VkPipelineStageFlags2 wait_stages; /* stages that wait for it; 0 means all */
+    VkSemaphore signal; /* binary, signalled when all is done; VK_NULL_HANDLE: none */
 };
 
-/* The same with ties. */
+/* Does what rg_exec_submit() does, with image index and semaphores. `sync` is only read by the
+ * call; the semaphores belong to the caller. */
 RG_API VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *frame,
                                       const struct rg_exec_external_sync *sync);
 
-/*
- * Part of the view, for pictures that are too large to be drawn at once: from the next submit on
- * frames draw no more than that, with the bits that the whole picture has there, and leave
- * undefined what lies outside. It counts for images of the view's size, neither imported nor
- * persistent: rows that draw into them, and rows that only copy from them to buffers, which get
- * `region` alone, rows tight. What a row reads without rg_use.same_texel is drawn in `reach`, too.
- * Everything else is drawn whole. Fragments that take derivatives need even offsets.
- */
+/* Waits for the frame submitted in a slot; then its readback buffers may be read. */
+RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
+
+/* Returns the memory of an RG_MEMORY_UPLOAD or RG_MEMORY_READBACK buffer in a slot, which stays the
+ * executor's; NULL if the plan does not use the buffer. Upload buffers are written between
+ * rg_exec_begin() and rg_exec_submit(). */
+RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot);
+
+/* A region of the view, for pictures that are too large to be drawn at once. */
 struct rg_exec_region {
     VkRect2D region; /* in the view; not empty, no more texels than rg_compile_params.max_region */
     VkRect2D reach;  /* in the view, of any size: where fragments read beside their own texel */
 };
 
+/*
+ * Limits the frames from the next submit on to a region of the view. They draw no more than that,
+ * with the bits that the whole picture has there, and leave the rest undefined. This applies to
+ * images of the view's size, neither imported nor persistent: to rows that draw into them, and to
+ * rows that only copy from them to buffers, which get the texels of `region` alone, rows tight.
+ * Images that a row samples without rg_use.same_texel are drawn in `reach` as well. Everything else
+ * is drawn whole. Fragments that take derivatives need even offsets.
+ */
 RG_API void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region *region);
 
-/* Waits for the frame submitted in a slot; readback buffers are then up to date. */
-RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
+/* ---- objects ---- */
 
-/* Memory of an upload or readback buffer in a slot; NULL if the plan does not use the buffer. */
-RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot);
-
-/* The image made for a declaration, to import elsewhere; VK_NULL_HANDLE if not in the plan. */
+/* Returns the image made for a declaration, to import it elsewhere; it stays the executor's.
+ * VK_NULL_HANDLE if the plan does not use it. */
 RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
 
-/* What rg_compile() may ask of a device. `vulkan` is borrowed and outlives the result. */
+/* Returns the memory of a block of the plan, below rg_plan.block_count, which stays the executor's.
+ * Its content is undefined between frames. */
+RG_API VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block);
+
+/* ---- for drivers that compile a pipeline when something is first drawn with it ---- */
+
+/*
+ * Draws a pass of the plan where nothing of it can be seen, and waits, so that the driver compiles
+ * it: a triangle for each draw that the record function records. Passes that do not draw, or whose
+ * condition is false for `frame`, are skipped. An executor made with `warm_up_only` on a device of
+ * its own does so in another thread, beside the executor that draws; it pays off where the driver
+ * keeps what it has compiled in a cache that both devices share.
+ */
+RG_API VkResult rg_exec_warm_up(struct rg_exec *exec, const struct rg_frame *frame, uint32_t pass);
+
+/* ---- compiling for a device ---- */
+
+/* The device to compile for. */
 struct rg_vulkan {
     VkInstance instance;
     PFN_vkGetInstanceProcAddr get_proc_addr; /* as of rg_exec_params */
     VkPhysicalDevice physical;
     VkDevice device;
 };
+
+/* Returns what rg_compile() may ask of a device. `vulkan` is borrowed and outlives the result. */
 RG_API struct rg_device rg_exec_device(const struct rg_vulkan *vulkan);
 
 #ifdef __cplusplus

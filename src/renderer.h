@@ -39,7 +39,7 @@ struct renderer_params {
     bool measured;           /* renderer_measure() may be called */
     bool prime;              /* compile shaders on all cores: prime.h */
     enum rg_sharing sharing; /* which transient images share memory */
-    rg_replace_fn *replace;  /* of rg_exec_params, as is: */
+    rg_replace_shader_fn *replace; /* of rg_exec_params, as is: */
     void *replace_user;
 };
 

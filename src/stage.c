@@ -53,34 +53,30 @@ enum status stage_compile(struct stage *stage, const struct renderer_params *par
     return status;
 }
 
-static void want_pages(void *memory, size_t size, int advice)
+/* On the CPU a frame touches its memory page by page, for the first time in its first picture:
+ * large pages. Of a part of the view it touches pieces of rows, and what lies between is to cost
+ * nothing: small ones. All memory of such a device can be mapped, and is this process's own. */
+static void advise_memory(const struct gpu *gpu, const struct stage *stage)
 {
+    const struct rg_plan *plan = stage->frame.plan;
     const uintptr_t page = 2 << 20;
-    const uintptr_t begin = ((uintptr_t)memory + page - 1) / page * page;
-    const uintptr_t end = ((uintptr_t)memory + size) / page * page;
-    if (begin < end)
-        (void)madvise((char *)memory + (begin - (uintptr_t)memory), end - begin, advice);
-}
-
-static void want_large_pages(void *memory, size_t size)
-{
-    want_pages(memory, size, MADV_HUGEPAGE);
-}
-
-static void want_small_pages(void *memory, size_t size)
-{
-    want_pages(memory, size, MADV_NOHUGEPAGE);
-}
-
-/* On the CPU a frame touches its memory page by page, for the first time in its first picture. Of a
- * part of the view it touches pieces of rows, and what lies between is to cost nothing. */
-static rg_advise_fn *choose_advice(const struct gpu *gpu, const struct rg_plan *plan)
-{
-    if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU)
-        return NULL;
     const bool whole =
         plan->max_region.width == plan->view.width && plan->max_region.height == plan->view.height;
-    return whole ? want_large_pages : want_small_pages;
+    if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU)
+        return;
+    for (uint32_t i = 0; i < plan->block_count; i++) {
+        const VkDeviceMemory memory = rg_exec_block(stage->exec, i);
+        void *mapped;
+        if (vkMapMemory(gpu->device, memory, 0, VK_WHOLE_SIZE, 0, &mapped) != VK_SUCCESS)
+            continue;
+        const uintptr_t start = (uintptr_t)mapped;
+        const uintptr_t begin = (start + page - 1) / page * page;
+        const uintptr_t end = (start + (uintptr_t)plan->blocks[i].size) / page * page;
+        if (begin < end)
+            (void)madvise((char *)mapped + (begin - start), end - begin,
+                          whole ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
+        vkUnmapMemory(gpu->device, memory);
+    }
 }
 
 void stage_describe(struct stage_exec *described, const struct stage *stage,
@@ -111,8 +107,7 @@ void stage_describe(struct stage_exec *described, const struct stage *stage,
         .measured = params->measured,
         .statistics = gpu->has_statistics,
         .constants = &d->info,
-        .replace = params->replace,
-        .advise = choose_advice(gpu, stage->frame.plan),
+        .replace_shader = params->replace,
         .log = log_exec,
         .user = params->replace_user,
     };
@@ -126,6 +121,8 @@ enum status stage_realise(struct stage *stage, const struct renderer_params *par
     stage_describe(&described, stage, params);
     described.params.imports = imports;
     stage->exec = rg_exec_create(&described.params, &result);
+    if (stage->exec)
+        advise_memory(params->gpu, stage);
     return gpu_status(result);
 }
 

@@ -45,9 +45,8 @@ fail:
     return result;
 }
 
-/* Memory of a persistent resource, which shares it with nothing. */
-static VkResult allocate_own(const struct rg_exec *exec, const VkMemoryRequirements *needs,
-                             const char *name, VkDeviceMemory *memory)
+static VkResult allocate_local(const struct rg_exec *exec, const VkMemoryRequirements *needs,
+                               const char *name, VkDeviceMemory *memory)
 {
     return rg_exec_allocate(exec, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, name, memory);
 }
@@ -58,32 +57,16 @@ static bool is_foreign(const struct rg_exec *exec, bool imported)
     return imported && !exec->params.warm_up_only;
 }
 
-static VkResult tell_advisor(const struct rg_exec *exec, VkDeviceMemory memory, size_t size,
-                             const char *name)
-{
-    void *mapped;
-    VkResult result;
-    RG_CALL(exec, name, MapMemory, exec->device, memory, 0, VK_WHOLE_SIZE, 0, &mapped);
-    exec->params.advise(mapped, size);
-    exec->vk.UnmapMemory(exec->device, memory);
-fail:
-    return result;
-}
-
 static VkResult make_blocks(struct rg_exec *exec)
 {
     VkResult result = VK_SUCCESS;
-    for (uint32_t i = 0; i < exec->plan->block_count; i++) {
+    for (uint32_t i = 0; i < exec->plan->block_count && result == VK_SUCCESS; i++) {
         const struct rg_block *block = &exec->plan->blocks[i];
-        uint32_t type = find_type(exec, block->type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0);
-        const char *name = block->buffers ? "transient buffers" : "transient images";
-        RG_PASS(allocate(exec, block->size, type, name, &exec->blocks[i]));
-        rg_exec_name(exec, VK_OBJECT_TYPE_DEVICE_MEMORY, (uint64_t)exec->blocks[i], name);
-        if (exec->params.advise && exec->memory_properties.memoryTypes[type].propertyFlags &
-                                       VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT)
-            RG_PASS(tell_advisor(exec, exec->blocks[i], (size_t)block->size, name));
+        const VkMemoryRequirements needs = { block->size, block->alignment, block->type_bits };
+        result =
+            allocate_local(exec, &needs, block->buffers ? "transient buffers" : "transient images",
+                           &exec->blocks[i]);
     }
-fail:
     return result;
 }
 
@@ -116,7 +99,7 @@ static VkResult make_image(struct rg_exec *exec, uint32_t index)
     exec->vk.GetImageMemoryRequirements(exec->device, exec->images[index], &needs);
     if (image->persistent || image->imported) {
         VkDeviceMemory *memory = &exec->image_memory[index];
-        RG_PASS(allocate_own(exec, &needs, name, memory));
+        RG_PASS(allocate_local(exec, &needs, name, memory));
         RG_CALL(exec, name, BindImageMemory, exec->device, exec->images[index], *memory, 0);
         return VK_SUCCESS;
     }
@@ -154,7 +137,7 @@ static VkResult make_device_buffer(struct rg_exec *exec, const struct rg_plan_bu
     RG_PASS(create_buffer(exec, plan, &buffer->buffers[0]));
     exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffers[0], &needs);
     if (plan->persistent || plan->imported) {
-        RG_PASS(allocate_own(exec, &needs, name, &buffer->own));
+        RG_PASS(allocate_local(exec, &needs, name, &buffer->own));
         RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffers[0], buffer->own, 0);
         return VK_SUCCESS;
     }
@@ -255,6 +238,11 @@ void rg_exec_free_memory(struct rg_exec *exec)
     }
     for (uint32_t i = 0; exec->blocks && i < plan->block_count; i++)
         exec->vk.FreeMemory(exec->device, exec->blocks[i], NULL);
+}
+
+VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block)
+{
+    return exec->blocks[block];
 }
 
 VkBuffer rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot)

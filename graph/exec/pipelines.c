@@ -30,7 +30,8 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
                            VkShaderStageFlagBits stage, VkPipelineShaderStageCreateInfo *info)
 {
     const struct rg_exec_params *params = &exec->params;
-    const struct rg_shader *code = params->replace ? params->replace(params->user, shader) : shader;
+    const struct rg_shader *code =
+        params->replace_shader ? params->replace_shader(params->user, shader) : shader;
     VkResult result;
     *info = (VkPipelineShaderStageCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,

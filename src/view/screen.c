@@ -150,7 +150,7 @@ enum status screen_connect(struct screen *s, VkImage picture, VkImage right)
     params.imports = objects;
     params.import_count = import_count(s);
     params.measured = true;
-    params.replace = s->replace;
+    params.replace_shader = s->replace;
     params.user = s->replace_user;
     s->exec = rg_exec_create(&params, &result);
     if (s->exec)

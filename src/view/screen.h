@@ -22,7 +22,7 @@
 struct screen {
     struct gpu *gpu;
     struct gpu_swapchain swapchain;
-    rg_replace_fn *replace; /* of rg_exec.h, set before screen_connect(); NULL: nothing */
+    rg_replace_shader_fn *replace; /* of rg_exec.h, set before screen_connect(); NULL: nothing */
     void *replace_user;
     VkExtent2D size; /* of the window, that it was made for */
     struct present_tables tables;

@@ -99,7 +99,7 @@ static enum status realise(struct shot *s, const struct gpu_image *font)
     params.frames_in_flight = 1;
     params.imports = imports;
     params.import_count = IMPORT_COUNT;
-    params.replace = s->screen->replace;
+    params.replace_shader = s->screen->replace;
     params.user = s->screen->replace_user;
     s->exec = rg_exec_create(&params, &result);
     return gpu_status(result);

@@ -35,6 +35,6 @@ void watch_revert(struct watch *watch);
 const char *watch_message(const struct watch *watch);
 
 /* For executors; `user` is the watch. */
-rg_replace_fn watch_replace;
+rg_replace_shader_fn watch_replace;
 
 #endif
