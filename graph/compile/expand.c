@@ -253,6 +253,7 @@ static void add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t rep
         .first_access = c->access_count,
         .first_fallback = c->fallback_count,
     };
+    c->color_count += color_count;
     for (uint32_t i = 0; i < color_count; i++)
         add_target(e, &rg->color[i]);
     if (rg->depth.image)

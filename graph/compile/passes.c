@@ -104,7 +104,7 @@ void rg_write_passes(struct compiler *c)
         .c = c,
         .passes = ARENA_ARRAY(c->arena, struct rg_plan_pass, plan->pass_count),
         .uses = ARENA_ARRAY(c->arena, struct rg_plan_use, c->access_count),
-        .colors = ARENA_ARRAY(c->arena, struct rg_plan_target, c->access_count),
+        .colors = ARENA_ARRAY(c->arena, struct rg_plan_target, c->color_count),
         .culled = ARENA_ARRAY(c->arena, struct rg_culled, culled_count),
     };
     rg_begin_barriers(&w.barriers, c, w.passes);
