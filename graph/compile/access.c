@@ -157,7 +157,7 @@ const char *rg_use_trouble(const struct rg_pass *pass, const struct rg_use *use)
         return "a buffer cannot be used so";
     if (use->buffer && use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
         return "the CPU writes this buffer; a pass may only read it";
-    if (use->fallback && (use->access != RG_SAMPLED || use->image->samples > 1 ||
+    if (use->fallback && (use->access != RG_SAMPLED || !use->image || use->image->samples > 1 ||
                           !rg_format_info(use->image->format)))
         return "only a sampled image, of a known format and one sample a texel, has a fallback";
     return NULL;

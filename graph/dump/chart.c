@@ -62,10 +62,6 @@ static uint32_t next_of(const struct rg_plan *plan, enum group group, uint32_t b
     return RG_NONE;
 }
 
-#define EACH_OF(plan, group, block, i) \
-    for (uint32_t i = next_of(plan, group, block, 0); i != RG_NONE; \
-         i = next_of(plan, group, block, i + 1))
-
 /* ---- pieces ---- */
 
 static void open_row(const struct chart *c, const char *style)
@@ -308,8 +304,9 @@ static void print_rectangle(const struct chart *c, uint32_t index, const struct 
 static uint32_t block_height(const struct rg_plan *plan, uint32_t block)
 {
     uint32_t height = MIN_BLOCK_HEIGHT;
-    EACH_OF(plan, TRANSIENT, block, i)
-    height += height < MAX_BLOCK_HEIGHT ? 2 * BAR_HEIGHT : 0;
+    for (uint32_t i = next_of(plan, TRANSIENT, block, 0); i != RG_NONE;
+         i = next_of(plan, TRANSIENT, block, i + 1))
+        height += height < MAX_BLOCK_HEIGHT ? 2 * BAR_HEIGHT : 0;
     return height < MAX_BLOCK_HEIGHT ? height : MAX_BLOCK_HEIGHT;
 }
 
@@ -337,8 +334,9 @@ static void print_block(const struct chart *c, uint32_t index)
              c->column);
     open_plot(c, height, attributes);
     print_batch_lines(c, height);
-    EACH_OF(plan, TRANSIENT, index, i)
-    print_rectangle(c, i, block, height);
+    for (uint32_t i = next_of(plan, TRANSIENT, index, 0); i != RG_NONE;
+         i = next_of(plan, TRANSIENT, index, i + 1))
+        print_rectangle(c, i, block, height);
     close_row(c);
 }
 
@@ -359,23 +357,24 @@ static void print_bars(const struct chart *c, enum group group, const char *titl
 {
     const struct rg_plan *plan = c->d.plan;
     uint32_t count = 0, y = 14;
-    EACH_OF(plan, group, RG_NONE, i)
-    count++;
+    for (uint32_t i = next_of(plan, group, RG_NONE, 0); i != RG_NONE;
+         i = next_of(plan, group, RG_NONE, i + 1))
+        count++;
     if (!count)
         return;
     fprintf(c->d.out, "<h2>%s</h2>\n", title);
     open_row(c, "bars");
     open_axis(c, count * BAR_HEIGHT);
-    EACH_OF(plan, group, RG_NONE, i)
-    {
+    for (uint32_t i = next_of(plan, group, RG_NONE, 0); i != RG_NONE;
+         i = next_of(plan, group, RG_NONE, i + 1)) {
         print_axis_text(c, y, rg_dump_resource(plan, i).name);
         y += BAR_HEIGHT;
     }
     open_plot(c, count * BAR_HEIGHT, "");
     print_batch_lines(c, count * BAR_HEIGHT);
     y = 2;
-    EACH_OF(plan, group, RG_NONE, i)
-    {
+    for (uint32_t i = next_of(plan, group, RG_NONE, 0); i != RG_NONE;
+         i = next_of(plan, group, RG_NONE, i + 1)) {
         print_bar(c, i, y);
         y += BAR_HEIGHT;
     }
