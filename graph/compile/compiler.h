@@ -134,6 +134,7 @@ struct compiler {
     uint32_t pass_count, pass_room;
     struct access *accesses;
     uint32_t access_count, access_room;
+    uint32_t color_count;            /* accesses that are colour targets */
     const struct rg_use **fallbacks; /* uses that are bound to their fallback */
     uint32_t fallback_count, fallback_room;
     struct rg_plan_image *images;   /* of the plan, while it is written */

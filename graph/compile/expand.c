@@ -244,15 +244,14 @@ static void add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t rep
         return;
     e->pass = &c->passes[c->pass_count];
     e->target_samples = 0;
-    *e->pass = (struct pass){
-        .technique = e->location.technique,
-        .rg = rg,
-        .row = e->location.row,
-        .repetition = repetition,
-        .extent = c->params->view,
-        .first_access = c->access_count,
-        .first_fallback = c->fallback_count,
-    };
+    e->pass->technique = e->location.technique;
+    e->pass->rg = rg;
+    e->pass->row = e->location.row;
+    e->pass->repetition = repetition;
+    e->pass->extent = c->params->view;
+    e->pass->first_access = c->access_count;
+    e->pass->first_fallback = c->fallback_count;
+    c->color_count += color_count;
     for (uint32_t i = 0; i < color_count; i++)
         add_target(e, &rg->color[i]);
     if (rg->depth.image)

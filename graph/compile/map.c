@@ -6,25 +6,29 @@ enum {
     FIRST_MASK = 63
 };
 
-/* Texts: FNV-1a. Addresses: neighbours in the tables are neighbours in the map; higher bits are
- * added for tables whose rows are a power of two apart. */
-static uint32_t hash(const struct map *map, const void *key)
+/* FNV-1a. */
+static uint32_t hash_text(const char *text)
 {
-    uintptr_t address = (uintptr_t)key;
     uint32_t hash = UINT32_C(2166136261);
-    if (!map->of_texts)
-        return (uint32_t)((address + (address >> 9)) >> 4);
-    for (const unsigned char *text = key; *text; text++)
-        hash = (hash ^ *text) * UINT32_C(16777619);
+    for (; *text; text++)
+        hash = (hash ^ (unsigned char)*text) * UINT32_C(16777619);
     return hash;
 }
 
-/* The slot of a key, or the empty one where it would be. */
-static struct map_slot *find(const struct map *map, const void *key)
+/* Neighbours in the tables are neighbours in the map; higher bits are added for tables whose rows
+ * are a power of two apart. */
+static uint32_t hash_address(const void *key)
 {
-    uint32_t i = hash(map, key) & map->mask;
-    for (;; i = (i + 1) & map->mask) {
-        struct map_slot *slot = &map->slots[i];
+    uintptr_t address = (uintptr_t)key;
+    return (uint32_t)((address + (address >> 9)) >> 4);
+}
+
+/* The slot of a key, or the empty one where it would be. */
+static inline struct map_slot *find(const struct map *map, const void *key)
+{
+    uint32_t i = map->of_texts ? hash_text(key) : hash_address(key);
+    for (;; i++) {
+        struct map_slot *slot = &map->slots[i & map->mask];
         if (!slot->key || slot->key == key || (map->of_texts && !strcmp(slot->key, key)))
             return slot;
     }

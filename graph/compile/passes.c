@@ -17,21 +17,22 @@ struct writer {
     struct barrier_list barriers;
 };
 
-static struct rg_plan_target plan_target(const struct access *a)
+/* Field by field, as all that is written often: the copy of a whole struct takes several times as
+ * long. */
+static void write_target(struct rg_plan_target *target, const struct access *a)
 {
-    const struct rg_target *target = a->declared;
+    const struct rg_target *declared = a->declared;
     bool writes = a->flags & ACCESS_WRITES;
-    VkAttachmentStoreOp store =
-        a->flags & ACCESS_NEEDED ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
-    return (struct rg_plan_target){
-        .image = a->resource->plan_image,
-        .mip = a->range.baseMipLevel,
-        .layer = a->range.baseArrayLayer,
-        .load = writes ? load_ops[target->load] : VK_ATTACHMENT_LOAD_OP_LOAD,
-        .store = writes ? store : VK_ATTACHMENT_STORE_OP_NONE,
-        .layout = a->layout,
-        .resolve = RG_NONE,
-    };
+    target->image = a->resource->plan_image;
+    target->mip = a->range.baseMipLevel;
+    target->layer = a->range.baseArrayLayer;
+    target->load = writes ? load_ops[declared->load] : VK_ATTACHMENT_LOAD_OP_LOAD;
+    target->store = !writes                    ? VK_ATTACHMENT_STORE_OP_NONE
+                    : a->flags & ACCESS_NEEDED ? VK_ATTACHMENT_STORE_OP_STORE
+                                               : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    target->layout = a->layout;
+    target->resolve = RG_NONE;
+    target->resolve_mip = target->resolve_layer = 0;
 }
 
 static void write_access(struct writer *w, const struct access *a, struct rg_plan_pass *pass)
@@ -39,7 +40,7 @@ static void write_access(struct writer *w, const struct access *a, struct rg_pla
     struct rg_plan *plan = w->c->plan;
     struct rg_plan_target *newest = &w->colors[plan->color_count];
     if (a->kind == RG_COLOR) {
-        *newest = plan_target(a);
+        write_target(newest, a);
         plan->color_count++;
         pass->color_count++;
     } else if (a->kind == RG_RESOLVE) {
@@ -47,15 +48,14 @@ static void write_access(struct writer *w, const struct access *a, struct rg_pla
         newest[-1].resolve_mip = a->range.baseMipLevel;
         newest[-1].resolve_layer = a->range.baseArrayLayer;
     } else if (a->kind == RG_DEPTH || a->kind == RG_DEPTH_READ) {
-        pass->depth = plan_target(a);
+        write_target(&pass->depth, a);
     } else {
-        w->uses[plan->use_count++] = (struct rg_plan_use){
-            .use = a->declared,
-            .image = a->resource->plan_image,
-            .buffer = a->resource->plan_buffer,
-            .range = a->resource->image ? a->range : (VkImageSubresourceRange){ 0 },
-            .layout = a->layout,
-        };
+        struct rg_plan_use *use = &w->uses[plan->use_count++];
+        use->use = a->declared;
+        use->image = a->resource->plan_image;
+        use->buffer = a->resource->plan_buffer;
+        use->range = a->resource->image ? a->range : (VkImageSubresourceRange){ 0 };
+        use->layout = a->layout;
         pass->use_count++;
     }
 }
@@ -69,18 +69,19 @@ static void write_pass(struct writer *w, const struct pass *pass, uint32_t index
     const struct access *first = &w->c->accesses[pass->first_access];
     const struct access *end = first + pass->access_count;
     struct rg_plan_pass *out = &w->passes[index];
-    *out = (struct rg_plan_pass){
-        .pass = pass->rg,
-        .technique = pass->technique,
-        .row = pass->row,
-        .repetition = pass->repetition,
-        .extent = pass->extent,
-        .first_use = w->c->plan->use_count,
-        .first_fallback = pass->first_fallback,
-        .fallback_count = pass->fallback_count,
-        .color = &w->colors[w->c->plan->color_count],
-        .depth = { .image = RG_NONE },
-    };
+    out->pass = pass->rg;
+    out->technique = pass->technique;
+    out->row = pass->row;
+    out->repetition = pass->repetition;
+    out->extent = pass->extent;
+    out->first_barrier = out->barrier_count = 0;
+    out->first_use = w->c->plan->use_count;
+    out->use_count = 0;
+    out->first_fallback = pass->first_fallback;
+    out->fallback_count = pass->fallback_count;
+    out->color = &w->colors[w->c->plan->color_count];
+    out->color_count = 0;
+    out->depth = (struct rg_plan_target){ .image = RG_NONE };
     bool any_first = false;
     for (const struct access *a = first; a < end; a++) {
         write_access(w, a, out);
@@ -104,7 +105,7 @@ void rg_write_passes(struct compiler *c)
         .c = c,
         .passes = ARENA_ARRAY(c->arena, struct rg_plan_pass, plan->pass_count),
         .uses = ARENA_ARRAY(c->arena, struct rg_plan_use, c->access_count),
-        .colors = ARENA_ARRAY(c->arena, struct rg_plan_target, c->access_count),
+        .colors = ARENA_ARRAY(c->arena, struct rg_plan_target, c->color_count),
         .culled = ARENA_ARRAY(c->arena, struct rg_culled, culled_count),
     };
     rg_begin_barriers(&w.barriers, c, w.passes);

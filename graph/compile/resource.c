@@ -99,24 +99,17 @@ static void check_name(struct compiler *c, struct resource *r)
 static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
                                      const struct rg_buffer *buffer, const struct rg_import *import)
 {
-    struct resource *r = ARENA_ARRAY(c->arena, struct resource, 1);
+    struct resource *r = ARENA_ZEROED(c->arena, struct resource, 1);
     if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room,
                     c->row_count * 2) ||
         !r)
         return NULL;
-    *r = (struct resource){
-        .image = image,
-        .buffer = image ? NULL : buffer,
-        .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
-        .import = import ? (uint32_t)(import - c->params->imports) : RG_NONE,
-        .output = RG_NONE,
-        .first = RG_NONE,
-        .last = RG_NONE,
-        .plan_image = RG_NONE,
-        .plan_buffer = RG_NONE,
-        .item = RG_NONE,
-        .last_barrier = RG_NONE,
-    };
+    r->image = image;
+    r->buffer = image ? NULL : buffer;
+    r->all = (VkImageSubresourceRange){ VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 };
+    r->import = import ? (uint32_t)(import - c->params->imports) : RG_NONE;
+    r->output = r->first = r->last = RG_NONE;
+    r->plan_image = r->plan_buffer = r->item = r->last_barrier = RG_NONE;
     if (image)
         size_image(r, image, c->params->view);
     else

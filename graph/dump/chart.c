@@ -31,64 +31,35 @@ enum group {
     HOST,
 };
 
-/* An image or a buffer. */
-struct item {
-    const char *name, *style;
-    uint32_t index;
-    bool is_buffer;
-    enum group group;
-    uint32_t first, last, block;
-    VkDeviceSize offset, size;
-};
-
-static const char *style_of(const struct rg_plan_image *image)
+static enum group group_of(const struct rg_dump_resource *r)
 {
-    return image->usage & VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT ? "depth"
-           : image->usage & VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT       ? "color"
-           : image->usage & VK_IMAGE_USAGE_STORAGE_BIT                ? "storage"
-                                                                      : "copy";
+    return r->imported           ? IMPORTED
+           : r->persistent       ? PERSISTENT
+           : r->block != RG_NONE ? TRANSIENT
+                                 : HOST;
 }
 
-static enum group group_of(bool imported, bool persistent, uint32_t block)
+static const char *style_of(const struct rg_plan *plan, uint32_t index)
 {
-    return imported ? IMPORTED : persistent ? PERSISTENT : block != RG_NONE ? TRANSIENT : HOST;
+    VkImageUsageFlags usage = index < plan->image_count ? plan->images[index].usage : 0;
+    return index >= plan->image_count                            ? "data"
+           : usage & VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT ? "depth"
+           : usage & VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT         ? "color"
+           : usage & VK_IMAGE_USAGE_STORAGE_BIT                  ? "storage"
+                                                                 : "copy";
 }
 
-static uint32_t item_count(const struct rg_plan *plan)
+/* The next resource of a group from an index on, and of a block unless that is RG_NONE; RG_NONE if
+ * there is none. */
+static uint32_t next_of(const struct rg_plan *plan, enum group group, uint32_t block,
+                        uint32_t index)
 {
-    return plan->image_count + plan->buffer_count;
-}
-
-/* Images first. */
-static struct item item_at(const struct rg_plan *plan, uint32_t index)
-{
-    if (index < plan->image_count) {
-        const struct rg_plan_image *i = &plan->images[index];
-        return (struct item){
-            .name = i->image->name,
-            .style = style_of(i),
-            .index = index,
-            .group = group_of(i->imported, i->persistent, i->block),
-            .first = i->first,
-            .last = i->last,
-            .block = i->block,
-            .offset = i->offset,
-            .size = i->size,
-        };
+    for (; index < plan->image_count + plan->buffer_count; index++) {
+        const struct rg_dump_resource r = rg_dump_resource(plan, index);
+        if (group_of(&r) == group && (block == RG_NONE || r.block == block))
+            return index;
     }
-    const struct rg_plan_buffer *b = &plan->buffers[index - plan->image_count];
-    return (struct item){
-        .name = b->buffer->name,
-        .style = "data",
-        .index = index - plan->image_count,
-        .is_buffer = true,
-        .group = group_of(b->imported, b->persistent, b->block),
-        .first = b->first,
-        .last = b->last,
-        .block = b->block,
-        .offset = b->offset,
-        .size = b->memory_size,
-    };
+    return RG_NONE;
 }
 
 /* ---- pieces ---- */
@@ -279,27 +250,31 @@ static void print_batches(const struct chart *c)
 
 /* ---- memory ---- */
 
-/* The beginning of an item's group: what it is, where, and from which pass to which. */
-static void open_item(const struct chart *c, const struct item *item)
+/* The beginning of a resource's group: what it is, where, and from which pass to which. */
+static void open_resource(const struct chart *c, uint32_t index, const struct rg_dump_resource *r)
 {
-    fprintf(c->d.out, "<g class=\"%s\" tabindex=\"0\" data-%s=\"%u\"><title>", item->style,
-            item->is_buffer ? "buffer" : "image", item->index);
-    if (item->is_buffer)
-        rg_dump_buffer(&c->d, item->index);
+    const struct rg_plan *plan = c->d.plan;
+    bool is_buffer = index >= plan->image_count;
+    uint32_t own = is_buffer ? index - plan->image_count : index;
+    enum group group = group_of(r);
+    fprintf(c->d.out, "<g class=\"%s\" tabindex=\"0\" data-%s=\"%u\"><title>",
+            style_of(plan, index), is_buffer ? "buffer" : "image", own);
+    if (is_buffer)
+        rg_dump_buffer(&c->d, own);
     else
-        rg_dump_image(&c->d, item->index);
-    if (item->group == TRANSIENT || item->group == PERSISTENT) {
-        rg_dump_bytes(c->d.out, item->size);
-        if (item->group == TRANSIENT) {
+        rg_dump_image(&c->d, own);
+    if (group == TRANSIENT || group == PERSISTENT) {
+        rg_dump_bytes(c->d.out, r->size);
+        if (group == TRANSIENT) {
             fputs(" at ", c->d.out);
-            rg_dump_bytes(c->d.out, item->offset);
+            rg_dump_bytes(c->d.out, r->offset);
         }
         fputs(", ", c->d.out);
     }
     fputs("from ", c->d.out);
-    print_column_name(c, item->first);
+    print_column_name(c, r->first);
     fputs(" to ", c->d.out);
-    print_column_name(c, item->last);
+    print_column_name(c, r->last);
     fputs("</title>", c->d.out);
 }
 
@@ -309,30 +284,29 @@ static uint64_t scaled(VkDeviceSize size, const struct rg_block *block, uint32_t
     return (uint64_t)((double)size / (double)block->size * height * 1000.0 + 0.5);
 }
 
-static void print_rectangle(const struct chart *c, const struct item *item,
-                            const struct rg_block *block, uint32_t height)
+static void print_rectangle(const struct chart *c, uint32_t index, const struct rg_block *block,
+                            uint32_t height)
 {
-    uint32_t x = item->first * c->column, width = (item->last - item->first + 1) * c->column;
-    uint64_t top = scaled(item->offset, block, height);
-    uint64_t bottom = scaled(item->offset + item->size, block, height);
-    open_item(c, item);
+    const struct rg_dump_resource r = rg_dump_resource(c->d.plan, index);
+    uint32_t x = r.first * c->column, width = (r.last - r.first + 1) * c->column;
+    uint64_t top = scaled(r.offset, block, height);
+    uint64_t bottom = scaled(r.offset + r.size, block, height);
+    open_resource(c, index, &r);
     fprintf(c->d.out, "<rect x=\"%u\" width=\"%u\"", x, width);
     print_pixels(c->d.out, "y", top);
     print_pixels(c->d.out, "height", bottom - top);
     fputs("/>", c->d.out);
     if (bottom - top >= 12000)
-        print_label(c, x, width, top / 1000, item->name);
+        print_label(c, x, width, top / 1000, r.name);
     fputs("</g>\n", c->d.out);
 }
 
 static uint32_t block_height(const struct rg_plan *plan, uint32_t block)
 {
     uint32_t height = MIN_BLOCK_HEIGHT;
-    for (uint32_t i = 0; i < item_count(plan) && height < MAX_BLOCK_HEIGHT; i++) {
-        struct item item = item_at(plan, i);
-        if (item.group == TRANSIENT && item.block == block)
-            height += 2 * BAR_HEIGHT;
-    }
+    for (uint32_t i = next_of(plan, TRANSIENT, block, 0); i != RG_NONE;
+         i = next_of(plan, TRANSIENT, block, i + 1))
+        height += height < MAX_BLOCK_HEIGHT ? 2 * BAR_HEIGHT : 0;
     return height < MAX_BLOCK_HEIGHT ? height : MAX_BLOCK_HEIGHT;
 }
 
@@ -360,48 +334,48 @@ static void print_block(const struct chart *c, uint32_t index)
              c->column);
     open_plot(c, height, attributes);
     print_batch_lines(c, height);
-    for (uint32_t i = 0; i < item_count(plan); i++) {
-        struct item item = item_at(plan, i);
-        if (item.group == TRANSIENT && item.block == index)
-            print_rectangle(c, &item, block, height);
-    }
+    for (uint32_t i = next_of(plan, TRANSIENT, index, 0); i != RG_NONE;
+         i = next_of(plan, TRANSIENT, index, i + 1))
+        print_rectangle(c, i, block, height);
     close_row(c);
 }
 
 /* ---- what shares no memory ---- */
 
+static void print_bar(const struct chart *c, uint32_t index, uint32_t y)
+{
+    const struct rg_dump_resource r = rg_dump_resource(c->d.plan, index);
+    open_resource(c, index, &r);
+    if (group_of(&r) == PERSISTENT) /* from frame to frame */
+        fprintf(c->d.out, "<rect class=\"frames\" x=\"0\" y=\"%u\" width=\"%u\" height=\"%d\"/>", y,
+                c->columns * c->column, BAR_HEIGHT - 4);
+    fprintf(c->d.out, "<rect x=\"%u\" y=\"%u\" width=\"%u\" height=\"%d\"/></g>\n",
+            r.first * c->column, y, (r.last - r.first + 1) * c->column, BAR_HEIGHT - 4);
+}
+
 static void print_bars(const struct chart *c, enum group group, const char *title)
 {
     const struct rg_plan *plan = c->d.plan;
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < item_count(plan); i++)
-        count += item_at(plan, i).group == group;
+    uint32_t count = 0, y = 14;
+    for (uint32_t i = next_of(plan, group, RG_NONE, 0); i != RG_NONE;
+         i = next_of(plan, group, RG_NONE, i + 1))
+        count++;
     if (!count)
         return;
     fprintf(c->d.out, "<h2>%s</h2>\n", title);
     open_row(c, "bars");
     open_axis(c, count * BAR_HEIGHT);
-    for (uint32_t i = 0, y = 14; i < item_count(plan); i++) {
-        struct item item = item_at(plan, i);
-        if (item.group != group)
-            continue;
-        print_axis_text(c, y, item.name);
+    for (uint32_t i = next_of(plan, group, RG_NONE, 0); i != RG_NONE;
+         i = next_of(plan, group, RG_NONE, i + 1)) {
+        print_axis_text(c, y, rg_dump_resource(plan, i).name);
         y += BAR_HEIGHT;
     }
     open_plot(c, count * BAR_HEIGHT, "");
     print_batch_lines(c, count * BAR_HEIGHT);
-    for (uint32_t i = 0, y = 2; i < item_count(plan); i++) {
-        struct item item = item_at(plan, i);
-        if (item.group != group)
-            continue;
-        open_item(c, &item);
-        if (group == PERSISTENT) /* from frame to frame */
-            fprintf(c->d.out,
-                    "<rect class=\"frames\" x=\"0\" y=\"%u\" width=\"%u\" height=\"%d\"/>", y,
-                    c->columns * c->column, BAR_HEIGHT - 4);
-        fprintf(c->d.out, "<rect x=\"%u\" y=\"%u\" width=\"%u\" height=\"%d\"/></g>\n",
-                item.first * c->column, y, (item.last - item.first + 1) * c->column,
-                BAR_HEIGHT - 4);
+    y = 2;
+    for (uint32_t i = next_of(plan, group, RG_NONE, 0); i != RG_NONE;
+         i = next_of(plan, group, RG_NONE, i + 1)) {
+        print_bar(c, i, y);
         y += BAR_HEIGHT;
     }
     close_row(c);

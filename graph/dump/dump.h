@@ -35,6 +35,8 @@ void rg_dump_bytes(FILE *out, VkDeviceSize size);
 void rg_dump_stages(FILE *out, VkPipelineStageFlags2 stages, const char *separator);
 void rg_dump_accesses(FILE *out, VkAccessFlags2 accesses, const char *separator);
 
+void rg_dump_aspects(FILE *out, VkImageAspectFlags aspects, const char *separator);
+
 const char *rg_dump_layout(VkImageLayout layout);
 const char *rg_dump_load(VkAttachmentLoadOp load);
 const char *rg_dump_store(VkAttachmentStoreOp store);
@@ -43,6 +45,18 @@ const char *rg_dump_depth(const struct rg_pass *pass); /* what it does to its de
 
 /* The binding of a use that needs a descriptor, or RG_NONE. */
 uint32_t rg_dump_binding(const struct rg_plan_use *use);
+
+/* An image or a buffer. */
+struct rg_dump_resource {
+    const char *name;
+    bool imported, persistent;
+    bool host; /* a buffer that the CPU writes or reads */
+    uint32_t first, last, block;
+    VkDeviceSize offset, size; /* bytes, in the block */
+};
+
+/* Images come first, then buffers. */
+struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t index);
 
 /* Barriers of all batches: those that a frame records. */
 uint32_t rg_dump_barrier_count(const struct rg_plan *plan);

@@ -1,4 +1,4 @@
-/* json.c: the plan as a JSON object. docs/render-graph.md says what is in it. */
+/* json.c: the plan as a JSON object. docs/render-graph.md describes its members. */
 #include <inttypes.h>
 #include "graph/dump/dump.h"
 
@@ -17,49 +17,40 @@ static void print_string(FILE *out, const char *text)
     fputc('"', out);
 }
 
-/* A member of an object that has one before. */
+/* A member of an object that has one before; nothing if there is no text. */
 static void string_member(FILE *out, const char *key, const char *text)
 {
+    if (!text)
+        return;
     fprintf(out, ", \"%s\": ", key);
     print_string(out, text);
 }
 
-static void number_member(FILE *out, const char *key, uint64_t number)
+static const char *bool_of(bool value)
 {
-    fprintf(out, ", \"%s\": %" PRIu64, key, number);
-}
-
-static void bool_member(FILE *out, const char *key, bool value)
-{
-    fprintf(out, ", \"%s\": %s", key, value ? "true" : "false");
+    return value ? "true" : "false";
 }
 
 typedef void element_fn(FILE *out, const struct rg_plan *plan, uint32_t index);
 
 /* Elements from `first` on, each on a line of its own, indented by so much. */
-struct span {
-    uint32_t first, count;
-    int indent;
-};
-
-static void print_array(FILE *out, const struct rg_plan *plan, element_fn *element,
-                        struct span span)
+static void print_array(FILE *out, const struct rg_plan *plan, element_fn *element, uint32_t first,
+                        uint32_t count, int indent)
 {
     fputc('[', out);
-    for (uint32_t i = 0; i < span.count; i++) {
-        fprintf(out, "%s\n%*s", i ? "," : "", span.indent, "");
-        element(out, plan, span.first + i);
+    for (uint32_t i = 0; i < count; i++) {
+        fprintf(out, "%s\n%*s", i ? "," : "", indent, "");
+        element(out, plan, first + i);
     }
     fputc(']', out);
 }
 
 /* A member of the outermost object. */
 static void array_member(FILE *out, const struct rg_plan *plan, const char *key,
-                         element_fn *element, struct span span)
+                         element_fn *element, uint32_t first, uint32_t count)
 {
     fprintf(out, ",\n  \"%s\": ", key);
-    span.indent = 4;
-    print_array(out, plan, element, span);
+    print_array(out, plan, element, first, count, 4);
 }
 
 static void print_fault(FILE *out, const struct rg_plan *plan, uint32_t index)
@@ -69,87 +60,57 @@ static void print_fault(FILE *out, const struct rg_plan *plan, uint32_t index)
     rg_fault_text(f, text, sizeof(text));
     fprintf(out, "{\"error\": %d", (int)f->error);
     string_member(out, "text", text);
-    if (f->technique)
-        string_member(out, "technique", f->technique);
+    string_member(out, "technique", f->technique);
     if (f->row != RG_NONE)
-        number_member(out, "row", f->row);
-    if (f->pass)
-        string_member(out, "pass", f->pass);
-    if (f->resource)
-        string_member(out, "resource", f->resource);
-    if (f->hint)
-        string_member(out, "hint", f->hint);
+        fprintf(out, ", \"row\": %u", f->row);
+    string_member(out, "pass", f->pass);
+    string_member(out, "resource", f->resource);
+    string_member(out, "hint", f->hint);
     fputc('}', out);
 }
 
 static void print_aspects(FILE *out, VkImageAspectFlags flags)
 {
-    static const struct {
-        VkImageAspectFlags flag;
-        const char *name;
-    } names[] = {
-        { VK_IMAGE_ASPECT_COLOR_BIT, "color" },
-        { VK_IMAGE_ASPECT_DEPTH_BIT, "depth" },
-        { VK_IMAGE_ASPECT_STENCIL_BIT, "stencil" },
-    };
-
-    const char *comma = "";
-    fputs("\"aspects\": [", out);
-    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
-        if (!(flags & names[i].flag))
-            continue;
-        fprintf(out, "%s\"%s\"", comma, names[i].name);
-        comma = ", ";
-    }
-    fputc(']', out);
+    fprintf(out, "\"aspects\": [%s", flags ? "\"" : "");
+    rg_dump_aspects(out, flags, "\", \"");
+    fprintf(out, "%s]", flags ? "\"" : "");
 }
 
-static void range_member(FILE *out, const VkImageSubresourceRange *range)
+static void range_member(FILE *out, const VkImageSubresourceRange *r)
 {
     fputs(", \"range\": {", out);
-    print_aspects(out, range->aspectMask);
-    number_member(out, "mip", range->baseMipLevel);
-    number_member(out, "mips", range->levelCount);
-    number_member(out, "layer", range->baseArrayLayer);
-    number_member(out, "layers", range->layerCount);
+    print_aspects(out, r->aspectMask);
+    fprintf(out, ", \"mip\": %u, \"mips\": %u, \"layer\": %u, \"layers\": %u}", r->baseMipLevel,
+            r->levelCount, r->baseArrayLayer, r->layerCount);
+}
+
+/* What images and buffers have alike. */
+static void resource_members(FILE *out, const struct rg_dump_resource *r)
+{
+    fprintf(out, ", \"imported\": %s, \"persistent\": %s, \"first\": %u, \"last\": %u",
+            bool_of(r->imported), bool_of(r->persistent), r->first, r->last);
+    if (r->block != RG_NONE)
+        fprintf(out, ", \"block\": %u, \"offset\": %" PRIu64, r->block, r->offset);
+    if (!r->imported && !r->host)
+        fprintf(out, ", \"memory_size\": %" PRIu64, r->size);
     fputc('}', out);
-}
-
-static void life_members(FILE *out, uint32_t first, uint32_t last)
-{
-    number_member(out, "first", first);
-    number_member(out, "last", last);
-}
-
-static void place_members(FILE *out, uint32_t block, VkDeviceSize offset)
-{
-    if (block == RG_NONE)
-        return;
-    number_member(out, "block", block);
-    number_member(out, "offset", offset);
 }
 
 static void print_image(FILE *out, const struct rg_plan *plan, uint32_t index)
 {
     const struct rg_plan_image *i = &plan->images[index];
+    const struct rg_dump_resource r = rg_dump_resource(plan, index);
     fputs("{\"name\": ", out);
     print_string(out, i->image->name);
     string_member(out, "format", rg_format_info(i->image->format)->name);
     fputs(", ", out);
     print_aspects(out, i->aspects);
-    number_member(out, "width", i->extent.width);
-    number_member(out, "height", i->extent.height);
-    number_member(out, "layers", i->layers);
-    number_member(out, "mips", i->mips);
-    number_member(out, "samples", i->samples);
-    bool_member(out, "cube", i->image->cube);
-    bool_member(out, "imported", i->imported);
-    bool_member(out, "persistent", i->persistent);
-    life_members(out, i->first, i->last);
-    place_members(out, i->block, i->offset);
-    if (!i->imported)
-        number_member(out, "memory_size", i->size);
-    fputc('}', out);
+    fprintf(out,
+            ", \"width\": %u, \"height\": %u, \"layers\": %u, \"mips\": %u, \"samples\": %u, "
+            "\"cube\": %s",
+            i->extent.width, i->extent.height, i->layers, i->mips, i->samples,
+            bool_of(i->image->cube));
+    resource_members(out, &r);
 }
 
 static void print_buffer(FILE *out, const struct rg_plan *plan, uint32_t index)
@@ -160,17 +121,12 @@ static void print_buffer(FILE *out, const struct rg_plan *plan, uint32_t index)
         [RG_MEMORY_READBACK] = "readback",
     };
     const struct rg_plan_buffer *b = &plan->buffers[index];
+    const struct rg_dump_resource r = rg_dump_resource(plan, plan->image_count + index);
     fputs("{\"name\": ", out);
     print_string(out, b->buffer->name);
-    number_member(out, "size", b->size);
-    string_member(out, "memory", memories[b->buffer->memory]);
-    bool_member(out, "imported", b->imported);
-    bool_member(out, "persistent", b->persistent);
-    life_members(out, b->first, b->last);
-    place_members(out, b->block, b->offset);
-    if (!b->imported && b->buffer->memory == RG_MEMORY_DEVICE)
-        number_member(out, "memory_size", b->memory_size);
-    fputc('}', out);
+    fprintf(out, ", \"size\": %" PRIu64 ", \"memory\": \"%s\"", b->size,
+            memories[b->buffer->memory]);
+    resource_members(out, &r);
 }
 
 static void print_block(FILE *out, const struct rg_plan *plan, uint32_t index)
@@ -207,11 +163,10 @@ static void print_barrier(FILE *out, const struct rg_plan *plan, uint32_t index)
 
 static void print_target(FILE *out, const struct rg_plan_target *t, const char *access)
 {
-    fprintf(out, "{\"access\": \"%s\", \"image\": %u", access, t->image);
-    number_member(out, "mip", t->mip);
-    number_member(out, "layer", t->layer);
-    string_member(out, "load", rg_dump_load(t->load));
-    string_member(out, "store", rg_dump_store(t->store));
+    fprintf(out,
+            "{\"access\": \"%s\", \"image\": %u, \"mip\": %u, \"layer\": %u, \"load\": \"%s\", "
+            "\"store\": \"%s\"",
+            access, t->image, t->mip, t->layer, rg_dump_load(t->load), rg_dump_store(t->store));
     if (t->resolve != RG_NONE)
         fprintf(out, ", \"resolve\": {\"image\": %u, \"mip\": %u, \"layer\": %u}", t->resolve,
                 t->resolve_mip, t->resolve_layer);
@@ -241,72 +196,63 @@ static void print_use(FILE *out, const struct rg_plan *plan, uint32_t index)
     if (of_image)
         range_member(out, &u->range);
     if (rg_dump_binding(u) != RG_NONE)
-        number_member(out, "binding", rg_dump_binding(u));
+        fprintf(out, ", \"binding\": %u", rg_dump_binding(u));
     fputc('}', out);
 }
 
-static void repetition_member(FILE *out, const struct rg_pass *pass, uint32_t repetition)
+/* The first members of a pass, culled or not. */
+static void print_pass_name(FILE *out, const struct rg_pass *pass, uint32_t repetition)
 {
+    fputs("{\"name\": ", out);
+    print_string(out, pass->name);
     if (pass->repeat != RG_ONCE)
-        number_member(out, "repetition", repetition);
+        fprintf(out, ", \"repetition\": %u", repetition);
 }
 
 static void print_pass(FILE *out, const struct rg_plan *plan, uint32_t index)
 {
     const struct rg_plan_pass *p = &plan->passes[index];
-    fputs("{\"name\": ", out);
-    print_string(out, p->pass->name);
-    repetition_member(out, p->pass, p->repetition);
+    print_pass_name(out, p->pass, p->repetition);
     string_member(out, "technique", p->technique->name);
-    number_member(out, "row", p->row);
-    string_member(out, "kind", rg_dump_kind(p->pass->kind));
-    number_member(out, "width", p->extent.width);
-    number_member(out, "height", p->extent.height);
-    bool_member(out, "conditional", p->pass->when != NULL);
+    fprintf(out,
+            ", \"row\": %u, \"kind\": \"%s\", \"width\": %u, \"height\": %u, \"conditional\": %s",
+            p->row, rg_dump_kind(p->pass->kind), p->extent.width, p->extent.height,
+            bool_of(p->pass->when));
     targets_member(out, p);
     fputs(", \"uses\": ", out);
-    print_array(out, plan, print_use, (struct span){ p->first_use, p->use_count, 6 });
+    print_array(out, plan, print_use, p->first_use, p->use_count, 6);
     fputs(", \"barriers\": ", out);
-    print_array(out, plan, print_barrier, (struct span){ p->first_barrier, p->barrier_count, 6 });
+    print_array(out, plan, print_barrier, p->first_barrier, p->barrier_count, 6);
     fputc('}', out);
 }
 
 static void print_culled(FILE *out, const struct rg_plan *plan, uint32_t index)
 {
-    fputs("{\"name\": ", out);
-    print_string(out, plan->culled[index].pass->name);
-    repetition_member(out, plan->culled[index].pass, plan->culled[index].repetition);
+    print_pass_name(out, plan->culled[index].pass, plan->culled[index].repetition);
     fputc('}', out);
-}
-
-static void print_sums(FILE *out, const struct rg_plan *plan)
-{
-    fprintf(out, ",\n  \"view\": {\"width\": %u, \"height\": %u}", plan->view.width,
-            plan->view.height);
-    fprintf(out, ",\n  \"memory\": {\"used\": %" PRIu64, plan->memory_used);
-    number_member(out, "without_aliasing", plan->memory_without_aliasing);
-    number_member(out, "bound", plan->memory_bound);
-    number_member(out, "least", plan->memory_least);
-    number_member(out, "persistent", plan->memory_persistent);
-    fprintf(out, "},\n  \"barrier_count\": %u,\n  \"batch_count\": %u", rg_dump_barrier_count(plan),
-            plan->batch_count);
 }
 
 void rg_dump_json(const struct rg_plan *plan, FILE *out)
 {
     fputs("{\n  \"faults\": ", out);
-    print_array(out, plan, print_fault, (struct span){ 0, plan->fault_count, 4 });
+    print_array(out, plan, print_fault, 0, plan->fault_count, 4);
     if (!plan->fault_count) {
-        const struct span initial = { plan->first_initial_barrier, plan->initial_barrier_count };
-        const struct span final = { plan->first_final_barrier, plan->final_barrier_count };
-        print_sums(out, plan);
-        array_member(out, plan, "images", print_image, (struct span){ 0, plan->image_count });
-        array_member(out, plan, "buffers", print_buffer, (struct span){ 0, plan->buffer_count });
-        array_member(out, plan, "blocks", print_block, (struct span){ 0, plan->block_count });
-        array_member(out, plan, "initial_barriers", print_barrier, initial);
-        array_member(out, plan, "passes", print_pass, (struct span){ 0, plan->pass_count });
-        array_member(out, plan, "final_barriers", print_barrier, final);
-        array_member(out, plan, "culled", print_culled, (struct span){ 0, plan->culled_count });
+        fprintf(out,
+                ",\n  \"view\": {\"width\": %u, \"height\": %u},\n  \"memory\": {\"used\": %" PRIu64
+                ", \"without_aliasing\": %" PRIu64 ", \"bound\": %" PRIu64 ", \"least\": %" PRIu64
+                ", \"persistent\": %" PRIu64 "},\n  \"barrier_count\": %u,\n  \"batch_count\": %u",
+                plan->view.width, plan->view.height, plan->memory_used,
+                plan->memory_without_aliasing, plan->memory_bound, plan->memory_least,
+                plan->memory_persistent, rg_dump_barrier_count(plan), plan->batch_count);
+        array_member(out, plan, "images", print_image, 0, plan->image_count);
+        array_member(out, plan, "buffers", print_buffer, 0, plan->buffer_count);
+        array_member(out, plan, "blocks", print_block, 0, plan->block_count);
+        array_member(out, plan, "initial_barriers", print_barrier, plan->first_initial_barrier,
+                     plan->initial_barrier_count);
+        array_member(out, plan, "passes", print_pass, 0, plan->pass_count);
+        array_member(out, plan, "final_barriers", print_barrier, plan->first_final_barrier,
+                     plan->final_barrier_count);
+        array_member(out, plan, "culled", print_culled, 0, plan->culled_count);
     }
     fputs("\n}\n", out);
 }

@@ -21,40 +21,27 @@ static void print_range(FILE *out, const struct rg_plan_image *image,
     print_span(out, "layer", range->baseArrayLayer, range->layerCount, image->layers);
 }
 
-/* What a resource lives in. */
-struct place {
-    bool imported, persistent;
-    uint32_t block;
-    VkDeviceSize offset, size;
-};
-
-static void print_place(FILE *out, const struct place *place)
+/* Where it is, and from which pass to which. */
+static void print_place(const struct rg_dump *d, uint32_t index)
 {
-    if (place->imported)
-        fputs("imported", out);
-    else if (place->persistent)
-        fprintf(out, "persistent size %" PRIu64, place->size);
-    else if (place->block == RG_NONE)
-        fputs("host", out);
+    const struct rg_dump_resource r = rg_dump_resource(d->plan, index);
+    if (r.imported)
+        fputs("imported", d->out);
+    else if (r.persistent)
+        fprintf(d->out, "persistent size %" PRIu64, r.size);
+    else if (r.block == RG_NONE)
+        fputs("host", d->out);
     else
-        fprintf(out, "block %u offset %" PRIu64 " size %" PRIu64, place->block, place->offset,
-                place->size);
-}
-
-static void print_life(FILE *out, const struct rg_plan *plan, uint32_t first, uint32_t last)
-{
-    if (last == plan->pass_count)
-        fprintf(out, ", passes %u-end\n", first);
+        fprintf(d->out, "block %u offset %" PRIu64 " size %" PRIu64, r.block, r.offset, r.size);
+    if (r.last == d->plan->pass_count)
+        fprintf(d->out, ", passes %u-end\n", r.first);
     else
-        fprintf(out, ", passes %u-%u\n", first, last);
+        fprintf(d->out, ", passes %u-%u\n", r.first, r.last);
 }
 
 void rg_dump_image(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_plan_image *image = &d->plan->images[index];
-    const struct place place = {
-        image->imported, image->persistent, image->block, image->offset, image->size,
-    };
     fputs("image ", d->out);
     d->name(d->out, image->image->name);
     fprintf(d->out, " %s %ux%u", rg_format_info(image->image->format)->name, image->extent.width,
@@ -66,21 +53,16 @@ void rg_dump_image(const struct rg_dump *d, uint32_t index)
     if (image->samples > 1)
         fprintf(d->out, " samples %u", image->samples);
     fputs(image->image->cube ? " cube, " : ", ", d->out);
-    print_place(d->out, &place);
-    print_life(d->out, d->plan, image->first, image->last);
+    print_place(d, index);
 }
 
 void rg_dump_buffer(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_plan_buffer *buffer = &d->plan->buffers[index];
-    const struct place place = {
-        buffer->imported, buffer->persistent, buffer->block, buffer->offset, buffer->memory_size,
-    };
     fputs("buffer ", d->out);
     d->name(d->out, buffer->buffer->name);
     fprintf(d->out, " %" PRIu64 " bytes, ", buffer->size);
-    print_place(d->out, &place);
-    print_life(d->out, d->plan, buffer->first, buffer->last);
+    print_place(d, d->plan->image_count + index);
 }
 
 static void print_memory(const struct rg_dump *d)

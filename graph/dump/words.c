@@ -60,9 +60,17 @@ void rg_dump_bytes(FILE *out, VkDeviceSize size)
     fprintf(out, " %s", units[unit]);
 }
 
+/* A flag, or a value of an enum. */
 struct bit_name {
     uint64_t bit;
     const char *name;
+};
+
+static const struct bit_name aspect_names[] = {
+    { VK_IMAGE_ASPECT_COLOR_BIT, "color" },
+    { VK_IMAGE_ASPECT_DEPTH_BIT, "depth" },
+    { VK_IMAGE_ASPECT_STENCIL_BIT, "stencil" },
+    { 0, NULL },
 };
 
 static const struct bit_name stage_names[] = {
@@ -126,30 +134,30 @@ void rg_dump_accesses(FILE *out, VkAccessFlags2 accesses, const char *separator)
     print_bits(out, accesses, access_names, separator);
 }
 
+void rg_dump_aspects(FILE *out, VkImageAspectFlags aspects, const char *separator)
+{
+    print_bits(out, aspects, aspect_names, separator);
+}
+
 const char *rg_dump_layout(VkImageLayout layout)
 {
-    switch ((int)layout) {
-    case VK_IMAGE_LAYOUT_UNDEFINED:
-        return "undefined";
-    case VK_IMAGE_LAYOUT_GENERAL:
-        return "general";
-    case VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL:
-        return "color";
-    case VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL:
-        return "depth";
-    case VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL:
-        return "depth_read";
-    case VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL:
-        return "shader_read";
-    case VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL:
-        return "transfer_src";
-    case VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL:
-        return "transfer_dst";
-    case VK_IMAGE_LAYOUT_PRESENT_SRC_KHR:
-        return "present";
-    default:
-        return "?";
+    static const struct bit_name names[] = {
+        { VK_IMAGE_LAYOUT_UNDEFINED, "undefined" },
+        { VK_IMAGE_LAYOUT_GENERAL, "general" },
+        { VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, "color" },
+        { VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, "depth" },
+        { VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL, "depth_read" },
+        { VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, "shader_read" },
+        { VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, "transfer_src" },
+        { VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, "transfer_dst" },
+        { VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, "present" },
+    };
+
+    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
+        if (names[i].bit == (uint64_t)layout)
+            return names[i].name;
     }
+    return "?";
 }
 
 const char *rg_dump_load(VkAttachmentLoadOp load)
@@ -195,4 +203,22 @@ uint32_t rg_dump_barrier_count(const struct rg_plan *plan)
     for (uint32_t i = 0; i < plan->pass_count; i++)
         count += plan->passes[i].barrier_count;
     return count;
+}
+
+struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t index)
+{
+    if (index < plan->image_count) {
+        const struct rg_plan_image *i = &plan->images[index];
+        return (struct rg_dump_resource){ i->image->name, i->imported, i->persistent,
+                                          false,          i->first,    i->last,
+                                          i->block,       i->offset,   i->size };
+    }
+    const struct rg_plan_buffer *b = &plan->buffers[index - plan->image_count];
+    return (struct rg_dump_resource){
+        b->buffer->name, b->imported,
+        b->persistent,   !b->imported && b->buffer->memory != RG_MEMORY_DEVICE,
+        b->first,        b->last,
+        b->block,        b->offset,
+        b->memory_size
+    };
 }

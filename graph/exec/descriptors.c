@@ -105,6 +105,12 @@ fail:
     return result;
 }
 
+static VkDescriptorSetLayoutBinding layout_binding(const struct rg_pass *pass,
+                                                   const struct rg_use *use, VkDescriptorType type)
+{
+    return (VkDescriptorSetLayoutBinding){ use->binding, type, 1, use_stages(pass, use), NULL };
+}
+
 static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass *plan,
                                 VkDescriptorSetLayout *layout)
 {
@@ -117,22 +123,12 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
     for (uint32_t i = 0; i < plan->use_count; i++) {
         const struct rg_plan_use *use = &exec->plan->uses[plan->first_use + i];
         if (has_descriptor(use))
-            bindings[count++] = (VkDescriptorSetLayoutBinding){
-                .binding = use->use->binding,
-                .descriptorType = descriptor_type(use),
-                .descriptorCount = 1,
-                .stageFlags = use_stages(plan->pass, use->use),
-            };
+            bindings[count++] = layout_binding(plan->pass, use->use, descriptor_type(use));
     }
-    for (uint32_t i = 0; i < plan->fallback_count; i++) {
-        const struct rg_use *use = exec->plan->fallbacks[plan->first_fallback + i];
-        bindings[count++] = (VkDescriptorSetLayoutBinding){
-            .binding = use->binding,
-            .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-            .descriptorCount = 1,
-            .stageFlags = use_stages(plan->pass, use),
-        };
-    }
+    for (uint32_t i = 0; i < plan->fallback_count; i++)
+        bindings[count++] =
+            layout_binding(plan->pass, exec->plan->fallbacks[plan->first_fallback + i],
+                           VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
     RG_MAKE(exec, plan->pass->name, CreateDescriptorSetLayout, layout,
             &(VkDescriptorSetLayoutCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
@@ -179,14 +175,31 @@ fail:
     return result;
 }
 
+static void write_descriptor(const struct rg_exec *exec, VkDescriptorSet set,
+                             const struct rg_use *use, VkDescriptorType type,
+                             const VkDescriptorImageInfo *image,
+                             const VkDescriptorBufferInfo *buffer)
+{
+    const VkWriteDescriptorSet write = {
+        .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+        .dstSet = set,
+        .dstBinding = use->binding,
+        .descriptorCount = 1,
+        .descriptorType = type,
+        .pImageInfo = image,
+        .pBufferInfo = buffer,
+    };
+    exec->vk.UpdateDescriptorSets(exec->device, 1, &write, 0, NULL);
+}
+
 static VkResult write_use(struct rg_exec *exec, uint32_t index, uint32_t slot, VkDescriptorSet set)
 {
     const struct rg_plan_use *use = &exec->plan->uses[index];
+    VkDescriptorBufferInfo buffer = { .range = VK_WHOLE_SIZE };
     VkDescriptorImageInfo image = {
         .imageView = *rg_exec_use_view(exec, index),
         .imageLayout = use->layout,
     };
-    VkDescriptorBufferInfo buffer = { .range = VK_WHOLE_SIZE };
     VkResult result = VK_SUCCESS;
     if (!has_descriptor(use))
         return VK_SUCCESS;
@@ -194,19 +207,9 @@ static VkResult write_use(struct rg_exec *exec, uint32_t index, uint32_t slot, V
         buffer.buffer = rg_exec_buffer(exec, use->buffer, slot);
     else if (use->use->access == RG_SAMPLED)
         result = find_sampler(exec, use->use, &image.sampler);
-    if (result != VK_SUCCESS)
-        return result;
-    const VkWriteDescriptorSet write = {
-        .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-        .dstSet = set,
-        .dstBinding = use->use->binding,
-        .descriptorCount = 1,
-        .descriptorType = descriptor_type(use),
-        .pImageInfo = &image,
-        .pBufferInfo = &buffer,
-    };
-    exec->vk.UpdateDescriptorSets(exec->device, 1, &write, 0, NULL);
-    return VK_SUCCESS;
+    if (result == VK_SUCCESS)
+        write_descriptor(exec, set, use->use, descriptor_type(use), &image, &buffer);
+    return result;
 }
 
 static VkResult write_fallback(struct rg_exec *exec, uint32_t index, VkDescriptorSet set)
@@ -217,16 +220,8 @@ static VkResult write_fallback(struct rg_exec *exec, uint32_t index, VkDescripto
         .imageLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
     };
     VkResult result = find_sampler(exec, use, &image.sampler);
-    const VkWriteDescriptorSet write = {
-        .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-        .dstSet = set,
-        .dstBinding = use->binding,
-        .descriptorCount = 1,
-        .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        .pImageInfo = &image,
-    };
     if (result == VK_SUCCESS)
-        exec->vk.UpdateDescriptorSets(exec->device, 1, &write, 0, NULL);
+        write_descriptor(exec, set, use, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, &image, NULL);
     return result;
 }
 

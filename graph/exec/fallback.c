@@ -131,7 +131,7 @@ void rg_exec_record_fallbacks(struct rg_exec *exec, VkCommandBuffer commands)
 {
     for (uint32_t i = 0; i < exec->plan->fallback_count; i++) {
         const struct rg_use *use = exec->plan->fallbacks[i];
-        const VkImage image = exec->fallbacks[i].image;
+        VkImage image = exec->fallbacks[i].image;
         const VkClearColorValue color = color_of(use);
         const VkImageSubresourceRange all =
             range_of(use, rg_format_info(use->image->format)->aspects);

@@ -9,93 +9,34 @@
 
 #include <vulkan/vulkan_core.h>
 
-/* One a line: */
 /* clang-format off */
 #define RG_FUNCTIONS(row) \
-    row(AllocateCommandBuffers) \
-    row(AllocateDescriptorSets) \
-    row(AllocateMemory) \
-    row(BeginCommandBuffer) \
-    row(BindBufferMemory) \
-    row(BindImageMemory) \
-    row(CmdBeginQuery) \
-    row(CmdBeginRenderPass) \
-    row(CmdBeginRendering) \
-    row(CmdBindDescriptorSets) \
-    row(CmdBindIndexBuffer) \
-    row(CmdBindPipeline) \
-    row(CmdBindVertexBuffers) \
-    row(CmdClearColorImage) \
-    row(CmdClearDepthStencilImage) \
-    row(CmdCopyBufferToImage) \
-    row(CmdCopyImageToBuffer) \
-    row(CmdDispatch) \
-    row(CmdDispatchIndirect) \
-    row(CmdDraw) \
-    row(CmdDrawIndexed) \
-    row(CmdDrawIndexedIndirect) \
-    row(CmdDrawIndirect) \
-    row(CmdEndQuery) \
-    row(CmdEndRenderPass) \
-    row(CmdEndRendering) \
-    row(CmdFillBuffer) \
-    row(CmdPipelineBarrier2) \
-    row(CmdPushConstants) \
-    row(CmdResetQueryPool) \
-    row(CmdSetScissor) \
-    row(CmdSetViewport) \
-    row(CmdWriteTimestamp2) \
-    row(CreateBuffer) \
-    row(CreateCommandPool) \
-    row(CreateComputePipelines) \
-    row(CreateDescriptorPool) \
-    row(CreateDescriptorSetLayout) \
-    row(CreateFence) \
-    row(CreateFramebuffer) \
-    row(CreateGraphicsPipelines) \
-    row(CreateImage) \
-    row(CreateImageView) \
-    row(CreatePipelineLayout) \
-    row(CreateQueryPool) \
-    row(CreateRenderPass) \
-    row(CreateSampler) \
-    row(CreateShaderModule) \
-    row(DestroyBuffer) \
-    row(DestroyCommandPool) \
-    row(DestroyDescriptorPool) \
-    row(DestroyDescriptorSetLayout) \
-    row(DestroyFence) \
-    row(DestroyFramebuffer) \
-    row(DestroyImage) \
-    row(DestroyImageView) \
-    row(DestroyPipeline) \
-    row(DestroyPipelineLayout) \
-    row(DestroyQueryPool) \
-    row(DestroyRenderPass) \
-    row(DestroySampler) \
-    row(DestroyShaderModule) \
-    row(EndCommandBuffer) \
-    row(FlushMappedMemoryRanges) \
-    row(FreeMemory) \
-    row(GetBufferMemoryRequirements) \
-    row(GetImageMemoryRequirements) \
-    row(GetPhysicalDeviceMemoryProperties) \
-    row(GetPhysicalDeviceProperties) \
-    row(GetPhysicalDeviceQueueFamilyProperties) \
-    row(GetQueryPoolResults) \
-    row(InvalidateMappedMemoryRanges) \
-    row(MapMemory) \
-    row(QueueSubmit2) \
-    row(ResetFences) \
-    row(UnmapMemory) \
-    row(UpdateDescriptorSets) \
-    row(WaitForFences)
+    row(AllocateCommandBuffers) row(AllocateDescriptorSets) row(AllocateMemory) \
+    row(BeginCommandBuffer) row(BindBufferMemory) row(BindImageMemory) row(CmdBeginQuery) \
+    row(CmdBeginRenderPass) row(CmdBeginRendering) row(CmdBindDescriptorSets) \
+    row(CmdBindIndexBuffer) row(CmdBindPipeline) row(CmdBindVertexBuffers) \
+    row(CmdClearColorImage) row(CmdClearDepthStencilImage) row(CmdCopyBufferToImage) \
+    row(CmdCopyImageToBuffer) row(CmdDispatch) row(CmdDispatchIndirect) row(CmdDraw) \
+    row(CmdDrawIndexed) row(CmdDrawIndexedIndirect) row(CmdDrawIndirect) row(CmdEndQuery) \
+    row(CmdEndRenderPass) row(CmdEndRendering) row(CmdFillBuffer) row(CmdPipelineBarrier2) \
+    row(CmdPushConstants) row(CmdResetQueryPool) row(CmdSetScissor) row(CmdSetViewport) \
+    row(CmdWriteTimestamp2) row(CreateBuffer) row(CreateCommandPool) row(CreateComputePipelines) \
+    row(CreateDescriptorPool) row(CreateDescriptorSetLayout) row(CreateFence) \
+    row(CreateFramebuffer) row(CreateGraphicsPipelines) row(CreateImage) row(CreateImageView) \
+    row(CreatePipelineLayout) row(CreateQueryPool) row(CreateRenderPass) row(CreateSampler) \
+    row(CreateShaderModule) row(DestroyBuffer) row(DestroyCommandPool) row(DestroyDescriptorPool) \
+    row(DestroyDescriptorSetLayout) row(DestroyFence) row(DestroyFramebuffer) row(DestroyImage) \
+    row(DestroyImageView) row(DestroyPipeline) row(DestroyPipelineLayout) row(DestroyQueryPool) \
+    row(DestroyRenderPass) row(DestroySampler) row(DestroyShaderModule) row(EndCommandBuffer) \
+    row(FlushMappedMemoryRanges) row(FreeMemory) row(GetBufferMemoryRequirements) \
+    row(GetImageMemoryRequirements) row(GetPhysicalDeviceMemoryProperties) \
+    row(GetPhysicalDeviceProperties) row(GetPhysicalDeviceQueueFamilyProperties) \
+    row(GetQueryPoolResults) row(InvalidateMappedMemoryRanges) row(MapMemory) row(QueueSubmit2) \
+    row(ResetFences) row(UnmapMemory) row(UpdateDescriptorSets) row(WaitForFences)
 
 /* NULL unless the instance has VK_EXT_debug_utils enabled: */
 #define RG_FUNCTIONS_DEBUG(row) \
-    row(CmdBeginDebugUtilsLabelEXT) \
-    row(CmdEndDebugUtilsLabelEXT) \
-    row(SetDebugUtilsObjectNameEXT)
+    row(CmdBeginDebugUtilsLabelEXT) row(CmdEndDebugUtilsLabelEXT) row(SetDebugUtilsObjectNameEXT)
 
 /* clang-format on */
 

@@ -1,8 +1,8 @@
 /*
- * import_images.c: imports that come as several images, of which each frame uses one.
+ * import_images.c: imports that are several images, of which each frame uses one.
  *
- * What names an image (views, framebuffers, descriptor sets) is made for every set beforehand,
- * so that a frame allocates nothing.
+ * An image set is the images of one index. Views, framebuffers and descriptor sets are made for
+ * every image set beforehand, so that a frame allocates nothing.
  */
 #include <assert.h>
 #include "graph/exec/exec.h"
@@ -13,7 +13,7 @@ VkResult rg_exec_count_image_sets(struct rg_exec *exec)
     for (size_t i = 0; i < exec->params.import_count; i++) {
         uint32_t count = exec->params.imports[i].image_count;
         if (count && exec->image_set_count > 1 && count != exec->image_set_count)
-            return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the set",
+            return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the image index",
                                  "imports of different numbers of images");
         if (count)
             exec->image_set_count = count;

@@ -51,7 +51,7 @@ static VkResult allocate_local(const struct rg_exec *exec, const VkMemoryRequire
     return rg_exec_allocate(exec, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, name, memory);
 }
 
-/* A hollow executor makes what others import. */
+/* An executor made with `warm_up_only` makes the objects that others import. */
 static bool is_foreign(const struct rg_exec *exec, bool imported)
 {
     return imported && !exec->params.warm_up_only;

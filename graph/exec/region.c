@@ -115,25 +115,23 @@ bool rg_exec_is_limited(const struct rg_exec *exec, const struct rg_plan_pass *p
            !(exec->passes[pass - exec->plan->passes].coverage & COVER_ALL);
 }
 
-static int32_t end_of(int32_t offset, uint32_t extent)
+/* In one direction: the common part of two intervals, or the smallest one around them. */
+static void combine_intervals(int32_t *offset, uint32_t *extent, int32_t other_offset,
+                              uint32_t other_extent, bool common)
 {
-    return offset + (int32_t)extent;
+    const int32_t end = *offset + (int32_t)*extent;
+    const int32_t other_end = other_offset + (int32_t)other_extent;
+    const int32_t first = (*offset < other_offset) == common ? other_offset : *offset;
+    const int32_t last = (end < other_end) == common ? end : other_end;
+    *offset = first;
+    *extent = last > first ? (uint32_t)(last - first) : 0;
 }
 
-static VkRect2D around_both(VkRect2D a, VkRect2D b)
+static VkRect2D combine(VkRect2D a, VkRect2D b, bool common)
 {
-    const int32_t ends[4] = {
-        end_of(a.offset.x, a.extent.width),
-        end_of(b.offset.x, b.extent.width),
-        end_of(a.offset.y, a.extent.height),
-        end_of(b.offset.y, b.extent.height),
-    };
-    VkRect2D both = a;
-    both.offset.x = a.offset.x < b.offset.x ? a.offset.x : b.offset.x;
-    both.offset.y = a.offset.y < b.offset.y ? a.offset.y : b.offset.y;
-    both.extent.width = (uint32_t)((ends[0] > ends[1] ? ends[0] : ends[1]) - both.offset.x);
-    both.extent.height = (uint32_t)((ends[2] > ends[3] ? ends[2] : ends[3]) - both.offset.y);
-    return both;
+    combine_intervals(&a.offset.x, &a.extent.width, b.offset.x, b.extent.width, common);
+    combine_intervals(&a.offset.y, &a.extent.height, b.offset.y, b.extent.height, common);
+    return a;
 }
 
 VkRect2D rg_exec_area(const struct rg_exec *exec, const struct rg_plan_pass *pass)
@@ -144,27 +142,12 @@ VkRect2D rg_exec_area(const struct rg_exec *exec, const struct rg_plan_pass *pas
         return (VkRect2D){ .extent = pass->extent };
     if (coverage == COVER_REGION)
         return region->region;
-    return coverage == COVER_REACH ? region->reach : around_both(region->region, region->reach);
+    return coverage == COVER_REACH ? region->reach : combine(region->region, region->reach, false);
 }
 
 VkRect2D rg_exec_within(VkRect2D inner, VkRect2D outer)
 {
-    const int32_t ends[4] = {
-        end_of(inner.offset.x, inner.extent.width),
-        end_of(outer.offset.x, outer.extent.width),
-        end_of(inner.offset.y, inner.extent.height),
-        end_of(outer.offset.y, outer.extent.height),
-    };
-    const int32_t right = ends[0] < ends[1] ? ends[0] : ends[1];
-    const int32_t bottom = ends[2] < ends[3] ? ends[2] : ends[3];
-    VkRect2D common = inner;
-    if (common.offset.x < outer.offset.x)
-        common.offset.x = outer.offset.x;
-    if (common.offset.y < outer.offset.y)
-        common.offset.y = outer.offset.y;
-    common.extent.width = right > common.offset.x ? (uint32_t)(right - common.offset.x) : 0;
-    common.extent.height = bottom > common.offset.y ? (uint32_t)(bottom - common.offset.y) : 0;
-    return common;
+    return combine(inner, outer, true);
 }
 
 static bool is_in_view(const struct rg_plan *plan, VkRect2D area)

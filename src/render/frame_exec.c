@@ -65,7 +65,7 @@ static void advise_memory(const struct gpu *gpu, const struct frame_exec *frame_
     if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU)
         return;
     for (uint32_t i = 0; i < plan->block_count; i++) {
-        const VkDeviceMemory memory = rg_exec_block(frame_exec->exec, i);
+        VkDeviceMemory memory = rg_exec_block(frame_exec->exec, i);
         void *mapped;
         if (vkMapMemory(gpu->device, memory, 0, VK_WHOLE_SIZE, 0, &mapped) != VK_SUCCESS)
             continue;

@@ -40,6 +40,7 @@ enum kind {
     WHEN,
     VERTICES,
     SAMPLER,
+    FALLBACK,
     USES_OF,
     TARGETS_OF,
 };
@@ -79,6 +80,7 @@ static const struct field use_fields[] = {
     FIELD(rg_use, U32, range.layer_count),
     FIELD(rg_use, BOOL, range.each),
     FIELD(rg_use, SAMPLER, sampler),
+    FIELD(rg_use, FALLBACK, fallback),
     FIELD(rg_use, STAGES, stages),
     FIELD(rg_use, BOOL, partial),
 };
@@ -136,6 +138,7 @@ static bool when(const struct rg_frame *frame, uint32_t repetition)
 static const struct rg_shader shader = { .name = "fuzzed" };
 static const struct rg_vertex_layout vertices = { .stride = 12 };
 static const struct rg_sampler sampler = { .linear = true };
+static const struct rg_fallback fallback = { { 1, 1, 1, 1 } };
 
 /* A number: mostly small, sometimes a power of two or beside one. */
 static uint64_t number(const uint8_t *value)
@@ -240,6 +243,9 @@ static void change(struct random_tables *t, void *row, const struct field *field
         break;
     case SAMPLER:
         SET(const struct rg_sampler *, none ? NULL : &sampler);
+        break;
+    case FALLBACK:
+        SET(const struct rg_fallback *, none ? NULL : &fallback);
         break;
     case USES_OF:
         SET(const struct rg_use *, none ? NULL : t->uses[value[1] % t->pass_count]);

@@ -171,7 +171,7 @@ static const struct rg_import two_imports[] = {
     { .image = &other },
 };
 
-static void choices_are_equally_many(void **state)
+static void imports_have_equally_many_images(void **state)
 {
     struct gpu_image images[IMAGE_COUNT];
     struct run run;
@@ -201,7 +201,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(frames_choose_their_image),
-        ON_DEVICE(choices_are_equally_many),
+        ON_DEVICE(imports_have_equally_many_images),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -244,6 +244,43 @@ static uint32_t condition_of(struct hazard *h, rg_when_fn *when)
     return i + 1;
 }
 
+static bool row_writes(const struct rg_pass *row, const struct rg_image *image)
+{
+    for (uint32_t i = 0; i < row->color_count && row->color[i].image; i++) {
+        if (row->color[i].image == image || row->color[i].resolve == image)
+            return true;
+    }
+    if (row->depth.image == image && !row->depth_read_only)
+        return true;
+    for (const struct rg_use *use = row->uses; use && use->access; use++) {
+        if (use->image == image &&
+            (use->access == RG_STORAGE_WRITE || use->access == RG_STORAGE_READ_WRITE ||
+             use->access == RG_COPY_DST))
+            return true;
+    }
+    return false;
+}
+
+/* Whether the executor binds something else, so that the pass does not access the image. */
+static bool falls_back(const struct hazard *h, const struct rg_use *use)
+{
+    const struct rg_compile_params *params = h->params;
+    if (!use->fallback)
+        return false;
+    for (size_t i = 0; i < params->import_count; i++) {
+        if (params->imports[i].image == use->image)
+            return false;
+    }
+    for (size_t t = 0; t < params->technique_count; t++) {
+        const struct rg_technique *technique = params->techniques[t];
+        for (size_t p = 0; p < technique->pass_count; p++) {
+            if (row_writes(&technique->passes[p], use->image))
+                return false;
+        }
+    }
+    return true;
+}
+
 static void add_repetition(struct hazard *h, struct hazard_pass pass)
 {
     const struct rg_pass *row = pass.pass;
@@ -253,8 +290,10 @@ static void add_repetition(struct hazard *h, struct hazard_pass pass)
         add_target(h, &pass, &row->color[i], RG_COLOR);
     if (row->depth.image)
         add_target(h, &pass, &row->depth, row->depth_read_only ? RG_DEPTH_READ : RG_DEPTH);
-    for (const struct rg_use *use = row->uses; use && use->access; use++)
-        add_row_use(h, &pass, use);
+    for (const struct rg_use *use = row->uses; use && use->access; use++) {
+        if (!falls_back(h, use))
+            add_row_use(h, &pass, use);
+    }
     h->passes = hazard_grow(h->passes, &h->pass_room, h->pass_count + 1, sizeof(*h->passes));
     h->passes[h->pass_count++] = pass;
 }

@@ -41,7 +41,7 @@ static void check_each_plan(check_fn *check)
 {
     for (uint32_t i = 0; i < KNOWN_COUNT; i++) {
         struct measure_graph graph;
-        assert_true(measure_graph(&graph, known[i].pass_count, 0));
+        assert_true(measure_graph(&graph, MEASURE_COMPUTE, known[i].pass_count, 0));
         for (uint32_t k = 0; k < MEASURE_SHARING_COUNT; k++)
             check(&graph, (enum rg_sharing)k);
     }

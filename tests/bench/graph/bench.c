@@ -33,16 +33,17 @@ enum {
     PACKING_COUNT = sizeof(packing_rows) / sizeof(packing_rows[0]),
 };
 
-_Static_assert((int)GRAPH_COUNT <= REPORT_MAX_GRAPHS, "no room for a graph");
+_Static_assert((int)GRAPH_COUNT *MEASURE_SHAPE_COUNT <= REPORT_MAX_GRAPHS, "no room for a graph");
 _Static_assert((int)PACKING_COUNT <= REPORT_MAX_PACKINGS, "no room for a packing");
 
 static const char help[] =
     "usage: bench-graph [OPTION...]\n"
     "\n"
-    "Measures rg_compile() on synthetic graphs, beside a yardstick that only does the bare work,\n"
-    "and how well it packs memory.\n"
+    "Measures rg_compile() on synthetic graphs of compute passes and of passes as real frames "
+    "have\n"
+    "them, beside a yardstick that only does the bare work, and how well it packs memory.\n"
     "\n"
-    "  --only N         only the graph of N passes, and no packing\n"
+    "  --only N         only the graphs of N passes, and no packing\n"
     "  --repetitions N  instead of fewer the longer the graph\n"
     "  --json FILE      also writes the results to FILE\n"
     "  --help           prints this text\n";
@@ -100,10 +101,12 @@ static bool measure(struct report *report, const struct options *options)
 {
     uint32_t graph_count = options->only ? 1 : GRAPH_COUNT;
     report_begin();
-    for (uint32_t i = 0; i < graph_count; i++) {
-        uint32_t pass_count = options->only ? options->only : graph_rows[i].pass_count;
+    for (uint32_t i = 0; i < graph_count * MEASURE_SHAPE_COUNT; i++) {
+        enum measure_shape shape = (enum measure_shape)(i / graph_count);
+        uint32_t row_count = graph_rows[i % graph_count].pass_count;
+        uint32_t pass_count = options->only ? options->only : row_count;
         struct measure_graph *graph = &report->graphs[report->graph_count++];
-        if (!measure_graph(graph, pass_count, repetitions_of(options, pass_count)))
+        if (!measure_graph(graph, shape, pass_count, repetitions_of(options, pass_count)))
             return false;
         report_times(graph);
     }

@@ -123,7 +123,7 @@ static bool count_allocations(struct bench *b, struct measure_sharing *result)
 static bool prepare(struct bench *b, struct measure_graph *result)
 {
     size_t size = 0;
-    if (!synthetic_memory(&b->graph, &result->memory))
+    if (result->shape == MEASURE_COMPUTE && !synthetic_memory(&b->graph, &result->memory))
         return false;
     result->live_count = b->graph.live_count;
     yardstick_declare(&b->yardstick, &b->graph);
@@ -214,10 +214,18 @@ static bool time_all(struct bench *b, struct measure_graph *result)
     return true;
 }
 
-static bool bench_init(struct bench *b, uint32_t pass_count, uint64_t seed, uint32_t repetitions)
+static bool init_graph(struct synthetic *graph, enum measure_shape shape, uint32_t pass_count,
+                       uint64_t seed)
+{
+    return shape == MEASURE_FRAME ? synthetic_frame_init(graph, pass_count)
+                                  : synthetic_init(graph, pass_count, seed);
+}
+
+static bool bench_init(struct bench *b, enum measure_shape shape, uint32_t pass_count,
+                       uint64_t seed, uint32_t repetitions)
 {
     *b = (struct bench){ 0 };
-    if (!synthetic_init(&b->graph, pass_count, seed) ||
+    if (!init_graph(&b->graph, shape, pass_count, seed) ||
         !synthetic_tables_init(&b->tables, &b->graph) || !yardstick_init(&b->yardstick, &b->graph))
         return false;
     double *values = calloc(repetitions ? repetitions : 1, sizeof(double[SUBJECT_COUNT][3]));
@@ -240,11 +248,12 @@ static void bench_finish(struct bench *b)
     synthetic_finish(&b->graph);
 }
 
-bool measure_graph(struct measure_graph *result, uint32_t pass_count, uint32_t repetitions)
+bool measure_graph(struct measure_graph *result, enum measure_shape shape, uint32_t pass_count,
+                   uint32_t repetitions)
 {
     struct bench bench;
-    *result = (struct measure_graph){ .pass_count = pass_count, .repetitions = repetitions };
-    bool done = bench_init(&bench, pass_count, MEASURE_SEED, repetitions) &&
+    *result = (struct measure_graph){ shape, pass_count, repetitions };
+    bool done = bench_init(&bench, shape, pass_count, MEASURE_SEED, repetitions) &&
                 prepare(&bench, result) && time_all(&bench, result);
     if (!done)
         fprintf(stderr, "%u passes could not be measured\n", pass_count);
@@ -284,7 +293,8 @@ bool measure_packing(struct measure_packing *result, uint32_t pass_count)
     };
     for (uint64_t seed = FIRST_SEED; done && seed <= LAST_SEED; seed++) {
         struct bench bench;
-        done = bench_init(&bench, pass_count, seed, 0) && add_packing(&bench, result);
+        done =
+            bench_init(&bench, MEASURE_COMPUTE, pass_count, seed, 0) && add_packing(&bench, result);
         bench_finish(&bench);
     }
     if (!done)

@@ -44,10 +44,18 @@ struct measure_sharing {
     uint64_t memory_used, memory_bound, memory_least, memory_without_aliasing;
 };
 
+/* What the passes of a graph are: see synthetic.h. */
+enum measure_shape {
+    MEASURE_COMPUTE,
+    MEASURE_FRAME,
+    MEASURE_SHAPE_COUNT,
+};
+
 struct measure_graph {
+    enum measure_shape shape;
     uint32_t pass_count, repetitions;
     uint32_t live_count;            /* passes, as the graph itself says */
-    struct synthetic_memory memory; /* the same */
+    struct synthetic_memory memory; /* the same; only of MEASURE_COMPUTE */
     uint32_t fewest_batch_count;    /* as the yardstick counts them */
     struct measure_times yardstick[MEASURE_ORDER_COUNT];
     struct measure_sharing sharing[MEASURE_SHARING_COUNT]; /* by enum rg_sharing */
@@ -57,7 +65,8 @@ struct measure_graph {
  * Sets up and compiles the graph of this length, `repetitions` times in each order; with 0 nothing
  * is timed. False, with a line on stderr, if memory is short or a plan has faults.
  */
-bool measure_graph(struct measure_graph *result, uint32_t pass_count, uint32_t repetitions);
+bool measure_graph(struct measure_graph *result, enum measure_shape shape, uint32_t pass_count,
+                   uint32_t repetitions);
 
 struct measure_ratio {
     double mean, worst;

@@ -31,6 +31,11 @@ static const struct {
     [MEASURE_IN_A_ROW] = { "in a row", "in_a_row" },
 };
 
+static const char *const shapes[MEASURE_SHAPE_COUNT] = {
+    [MEASURE_COMPUTE] = "compute",
+    [MEASURE_FRAME] = "frame",
+};
+
 static double ns_per_pass(const struct measure_graph *graph, const struct measure_times *times)
 {
     return times->total.median * 1e3 / graph->pass_count;
@@ -43,7 +48,8 @@ void report_begin(void)
     printf(
         "Compiled with%s optimisation, with%s assertions. Microseconds: median (least).\n"
         "ns: of set-up and compiling, a pass; x: of the two, to the yardstick.\n\n"
-        "passes runs     shared                 set-up us            compile us        ns      x\n",
+        "passes shape   runs     shared                 set-up us            compile us        ns"
+        "      x\n",
         IS_OPTIMIZED ? "" : "out", HAS_ASSERTS ? "" : "out");
 }
 
@@ -59,11 +65,11 @@ void report_times(const struct measure_graph *graph)
 {
     for (uint32_t order = 0; order < MEASURE_ORDER_COUNT; order++) {
         double yardstick = graph->yardstick[order].total.median;
-        printf("%6.0u %-8s %-14s", order ? 0 : graph->pass_count, orders[order].words,
-               "(yardstick)");
+        printf("%6.0u %-7s %-8s %-14s", order ? 0 : graph->pass_count,
+               order ? "" : shapes[graph->shape], orders[order].words, "(yardstick)");
         print_times(graph, &graph->yardstick[order], yardstick);
         for (uint32_t i = 0; i < MEASURE_SHARING_COUNT; i++) {
-            printf("%15s %-14s", "", sharings[i].words);
+            printf("%23s %-14s", "", sharings[i].words);
             print_times(graph, &graph->sharing[i].times[order], yardstick);
         }
     }
@@ -82,12 +88,14 @@ static void print_plan(const struct measure_graph *graph, const struct measure_s
 
 void report_plans(const struct report *report)
 {
-    puts("\npasses shared           live batches /fewest used/bound used/least alone/bound heap"
+    puts("\npasses shape   shared           live batches /fewest used/bound used/least alone/bound "
+         "heap"
          " arena KiB");
     for (uint32_t i = 0; i < report->graph_count; i++) {
         const struct measure_graph *graph = &report->graphs[i];
         for (uint32_t k = 0; k < MEASURE_SHARING_COUNT; k++) {
-            printf("%6.0u %-14s", k ? 0 : graph->pass_count, sharings[k].words);
+            printf("%6.0u %-7s %-14s", k ? 0 : graph->pass_count, k ? "" : shapes[graph->shape],
+                   sharings[k].words);
             print_plan(graph, &graph->sharing[k]);
         }
     }
@@ -158,8 +166,8 @@ static json_t *graph_json(const struct measure_graph *graph)
             return NULL;
         }
     }
-    return json_pack("{s:I, s:I, s:I, s:I, s:o, s:o}", "passes", (json_int_t)graph->pass_count,
-                     "seed", (json_int_t)MEASURE_SEED, "repetitions",
+    return json_pack("{s:s, s:I, s:I, s:I, s:I, s:o, s:o}", "shape", shapes[graph->shape], "passes",
+                     (json_int_t)graph->pass_count, "seed", (json_int_t)MEASURE_SEED, "repetitions",
                      (json_int_t)graph->repetitions, "fewest_batches",
                      (json_int_t)graph->fewest_batch_count, "yardstick",
                      times_json(graph, graph->yardstick), "shared", plans);

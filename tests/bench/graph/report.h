@@ -7,7 +7,7 @@
 #include "tests/bench/graph/measure.h"
 
 enum {
-    REPORT_MAX_GRAPHS = 8,
+    REPORT_MAX_GRAPHS = 12,
     REPORT_MAX_PACKINGS = 4,
 };
 

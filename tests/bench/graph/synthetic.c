@@ -9,8 +9,9 @@ enum {
     WINDOW = 16,    /* passes back from which reads are drawn */
     WIDTH = 4,      /* unread passes that are let be */
     MAX_WANTED = 3, /* reads */
-    TRIES = 8,      /* draws of a read, those that hit what is read already included */
-    DEAD_ONE = 3,   /* of every DEAD_IN passes */
+    MAX_WRITES = 2,
+    TRIES = 8,    /* draws of a read, those that hit what is read already included */
+    DEAD_ONE = 3, /* of every DEAD_IN passes */
     DEAD_IN = 5,
 };
 
@@ -112,7 +113,7 @@ static void add_writes(struct maker *m, struct synthetic_pass *pass, bool is_las
         pass->writes[pass->write_count++] = 0;
         return;
     }
-    uint32_t count = 1 + draw(m) % SYNTHETIC_MAX_WRITES;
+    uint32_t count = 1 + draw(m) % MAX_WRITES;
     while (pass->write_count < count)
         pass->writes[pass->write_count++] = add_image(m, draw(m) % SIZE_COUNT);
 }
@@ -139,7 +140,7 @@ static void add_pass(struct maker *m)
 bool synthetic_init(struct synthetic *graph, uint32_t pass_count, uint64_t seed)
 {
     assert(pass_count && pass_count <= MAX_PASSES);
-    size_t max_images = (size_t)pass_count * SYNTHETIC_MAX_WRITES + 1;
+    size_t max_images = (size_t)pass_count * MAX_WRITES + 1;
     *graph = (struct synthetic){
         .pass_count = pass_count,
         .passes = calloc(pass_count, sizeof(*graph->passes)),

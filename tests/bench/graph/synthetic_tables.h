@@ -1,6 +1,6 @@
 /*
- * synthetic_tables.h: a synthetic graph as tables for rg_compile(): compute passes that sample what
- * they read and store what they write; image 0 is imported, and shown afterwards.
+ * synthetic_tables.h: a synthetic graph as tables for rg_compile(): passes that sample what they
+ * read and store, or draw, what they write; image 0 is imported, and shown afterwards.
  */
 #ifndef TESTS_SYNTHETIC_TABLES_H
 #define TESTS_SYNTHETIC_TABLES_H
@@ -12,7 +12,8 @@
 struct synthetic_tables {
     struct rg_image *images;
     struct rg_pass *passes;
-    struct rg_use *uses; /* of all passes, each pass's ended by a row of zeros */
+    struct rg_use *uses;       /* of all passes, each pass's ended by a row of zeros */
+    struct rg_target *targets; /* colour targets of all passes */
     struct rg_technique technique;
     const struct rg_technique *techniques[1];
     struct rg_import import;

@@ -115,8 +115,8 @@ struct transition {
 
 struct state {
     const struct yardstick *graph;
-    uint32_t *producer; /* pass of an image; all of these are of an image unless it says so */
-    bool *live;         /* of a pass */
+    bool *needed; /* by later living passes; all of these are of an image unless it says so */
+    bool *live;   /* of a pass */
     uint32_t *first, *last, *access, *last_write, *level, *next;
     uint64_t *offset;
     uint32_t *head; /* of a pass: the first of the images that end with it; `next` are the others */
@@ -139,7 +139,7 @@ static void *reserve(char **memory, size_t count, size_t size)
 static size_t memory_size(const struct synthetic *graph)
 {
     enum {
-        IMAGE = 7 * sizeof(uint32_t) + sizeof(uint64_t) + sizeof(struct hole),
+        IMAGE = 6 * sizeof(uint32_t) + sizeof(bool) + sizeof(uint64_t) + sizeof(struct hole),
         PASS = sizeof(bool) + sizeof(uint32_t),
     };
 
@@ -152,7 +152,7 @@ static void begin(struct state *s)
 {
     uint32_t images = s->graph->image_count, passes = s->graph->pass_count;
     char *memory = s->graph->memory;
-    RESERVE(&memory, s->producer, images);
+    RESERVE(&memory, s->needed, images);
     RESERVE(&memory, s->live, passes);
     RESERVE(&memory, s->first, images);
     RESERVE(&memory, s->last, images);
@@ -164,7 +164,7 @@ static void begin(struct state *s)
     RESERVE(&memory, s->level, images);
     RESERVE(&memory, s->holes, images + 1);
     RESERVE(&memory, s->transitions, s->graph->access_count + images);
-    memset(s->producer, 0xFF, images * sizeof(*s->producer));
+    memset(s->needed, 0, images * sizeof(*s->needed));
     memset(s->live, 0, passes * sizeof(*s->live));
     memset(s->first, 0xFF, images * sizeof(*s->first));
     memset(s->last, 0, images * sizeof(*s->last));
@@ -172,24 +172,21 @@ static void begin(struct state *s)
     memset(s->head, 0xFF, (passes + 1) * sizeof(*s->head));
 }
 
+/* What keeps its target needs what earlier passes drew there, so nothing is ever needed no more. */
 static void cull(struct state *s)
 {
     const struct yardstick *y = s->graph;
-    for (uint32_t i = 0; i < y->pass_count; i++) {
-        const struct yardstick_access *accesses = &y->accesses[y->passes[i].first_access];
-        for (uint32_t k = 0; k < y->passes[i].access_count; k++) {
-            if (accesses[k].access & WRITE)
-                s->producer[accesses[k].image] = i;
-        }
-    }
-    s->live[s->producer[0]] = true;
+    s->needed[0] = true;
     for (uint32_t i = y->pass_count; i-- > 0;) {
         const struct yardstick_access *accesses = &y->accesses[y->passes[i].first_access];
-        if (!s->live[i])
-            continue;
-        for (uint32_t k = 0; k < y->passes[i].access_count; k++) {
-            if (!(accesses[k].access & WRITE) && s->producer[accesses[k].image] != NONE)
-                s->live[s->producer[accesses[k].image]] = true;
+        uint32_t count = y->passes[i].access_count;
+        for (uint32_t k = 0; k < count; k++) {
+            if (accesses[k].access & WRITE && s->needed[accesses[k].image])
+                s->live[i] = true;
+        }
+        for (uint32_t k = 0; k < count && s->live[i]; k++) {
+            if (!(accesses[k].access & WRITE))
+                s->needed[accesses[k].image] = true;
         }
     }
 }
