@@ -16,6 +16,7 @@
 #include "src/base/tile.h"
 #include "src/image/file.h"
 #include "src/reference/reference.h"
+#include "src/render/cpu_driver.h"
 #include "src/render/renderer.h"
 #include "src/tech/refract_reference.h"
 
@@ -214,7 +215,7 @@ static enum status open_device(struct job *job)
     const struct app_options *o = &job->o;
     pthread_t thread;
     if (is_small(job))
-        gpu_prefer_start();
+        cpu_driver_prefer_start();
     const bool is_beside = pthread_create(&thread, NULL, fill_scene, job) == 0;
     const enum status status = gpu_create(&job->gpu, &(struct gpu_params){
                                                          .device = o->device,

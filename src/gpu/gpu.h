@@ -55,13 +55,6 @@ struct gpu {
     uint32_t message_count; /* warnings and errors of the validation layer so far */
 };
 
-/*
- * Little will be drawn: drivers that compile for the CPU are to spend less time on it, which what
- * they draw pays for; it stays the same (Mesa's GALLIVM_PERF, unless it has a value already).
- * Writes to the environment: call it before gpu_create() and while no other thread reads that.
- */
-void gpu_prefer_start(void);
-
 /* Opens a device into *gpu, which must not move afterwards. On failure *gpu is {0}. */
 MUST_USE enum status gpu_create(struct gpu *gpu, const struct gpu_params *params);
 

@@ -18,11 +18,6 @@ struct offer {
     bool layer, validation_features, debug_utils, portability;
 };
 
-void gpu_prefer_start(void)
-{
-    (void)setenv("GALLIVM_PERF", "nopt", 0); /* without it all works as well */
-}
-
 bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const char *name)
 {
     for (uint32_t i = 0; i < count; i++) {

@@ -1,9 +1,8 @@
 /* frame_exec.c: plans for the device, and executors of them. */
-#define _DEFAULT_SOURCE /* madvise */
 #include "src/render/frame_exec.h"
 #include <math.h>
-#include <sys/mman.h>
 #include "src/gpu/gpu.h"
+#include "src/render/cpu_driver.h"
 #include "src/render/request.h"
 #include "src/settings/scene_settings.h"
 
@@ -21,7 +20,7 @@ static void log_exec(void *user, const char *what, VkResult result)
  * as it is touched: of a picture in tiles about as much as of one. */
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
-    const bool is_cpu = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    const bool is_cpu = cpu_driver_is(gpu);
     const VkDeviceSize texels = (VkDeviceSize)plan->max_region.width * plan->max_region.height;
     const VkDeviceSize parts =
         is_cpu ? (VkDeviceSize)plan->view.width * plan->view.height / texels : 1;
@@ -51,32 +50,6 @@ enum status frame_exec_compile(struct frame_exec *frame_exec, const struct rende
     if (status == STATUS_OK)
         status = check_memory(gpu, frame_exec->frame.plan, request.view);
     return status;
-}
-
-/* On the CPU a frame touches its memory page by page, for the first time in its first picture:
- * large pages. Of a part of the view it touches pieces of rows, and what lies between is to cost
- * nothing: small ones. All memory of such a device can be mapped, and is this process's own. */
-static void advise_memory(const struct gpu *gpu, const struct frame_exec *frame_exec)
-{
-    const struct rg_plan *plan = frame_exec->frame.plan;
-    const uintptr_t page = 2 << 20;
-    const bool whole =
-        plan->max_region.width == plan->view.width && plan->max_region.height == plan->view.height;
-    if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU)
-        return;
-    for (uint32_t i = 0; i < plan->block_count; i++) {
-        VkDeviceMemory memory = rg_exec_block(frame_exec->exec, i);
-        void *mapped;
-        if (vkMapMemory(gpu->device, memory, 0, VK_WHOLE_SIZE, 0, &mapped) != VK_SUCCESS)
-            continue;
-        const uintptr_t start = (uintptr_t)mapped;
-        const uintptr_t begin = (start + page - 1) / page * page;
-        const uintptr_t end = (start + (uintptr_t)plan->blocks[i].size) / page * page;
-        if (begin < end)
-            (void)madvise((char *)mapped + (begin - start), end - begin,
-                          whole ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
-        vkUnmapMemory(gpu->device, memory);
-    }
 }
 
 void frame_exec_describe(struct frame_exec_params *described, const struct frame_exec *frame_exec,
@@ -122,7 +95,7 @@ enum status frame_exec_realise(struct frame_exec *frame_exec, const struct rende
     described.params.imports = imports;
     frame_exec->exec = rg_exec_create(&described.params, &result);
     if (frame_exec->exec)
-        advise_memory(params->gpu, frame_exec);
+        cpu_driver_advise_memory(params->gpu, frame_exec->frame.plan, frame_exec->exec);
     return gpu_status(result);
 }
 

@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include "src/frame/cube.h"
 #include "src/gpu/gpu.h"
+#include "src/render/cpu_driver.h"
 #include "src/settings/settings.h"
 #include "src/tech/frame.h"
 #include "src/tech/techniques.h"
@@ -104,8 +105,7 @@ struct warm_up *warm_up_begin(const struct frame_exec *frame_exec,
 {
     const struct gpu *gpu = params->gpu;
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU || gpu->validated ||
-        params->replace || !is_wanted())
+    if (!cpu_driver_is(gpu) || gpu->validated || params->replace || !is_wanted())
         return NULL;
     struct warm_up *warm_up = cores > 1 ? calloc(1, sizeof(*warm_up)) : NULL;
     if (!warm_up)

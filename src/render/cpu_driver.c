@@ -1,0 +1,39 @@
+/* cpu_driver.c: environment and memory for drivers that draw on the CPU. */
+#define _DEFAULT_SOURCE /* madvise */
+#include "src/render/cpu_driver.h"
+#include <stdlib.h>
+#include <sys/mman.h>
+
+bool cpu_driver_is(const struct gpu *gpu)
+{
+    return gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
+
+void cpu_driver_prefer_start(void)
+{
+    (void)setenv("GALLIVM_PERF", "nopt", 0); /* without it all works as well */
+}
+
+/* All memory of such a device can be mapped, and is this process's own. */
+void cpu_driver_advise_memory(const struct gpu *gpu, const struct rg_plan *plan,
+                              struct rg_exec *exec)
+{
+    const uintptr_t page = 2 << 20;
+    const bool whole =
+        plan->max_region.width == plan->view.width && plan->max_region.height == plan->view.height;
+    if (!cpu_driver_is(gpu))
+        return;
+    for (uint32_t i = 0; i < plan->block_count; i++) {
+        VkDeviceMemory memory = rg_exec_block(exec, i);
+        void *mapped;
+        if (vkMapMemory(gpu->device, memory, 0, VK_WHOLE_SIZE, 0, &mapped) != VK_SUCCESS)
+            continue;
+        const uintptr_t start = (uintptr_t)mapped;
+        const uintptr_t begin = (start + page - 1) / page * page;
+        const uintptr_t end = (start + (uintptr_t)plan->blocks[i].size) / page * page;
+        if (begin < end)
+            (void)madvise((char *)mapped + (begin - start), end - begin,
+                          whole ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
+        vkUnmapMemory(gpu->device, memory);
+    }
+}
