@@ -1,6 +1,6 @@
 /*
- * chart.c: the drawing of an HTML page. Rows of one width: x is a pass, and a last column
- * stands for what comes after the frame; the marks of batches lie between the columns.
+ * chart.c: the drawing of an HTML page. All rows have the same columns: one for each pass, and
+ * a last one for what comes after the frame. The marks of batches are between the columns.
  */
 #include <inttypes.h>
 #include "graph/dump/dump.h"
@@ -49,8 +49,8 @@ static const char *style_of(const struct rg_plan *plan, uint32_t index)
                                                                  : "copy";
 }
 
-/* The next resource of a group from an index on, and of a block unless that is RG_NONE; RG_NONE if
- * there is none. */
+/* Returns the next resource of a group from an index on, and of a block unless that is RG_NONE;
+ * RG_NONE if there is none. */
 static uint32_t next_of(const struct rg_plan *plan, enum group group, uint32_t block,
                         uint32_t index)
 {
@@ -79,7 +79,7 @@ static void open_axis(const struct chart *c, uint32_t height)
     fprintf(c->d.out, "<svg class=\"axis\" width=\"%d\" height=\"%u\">\n", AXIS_WIDTH, height);
 }
 
-/* What follows is in columns: x 0 is where the first begins. */
+/* Begins the part of a row that has columns; x is 0 where the first column begins. */
 static void open_plot(const struct chart *c, uint32_t height, const char *attributes)
 {
     uint32_t width = LEFT + c->columns * c->column;
@@ -95,7 +95,7 @@ static void print_axis_text(const struct chart *c, uint32_t y, const char *text)
     fputs("</text>\n", c->d.out);
 }
 
-/* A line wherever barriers are recorded. */
+/* Prints a vertical line wherever barriers are recorded. */
 static void print_batch_lines(const struct chart *c, uint32_t height)
 {
     const struct rg_plan *plan = c->d.plan;
@@ -111,7 +111,7 @@ static void print_batch_lines(const struct chart *c, uint32_t height)
     fputs("\"/>\n", c->d.out);
 }
 
-/* A name in a box, cut off where the box ends, and said again where the box is long. */
+/* Prints a name in a box: cut off where the box ends, and repeated if the box is long. */
 static void print_label(const struct chart *c, uint32_t x, uint32_t width, uint64_t y,
                         const char *name)
 {
@@ -125,7 +125,7 @@ static void print_label(const struct chart *c, uint32_t x, uint32_t width, uint6
     fputs("</svg>", c->d.out);
 }
 
-/* Where pixels have thousandths. */
+/* Prints an attribute in thousandths of pixels. */
 static void print_pixels(FILE *out, const char *name, uint64_t thousandths)
 {
     fprintf(out, " %s=\"%" PRIu64 ".%03u\"", name, thousandths / 1000,
@@ -134,7 +134,7 @@ static void print_pixels(FILE *out, const char *name, uint64_t thousandths)
 
 /* ---- passes and barriers ---- */
 
-/* What stands in the column: a pass, or what comes after the last one. */
+/* Prints the name of a column: of a pass, or of what comes after the last one. */
 static void print_column_name(const struct chart *c, uint32_t column)
 {
     const struct rg_plan *plan = c->d.plan;
@@ -166,7 +166,7 @@ static void print_techniques(const struct chart *c)
     close_row(c);
 }
 
-/* Pixels for the longest name of a pass, written upwards. */
+/* Returns the pixels that the longest name of a pass needs, which is written upwards. */
 static uint32_t name_height(const struct rg_plan *plan)
 {
     uint32_t longest = 16; /* of the last column */
@@ -250,7 +250,7 @@ static void print_batches(const struct chart *c)
 
 /* ---- memory ---- */
 
-/* The beginning of a resource's group: what it is, where, and from which pass to which. */
+/* Begins the SVG group of a resource, whose title says what it is, where, and how long it lives. */
 static void open_resource(const struct chart *c, uint32_t index, const struct rg_dump_resource *r)
 {
     const struct rg_plan *plan = c->d.plan;
@@ -278,7 +278,7 @@ static void open_resource(const struct chart *c, uint32_t index, const struct rg
     fputs("</title>", c->d.out);
 }
 
-/* A part of a block as thousandths of pixels. */
+/* Converts bytes of a block to thousandths of pixels. */
 static uint64_t scaled(VkDeviceSize size, const struct rg_block *block, uint32_t height)
 {
     return (uint64_t)((double)size / (double)block->size * height * 1000.0 + 0.5);
@@ -340,7 +340,7 @@ static void print_block(const struct chart *c, uint32_t index)
     close_row(c);
 }
 
-/* ---- what shares no memory ---- */
+/* ---- resources that share no memory ---- */
 
 static void print_bar(const struct chart *c, uint32_t index, uint32_t y)
 {

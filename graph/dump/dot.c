@@ -1,7 +1,7 @@
 /* dot.c: the plan as a Graphviz digraph. */
 #include "graph/dump/dump.h"
 
-/* Inside quotes. */
+/* Escapes a name for a string in quotes. */
 static void dot_name(FILE *out, const char *name)
 {
     while (*name) {

@@ -1,13 +1,13 @@
 /*
- * dump.h: what the dumps of a plan share: its words, and its lines as text with names
- * written as the page around them wants. Private to graph/.
+ * dump.h: functions that the forms of a plan share: words, and lines of text in which names
+ * are escaped as the form needs it. Private to graph/dump/.
  */
 #ifndef RG_DUMP_DUMP_H
 #define RG_DUMP_DUMP_H
 
 #include "graph/rg.h"
 
-/* Writes a name, quoted or escaped if need be. */
+/* Writes a name, escaped as the form needs it. */
 typedef void rg_dump_name_fn(FILE *out, const char *name);
 
 /* Where a plan is written to, and how. */
@@ -19,19 +19,19 @@ struct rg_dump {
 
 /* words.c */
 
-/* The next character of text that is not at its end, which moves on. A byte that is no part of
- * valid UTF-8 gives U+FFFD. */
+/* Returns the next character of a text that is not at its end, and moves behind it. A byte that is
+ * no part of valid UTF-8 gives U+FFFD. */
 uint32_t rg_dump_character(const char **text);
 
-/* The character itself, or U+FFFD for controls and what XML forbids. */
+/* Returns the character, or U+FFFD for controls and characters that XML forbids. */
 uint32_t rg_dump_visible(uint32_t character);
 
 void rg_dump_utf8(FILE *out, uint32_t character);
 
-/* A number of bytes for people: 12.5 MiB. */
+/* Writes a number of bytes with a unit: 12.5 MiB. */
 void rg_dump_bytes(FILE *out, VkDeviceSize size);
 
-/* The names of flags with the separator between them; nothing for none. */
+/* These write the names of flags with a separator between them; nothing if there are none. */
 void rg_dump_stages(FILE *out, VkPipelineStageFlags2 stages, const char *separator);
 void rg_dump_accesses(FILE *out, VkAccessFlags2 accesses, const char *separator);
 
@@ -43,10 +43,10 @@ const char *rg_dump_store(VkAttachmentStoreOp store);
 const char *rg_dump_kind(enum rg_kind kind);
 const char *rg_dump_depth(const struct rg_pass *pass); /* what it does to its depth target */
 
-/* The binding of a use that needs a descriptor, or RG_NONE. */
+/* Returns the binding of a use that has a descriptor, else RG_NONE. */
 uint32_t rg_dump_binding(const struct rg_plan_use *use);
 
-/* An image or a buffer. */
+/* What images and buffers have in common. */
 struct rg_dump_resource {
     const char *name;
     bool imported, persistent;
@@ -55,10 +55,10 @@ struct rg_dump_resource {
     VkDeviceSize offset, size; /* bytes, in the block */
 };
 
-/* Images come first, then buffers. */
+/* Returns the resource of an index: images come first, then buffers. */
 struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t index);
 
-/* Barriers of all batches: those that a frame records. */
+/* Returns how many barriers a frame records. */
 uint32_t rg_dump_barrier_count(const struct rg_plan *plan);
 
 /* text.c: lines of text, each with its newline. */

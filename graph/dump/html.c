@@ -51,7 +51,7 @@ static const char style[] =
     "background:var(--back);border:1px solid var(--line)}\n"
     "#detail[hidden]{display:none}\n";
 
-/* What a rectangle's tooltip says, in a panel too: for the keyboard, and for long lists. */
+/* Shows the text of tooltips in a panel, too, for the keyboard and for long lists. */
 static const char script[] =
     "const panel=document.getElementById('detail');panel.hidden=false;\n"
     "const show=event=>{const title=event.target.closest('g[tabindex]')?.querySelector('title');\n"

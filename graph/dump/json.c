@@ -17,7 +17,7 @@ static void print_string(FILE *out, const char *text)
     fputc('"', out);
 }
 
-/* A member of an object that has one before; nothing if there is no text. */
+/* Prints a member that is not the object's first one; nothing if `text` is NULL. */
 static void string_member(FILE *out, const char *key, const char *text)
 {
     if (!text)
@@ -33,7 +33,7 @@ static const char *bool_of(bool value)
 
 typedef void element_fn(FILE *out, const struct rg_plan *plan, uint32_t index);
 
-/* Elements from `first` on, each on a line of its own, indented by so much. */
+/* Prints `count` elements from `first` on, each on a line of its own, indented by `indent`. */
 static void print_array(FILE *out, const struct rg_plan *plan, element_fn *element, uint32_t first,
                         uint32_t count, int indent)
 {
@@ -45,7 +45,7 @@ static void print_array(FILE *out, const struct rg_plan *plan, element_fn *eleme
     fputc(']', out);
 }
 
-/* A member of the outermost object. */
+/* Prints an array that is a member of the outermost object. */
 static void array_member(FILE *out, const struct rg_plan *plan, const char *key,
                          element_fn *element, uint32_t first, uint32_t count)
 {
@@ -84,7 +84,7 @@ static void range_member(FILE *out, const VkImageSubresourceRange *r)
             r->levelCount, r->baseArrayLayer, r->layerCount);
 }
 
-/* What images and buffers have alike. */
+/* Prints the members that images and buffers have in common, and closes the object. */
 static void resource_members(FILE *out, const struct rg_dump_resource *r)
 {
     fprintf(out, ", \"imported\": %s, \"persistent\": %s, \"first\": %u, \"last\": %u",
@@ -200,7 +200,7 @@ static void print_use(FILE *out, const struct rg_plan *plan, uint32_t index)
     fputc('}', out);
 }
 
-/* The first members of a pass, culled or not. */
+/* Prints the first members of a pass, whether it is culled or not. */
 static void print_pass_name(FILE *out, const struct rg_pass *pass, uint32_t repetition)
 {
     fputs("{\"name\": ", out);

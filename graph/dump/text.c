@@ -21,7 +21,7 @@ static void print_range(FILE *out, const struct rg_plan_image *image,
     print_span(out, "layer", range->baseArrayLayer, range->layerCount, image->layers);
 }
 
-/* Where it is, and from which pass to which. */
+/* Prints the memory of a resource, and the passes during which it lives. */
 static void print_place(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_dump_resource r = rg_dump_resource(d->plan, index);

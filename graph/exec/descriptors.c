@@ -1,4 +1,4 @@
-/* descriptors.c: what shaders see of a row's uses: views, samplers, set 0. */
+/* descriptors.c: views, samplers and descriptor set 0 of the uses of each row. */
 #include <stdlib.h>
 #include <string.h>
 #include "graph/exec/exec.h"
@@ -85,7 +85,7 @@ static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct
     };
 }
 
-/* Samplers of equal description are one object. */
+/* Uses with equal rg_sampler share one VkSampler. */
 static VkResult find_sampler(struct rg_exec *exec, const struct rg_use *use, VkSampler *sampler)
 {
     static const struct rg_sampler nearest = { 0 };

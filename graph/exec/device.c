@@ -1,4 +1,4 @@
-/* device.c: what the compiler asks of a device. */
+/* device.c: answers what the compiler asks of a device. */
 #include "graph/rg_exec.h"
 
 #define FIND(vulkan, name) ((PFN_##name)(vulkan)->get_proc_addr((vulkan)->instance, #name))

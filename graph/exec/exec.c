@@ -1,4 +1,4 @@
-/* exec.c: the executor's life, and a frame's: wait, record, submit. */
+/* exec.c: creates and destroys an executor; begins, submits and waits for frames. */
 #include "graph/exec/exec.h"
 #include <stdlib.h>
 #include <string.h>
@@ -56,7 +56,7 @@ fail:
     return result;
 }
 
-/* calloc wants at least one element to be told apart from failure */
+/* At least one element: calloc() may return NULL for none, which would look like a failure. */
 static void *make_array(size_t count, size_t size)
 {
     return calloc(count ? count : 1, size);
@@ -195,13 +195,13 @@ static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineSta
     };
 }
 
-/* The pass, if it is one; else NULL. */
+/* Returns the name of the pass if `count` is 1, else NULL. */
 static const char *pass_name(const struct rg_exec *exec, uint32_t first, uint32_t count)
 {
     return count == 1 ? exec->plan->passes[first].pass->name : NULL;
 }
 
-/* Records some passes into the slot taken last and submits them. */
+/* Records `count` passes from `first` on into the slot begun last, and submits them. */
 static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                        uint32_t count)
 {
@@ -237,7 +237,7 @@ fail:
     return result;
 }
 
-/* Each pass alone, between two looks at the host's clock. */
+/* Submits each pass alone and waits for it, which the host's clock measures. */
 static VkResult submit_alone(struct rg_exec *exec, const struct rg_frame *frame)
 {
     VkResult result = VK_SUCCESS;

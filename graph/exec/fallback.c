@@ -12,7 +12,7 @@ static uint32_t layers_of(const struct rg_image *image)
     return image->layers ? image->layers : image->cube ? 6 : 1;
 }
 
-/* Of the image that it stands for, but for the number of layers. */
+/* Returns the type that a view of the use's image would have. */
 static VkImageViewType view_type(const struct rg_use *use)
 {
     const struct rg_range *range = &use->range;
@@ -37,7 +37,7 @@ static bool is_alike(const struct rg_use *a, const struct rg_use *b)
            a->range.aspect == b->range.aspect && view_type(a) == view_type(b);
 }
 
-/* An earlier use that can have the same image and view, or the use itself. */
+/* Returns the first use that can have the same image and view; it may be the use itself. */
 static uint32_t find_alike(const struct rg_exec *exec, uint32_t index)
 {
     const struct rg_use *const *uses = exec->plan->fallbacks;

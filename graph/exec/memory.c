@@ -2,7 +2,8 @@
 #include <stdlib.h>
 #include "graph/exec/exec.h"
 
-/* The first memory type that has all of `wanted`, else of `needed`; RG_NONE if there is none. */
+/* Returns the first memory type that has all of `wanted` and `needed`, else of `needed`; RG_NONE if
+ * there is none. */
 static uint32_t find_type(const struct rg_exec *exec, uint32_t bits, VkMemoryPropertyFlags wanted,
                           VkMemoryPropertyFlags needed)
 {
@@ -72,7 +73,8 @@ static VkResult make_blocks(struct rg_exec *exec)
 
 static const char for_another[] = "a plan for another device: the place";
 
-/* A plan compiled without this device, or for another, may have too little room. */
+/* Checks the place that the plan gives a resource: a plan that was compiled without this device, or
+ * for another one, may have given it too little memory. */
 static bool fits(const VkMemoryRequirements *needs, const struct rg_block *block,
                  VkDeviceSize offset, VkDeviceSize size)
 {
@@ -114,7 +116,7 @@ fail:
 static VkResult create_buffer(struct rg_exec *exec, const struct rg_plan_buffer *plan,
                               VkBuffer *buffer)
 {
-    /* vkCmdFillBuffer() fills words */
+    /* vkCmdFillBuffer() fills whole words of 4 bytes */
     VkDeviceSize room = plan->persistent ? (plan->size + 3) / 4 * 4 : plan->size;
     VkResult result;
     RG_MAKE(exec, plan->buffer->name, CreateBuffer, buffer,

@@ -1,4 +1,4 @@
-/* pipelines.c: one pipeline for each row of a plan, from the row alone. */
+/* pipelines.c: the pipeline of each row of a plan. */
 #include "graph/exec/exec.h"
 
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass)
@@ -25,7 +25,7 @@ fail:
     return result;
 }
 
-/* VkPipelineShaderStageCreateInfo wants a module; it is destroyed once the pipeline is made. */
+/* VkPipelineShaderStageCreateInfo needs a module; it is destroyed once the pipeline is made. */
 static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
                            VkShaderStageFlagBits stage, VkPipelineShaderStageCreateInfo *info)
 {
@@ -231,7 +231,7 @@ static bool same_target(const struct rg_exec *exec, const struct rg_plan_target 
     return images[a->image].image->format == images[b->image].image->format;
 }
 
-/* With the same uses, two rows' descriptor sets have layouts that are compatible. */
+/* Whether two rows can share a pipeline. Rows with the same uses have compatible set layouts. */
 static bool draw_alike(const struct rg_exec *exec, const struct rg_plan_pass *a,
                        const struct rg_plan_pass *b)
 {
@@ -248,7 +248,8 @@ static bool draw_alike(const struct rg_exec *exec, const struct rg_plan_pass *a,
     return same;
 }
 
-/* A driver compiles each pipeline by itself, alike or not. One for a render pass is for that. */
+/* Finds an earlier row to share the pipeline with, since drivers compile equal pipelines again. A
+ * pipeline made for a VkRenderPass is not shared. */
 static bool find_alike(const struct rg_exec *exec, uint32_t p, struct exec_pass *pass)
 {
     const struct rg_plan_pass *passes = exec->plan->passes;

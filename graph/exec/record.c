@@ -1,4 +1,4 @@
-/* record.c: a plan's barriers, targets and labels, and what record functions call. */
+/* record.c: records barriers, targets and labels of passes; the functions of rg_cmd.h. */
 #include <assert.h>
 #include <string.h>
 #include "graph/exec/exec.h"
@@ -76,7 +76,7 @@ static VkRenderingAttachmentInfo attachment(const struct rg_plan_target *target,
     };
 }
 
-/* What is drawn nowhere leaves its targets alone. */
+/* A warm-up draws nothing into its targets, so it neither loads nor stores them. */
 static VkRenderingAttachmentInfo untouched(VkRenderingAttachmentInfo info)
 {
     info.loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
@@ -84,7 +84,7 @@ static VkRenderingAttachmentInfo untouched(VkRenderingAttachmentInfo info)
     return info;
 }
 
-/* Vulkan's names of formats tell the type of their numbers. */
+/* Integer formats cannot be averaged; their names tell them. */
 static VkResolveModeFlagBits resolve_mode(const struct rg_plan_image *image)
 {
     const char *name = rg_format_info(image->image->format)->name;
@@ -237,7 +237,7 @@ fail:
     return result;
 }
 
-/* ---- what record functions call ---- */
+/* ---- rg_cmd.h ---- */
 
 const struct rg_pass *rg_cmd_pass(const struct rg_cmd *cmd)
 {
@@ -304,7 +304,7 @@ void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)
     cmd->exec->vk.CmdDispatch(cmd->commands, x, y, z);
 }
 
-/* The row's first use of a resource, if `access` is none, else its first one with that access. */
+/* Returns the row's first use of a resource with an access, or with any if `access` is none. */
 static const struct rg_plan_use *find_use(const struct rg_cmd *cmd, const void *resource,
                                           enum rg_access access)
 {

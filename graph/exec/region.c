@@ -1,16 +1,16 @@
-/* region.c: which passes draw how much of the view where a part of it is wanted. */
+/* region.c: how much of the view each pass draws if only a region is asked for. */
 #include <assert.h>
 #include <stdlib.h>
 #include "graph/exec/exec.h"
 
-/* Of an image: what later passes read; of a pass: what it draws. Sums of: */
+/* Flags. Of an image: what later passes read of it; of a pass: what it draws. */
 enum {
     COVER_REGION = 1, /* the part wanted */
     COVER_REACH = 2,  /* where fragments look elsewhere */
     COVER_ALL = 4,
 };
 
-/* Neither of a size of its own nor seen outside the frame. */
+/* Whether an image follows the view's size, and is not visible outside of the frame. */
 static bool is_of_view(const struct rg_plan_image *image)
 {
     const struct rg_image *declared = image->image;
@@ -20,8 +20,8 @@ static bool is_of_view(const struct rg_plan_image *image)
            !image->imported && !image->persistent;
 }
 
-/* Whether it can draw a part alone: into targets of the view's size, or from such an image into a
- * buffer. */
+/* Whether a pass can be limited: it draws into targets of the view's size, or copies from such an
+ * image to a buffer. */
 static bool is_divisible(const struct rg_exec *exec, const struct rg_plan_pass *pass)
 {
     const struct rg_plan_image *images = exec->plan->images;
@@ -40,7 +40,7 @@ static bool is_divisible(const struct rg_exec *exec, const struct rg_plan_pass *
     return divisible && (pass->depth.image == RG_NONE || is_of_view(&images[pass->depth.image]));
 }
 
-/* True if that is new. */
+/* Adds a need of an image. Returns whether it is new. */
 static bool need(uint8_t *needs, uint32_t image, uint32_t coverage)
 {
     const uint8_t before = needs[image];
@@ -61,7 +61,7 @@ static uint32_t coverage_of(const struct rg_exec *exec, const struct rg_plan_pas
     return coverage ? coverage : COVER_REGION;
 }
 
-/* How much of an image a pass that draws `coverage` reads by a use. */
+/* Returns how much of an image a use reads in a pass that draws `coverage`. */
 static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
 {
     if (coverage & COVER_ALL)
@@ -71,7 +71,8 @@ static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
     return use->access == RG_SAMPLED ? COVER_REACH : COVER_ALL;
 }
 
-/* From the last pass back; true if an earlier round has told a pass less than is needed now. */
+/* Derives what each pass draws, from the last one back. Returns whether a need is new, so that
+ * another round is necessary. */
 static bool spread(struct rg_exec *exec, uint8_t *needs)
 {
     bool news = false;

@@ -1,12 +1,12 @@
 /*
- * targets.c: views of the targets, and VkRenderPass objects for devices under validation.
+ * targets.c: views of targets, and VkRenderPass objects where rg_exec_params asks for them.
  *
  * The plan's barriers do all synchronisation; a render pass here has one subpass, no dependency
  * and no change of layout, so that both ways of recording mean the same.
  */
 #include "graph/exec/exec.h"
 
-/* What a view shows: a target, or what it resolves to. */
+/* An attachment: a target, or the image that one resolves to. */
 struct attachment {
     uint32_t image, mip, layer;
     const struct rg_plan_target *target; /* NULL: resolved to */
@@ -17,7 +17,7 @@ static struct attachment target_attachment(const struct rg_plan_target *target)
     return (struct attachment){ target->image, target->mip, target->layer, target };
 }
 
-/* The attachments of a pass in the order of its views; returns how many there are. */
+/* Lists the attachments of a pass in the order of its views. Returns their number. */
 static uint32_t list_attachments(const struct rg_plan_pass *pass,
                                  struct attachment views[RG_VIEW_COUNT])
 {
@@ -61,7 +61,7 @@ fail:
     return result;
 }
 
-/* A target as the plan has it; of what it resolves to every texel gets new content. */
+/* A resolve overwrites all of its image, so that nothing is loaded. */
 static VkAttachmentDescription describe(const struct rg_exec *exec, const struct attachment *shown)
 {
     const struct rg_plan_target resolved = {
@@ -141,7 +141,7 @@ fail:
     return result;
 }
 
-/* Of the set. */
+/* Makes the views and the framebuffer for the image set in use. */
 static VkResult make_targets(struct rg_exec *exec, const struct rg_plan_pass *plan,
                              struct exec_pass *pass)
 {

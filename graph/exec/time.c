@@ -1,8 +1,8 @@
 /*
  * time.c: timestamps, statistics and the host's clock around passes.
  *
- * The order pass, timestamp, barrier is the one that tile-based software rasterisers bill right: a
- * barrier before the timestamp lets it slip behind the next pass.
+ * The order pass, timestamp, barrier is measured right by tile-based software rasterisers: after a
+ * barrier, the timestamp may be taken behind the next pass.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +37,7 @@ uint64_t rg_time_now(void)
     return (uint64_t)t.tv_sec * 1000000000u + (uint64_t)t.tv_nsec;
 }
 
-/* ---- life ---- */
+/* ---- creating and destroying ---- */
 
 static VkResult make_pool(const struct rg_exec *exec, VkQueryType type, uint32_t count,
                           VkQueryPool *pool)
@@ -54,7 +54,7 @@ fail:
     return result;
 }
 
-/* Of the one family that is used; families beyond the 64th are not asked. */
+/* Returns the bits of a timestamp that are valid; 0 for queue families beyond the 64th. */
 static uint64_t stamp_mask(const struct rg_exec *exec)
 {
     VkQueueFamilyProperties families[64];

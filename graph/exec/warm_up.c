@@ -1,8 +1,8 @@
-/* warm_up.c: draws that do nothing but have a driver compile what it left to the first draw. */
+/* warm_up.c: draws of which nothing can be seen, for drivers that compile at the first draw. */
 #include <string.h>
 #include "graph/exec/exec.h"
 
-/* room for a vertex of any layout, and for three indices */
+/* bytes: room for a vertex of any layout, and for three indices */
 static const VkDeviceSize blank_size = 1024;
 
 VkResult rg_exec_make_warm_up(struct rg_exec *exec)
@@ -37,7 +37,7 @@ void rg_exec_free_warm_up(struct rg_exec *exec)
     exec->vk.FreeMemory(exec->device, exec->triangle_memory, NULL);
 }
 
-/* Nothing has written the image, so what it holds does not count, now as before. */
+/* Brings a range into a layout, with undefined content, which it has had before as well. */
 static void prepare(const struct rg_exec *exec, VkCommandBuffer commands, uint32_t image,
                     VkImageSubresourceRange range, VkImageLayout layout)
 {
