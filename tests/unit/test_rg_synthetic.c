@@ -89,6 +89,21 @@ static void test_nothing_is_allocated_in_memory_given(void **state)
     check_each_plan(check_allocations);
 }
 
+/* Graphs shaped like real frames: living passes are those that the graph says, and each of them is
+ * compiled in the memory given. */
+static void test_frames_are_culled_and_allocate_nothing(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < KNOWN_COUNT; i++) {
+        struct measure_graph graph;
+        assert_true(measure_graph(&graph, MEASURE_FRAME, known[i].pass_count, 0));
+        for (uint32_t k = 0; k < MEASURE_SHARING_COUNT; k++) {
+            check_passes(&graph, (enum rg_sharing)k);
+            check_allocations(&graph, (enum rg_sharing)k);
+        }
+    }
+}
+
 /* What the plan says of memory, against what the graph itself says. */
 static void check_memory(const struct measure_graph *graph, enum rg_sharing sharing)
 {
@@ -142,6 +157,7 @@ int main(void)
         cmocka_unit_test(test_what_nobody_needs_is_culled),
         cmocka_unit_test(test_batches_are_the_fewest),
         cmocka_unit_test(test_nothing_is_allocated_in_memory_given),
+        cmocka_unit_test(test_frames_are_culled_and_allocate_nothing),
         cmocka_unit_test(test_memory_is_counted_right),
         cmocka_unit_test(test_20_passes_are_packed_within_2_percent),
         cmocka_unit_test(test_100_passes_are_packed_within_5_percent),
