@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/base/suggest.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
 
@@ -161,43 +162,16 @@ enum {
     NAME_SIZE = 64
 };
 
-/* Levenshtein distance, of texts shorter than NAME_SIZE. */
-static size_t edit_distance(const char *a, const char *b)
+static void refuse_name(const char *name)
 {
-    size_t row[NAME_SIZE + 1];
-    size_t length = strlen(b);
-    for (size_t j = 0; j <= length; j++)
-        row[j] = j;
-    for (size_t i = 0; a[i]; i++) {
-        size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (size_t j = 0; j < length; j++) {
-            size_t best = diagonal + (a[i] != b[j]);
-            diagonal = row[j + 1];
-            if (best > row[j] + 1)
-                best = row[j] + 1;
-            if (best > row[j + 1] + 1)
-                best = row[j + 1] + 1;
-            row[j + 1] = best;
-        }
-    }
-    return row[length];
-}
-
-static const char *nearest_name(const char *name)
-{
-    const char *nearest = "";
-    size_t best = SIZE_MAX;
+    struct suggest suggest = { .word = name };
+    char hint[SUGGEST_HINT_SIZE];
     for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
-        for (size_t r = 0; r < walk.group->row_count; r++) {
-            size_t distance = edit_distance(name, walk.group->rows[r].name);
-            if (distance < best) {
-                best = distance;
-                nearest = walk.group->rows[r].name;
-            }
-        }
+        for (size_t r = 0; r < walk.group->row_count; r++)
+            suggest_offer(&suggest, walk.group->rows[r].name);
     }
-    return nearest;
+    log_error("--set: unknown setting '%s'%s (firn list settings)", name,
+              suggest_hint(&suggest, hint));
 }
 
 static enum status refuse(const struct setting *row, const char *value)
@@ -208,12 +182,13 @@ static enum status refuse(const struct setting *row, const char *value)
         used += (size_t)snprintf(&choices[used], sizeof(choices) - used, "%s%s", i ? ", " : "",
                                  row->choices[i]);
     if (row->type == SETTING_CHOICE)
-        log_error("--set %s=%s: one of %s is wanted", row->name, value, choices);
+        log_error("--set %s: expected one of %s, got '%s'", row->name, choices, value);
     else if (row->type == SETTING_SWITCH)
-        log_error("--set %s=%s: on or off is wanted", row->name, value);
+        log_error("--set %s: expected on or off, got '%s'", row->name, value);
     else
-        log_error("--set %s=%s: a %s from %g to %g is wanted", row->name, value,
-                  row->type == SETTING_COUNT ? "whole number" : "number", row->min, row->max);
+        log_error("--set %s: expected a %s from %g to %g, got '%s'", row->name,
+                  row->type == SETTING_COUNT ? "whole number" : "number", row->min, row->max,
+                  value);
     return STATUS_USAGE;
 }
 
@@ -250,14 +225,13 @@ enum status settings_set(struct settings *settings, const char *assignment)
     size_t length = equals ? (size_t)(equals - assignment) : 0;
     char name[NAME_SIZE] = "";
     if (!equals || !length) {
-        log_error("--set %s: name=value is wanted", assignment);
+        log_error("--set: expected NAME=VALUE, got '%s'", assignment);
         return STATUS_USAGE;
     }
     memcpy(name, assignment, length < NAME_SIZE ? length : NAME_SIZE - 1);
     const struct setting *row = settings_find(name);
     if (!row || length >= NAME_SIZE) {
-        log_error("--set %s: no such setting; did you mean %s? (firn list settings)", name,
-                  nearest_name(name));
+        refuse_name(name);
         return STATUS_USAGE;
     }
     if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)

@@ -259,15 +259,18 @@ static void check_refused(const char *assignment, const char *words)
 static void test_unknown_names(void **state)
 {
     (void)state;
-    check_refused("refract.iro=1.5", "did you mean refract.ior?");
-    check_refused("refact_paper.a=0.5", "did you mean refract_paper.a?");
-    check_refused("sky.sun_elevatoin=10", "did you mean sky.sun_elevation?");
-    check_refused(" refract.ior=1.5", "did you mean refract.ior?");
-    check_refused("refract.ior =1.5", "did you mean refract.ior?");
-    check_refused("REFRACT.IOR=1.5", "no such setting");
-    check_refused("", "name=value is wanted");
-    check_refused("refract.ior", "name=value is wanted");
-    check_refused("=1.5", "name=value is wanted");
+    check_refused("refract.iro=1.5", "did you mean 'refract.ior'?");
+    check_refused("refact_paper.a=0.5", "did you mean 'refract_paper.a'?");
+    check_refused("sky.sun_elevatoin=10", "did you mean 'sky.sun_elevation'?");
+    check_refused(" refract.ior=1.5", "did you mean 'refract.ior'?");
+    check_refused("refract.ior =1.5", "did you mean 'refract.ior'?");
+    check_refused("cracks.number=3", "'cracks.number': did you mean 'cracks.");
+    check_refused("REFRACT.IOR=1.5", "unknown setting 'REFRACT.IOR' (firn list settings)");
+    check_refused("nosuch=1", "unknown setting 'nosuch' (firn list settings)");
+    check_refused("ab=1", "unknown setting 'ab' (firn list settings)");
+    check_refused("", "expected NAME=VALUE, got");
+    check_refused("refract.ior", "expected NAME=VALUE, got");
+    check_refused("=1.5", "expected NAME=VALUE, got");
 }
 
 /* Names as long as the longest that is looked up, and much longer. */
@@ -280,7 +283,7 @@ static void test_long_names(void **state)
         memset(assignment, 'x', lengths[i]);
         memcpy(assignment, "refract.ior", 11);
         memcpy(&assignment[lengths[i]], "=1.5", sizeof("=1.5"));
-        check_refused(assignment, "no such setting");
+        check_refused(assignment, "unknown setting");
     }
     /* as a value */
     memset(assignment, '1', sizeof(assignment));
@@ -302,7 +305,7 @@ static void test_values_that_are_none(void **state)
     char assignment[128];
     for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++) {
         snprintf(assignment, sizeof(assignment), "refract.ior=%s", numbers[i]);
-        check_refused(assignment, "a number from 1 to 4 is wanted");
+        check_refused(assignment, "expected a number from 1 to 4, got '");
     }
     for (size_t i = 0; i < sizeof(counts) / sizeof(counts[0]); i++) {
         snprintf(assignment, sizeof(assignment), "%s=%s", row_of(SETTING_COUNT)->name, counts[i]);
@@ -310,9 +313,9 @@ static void test_values_that_are_none(void **state)
     }
     for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
         snprintf(assignment, sizeof(assignment), "%s=%s", row_of(SETTING_SWITCH)->name, words[i]);
-        check_refused(assignment, "on or off is wanted");
+        check_refused(assignment, "expected on or off, got '");
         snprintf(assignment, sizeof(assignment), "tonemap.curve=%s", words[i]);
-        check_refused(assignment, "one of neutral, clip is wanted");
+        check_refused(assignment, "expected one of neutral, clip, got '");
     }
 }
 

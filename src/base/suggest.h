@@ -1,0 +1,29 @@
+/* suggest.h: the known name that is closest to an unknown one. */
+#ifndef FIRN_BASE_SUGGEST_H
+#define FIRN_BASE_SUGGEST_H
+
+#include <stddef.h>
+
+enum {
+    SUGGEST_NAME_SIZE = 64,                     /* longer names are never suggested */
+    SUGGEST_HINT_SIZE = SUGGEST_NAME_SIZE + 32, /* bytes */
+};
+
+/* Begins as { .word = the unknown name }. */
+struct suggest {
+    const char *word;
+    const char *best; /* NULL: no close name was offered; borrowed from suggest_offer() */
+    size_t distance;  /* edit distance between `word` and `best` */
+};
+
+/*
+ * Offers a known name. It is close if it and the word have an edit distance of at most 2, and less
+ * than the word's length, or a common prefix of at least 3 characters; `best` becomes the close
+ * name with the least distance, the first one of several.
+ */
+void suggest_offer(struct suggest *suggest, const char *name);
+
+/* Writes ": did you mean 'BEST'?", or "" without a close name, to `hint`. Returns `hint`. */
+const char *suggest_hint(const struct suggest *suggest, char hint[static SUGGEST_HINT_SIZE]);
+
+#endif
