@@ -86,7 +86,7 @@ static enum status load(struct job *job)
     const struct motion_params *motion = settings_of(&job->o.settings, &motion_settings);
     enum status status = app_load_scene(&job->scene, &job->o);
     if (status == STATUS_OK && job->scene.cube.texels) {
-        log_error("--env %s: it is a baked cube already, and firn bake draws one",
+        log_error("--env %s: expected an equirectangular picture, got a cube of firn bake",
                   job->o.environment);
         status = STATUS_USAGE;
     }

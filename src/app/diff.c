@@ -60,17 +60,18 @@ static enum status check_options(struct job *job)
     const char *const *paths = o->positionals;
     enum status status = STATUS_USAGE;
     if (!paths[1]) {
-        log_error("two pictures are wanted: firn diff REFERENCE TEST (see --help)");
+        log_error("expected two pictures: firn diff REFERENCE TEST (see --help)");
         return status;
     }
     job->is_display = path_ends_in(paths[0], ".png");
     if (job->is_display != path_ends_in(paths[1], ".png"))
-        log_error("%s and %s: a PNG picture is for the eye and can be compared with no other kind",
+        log_error("cannot compare %s with %s: a PNG picture can only be compared with another PNG "
+                  "picture",
                   paths[0], paths[1]);
     else if (job->is_display && o->diff.has_exposure)
-        log_error("--exposure: PNG pictures are exposed already");
+        log_error("--exposure: not available for PNG pictures, which are already exposed");
     else if (o->diff.mask_channel && !o->diff.mask)
-        log_error("--mask-channel %s: there is no --mask", o->diff.mask_channel);
+        log_error("--mask-channel %s: --mask is missing", o->diff.mask_channel);
     else
         status = STATUS_OK;
     for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
@@ -85,21 +86,22 @@ static enum status check_layers(const struct job *job)
     const struct comparison *c = &job->comparison;
     double value;
     if (!c->layer_count) {
-        log_error("%s and %s have no channel of the same name", o->positionals[0],
+        log_error("cannot compare %s with %s: no channel name is in both files", o->positionals[0],
                   o->positionals[1]);
         return STATUS_DATA;
     }
     for (int i = 0; i < COMPARISON_METRIC_COUNT; i++) {
         if (!o->diff.has_limit[i] || comparison_metric(c, (enum comparison_metric)i, &value))
             continue;
-        log_error("--fail-above %s: the pictures do not both have %s", comparison_metric_names[i],
+        log_error("--fail-above %s: expected the channels %s in both pictures",
+                  comparison_metric_names[i],
                   i == COMPARISON_ANGLE ? "exit.X, exit.Y and exit.Z" : "R, G and B");
         return STATUS_DATA;
     }
     for (uint32_t i = 0; i < o->output_count; i++) {
         if (c->has_beauty || (c->has_exit && path_ends_in(o->outputs[i], ".exr")))
             continue;
-        log_error("%s: there is no error to show, the pictures do not both have R, G and B",
+        log_error("cannot write %s: expected the channels R, G and B in both pictures",
                   o->outputs[i]);
         return STATUS_DATA;
     }
@@ -120,9 +122,9 @@ static void check_limits(struct job *job)
         const unsigned long long not_finite = layer->difference.not_finite;
         job->report.failed[i] = not_finite || !(value <= o->limits[i]);
         if (not_finite)
-            log_error("%s: %llu values of %s are not finite", name, not_finite, layer->name);
+            log_error("%s: %llu values of layer %s are not finite", name, not_finite, layer->name);
         else if (job->report.failed[i])
-            log_error("%s is %g, above %g", name, value, o->limits[i]);
+            log_error("%s is %g, above the limit %g", name, value, o->limits[i]);
     }
 }
 

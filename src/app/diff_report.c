@@ -44,7 +44,7 @@ static void print_head(const struct diff_report *report, FILE *out)
     print_name(o->positionals[1], out);
     fprintf(out, "\npixels     %u x %u", report->width, report->height);
     if (o->diff.mask)
-        fprintf(out, ", of which the mask counts %zu", report->comparison->counted);
+        fprintf(out, ", %zu selected by the mask", report->comparison->counted);
     fputs("\n\n", out);
 }
 
@@ -128,7 +128,7 @@ void diff_report_text(const struct diff_report *report, FILE *out)
     if (c->has_exit)
         print_exit(&c->angle, out);
     if (c->has_tir)
-        fprintf(out, "\ntir        another class in %.4g %% of %llu pixels\n",
+        fprintf(out, "\ntir        differs in %.4g %% of %llu pixels\n",
                 100.0 * share(c->tir_differs, c->tir_count), (unsigned long long)c->tir_count);
     if (c->only_reference_count || c->only_test_count)
         fputs("\n", out);

@@ -36,7 +36,8 @@ static enum status take_words(struct app_options *o, bool is_status)
     o->positionals[0] = scene;
     if (is_status && is_picture(scene)) {
         if (o->output_count) {
-            log_error("farm status %s: without SCENE there is no --output", scene);
+            log_error("--output: not available with farm status %s; name a SCENE or only files",
+                      scene);
             return STATUS_USAGE;
         }
         o->outputs[o->output_count++] = scene;
@@ -50,13 +51,14 @@ static enum status check_files(const struct app_options *o)
 {
     for (uint32_t i = 0; i < o->output_count; i++) {
         if (!strcmp(o->outputs[i], "-")) {
-            log_error("--output -: nobody reads the stdout of a task, name a file");
+            log_error(
+                "--output: expected a file name, got '-': the stdout of a task is not collected");
             return STATUS_USAGE;
         }
     }
     if (o->frames)
         return STATUS_OK;
-    log_error("--frames is missing: which of them are to be drawn (see --help)");
+    log_error("--frames is missing: expected the frames to draw (see --help)");
     return STATUS_USAGE;
 }
 
@@ -107,14 +109,14 @@ static enum status run_script(char *text)
     const int error = posix_spawn(&process, "/bin/sh", NULL, &attributes, words, environ);
     posix_spawnattr_destroy(&attributes);
     if (error) {
-        log_error("/bin/sh: %s", strerror(error));
+        log_error("cannot run /bin/sh: %s", strerror(error));
         return STATUS_FAILED;
     }
     while (waitpid(process, &result, 0) < 0 && errno == EINTR)
         ;
     if (WIFEXITED(result) && WEXITSTATUS(result) == 0)
         return STATUS_OK;
-    log_error("--submit: the script has failed; without --submit it is printed");
+    log_error("--submit: the script failed; run without --submit to print it");
     return STATUS_FAILED;
 }
 
@@ -156,7 +158,9 @@ static enum status make_parallel(const struct app_options *o, const struct seque
 {
     for (char *const *word = o->words; *word; word++) {
         if (strchr(*word, '{')) {
-            log_error("farm parallel: %s: GNU parallel puts something else in place of {", *word);
+            log_error(
+                "farm parallel: '%s' contains '{', which GNU parallel replaces; use another name",
+                *word);
             return STATUS_USAGE;
         }
     }
@@ -187,7 +191,8 @@ enum status app_farm(const struct app_options *given)
     while (k < sizeof(kinds) / sizeof(kinds[0]) && (!what || strcmp(what, kinds[k].name) != 0))
         k++;
     if (k == sizeof(kinds) / sizeof(kinds[0])) {
-        log_error("farm %s: slurm, parallel or status is wanted (see --help)", what ? what : "");
+        log_error("farm: expected slurm, parallel or status, got '%s' (see --help)",
+                  what ? what : "");
         return STATUS_USAGE;
     }
     if (!o.samples)

@@ -19,7 +19,7 @@ static void print_head(const struct farm_script *script, FILE *out)
 {
     fprintf(out,
             "#!/bin/sh\n"
-            "# %u frame%s in %u task%s. To run it again does no harm: what is there stays.\n"
+            "# %u frame%s in %u task%s. Running it again keeps the frames that are complete.\n"
             "set -eu\n"
             "mkdir -p %s.logs\n\n",
             script->frame_count, script->frame_count > 1 ? "s" : "", script->task_count,
@@ -54,7 +54,7 @@ void farm_script_slurm(const struct farm_script *script, FILE *out)
     print_words(script, out);
     fprintf(out,
             "\ncode=$?\n"
-            "# 75: worth another try. SIGUSR1 comes a minute before the time is up.\n"
+            "# 75: temporary failure; retry. Slurm sends SIGUSR1 60 s before the time limit.\n"
             "if [ $code -eq 75 ] && [ \"${SLURM_RESTART_COUNT:-0}\" -lt 20 ]; then\n"
             "    scontrol requeue \"${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID\"\n"
             "fi\n"
@@ -97,10 +97,9 @@ void farm_script_parallel(const struct farm_script *script, FILE *out)
 {
     const char *hosts = script->options->farm.hosts;
     print_head(script, out);
-    fprintf(out, "# A host that does not answer is left alone, and its tasks go to the others.\n"
-                 ": \"${PARALLEL_SSH:=ssh -o BatchMode=yes -o ConnectTimeout=10}\"\n"
-                 "export PARALLEL_SSH\n"
-                 "parallel --sshlogin ");
+    fprintf(out, "# Tasks of a host that does not answer are retried on the other hosts.\n: "
+                 "\"${PARALLEL_SSH:=ssh -o BatchMode=yes -o ConnectTimeout=10}\"\nexport "
+                 "PARALLEL_SSH\nparallel --sshlogin ");
     shell_words_quote(hosts ? hosts : ":", out);
     fprintf(out,
             " --workdir \"$PWD\" --jobs 1 --retries 4 \\\n"

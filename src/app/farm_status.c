@@ -24,7 +24,7 @@ static const struct {
     const char *name, *words;
 } states[STATE_COUNT] = {
     [DONE] = { "done", "" },
-    [STALE] = { "stale", "whole, but of other settings or of another firn" },
+    [STALE] = { "stale", "complete, but made with other settings or another version of firn" },
     [DAMAGED] = { "damaged", "" },
     [MISSING] = { "missing", "" },
 };

@@ -40,13 +40,12 @@ enum status frame_name_parse(struct frame_name *name, const char *path)
         if (!hashes)
             length = measure_printf(at, &width);
         if (!length) {
-            log_error("--output %s: with --frames, %% begins %%d or %%04d and nothing else", path);
+            log_error("--output: expected %%d or %%04d as the frame number, got '%s'", path);
             return STATUS_USAGE;
         }
         if (name->length || width > WIDTH_MAX) {
-            log_error("--output %s: one place for the frame's number is wanted, of at most %d "
-                      "digits",
-                      path, WIDTH_MAX);
+            log_error("--output: expected one frame number of at most %d digits, got '%s'",
+                      WIDTH_MAX, path);
             return STATUS_USAGE;
         }
         name->at = (size_t)(at - path);

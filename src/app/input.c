@@ -16,7 +16,7 @@ enum status input_read(const char *path, struct image *image)
         return hdr_read(path, image);
     if (path_ends_in(path, ".png"))
         return png_read(path, image);
-    log_error("%s: a name that ends in .exr, .hdr or .png is wanted", path);
+    log_error("expected a file name that ends in .exr, .hdr or .png, got '%s'", path);
     return STATUS_USAGE;
 }
 
@@ -25,8 +25,8 @@ enum status input_check_size(const struct image *image, const char *path, const 
 {
     if (other->width == image->width && other->height == image->height)
         return STATUS_OK;
-    log_error("%s has %u x %u pixels, %s %u x %u: they must have the same size", other_path,
-              other->width, other->height, path, image->width, image->height);
+    log_error("%s has %u x %u pixels, but %s has %u x %u: expected pictures of the same size",
+              other_path, other->width, other->height, path, image->width, image->height);
     return STATUS_DATA;
 }
 
@@ -37,7 +37,8 @@ enum status input_make_mask(const struct image *image, const char *path, const c
     const size_t count = (size_t)image->width * image->height;
     bool any = false;
     if (!values) {
-        log_error("%s: has no channel %s (--mask-channel names another)", path, channel);
+        log_error("%s: expected a channel %s as the mask; choose another with --mask-channel", path,
+                  channel);
         return STATUS_DATA;
     }
     *counted = malloc(count * sizeof(**counted));
@@ -51,6 +52,6 @@ enum status input_make_mask(const struct image *image, const char *path, const c
     }
     if (any)
         return STATUS_OK;
-    log_error("%s: channel %s is above 0 nowhere, so that no pixel counts", path, channel);
+    log_error("%s: the mask selects no pixel: channel %s is nowhere above 0", path, channel);
     return STATUS_DATA;
 }

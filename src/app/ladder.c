@@ -41,7 +41,8 @@ static enum status refuse_furnace(const struct app_options *o)
                                              : NULL;
     if (!option)
         return STATUS_OK;
-    log_error("%s: with --furnace the environment is 1 everywhere, and the numbers are all",
+    log_error("%s: not available with --furnace, which has a constant environment and prints only "
+              "numbers",
               option);
     return STATUS_USAGE;
 }
@@ -51,11 +52,12 @@ static enum status check(struct job *job)
     struct app_options *o = &job->o;
     enum status status = o->ladder.furnace ? refuse_furnace(o) : STATUS_OK;
     if (status == STATUS_OK && !reference_is_built()) {
-        log_error("firn ladder: this firn was built without Embree (meson option `reference`)");
+        log_error("firn ladder: this build has no Embree; rebuild with meson setup --reconfigure "
+                  "-Dreference=enabled");
         return STATUS_NO_DEVICE;
     }
     if (status == STATUS_OK && o->diff.mask && !o->ladder.truth) {
-        log_error("--mask %s: it is for --truth, which is missing", o->diff.mask);
+        log_error("--mask %s: --truth is missing, which the mask is for", o->diff.mask);
         return STATUS_USAGE;
     }
     for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
@@ -85,13 +87,13 @@ static enum status read_truth(struct job *job)
     if (status != STATUS_OK)
         return status;
     if (job->truth.width != o->width || job->truth.height != o->height) {
-        log_error("%s has %u x %u pixels: --size %ux%u is wanted", path, job->truth.width,
+        log_error("%s has %u x %u pixels: set --size %ux%u", path, job->truth.width,
                   job->truth.height, job->truth.width, job->truth.height);
         return STATUS_DATA;
     }
     if (!image_find(&job->truth, "R") || !image_find(&job->truth, "G") ||
         !image_find(&job->truth, "B")) {
-        log_error("%s: R, G and B are wanted", path);
+        log_error("%s: expected the channels R, G and B", path);
         return STATUS_DATA;
     }
     if (!o->diff.mask)
@@ -146,7 +148,7 @@ static enum status measure(struct job *job)
     if (status != STATUS_OK)
         return status;
     if (!o->quiet && reference_leaves_out(&o->settings, names, sizeof(names)))
-        log_warning("firn ladder: the reference is the smooth object alone, without %s", names);
+        log_warning("firn ladder: the reference has only the smooth object, without %s", names);
     progress_begin(&job->progress, ladder_stages(&params), "steps", o->quiet);
     status = ladder_run(&job->ladder, &params, show_progress, job);
     progress_clear(&job->progress);
@@ -229,7 +231,7 @@ static enum status run(struct job *job)
     if (status == STATUS_OK)
         status = app_load_scene(&job->scene, &job->o);
     if (status == STATUS_OK && job->scene.has_pool) {
-        log_error("firn ladder %s: there is nothing in it that refraction's rungs draw",
+        log_error("firn ladder: expected a scene with a refracting object, got '%s'",
                   job->o.positionals[0]);
         status = STATUS_USAGE;
     }

@@ -15,16 +15,11 @@ struct source {
 
 const struct frame_layer *layer_picture_find(const char *name)
 {
-    char names[32 * FRAME_LAYER_MAX] = "";
     const struct frame_layer *layer;
     for (size_t i = 0; (layer = techniques_layer(i)); i++) {
         if (!strcmp(layer->name, name))
             return layer;
-        if (*names)
-            strncat(names, ", ", sizeof(names) - strlen(names) - 1);
-        strncat(names, layer->name, sizeof(names) - strlen(names) - 1);
     }
-    log_error("--show %s: no such layer: %s", name, names);
     return NULL;
 }
 

@@ -12,7 +12,7 @@
 #include "src/frame/layers.h"
 #include "src/image/image.h"
 
-/* The layer of that name, or NULL and a line logged that lists them all. */
+/* The layer of that name, or NULL; logs nothing. */
 const struct frame_layer *layer_picture_find(const char *name);
 
 /* Bit i of renderer_params.layers for techniques_layer(i); 0 for NULL. */

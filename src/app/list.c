@@ -17,7 +17,7 @@ static enum status list_scenes(void)
             printf(", %u triangles", b->triangles);
         printf("\n");
     }
-    printf("  %-14s %s\n", "FILE", "a model: .gltf, .glb, .obj, .ply");
+    printf("  %-14s %s\n", "FILE", "model file: .gltf, .glb, .obj, .ply");
     return STATUS_OK;
 }
 
@@ -27,7 +27,7 @@ static enum status list_rungs(void)
     for (size_t r = 0; (rung = techniques_rung(r)); r++)
         printf("  %-14s %s\n", rung->rung.name, rung->help);
     printf("  %-14s %s%s\n", refract_reference.rung.name, refract_reference.help,
-           reference_is_built() ? "" : " (not in this build, which has no Embree)");
+           reference_is_built() ? "" : " (not available: this build has no Embree)");
     return STATUS_OK;
 }
 
@@ -43,7 +43,7 @@ static enum status list_layers(void)
     const struct frame_layer *layer;
     for (size_t i = 0; (layer = techniques_layer(i)); i++)
         printf("  %-14s %s%s\n", layer->name, layer->help,
-               layer->image ? "" : " (reference alone)");
+               layer->image ? "" : " (only with --refraction reference)");
     return STATUS_OK;
 }
 
@@ -102,7 +102,7 @@ enum status app_list(const struct app_options *o)
         status = lists[i].print();
     }
     if (!found) {
-        log_error("list %s: one of scenes, rungs, materials, layers, settings, devices is wanted",
+        log_error("list: expected scenes, rungs, materials, layers, settings or devices, got '%s'",
                   o->positionals[0]);
         return STATUS_USAGE;
     }

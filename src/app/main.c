@@ -5,6 +5,7 @@
 #include "src/app/app.h"
 #include "src/app/standard_streams.h"
 #include "src/base/log.h"
+#include "src/base/suggest.h"
 #include "src/scene/import/decode.h"
 #include "src/version.h"
 
@@ -14,17 +15,20 @@ static const struct {
     enum status (*run)(const struct app_options *options);
     const char *help;
 } commands[] = {
-    { "render", APP_RENDER, app_render, "draw a picture, to EXR and PNG" },
-    { "view", APP_VIEW, app_view, "show a scene in a window and move around it" },
-    { "profile", APP_PROFILE, app_profile, "measure what each pass of a frame costs" },
+    { "render", APP_RENDER, app_render, "draw a picture to EXR and PNG files" },
+    { "view", APP_VIEW, app_view, "show a scene in a window" },
+    { "profile", APP_PROFILE, app_profile, "measure the time of each pass of a frame" },
     { "graph", APP_GRAPH, app_graph, "print the compiled plan of a frame; needs no device" },
-    { "diff", APP_DIFF, app_diff, "say how far two pictures are apart" },
-    { "ladder", APP_LADDER, app_ladder, "compare every way to refract with the traced truth" },
-    { "bake", APP_BAKE, app_bake, "draw what surrounds a scene's object, once, for --env" },
-    { "sheet", APP_SHEET, app_sheet, "draw every material, or value of a setting, side by side" },
-    { "farm", APP_FARM, app_farm, "a long sequence on many machines: Slurm, GNU parallel" },
-    { "merge", APP_MERGE, app_merge, "put the tiles of a picture together" },
-    { "list", APP_LIST, app_list, "scenes, rungs, materials, layers, settings, devices" },
+    { "diff", APP_DIFF, app_diff, "measure how much two pictures differ" },
+    { "ladder", APP_LADDER, app_ladder,
+      "compare every refraction rung with the ray traced reference" },
+    { "bake", APP_BAKE, app_bake, "draw the environment of a scene's object as a cube for --env" },
+    { "sheet", APP_SHEET, app_sheet,
+      "draw one picture per material or value of a setting, side by side" },
+    { "farm", APP_FARM, app_farm, "render a sequence on many machines, by Slurm or GNU parallel" },
+    { "merge", APP_MERGE, app_merge, "join the tiles of a picture" },
+    { "list", APP_LIST, app_list,
+      "print the scenes, rungs, materials, layers, settings and devices" },
 };
 
 enum {
@@ -33,7 +37,7 @@ enum {
 
 static void print_help(FILE *out)
 {
-    fprintf(out, "firn: ice, glass and water, and how far each picture is from the truth\n\n"
+    fprintf(out, "firn: renders ice, glass and water, and measures the error of each picture\n\n"
                  "Examples:\n"
                  "  firn render ice-cube -o ice.exr -o ice.png\n"
                  "  firn diff reference.exr ice.exr\n"
@@ -42,7 +46,8 @@ static void print_help(FILE *out)
                  "Commands:\n");
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         fprintf(out, "  %-8s %s\n", commands[i].name, commands[i].help);
-    fprintf(out, "  %-8s %s\n\n", "help", "this text, or that of a command: firn help render");
+    fprintf(out, "  %-8s %s\n\n", "help",
+            "this text, or the options of a command: firn help render");
     fprintf(out, "Options:\n  -h, --help     this text\n      --version  the version\n");
 }
 
@@ -56,9 +61,11 @@ static size_t find_command(const char *name)
 
 static enum status unknown(const char *word)
 {
-    log_error("unknown command %s: render, view, profile, graph, diff, ladder, bake, sheet, farm, "
-              "merge or list is wanted (see --help)",
-              word);
+    char hint[SUGGEST_HINT_SIZE];
+    struct suggest suggest = { .word = word };
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        suggest_offer(&suggest, commands[i].name);
+    log_error("unknown command '%s'%s (see --help)", word, suggest_hint(&suggest, hint));
     return STATUS_USAGE;
 }
 
@@ -79,7 +86,7 @@ static enum status run(int argc, char **argv)
     struct app_options options;
     bool done;
     if (argc < 2) {
-        log_error("a command is missing: render, view, profile, graph, diff, ladder, bake, sheet, "
+        log_error("no command: expected render, view, profile, graph, diff, ladder, bake, sheet, "
                   "farm, merge or list (see --help)");
         return STATUS_USAGE;
     }

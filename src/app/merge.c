@@ -70,19 +70,20 @@ static enum status read_number(const struct input *input, struct job *job, uint3
     bool interleaved;
     if (!read_text(exr_text(input->file, "firn/tile"), &tiling, number, &interleaved) ||
         !find_size(input, &tiling, *number, interleaved)) {
-        log_error("%s: it is no tile of a picture (firn render --tile)", input->path);
+        log_error("%s: expected a tile of a picture, written by firn render --tile", input->path);
         return STATUS_DATA;
     }
     if (job->first && (tiling.columns != before.columns || tiling.rows != before.rows ||
                        interleaved != job->interleaved)) {
-        log_error("%s: one of %ux%u %stiles, but %s is one of %ux%u", input->path, tiling.columns,
-                  tiling.rows, interleaved ? "interleaved " : "", job->first->path, before.columns,
-                  before.rows);
+        log_error(
+            "%s is one of %ux%u %stiles, but %s is one of %ux%u: expected tiles of one picture",
+            input->path, tiling.columns, tiling.rows, interleaved ? "interleaved " : "",
+            job->first->path, before.columns, before.rows);
         return STATUS_DATA;
     }
     if (job->first && (tiling.width != before.width || tiling.height != before.height)) {
-        log_error("%s: a tile of %ux%u pixels, but %s is one of %ux%u", input->path, tiling.width,
-                  tiling.height, job->first->path, before.width, before.height);
+        log_error("%s belongs to a picture of %ux%u pixels, but %s to one of %ux%u", input->path,
+                  tiling.width, tiling.height, job->first->path, before.width, before.height);
         return STATUS_DATA;
     }
     job->tiling = tiling;
@@ -107,8 +108,7 @@ static enum status check_same(const struct input *tile, const struct input *firs
     if (same && is_same_text(tile, first, "firn/version") &&
         is_same_text(tile, first, "firn/settings"))
         return STATUS_OK;
-    log_error("%s: a tile of another picture than %s, or by another version of firn", tile->path,
-              first->path);
+    log_error("%s: its picture or firn version differs from that of %s", tile->path, first->path);
     return STATUS_DATA;
 }
 
@@ -121,7 +121,8 @@ static enum status add_tile(struct job *job, const char *path)
         return status;
     status = read_number(&tile, job, &number);
     if (status == STATUS_OK && job->tiles[number].path) {
-        log_error("%s: the same tile as %s", path, job->tiles[number].path);
+        log_error("duplicate tile: %s has the same tile number as %s", path,
+                  job->tiles[number].path);
         status = STATUS_DATA;
     }
     if (status == STATUS_OK && job->first)
@@ -145,7 +146,7 @@ static enum status open_tiles(struct job *job, const struct app_options *o)
     for (uint32_t i = 0; i < tiling->columns * tiling->rows && status == STATUS_OK; i++) {
         if (job->tiles[i].path)
             continue;
-        log_error("tile %u of %ux%u is missing", i + 1, tiling->columns, tiling->rows);
+        log_error("missing tile: number %u of %ux%u", i + 1, tiling->columns, tiling->rows);
         status = STATUS_NO_INPUT;
     }
     if (status != STATUS_OK)
@@ -155,7 +156,7 @@ static enum status open_tiles(struct job *job, const struct app_options *o)
     job->image.height = tiling->height;
     if (job->image.width <= IMAGE_MAX_SIDE && job->image.height <= IMAGE_MAX_SIDE)
         return STATUS_OK;
-    log_error("%s: the picture would have more than %d pixels on a side", job->first->path,
+    log_error("%s: the merged picture would exceed %d pixels on a side", job->first->path,
               IMAGE_MAX_SIDE);
     return STATUS_DATA;
 }
@@ -240,7 +241,7 @@ enum status app_merge(const struct app_options *o)
         return STATUS_TRY_AGAIN;
     }
     if (!o->positionals[0]) {
-        log_error("files are missing: the tiles of a picture (see --help)");
+        log_error("expected the files of a picture's tiles (see --help)");
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK)

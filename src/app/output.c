@@ -156,10 +156,12 @@ static const char *check_sizes(const struct app_options *o)
 {
     const struct tiling tiling = { o->width, o->height, o->tile_columns, o->tile_rows };
     if (!o->interleaved)
-        return tile_fits(&tiling) ? NULL : "--tiles: a tile has 2x2 pixels at least (--size)";
+        return tile_fits(&tiling) ? NULL
+                                  : "--tiles: expected at least 2x2 pixels per tile; increase "
+                                    "--size or use fewer tiles";
     if (o->width % o->tile_columns || o->height % o->tile_rows)
-        return "--interleaved: the columns of --tiles must divide the width, and their rows the "
-               "height (--size)";
+        return "--interleaved: expected a --size that is a multiple of the columns and rows of "
+               "--tiles";
     return NULL;
 }
 
@@ -167,17 +169,18 @@ enum status output_check_tiles(const struct app_options *o)
 {
     const char *wrong = NULL;
     if (!o->tile_columns && (o->tile || o->interleaved)) {
-        wrong = o->tile ? "--tile needs --tiles" : "--interleaved needs --tiles";
+        wrong = o->tile ? "--tile: --tiles is missing" : "--interleaved: --tiles is missing";
     } else if (o->tile_columns) {
         if (o->rung == &refract_reference)
-            wrong = "--refraction reference: it needs no --tiles, it traces the picture as it is";
+            wrong = "--tiles: not available with --refraction reference, which needs no tiles";
         else if (o->tile > o->tile_columns * o->tile_rows)
-            wrong = "--tile: there are not so many --tiles";
+            wrong = "--tile: its number exceeds the number of --tiles";
         else
             wrong = check_sizes(o);
         for (uint32_t i = 0; i < o->output_count && o->tile && !wrong; i++)
-            wrong = path_ends_in(o->outputs[i], ".png") ? "--tile: a tile is an .exr file, no .png"
-                                                        : NULL;
+            wrong = path_ends_in(o->outputs[i], ".png")
+                        ? "--tile: expected an .exr file as --output, got a .png"
+                        : NULL;
     }
     if (!wrong)
         return STATUS_OK;

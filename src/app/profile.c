@@ -28,7 +28,7 @@ static enum status check_reports(const struct app_options *o)
         status = file_check(paths[i]);
     }
     if (status == STATUS_OK && stdout_count > 1) {
-        log_error("- for several reports: stdout takes one of them");
+        log_error("stdout can hold only one report, but '-' is given for several");
         status = STATUS_USAGE;
     }
     return status;
@@ -103,7 +103,9 @@ static enum status refuse_reports(const struct app_options *o, const char *many)
 {
     if (!o->baseline && !o->reports.csv && !o->reports.trace && !o->capture)
         return STATUS_OK;
-    log_error("%s: has --json and --html, but no --csv, --trace, --baseline or --capture", many);
+    log_error(
+        "--csv, --trace, --baseline and --capture: not available with %s; use --json or --html",
+        many);
     return STATUS_USAGE;
 }
 
@@ -131,7 +133,7 @@ static enum status check(struct profile_job *job, bool is_paper)
     const struct app_options *o = &job->o;
     enum status status = check_reports(o);
     if (status == STATUS_OK && is_paper && o->sweep_count) {
-        log_error("--sweep: the paper's experiments have no parameters");
+        log_error("--sweep: not available with firn profile paper");
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK && (is_paper || o->sweep_count))

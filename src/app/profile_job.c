@@ -24,7 +24,7 @@ static enum status open_device(struct profile_job *job)
                                                    .no_cache = o->no_cache,
                                                });
     if (status == STATUS_OK && o->capture && !gpu_capture_is_there()) {
-        log_error("--capture: RenderDoc is not there; start firn from it, or with "
+        log_error("--capture: RenderDoc is not loaded; start firn from RenderDoc, or with "
                   "ENABLE_VULKAN_RENDERDOC_CAPTURE=1");
         status = STATUS_USAGE;
     }

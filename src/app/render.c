@@ -190,7 +190,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
     enum status status = reference_create(&job->reference, &request);
     if (status == STATUS_OK && !job->o.quiet &&
         reference_leaves_out(params->settings, names, sizeof(names)))
-        log_warning("--refraction reference: it is the smooth object alone, without %s", names);
+        log_warning("--refraction reference: draws only the smooth object, without %s", names);
     return status;
 }
 
@@ -256,7 +256,7 @@ static enum status open_renderer(struct job *job)
     if (params.linear)
         params.layers = o->layers;
     else if (o->layers)
-        log_warning("--aov: PNG files have no layers; name an .exr file too");
+        log_warning("--aov: PNG files have no layers; add an .exr file with --output");
     params.layers |= layer_picture_bit(o->show);
     if (o->rung == &refract_reference)
         return open_reference(job, &params);

@@ -37,16 +37,16 @@ static void check_box(const struct app_options *o, const struct scene *scene)
     const struct box box = local_box_of(scene, &o->settings);
     const bool is_box = box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
     if (refract->lookup == REFRACT_LOOKUP_BOX && !is_box)
-        log_warning("refract.lookup=box: there is no box, so all lies infinitely far away; set "
-                    "local.left < right, bottom < top and back < front");
+        log_warning("refract.lookup=box: the box is empty, so the environment is infinitely far "
+                    "away; set local.left < right, bottom < top and back < front");
 }
 
 enum status app_need_scene(const struct app_options *o)
 {
     if (o->positionals[0])
         return STATUS_OK;
-    log_error(
-        "SCENE is missing: ice-cube, sphere, teapot, room, pool or a model file (see --help)");
+    log_error("SCENE is missing: expected ice-cube, sphere, teapot, room, pool or a model file "
+              "(see --help)");
     return STATUS_USAGE;
 }
 
@@ -55,8 +55,9 @@ static enum status check_pool(const struct app_options *o, struct scene *scene)
 {
     if (!scene->has_pool || !o->rung || o->rung->rung.rows)
         return STATUS_OK;
-    log_error("%s: --refraction %s traces ice and its surroundings, no water: leave it out",
-              o->positionals[0], o->rung->rung.name);
+    log_error(
+        "--refraction %s: not available for the scene '%s', which has water; choose another rung",
+        o->rung->rung.name, o->positionals[0]);
     scene_finish(scene);
     return STATUS_USAGE;
 }
@@ -171,14 +172,14 @@ enum status app_camera(struct camera *camera, const struct scene *scene,
                        const struct app_options *o)
 {
     if (o->has_eye && o->has_orbit) {
-        log_error("--eye and --orbit: only one of them can place the camera");
+        log_error("--eye conflicts with --orbit: choose one camera position");
         return STATUS_USAGE;
     }
     *camera = choose_camera(scene, o);
     if (!glms_vec3_eqv(camera->eye, camera->target))
         return STATUS_OK;
     /* maybe only as floats go: there is no millimetre a thousand kilometres away */
-    log_error("the camera would stand where it looks: move it or its target (--eye, --orbit, "
-              "--target)");
+    log_error(
+        "the camera and its target have the same position: change --eye, --orbit or --target");
     return STATUS_USAGE;
 }

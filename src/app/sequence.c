@@ -22,12 +22,12 @@ static enum status parse_frames(struct sequence *sequence, const struct app_opti
 static enum status take_chunk(struct sequence *sequence, const struct app_options *o)
 {
     if (!o->frames) {
-        log_error("--chunk %u/%u: it needs --frames", o->chunk, o->chunk_count);
+        log_error("--chunk %u/%u: --frames is missing", o->chunk, o->chunk_count);
         return STATUS_USAGE;
     }
     frame_range_chunk(&sequence->range, o->chunk, o->chunk_count);
     if (!sequence->range.count && !o->quiet)
-        fprintf(stderr, "--chunk %u/%u: has no frame\n", o->chunk, o->chunk_count);
+        fprintf(stderr, "--chunk %u/%u: contains no frames\n", o->chunk, o->chunk_count);
     return STATUS_OK;
 }
 
@@ -41,17 +41,20 @@ static enum status parse_name(struct sequence *sequence, const struct app_option
     if (!o->frames) {
         if (!frame_name_is_pattern(path))
             return STATUS_OK;
-        log_error("--output %s: a place for the frame's number needs --frames", path);
+        log_error("--output %s: has a frame number, but --frames is missing", path);
         return STATUS_USAGE;
     }
     enum status status = frame_name_parse(name, path);
     if (status != STATUS_OK || count == 1 || name->length)
         return status;
     if (!strcmp(path, "-"))
-        log_error("--output -: stdout takes one picture, --frames names %u", count);
+        log_error("--output: expected a file name for %u frames, got '-': stdout can hold only one "
+                  "picture",
+                  count);
     else
-        log_error("--output %s: %u frames need a place for their number, such as #### or %%04d",
-                  path, count);
+        log_error(
+            "--output: expected a frame number for %u frames, such as #### or %%04d, got '%s'",
+            count, path);
     return STATUS_USAGE;
 }
 
@@ -65,7 +68,7 @@ static enum status parse_names(struct sequence *sequence, struct app_options *o)
     for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++) {
         const bool is_stdout = !strcmp(o->outputs[i], "-");
         if (is_stdout && stdout_taken) {
-            log_error("stdout takes one picture, or one report, and - names it twice");
+            log_error("stdout can hold only one picture or report, but '-' is given twice");
             return STATUS_USAGE;
         }
         stdout_taken = stdout_taken || is_stdout;
@@ -73,7 +76,8 @@ static enum status parse_names(struct sequence *sequence, struct app_options *o)
         status = parse_name(sequence, o, i);
     }
     if (status == STATUS_OK && o->show && !has_png) {
-        log_error("--show %s: only PNG files show a layer; name one (-o FILE.png)", o->show->name);
+        log_error("--show %s: only PNG files show a layer; add one with -o FILE.png",
+                  o->show->name);
         return STATUS_USAGE;
     }
     return status;
@@ -102,8 +106,8 @@ static enum status check_frame(const struct sequence *sequence, const struct app
     const double time = sequence_time(o, frame);
     enum status status = STATUS_OK;
     if (time < row->min || time > row->max) {
-        log_error("--frames %s: frame %d would be at %.7g seconds, not within %.7g and %.7g "
-                  "(motion.time + frame / motion.fps)",
+        log_error("--frames %s: frame %d is at %.7g seconds (motion.time + frame / motion.fps), "
+                  "expected %.7g to %.7g seconds",
                   o->frames, (int)frame, time, row->min, row->max);
         return STATUS_USAGE;
     }

@@ -72,14 +72,15 @@ static enum status check(struct job *job)
     if (status == STATUS_OK)
         status = sweep_options_parse(&job->sweep, o);
     if (status == STATUS_OK && job->sweep.point_count > PICTURES_MAX) {
-        log_error("--sweep: %u pictures; at most %d are put on a sheet", job->sweep.point_count,
-                  PICTURES_MAX);
+        log_error("--sweep: expected at most %d pictures on a sheet, got %u", PICTURES_MAX,
+                  job->sweep.point_count);
         return STATUS_USAGE;
     }
     for (uint32_t i = 0; i < job->sweep.parameter_count && status == STATUS_OK; i++) {
         if (strcmp(job->sweep.parameters[i].name, "size") != 0)
             continue;
-        log_error("--sweep %s: the pictures of a sheet have one size, --size", o->sweeps[i]);
+        log_error("--sweep %s: all pictures of a sheet have the same size; use --size",
+                  o->sweeps[i]);
         status = STATUS_USAGE;
     }
     return status;

@@ -39,7 +39,7 @@ enum status signals_begin(struct signals *stop)
     if (!error)
         error = pthread_create(&stop->thread, NULL, watch, stop);
     if (error) {
-        log_error("no thread to wait for signals: %s", strerror(error));
+        log_error("cannot start the thread that waits for signals: %s", strerror(error));
         pthread_mutex_destroy(&stop->writing);
         return STATUS_TRY_AGAIN;
     }

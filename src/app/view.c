@@ -37,10 +37,9 @@ enum status app_view(const struct app_options *o)
     if (errno == ENOENT)
         execv(installed, o->words);
     if (errno == ENOENT)
-        log_error(
-            "there is no firn-view: this firn was built without windows (meson -Dview=enabled "
-            "needs GLFW and Dear ImGui)");
+        log_error("firn-view is not installed: this build has no window; rebuild with meson "
+                  "-Dview=enabled (needs GLFW and Dear ImGui)");
     else
-        log_error("firn-view: %s", strerror(errno));
+        log_error("cannot start firn-view: %s", strerror(errno));
     return STATUS_NO_DEVICE;
 }

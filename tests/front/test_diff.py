@@ -158,7 +158,7 @@ class Numbers(Diff):
         self.assertNotIn('flip', said)
         text = self.succeed('diff', a, b).stdout.decode()
         self.assertIn('mean 20.4, median 4, 95 % 90, largest 90 degrees', text)
-        self.assertIn('another class in 12.5 % of 8 pixels', text)
+        self.assertIn('differs in 12.5 % of 8 pixels', text)
 
     def test_the_same_file(self):
         a = self.rgb('a.exr', 4, 3, [(i, 0.25, 0) for i in range(12)],
@@ -238,7 +238,7 @@ class Refused(Diff):
     def test_not_two(self):
         self.refuse(USAGE, 'diff', names=['REFERENCE'])
         self.refuse(USAGE, 'diff', self.a, names=['two pictures'])
-        self.refuse(USAGE, 'diff', self.a, self.a, 'c.exr', names=['c.exr', 'only 2'])
+        self.refuse(USAGE, 'diff', self.a, self.a, 'c.exr', names=['c.exr', 'at most 2'])
         self.refuse(USAGE, 'render', 'sphere', 'teapot', names=['teapot', 'sphere'])
 
     def test_other_sizes(self):

@@ -66,7 +66,7 @@ class Sequence(Frames):
             self.assertEqual(self.read(f'part.{frame}.exr'), self.read(f'all.{frame}.exr'))
         done = self.succeed('render', 'sphere', *SMALL, '--frames', '1,2', '--chunk', '1/3', '-o',
                             'none.#.exr', env=NO_DRIVER)
-        self.assertIn('no frame', done.stderr.decode())
+        self.assertIn('contains no frames', done.stderr.decode())
         for chunk in ('0/3', '4/3', '1', '1/', '/2', '1/2/3', 'x'):
             self.refuse_frames(USAGE, '1-4', '--chunk', chunk, '-o', '#.exr', names=['--chunk'])
         self.refuse_frames(USAGE, '1-4', '--chunk', '1/4', '-o', 'same.exr', names=['same.exr'])

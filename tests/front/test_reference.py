@@ -24,7 +24,7 @@ class Both(Case):
         text = self.succeed('list', 'rungs', env=NO_DRIVER).stdout.decode()
         self.assertRegex(text, r'(?m)^ +reference .*\bCPU\b')
         layers = self.succeed('list', 'layers', env=NO_DRIVER).stdout.decode()
-        self.assertRegex(layers, r'(?m)^ +remaining .*\(reference alone\)$')
+        self.assertRegex(layers, r'(?m)^ +remaining .*\(only with --refraction reference\)$')
         self.assertEqual(layers.count('reference alone'), 1)
 
     def test_layers_that_are_not_made(self):

@@ -123,11 +123,12 @@ static enum status parse_aloud(const char *text, char *words, size_t size)
 static void check_refused(const char *text, const char *first, const char *second)
 {
     char words[512];
-    char begin[128];
+    static const char begin[] = "firn: --frames: expected ";
+    char end[128];
 
     assert_int_equal(parse_aloud(text, words, sizeof(words)), STATUS_USAGE);
-    snprintf(begin, sizeof(begin), "firn: --frames %s: ", text);
-    if (strncmp(words, begin, strlen(begin)) != 0 || !strstr(words, first) ||
+    snprintf(end, sizeof(end), ", got '%s'\n", text);
+    if (strncmp(words, begin, strlen(begin)) != 0 || !strstr(words, end) || !strstr(words, first) ||
         !strstr(words, second) || strchr(words, '\n') != words + strlen(words) - 1)
         fail_msg("\"%s\" is refused with: %s", text, words);
 }

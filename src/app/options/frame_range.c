@@ -7,12 +7,11 @@
 #include "src/base/log.h"
 
 static const char wrong_form[] =
-    "A, A-B, A-BxN (every Nth), or several with commas between, as in 1-9x2,20, is wanted";
-static const char wrong_frame[] = "a frame is a number from -9999999 to 9999999";
-static const char wrong_step[] = "a step (the N of A-BxN) is a number from 1 to 9999999";
-static const char too_many[] = "these are more than 100000 frames";
-static const char has_colon[] =
-    "':' begins a step in some programs and a count in others; write A-BxN for every Nth frame";
+    "expected A, A-B, A-BxN (every Nth) or several, separated by commas, as in 1-9x2,20";
+static const char wrong_frame[] = "expected frame numbers from -9999999 to 9999999";
+static const char wrong_step[] = "expected a step (the N of A-BxN) from 1 to 9999999";
+static const char too_many[] = "expected at most 100000 frames";
+static const char has_colon[] = "expected A-BxN for a step, not ':' (a step or a count elsewhere)";
 
 struct list {
     struct frame_range range;
@@ -152,7 +151,7 @@ enum status frame_range_parse(struct frame_range *range, const char *text)
         if (list.out_of_memory)
             log_error("out of memory");
         else
-            log_error("--frames %s: %s", text, list.wrong);
+            log_error("--frames: %s, got '%s'", list.wrong, text);
         status = list.out_of_memory ? STATUS_TRY_AGAIN : STATUS_USAGE;
     }
     free(list.seen);

@@ -23,9 +23,8 @@ enum status option_exposure(struct app_options *o, const char *value)
 {
     o->diff.has_exposure =
         option_parse_numbers(value, ',', &o->diff.exposure, 1) && fabsf(o->diff.exposure) <= 40.0f;
-    return o->diff.has_exposure
-               ? STATUS_OK
-               : option_refuse("exposure", value, "stops from -40 to 40 are wanted");
+    return o->diff.has_exposure ? STATUS_OK
+                                : option_refuse("exposure", value, "stops from -40 to 40");
 }
 
 enum status option_curve(struct app_options *o, const char *value)
@@ -36,22 +35,22 @@ enum status option_curve(struct app_options *o, const char *value)
             return STATUS_OK;
         }
     }
-    return option_refuse("curve", value, "aces, hable or reinhard is wanted");
+    return option_refuse("curve", value, "aces, hable or reinhard");
 }
 
 enum status option_ppd(struct app_options *o, const char *value)
 {
     const bool ok = option_parse_numbers(value, ',', &o->diff.ppd, 1) && o->diff.ppd >= 1.0f &&
                     o->diff.ppd <= (float)FLIP_PPD_MAX;
-    return ok ? STATUS_OK : option_refuse("ppd", value, "1 to 400 pixels per degree are wanted");
+    return ok ? STATUS_OK : option_refuse("ppd", value, "1 to 400 pixels per degree");
 }
 
 enum status option_error_picture(struct app_options *o, const char *value)
 {
     if (!path_ends_in(value, ".exr") && !path_ends_in(value, ".png"))
-        return option_refuse("output", value, "a name that ends in .exr or .png is wanted");
+        return option_refuse("output", value, "a file name that ends in .exr or .png");
     if (o->output_count == APP_OUTPUT_COUNT)
-        return option_refuse("output", value, "at most 16 files can be written at once");
+        return option_refuse_more("output", value, APP_OUTPUT_COUNT);
     o->outputs[o->output_count++] = value;
     return STATUS_OK;
 }
@@ -70,5 +69,5 @@ enum status option_fail_above(struct app_options *o, const char *value)
         return STATUS_OK;
     }
     return option_refuse("fail-above", value,
-                         "flip, rmse, relmse, mae or angle, = and a number from 0 up are wanted");
+                         "METRIC=N, METRIC one of flip, rmse, relmse, mae, angle and N at least 0");
 }

@@ -11,7 +11,7 @@ enum status option_farm_tasks(struct app_options *o, const char *value)
 {
     const char *rest;
     if (!option_parse_count(value, 1, TASKS_MAX, &o->farm.task_count, &rest) || *rest)
-        return option_refuse("tasks", value, "a number from 1 to 1000 is wanted");
+        return option_refuse("tasks", value, "a whole number from 1 to 1000");
     return STATUS_OK;
 }
 
@@ -26,9 +26,9 @@ enum status option_farm_submit(struct app_options *o, const char *value)
 enum status option_farm_sbatch(struct app_options *o, const char *value)
 {
     if (value[0] != '-' || strchr(value, '\n'))
-        return option_refuse("sbatch", value, "a line that begins with - is wanted");
+        return option_refuse("sbatch", value, "an option of sbatch, which begins with -,");
     if (o->farm.sbatch_count == APP_SBATCH_COUNT)
-        return option_refuse("sbatch", value, "at most 16 of them can be given");
+        return option_refuse_more("sbatch", value, APP_SBATCH_COUNT);
     o->farm.sbatch[o->farm.sbatch_count++] = value;
     return STATUS_OK;
 }
@@ -36,7 +36,7 @@ enum status option_farm_sbatch(struct app_options *o, const char *value)
 enum status option_farm_hosts(struct app_options *o, const char *value)
 {
     if (!value[0] || strchr(value, '\n'))
-        return option_refuse("hosts", value, "names with commas between are wanted");
+        return option_refuse("hosts", value, "host names separated by commas");
     o->farm.hosts = value;
     return STATUS_OK;
 }

@@ -18,10 +18,9 @@ enum status option_ladder_output(struct app_options *o, const char *value)
     for (size_t i = 0; i < sizeof(endings) / sizeof(endings[0]); i++)
         known = known || path_ends_in(value, endings[i]);
     if (!known)
-        return option_refuse("output", value,
-                             "a name that ends in .png, .exr, .svg or .html is wanted");
+        return option_refuse("output", value, "a file name that ends in .png, .exr, .svg or .html");
     if (o->output_count == APP_OUTPUT_COUNT)
-        return option_refuse("output", value, "at most 16 files can be written at once");
+        return option_refuse_more("output", value, APP_OUTPUT_COUNT);
     o->outputs[o->output_count++] = value;
     return STATUS_OK;
 }
@@ -43,8 +42,7 @@ enum status option_rungs(struct app_options *o, const char *value)
     for (const char *name = value;;) {
         const size_t length = strcspn(name, ",");
         if (!add_rung(o, name, length))
-            return option_refuse("rungs", value,
-                                 "rungs with commas between are wanted (firn list rungs)");
+            return option_refuse_name("rungs", OPTION_RUNGS, name, length);
         if (!name[length])
             return STATUS_OK;
         name += length + 1;
@@ -55,7 +53,7 @@ enum status option_costs(struct app_options *o, const char *value)
 {
     const char *rest;
     if (!option_parse_count(value, 0, RUNS_MAX, &o->ladder.run_count, &rest) || *rest)
-        return option_refuse("runs", value, "a number from 0 to 10000 is wanted");
+        return option_refuse("runs", value, "a whole number from 0 to 10000");
     return STATUS_OK;
 }
 

@@ -8,7 +8,7 @@ enum status option_runs(struct app_options *o, const char *value)
 {
     const char *rest;
     if (!option_parse_count(value, 1, 100000, &o->run_count, &rest) || *rest)
-        return option_refuse("runs", value, "a number from 1 to 100000 is wanted");
+        return option_refuse("runs", value, "a whole number from 1 to 100000");
     return STATUS_OK;
 }
 
@@ -16,7 +16,7 @@ enum status option_warmup(struct app_options *o, const char *value)
 {
     const char *rest;
     if (!option_parse_count(value, 0, 100000, &o->warmup, &rest) || *rest)
-        return option_refuse("warmup", value, "a number from 0 to 100000 is wanted");
+        return option_refuse("warmup", value, "a whole number from 0 to 100000");
     return STATUS_OK;
 }
 
@@ -24,7 +24,7 @@ enum status option_time_step(struct app_options *o, const char *value)
 {
     float seconds;
     if (!option_parse_numbers(value, ',', &seconds, 1) || seconds < 0.0f || seconds > 3600.0f)
-        return option_refuse("time-step", value, "seconds from 0 to 3600 are wanted");
+        return option_refuse("time-step", value, "seconds from 0 to 3600");
     o->time_step = (double)seconds;
     return STATUS_OK;
 }
@@ -42,13 +42,13 @@ enum status option_clock(struct app_options *o, const char *value)
             return STATUS_OK;
         }
     }
-    return option_refuse("clock", value, "auto, timestamps or submits is wanted");
+    return option_refuse("clock", value, "auto, timestamps or submits");
 }
 
 enum status option_sweep(struct app_options *o, const char *value)
 {
     if (o->sweep_count == APP_SWEEP_COUNT)
-        return option_refuse("sweep", value, "at most 4 parameters can be swept at once");
+        return option_refuse_more("sweep", value, APP_SWEEP_COUNT);
     o->sweeps[o->sweep_count++] = value;
     return STATUS_OK;
 }

@@ -1,14 +1,63 @@
-/* option_values.c: numbers on the command line. */
+/* option_values.c: numbers and names on the command line. */
 #include "src/app/options/option_values.h"
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "src/base/log.h"
+#include "src/base/suggest.h"
+#include "src/scene/material.h"
+#include "src/tech/refract_reference.h"
+#include "src/tech/techniques.h"
 
-enum status option_refuse(const char *option, const char *value, const char *wanted)
+enum status option_refuse(const char *option, const char *value, const char *expected)
 {
-    log_error("--%s %s: %s", option, value, wanted);
+    log_error("--%s: expected %s, got '%s'", option, expected, value);
+    return STATUS_USAGE;
+}
+
+enum status option_refuse_more(const char *option, const char *value, uint32_t most)
+{
+    log_error("--%s: expected at most %u of these options, '%s' is one more", option, most, value);
+    return STATUS_USAGE;
+}
+
+static void offer_names(struct suggest *suggest, enum option_names names)
+{
+    const bool has_reference = names == OPTION_RUNGS_AND_REFERENCE;
+    for (size_t i = 0; (names == OPTION_RUNGS || has_reference) && techniques_rung(i); i++)
+        suggest_offer(suggest, techniques_rung(i)->rung.name);
+    if (has_reference)
+        suggest_offer(suggest, refract_reference.rung.name);
+    for (const struct material *m = materials; names == OPTION_MATERIALS && m->name; m++)
+        suggest_offer(suggest, m->name);
+    for (size_t i = 0; names == OPTION_LAYERS && techniques_layer(i); i++)
+        suggest_offer(suggest, techniques_layer(i)->name);
+}
+
+enum status option_refuse_name(const char *option, enum option_names names, const char *word,
+                               size_t length)
+{
+    static const char *const kinds[] = {
+        [OPTION_RUNGS] = "rung",
+        [OPTION_RUNGS_AND_REFERENCE] = "rung",
+        [OPTION_MATERIALS] = "material",
+        [OPTION_LAYERS] = "layer",
+    };
+    char name[SUGGEST_NAME_SIZE];
+    char hint[SUGGEST_HINT_SIZE];
+    struct suggest suggest = { .word = name };
+    snprintf(name, sizeof(name), "%.*s", (int)(length < sizeof(name) ? length : sizeof(name)),
+             word);
+    offer_names(&suggest, names);
+    if (names == OPTION_RUNGS && !strcmp(name, refract_reference.rung.name))
+        log_error("--%s: rung '%s' is ray traced, which only firn render --refraction supports",
+                  option, name);
+    else
+        log_error("--%s: unknown %s '%s'%s (firn list %ss)", option, kinds[names], name,
+                  suggest_hint(&suggest, hint), kinds[names]);
     return STATUS_USAGE;
 }
 

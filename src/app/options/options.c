@@ -16,6 +16,7 @@
 #include "src/app/options/option_view.h"
 #include "src/app/shell_words.h"
 #include "src/base/log.h"
+#include "src/base/suggest.h"
 #include "src/reference/reference.h"
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
@@ -41,142 +42,153 @@ struct option {
 
 static const struct option options[] = {
     { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, option_output,
-      "write FILE.exr or FILE.png, may be repeated; - is an EXR on stdout (firn.exr)" },
+      "output file, .exr or .png; - is an EXR on stdout; repeatable (firn.exr)" },
     { "Output", "output", 'o', "FILE", APP_LADDER, option_ladder_output,
-      "FILE.png: contact sheet, .exr: layers, .svg: plot, .html: page; may be repeated" },
+      "report: .png sheet, .exr layers, .svg plot or .html page; repeatable" },
     { "Output", "output", 'o', "FILE", APP_BAKE, option_bake_output,
-      "write FILE.exr; - is stdout (env.exr)" },
+      "output file, .exr, or - for stdout (env.exr)" },
     { "Output", "output", 'o', "FILE", APP_SHEET, option_sheet_output,
-      "write FILE.png (sheet.png)" },
+      "output file, .png (sheet.png)" },
     { "Output", "output", 'o', "FILE", APP_MERGE, option_bake_output,
-      "write FILE.exr; - is stdout (merged.exr)" },
+      "output file, .exr, or - for stdout (merged.exr)" },
     { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, option_sweep,
-      "one picture for each; of several all products (every material)" },
-    { "Output", "size", 's', "WxH", APP_SHEET, option_size, "pixels of each picture (320x240)" },
-    { "Output", "size", 's', "N", APP_BAKE, option_bake_size, "texels along a face's sides (512)" },
-    { "Output", "size", 's', "WxH", FRAMES, option_size, "pixels (1024x768)" },
-    { "Output", "size", 's', "WxH", APP_LADDER, option_size, "pixels (512x512)" },
-    { "Output", "samples", 'n', "N", FILES | APP_LADDER | APP_SHEET, option_samples,
-      "samples a pixel (1); a window shows one, its screenshots have all" },
+      "values, one picture each; repeated: every combination (every material)" },
+    { "Output", "size", 's', "WxH", APP_SHEET, option_size,
+      "size of each picture, pixels, 1x1 to 16384x16384 (320x240)" },
+    { "Output", "size", 's', "N", APP_BAKE, option_bake_size,
+      "side of a cube face, texels, 1 to 4096 (512)" },
+    { "Output", "size", 's', "WxH", FRAMES, option_size,
+      "size of the picture, pixels, 1x1 to 16384x16384 (1024x768)" },
+    { "Output", "size", 's', "WxH", APP_LADDER, option_size,
+      "size of the picture, pixels, 1x1 to 16384x16384 (512x512)" },
+    { "Output", "samples", 'n', "N", (FILES & ~(unsigned)APP_VIEW) | APP_LADDER | APP_SHEET,
+      option_samples, "samples per pixel, 1 to 65536 (1)" },
+    { "Output", "samples", 'n', "N", APP_VIEW, option_samples,
+      "samples per pixel of screenshots, 1 to 65536; the window draws 1 (1)" },
     { "Output", "aov", 0, "LIST", FILES, option_aov,
-      "extra layers of the EXR: names with commas between (firn list layers), or all" },
+      "additional EXR layers, separated by commas, or all: firn list layers" },
     { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, option_tiles,
-      "draw it in C x R tiles, one after another, with less memory: the same bytes" },
+      "columns and rows of tiles, 1x1 to 16x16: less memory, identical output" },
     { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, option_tile,
-      "only that tile, from 1; firn merge puts the files together" },
+      "number of the only tile to draw, from 1; firn merge joins the files" },
     { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, option_interleaved,
-      "every Cth pixel of every Rth row: beyond a device's images, not the same" },
+      "tiles of every Cth pixel and Rth row: larger pictures, not identical" },
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, option_show,
-      "what PNG files show in place of the picture: one layer (firn list layers)" },
-    { "Window", "frames", 0, "N", APP_VIEW, option_frame_count, "end after so many frames" },
+      "layer that PNG files show instead of the picture: firn list layers" },
+    { "Window", "frames", 0, "N", APP_VIEW, option_frame_count,
+      "number of frames until the window closes, 1 to 1000000000 (no limit)" },
     { "Window", "time-step", 0, "SECONDS", APP_VIEW, option_time_step,
-      "so much time between frames, however long they take" },
+      "scene time per frame, seconds, 0 to 3600 (real time)" },
     { "Window", "screenshot", 0, "FILE", APP_VIEW, option_screenshot,
-      "at the end write the last frame to FILE.png or FILE.exr, may be repeated" },
+      "file for the last frame, .png or .exr, written at the end; repeatable" },
     { "Window", "present", 0, "MODE", APP_VIEW, option_present,
-      "fifo (no tearing), mailbox (the newest, too), immediate (fifo)" },
+      "present mode: fifo or mailbox (no tearing), or immediate (fifo)" },
     { "Window", "fps-limit", 0, "N", APP_VIEW, option_fps_limit,
-      "at most so many frames a second" },
+      "limit of the frame rate, frames per second, 1 to 1000 (none)" },
     { "Window", "overlay", 0, "on|off", APP_VIEW, option_overlay,
-      "panels over the picture (on, but off with --frames and --screenshot)" },
+      "panels over the picture (on; off with --frames or --screenshot)" },
     { "Window", "split", 0, "RUNG", APP_VIEW, option_split,
-      "on the right of a divider: --refraction is on its left (S, [ and ] there)" },
+      "rung right of a divider, --refraction left of it; keys S, [ and ]" },
     { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, option_watch,
-      "compile shaders there when they are saved, and show them (shaders)" },
+      "folder of shaders that are recompiled and reloaded when saved (shaders)" },
     { "Sequence", "frames", 0, "LIST", APP_RENDER | APP_FARM, option_frames,
-      "A-B, A-BxN (every Nth), A, or A-B,C,...; to -o a.####.exr or a.%04d.exr" },
+      "frame numbers: A, A-B, A-BxN (every Nth) or A-B,C; to -o a.####.exr" },
     { "Sequence", "chunk", 0, "K/N", APP_RENDER, option_chunk,
-      "only part K of N of these frames, for several machines" },
+      "part K of N of the frame list, to distribute it over machines" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, option_resume,
-      "draw only what is not there yet, whole and with the same options" },
+      "skip frames whose files are complete and have the same options" },
     { "Sequence", "json", 0, "FILE", APP_RENDER, option_json,
-      "write what became of each frame: state, seconds, hash; - is stdout" },
+      "report with state, seconds and hash of each frame; - is stdout" },
     { "Farm", "tasks", 0, "N", APP_FARM, option_farm_tasks,
-      "jobs that share the frames (one for each frame, at most 100)" },
+      "number of jobs, 1 to 1000 (one per frame, at most 100)" },
     { "Farm", "submit", 0, NULL, APP_FARM, option_farm_submit,
-      "run the script at once in place of printing it" },
+      "run the script instead of printing it" },
     { "Farm", "sbatch", 0, "OPTION", APP_FARM, option_farm_sbatch,
-      "an option of sbatch, such as --time=2:00:00; may be repeated" },
+      "additional option for sbatch, such as --time=2:00:00; repeatable" },
     { "Farm", "hosts", 0, "LIST", APP_FARM, option_farm_hosts,
-      "for ssh, with commas between, : is this machine (:)" },
-    { "Runs", "runs", 'n', "N", APP_PROFILE, option_runs, "runs that count (30)" },
-    { "Runs", "warmup", 0, "N", APP_PROFILE, option_warmup, "runs before them (5)" },
+      "ssh hosts, separated by commas; : is this machine (:)" },
+    { "Runs", "runs", 'n', "N", APP_PROFILE, option_runs,
+      "number of measured runs, 1 to 100000 (30)" },
+    { "Runs", "warmup", 0, "N", APP_PROFILE, option_warmup,
+      "number of warm-up runs, which are not measured, 0 to 100000 (5)" },
     { "Runs", "time-step", 0, "SECONDS", APP_PROFILE, option_time_step,
-      "of the scene, from run to run (0: every run draws the same)" },
+      "scene time between runs, seconds, 0 to 3600; 0 repeats one frame (0)" },
     { "Runs", "clock", 0, "CLOCK", APP_PROFILE, option_clock,
-      "timestamps, submits (each pass alone), auto: what is truthful (auto)" },
+      "timer: timestamps, submits (each pass submitted alone) or auto (auto)" },
     { "Runs", "sweep", 0, "NAME=A,B,...", APP_PROFILE, option_sweep,
-      "profile each value of a setting, size, ...; of several all products" },
+      "values of a setting, size, ... to profile; repeated: every combination" },
     { "Runs", "baseline", 0, "FILE", APP_PROFILE, option_baseline,
-      "compare with what --json wrote; exit code 1 if anything is slower" },
+      "profile from --json to compare with; exit code 1 if a pass is slower" },
     { "Reports", "each", 0, NULL, APP_PROFILE, option_each,
-      "a line for each repetition of a pass, such as cube faces" },
+      "one line per repetition of a pass, such as cube faces" },
     { "Reports", "json", 0, "FILE", APP_PROFILE, option_json,
-      "write everything, with all samples; - is stdout in place of the table" },
-    { "Reports", "csv", 0, "FILE", APP_PROFILE, option_csv, "write a line for each run and pass" },
+      "JSON report with all samples; - is stdout, which then has no table" },
+    { "Reports", "csv", 0, "FILE", APP_PROFILE, option_csv,
+      "CSV report with one line per run and pass" },
     { "Reports", "trace", 0, "FILE", APP_PROFILE, option_trace,
-      "write a Chrome trace, for Perfetto, Tracy or speedscope" },
-    { "Reports", "html", 0, "FILE", APP_PROFILE, option_html, "write a page with plots" },
+      "Chrome trace, for Perfetto, Tracy or speedscope" },
+    { "Reports", "html", 0, "FILE", APP_PROFILE, option_html, "HTML page with plots" },
     { "Reports", "capture", 0, NULL, APP_PROFILE, option_capture,
-      "let RenderDoc capture a frame; start firn from it" },
+      "RenderDoc capture of one frame; start firn from RenderDoc" },
     { "Ladder", "rungs", 0, "LIST", APP_LADDER, option_rungs,
-      "only these rungs, with commas between (firn list rungs)" },
+      "rungs to compare, separated by commas; see firn list rungs (all)" },
     { "Ladder", "runs", 0, "N", APP_LADDER, option_costs,
-      "frames of each rung against the clock (10); 0: costs are not measured" },
+      "number of timed frames per rung, 0 to 10000; 0 skips the timing (10)" },
     { "Ladder", "furnace", 0, NULL, APP_LADDER, option_furnace,
-      "surroundings of 1: what takes no light shows 1; exit code 1 where it does not" },
+      "white furnace test; exit code 1 if a rung gains or loses light" },
     { "Ladder", "truth", 0, "FILE", APP_LADDER, option_truth,
-      "a picture of the same view by another program, to compare with, too" },
+      "second reference: a picture of the same view by another program" },
     { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, option_refraction,
-      "paper, bounce, reference, ...: firn list rungs (paper)" },
+      "refraction rung: paper, bounce, ...; see firn list rungs (paper)" },
     { "Picture", "material", 'm', "NAME", PICTURES, option_material,
-      "ice, water, glass, ... (ice)" },
+      "material: ice, water, glass, ...; see firn list materials (ice)" },
     { "Picture", "set", 0, "NAME=VALUE", SCENES, option_set,
-      "a setting (firn list settings), may be repeated" },
+      "value of a setting; see firn list settings; repeatable" },
     { "Scene", "env", 'e', "FILE", SCENES, option_env,
-      "equirectangular .exr or .hdr around the scene; or what firn bake made of it" },
+      "environment: equirectangular .exr or .hdr, or firn bake's cube (sky)" },
     { "Scene", "surroundings", 0, "FILE", SCENES, option_surroundings,
-      "a model around the object" },
+      "model file that surrounds the object (the scene's own surroundings)" },
     { "Scene", "background", 0, "R,G,B", SCENES, option_background,
-      "one linear colour for the sky" },
+      "constant colour instead of the sky, linear, each from 0" },
     { "Scene", "load-seconds", 0, "N", PICTURES, option_load_seconds,
-      "reading a file may take so long (10); what reads it is a process of its own" },
-    { "Scene", "load-memory", 0, "GiB", PICTURES, option_load_memory, "... and so much (4)" },
+      "time limit per file, seconds, 1 to 3600 (10)" },
+    { "Scene", "load-memory", 0, "GiB", PICTURES, option_load_memory,
+      "memory limit per file, GiB, 1 to 1024 (4)" },
     { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, option_orbit,
-      "degrees, degrees, metres, around the target" },
-    { "Camera", "eye", 0, "X,Y,Z", PICTURES, option_eye, "where the camera stands, metres" },
+      "camera around the target: azimuth, elevation, degrees; distance, metres" },
+    { "Camera", "eye", 0, "X,Y,Z", PICTURES, option_eye, "position of the camera, metres" },
     { "Camera", "target", 0, "X,Y,Z", PICTURES, option_target,
-      "what it looks at (the object's centre)" },
-    { "Camera", "fov", 0, "DEGREES", PICTURES, option_fov, "vertical angle of view (45)" },
+      "point that the camera faces, metres (the object's centre)" },
+    { "Camera", "fov", 0, "DEGREES", PICTURES, option_fov,
+      "vertical field of view, degrees, 1 to 170 (45)" },
     { "Device", "device", 'd', "N|NAME", DEVICES, option_device,
-      "number or part of the name (firn list devices)" },
+      "Vulkan device, number or part of its name: firn list devices (a GPU)" },
     { "Device", "validate", 0, NULL, DEVICES, option_validate,
-      "Vulkan validation and synchronization validation" },
+      "Vulkan validation layer, with synchronization validation" },
     { "Device", "no-cache", 0, NULL, DEVICES, option_no_cache,
-      "do not keep compiled pipelines in $XDG_CACHE_HOME/firn" },
+      "no cache of compiled pipelines in $XDG_CACHE_HOME/firn" },
     { "Device", "sharing", 0, "HOW", SCENES, option_sharing,
-      "share memory: batches (where it costs none), memory, nothing (batches)" },
+      "memory aliasing: batches (no extra batches), memory, nothing (batches)" },
     { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, option_mask,
-      "only pixels count where its A (of an EXR or PNG) is above 0" },
+      "mask, .exr or .png: only pixels with A above 0 are compared (none)" },
     { "Comparison", "mask-channel", 0, "NAME", APP_DIFF | APP_LADDER, option_mask_channel,
-      "another channel of the mask" },
+      "channel that --mask reads (A)" },
     { "Comparison", "exposure", 0, "STOPS", APP_DIFF, option_exposure,
-      "LDR-FLIP of EXR and HDR files too, exposed so and clamped; else HDR-FLIP" },
+      "exposure for LDR-FLIP of EXR and HDR files, stops, -40 to 40 (HDR-FLIP)" },
     { "Comparison", "curve", 0, "NAME", APP_DIFF, option_curve,
-      "that HDR-FLIP shows pictures by: aces, hable or reinhard (aces)" },
+      "tone curve of HDR-FLIP: aces, hable or reinhard (aces)" },
     { "Comparison", "ppd", 0, "N", APP_DIFF, option_ppd,
-      "pixels per degree that the viewer sees, 1 to 400 (67)" },
+      "pixels per degree of the viewer's field of view, 1 to 400 (67)" },
     { "Result", "output", 'o', "FILE", APP_DIFF, option_error_picture,
-      "write the errors: FILE.png in colours, FILE.exr as numbers; may be repeated" },
+      "error picture, .png in colours or .exr as numbers; repeatable" },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, option_fail_above,
-      "exit code 1 if flip, rmse, relmse, mae, angle (degrees) is above; may be repeated" },
-    { "Format", "dot", 0, NULL, APP_GRAPH, option_format_dot,
-      "print a Graphviz digraph, not text" },
+      "limit of flip, rmse, relmse, mae or angle, degrees: exit code 1 above it" },
+    { "Format", "dot", 0, NULL, APP_GRAPH, option_format_dot, "Graphviz digraph instead of text" },
     { "Format", "html", 0, NULL, APP_GRAPH, option_format_html,
-      "print a page that shows passes and memory" },
+      "HTML page of passes and memory instead of text" },
     { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM, option_format_json,
-      "print JSON, with everything" },
-    { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, option_quiet, "no progress" },
+      "JSON with all data instead of text" },
+    { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, option_quiet, "no progress output" },
 };
 
 enum {
@@ -229,17 +241,22 @@ static const char *const examples[] = {
 };
 
 static const char *const usages[] = {
-    [APP_RENDER] = "firn render [options] SCENE: draw a picture, to EXR and PNG",
+    [APP_RENDER] = "firn render [options] SCENE: draw a picture to EXR and PNG files",
     [APP_GRAPH] = "firn graph [options] SCENE: print the compiled plan of a frame; needs no device",
-    [APP_VIEW] = "firn view [options] SCENE: show it in a window; F1 prints what keys do there",
-    [APP_PROFILE] = "firn profile [options] SCENE: measure what each pass of a frame costs",
-    [APP_DIFF] = "firn diff [options] REFERENCE TEST: how far two pictures are apart",
-    [APP_LADDER] = "firn ladder [options] [SCENE]: how far every rung is from the traced truth",
-    [APP_BAKE] = "firn bake [options] SCENE: draw what surrounds its object, six ways",
-    [APP_SHEET] = "firn sheet [options] SCENE: one picture for each value, side by side",
-    [APP_FARM] = "firn farm slurm|parallel|status [options] SCENE: a sequence on many machines",
-    [APP_MERGE] = "firn merge [options] TILE...: put the tiles of a picture together",
-    [APP_LIST] = "firn list [scenes|rungs|materials|layers|settings|devices]: what there is",
+    [APP_VIEW] = "firn view [options] SCENE: show a scene in a window; F1 lists the keys",
+    [APP_PROFILE] = "firn profile [options] SCENE: measure the time of each pass of a frame",
+    [APP_DIFF] = "firn diff [options] REFERENCE TEST: measure how much two pictures differ",
+    [APP_LADDER] = "firn ladder [options] [SCENE]: compare every refraction rung with the ray "
+                   "traced reference",
+    [APP_BAKE] =
+        "firn bake [options] SCENE: draw the environment of a scene's object as a cube for --env",
+    [APP_SHEET] =
+        "firn sheet [options] SCENE: draw one picture per value of a setting, side by side",
+    [APP_FARM] =
+        "firn farm slurm|parallel|status [options] SCENE: render a sequence on many machines",
+    [APP_MERGE] = "firn merge [options] TILE...: join the tiles of a picture",
+    [APP_LIST] =
+        "firn list [scenes|rungs|materials|layers|settings|devices]: print the available names",
 };
 
 /* Its value comes with '=' or not at all. */
@@ -258,20 +275,21 @@ void app_help(enum app_command command)
     if (command == APP_PROFILE)
         printf("firn profile paper repeats the measurements of the paper.\n");
     if (command == APP_BAKE)
-        printf(
-            "\nThe file is a strip of six faces, +X -X +Y -Y +Z -Z from the top, in half: R, G, B "
-            "and\nA = 1 / distance from the object's centre, metres. --env takes it.\n");
+        printf("\nThe file is a vertical strip of six faces, +X -X +Y -Y +Z -Z from the top, of "
+               "half floats: R, G,\nB, and A = 1 / distance from the object's centre in metres. "
+               "--env reads it.\n");
     if (command == APP_FARM)
-        printf("slurm prints a script for sh that gives the frames to Slurm, parallel one for GNU "
-               "parallel;\nstatus says which frames are there, with exit code 0 if all are. Of "
-               "files alone, without\nSCENE, it compares their settings with those of the newest "
-               "file.\n");
+        printf("\nslurm prints a shell script that submits the frames to Slurm, parallel prints "
+               "one for GNU\nparallel. status lists which frames are complete, with exit code 0 if "
+               "all are. For files without\nSCENE, status compares their settings with those of "
+               "the newest file.\n");
     if (command == APP_LADDER)
-        printf("\nWithout SCENE it is the ice cube: the smooth object alone, with "
-               "refract.fresnel=exact and\n"
-               "refract.lookup=distance, unless --set says otherwise.\n");
+        printf("\nThe default SCENE is ice-cube. firn ladder draws the smooth object alone, "
+               "with\nrefract.fresnel=exact and refract.lookup=distance; --set changes these "
+               "settings.\n");
     if (command == APP_DIFF)
-        printf("\nREFERENCE and TEST are both .exr or .hdr, or both .png, and of one size.\n");
+        printf(
+            "\nREFERENCE and TEST are both .exr or .hdr, or both .png, and have the same size.\n");
     for (size_t i = 0; i < OPTION_COUNT; i++) {
         const struct option *option = &options[i];
         char left[64];
@@ -311,6 +329,25 @@ static const struct option *find_letter(char letter, enum app_command command)
     return NULL;
 }
 
+static enum status refuse_option(const char *word, enum app_command command)
+{
+    char name[SUGGEST_NAME_SIZE];
+    struct suggest suggest = { .word = name };
+    const size_t length = strcspn(word, "=");
+    const size_t dashes = strspn(word, "-");
+    snprintf(name, sizeof(name), "%.*s", (int)(length - dashes), word + dashes);
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        if (options[i].commands & command)
+            suggest_offer(&suggest, options[i].name);
+    }
+    if (suggest.best)
+        log_error("unknown option '%.*s': did you mean '--%s'? (see --help)", (int)length, word,
+                  suggest.best);
+    else
+        log_error("unknown option '%.*s' (see --help)", (int)length, word);
+    return STATUS_USAGE;
+}
+
 /* "--name=value", "--name value", "-x value", "-xvalue": the option and its value. */
 static const struct option *split(const char *word, enum app_command command, const char **value)
 {
@@ -334,19 +371,17 @@ static enum status parse_option(struct app_options *o, enum app_command command,
 {
     const char *value;
     const struct option *option = split(argv[*index], command, &value);
-    if (!option) {
-        log_error("unknown option %s (see --help)", argv[*index]);
-        return STATUS_USAGE;
-    }
+    if (!option)
+        return refuse_option(argv[*index], command);
     if (!option->value && value) {
-        log_error("--%s takes no value (see --help)", option->name);
+        log_error("--%s: expected no value, got '%s' (see --help)", option->name, value);
         return STATUS_USAGE;
     }
     const bool wanted = option->value && !value && !is_optional(option);
     if (wanted)
         value = argv[++*index]; /* argv ends at NULL */
     if (wanted && !value) {
-        log_error("--%s: %s is missing (see --help)", option->name, option->value);
+        log_error("--%s: expected %s, got nothing (see --help)", option->name, option->value);
         return STATUS_USAGE;
     }
     return option->set(o, value);
@@ -365,9 +400,10 @@ static enum status add_positional(struct app_options *o, enum app_command comman
         return STATUS_OK;
     }
     if (most > 1)
-        log_error("%s: only %u of these are wanted", word, most);
+        log_error("unexpected argument '%s': expected at most %u (see --help)", word, most);
     else
-        log_error("%s: only one of these is wanted, %s is there already", word, o->positionals[0]);
+        log_error("unexpected argument '%s': the %s is already '%s'", word,
+                  command == APP_LIST ? "list" : "scene", o->positionals[0]);
     return STATUS_USAGE;
 }
 
@@ -375,7 +411,8 @@ static enum status refuse_traced(const struct app_options *o)
 {
     if (o->rung != &refract_reference)
         return STATUS_OK;
-    log_error("--refraction reference: it is traced, only firn render does that");
+    log_error("--refraction: 'reference' is ray traced, which only firn render supports; choose "
+              "another rung");
     return STATUS_USAGE;
 }
 
@@ -390,7 +427,7 @@ static enum status settle_layers(struct app_options *o)
         made |= is_made ? 1u << i : 0;
         if (is_made || !((o->layers & 1u << i) || o->show == layer))
             continue;
-        log_error("--%s %s: --refraction %s does not make it (firn list layers)",
+        log_error("--%s: layer '%s' is not available with --refraction %s (firn list layers)",
                   o->show == layer ? "show" : "aov", layer->name, o->rung->rung.name);
         return STATUS_USAGE;
     }
