@@ -129,7 +129,7 @@ static enum status report_faults(const struct rg_plan *plan)
     for (uint32_t i = 0; i < plan->fault_count; i++) {
         char text[512];
         rg_fault_text(&plan->faults[i], text, sizeof(text));
-        log_error("the frame's tables: %s", text);
+        log_error("invalid frame tables: %s", text);
     }
     return STATUS_FAILED;
 }

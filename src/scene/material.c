@@ -8,12 +8,12 @@
 
 const struct material materials[] = {
     { "ice", 1.3091f, "frozen water" },
-    { "water", 1.333f, "at 20 degrees Celsius" },
+    { "water", 1.333f, "water at 20 degrees Celsius" },
     { "glass", 1.5f, "window glass" },
     { "plastic", 1.5f, "acrylic" },
-    { "diamond", 2.417f, "bends most" },
-    { "air", 1.0003f, "bends nothing here" },
-    { "vacuum", 1.0f, "bends the other way, hardly" },
+    { "diamond", 2.417f, "largest index of this list" },
+    { "air", 1.0003f, "no refraction" },
+    { "vacuum", 1.0f, "index slightly below that of air" },
     { 0 },
 };
 

@@ -10,7 +10,7 @@ static const struct setting object_rows[] = {
         .offset = offsetof(struct object_params, triangles),
         .max = GENERATE_TRIANGLES_MAX,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "triangles of a built-in object (0: sphere 960, ice 4800, teapot 14400)",
+        .help = "triangle count of a built-in object (0: sphere 960, ice 4800, teapot 14400)",
     },
 };
 
@@ -24,7 +24,7 @@ static const struct setting landscape_rows[] = {
         .offset = offsetof(struct landscape_params, triangles),
         .max = GENERATE_TRIANGLES_MAX,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "triangles of the landscape (0: 2340)",
+        .help = "triangle count of the landscape (0: 2340)",
     },
     {
         .name = "landscape.flat",
@@ -32,7 +32,7 @@ static const struct setting landscape_rows[] = {
         .offset = offsetof(struct landscape_params, flat),
         .max = 1,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "a level floor of tiles under the object, in place of the valley",
+        .help = "level tiled floor under the object instead of the valley",
     },
 };
 
@@ -56,7 +56,7 @@ static const struct setting sky_rows[] = {
         .min = -360,
         .max = 360,
         .unit = "degrees",
-        .help = "where the sun stands: 0 on +Z, 90 on +X",
+        .help = "azimuth of the sun; 0 is +Z, 90 is +X",
     },
     {
         .name = "sky.sun_elevation",
@@ -66,7 +66,7 @@ static const struct setting sky_rows[] = {
         .min = -90,
         .max = 90,
         .unit = "degrees",
-        .help = "height of the sun above the horizon",
+        .help = "elevation of the sun above the horizon",
     },
     {
         .name = "sky.sun_strength",
@@ -89,7 +89,7 @@ static const struct setting texture_rows[] = {
         .min = 1,
         .max = 16,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "samples that textures seen at a slant may take (1: fast on CPUs)",
+        .help = "limit of anisotropic filtering, samples per texture lookup (1: fastest on CPUs)",
     },
 };
 
@@ -103,21 +103,21 @@ const struct setting_group texture_settings =
     }
 
 static const struct setting motion_rows[] = {
-    MOTION(time, .min = -1e5, .max = 1e5, .unit = "seconds", .help = "time of frame 0"),
-    MOTION(fps, .initial = 25, .min = 0.01, .max = 1e4, .help = "frames a second"),
-    MOTION(ice, .initial = 20, .min = -3600, .max = 3600, .unit = "degrees a second",
-           .help = "how fast the ice turns"),
-    MOTION(lights, .initial = 30, .min = -3600, .max = 3600, .unit = "degrees a second",
-           .help = "how fast the lights go around it"),
-    MOTION(objects, .initial = 40, .min = -3600, .max = 3600, .unit = "degrees a second",
-           .help = "how fast the objects around it move"),
+    MOTION(time, .min = -1e5, .max = 1e5, .unit = "seconds", .help = "scene time of frame 0"),
+    MOTION(fps, .initial = 25, .min = 0.01, .max = 1e4, .help = "frames per second of scene time"),
+    MOTION(ice, .initial = 20, .min = -3600, .max = 3600, .unit = "degrees per second",
+           .help = "rotation speed of the ice"),
+    MOTION(lights, .initial = 30, .min = -3600, .max = 3600, .unit = "degrees per second",
+           .help = "orbit speed of the lights around the ice"),
+    MOTION(objects, .initial = 40, .min = -3600, .max = 3600, .unit = "degrees per second",
+           .help = "orbit speed of the objects around the ice"),
     {
         .name = "motion.count",
         .type = SETTING_COUNT,
         .offset = offsetof(struct motion_params, count),
         .max = GENERATE_MOVERS_MAX,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "objects that move around the ice",
+        .help = "number of objects that move around the ice",
     },
 };
 
@@ -138,16 +138,16 @@ static const struct setting light_rows[] = {
         .initial = 2,
         .max = GLOBALS_LIGHT_COUNT,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "lights around the ice, whose highlights it shows",
+        .help = "number of lights around the ice, shown as highlights",
     },
     LIGHT(strength, .initial = 1, .max = 100, .switches = SETTING_AFFECTS_PLAN,
-          .help = "brightness of their highlights"),
+          .help = "brightness of the lights' highlights"),
     LIGHT(azimuth, .initial = 60, .min = -360, .max = 360, .unit = "degrees",
-          .help = "direction of the first light at time 0; 0 on +Z, 90 on +X"),
+          .help = "azimuth of the first light at time 0; 0 is +Z, 90 is +X"),
     LIGHT(elevation, .initial = 50, .min = -90, .max = 90, .unit = "degrees",
-          .help = "height of the lights above the horizon"),
+          .help = "elevation of the lights above the horizon"),
     LIGHT(distance, .initial = 4, .min = 1, .max = 1e4, .unit = "radii",
-          .help = "how far away they are, in radii of the ice's bounding sphere"),
+          .help = "distance of the lights, in radii of the ice's bounding sphere"),
 };
 
 const struct setting_group light_settings = SETTING_GROUP("light", light_rows, struct light_params);
@@ -160,14 +160,15 @@ static const struct setting env_cube_rows[] = {
         .initial = 1,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "draw the environment cube as it changes (off: once, at motion.time)",
+        .help = "update the environment cube as the scene changes (off: draw once, at motion.time)",
     },
     {
         .name = "env_cube.always",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct env_cube_params, always),
         .max = 1,
-        .help = "and all six faces of it in every frame (off: those in which something changed)",
+        .help =
+            "redraw all six faces of the environment cube every frame (off: only changed faces)",
     },
     {
         .name = "env_cube.faces",
@@ -176,7 +177,7 @@ static const struct setting env_cube_rows[] = {
         .initial = 6,
         .min = 1,
         .max = 6,
-        .help = "or at most so many a frame of a window, in turn",
+        .help = "maximum number of cube faces redrawn per frame of a window, in turn",
     },
 };
 

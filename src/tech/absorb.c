@@ -9,7 +9,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct absorb_params, red),
         .max = 1e4,
         .unit = "1/metre",
-        .help = "how fast the object takes red light",
+        .help = "absorption coefficient of the object for red light",
     },
     {
         .name = "absorb.green",
@@ -17,7 +17,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct absorb_params, green),
         .max = 1e4,
         .unit = "1/metre",
-        .help = "how fast the object takes green light",
+        .help = "absorption coefficient of the object for green light",
     },
     {
         .name = "absorb.blue",
@@ -25,7 +25,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct absorb_params, blue),
         .max = 1e4,
         .unit = "1/metre",
-        .help = "how fast the object takes blue light",
+        .help = "absorption coefficient of the object for blue light",
     },
 };
 

@@ -107,7 +107,7 @@ static const struct setting rows[] = {
         .initial = 19,
         .max = 64,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "planes of air in the ice; 0 for none",
+        .help = "number of air planes in the ice (0: none)",
     },
     {
         .name = "air.seed",
@@ -116,7 +116,7 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 999999,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "chooses how the planes of air lie and where their bubbles are",
+        .help = "random seed of the air planes and their bubbles",
     },
     {
         .name = "air.size",
@@ -126,7 +126,7 @@ static const struct setting rows[] = {
         .min = 0.002,
         .max = 0.1,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "diameter of the air's largest bubbles, in the object's diagonals",
+        .help = "diameter of the largest bubbles on air planes, relative to the object's diagonal",
     },
     {
         .name = "air.frequency",
@@ -136,7 +136,7 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 128,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "the air's largest bubbles along the object's diagonal",
+        .help = "number of the largest bubbles on air planes along the object's diagonal",
     },
     {
         .name = "air.strength",
@@ -144,7 +144,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, strength),
         .initial = 0.35,
         .max = 1,
-        .help = "opacity of the bubbles on a plane of air",
+        .help = "opacity of the bubbles on an air plane",
     },
     {
         .name = "air.haze",
@@ -152,7 +152,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, haze),
         .initial = 0.04,
         .max = 1,
-        .help = "opacity of the haze on a plane of air, where it is densest",
+        .help = "maximum opacity of the haze on an air plane",
     },
 };
 
@@ -194,14 +194,14 @@ static const struct frame_layer layers[] = {
         .image = &air_color,
         .planes = { "air.R", "air.G", "air.B", "air.A" },
         .mean = true,
-        .help = "planes of air in the ice, premultiplied",
+        .help = "radiance of the air planes in the ice, premultiplied",
     },
     { 0 },
 };
 
 const struct technique air = {
     .name = "air",
-    .help = "milky planes of air in the ice (Seipel and Nivfors 2006)",
+    .help = "milky air planes in the ice (Seipel and Nivfors 2006)",
     .settings = { &air_settings },
     .is_on = is_on,
     .layers = layers,

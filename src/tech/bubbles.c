@@ -84,7 +84,7 @@ static const struct setting rows[] = {
         .initial = 40,
         .max = BUBBLES_COUNT_MAX,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "bubbles in the ice, as far as there is room; 0 for none",
+        .help = "maximum number of bubbles that are placed in the ice (0: none)",
     },
     {
         .name = "bubbles.seed",
@@ -93,7 +93,7 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 999999,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "chooses where the bubbles are and how large",
+        .help = "random seed of the bubbles' positions and sizes",
     },
     {
         .name = "bubbles.size",
@@ -103,7 +103,7 @@ static const struct setting rows[] = {
         .min = 0.001,
         .max = 0.5,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "diameter of the largest bubbles, in the object's diagonals",
+        .help = "diameter of the largest bubbles, relative to the object's diagonal",
     },
 };
 
@@ -157,14 +157,14 @@ static const struct frame_layer layers[] = {
         .image = &bubbles_color,
         .planes = { "bubbles.R", "bubbles.G", "bubbles.B", "bubbles.A" },
         .mean = true,
-        .help = "bubbles in the ice, premultiplied",
+        .help = "radiance of the bubbles in the ice, premultiplied",
     },
     { 0 },
 };
 
 const struct technique bubbles = {
     .name = "bubbles",
-    .help = "bubbles of air in the ice, which reflect totally at their rims",
+    .help = "air bubbles in the ice, with total reflection at their rims",
     .settings = { &bubbles_settings },
     .is_on = is_on,
     .layers = layers,

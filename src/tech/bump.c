@@ -25,7 +25,7 @@ static const struct setting rows[] = {
         .initial = 0.25,
         .max = 4,
         .switches = SETTING_AFFECTS_SCENE,
-        .help = "how steep the bumps of the ice's surface are (0: none)",
+        .help = "steepness of the bumps of the ice's surface (0: none)",
     },
     {
         .name = "bump.scale",
@@ -34,7 +34,7 @@ static const struct setting rows[] = {
         .initial = 1.6,
         .min = 0.01,
         .max = 100,
-        .help = "how often the bumps repeat across the ice, or a unit of its uv",
+        .help = "repetitions of the bumps across the ice, or per unit of the mesh's uv",
     },
     {
         .name = "bump.mask",
@@ -43,7 +43,7 @@ static const struct setting rows[] = {
         .initial = 0.4,
         .max = 1,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "share of the surface that is smooth",
+        .help = "share of the ice's surface that is smooth",
     },
     {
         .name = "bump.mapping",
@@ -53,7 +53,7 @@ static const struct setting rows[] = {
         .max = BUMP_UV,
         .choices = mappings,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "whether they lie along three planes or by the mesh's uv",
+        .help = "texture coordinates of the bumps: triplanar, or the mesh's uv",
     },
     {
         .name = "bump.seed",
@@ -61,7 +61,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct bump_params, seed),
         .max = 1e6,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "another number makes other bumps",
+        .help = "random seed of the bumps",
     },
 };
 

@@ -252,19 +252,22 @@ static const char *const slopes[] = {
 
 static const struct setting rows[] = {
     ROW(method, SETTING_CHOICE, .initial = CAUSTICS_AREA, .max = CAUSTICS_AREA, .choices = methods,
-        .affects = SETTING_AFFECTS_PLAN, .help = "how light on the pool's floor is found"),
+        .affects = SETTING_AFFECTS_PLAN, .help = "algorithm for the caustics on the pool's floor"),
     ROW(sun, SETTING_FLOAT, .initial = 0.53, .min = 0.01, .max = 20, .unit = "degrees",
-        .help = "the sun's diameter (backtrace: see caustics.glow)"),
+        .help =
+            "angular diameter of the sun; caustics.method=backtrace uses caustics.glow instead"),
     ROW(photons, SETTING_COUNT, .initial = 1000000, .min = 1, .max = 16000000,
-        .help = "of caustics.method=naive"),
+        .help = "number of photons with caustics.method=naive"),
     ROW(directions, SETTING_COUNT, .initial = 64, .min = 1, .max = 65536,
-        .help = "that gather follows from each point of the floor"),
+        .help = "number of directions per point of the floor with caustics.method=gather"),
     ROW(cone, SETTING_FLOAT, .initial = 20, .min = 0.1, .max = 90, .unit = "degrees",
-        .help = "how far they stray from the straight ray (90: over the hemisphere)"),
+        .help = "half-angle of the cone of gathered directions around the straight ray (90: "
+                "hemisphere)"),
     ROW(slope, SETTING_CHOICE, .max = CAUSTICS_PUBLISHED, .choices = slopes,
-        .help = "how backtrace bends rays: as light does, or three times as much"),
+        .help =
+            "refraction with caustics.method=backtrace: by Snell's law, or three times as much"),
     ROW(glow, SETTING_FLOAT, .initial = 4, .min = 0.1, .max = 90, .unit = "degrees",
-        .help = "how large the light is that backtrace looks up"),
+        .help = "angular radius of the sun's glow with caustics.method=backtrace"),
 };
 
 const struct setting_group caustics_settings =
@@ -298,14 +301,14 @@ static const struct frame_layer layers[] = {
         .planes = { "caustics.Z" },
         .mean = true,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "the sun's light on the ground; 1: below water at rest, or without the ice",
+        .help = "sunlight on the ground; 1: as below water at rest, or without the ice",
     },
     { 0 },
 };
 
 const struct technique caustics = {
     .name = "caustics",
-    .help = "the sun's light on the floor of a pool",
+    .help = "sunlight on the floor of a pool",
     .settings = { &caustics_settings },
     .parts = { { PHASE_DEPTHS, SCENE_OF_POOL, .rows = make_rows } },
     .layers = layers,

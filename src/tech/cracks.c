@@ -180,7 +180,7 @@ static const struct setting rows[] = {
         .initial = 2,
         .max = CRACKS_MAX,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "cracks inside the ice",
+        .help = "number of cracks inside the ice",
     },
     {
         .name = "cracks.seed",
@@ -189,7 +189,7 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 999999,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "how they lie: another number, other cracks",
+        .help = "random seed of the cracks",
     },
     {
         .name = "cracks.clip",
@@ -199,7 +199,8 @@ static const struct setting rows[] = {
         .max = CRACKS_CLIP_NONE,
         .choices = clip_names,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "what keeps them inside; convex is the paper's, for convex objects",
+        .help =
+            "method that confines cracks to the ice; convex, from the paper, needs a convex object",
     },
     {
         .name = "cracks.refract",
@@ -209,7 +210,7 @@ static const struct setting rows[] = {
         .max = CRACKS_REFRACT_GAP,
         .choices = refract_names,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "how they change what is seen through the ice",
+        .help = "effect of cracks on the view through the ice: none, their normals, or air gaps",
     },
     {
         .name = "cracks.strength",
@@ -226,7 +227,7 @@ static const struct setting rows[] = {
         .initial = 60,
         .min = 1,
         .max = 10000,
-        .help = "exponent of these highlights (Blinn and Phong): larger, smaller",
+        .help = "Blinn-Phong exponent of the highlights on cracks; a larger one makes them smaller",
     },
     {
         .name = "cracks.bump",
@@ -234,14 +235,14 @@ static const struct setting rows[] = {
         .offset = offsetof(struct cracks_params, look.bump),
         .initial = 0.35,
         .max = 4,
-        .help = "roughness of their surface; 0 is smooth",
+        .help = "roughness of the cracks' surface (0: smooth)",
     },
     {
         .name = "cracks.surface",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct cracks_params, look.surface),
         .max = 1,
-        .help = "flat red on all that is kept of them, to see where they lie",
+        .help = "flat red instead of shading on the visible parts of cracks, for debugging",
     },
 };
 
@@ -315,7 +316,7 @@ static const struct frame_layer layers[] = {
         .image = &cracks_color,
         .planes = { "cracks.R", "cracks.G", "cracks.B", "cracks.A" },
         .mean = true,
-        .help = "what cracks inside the ice show, premultiplied",
+        .help = "radiance of the cracks inside the ice, premultiplied",
     },
     { 0 },
 };

@@ -93,7 +93,7 @@ static const struct technique_import imports[] = {
 
 const struct technique env_cube = {
     .name = "env_cube",
-    .help = "the scene without the ice, six ways from its centre",
+    .help = "cube map of the scene without the ice, from the ice's centre",
     .parts = { { PHASE_ENVIRONMENT,
                  .purposes =
                      1u << TECHNIQUE_PICTURE | 1u << TECHNIQUE_CAPTURE | 1u << TECHNIQUE_BAKE,

@@ -98,7 +98,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct frost_params, amount),
         .max = 1,
         .switches = SETTING_AFFECTS_SCENE,
-        .help = "how thick frost lies where the ice is not smooth (0: none)",
+        .help = "thickness of the frost where the ice is not smooth (0: none)",
     },
     {
         .name = "frost.roughness",
@@ -106,7 +106,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct frost_params, roughness),
         .initial = 0.6,
         .max = 1,
-        .help = "how much it blurs what is behind it",
+        .help = "roughness of the frost, which blurs the view through it",
     },
 };
 
@@ -120,7 +120,7 @@ static bool is_on(const struct settings *settings)
 
 const struct technique frost = {
     .name = "frost",
-    .help = "crystals on the ice's surface",
+    .help = "frost on the ice's surface",
     .settings = { &frost_settings },
     .is_on = is_on,
     .parts = { { PHASE_FINISH, .graph = RG_TECHNIQUE("frost", passes) } },

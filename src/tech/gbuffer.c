@@ -76,7 +76,7 @@ static const struct frame_layer layers[] = {
         .planes = { "Z" },
         .first_channel = 3,
         .shown = FRAME_SHOWN_DISTANCE,
-        .help = "distance along the view's axis, metres; 1e10: no surface",
+        .help = "distance of the first surface along the view axis, metres; 1e10: no surface",
     },
     {
         .name = "N",

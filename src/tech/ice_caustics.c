@@ -262,7 +262,7 @@ static const struct setting rows[] = {
         .max = ICE_CAUSTICS_SUN,
         .choices = lights,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "whose light goes through the ice to what lies around it (none: no shadow, too)",
+        .help = "light source of the ice's caustics and shadow (none: neither of them)",
     },
     {
         .name = "ice_caustics.reach",
@@ -272,7 +272,7 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 100,
         .unit = "radii",
-        .help = "how far from the ice's shadow's middle this light is kept, and how fine",
+        .help = "distance from the shadow's centre that caustics cover; larger is coarser",
     },
     {
         .name = "ice_caustics.shadow",
@@ -281,7 +281,7 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "what the ice covers gets no sun but through it (off: that light is added)",
+        .help = "block direct sunlight in the ice's shadow (off: caustics are added to it)",
     },
 };
 
@@ -387,7 +387,7 @@ static void write_constants(const struct settings *settings, uint32_t *values)
 
 const struct technique ice_caustics = {
     .name = "ice_caustics",
-    .help = "the sun's light through the ice, by photons in its view",
+    .help = "sunlight through the ice, by photons from the sun's view",
     .settings = { &ice_caustics_settings },
     .is_on = is_on,
     .relights = true, /* the light turns with the ice */

@@ -73,7 +73,7 @@ static const struct frame_layer layers[] = {
         .image = &ice_depth_layers,
         .planes = { "front.Z" },
         .shown = FRAME_SHOWN_DISTANCE,
-        .help = "distance of the ice's front along the view's axis, metres; 0: no ice",
+        .help = "distance of the ice's front along the view axis, metres; 0: no ice",
     },
     {
         .name = "back.Z",
@@ -81,7 +81,7 @@ static const struct frame_layer layers[] = {
         .planes = { "back.Z" },
         .first_channel = 1,
         .shown = FRAME_SHOWN_DISTANCE,
-        .help = "distance of the ice's back along the view's axis, metres; 0: no ice",
+        .help = "distance of the ice's back along the view axis, metres; 0: no ice",
     },
     {
         .name = "thickness",
@@ -89,14 +89,14 @@ static const struct frame_layer layers[] = {
         .planes = { "thickness.Z" },
         .first_channel = 2,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "from the ice's front to its back along the ray, metres",
+        .help = "distance from the ice's front to its back along the ray, metres",
     },
     { 0 },
 };
 
 const struct technique ice_depth = {
     .name = "ice_depth",
-    .help = "depth of the ice's front and back faces, fitted to it",
+    .help = "depth of the ice's front and back faces, in a range fitted to the ice",
     .layers = layers,
     .parts = { { PHASE_DEPTHS, .graph = RG_TECHNIQUE("ice_depth", passes) } },
 };

@@ -130,7 +130,8 @@ static const struct setting rows[] = {
         .min = 1,
         .max = ICE_INTERVAL_MAX,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "how often a ray can enter a concave object, for cracks.clip=interval",
+        .help =
+            "maximum number of entries of a ray into a concave object, for cracks.clip=interval",
     },
 };
 
@@ -149,14 +150,14 @@ static const struct frame_layer layers[] = {
         .image = &ice_interval_count,
         .planes = { "intervals.Z" },
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "how often the ray is inside the ice",
+        .help = "number of intervals of the ray inside the ice",
     },
     { 0 },
 };
 
 const struct technique ice_interval = {
     .name = "ice_interval",
-    .help = "the intervals of each ray that lie inside the ice",
+    .help = "intervals of each ray inside the ice",
     .parts = { { PHASE_DEPTHS, .rows = make_rows } },
     .layers = layers,
 };

@@ -7,7 +7,7 @@
     { \
         .name = "local." #field, .type = SETTING_FLOAT, \
         .offset = offsetof(struct local_params, field), .min = -1e6, .max = 1e6, .unit = "metres", \
-        .help = "of refract.lookup=box: " what " of its box (all 0: what the surroundings need)" \
+        .help = "box of refract.lookup=box: " what " (all six 0: bounds of the surroundings)" \
     }
 
 static const struct setting local_rows[] = {
@@ -39,7 +39,7 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 
 const struct technique local_box = {
     .name = "local_box",
-    .help = "the box on which the environment is seen",
+    .help = "box onto which the environment is projected",
     .settings = { &local_settings },
     .write_globals = write_globals,
 };

@@ -177,7 +177,7 @@ static const struct setting rows[] = {
         .initial = 1.3091,
         .min = 1.0,
         .max = 4.0,
-        .help = "refractive index of the object; --material sets it by name",
+        .help = "refractive index of the object; --material sets it, too",
     },
     {
         .name = "refract.dispersion",
@@ -185,7 +185,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_params, dispersion),
         .max = 10,
         .switches = SETTING_AFFECTS_PLAN,
-        .help = "20 / Abbe number; ice has 0.376",
+        .help = "dispersion of the object, 20 / Abbe number; 0.376 is ice",
     },
     {
         .name = "refract.fresnel",
@@ -194,7 +194,8 @@ static const struct setting rows[] = {
         .max = REFRACT_FRESNEL_CROSSFADE,
         .choices = fresnels,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "how much is reflected: by the paper's eq. 4, by Fresnel's equations, or evenly",
+        .help =
+            "reflectance: the paper's eq. 4, Fresnel's equations, or constant refract.crossfade",
     },
     {
         .name = "refract.crossfade",
@@ -202,7 +203,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_params, crossfade),
         .initial = 0.8,
         .max = 1,
-        .help = "of refract.fresnel=crossfade: 0 all is reflected, 1 all is refracted",
+        .help = "refracted share of light with refract.fresnel=crossfade",
     },
     {
         .name = "refract.lookup",
@@ -211,7 +212,7 @@ static const struct setting rows[] = {
         .max = REFRACT_LOOKUP_BOX,
         .choices = lookups,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "where the environment is seen: infinitely far away, at its distance, on a box",
+        .help = "position of the environment: infinitely far away, at its distance, or on a box",
     },
     {
         .name = "refract.steps",
@@ -221,7 +222,7 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 32,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "of refract.lookup=distance: how often a ray looks how far it has to go",
+        .help = "iterations of the distance search with refract.lookup=distance",
     },
 };
 
@@ -255,7 +256,7 @@ static const struct frame_layer layers[] = {
         .image = &refract_exit,
         .planes = { "exit.X", "exit.Y", "exit.Z" },
         .shown = FRAME_SHOWN_DIRECTION,
-        .help = "direction in which refracted light leaves: looks up the environment",
+        .help = "direction of refracted light that leaves the object, for the environment lookup",
     },
     {
         .name = "refraction",
@@ -277,14 +278,14 @@ static const struct frame_layer layers[] = {
         .planes = { "fresnel.Z" },
         .mean = true,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "share of the reflection",
+        .help = "share of the light that is reflected",
     },
     {
         .name = "path",
         .image = &refract_way,
         .planes = { "path.Z" },
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "how far refracted light goes inside until it leaves, metres; 0: no ice",
+        .help = "length of the refracted path inside the object, metres; 0: no ice",
     },
     {
         .name = "bounces",
@@ -292,7 +293,7 @@ static const struct frame_layer layers[] = {
         .planes = { "bounces.Z" },
         .first_channel = 1,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "how often it is totally reflected on this way",
+        .help = "number of total reflections on the refracted path",
     },
     {
         .name = "tir",
@@ -300,14 +301,14 @@ static const struct frame_layer layers[] = {
         .planes = { "tir.Z" },
         .first_channel = 2,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "1 where it is so at the first surface that it meets inside, else 0",
+        .help = "1 where the path is totally reflected at its first inner surface, else 0",
     },
     { 0 },
 };
 
 const struct technique refract = {
     .name = "refract",
-    .help = "what all rungs of refraction share",
+    .help = "settings and layers shared by all refraction rungs",
     .settings = { &refract_settings },
     .layers = layers,
     .write_globals = write_globals,

@@ -40,7 +40,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_blend_params, a),
         .initial = 0.33,
         .max = 1.0,
-        .help = "share of the back face's normal",
+        .help = "weight of the back face's normal",
     },
 };
 
@@ -56,7 +56,7 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 const struct technique refract_blend = {
     .name = "refract_blend",
-    .help = "front and back normals blended so that bending adds up",
+    .help = "front and back normals blended so that both refractions add up",
     .settings = { &refract_blend_settings },
     .parts = REFRACT_PARTS,
     .rung = { .name = "blend", .rows = &rung },

@@ -51,7 +51,7 @@ static const struct setting rows[] = {
         .initial = 8,
         .min = 1,
         .max = 256,
-        .help = "along a ray inside, until one is outside",
+        .help = "maximum number of steps along a ray inside the object",
     },
     {
         .name = "refract_bounce.halvings",
@@ -59,7 +59,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_march, halvings),
         .initial = 8,
         .max = 32,
-        .help = "of the step that went outside, at most; fewer find a flat face",
+        .help = "maximum number of bisections where a ray leaves the object; flat faces need fewer",
     },
     {
         .name = "refract_bounce.count",
@@ -67,7 +67,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_march, bounces),
         .initial = 4,
         .max = 16,
-        .help = "total reflections that are followed",
+        .help = "maximum number of total reflections per ray",
     },
 };
 
@@ -76,7 +76,7 @@ const struct setting_group refract_bounce_settings =
 
 const struct technique refract_bounce = {
     .name = "refract_bounce",
-    .help = "two bends and total reflections between, searched among all faces",
+    .help = "two refractions and the total reflections between them, searched among all faces",
     .settings = { &refract_bounce_settings },
     .parts = REFRACT_PARTS,
     .rung = { .name = "bounce", .rows = &rung },

@@ -26,7 +26,7 @@ static const struct refract_rung rung = {
 
 const struct technique refract_per_vertex = {
     .name = "refract_per_vertex",
-    .help = "one-sided, with directions computed at the vertices",
+    .help = "refraction at the front face alone, with directions computed at the vertices",
     .parts = REFRACT_PARTS,
     .rung = { .name = "per-vertex", .rows = &rung },
 };

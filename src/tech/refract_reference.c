@@ -19,7 +19,7 @@ static const struct setting rows[] = {
         .initial = 1e-3,
         .min = 1e-6, /* in concave objects branches multiply */
         .max = 1,
-        .help = "share of a ray's light below which it is followed no further (layer remaining)",
+        .help = "share of a ray's light below which the ray is terminated (see layer remaining)",
     },
     {
         .name = "reference.bounces",
@@ -28,7 +28,7 @@ static const struct setting rows[] = {
         .initial = 64,
         .min = 1,
         .max = REFERENCE_BOUNCES_MAX,
-        .help = "surfaces of the object that light meets, one after another, at most",
+        .help = "maximum number of the object's surfaces on a light path",
     },
     {
         .name = "reference.normals",
@@ -36,7 +36,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct reference_params, normals),
         .max = REFERENCE_NORMALS_FLAT,
         .choices = normals,
-        .help = "normals of the object: those of its vertices, as rasterised, or its triangles'",
+        .help = "normals of the object: interpolated from its vertices, as rasterised, or flat",
     },
 };
 
@@ -48,14 +48,14 @@ static const struct frame_layer layers[] = {
         .name = "remaining",
         .planes = { "remaining.R", "remaining.G", "remaining.B" },
         .mean = true,
-        .help = "weight of the light that was not followed to its end",
+        .help = "share of the light on paths that were terminated",
     },
     { 0 },
 };
 
 const struct technique refract_reference = {
     .name = "refract_reference",
-    .help = "the truth, traced on the CPU",
+    .help = "reference for all rungs, ray traced on the CPU",
     .settings = { &reference_settings },
     .rung = { .name = "reference" },
     .layers = layers,

@@ -42,7 +42,7 @@ static const struct setting rows[] = {
         .initial = 8,
         .min = 1,
         .max = 256,
-        .help = "along a ray inside, until one is outside",
+        .help = "maximum number of steps along a ray inside the object",
     },
     {
         .name = "refract_search.halvings",
@@ -50,7 +50,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_march, halvings),
         .initial = 8,
         .max = 32,
-        .help = "of the step that went outside, at most; fewer find a flat face",
+        .help = "maximum number of bisections where a ray leaves the object; flat faces need fewer",
     },
 };
 
@@ -66,7 +66,7 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 const struct technique refract_search = {
     .name = "refract_search",
-    .help = "two bends, the exit searched among the back faces",
+    .help = "two refractions, the exit searched among the back faces",
     .settings = { &refract_search_settings },
     .parts = REFRACT_PARTS,
     .rung = { .name = "search", .rows = &rung },

@@ -28,7 +28,7 @@ static const struct refract_rung rung = {
 
 const struct technique refract_slab = {
     .name = "refract_slab",
-    .help = "a pane parallel to the front face: light is moved aside, not turned",
+    .help = "pane parallel to the front face, which offsets light without changing its direction",
     .parts = REFRACT_PARTS,
     .rung = { .name = "slab", .rows = &rung },
 };

@@ -27,7 +27,7 @@ static const struct refract_rung rung = {
 
 const struct technique refract_sphere = {
     .name = "refract_sphere",
-    .help = "two bends, as in a sphere that touches the front face",
+    .help = "two refractions, as in a sphere that touches the front face",
     .parts = REFRACT_PARTS,
     .rung = { .name = "sphere", .rows = &rung },
 };

@@ -32,7 +32,7 @@ static const struct refract_rung rung = {
 
 const struct technique refract_wyman = {
     .name = "refract_wyman",
-    .help = "two bends, the exit guessed from two thicknesses (Wyman 2005)",
+    .help = "two refractions, the exit estimated from two thicknesses (Wyman 2005)",
     .parts = REFRACT_PARTS,
     .rung = { .name = "wyman", .rows = &rung, .reach = 3.0f }, /* it looks a diameter further */
 };

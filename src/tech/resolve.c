@@ -27,7 +27,7 @@ static void record_upload(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 const struct technique resolve = {
     .name = "resolve",
-    .help = "the mean of many samples, back on the device",
+    .help = "mean of all samples, uploaded to the device",
     .parts = { { PHASE_ENVIRONMENT, SCENE_OF_ANY, .purposes = 1u << TECHNIQUE_RESOLVE,
                  .graph = RG_TECHNIQUE("resolve", passes) } },
 };

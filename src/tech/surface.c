@@ -37,7 +37,7 @@ static const struct setting rows[] = {
         .initial = 900,
         .min = 1,
         .max = 1e5,
-        .help = "how small and sharp they are",
+        .help = "exponent of the lights' highlights on the ice; a larger one makes them smaller",
     },
 };
 

@@ -50,7 +50,7 @@ static const struct setting rows[] = {
         .min = -16,
         .max = 16,
         .unit = "stops",
-        .help = "brightness of PNG pictures",
+        .help = "exposure of PNG pictures",
     },
     {
         .name = "tonemap.curve",
@@ -60,7 +60,7 @@ static const struct setting rows[] = {
         .max = TONEMAP_CLIP,
         .choices = curves,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "how PNG pictures show highlights",
+        .help = "tone curve of highlights in PNG pictures",
     },
 };
 
@@ -74,7 +74,7 @@ static void write_constants(const struct settings *settings, uint32_t *values)
 
 const struct technique tonemap = {
     .name = "tonemap",
-    .help = "linear light to 8-bit sRGB",
+    .help = "conversion of linear light to 8-bit sRGB",
     .settings = { &tonemap_settings },
     .parts = { { PHASE_DISPLAY, SCENE_OF_ANY,
                  .purposes = 1u << TECHNIQUE_PICTURE | 1u << TECHNIQUE_RESOLVE,

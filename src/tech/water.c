@@ -158,6 +158,6 @@ static void record_ice(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 const struct technique water = {
     .name = "water",
-    .help = "a pool of water and the ground below it",
+    .help = "pool of water and the ground below it",
     .parts = { { PHASE_REFRACTION, SCENE_OF_POOL, .rows = make_rows } },
 };
