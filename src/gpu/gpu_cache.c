@@ -108,7 +108,7 @@ static void *read_sound(const struct gpu *gpu, size_t *size)
     }
     close(file);
     if (!data)
-        log_warning("%s: damaged, so it is ignored and written anew", path);
+        log_warning("%s: ignored because it is damaged; it will be rewritten", path);
     return data;
 }
 

@@ -46,6 +46,6 @@ enum status gpu_capture_end(const struct gpu *gpu, char *path, size_t size)
         api->GetCapture(api->GetNumCaptures() - 1, NULL, &length, NULL) == 1 && length <= size &&
         api->GetCapture(api->GetNumCaptures() - 1, path, &length, NULL) == 1)
         return STATUS_OK;
-    log_error("RenderDoc wrote no capture: see its own log, in the folder of temporary files");
+    log_error("RenderDoc wrote no capture: see RenderDoc's log in the folder of temporary files");
     return STATUS_WRITE;
 }

@@ -148,23 +148,23 @@ static void find_refusal(const struct gpu *gpu, VkPhysicalDevice physical,
 
     refused[0] = '\0';
     if (version < VK_API_VERSION_1_3)
-        snprintf(refused, size, "only Vulkan %u.%u, 1.3 is needed", VK_API_VERSION_MAJOR(version),
+        snprintf(refused, size, "expected Vulkan 1.3, got %u.%u", VK_API_VERSION_MAJOR(version),
                  VK_API_VERSION_MINOR(version));
     else if ((missing = gpu_features_choose(physical, &wanted)))
         snprintf(refused, size, "no %s", missing);
     else if (gpu->windows && !has_swapchain(physical))
-        snprintf(refused, size, "no %s for windows", VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+        snprintf(refused, size, "no %s, which windows need", VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     else if (gpu_choose_queue_family(gpu, physical) == UINT32_MAX)
         snprintf(refused, size, "no queue with graphics and compute%s",
-                 gpu->windows ? " that can show windows" : "");
+                 gpu->windows ? " that can present to windows" : "");
     else if (limits->maxPushConstantsSize < PUSH_CONSTANTS_SIZE)
-        snprintf(refused, size, "maxPushConstantsSize is %u, %d is needed",
+        snprintf(refused, size, "maxPushConstantsSize is %u, expected at least %d",
                  limits->maxPushConstantsSize, PUSH_CONSTANTS_SIZE);
     else if (limits->maxColorAttachments < COLOR_ATTACHMENT_COUNT)
-        snprintf(refused, size, "maxColorAttachments is %u, %d is needed",
+        snprintf(refused, size, "maxColorAttachments is %u, expected at least %d",
                  limits->maxColorAttachments, COLOR_ATTACHMENT_COUNT);
     else if (limits->maxFragmentOutputAttachments < COLOR_ATTACHMENT_COUNT)
-        snprintf(refused, size, "maxFragmentOutputAttachments is %u, %d is needed",
+        snprintf(refused, size, "maxFragmentOutputAttachments is %u, expected at least %d",
                  limits->maxFragmentOutputAttachments, COLOR_ATTACHMENT_COUNT);
 }
 
@@ -253,8 +253,8 @@ enum status gpu_choose(const struct gpu_device *devices, uint32_t count, const c
     else if (wanted && refused)
         log_error("%s: %s", refused->name, refused->refused);
     else if (wanted)
-        log_error("no Vulkan device \"%s\"; there is %s", wanted, names);
+        log_error("unknown Vulkan device '%s': available are %s", wanted, names);
     else
-        log_error("no Vulkan device will do: %s", names);
+        log_error("no usable Vulkan device: %s", names);
     return STATUS_NO_DEVICE;
 }

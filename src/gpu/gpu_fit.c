@@ -22,8 +22,8 @@ enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height)
         smaller(side, smaller(limits->maxFramebufferHeight, limits->maxViewportDimensions[1]));
     if (width <= width_max && height <= height_max)
         return STATUS_OK;
-    log_error("a picture of %u x %u pixels: %s draws at most %u x %u; ask for fewer (--size), "
-              "or for interleaved tiles (--tiles, --interleaved)",
+    log_error("a picture of %u x %u pixels: %s supports at most %u x %u; reduce --size, or use "
+              "interleaved tiles (--tiles, --interleaved)",
               width, height, gpu->properties.deviceName, width_max, height_max);
     return STATUS_USAGE;
 }
@@ -33,8 +33,8 @@ enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side)
     const uint32_t side_max = gpu->properties.limits.maxImageDimensionCube;
     if (side <= side_max)
         return gpu_fit_size(gpu, side, side);
-    log_error("faces of %u x %u: %s draws at most %u x %u; ask for fewer pixels (--size)", side,
-              side, gpu->properties.deviceName, side_max, side_max);
+    log_error("cube faces of %u x %u: %s supports at most %u x %u; reduce --size", side, side,
+              gpu->properties.deviceName, side_max, side_max);
     return STATUS_USAGE;
 }
 
@@ -76,8 +76,8 @@ enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view, VkDeviceSize 
         const unsigned long long given = heap_size(gpu, i) / MIB;
         if (size <= heap_size(gpu, i))
             continue;
-        log_error("a picture of %u x %u pixels takes %llu MiB of memory, %s has %llu MiB; ask for "
-                  "fewer pixels or layers (--size, --aov), or for tiles (--tiles, --interleaved)",
+        log_error("a picture of %u x %u pixels needs %llu MiB of memory, %s has %llu MiB; reduce "
+                  "--size or --aov, or use --tiles or --interleaved",
                   view.width, view.height, needed, gpu->properties.deviceName, given);
         return STATUS_TRY_AGAIN;
     }

@@ -86,8 +86,9 @@ static enum status check_format(const struct gpu *gpu, const struct gpu_image_pa
         return STATUS_OK;
     if (result != VK_ERROR_FORMAT_NOT_SUPPORTED)
         return gpu_failed_for("vkGetPhysicalDeviceImageFormatProperties", name_of(params), result);
-    log_error("%s: %s cannot sample%s VkFormat %d", name_of(params), gpu->properties.deviceName,
-              params->mipmaps ? " and halve" : "", (int)params->format);
+    log_error("%s: %s does not support sampling%s for VkFormat %d", name_of(params),
+              gpu->properties.deviceName, params->mipmaps ? " and blitting" : "",
+              (int)params->format);
     return STATUS_NO_DEVICE;
 }
 
@@ -110,8 +111,8 @@ static enum status check_size(const struct gpu_image_params *params, const struc
         size += (uint64_t)mip_size(extent.width, mip) * mip_size(extent.height, mip) *
                 image->layers * texel_size;
     if (size == 0 || size != params->texels_size) {
-        log_error("%s has %zu bytes of texels instead of %llu", name_of(params),
-                  params->texels_size, (unsigned long long)size);
+        log_error("%s has %zu bytes of texels, expected %llu", name_of(params), params->texels_size,
+                  (unsigned long long)size);
         return STATUS_DATA;
     }
     return STATUS_OK;

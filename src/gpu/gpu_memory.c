@@ -26,7 +26,7 @@ static enum status too_large(const char *name, VkDeviceSize size, VkDeviceSize l
 {
     const unsigned long long needed = size / MIB + (size % MIB != 0 ? 1 : 0);
     const unsigned long long given = limit / MIB;
-    log_error("%s needs %llu MiB of memory, the device gives at most %llu MiB at once",
+    log_error("%s needs %llu MiB of memory, the device's limit per allocation is %llu MiB",
               name ? name : "a buffer", needed, given);
     return STATUS_TRY_AGAIN;
 }
@@ -45,7 +45,7 @@ enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *nee
         &gpu->memory, needs->memoryTypeBits, host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT : 0,
         host ? VK_MEMORY_PROPERTY_HOST_COHERENT_BIT : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     if (type == UINT32_MAX) {
-        log_error("%s: the device has no memory of a fitting type", name ? name : "a buffer");
+        log_error("%s: the device has no suitable memory type", name ? name : "a buffer");
         return STATUS_NO_DEVICE;
     }
     /* A driver may promise more than there is and die later: keep to what it says itself. */

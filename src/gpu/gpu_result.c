@@ -7,9 +7,9 @@
 
 #define ROW(value) .result = (value), .name = #value
 
-static const char lost[] = "the device stopped working: try again";
+static const char lost[] = "the device was lost: retry";
 static const char memory[] =
-    "memory is short: end other programs, or ask for less (--size, --tiles, --interleaved)";
+    "out of memory: end other programs, or use --size, --tiles or --interleaved to need less";
 
 static const struct row {
     VkResult result;
@@ -76,7 +76,7 @@ static unsigned memory_limit(void)
 const char *gpu_missing_driver(void)
 {
     return memory_limit() ? "install a driver, or raise the memory limit of this process (ulimit "
-                            "-v), in which none may be loaded"
+                            "-v), which may prevent drivers from loading"
                           : "install or update libvulkan1 and a driver (mesa-vulkan-drivers has "
                             "one for the CPU)";
 }
@@ -119,7 +119,7 @@ enum status gpu_failed(const char *what, VkResult result)
 {
     const struct row *row = find_row(result);
     if (is_out_of_limit(result))
-        log_error("%s: %s: probably out of memory: this process may use %u MiB; raise the limit "
+        log_error("%s: %s: probably out of memory: the limit of this process is %u MiB; raise it "
                   "(ulimit -v)",
                   what, row->name, memory_limit());
     else if (row && row->mend)

@@ -72,7 +72,7 @@ static enum status choose_format(const struct gpu *gpu, struct gpu_swapchain *s)
             return STATUS_OK;
         }
     }
-    log_error("the window has no format of eight bits a channel (%u formats)", count);
+    log_error("the window has no format with 8 bits per channel (%u formats)", count);
     return STATUS_NO_DEVICE;
 }
 
@@ -91,7 +91,7 @@ static enum status choose_mode(const struct gpu *gpu, struct gpu_swapchain *s,
             s->mode = wanted;
     }
     if (s->mode != wanted)
-        log_warning("this window cannot present in the mode %s: fifo is used instead",
+        log_warning("--present %s: this window does not support the mode; using fifo",
                     gpu_swapchain_mode_name(wanted));
     return STATUS_OK;
 }

@@ -69,7 +69,7 @@ static exr_result_t add_planes(struct reader *reader, const exr_attr_chlist_t *c
     for (int c = 0; c < channels->num_channels; c++) {
         const exr_attr_chlist_entry_t *channel = &channels->entries[c];
         if (channel->x_sampling != 1 || channel->y_sampling != 1)
-            return fault(reader, "subsampled channels cannot be read");
+            return fault(reader, "subsampled channels are not supported");
         if (strlen(channel->name.str) >= IMAGE_NAME_SIZE)
             return fault(reader, "a channel's name is too long");
         if (image_find(reader->image, channel->name.str))
@@ -96,7 +96,7 @@ static exr_result_t read_size(struct reader *reader, const exr_attr_chlist_t **l
     if (result != EXR_ERR_SUCCESS)
         return result;
     if (reader->storage != EXR_STORAGE_SCANLINE && reader->storage != EXR_STORAGE_TILED)
-        return fault(reader, "deep pictures cannot be read");
+        return fault(reader, "deep pictures are not supported");
 
     const exr_attr_box2i_t *window = &reader->window;
     const int64_t width = (int64_t)window->max.x - window->min.x + 1;
@@ -391,7 +391,7 @@ static exr_result_t open_rows(struct exr_file *file)
     if (result == EXR_ERR_SUCCESS)
         result = read_size(reader, &channels);
     if (result == EXR_ERR_SUCCESS && reader->storage != EXR_STORAGE_SCANLINE)
-        result = fault(reader, "scan lines are wanted");
+        result = fault(reader, "expected scan lines");
     if (result == EXR_ERR_SUCCESS)
         result = exr_get_scanlines_per_chunk(reader->context, 0, &lines);
     if (result != EXR_ERR_SUCCESS)

@@ -71,7 +71,7 @@ static enum status target_find(struct target *target, const char *path)
     *target = (struct target){ .folder = -1 };
     if (stat(path, &info) == 0) {
         if (S_ISDIR(info.st_mode))
-            return cannot_create(path, "it is a folder");
+            return cannot_create(path, "is a folder");
         if (!S_ISREG(info.st_mode)) {
             target->straight = true;
             return STATUS_OK;
@@ -80,9 +80,9 @@ static enum status target_find(struct target *target, const char *path)
     } else if (errno != ENOENT) {
         return cannot_create(path, strerror(errno));
     } else if (lstat(path, &info) == 0) {
-        return cannot_create(path, "it is a symbolic link to nothing");
+        return cannot_create(path, "is a dangling symbolic link");
     } else if (path[0] == '\0' || path[strlen(path) - 1] == '/') {
-        return cannot_create(path, "it names no file");
+        return cannot_create(path, "has no file name");
     } else {
         real = strdup(path);
     }
@@ -338,7 +338,7 @@ enum status file_open(const char *path, FILE **file, int64_t *size)
         *size = info.st_size;
         return STATUS_OK;
     }
-    log_error("%s: cannot be read: %s", path, known ? "no regular file" : strerror(errno));
+    log_error("%s: cannot be read: %s", path, known ? "not a regular file" : strerror(errno));
     if (*file)
         fclose(*file);
     *file = NULL;

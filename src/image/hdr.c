@@ -72,15 +72,15 @@ static const char *find_fault(struct source *source, int64_t file_size, int *wid
 
     source_rewind(source);
     if (!stbi_is_hdr_from_callbacks(&callbacks, source))
-        return "no Radiance HDR file";
+        return "not a Radiance HDR file";
     source_rewind(source);
     if (!stbi_info_from_callbacks(&callbacks, source, width, height, &channels))
-        return "the header is damaged or of a kind that cannot be read";
+        return "the header is damaged or not supported";
     if (*width <= 0 || *width > IMAGE_MAX_SIDE || *height <= 0 || *height > IMAGE_MAX_SIDE ||
         *width > IMAGE_MAX_TEXELS / *height)
         return "the size is out of range";
     if (file_size < least_size(*width, *height))
-        return "the file is cut short";
+        return "the file is truncated";
     return NULL;
 }
 
@@ -118,7 +118,7 @@ enum status hdr_read(const char *path, struct image *image)
         source_rewind(&source);
         texels = stbi_loadf_from_callbacks(&callbacks, &source, &width, &height, &channels, 3);
         if (source.overrun)
-            fault = "the file is cut short";
+            fault = "the file is truncated";
         else if (!texels && strcmp(stbi_failure_reason(), "outofmem") != 0)
             fault = stbi_failure_reason();
     }

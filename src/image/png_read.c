@@ -14,7 +14,7 @@ static enum status out_of_memory(const char *path, const png_image *png)
 
 static enum status damaged(const char *path, const char *why)
 {
-    log_error("%s: no PNG file, damaged or too large: %s", path, why);
+    log_error("%s: not a PNG file, damaged or too large: %s", path, why);
     return STATUS_DATA;
 }
 

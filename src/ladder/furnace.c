@@ -66,7 +66,7 @@ void furnace_print(const struct furnace *furnace, FILE *out)
                 row->greatest, row->remaining, (unsigned long long)row->off);
     }
     fprintf(out,
-            "\nThe environment is 1 everywhere. Of the object's %llu pixels those are off "
-            "whose value, with\nwhat remains to be followed, is more than %g from 1.\n",
+            "\nThe environment is 1 everywhere. Of the object's %llu pixels, those are off whose "
+            "value, including\nthe layer remaining, differs from 1 by more than %g.\n",
             (unsigned long long)furnace->pixel_count, furnace_tolerance);
 }

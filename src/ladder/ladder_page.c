@@ -77,11 +77,12 @@ static void put_head(const struct ladder_report *report, FILE *out)
 {
     const struct ladder *l = report->ladder;
     fputs(head, out);
-    fputs("<h1>How far each way to refract is from the truth</h1>\n<p><code>", out);
+    fputs("<h1>Error of each refraction rung against the ray traced reference</h1>\n<p><code>",
+          out);
     put_text(report->command, out);
     fprintf(out,
-            "</code>\n<p>%u × %u pixels, of which the object has %llu; %llu of them without "
-            "total reflection. Reference: ",
+            "</code>\n<p>%u × %u pixels; the object covers %llu, %llu of them without total "
+            "reflection. Reference: ",
             l->width, l->height, (unsigned long long)l->object_count,
             (unsigned long long)l->straight_count);
     put_text(l->tracer, out);
@@ -95,10 +96,10 @@ static void put_head(const struct ladder_report *report, FILE *out)
 }
 
 static const char notes[] =
-    "<p>FLIP is of all pixels, MAE (clipped to 0 and 1) and RMSE of the object's. Degrees: between "
-    "the directions in which refracted light leaves, mean and what 95 % do not exceed, where it is "
-    "not totally reflected first. Other class: where the rung takes total reflection for none, or "
-    "the other way round. Cost: beside ";
+    "<p>FLIP: over all pixels. MAE (clipped to 0 and 1) and RMSE: over the object's pixels. "
+    "Degrees: mean and 95th percentile of the angle between the exit directions, where there is no "
+    "total reflection. Other class: pixels with total reflection in only one of the two pictures. "
+    "Cost: median frame time relative to ";
 
 static void put_page(const struct ladder_report *report, const char *svg, const uint8_t *sheet,
                      size_t sheet_size, FILE *out)
@@ -106,10 +107,10 @@ static void put_page(const struct ladder_report *report, const char *svg, const 
     const struct ladder_rung *base = ladder_base(report->ladder);
     put_head(report, out);
     put_table(report->ladder, out);
-    fprintf(out, "%s%s, medians of frames in turns.\n%s<h2>Pictures</h2>\n", notes,
+    fprintf(out, "%s%s, frames of all rungs in turns.\n%s<h2>Pictures</h2>\n", notes,
             base->rung->rung.name, base->cost > 0.0 ? svg : "");
-    fputs("<p>Beside each picture its FLIP, in the colours of the scale.\n"
-          "<img alt=\"contact sheet\" src=\"data:image/png;base64,",
+    fputs("<p>Each picture is followed by its FLIP error, in the colours of the scale.\n<img "
+          "alt=\"contact sheet\" src=\"data:image/png;base64,",
           out);
     put_base64(sheet, sheet_size, out);
     fputs("\">\n</html>\n", out);

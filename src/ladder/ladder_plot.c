@@ -86,7 +86,7 @@ static void put_frame(const struct axis *x, const struct axis *y, const char *ba
     put_ticks(x, y, out);
     fprintf(out,
             "<path class=\"axis\" d=\"M%.1f %.1fV%.1fH%.1f\"/>\n"
-            "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">cost beside %s</text>\n"
+            "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">cost relative to %s</text>\n"
             "<text transform=\"translate(18 %.1f) rotate(-90)\" text-anchor=\"middle\">FLIP"
             "</text>\n",
             x->start, y->end, y->start, x->end, (x->start + x->end) / 2, HEIGHT - 12, base,
@@ -154,7 +154,7 @@ static void print(const struct ladder *ladder, FILE *out)
     if (ladder_base(ladder)->cost > 0.0)
         put_points(ladder, out);
     else
-        fputs("<text x=\"20\" y=\"40\">costs were not measured (--runs 0)</text>\n", out);
+        fputs("<text x=\"20\" y=\"40\">no measured costs (--runs 0)</text>\n", out);
     fputs("</svg>\n", out);
 }
 

@@ -28,11 +28,11 @@ static void print_head(const struct ladder_report *report, FILE *out)
     char scene[512];
     snprintf(scene, sizeof(scene), "scene      %s", report->scene);
     profile_print_words(scene, 11, out);
-    fprintf(out,
-            "pixels     %u x %u, %u sample%s; the object has %llu, %.1f %% of them without "
-            "total reflection\n",
-            l->width, l->height, report->samples, report->samples == 1 ? "" : "s",
-            (unsigned long long)l->object_count, share);
+    fprintf(
+        out,
+        "pixels     %u x %u, %u sample%s; object: %llu, %.1f %% of them without total reflection\n",
+        l->width, l->height, report->samples, report->samples == 1 ? "" : "s",
+        (unsigned long long)l->object_count, share);
     fprintf(out, "reference  %s, %.1f s\n", l->tracer, l->reference_cost * 1e-3);
     if (report->device)
         fprintf(out, "device     %s\n", report->device);
@@ -78,9 +78,10 @@ void ladder_table(const struct ladder_report *report, FILE *out)
     fprintf(out, "%s %9s %9s\n", has_truth ? "     truth" : "", "ms", "cost");
     print_rows(l, out);
     fprintf(out,
-            "\nFLIP: of all pixels. MAE, RMSE: of the object's. degrees: of its directions "
-            "without total\nreflection. TIR %%: its pixels of the wrong class. cost: beside "
-            "%s, medians of frames in turns.\n",
+            "\nFLIP: over all pixels. MAE, RMSE: over the object's pixels. degrees: error of the "
+            "exit direction\nwhere there is no total reflection. TIR %%: pixels with total "
+            "reflection in only one of the two\npictures. cost: median frame time relative to %s, "
+            "frames of all rungs in turns.\n",
             ladder_base(l)->rung->rung.name);
     for (uint32_t i = 0; i < l->rung_count; i++) {
         if (l->rungs[i].error.not_finite)
@@ -88,7 +89,7 @@ void ladder_table(const struct ladder_report *report, FILE *out)
                     (unsigned long long)l->rungs[i].error.not_finite);
     }
     if (has_truth)
-        fputs("truth: MAE beside the picture of --truth.\n", out);
+        fputs("truth: MAE against the picture of --truth.\n", out);
 }
 
 /* ---- JSON ---- */

@@ -36,8 +36,8 @@ static void note_difference(const char *what, const char *base, const char *now,
     char words[WORDS_SIZE];
     if (strcmp(base, now) == 0)
         return;
-    snprintf(words, sizeof(words), "warning: not the same %s: %s in the baseline, %s now", what,
-             base, now);
+    snprintf(words, sizeof(words), "warning: different %s: %s in the baseline, %s now", what, base,
+             now);
     profile_print_words(words, 2, out);
 }
 
@@ -233,8 +233,8 @@ static void print_least(const struct comparison *c, FILE *out)
     while (profile_mann_whitney_least(runs, runs) * c->tested > level)
         runs++;
     snprintf(words, sizeof(words),
-             "With %" PRIu32 " and %" PRIu32 " runs no difference, however large, is beyond the "
-             "noise of %" PRIu32 " tests: take %" PRIu32 " runs or more for both.",
+             "With %" PRIu32 " and %" PRIu32 " runs no difference can be significant in %" PRIu32
+             " tests: measure at least %" PRIu32 " runs for both.",
              c->base->run_count, c->now->run_count, c->tested, runs);
     profile_print_words(words, 0, out);
 }
@@ -250,12 +250,12 @@ static void print_table(const struct comparison *c, FILE *out)
             "verdict");
     for (uint32_t i = 0; i < c->count; i++)
         print_pair(&c->pairs[i], c, decimals, out);
-    snprintf(
-        words, sizeof(words),
-        "ratio: median of all quotients of a run now and one of the baseline. p: Mann-Whitney, "
-        "two-sided, after Holm's correction for %" PRIu32 " tests; slower and faster: p is at "
-        "most %g. Runs: %" PRIu32 ", %" PRIu32 ".",
-        c->tested, level, c->base->run_count, c->now->run_count);
+    snprintf(words, sizeof(words),
+             "ratio: median of the quotients of all pairs of a run now and a run of the baseline. "
+             "p: Mann-Whitney, "
+             "two-sided, after Holm's correction for %" PRIu32 " tests; slower and faster: p is at "
+             "most %g. Runs: %" PRIu32 ", %" PRIu32 ".",
+             c->tested, level, c->base->run_count, c->now->run_count);
     profile_print_words(words, 0, out);
     print_least(c, out);
 }

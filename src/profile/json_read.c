@@ -50,19 +50,19 @@ static const char *find_fault(const struct profile_field *field, const json_t *v
     case PROFILE_FIELD_TEXT:
         if (json_is_string(value) && json_string_length(value) >= field->size)
             return "is too long";
-        return json_is_string(value) ? NULL : "is no string";
+        return json_is_string(value) ? NULL : "is not a string";
     case PROFILE_FIELD_HEAP:
     case PROFILE_FIELD_ROW_KIND:
-        return json_is_string(value) ? NULL : "is no string";
+        return json_is_string(value) ? NULL : "is not a string";
     case PROFILE_FIELD_U32:
     case PROFILE_FIELD_U64:
         if (!json_is_integer(value))
-            return "is no whole number";
+            return "is not a whole number";
         return json_integer_value(value) >= 0 && json_integer_value(value) <= most
                    ? NULL
                    : "is out of range";
     case PROFILE_FIELD_DOUBLE:
-        return is_number(value) ? NULL : "is no number from -1e8 to 1e8";
+        return is_number(value) ? NULL : "is not a number from -1e8 to 1e8";
     case PROFILE_FIELD_BOOL:
         return json_is_boolean(value) ? NULL : "is neither true nor false";
     }
@@ -122,8 +122,9 @@ static enum status read_fields(const struct reader *reader, const json_t *json,
             return fault(reader, field->key, what);
         if (set_value(field, value, object))
             continue;
-        return field->kind == PROFILE_FIELD_HEAP ? no_memory(reader)
-                                                 : fault(reader, field->key, "is no kind of row");
+        return field->kind == PROFILE_FIELD_HEAP
+                   ? no_memory(reader)
+                   : fault(reader, field->key, "is not a kind of row");
     }
     return STATUS_OK;
 }
@@ -134,13 +135,13 @@ static enum status read_samples(const struct reader *reader, const json_t *json,
 {
     const json_t *array = json_object_get(json, key);
     if (!json_is_array(array))
-        return fault(reader, key, "is no array");
+        return fault(reader, key, "is not an array");
     if (json_array_size(array) != count)
-        return fault(reader, key, "has not one number for every run");
+        return fault(reader, key, "does not have one number per run");
     for (uint32_t i = 0; i < count; i++) {
         const json_t *number = json_array_get(array, i);
         if (!is_number(number))
-            return fault(reader, key, "holds what is no number from -1e8 to 1e8");
+            return fault(reader, key, "has an element that is not a number from -1e8 to 1e8");
         samples[i] = json_number_value(number);
     }
     return STATUS_OK;
@@ -152,7 +153,7 @@ static enum status read_array(const struct reader *reader, const json_t *root, c
 {
     const json_t *array = json_object_get(root, key);
     if (!json_is_array(array))
-        return fault(reader, key, "is no array");
+        return fault(reader, key, "is not an array");
     *elements = calloc(json_array_size(array) + 1, element_size);
     if (!*elements)
         return no_memory(reader);
@@ -188,7 +189,7 @@ static enum status read_residents(struct reader *reader, const json_t *root, str
                              &profile_resident_fields, resident);
         if (status == STATUS_OK &&
             (resident->last_pass >= p->pass_count || resident->first_pass > resident->last_pass))
-            status = fault(reader, "last_pass", "is no pass from first_pass on");
+            status = fault(reader, "last_pass", "is not a pass at or after first_pass");
     }
     reader->place[0] = '\0';
     return status;
@@ -204,12 +205,12 @@ static enum status check_counts(const struct reader *reader, const json_t *root,
     if (p->width == 0 || p->height == 0)
         return fault(reader, p->width ? "height" : "width", "is 0");
     if (!json_is_array(rows))
-        return fault(reader, "rows", "is no array");
+        return fault(reader, "rows", "is not an array");
     if (json_array_size(rows) <= p->pass_count)
-        return fault(reader, "rows", "has too few elements for pass_count");
+        return fault(reader, "rows", "has fewer elements than pass_count");
     for (size_t i = 0; i < json_array_size(rows); i++)
         if (json_array_size(json_object_get(json_array_get(rows, i), "ms")) != p->run_count)
-            return fault(reader, "run_count", "is another number than some row has of samples");
+            return fault(reader, "run_count", "differs from the number of samples of a row");
     return STATUS_OK;
 }
 
@@ -235,10 +236,11 @@ static enum status read_row(const struct reader *reader, const json_t *json,
     if (row->repetition >= row->repetition_count)
         return fault(reader, "repetition", "is not below repetition_count");
     if (index < p->pass_count)
-        return is_pass(row) ? STATUS_OK : fault(reader, "kind", "is that of no pass");
+        return is_pass(row) ? STATUS_OK : fault(reader, "kind", "is not a kind of pass");
     return row->kind == expected.kind && strcmp(row->name, expected.name) == 0
                ? STATUS_OK
-               : fault(reader, "name", "is not at its place: record, submit, unattributed end");
+               : fault(reader, "name",
+                       "is out of order: expected record, submit, unattributed at the end");
 }
 
 /* Rows add up to their frame, but for the last digits. */
@@ -251,7 +253,7 @@ static enum status check_sums(const struct reader *reader, const struct profile 
             size += fabs(p->rows[i].ms[run]);
         }
         if (!(fabs(sum - p->frame[run]) <= 1e-6 * (size + 1)))
-            return fault(reader, "frame", "is not what the rows add up to");
+            return fault(reader, "frame", "is not the sum of the rows");
     }
     return STATUS_OK;
 }
@@ -271,7 +273,7 @@ static enum status read_rows(struct reader *reader, const json_t *root, struct p
     enum status status = STATUS_OK;
 
     if (json_array_size(rows) != p->row_count)
-        return fault(reader, "rows", "has not three elements more than pass_count");
+        return fault(reader, "rows", "does not have pass_count + 3 elements");
     for (uint32_t i = 0; i < p->row_count && status == STATUS_OK; i++) {
         snprintf(reader->place, PLACE_SIZE, "rows[%" PRIu32 "]", i);
         status = read_row(reader, json_array_get(rows, i), p, i);
@@ -292,7 +294,7 @@ static enum status check_type(const struct reader *reader, const json_t *root)
     if (!type || strcmp(type, "profile") != 0)
         return fault(reader, "type", "is not \"profile\"");
     if (json_integer_value(json_object_get(root, "format")) != PROFILE_JSON_FORMAT)
-        return fault(reader, "format", "is not 1, the one that can be read");
+        return fault(reader, "format", "is not 1, the only supported format");
     return STATUS_OK;
 }
 
@@ -325,7 +327,7 @@ static enum status load(const char *path, json_t **root)
         return status;
     if (size > MAX_FILE_SIZE) {
         fclose(file);
-        log_error("%s: is larger than %d MiB, so it is no profile", path, MAX_FILE_SIZE >> 20);
+        log_error("%s: not a profile: larger than %d MiB", path, MAX_FILE_SIZE >> 20);
         return STATUS_DATA;
     }
     *root = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
@@ -333,7 +335,7 @@ static enum status load(const char *path, json_t **root)
         log_error("%s: reading failed", path);
         status = STATUS_NO_INPUT;
     } else if (!*root) {
-        log_error("%s:%d: is no JSON: %s", path, error.line, error.text);
+        log_error("%s:%d: invalid JSON: %s", path, error.line, error.text);
         status = STATUS_DATA;
     }
     fclose(file);

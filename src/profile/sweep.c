@@ -11,7 +11,7 @@ static const double least_share = 0.02; /* of a frame, for a fit */
 
 static enum status usage(const char *text, const char *what)
 {
-    log_error("--sweep %s: %s; say it as in --sweep cracks.count=0,8,64", text, what);
+    log_error("--sweep %s: %s; write it like --sweep cracks.count=0,8,64", text, what);
     return STATUS_USAGE;
 }
 
@@ -61,13 +61,13 @@ static const char *read_name(const struct profile_sweep *sweep, const char *text
                              struct profile_parameter *parameter)
 {
     const size_t length = strcspn(text, "=");
-    const char *what = text[length] ? find_fault(length) : "there is no \"=\"";
+    const char *what = text[length] ? find_fault(length) : "'=' is missing";
     if (what)
         return what;
     copy_part(parameter->name, text, length);
     for (uint32_t i = 0; i < sweep->parameter_count; i++)
         if (strcmp(sweep->parameters[i].name, parameter->name) == 0)
-            return "the parameter is there twice";
+            return "the parameter is given twice";
     return NULL;
 }
 
@@ -76,7 +76,7 @@ enum status profile_sweep_add(struct profile_sweep *sweep, const char *text)
     const uint32_t before = sweep->parameter_count ? sweep->point_count : 1;
     struct profile_parameter *parameter = &sweep->parameters[sweep->parameter_count];
     if (sweep->parameter_count == PROFILE_SWEEP_PARAMETERS)
-        return usage(text, "4 parameters at most");
+        return usage(text, "expected at most 4 parameters");
     const char *what = read_name(sweep, text, parameter);
     if (what)
         return usage(text, what);
@@ -84,7 +84,7 @@ enum status profile_sweep_add(struct profile_sweep *sweep, const char *text)
     const char *values = strchr(text, '=') + 1;
     const uint32_t count = count_values(values);
     if (count > PROFILE_SWEEP_POINTS / before)
-        return usage(text, "1000 points at most, the numbers of values multiplied");
+        return usage(text, "expected at most 1000 combinations of values");
     parameter->values = calloc(count, sizeof(*parameter->values));
     parameter->value_count = count;
     sweep->parameter_count++; /* finish() frees it from here on */

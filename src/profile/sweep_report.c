@@ -100,10 +100,10 @@ static void print_fits(const struct profile_sweep *sweep, const struct profile_g
     char words[WORDS_SIZE];
     if (count == 0)
         return;
-    snprintf(words, sizeof(words),
-             "median in ms = factor * %s ^ exponent, least squares in logarithms, points where it "
-             "is above 0",
-             strcmp(sweep->parameters[0].name, "size") == 0 ? "pixels" : sweep->parameters[0].name);
+    snprintf(
+        words, sizeof(words),
+        "median in ms = factor * %s ^ exponent: least squares of the logarithms, of points above 0",
+        strcmp(sweep->parameters[0].name, "size") == 0 ? "pixels" : sweep->parameters[0].name);
     fputc('\n', out);
     profile_print_words(words, 2, out);
     profile_print_name("", FIT_NAME_COLUMNS, out);
@@ -127,7 +127,8 @@ enum status profile_sweep_table(const struct profile_sweep *sweep, FILE *out)
         fputc(' ', out);
     }
     if (status == STATUS_OK)
-        fprintf(out, "%9s ± %8s  %s\n", "frame ms", "sigma", "passes that cost most, and shares");
+        fprintf(out, "%9s ± %8s  %s\n", "frame ms", "sigma",
+                "most expensive passes, shares");
     for (uint32_t i = 0; i < sweep->point_count && status == STATUS_OK; i++)
         status = print_point(sweep, i, &columns, out);
     if (status == STATUS_OK)

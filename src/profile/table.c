@@ -178,10 +178,11 @@ static void print_rest(const struct profile_table_rows *lines, const struct prof
     snprintf(words, sizeof(words), "clock: %s: %s", p->clock, p->clock_reason);
     profile_print_words(words, 2, out);
     if (strcmp(p->clock, "submits") == 0)
-        fprintf(out, "an empty submit takes %.4f ms: that is part of every pass\n", p->submit_cost);
-    fprintf(out, "measuring: %+.1f %% (median of the frame %.*f ms, of one not measured %.*f ms)\n",
-            profile_overhead(p) * 100, profile_decimals(frame), frame, profile_decimals(plain),
-            plain);
+        fprintf(out, "an empty submit takes %.4f ms, which is included in every pass\n",
+                p->submit_cost);
+    fprintf(
+        out, "measurement overhead: %+.1f %% (median frame %.*f ms, without measurement %.*f ms)\n",
+        profile_overhead(p) * 100, profile_decimals(frame), frame, profile_decimals(plain), plain);
     snprintf(
         words, sizeof(words),
         "once: scene to the device %.*f ms, plan %.*f ms, objects and pipelines %.*f ms, first "

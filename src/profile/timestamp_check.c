@@ -161,7 +161,7 @@ static enum status open_test(struct test *test, const struct gpu *gpu)
     VkResult result = VK_ERROR_OUT_OF_HOST_MEMORY;
     test->plan = compile(&device);
     if (!test->plan)
-        return gpu_failed("testing the device's clock", result);
+        return gpu_failed("testing the device's timestamps", result);
     test->exec = rg_exec_create(
         &(struct rg_exec_params){
             .plan = test->plan,

@@ -106,8 +106,8 @@ static enum status check_size(const struct bvh *bvh, uint64_t memory)
         triangles += bvh->parts[i].mesh->index_count / 3;
     if (triangles <= memory / TRIANGLE_SIZE)
         return STATUS_OK;
-    log_error("--refraction reference: %llu triangles would take some %.1f GiB, there are %.1f: "
-              "draw a smaller scene (object.triangles, landscape.triangles)",
+    log_error("--refraction reference: %llu triangles need about %.1f GiB, %.1f GiB are available: "
+              "reduce object.triangles or landscape.triangles",
               (unsigned long long)triangles, (double)triangles * TRIANGLE_SIZE / 0x1p30,
               (double)memory / 0x1p30);
     return STATUS_TRY_AGAIN;

@@ -71,7 +71,7 @@ enum status reference_create(struct reference **reference, const struct referenc
     if (!r->device) {
         const bool is_old = rtcGetDeviceError(NULL) == RTC_ERROR_UNSUPPORTED_CPU;
         log_error("--refraction reference: %s",
-                  is_old ? "Embree does not run on this CPU" : "Embree has no memory to begin");
+                  is_old ? "this CPU is not supported by Embree" : "out of memory for Embree");
         free(r);
         return is_old ? STATUS_NO_DEVICE : STATUS_TRY_AGAIN;
     }

@@ -11,8 +11,8 @@ enum status reference_create(struct reference **reference, const struct referenc
 {
     (void)request;
     *reference = NULL;
-    log_error("--refraction reference: this firn is built without Embree (install libembree-dev, "
-              "then meson setup --reconfigure -Dreference=enabled)");
+    log_error("--refraction reference: this build has no Embree (install libembree-dev, then meson "
+              "setup --reconfigure -Dreference=enabled)");
     return STATUS_NO_DEVICE;
 }
 

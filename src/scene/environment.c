@@ -16,7 +16,7 @@ static enum status read_picture(const char *path, struct image *image)
         return hdr_read(path, image);
     if (dot && !strcasecmp(dot, ".exr"))
         return exr_read(path, image);
-    log_error("%s: an environment is an .exr or .hdr file", path);
+    log_error("%s: expected an environment file that ends in .exr or .hdr", path);
     return STATUS_DATA;
 }
 
@@ -31,8 +31,9 @@ static enum status check_shape(const struct image *image, const char *path)
 {
     if (image->height <= image->width || image->height == 6 * (uint64_t)image->width)
         return STATUS_OK;
-    log_error("%s: %u x %u: an equirectangular picture is 2:1, a cube of six faces 1:6", path,
-              image->width, image->height);
+    log_error(
+        "%s: expected an equirectangular picture (2:1) or a cube of six faces (1:6), got %u x %u",
+        path, image->width, image->height);
     return STATUS_DATA;
 }
 
@@ -50,7 +51,7 @@ static enum status convert(struct environment *environment, const struct image *
     for (size_t c = 0; c < 3; c++) {
         planes[c] = planes[c] ? planes[c] : gray;
         if (!planes[c]) {
-            log_error("%s: has no channels R, G, B (or Y)", path);
+            log_error("%s: expected the channels R, G and B, or Y", path);
             return STATUS_DATA;
         }
     }

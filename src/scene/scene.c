@@ -1,8 +1,11 @@
 /* scene.c: built-in scenes, model files, and what lies around them. */
 #include "src/scene/scene.h"
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "src/base/log.h"
+#include "src/base/suggest.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/solid.h"
 
@@ -23,7 +26,7 @@ const struct scene_builtin scene_builtins[] = {
         .name = "teapot",
         .generate = generate_teapot,
         .triangles = GENERATE_TEAPOT_TRIANGLES,
-        .help = "the Utah teapot, closed",
+        .help = "Utah teapot, closed",
     },
     {
         .name = "room",
@@ -34,7 +37,7 @@ const struct scene_builtin scene_builtins[] = {
     },
     {
         .name = "pool",
-        .help = "a pool of water with waves, and their light on its floor",
+        .help = "pool of water with waves, and caustics on its floor",
     },
     { 0 },
 };
@@ -59,8 +62,9 @@ static enum status add_floe(struct scene *scene, const struct scene_params *para
     scene->floe = mesh_box(&scene->model.object);
     if (1.5f * pool->ice < pool->size && -scene->floe.min.y < pool->depth)
         return STATUS_OK;
-    log_error("pool.ice=%g: ice so wide needs a pool.size above %g and a pool.depth above %g",
-              (double)pool->ice, 1.5 * (double)pool->ice, (double)-scene->floe.min.y);
+    log_error(
+        "pool.ice=%g: expected pool.size above %g and pool.depth above %g for ice of this width",
+        (double)pool->ice, 1.5 * (double)pool->ice, (double)-scene->floe.min.y);
     return STATUS_USAGE;
 }
 
@@ -82,11 +86,28 @@ static enum status make_pool(struct scene *scene, const struct scene_params *par
     return pool->ice > 0.0f ? add_floe(scene, params) : STATUS_OK;
 }
 
+static enum status check_name(const char *name)
+{
+    char hint[SUGGEST_HINT_SIZE];
+    struct suggest suggest = { .word = name };
+    if (access(name, F_OK) == 0 || errno != ENOENT)
+        return STATUS_OK; /* opening it says what is wrong */
+    for (const struct scene_builtin *b = scene_builtins; b->name; b++)
+        suggest_offer(&suggest, b->name);
+    log_error("'%s' is neither a built-in scene nor a file%s (firn list scenes)", name,
+              suggest_hint(&suggest, hint));
+    return STATUS_NO_INPUT;
+}
+
 static enum status load_object(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = find_builtin(params->name);
-    if (!builtin)
-        return decode_model(&scene->model, params->name, MODEL_OBJECT, params->decode);
+    if (!builtin) {
+        const enum status status = check_name(params->name);
+        return status == STATUS_OK
+                   ? decode_model(&scene->model, params->name, MODEL_OBJECT, params->decode)
+                   : status;
+    }
     if (!builtin->generate)
         return make_pool(scene, params);
     uint32_t triangles = params->object_triangles ? params->object_triangles : builtin->triangles;

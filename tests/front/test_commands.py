@@ -44,14 +44,17 @@ class CommandLine(Case):
         self.refuse(USAGE, 'graph')
 
     def test_unknown_words_are_named(self):
-        self.refuse(USAGE, 'rendr', names=['rendr'])
+        self.refuse(USAGE, 'rendr', names=['rendr', "'render'?"])
         self.refuse(USAGE, '--colour', names=['--colour'])
-        self.refuse(USAGE, 'render', 'sphere', '--sise', '64x48', names=['--sise'])
+        self.refuse(USAGE, 'render', 'sphere', '--sise', '64x48',
+                    names=['--sise', "'--size'?"])
         self.refuse(USAGE, 'graph', 'sphere', '--sise', names=['--sise'])
         self.refuse(USAGE, 'list', 'scnes', names=['scnes'])
         self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--aov', 'N,depht', names=['depht'])
         self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--refraction', 'papre',
-                    names=['papre'])
+                    names=['papre', "'paper'?"])
+        self.refuse(USAGE, 'graph', 'sphere', '-m', 'glas', names=['glas', "'glass'?"])
+        self.assertNotIn(b'did you mean', self.firn('nosuch').stderr)
 
     def test_an_option_without_its_value(self):
         self.refuse(USAGE, 'render', 'sphere', '-o', names=['--output'])
@@ -154,7 +157,9 @@ class Input(Case):
         self.assertEqual(self.files(), [name])
 
     def test_missing(self):
-        self.refuse(NO_INPUT, 'render', 'gone.obj', '-o', 'a.exr', names=['gone.obj'])
+        self.refuse(NO_INPUT, 'render', 'gone.obj', '-o', 'a.exr',
+                    names=['gone.obj', 'neither a built-in scene nor a file'])
+        self.refuse(NO_INPUT, 'graph', 'ice-cub', names=['ice-cub', "'ice-cube'?"])
         self.refuse(NO_INPUT, 'render', 'sphere', '-o', 'a.exr', '--env', 'gone.hdr',
                     names=['gone.hdr'])
 

@@ -62,7 +62,7 @@ class Corpus(Case):
             if entry.kind == 'URIs that lead elsewhere' and entry.others and \
                     entry.wanted == REFUSED:
                 path = write(entry, self.folder / str(number) / 'in')
-                self.refuse(DATA, 'graph', path, names=['must be within'])
+                self.refuse(DATA, 'graph', path, names=["within the model's folder"])
 
     def test_names_are_not_repeated(self):
         names = [(entry.kind, entry.name) for entry in corpus()]

@@ -162,7 +162,7 @@ class Pictures(LadderCase):
         self.succeed('ladder', 'sphere', *SIZE, '--rungs', 'paper', '--runs', 0, '-o', 'a.svg',
                      '-o', 'a.html', '-o', 'a.png')
         svg = ElementTree.parse(self.folder / 'a.svg').getroot()
-        self.assertIn('not measured', ''.join(svg.itertext()))
+        self.assertIn('no measured costs', ''.join(svg.itertext()))
 
 
 class Furnace(LadderCase):
@@ -190,7 +190,8 @@ class Furnace(LadderCase):
 class Refused(LadderCase):
     def test_words(self):
         small = ('sphere', *SIZE)
-        self.refuse(USAGE, 'ladder', *small, '--rungs', 'paper,glass', names=['paper,glass'])
+        self.refuse(USAGE, 'ladder', *small, '--rungs', 'paper,glass',
+                    names=['--rungs', 'glass'])
         self.refuse(USAGE, 'ladder', *small, '--rungs', '', names=['--rungs'])
         self.refuse(USAGE, 'ladder', *small, '--runs', '-1', names=['--runs'])
         self.refuse(USAGE, 'ladder', *small, '-o', 'a.gif', names=['a.gif', '.html'])

@@ -228,13 +228,13 @@ static void check_refused(const struct decode_params *params, const char *path, 
 static void whatever_it_does(void **state)
 {
     (void)state;
-    check_refused(&usual, "crash", STATUS_DATA, "crash: reading it crashed (signal 11)");
+    check_refused(&usual, "crash", STATUS_DATA, "crash: the reader crashed (signal 11)");
     check_refused(&usual, "give-up", STATUS_DATA, "crashed (signal 6)");
-    check_refused(&usual, "throw", STATUS_DATA, "more than 4 GiB");
+    check_refused(&usual, "throw", STATUS_DATA, "memory limit of 4 GiB");
     check_refused(&usual, "leave", STATUS_DATA, "crashed (exit code 0)");
     check_refused(&usual, "refuse", STATUS_DATA, "firn: a.glb: it is ?[1mbad\n");
-    check_refused(&usual, "send-lies", STATUS_DATA, "sent an index beyond the vertices");
-    check_refused(&usual, "send-nan", STATUS_DATA, "sent a number that is not finite");
+    check_refused(&usual, "send-lies", STATUS_DATA, "reader: an index beyond the vertices");
+    check_refused(&usual, "send-nan", STATUS_DATA, "reader: a number that is not finite");
     const struct decode_params narrow = { .program = usual.program,
                                           .seconds = AMPLE,
                                           .memory_gib = 2 };
@@ -244,7 +244,7 @@ static void whatever_it_does(void **state)
 static void however_long_it_takes(void **state)
 {
     (void)state;
-    check_refused(&hasty, "hang", STATUS_DATA, "took more than 1 s");
+    check_refused(&hasty, "hang", STATUS_DATA, "time limit of 1 s");
     check_refused(&hasty, "burn", STATUS_DATA, "--load-seconds");
 }
 
@@ -312,7 +312,7 @@ static void limits_have_defaults(void **state)
     char said[4096];
     const struct decode_params standard = { .program = "/proc/self/exe" };
     const enum status status = decode(&standard, "look-by-default", &model, said, sizeof(said));
-    if (!strstr(said, "took more than 10 s")) {
+    if (!strstr(said, "time limit of 10 s")) {
         assert_string_equal(said, "");
         assert_int_equal(status, STATUS_OK);
     }

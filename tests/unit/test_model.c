@@ -478,7 +478,7 @@ static void bad_files(void **state)
     for (size_t i = 0; i < sizeof(garbage); i++)
         garbage[i] = (uint8_t)(i * 167 + 13);
     check_error("/tmp/firn-model-no/such.glb", STATUS_NO_INPUT, "such.glb");
-    check_error(folder, STATUS_NO_INPUT, "not a file");
+    check_error(folder, STATUS_NO_INPUT, "not a regular file");
     check_error(write_text("e.glb", ""), STATUS_DATA, "empty");
     check_error(write_text("e.unknown", "?"), STATUS_DATA, ".gltf");
     check_error(write_bytes("g.glb", garbage, sizeof(garbage)), STATUS_DATA, "g.glb");
@@ -498,28 +498,28 @@ static void bad_numbers(void **state)
     const char *tail = ONE_NODE ",'meshes':[" WITH("0") "],'materials':[{}]";
     struct square square = unit_square;
     square.positions[2][1] = NAN;
-    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 2: its position");
+    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 2: the position");
     square = unit_square;
     square.normals[1][0] = NAN;
-    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 1: its normal");
+    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 1: the normal");
     square = unit_square;
     square.uvs[3][0] = INFINITY;
-    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 3: its texture");
+    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 3: the texture");
     square = unit_square;
     square.positions[3][2] = -2e6F;
-    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 3: its place");
+    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 3: the position");
     square = unit_square;
     square.indices[4] = 4;
-    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "not there");
+    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "a vertex that does not exist");
     check_error(write_text("e.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n"), STATUS_DATA, "index");
     check_error(write_text("e.obj", "v 0 0 0\nv nan 0 0\nv 1 1 0\nf 1 2 3\n"), STATUS_DATA,
-                "vertex 1: its position");
+                "vertex 1: the position");
     check_error(write_text("e.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), STATUS_DATA, "no triangles");
     check_error(write_text("e.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
                                     "property float y\nproperty float z\nelement face 1\n"
                                     "property list uchar int vertex_indices\nend_header\n"
                                     "0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n"),
-                STATUS_DATA, "there is none");
+                STATUS_DATA, "it does not exist");
     check_error(
         write_glb("e.glb",
                   "'extensionsUsed':['KHR_materials_transmission','KHR_materials_ior']," ONE_NODE
@@ -556,9 +556,9 @@ static void bad_textures(void **state)
         { "'uri':'sub/%2E%2e/a.png'", "within" },
         { "'uri':'/tmp/a.png'", "within" },
         { "'uri':'http://localhost/a.png'", "within" },
-        { "'uri':'nowhere.png'", "nowhere.png: there is no such file" },
-        { "'uri':'garbage.png'", "garbage.png: it is not a picture" },
-        { "'bufferView':4,'mimeType':'image/png'", "*0: it is not a picture" },
+        { "'uri':'nowhere.png'", "nowhere.png: file not found" },
+        { "'uri':'garbage.png'", "garbage.png: not a supported picture" },
+        { "'bufferView':4,'mimeType':'image/png'", "*0: not a supported picture" },
         { "'uri':'cut.png'", "cut.png" },
     };
 

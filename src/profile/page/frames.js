@@ -178,5 +178,5 @@ function startFrames() {
         shown.push(`and ${plural(words.length - shown.length, 'more run')}`);
     $('outliers').textContent = 'Outliers, more than 1.5 interquartile ranges outside the ' +
         `quartiles, are ringed. Measured ones: ${shown.join('; ') || 'none'}.`;
-    $('overhead').textContent = `Measuring costs ${percent(profile.overhead)}.`;
+    $('overhead').textContent = `Measurement overhead: ${percent(profile.overhead)}.`;
 }

@@ -92,7 +92,7 @@ function drawMemory() {
 function startMemory() {
     const p = profile, saved = 1 - p.memory_used / p.memory_without_aliasing;
     const words = `Transient memory: ${bytes(p.memory_used)} used, ` +
-        `${bytes(p.memory_without_aliasing)} without sharing` +
+        `${bytes(p.memory_without_aliasing)} without aliasing` +
         (saved > 0 ? ` (${percent(saved)} saved)` : '') + `, bound ${bytes(p.memory_bound)}.`;
     $('memory-summary').textContent = words +
         (p.memory_persistent ? ` Persistent memory: ${bytes(p.memory_persistent)}.` : '');

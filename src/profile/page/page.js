@@ -12,16 +12,16 @@ function startFacts() {
     $('title').textContent = document.title;
     add(summary, 'b', {}, ms(median));
     summary.append(` a frame (median of ${plural(p.run_count, 'run')}, \u03c3 ${ms(sigma)}); ` +
-        `${ms(p.plain.summary.median)} when nothing is measured`);
+        `${ms(p.plain.summary.median)} without measurement`);
     addFact('picture', `${p.width}\u00d7${p.height}, ${p.rung}, ${p.material}`);
     addFact('device', p.device);
     addFact('driver', p.driver);
     addFact('host', p.host);
     addFact('clock', `${p.clock}: ${p.clock_reason}`);
     if (p.clock === 'submits')
-        addFact('submit', `${ms(p.submit_cost)} when empty: part of every pass`);
-    addFact('runs', `${p.run_count}, after ${p.warmup} that were not kept`);
-    addFact('scene time', `${p.time} s, and ${p.time_step} s more from run to run`);
+        addFact('submit', `${ms(p.submit_cost)} when empty, included in every pass`);
+    addFact('runs', `${p.run_count}, after ${plural(p.warmup, 'warm-up run')}`);
+    addFact('scene time', `${p.time} s, step ${p.time_step} s per run`);
     addFact('once', `upload ${ms(p.upload)}, plan ${ms(p.compile)}, objects ${ms(p.realise)}, ` +
         `first frame ${ms(p.first_frame)}`);
     $('command').textContent = p.command;

@@ -83,7 +83,7 @@ function entryTip(entry) {
         ['outliers', runNames(s.outliers) || 'none'],
     ];
     if (IS_PASS[entry.kind]) {
-        lines.push(['kind', entry.kind], ['recording it', ms(entry.record)]);
+        lines.push(['kind', entry.kind], ['recording', ms(entry.record)]);
         if (entry.size)
             lines.push(['targets', `${entry.size}, ${bytes(entry.target_bytes)}`]);
     }
@@ -181,7 +181,7 @@ function tableColumns() {
 function frameEntries() {
     return [
         ['frame', 'frame: sum of the rows'],
-        ['plain', 'plain: nothing measured'],
+        ['plain', 'plain: without measurement'],
         ['wait', 'wait: within the frame'],
     ].map(([key, name]) => {
         const summary = summarize(profile[key].ms);
@@ -219,7 +219,7 @@ function startRows() {
         addChoice(controls, 'Repetitions', 'each', [[false, 'added up'], [true, 'each']],
                   view.each, value => { view.each = value; drawRows(); });
     }
-    const counted = profile.has_statistics ? 'Counts are of one frame, by the device.' :
+    const counted = profile.has_statistics ? 'Counts: one frame, measured by the device.' :
                                              'This device does not count vertices or pixels.';
     $('numbers-note').textContent = `Times in ms; rows in the order chosen above. ${counted}`;
     drawLegend();

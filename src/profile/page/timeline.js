@@ -141,8 +141,8 @@ function startTimeline() {
     });
     if (profile.clock === 'submits') {
         $('timeline-note').textContent =
-            'Each pass was submitted alone and waited for: the lanes are drawn as if the host ' +
-            'had recorded and submitted all of them first.';
+            'Each pass was submitted alone and finished before the next one: the lanes are drawn ' +
+            'as if the host had recorded and submitted all passes first.';
     }
     describeRun();
 }

@@ -129,7 +129,7 @@ static enum status start(struct child *child, const struct decode_params *params
         return STATUS_OK;
     close_end(&child->data);
     close_end(&child->words);
-    log_error("%s: cannot start %s, which would read it: %s", path, params->program,
+    log_error("%s: cannot start the reader process %s: %s", path, params->program,
               strerror(failed));
     return STATUS_TRY_AGAIN;
 }
@@ -244,23 +244,23 @@ static int repeat(const struct child *child, int max)
 
 static enum status say_late(const char *path, const struct decode_params *params)
 {
-    log_error("%s: reading it took more than %u s and was stopped (--load-seconds allows more)",
+    log_error("%s: reading the file exceeded the time limit of %u s (raise it with --load-seconds)",
               path, seconds_of(params));
     return STATUS_DATA;
 }
 
 static enum status say_greedy(const char *path, const struct decode_params *params)
 {
-    log_error("%s: reading it takes more than %u GiB of memory (--load-memory allows more)", path,
-              memory_gib_of(params));
+    log_error(
+        "%s: reading the file exceeded the memory limit of %u GiB (raise it with --load-memory)",
+        path, memory_gib_of(params));
     return STATUS_DATA;
 }
 
 static enum status say_crashed(const char *path, const struct child *child)
 {
     const bool by_signal = child->has_ended && WIFSIGNALED(child->ended);
-    log_error("%s: reading it crashed (%s %d): it is damaged, or of a kind that cannot be read; "
-              "write it anew",
+    log_error("%s: the reader crashed (%s %d): the file is damaged or unsupported; export it again",
               path, by_signal ? "signal" : "exit code",
               by_signal ? WTERMSIG(child->ended) : WEXITSTATUS(child->ended));
     return STATUS_DATA;
@@ -291,7 +291,7 @@ static enum status judge(const char *path, const struct decode_params *params,
         return STATUS_TRY_AGAIN;
     }
     if (fault != MESH_PIPE_OK) {
-        log_error("%s: its reader sent %s, so nothing of it is used; write it anew", path,
+        log_error("%s: invalid data from the reader: %s; export the file again", path,
                   mesh_pipe_words(fault));
         return STATUS_DATA;
     }

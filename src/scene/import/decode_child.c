@@ -103,7 +103,7 @@ int decode_main(int argc, char **argv)
 {
     struct decode_job job;
     if (!decode_enter(argc, argv, &job)) {
-        log_error(DECODE_WORD ": it is only for firn itself");
+        log_error(DECODE_WORD ": for internal use by firn only");
         return STATUS_USAGE;
     }
     const enum status status =

@@ -42,17 +42,17 @@ _Static_assert(sizeof(struct model_head) == 100, "no padding, so no bytes of thi
 const char *mesh_pipe_words(enum mesh_pipe_fault fault)
 {
     static const char *const words[MESH_PIPE_FAULT_COUNT] = {
-        [MESH_PIPE_OK] = "what is wanted",
-        [MESH_PIPE_SHORT] = "less than it announced",
-        [MESH_PIPE_MEMORY] = "more than there is memory for",
-        [MESH_PIPE_HEAD] = "something else than was wanted",
+        [MESH_PIPE_OK] = "the expected data",
+        [MESH_PIPE_SHORT] = "less data than announced",
+        [MESH_PIPE_MEMORY] = "more data than fits into memory",
+        [MESH_PIPE_HEAD] = "an unexpected kind of data",
         [MESH_PIPE_SIZE] = "counts or sizes out of range",
         [MESH_PIPE_NUMBER] = "a number that is not finite or too large",
         [MESH_PIPE_INDEX] = "an index beyond the vertices",
-        [MESH_PIPE_MATERIAL] = "a material that is not there",
+        [MESH_PIPE_MATERIAL] = "a material that does not exist",
         [MESH_PIPE_CAMERA] = "a camera, a box or an index of refraction out of range",
         [MESH_PIPE_TEXEL] = "a texel out of range",
-        [MESH_PIPE_END] = "more than it announced",
+        [MESH_PIPE_END] = "more data than announced",
     };
     return words[fault];
 }

@@ -19,7 +19,7 @@ static enum status check_file(const char *path)
         return STATUS_NO_INPUT;
     }
     if (!S_ISREG(info.st_mode)) {
-        log_error("%s: it is not a file", path);
+        log_error("%s: not a regular file", path);
         return STATUS_NO_INPUT;
     }
     if (info.st_size == 0) {
@@ -52,17 +52,17 @@ static enum status parse(struct model_import *import)
     import->scene = aiImportFileEx(import->path, 0, &files);
     aiDetachLogStream(&watch);
     if (import->refused[0]) {
-        log_error("%s: it names %s: what a model names must be within its folder", import->path,
+        log_error("%s: refers to %s: expected only files within the model's folder", import->path,
                   import->refused);
         return STATUS_DATA;
     }
     if (!import->scene || !import->scene->mRootNode) {
         log_error("%s: %s", import->path,
-                  import->scene ? "there is nothing in it" : aiGetErrorString());
+                  import->scene ? "the scene is empty" : aiGetErrorString());
         return STATUS_DATA;
     }
     if (has_bad_indices) {
-        log_error("%s: a triangle names a vertex that is not there", import->path);
+        log_error("%s: a triangle has the index of a vertex that does not exist", import->path);
         return STATUS_DATA;
     }
     return STATUS_OK;
@@ -85,7 +85,7 @@ static enum status add_children(struct model_import *import, uint32_t index, uin
     for (uint32_t i = 0; i < parent.node->mNumChildren; i++) {
         const struct aiNode *child = parent.node->mChildren[i];
         if (import->node_count == MODEL_NODE_MAX) {
-            log_error("%s: it has more than %d nodes", import->path, MODEL_NODE_MAX);
+            log_error("%s: expected at most %d nodes", import->path, MODEL_NODE_MAX);
             return STATUS_DATA;
         }
         if (import->node_count == *room) {
@@ -136,7 +136,7 @@ static enum status convert(struct model_import *import, struct model *model,
     /* in place; a scene that fails is released */
     import->scene = aiApplyPostProcessing(import->scene, aiProcess_Triangulate);
     if (!import->scene) {
-        log_error("%s: it cannot be made of triangles: %s", import->path, aiGetErrorString());
+        log_error("%s: triangulation failed: %s", import->path, aiGetErrorString());
         return STATUS_DATA;
     }
     status = model_texture_load(import, &model->textures);
@@ -162,7 +162,7 @@ enum status model_load(struct model *model, const char *path, enum model_part ev
     if (status != STATUS_OK)
         return status;
     if (*extension == '\0' || !aiIsExtensionSupported(extension)) {
-        log_error("%s: not a known kind of model file; .gltf .glb .obj .ply are", path);
+        log_error("%s: unknown model format; expected .gltf, .glb, .obj or .ply", path);
         return STATUS_DATA;
     }
     status = parse(&import);

@@ -64,8 +64,8 @@ enum status model_box_read(const struct model_import *import, struct model *mode
         if (!box)
             continue;
         if (!read_box(box, &model->box)) {
-            log_error("%s: node \"%s\": extras.firn.box is not [[x,y,z],[x,y,z]], metres, each "
-                      "number of the first less than that of the second",
+            log_error("%s: node \"%s\": expected extras.firn.box as [[x,y,z],[x,y,z]], metres, "
+                      "minima before maxima",
                       import->path, node->mName.data);
             return STATUS_DATA;
         }

@@ -67,8 +67,8 @@ enum status model_camera_read(const struct model_import *import, struct model *m
         if (!node || source->mOrthographicWidth > 0)
             continue;
         if (!fill(&model->camera, import, source, node, &model->object)) {
-            log_error("%s: camera \"%s\": its angle of view or its place is out of range",
-                      import->path, source->mName.data);
+            log_error("%s: camera \"%s\": field of view or position out of range", import->path,
+                      source->mName.data);
             return STATUS_DATA;
         }
         model->has_camera = true;

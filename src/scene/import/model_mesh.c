@@ -58,13 +58,13 @@ static enum status check_vertices(const struct model_import *import, uint32_t in
     const struct aiColor4D *colors = mesh->mColors[0];
     for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
         if (!is_finite(mesh->mVertices[i]))
-            return bad_vertex(import, index, i, "its position is not finite");
+            return bad_vertex(import, index, i, "the position is not finite");
         if (mesh->mNormals && !is_finite(mesh->mNormals[i]))
-            return bad_vertex(import, index, i, "its normal is not finite");
+            return bad_vertex(import, index, i, "the normal is not finite");
         if (uvs && !(isfinite(uvs[i].x) && isfinite(uvs[i].y)))
-            return bad_vertex(import, index, i, "its texture coordinates are not finite");
+            return bad_vertex(import, index, i, "the texture coordinates are not finite");
         if (colors && !(isfinite(colors[i].r) && isfinite(colors[i].g) && isfinite(colors[i].b)))
-            return bad_vertex(import, index, i, "its colour is not finite");
+            return bad_vertex(import, index, i, "the colour is not finite");
     }
     return STATUS_OK;
 }
@@ -74,13 +74,13 @@ enum status model_mesh_check(const struct model_import *import)
     for (uint32_t index = 0; index < import->scene->mNumMeshes; index++) {
         const struct aiMesh *mesh = import->scene->mMeshes[index];
         if (mesh->mMaterialIndex >= import->scene->mNumMaterials) {
-            log_error("%s: mesh %u \"%s\": it has no material %u", import->path, index,
+            log_error("%s: mesh %u \"%s\": material %u does not exist", import->path, index,
                       mesh->mName.data, mesh->mMaterialIndex);
             return STATUS_DATA;
         }
         vec3s color = material_of(import, mesh)->color;
         if (!isfinite(color.x) || !isfinite(color.y) || !isfinite(color.z)) {
-            log_error("%s: mesh %u \"%s\": its material's colour is not finite", import->path,
+            log_error("%s: mesh %u \"%s\": the material's colour is not finite", import->path,
                       index, mesh->mName.data);
             return STATUS_DATA;
         }
@@ -89,7 +89,7 @@ enum status model_mesh_check(const struct model_import *import)
                 if (mesh->mFaces[i].mIndices[k] < mesh->mNumVertices)
                     continue;
                 return bad_vertex(import, index, mesh->mFaces[i].mIndices[k],
-                                  "a face names it but there is none");
+                                  "a face refers to it, but it does not exist");
             }
         }
         enum status status = check_vertices(import, index);
@@ -122,7 +122,7 @@ static enum status read_ior(const struct model_import *import,
     if (material->ior == 0 || model->has_ior)
         return STATUS_OK;
     if (!(material->ior >= 1 && material->ior <= 4)) {
-        log_error("%s: its index of refraction is %g, not within 1 to 4", import->path,
+        log_error("%s: expected an index of refraction from 1 to 4, got %g", import->path,
                   (double)material->ior);
         return STATUS_DATA;
     }
@@ -205,7 +205,7 @@ static enum status append(struct part *part, const struct model_import *import, 
     uint32_t base = (uint32_t)part->vertex_count;
     for (uint32_t i = 0; i < source->mNumVertices; i++) {
         if (!fill_vertex(&part->mesh->vertices[base + i], place, i))
-            return bad_vertex(import, mesh_index, i, "its place is beyond 1000000 units");
+            return bad_vertex(import, mesh_index, i, "the position is beyond 1000000 units");
     }
     part->vertex_count += source->mNumVertices;
     for (uint32_t i = 0; i < source->mNumFaces; i++) {
@@ -243,7 +243,7 @@ static enum status count(struct build *build, struct model *model)
             part->vertex_count += mesh->mNumVertices;
             part->index_count += 3 * (uint64_t)triangles;
             if (part->vertex_count > MODEL_ELEMENT_MAX || part->index_count > MODEL_ELEMENT_MAX) {
-                log_error("%s: it has more than %d vertices", import->path, MODEL_ELEMENT_MAX);
+                log_error("%s: expected at most %d vertices", import->path, MODEL_ELEMENT_MAX);
                 return STATUS_DATA;
             }
             if (part->mesh != &model->object)
@@ -298,7 +298,7 @@ enum status model_mesh_build(const struct model_import *import, struct model *mo
         part->index_count = 0;
     }
     if (index_count == 0) {
-        log_error("%s: it has no triangles", import->path);
+        log_error("%s: contains no triangles", import->path);
         return STATUS_DATA;
     }
     status = fill(&build);

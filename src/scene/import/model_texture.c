@@ -48,7 +48,7 @@ static enum status read_file(const struct model_import *import, const struct sou
     struct stat info;
     /* asked first: to open a pipe would wait for its other end */
     if (stat(source->file, &info) != 0 || !S_ISREG(info.st_mode))
-        return fault(import, source, "there is no such file");
+        return fault(import, source, "file not found");
     if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
         return fault(import, source, "the file is empty or larger than 256 MiB");
     size_t size = (size_t)info.st_size;
@@ -93,10 +93,10 @@ static enum status open_picture(const struct model_import *import, const struct 
     int channels;
     if (!picture->is_raw && !stbi_info_from_memory(picture->bytes, picture->size, &picture->width,
                                                    &picture->height, &channels))
-        return fault(import, source, "it is not a picture that can be read");
+        return fault(import, source, "not a supported picture format");
     if (picture->width < 1 || picture->width > PICTURE_SIDE_MAX || picture->height < 1 ||
         picture->height > PICTURE_SIDE_MAX)
-        return fault(import, source, "it is not within 1 to 16384 texels a side");
+        return fault(import, source, "expected 1 to 16384 texels per side");
     return STATUS_OK;
 }
 
@@ -247,7 +247,8 @@ static enum status find_source(const struct model_import *import, const struct a
     if (source->embedded)
         return STATUS_OK;
     if (!model_file_clean(name.data, import->is_gltf)) {
-        log_error("%s: texture %s: it must be within the model's folder", import->path, name.data);
+        log_error("%s: texture %s: expected a file within the model's folder", import->path,
+                  name.data);
         return STATUS_DATA;
     }
     source->file = join_path(import->path, name.data);
@@ -273,7 +274,7 @@ static enum status add_source(const struct model_import *import, uint32_t materi
     while (layer < *count && !is_same(&source, &sources[layer]))
         layer++;
     if (layer == MODEL_TEXTURE_MAX) {
-        log_error("%s: it has more than %d textures", import->path, MODEL_TEXTURE_MAX);
+        log_error("%s: expected at most %d textures", import->path, MODEL_TEXTURE_MAX);
         free(source.file);
         return STATUS_DATA;
     }
@@ -325,7 +326,7 @@ enum status model_texture_merge(struct texture_layers *both, const struct textur
     if (count == 0)
         return STATUS_OK;
     if (count > MODEL_TEXTURE_MAX) {
-        log_error("the models together have more than %d textures", MODEL_TEXTURE_MAX);
+        log_error("expected at most %d textures in all models together", MODEL_TEXTURE_MAX);
         return STATUS_DATA;
     }
     uint32_t side_max = first->size > second->size ? first->size : second->size;
