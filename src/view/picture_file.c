@@ -33,7 +33,8 @@ enum status picture_can_write(bool is_split, const char *const *paths, uint32_t 
 {
     for (uint32_t i = 0; i < path_count && is_split; i++) {
         if (!strcmp(paths[i], "-")) {
-            log_error("--screenshot -: a split picture is two EXR files: NAME.exr is wanted");
+            log_error(
+                "--screenshot: expected NAME.exr for the two files of a split picture, got '-'");
             return STATUS_USAGE;
         }
     }
@@ -70,7 +71,7 @@ static enum status write_side(struct picture *p, const struct side *side, const 
     const int length =
         snprintf(name, sizeof(name), "%.*s%s%s", stem, path, side->suffix, path + stem);
     if (length < 0 || length >= PATH_SIZE) {
-        log_error("%s: the name is too long", path);
+        log_error("%s: the file name is too long", path);
         return STATUS_CANT_CREATE;
     }
     return write_file(p, &side->output, name, &side->result, stop);

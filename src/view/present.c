@@ -68,7 +68,7 @@ static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 const struct technique present = {
     .name = "present",
-    .help = "the picture in a window",
+    .help = "presentation of the picture in a window",
     .parts = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("present", passes) } },
 };
 

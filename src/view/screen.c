@@ -90,7 +90,7 @@ enum status screen_report_faults(const struct rg_plan *plan)
     for (uint32_t i = 0; i < plan->fault_count; i++) {
         char text[512];
         rg_fault_text(&plan->faults[i], text, sizeof(text));
-        log_error("the window's tables: %s", text);
+        log_error("invalid window tables: %s", text);
     }
     return plan->fault_count ? STATUS_FAILED : STATUS_OK;
 }

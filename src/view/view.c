@@ -292,7 +292,7 @@ static enum status recover(struct view *v, enum status status)
     if (status != STATUS_TRY_AGAIN || v->recovered || !gpu_is_lost(&v->gpu))
         return status;
     v->recovered = true;
-    log_warning("the device is opened anew, once");
+    log_warning("the device was lost: reopening it once");
     leave_device(v);
     status = begin_device(v);
     if (status == STATUS_OK && has_ui && v->ui)

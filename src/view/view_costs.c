@@ -66,7 +66,6 @@ void view_costs_print(const struct view_costs *c, FILE *out)
     }
     const double beside = fmax(c->frames - c->passes - c->host, 0.0);
     fprintf(out,
-            "%u frames, %.2f ms each: %.2f ms of passes, %.2f ms of the loop, %.2f ms until the "
-            "screen has them\n",
+            "%u frames, %.2f ms each: %.2f ms passes, %.2f ms frame loop, %.2f ms presentation\n",
             c->frame_count, c->frames * scale, c->passes * scale, c->host * scale, beside * scale);
 }

@@ -49,7 +49,8 @@ void view_shoot(struct view *v)
     snprintf(exr, sizeof(exr), "firn-%04u.exr", v->shot_number);
     const enum status status =
         all ? shoot_all(v, png) : picture_write(v->picture, v->shown, paths, 2, &v->stop);
-    snprintf(words, sizeof(words), status == STATUS_OK ? "%s is written" : "%s: see stderr", png);
+    snprintf(words, sizeof(words),
+             status == STATUS_OK ? "saved %s" : "%s was not saved: see the terminal", png);
     ui_say(v->ui, words);
     view_costs_rest(&v->costs, start);
 }

@@ -56,7 +56,7 @@ static void copy_command(struct view *v)
     window_copy(&v->window, words);
     printf("%s\n", words);
     fflush(stdout);
-    ui_say(v->ui, "the command is in the clipboard");
+    ui_say(v->ui, "copied the command to the clipboard");
     free(words);
 }
 
@@ -250,7 +250,7 @@ static void change(struct view *v, const struct ui_wish *wish)
     struct change change = { v, wish };
     if (screen_wait(&v->screen) != STATUS_OK ||
         worker_run(&v->window, change_picture, &change) != STATUS_OK)
-        ui_say(v->ui, "that cannot be: see stderr");
+        ui_say(v->ui, "the change failed: see the terminal");
     v->changed = true;
     view_show_name(v);
     view_costs_rest(&v->costs, start);

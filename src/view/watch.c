@@ -125,15 +125,16 @@ static void compile(struct watch *w, size_t index, char message[static WATCH_MES
         f->failed = !watch_compile(&code, w->folder, &embedded_origins[index], message);
     } else {
         f->failed = true;
-        snprintf(message, WATCH_MESSAGE_SIZE, "%s/%s: it is gone", w->folder, f->name);
+        snprintf(message, WATCH_MESSAGE_SIZE, "%s/%s: the file was deleted", w->folder, f->name);
     }
     if (f->failed)
         return;
     const int binding = watch_compile_new_binding(&code, own->words, own->word_count);
     f->failed = binding >= 0;
     if (f->failed) {
-        snprintf(message, WATCH_MESSAGE_SIZE, "%s/%s: no pass gives it a binding %d: add it there",
-                 w->folder, f->name, binding);
+        snprintf(message, WATCH_MESSAGE_SIZE,
+                 "%s/%s: binding %d is not declared by its pass; add it to the pass", w->folder,
+                 f->name, binding);
         free_code(&code);
         return;
     }
@@ -162,7 +163,7 @@ static void offer(struct watch *w, const char *message, bool sound)
     w->news = w->news || count;
     pthread_mutex_unlock(&w->lock);
     if (!sound) /* only this thread writes it */
-        log_error("%s (the shaders before stay)", w->message);
+        log_error("%s (the previous shaders stay in use)", w->message);
     else if (count == 1 && !w->quiet)
         fprintf(stderr, "%s/%s: compiled\n", w->folder, name);
     else if (count && !w->quiet)
@@ -240,13 +241,15 @@ enum status watch_create(struct watch **watch, const char *folder, bool quiet)
     pthread_cond_init(&w->wake, NULL);
     enum status status = STATUS_OK;
     if (!find_files(w)) {
-        log_error("--watch: none of firn's shaders is in %s/: --watch=FOLDER says where", folder);
+        log_error(
+            "--watch: no shader of firn found in %s/; choose another folder with --watch=FOLDER",
+            folder);
         status = STATUS_NO_INPUT;
     } else if (!watch_compile_is_possible()) {
-        log_error("--watch: glslangValidator does not run: install glslang-tools, or mend PATH");
+        log_error("--watch: cannot run glslangValidator: install glslang-tools, or correct PATH");
         status = STATUS_FAILED;
     } else if (pthread_create(&w->thread, NULL, run, w) != 0) {
-        log_error("no thread for --watch");
+        log_error("--watch: cannot start a thread");
         status = STATUS_TRY_AGAIN;
     }
     w->runs = status == STATUS_OK;

@@ -84,7 +84,7 @@ static void find_fault(FILE *out, char message[static WATCH_MESSAGE_SIZE])
         snprintf(message, WATCH_MESSAGE_SIZE, "%s", line + sizeof(mark) - 1);
         return;
     }
-    snprintf(message, WATCH_MESSAGE_SIZE, "%s cannot be run, or has crashed", program);
+    snprintf(message, WATCH_MESSAGE_SIZE, "%s could not be run, or crashed", program);
 }
 
 static bool read_code(struct watch_code *code, FILE *file)
@@ -129,7 +129,8 @@ static bool compile_to(struct watch_code *code, const char *folder,
     }
     if (read_code(code, spirv))
         return true;
-    snprintf(message, WATCH_MESSAGE_SIZE, "%s/%s: no SPIR-V came of it", folder, origin->file);
+    snprintf(message, WATCH_MESSAGE_SIZE, "%s/%s: the compiler wrote no SPIR-V", folder,
+             origin->file);
     return false;
 }
 
@@ -143,7 +144,8 @@ bool watch_compile(struct watch_code *code, const char *folder,
     if (spirv && out)
         compiled = compile_to(code, folder, origin, message, spirv, out);
     else
-        snprintf(message, WATCH_MESSAGE_SIZE, "no temporary file: %s", strerror(errno));
+        snprintf(message, WATCH_MESSAGE_SIZE, "cannot create a temporary file: %s",
+                 strerror(errno));
     if (spirv)
         fclose(spirv);
     if (out)

@@ -13,7 +13,7 @@ static enum status failed(const char *what)
 {
     const char *why = NULL;
     glfwGetError(&why);
-    log_error("%s: %s (firn render needs no window)", what, why ? why : "unknown reason");
+    log_error("%s: %s (firn render works without a window)", what, why ? why : "unknown reason");
     return STATUS_NO_DEVICE;
 }
 
@@ -145,7 +145,7 @@ static void on_drop(GLFWwindow *handle, int count, const char **paths)
     if (!w->dropped)
         log_error("out of memory");
     if (count > 1)
-        log_warning("%d files were dropped: %s is taken, the first", count, paths[0]);
+        log_warning("%d files were dropped: using only the first, %s", count, paths[0]);
 }
 
 static void on_refresh(GLFWwindow *handle)
@@ -212,14 +212,14 @@ enum status window_init(struct window *w, uint32_t width, uint32_t height, const
 {
     *w = (struct window){ .divider = -1.0 };
     if (!glfwInit())
-        return failed("no window system");
+        return failed("cannot connect to a window system");
     w->has_library = true;
     if (!glfwVulkanSupported())
-        return failed("no Vulkan for windows");
+        return failed("cannot use Vulkan with windows");
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     w->handle = glfwCreateWindow((int)width, (int)height, title, NULL, NULL);
     if (!w->handle)
-        return failed("no window");
+        return failed("cannot open a window");
     listen(w);
     ask_for_size(w);
     fit_framebuffer(w, width, height);
@@ -330,7 +330,7 @@ enum status window_system(const struct window *w, struct gpu_window_system *syst
     uint32_t count = 0;
     const char **extensions = glfwGetRequiredInstanceExtensions(&count);
     *system = (struct gpu_window_system){ (const char *const *)extensions, count, can_present };
-    return extensions ? STATUS_OK : failed("no Vulkan for windows");
+    return extensions ? STATUS_OK : failed("cannot use Vulkan with windows");
 }
 
 enum status window_surface(const struct window *w, const struct gpu *gpu, VkSurfaceKHR *surface)
@@ -339,5 +339,5 @@ enum status window_surface(const struct window *w, const struct gpu *gpu, VkSurf
     if (result == VK_SUCCESS)
         return STATUS_OK;
     *surface = VK_NULL_HANDLE;
-    return failed("no surface for the window");
+    return failed("cannot create a Vulkan surface for the window");
 }

@@ -229,7 +229,7 @@ const struct overlay_list *ui_take(struct ui *ui, struct overlay_vertex *vertice
         ui->list.part_count = 0;
     const bool whole = !ui->shown || imgui_take(ui->imgui, vertices, indices, &ui->list);
     if (!whole && !ui->is_full)
-        log_warning("there is more in the panels than can be drawn: the rest is left out");
+        log_warning("the panels exceed the vertex limit: the rest is not drawn");
     ui->is_full = ui->is_full || !whole;
     return &ui->list;
 }

@@ -65,7 +65,8 @@ static void print_camera(FILE *out, const struct ui_command *c)
         return;
     }
     if (leans(c->camera))
-        log_warning("the camera leans, which no option of firn render can say");
+        log_warning("the camera is tilted sideways, which no option of firn render supports: the "
+                    "copied view is level");
     print_vector(out, "eye", c->camera->eye);
     print_vector(out, "target", c->camera->target);
     print_fov(out, c->camera->fov_deg);

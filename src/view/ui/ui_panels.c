@@ -44,12 +44,12 @@ static void rung_lists(struct ui_wish *wish)
         wish->rung = techniques_rung(left);
         wish->changed = true;
     }
-    imgui_tip("how light finds its way through the ice; with a divider, on its left");
+    imgui_tip("refraction rung; with a divider, the one to its left");
     uint32_t right = wish->split ? name_rungs(&names[1], &count, wish->split) + 1 : 0;
     imgui_next_width(widget_width * imgui_scale());
     if (imgui_list("right of a divider", names, count + 1, &right))
         wish->split = right ? techniques_rung(right - 1) : NULL;
-    imgui_tip("another one beside it (S, [ and ])");
+    imgui_tip("refraction rung to the right of the divider (S, [ and ])");
 }
 
 /* By its index of refraction: glass and plastic are one. */
@@ -73,7 +73,7 @@ static void material_list(struct ui_wish *wish)
         settings_put(&wish->settings, ior, (double)materials[chosen].ior);
         wish->changed = true;
     }
-    imgui_tip("its index of refraction: refract.ior");
+    imgui_tip("material of the object: sets refract.ior");
 }
 
 static void buttons(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
@@ -83,16 +83,16 @@ static void buttons(struct ui *ui, const struct ui_view *view, struct ui_wish *w
         enum view_action action;
     } rows[] = {
         { "copy command",
-          "the firn render of this picture (with a divider, of its left), to the\n"
-          "clipboard and stdout (C)",
+          "copy the firn render command of this picture (with a divider, of its left\nside) to the "
+          "clipboard, and print it to stdout (C)",
           VIEW_COPY },
-        { "screenshot", "PNG and EXR, without these panels (P)", VIEW_SCREENSHOT },
-        { "camera", "back to where it was at first (R)", VIEW_RESET },
+        { "screenshot", "save PNG and EXR files, without these panels (P)", VIEW_SCREENSHOT },
+        { "camera", "reset the camera (R)", VIEW_RESET },
     };
 
-    if (imgui_button(view->paused ? "go on##time" : "pause##time"))
+    if (imgui_button(view->paused ? "resume##time" : "pause##time"))
         wish->action = VIEW_PAUSE;
-    imgui_tip("stop the scene's time, or let it go on (Space)");
+    imgui_tip("pause or resume the scene's time (Space)");
     for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
         imgui_same_line(0.0f);
         if (imgui_button(rows[i].label))
@@ -113,15 +113,15 @@ static void head(struct ui *ui, const struct ui_view *view, struct ui_wish *wish
     char text[256];
     snprintf(text, sizeof(text), "%s, %ux%u", o->positionals[0], o->width, o->height);
     imgui_text(text);
-    snprintf(text, sizeof(text), "%.1f frames a second, %.1f ms each",
+    snprintf(text, sizeof(text), "%.1f frames per second, %.1f ms each",
              frame > 0.0 ? 1.0 / frame : 0.0, frame * 1e3);
-    imgui_text(frame > 0.0 ? text : "no frame is measured yet");
+    imgui_text(frame > 0.0 ? text : "no frame has been measured yet");
     snprintf(text, sizeof(text), "limited by %s", ui_pace_limit(&ui->pace));
     imgui_text_dim(frame > 0.0 ? text : "");
-    snprintf(text, sizeof(text),
-             "the device works %.1f ms of it; the host waits %.1f ms for the screen, %.1f ms for "
-             "--fps-limit",
-             ui->pace.device * 1e3, ui->pace.screen * 1e3, ui->pace.limit * 1e3);
+    snprintf(
+        text, sizeof(text),
+        "device time %.1f ms; the host waits %.1f ms for the screen and %.1f ms for --fps-limit",
+        ui->pace.device * 1e3, ui->pace.screen * 1e3, ui->pace.limit * 1e3);
     imgui_tip(text);
     if (*ui->fault)
         imgui_warning(ui->fault);
@@ -155,7 +155,7 @@ static void search(struct ui *ui, struct ui_wish *wish)
         wish->settings = settings_default();
         wish->changed = true;
     }
-    imgui_tip("all settings as they are without any --set");
+    imgui_tip("reset all settings to their defaults");
 }
 
 static void main_panel(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
@@ -200,7 +200,7 @@ static void other_panels(struct ui *ui, const struct ui_view *view)
                               &ui->times_open)) {
             ui_times_panel("the frame", &ui->frame_times);
             if (view->picture->right)
-                ui_times_panel("the one on the right", &ui->right_times);
+                ui_times_panel("the right frame", &ui->right_times);
             ui_times_panel("the window", &ui->window_times);
         }
         imgui_panel_end();

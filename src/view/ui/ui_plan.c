@@ -43,7 +43,7 @@ static void draw_image(const struct chart *c, uint32_t i)
              : image->persistent ? ", persistent"
                                  : "");
     if (image->block != RG_NONE)
-        snprintf(text, sizeof(text), "%s\n%ux%u %s\n%.2f MiB from %.2f MiB on in block %u",
+        snprintf(text, sizeof(text), "%s\n%ux%u %s\n%.2f MiB at offset %.2f MiB in block %u",
                  image->image->name, image->extent.width, image->extent.height,
                  rg_format_info(image->image->format)->name, (double)image->size / mebi,
                  (double)image->offset / mebi, image->block);
@@ -77,7 +77,7 @@ static void print_sums(const struct rg_plan *plan)
     snprintf(text, sizeof(text), "%u passes, %u barriers in %u batches", plan->pass_count,
              plan->barrier_count, plan->batch_count);
     imgui_text(text);
-    snprintf(text, sizeof(text), "%.1f MiB of memory, %.1f without sharing",
+    snprintf(text, sizeof(text), "%.1f MiB of memory, %.1f MiB without aliasing",
              (double)plan->memory_used / mebi, (double)plan->memory_without_aliasing / mebi);
     imgui_text(text);
     imgui_text_dim("passes (red: after barriers), and images");

@@ -99,7 +99,7 @@ static void describe(const struct setting *row, char *text, size_t size)
 {
     const char *unit = row->unit ? row->unit : "";
     if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
-        snprintf(text, size, "%s: %s\n%g to %g%s%s, at first %g", row->name, row->help, row->min,
+        snprintf(text, size, "%s: %s\n%g to %g%s%s, default %g", row->name, row->help, row->min,
                  row->max, *unit ? " " : "", unit, row->initial);
     else
         snprintf(text, size, "%s: %s", row->name, row->help);
