@@ -45,7 +45,7 @@ def command_page(firn, name):
 
 
 def settings_page(firn):
-    text = 'firn-settings(1)\n\n# NAME\n\nfirn-settings - what --set NAME=VALUE changes\n\n'
+    text = 'firn-settings(1)\n\n# NAME\n\nfirn-settings - settings of firn for --set NAME=VALUE\n\n'
     text += '# SETTINGS\n\n'
     for name, what in names(firn, 'settings').items():
         text += f'*{plain(name)}*\n\t{plain(what)}\n\n'

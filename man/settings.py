@@ -10,8 +10,9 @@ from help import names  # noqa: E402
 
 def page(firn):
     text = '# Settings\n\n'
-    text += '`--set NAME=VALUE`, of every command that draws; sliders of `firn view`.\n'
-    text += 'This page is made by `man/settings.py`.\n'
+    text += 'For users of `--set NAME=VALUE`, of every command that draws, and of the panel of\n'
+    text += '`firn view`: all settings, with their defaults and ranges.\n'
+    text += '`man/settings.py` generates this page from `firn list settings`.\n'
     group = None
     for name, what in names(firn, 'settings').items():
         if name.split('.')[0] != group:
