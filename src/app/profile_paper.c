@@ -87,7 +87,7 @@ static const struct {
     { "figure 6", "cracks and air in the ice cube", CUBE_PLAIN, CUBE_FULL, "about -26 %" },
     { "figure 6", "cracks and air in the teapot", TEAPOT_PLAIN, TEAPOT_FULL, "about -26 %" },
     { "figure 6", "three times the triangles, plain", CUBE_PLAIN, TEAPOT_PLAIN, "barely affected" },
-    { "figure 6", "three times the triangles, cracks and air", CUBE_FULL, TEAPOT_FULL,
+    { "figure 6", "three times the triangles, with cracks", CUBE_FULL, TEAPOT_FULL,
       "barely affected" },
     { "figure 7", "two-sided, dynamic environment", ONE_SIDED_DYNAMIC, TWO_SIDED_DYNAMIC,
       "about -10 %" },

@@ -43,7 +43,7 @@ class OneFrame(Profile):
     def check_table(self, lines):
         self.assertLessEqual(max(map(len, lines)), 100)
         for word in ('pass', 'refract_paper.color', 'env_cube.sky x6', 'record', 'submit',
-                     'unattributed', 'frame', 'clock:', 'measuring:'):
+                     'unattributed', 'frame', 'clock:', 'measurement overhead:'):
             self.assertTrue(any(line.startswith(word) for line in lines), word)
 
     def check_json(self, found):
