@@ -45,8 +45,8 @@ static void want(struct frame_plan *p, const struct rg_image *image)
 /* A technique that is switched off leaves its layers undrawn. */
 static bool is_drawn(const struct frame_plan *p, const struct rg_image *image)
 {
-    for (size_t t = 0; image && t < p->technique_count; t++) {
-        const struct rg_technique *technique = p->techniques[t];
+    for (size_t t = 0; image && t < p->list.count; t++) {
+        const struct rg_technique *technique = &p->list.parts[t];
         for (size_t i = 0; i < technique->pass_count; i++) {
             for (uint32_t c = 0; c < technique->passes[i].color_count; c++) {
                 if (technique->passes[i].color[c].image == image)
@@ -114,7 +114,7 @@ static bool import_all(struct frame_plan *p, const struct scene *scene)
         for (const struct technique_import *i = (*t)->imports; i && i->image; i++)
             count++;
     }
-    p->imports = calloc(count, sizeof(*p->imports));
+    p->imports = calloc(count + 1, sizeof(*p->imports));
     for (const struct technique *const *t = techniques; *t && p->imports; t++) {
         for (const struct technique_import *i = (*t)->imports; i && i->image; i++) {
             if (!is_drawn(p, i->image))

@@ -100,7 +100,7 @@ enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
     enum status status = STATUS_TRY_AGAIN;
     *on_gpu = (struct uploaded_scene){
         .meshes = calloc(techniques_count, sizeof(*on_gpu->meshes)),
-        .images = calloc(count_imports(), sizeof(*on_gpu->images)),
+        .images = calloc(count_imports() + 1, sizeof(*on_gpu->images)),
     };
     if (on_gpu->meshes && on_gpu->images)
         status = upload_meshes(on_gpu, gpu, scene);

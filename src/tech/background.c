@@ -41,31 +41,32 @@ static const struct rg_pass passes[] = {
     },
 };
 
-struct rg_technique background_make(struct row_builder *builder, const struct background_rows *b)
+struct rg_technique background_make(struct row_builder *builder,
+                                    const struct background_rows *wanted)
 {
     /* the sky fills what the surroundings leave */
-    const enum rg_load color_load = b->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
-    const enum rg_load depth_load = b->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
-    const struct rg_use *const uses[] = { plain_uses, b->shine ? ice_caustics_uses : NULL };
+    const enum rg_load color_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
+    const enum rg_load depth_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
+    const struct rg_use *const uses[] = { plain_uses, wanted->shine ? ice_caustics_uses : NULL };
     struct rg_pass *rows = row_builder_rows(builder, passes, 2);
     if (!rows)
         return (struct rg_technique){ 0 };
-    rows[0].name = row_builder_name(builder, b->name, "surroundings");
-    rows[0].color = row_builder_target(builder, (struct rg_target){ b->color, color_load });
-    rows[0].depth = (struct rg_target){ b->depth, depth_load };
-    rows[0].frag = b->shine ? &background_shine_frag : &background_frag;
+    rows[0].name = row_builder_name(builder, wanted->name, "surroundings");
+    rows[0].color = row_builder_target(builder, (struct rg_target){ wanted->color, color_load });
+    rows[0].depth = (struct rg_target){ wanted->depth, depth_load };
+    rows[0].frag = wanted->shine ? &background_shine_frag : &background_frag;
     rows[0].uses = row_builder_uses(builder, uses, 2);
-    rows[0].record = b->record_surroundings;
-    rows[1].name = row_builder_name(builder, b->name, "sky");
-    rows[1].color = row_builder_target(builder, (struct rg_target){ b->color, RG_LOAD_KEEP });
-    rows[1].depth = (struct rg_target){ b->depth, RG_LOAD_KEEP };
-    rows[1].record = b->record_sky;
+    rows[0].record = wanted->record_surroundings;
+    rows[1].name = row_builder_name(builder, wanted->name, "sky");
+    rows[1].color = row_builder_target(builder, (struct rg_target){ wanted->color, RG_LOAD_KEEP });
+    rows[1].depth = (struct rg_target){ wanted->depth, RG_LOAD_KEEP };
+    rows[1].record = wanted->record_sky;
     for (size_t i = 0; i < 2; i++) {
         rows[i].color_count = 1;
-        rows[i].repeat = b->repeat;
-        rows[i].when = b->when;
+        rows[i].repeat = wanted->repeat;
+        rows[i].when = wanted->when;
     }
-    return (struct rg_technique){ b->name, rows, 2 };
+    return (struct rg_technique){ wanted->name, rows, 2 };
 }
 
 /* In a pool first of all, else after the object. */

@@ -16,6 +16,6 @@ struct background_rows {
 };
 
 struct rg_technique background_make(struct row_builder *builder,
-                                    const struct background_rows *rows);
+                                    const struct background_rows *wanted);
 
 #endif
