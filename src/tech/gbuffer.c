@@ -6,7 +6,6 @@
  */
 #include "src/tech/gbuffer.h"
 #include "shaders/embedded.h"
-#include "shaders/gbuffer.h"
 #include "src/tech/frame.h"
 
 static rg_record_fn record_surroundings, record_object;
