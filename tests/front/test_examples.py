@@ -161,7 +161,7 @@ class Examples(Case):
 
     def pages(self):
         """What examples are on, by their names."""
-        pages = {path.name: path.read_text()
+        pages = {str(path.relative_to(ROOT)): path.read_text()
                  for path in (ROOT / 'README.md', *sorted((ROOT / 'docs').glob('*.md')))}
         pages['--help'] = self.succeed('--help').stdout.decode()
         for command in COMMANDS:
