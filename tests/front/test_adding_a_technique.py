@@ -37,12 +37,14 @@ NOTHING = 1e10  # Z where no surface is seen
 ROUNDING = 2 ** -9  # of halves, relative, added up by two blends
 
 
-def tracked():
+def sources():
     """Paths of the source tree; without git, of all but build folders."""
-    done = subprocess.run(['git', '-c', 'safe.directory=*', 'ls-files', '-z'], cwd=ROOT,
-                          capture_output=True, text=True, check=False)
-    if done.returncode == 0 and done.stdout:
-        return [name for name in done.stdout.split('\0') if name and (ROOT / name).is_file()]
+    if shutil.which('git'):
+        done = subprocess.run(['git', '-c', 'safe.directory=*', 'ls-files', '-z', '--cached',
+                               '--others', '--exclude-standard'], cwd=ROOT, capture_output=True,
+                              text=True, check=False)
+        if done.returncode == 0 and done.stdout:
+            return [name for name in done.stdout.split('\0') if (ROOT / name).is_file()]
     found = []
     for folder, folders, files in os.walk(ROOT):
         folders[:] = [name for name in folders if name not in ('.git', '__pycache__', 'out') and
@@ -75,7 +77,7 @@ def must(command, **options):
 
 
 def compilers():
-    """CC and CXX as BUILD calls them, and what makes ccache take a copy for the original."""
+    """CC and CXX as BUILD calls them."""
     words = {}
     for row in json.loads((BUILD / 'compile_commands.json').read_text(encoding='utf-8')):
         name = 'CXX' if row['file'].endswith('.cpp') else 'CC'
@@ -98,7 +100,7 @@ class Technique(Case):
         cls.tree = pathlib.Path(temporary.name).resolve()
         cls.build = cls.tree / 'build'
         cls.page = (ROOT / 'docs' / 'adding-a-technique.md').read_text(encoding='utf-8')
-        for name in tracked():
+        for name in sources():
             (cls.tree / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(ROOT / name, cls.tree / name)  # with its time, which ninja looks at
         cls.environment = {**os.environ, **compilers(), 'CCACHE_BASEDIR': str(cls.tree),
