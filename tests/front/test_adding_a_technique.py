@@ -173,15 +173,16 @@ class Technique(Case):
         self.assertEqual(seen, {True, False})  # both the sky and what is before it
 
     def test_it_is_off_unless_asked_for(self):
-        plans = [must([self.build / 'firn', 'graph', 'sphere', *more], env=environment({}))
-                 for more in ((), ('--set', 'fog.density=0.2'))]
-        self.assertEqual(['fog.screen' in plan for plan in plans], [False, True])
+        for scene in ('sphere', 'pool'):
+            plans = [must([self.build / 'firn', 'graph', scene, *more], env=environment({}))
+                     for more in ((), ('--set', f'fog.density={DENSITY}'))]
+            self.assertEqual(['fog.screen' in plan for plan in plans], [False, True], scene)
         self.assertIn('fog.density', must([self.build / 'firn', 'list', 'settings']))
 
     def test_the_reference_says_that_it_leaves_it_out(self):
         if not WITHOUT:
             words = must([self.build / 'firn', 'render', *VIEW[:-1], '--refraction', 'reference',
-                          '--set', 'fog.density=0.2', '-o', self.folder / 'a.exr'],
+                          '--set', f'fog.density={DENSITY}', '-o', self.folder / 'a.exr'],
                          env=environment({}))
             self.assertRegex(words, r'reference.* without .*\bfog\b')
 
