@@ -127,8 +127,7 @@ enum status profile_sweep_table(const struct profile_sweep *sweep, FILE *out)
         fputc(' ', out);
     }
     if (status == STATUS_OK)
-        fprintf(out, "%9s ± %8s  %s\n", "frame ms", "sigma",
-                "most expensive passes, shares");
+        fprintf(out, "%9s ± %8s  %s\n", "frame ms", "sigma", "most expensive passes, shares");
     for (uint32_t i = 0; i < sweep->point_count && status == STATUS_OK; i++)
         status = print_point(sweep, i, &columns, out);
     if (status == STATUS_OK)

@@ -55,7 +55,7 @@ class Watch(WatchCase):
         shot = self.shoot(self.window, 1)
         self.assertEqual(png_pixels(shot), inverted)  # in files, too
         self.save('tonemap.frag', turned, turned.replace('_encode', '_encdoe'))
-        self.expect_words('firn: ', 'tonemap.frag:', "'tonemap_encdoe'", 'before stay')
+        self.expect_words('firn: ', 'tonemap.frag:', "'tonemap_encdoe'", 'previous shaders stay')
         self.assertEqual(self.desktop.pixels(self.window), inverted)
         self.save('tonemap.frag', turned.replace('_encode', '_encdoe'), LAST)
         self.expect(self.first)
@@ -66,9 +66,9 @@ class Watch(WatchCase):
         path = 'cracks_vert.glsl'  # of two shaders
         text = (self.shaders / path).read_text()
         self.save(path, text, '#error not yet\n' + text)
-        self.expect_words('firn: ', 'not yet', 'before stay')
+        self.expect_words('firn: ', 'not yet', 'previous shaders stay')
         self.save('present.frag', 'shown = vec4(', 'shown = 1.0 - vec4(')
-        self.expect_words('firn: ', 'not yet', 'before stay', times=2)
+        self.expect_words('firn: ', 'not yet', 'previous shaders stay', times=2)
         self.assertEqual(self.desktop.pixels(self.window), self.first)
         self.save(path, '#error not yet\n', '')
         self.expect(bytes(255 - value for value in self.first))
@@ -81,7 +81,7 @@ class Watch(WatchCase):
         text = (self.shaders / name).read_text()
         fault = text + '#if defined REFRACT_BUMP && !defined REFRACT_LAYERS\n#error bumps\n#endif\n'
         self.save(name, text, fault)
-        self.expect_words('firn: ', name, 'bumps', 'before stay')
+        self.expect_words('firn: ', name, 'bumps', 'previous shaders stay')
         self.save(name, fault, text)
         self.expect_words('my shaders: 4 shaders compiled')
         self.assertEqual(self.desktop.pixels(self.window), self.first)
@@ -98,7 +98,7 @@ class Watch(WatchCase):
 
     def test_a_file_that_is_gone(self):
         (self.shaders / 'tonemap.frag').unlink()
-        self.expect_words('firn: ', 'tonemap.frag', 'gone')
+        self.expect_words('firn: ', 'tonemap.frag', 'deleted')
         shutil.copy(SHADERS / 'tonemap.frag', self.shaders)
         self.expect_words('tonemap.frag: compiled')
         self.expect(self.first)
