@@ -137,7 +137,7 @@ static enum status measure(struct job *job)
         .truth_counted = job->truth_counted,
         .sharing = o->sharing,
     };
-    char names[64];
+    char names[REFERENCE_NAMES_SIZE];
     enum status status = app_camera(&params.shot.camera, &job->scene, o);
     if (status == STATUS_OK)
         status = gpu_create(&job->gpu, &(struct gpu_params){

@@ -186,7 +186,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
         .linear = params->linear,
         .display = params->display,
     };
-    char names[64];
+    char names[REFERENCE_NAMES_SIZE];
     enum status status = reference_create(&job->reference, &request);
     if (status == STATUS_OK && !job->o.quiet &&
         reference_leaves_out(params->settings, names, sizeof(names)))

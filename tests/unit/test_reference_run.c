@@ -267,7 +267,7 @@ static void test_what_is_left_out(void **state)
     static const char *const off[] = { "cracks.count=0", "air.count=0", "bubbles.count=0",
                                        "bump.strength=0", "light.count=0" };
     struct settings settings = settings_default();
-    char names[64];
+    char names[REFERENCE_NAMES_SIZE];
     for (size_t i = 0; i < sizeof(off) / sizeof(off[0]); i++) {
         assert_true(reference_leaves_out(&settings, names, sizeof(names)));
         assert_int_equal(settings_set(&settings, off[i]), STATUS_OK);

@@ -323,6 +323,16 @@ enum {
     CHANGE_MAX = 512
 };
 
+/* Whether a row switches a technique on and off, whatever it says that it affects. */
+static bool is_switch(const struct setting *row)
+{
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if ((*t)->is_on && row == &(*t)->settings[0]->rows[0])
+            return true;
+    }
+    return false;
+}
+
 static size_t find_changes(struct change changes[static CHANGE_MAX])
 {
     const struct setting_group *group;
@@ -332,7 +342,8 @@ static size_t find_changes(struct change changes[static CHANGE_MAX])
             const struct setting *row = &group->rows[r];
             const bool is_list = row->type == SETTING_CHOICE || row->type == SETTING_SWITCH;
             const double step = is_list || row->max - row->min < 1 ? 1 : row->max - row->min;
-            if (row->affects < SETTING_AFFECTS_PLAN && row->switches < SETTING_AFFECTS_PLAN)
+            if (row->affects < SETTING_AFFECTS_PLAN && row->switches < SETTING_AFFECTS_PLAN &&
+                !is_switch(row))
                 continue;
             for (double value = row->min; value <= row->max; value += step) {
                 assert_true(count < CHANGE_MAX);
