@@ -27,7 +27,7 @@ static void print_heading(const struct profile *p, FILE *out)
     snprintf(words, sizeof(words), "%s, %s, %s, %" PRIu32 "x%" PRIu32 ", on %s", p->scene, p->rung,
              p->material, p->width, p->height, p->device);
     profile_print_words(words, 2, out);
-    snprintf(words, sizeof(words), "%" PRIu32 " run%s after %" PRIu32 " to warm up; milliseconds",
+    snprintf(words, sizeof(words), "%" PRIu32 " run%s after %" PRIu32 " warm-up runs; times in ms",
              p->run_count, p->run_count == 1 ? "" : "s", p->warmup);
     profile_print_words(words, 2, out);
 }
@@ -183,16 +183,16 @@ static void print_rest(const struct profile_table_rows *lines, const struct prof
     fprintf(
         out, "measurement overhead: %+.1f %% (median frame %.*f ms, without measurement %.*f ms)\n",
         profile_overhead(p) * 100, profile_decimals(frame), frame, profile_decimals(plain), plain);
-    snprintf(
-        words, sizeof(words),
-        "once: scene to the device %.*f ms, plan %.*f ms, objects and pipelines %.*f ms, first "
-        "frame %.*f ms",
-        profile_decimals(p->upload), p->upload, profile_decimals(p->compile), p->compile,
-        profile_decimals(p->realise), p->realise, profile_decimals(p->first_frame), p->first_frame);
+    snprintf(words, sizeof(words),
+             "setup: scene upload %.*f ms, plan %.*f ms, objects and pipelines %.*f ms, first "
+             "frame %.*f ms",
+             profile_decimals(p->upload), p->upload, profile_decimals(p->compile), p->compile,
+             profile_decimals(p->realise), p->realise, profile_decimals(p->first_frame),
+             p->first_frame);
     profile_print_words(words, 2, out);
     snprintf(words, sizeof(words),
-             "memory: %" PRIu64 " bytes transient (%" PRIu64 " without sharing, %" PRIu64
-             " at least), %" PRIu64 " persistent",
+             "memory: %" PRIu64 " bytes transient (%" PRIu64 " without aliasing, %" PRIu64
+             " lower bound), %" PRIu64 " persistent",
              p->memory_used, p->memory_without_aliasing, p->memory_bound, p->memory_persistent);
     profile_print_words(words, 2, out);
     print_outliers(lines, p->run_count, out);

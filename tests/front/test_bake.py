@@ -200,7 +200,7 @@ class Bake(Case):
                         names=['cut.exr'])
         (self.folder / 'gray.exr').write_bytes(write_exr((1, 6), {'Z': [1.0] * 6}))
         self.refuse(DATA, 'render', 'sphere', *SMALL, '-o', 'a.exr', '--env', 'gray.exr',
-                    names=['gray.exr', 'R, G, B'])
+                    names=['gray.exr', 'R, G and B'])
 
     def test_wrong_words(self):
         (self.folder / 'faces.exr').write_bytes(strip(4))

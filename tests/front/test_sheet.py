@@ -66,7 +66,7 @@ class Sheet(Case):
                              (('sphere', '--sweep', 'refract.ior=1.5,9'), ('refract.ior',)),
                              (('sphere', '--sweep', 'cracks.count'), ('cracks.count',)),
                              (('sphere', '--sweep', 'refraction=paper,reference'), ('reference',)),
-                             (('sphere', '--sweep', many), ('65 pictures', '64'))):
+                             (('sphere', '--sweep', many), ('got 65', '64'))):
             self.refuse(USAGE, 'sheet', *words, names=names)
         self.refuse(NO_INPUT, 'sheet', 'gone.obj', names=['gone.obj'])
         self.refuse(CANT_CREATE, 'sheet', 'sphere', '-o', 'gone/a.png', names=['gone/a.png'])

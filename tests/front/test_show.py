@@ -152,7 +152,7 @@ class Show(Case):
     def test_wrong_words(self):
         for name in ('depth', 'z', '', 'Z,N', 'all', 'beauty'):
             self.refuse(USAGE, 'render', 'sphere', '-o', 'a.png', '--show', name,
-                        names=['--show', *LAYERS])
+                        names=['--show', f"'{name}'", 'firn list layers'])
         for outputs in ((), ('-o', 'a.exr'), ('-o', '-')):
             self.refuse(USAGE, 'render', 'sphere', '--show', 'Z', *outputs, env=NO_DRIVER,
                         names=['--show Z', '.png'])

@@ -9,7 +9,7 @@ from test_device import OLDER, TRY_AGAIN, WINDOW, Fault, LayerCase  # noqa: E402
 WHOLE = ('view', 'sphere', '-r', 'one-sided', '--size', '64x48', '--time-step', '0.1',
          '--frames', '6', '--screenshot', 'a.png')
 VIEW = (*WHOLE, *PLAIN)
-ANEW = 'firn: warning: the device is opened anew, once'
+ANEW = 'firn: warning: the device was lost: reopening it once'
 
 
 class Window(LayerCase):

@@ -118,7 +118,7 @@ static void test_no_runs_stand_out(void **state)
     free(printed.text);
     p.run_count = 1;
     printed = print_table(&p, false);
-    (void)printed_line(&printed, "1 run after 3 to warm up");
+    (void)printed_line(&printed, "1 run after 3 warm-up runs");
     free(printed.text);
     p.run_count = SAMPLE_RUN_COUNT;
     for (uint32_t i = 0; i < p.row_count; i++)

@@ -72,7 +72,7 @@ static const struct option options[] = {
     { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, option_tile,
       "number of the only tile to draw, from 1; firn merge joins the files" },
     { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, option_interleaved,
-      "tiles of every Cth pixel and Rth row: larger pictures, not identical" },
+      "interleaved tiles: pictures beyond the device's limit, output differs" },
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, option_show,
       "layer that PNG files show instead of the picture: firn list layers" },
     { "Window", "frames", 0, "N", APP_VIEW, option_frame_count,

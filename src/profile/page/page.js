@@ -22,7 +22,7 @@ function startFacts() {
         addFact('submit', `${ms(p.submit_cost)} when empty, included in every pass`);
     addFact('runs', `${p.run_count}, after ${plural(p.warmup, 'warm-up run')}`);
     addFact('scene time', `${p.time} s, step ${p.time_step} s per run`);
-    addFact('once', `upload ${ms(p.upload)}, plan ${ms(p.compile)}, objects ${ms(p.realise)}, ` +
+    addFact('setup', `upload ${ms(p.upload)}, plan ${ms(p.compile)}, objects ${ms(p.realise)}, ` +
         `first frame ${ms(p.first_frame)}`);
     $('command').textContent = p.command;
 }

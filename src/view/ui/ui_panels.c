@@ -37,7 +37,7 @@ static uint32_t name_rungs(const char *names[static RUNG_MAX], uint32_t *count,
 
 static void rung_lists(struct ui_wish *wish)
 {
-    const char *names[RUNG_MAX + 1] = { "nothing" };
+    const char *names[RUNG_MAX + 1] = { "none" };
     uint32_t count;
     uint32_t left = name_rungs(&names[1], &count, wish->rung);
     if (imgui_list("refraction", &names[1], count, &left)) {
