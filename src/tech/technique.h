@@ -70,9 +70,8 @@ typedef struct rg_technique technique_rows_fn(const struct technique_choice *cho
 struct technique_part {
     enum technique_phase phase;
     enum technique_scene scene;
-    uint32_t purposes; /* bit of each enum technique_purpose; 0: pictures alone */
-    struct rg_technique
-        graph; /* the rows, where they never change, while the technique is on; or: */
+    uint32_t purposes;         /* bit of each enum technique_purpose; 0: pictures alone */
+    struct rg_technique graph; /* rows that are there while the technique is on; or: */
     technique_rows_fn *rows;
 };
 
@@ -125,7 +124,7 @@ struct technique {
     const struct frame_layer *layers;                      /* ends at a row of zeros; may be NULL */
     const struct technique_upload *uploads;                /* may be NULL */
     const struct technique_import *imports;                /* may be NULL */
-    const struct mesh *(*mesh)(const struct scene *scene); /* frame_mesh() draws it; may be NULL */
+    const struct mesh *(*mesh)(const struct scene *scene); /* of frame_draw_mesh() */
     /* Fills the technique's members of struct globals; may be NULL. */
     void (*write_globals)(const struct frame_view *view, struct globals *globals);
     /* Fills its specialization constants, by their ids (shaders/constants.h); may be NULL. */
