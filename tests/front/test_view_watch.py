@@ -11,6 +11,8 @@ from test_view import WindowCase, png_pixels  # noqa: E402
 
 SHADERS = pathlib.Path(__file__).parents[2] / 'shaders'
 LAST = 'encoded = vec4(tonemap_encode(c, push.gain, constant_tonemap_curve), 1.0);'
+# Nothing moves, so that all frames before and after a change are alike, whichever is captured.
+STILL = ('--set', 'motion.ice=0', '--set', 'motion.lights=0')
 
 
 class WatchCase(WindowCase):
@@ -20,7 +22,7 @@ class WatchCase(WindowCase):
         super().setUp()
         self.shaders = self.folder / 'my shaders'
         shutil.copytree(SHADERS, self.shaders)
-        self.window = self.start('sphere', f'--watch={self.shaders}', *self.WORDS)
+        self.window = self.start('sphere', f'--watch={self.shaders}', *STILL, *self.WORDS)
         self.press_for(self.window, 'space', 'sphere, paused')
         self.first = self.desktop.pixels(self.window)
 
