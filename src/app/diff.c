@@ -171,7 +171,7 @@ static enum status encode_exr(const struct job *job, void **data, size_t *size)
 static enum status write_errors(const struct job *job, const char *path)
 {
     void *data = NULL;
-    size_t size;
+    size_t size = 0;
     enum status status =
         path_ends_in(path, ".png") ? encode_png(job, &data, &size) : encode_exr(job, &data, &size);
     if (status == STATUS_OK)

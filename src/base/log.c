@@ -29,12 +29,3 @@ void log_warning(const char *format, ...)
     write_line("warning: ", format, arguments);
     va_end(arguments);
 }
-
-enum status log_out_of_memory(const char *what)
-{
-    if (what)
-        log_error("%s: out of memory", what);
-    else
-        log_error("out of memory");
-    return STATUS_TRY_AGAIN;
-}

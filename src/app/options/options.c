@@ -246,8 +246,8 @@ static const char *const usages[] = {
     [APP_VIEW] = "firn view [options] SCENE: show a scene in a window; F1 lists the keys",
     [APP_PROFILE] = "firn profile [options] SCENE: measure the time of each pass of a frame",
     [APP_DIFF] = "firn diff [options] REFERENCE TEST: measure how much two pictures differ",
-    [APP_LADDER] = "firn ladder [options] [SCENE]: compare every refraction rung with the ray "
-                   "traced reference",
+    [APP_LADDER] = ("firn ladder [options] [SCENE]: compare every refraction rung with the ray "
+                    "traced reference"),
     [APP_BAKE] =
         "firn bake [options] SCENE: draw the environment of a scene's object as a cube for --env",
     [APP_SHEET] =
