@@ -53,7 +53,7 @@ struct app_diff {
 
 /* Of firn ladder. */
 struct app_ladder {
-    uint32_t rungs;     /* bit i: frame_rungs[i]; 0: all */
+    uint32_t rungs;     /* bit i: techniques_rung(i); 0: all */
     uint32_t run_count; /* frames of each rung against the clock */
     bool furnace;
     const char *truth; /* file; NULL: none */
@@ -77,7 +77,7 @@ struct app_options {
     uint32_t tile_columns, tile_rows; /* that a picture is drawn in; 0: it is not */
     uint32_t tile;                    /* the one to draw, from 1; 0: all of them */
     bool interleaved;                 /* tiles are so: renderer.h */
-    uint32_t layers;                  /* bit i: frame_layers[i] */
+    uint32_t layers;                  /* bit i: techniques_layer(i) */
     bool all_layers;                  /* that the rung makes; app_parse() puts them into `layers` */
     const struct frame_layer *show;   /* what PNG files show; NULL: the tonemapped picture */
     const struct technique *rung;

@@ -131,8 +131,7 @@ enum status app_bake(const struct app_options *options)
 {
     struct job *job = calloc(1, sizeof(*job));
     if (!job) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     job->o = *options;
     enum status status = run(job);

@@ -143,8 +143,7 @@ static enum status make_script(const struct app_options *o, const struct sequenc
         print(&script, out);
     const bool ok = out && !ferror(out);
     if (!out || fclose(out) || !ok) {
-        log_error("out of memory");
-        status = STATUS_TRY_AGAIN;
+        status = log_out_of_memory(NULL);
     } else if (o->farm.submit) {
         status = run_script(text);
     } else {

@@ -43,8 +43,7 @@ enum status input_make_mask(const struct image *image, const char *path, const c
     }
     *counted = malloc(count * sizeof(**counted));
     if (!*counted) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     for (size_t i = 0; i < count; i++) {
         (*counted)[i] = values[i] > 0.0f;

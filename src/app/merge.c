@@ -237,8 +237,7 @@ enum status app_merge(const struct app_options *o)
     struct job *job = calloc(1, sizeof(*job));
     enum status status = STATUS_OK;
     if (!job) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     if (!o->positionals[0]) {
         log_error("expected the files of a picture's tiles (see --help)");

@@ -47,8 +47,7 @@ static enum status write_csv(const char *path, const struct profile *profile)
             return profile_job_write_text(path, STATUS_OK, text, size);
         free(text);
     }
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
+    return log_out_of_memory(NULL);
 }
 
 static enum status write_reports(const struct profile_job *job, const struct profile *profile)
@@ -163,8 +162,7 @@ enum status app_profile(const struct app_options *options)
 {
     struct profile_job *job = calloc(1, sizeof(*job));
     if (!job) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     job->o = *options;
     enum status status = run(job);

@@ -18,8 +18,7 @@ enum status report_init(struct report *report, uint32_t count)
 {
     *report = (struct report){ .frames = calloc(count + 1, sizeof(*report->frames)) };
     if (!report->frames) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     report->count = count;
     return STATUS_OK;

@@ -57,8 +57,7 @@ enum status frame_list_init(struct frame_list *list, const struct technique_choi
     if (list->parts && done)
         return STATUS_OK;
     frame_list_finish(list);
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
+    return log_out_of_memory(NULL);
 }
 
 void frame_list_finish(struct frame_list *list)

@@ -109,17 +109,14 @@ static struct rg_import describe(const struct technique_import *import, const st
 /* What comes from the scene, but for what the plan draws itself. */
 static bool import_all(struct frame_plan *p, const struct scene *scene)
 {
+    const struct technique_import *import;
     size_t count = 0;
-    for (const struct technique *const *t = techniques; *t; t++) {
-        for (const struct technique_import *i = (*t)->imports; i && i->image; i++)
-            count++;
-    }
+    while (techniques_import(count))
+        count++;
     p->imports = calloc(count + 1, sizeof(*p->imports));
-    for (const struct technique *const *t = techniques; *t && p->imports; t++) {
-        for (const struct technique_import *i = (*t)->imports; i && i->image; i++) {
-            if (!is_drawn(p, i->image))
-                p->imports[p->import_count++] = describe(i, scene);
-        }
+    for (size_t i = 0; p->imports && (import = techniques_import(i)); i++) {
+        if (!is_drawn(p, import->image))
+            p->imports[p->import_count++] = describe(import, scene);
     }
     return p->imports;
 }

@@ -54,7 +54,7 @@ struct ladder_params {
     const struct settings *settings;
     struct renderer_shot shot;
     uint32_t width, height, samples;
-    uint32_t rungs;            /* bit i: frame_rungs[i]; 0: all */
+    uint32_t rungs;            /* bit i: techniques_rung(i); 0: all */
     const struct image *truth; /* R, G, B of this size by another program; NULL: none */
     const bool *truth_counted; /* pixels of it that count; NULL: the object's */
     uint32_t run_count; /* frames of each rung whose time counts; 0: costs are not measured */

@@ -41,8 +41,7 @@ enum status ladder_cost(const struct ladder_cost_request *request, double *costs
     double *samples = calloc((size_t)request->count * request->run_count, sizeof(*samples));
     enum status status = STATUS_OK;
     if (!samples) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     for (uint32_t i = 0; i < request->count && status == STATUS_OK; i++) {
         struct renderer_params params = request->renderers[i];

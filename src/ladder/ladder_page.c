@@ -131,8 +131,7 @@ enum status ladder_page(const struct ladder_report *report, char **text, size_t 
     if (status == STATUS_OK && (!out || fclose(out))) {
         free(*text);
         *text = NULL;
-        log_error("out of memory");
-        status = STATUS_TRY_AGAIN;
+        status = log_out_of_memory(NULL);
     }
     free(svg);
     free(sheet);

@@ -169,6 +169,5 @@ enum status ladder_svg(const struct ladder_report *report, char **text, size_t *
     }
     free(*text);
     *text = NULL;
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
+    return log_out_of_memory(NULL);
 }

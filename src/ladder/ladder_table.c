@@ -164,8 +164,7 @@ enum status ladder_json(const struct ladder_report *report, char **text, size_t 
     *text = fill(root, report) ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) : NULL;
     json_decref(root);
     if (!*text) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     *size = 0;
     while ((*text)[*size])

@@ -283,8 +283,7 @@ enum status profile_compare(const struct profile *base, const struct profile *no
         goto fail;
     c.pairs = calloc((size_t)base_lines.count + now_lines.count + 1, sizeof(*c.pairs));
     if (!c.pairs || !add_pairs(&c, &base_lines, &now_lines, each) || !test_pairs(&c)) {
-        log_error("out of memory");
-        status = STATUS_TRY_AGAIN;
+        status = log_out_of_memory(NULL);
         goto fail;
     }
     note_differences(base, now, out);

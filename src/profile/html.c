@@ -56,8 +56,7 @@ enum status profile_write_html(const struct profile *p, const struct profile_swe
         goto fail;
     *text = fill_page((const char *[]){ profile_json, sweep ? sweep_json : "null" }, size);
     if (!*text) {
-        log_error("out of memory");
-        status = STATUS_TRY_AGAIN;
+        status = log_out_of_memory(NULL);
     }
 fail:
     free(profile_json);

@@ -259,8 +259,7 @@ enum status profile_json_end(json_t *root, bool is_whole, size_t digits, char **
     }
     free(line);
     *size = 0;
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
+    return log_out_of_memory(NULL);
 }
 
 enum status profile_write_json(const struct profile *p, char **text, size_t *size)

@@ -43,8 +43,7 @@ enum status profile_make_rows(struct profile *p)
     }
     if (p->rows && p->frame && p->plain && p->wait && is_made)
         return STATUS_OK;
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
+    return log_out_of_memory(NULL);
 }
 
 void profile_finish(struct profile *p)

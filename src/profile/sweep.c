@@ -17,8 +17,7 @@ static enum status usage(const char *text, const char *what)
 
 static enum status no_memory(void)
 {
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
+    return log_out_of_memory(NULL);
 }
 
 /* What is wrong with a part of the text of this length, or NULL. */

@@ -62,8 +62,7 @@ enum status reference_create(struct reference **reference, const struct referenc
     struct reference *r = calloc(1, sizeof(*r));
     *reference = NULL;
     if (!r) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     r->request = *request;
     r->request.samples = request->samples ? request->samples : 1;
@@ -319,8 +318,7 @@ enum status reference_render(struct reference *r, const struct renderer_shot *sh
         has_memory = result->rgba != NULL;
     }
     if (!has_memory) {
-        log_error("out of memory");
-        status = STATUS_TRY_AGAIN;
+        status = log_out_of_memory(NULL);
     }
     free(job);
     if (status != STATUS_OK)

@@ -43,7 +43,7 @@ struct reference_request {
     const struct settings *settings;
     uint32_t width, height; /* pixels */
     uint32_t samples;       /* a pixel; 0 means 1 */
-    uint32_t layers;        /* bit i: frame_layers[i], one that it makes */
+    uint32_t layers;        /* bit i: techniques_layer(i), one that it makes */
     bool linear;            /* the beauty, in render_result.image */
     bool display;           /* the tonemapped picture, in render_result.rgba */
     uint32_t threads;       /* 0: one for each core */

@@ -34,16 +34,21 @@ static enum status check_memory(const struct gpu *gpu, const struct rg_plan *pla
                           host_size);
 }
 
-enum status frame_exec_compile(struct frame_exec *frame_exec, const struct renderer_params *params,
-                               struct frame_request request)
+struct rg_vulkan frame_exec_vulkan(const struct gpu *gpu)
 {
-    const struct gpu *gpu = params->gpu;
-    const struct rg_vulkan vulkan = {
+    return (struct rg_vulkan){
         gpu->instance,
         vkGetInstanceProcAddr,
         gpu->physical,
         gpu->device,
     };
+}
+
+enum status frame_exec_compile(struct frame_exec *frame_exec, const struct renderer_params *params,
+                               struct frame_request request)
+{
+    const struct gpu *gpu = params->gpu;
+    const struct rg_vulkan vulkan = frame_exec_vulkan(gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     request.device = &device;
     enum status status = frame_plan_init(&frame_exec->frame, &request);

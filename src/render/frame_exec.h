@@ -1,5 +1,5 @@
 /*
- * frame_exec.h: a plan, realised: for the renderer, and for what compiles shaders beside it.
+ * frame_exec.h: a plan and its executor, for the renderer and for the warm-up of shaders.
  *
  * Errors: logged once; as the renderer's.
  */
@@ -17,12 +17,15 @@ struct frame_exec {
     struct rg_exec *exec; /* NULL: not realised */
 };
 
-/* The request's tables to a plan; does it fit? */
+/* A device as the graph library takes it. */
+struct rg_vulkan frame_exec_vulkan(const struct gpu *gpu);
+
+/* Compiles the request to a plan, and checks that its memory fits. */
 MUST_USE enum status frame_exec_compile(struct frame_exec *frame_exec,
                                         const struct renderer_params *params,
                                         struct frame_request request);
 
-/* The plan to memory, images, pipelines; imports as FRAME_IMPORT_COUNT has them. */
+/* Makes the plan's memory, images and pipelines; `imports` are in the order of frame.imports. */
 MUST_USE enum status frame_exec_realise(struct frame_exec *frame_exec,
                                         const struct renderer_params *params,
                                         const struct rg_exec_import *imports);

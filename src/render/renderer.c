@@ -54,8 +54,7 @@ static enum status realise(struct renderer *r, struct frame_exec *frame_exec)
     const struct frame_plan *plan = &frame_exec->frame;
     struct rg_exec_import *imports = calloc(plan->import_count + 1, sizeof(*imports));
     if (!imports) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     for (size_t i = 0; i < plan->import_count; i++)
         imports[i].image = find_import(r, plan->imports[i].image);
@@ -81,8 +80,7 @@ static enum status upload(struct renderer *r)
         status = uploaded_scene_init(&r->own, r->params.gpu, r->params.scene);
     r->meshes = calloc(techniques_count, sizeof(*r->meshes));
     if (status == STATUS_OK && !r->meshes) {
-        log_error("out of memory");
-        status = STATUS_TRY_AGAIN;
+        status = log_out_of_memory(NULL);
     }
     for (size_t i = 0; i < techniques_count && status == STATUS_OK; i++)
         r->meshes[i] = uploaded_scene_mesh(&r->scene->meshes[i]);

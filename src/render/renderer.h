@@ -32,7 +32,7 @@ struct renderer_params {
     uint32_t columns, rows;  /* of tiles, of which each shot draws one; 0 means 1 */
     bool interleaved;        /* what tiles are: see renderer_shot */
     uint32_t samples;        /* a pixel; 0 means 1 */
-    uint32_t layers;         /* bit i: frame_layers[i]; 0 where the settings switch it off */
+    uint32_t layers;         /* bit i: techniques_layer(i); 0 where the settings switch it off */
     bool linear;             /* the beauty, in render_result.image */
     bool display;            /* the tonemapped picture, in render_result.rgba */
     bool keep;               /* the same on the device, of the last sample: renderer_picture() */

@@ -75,22 +75,18 @@ static enum status upload_image(struct uploaded_image *to, struct gpu *gpu,
 static enum status upload_images(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                  const struct scene *scene)
 {
+    const struct technique_import *import;
     enum status status = STATUS_OK;
-    for (const struct technique *const *t = techniques; *t; t++) {
-        const struct technique_import *import = (*t)->imports;
-        for (; import && import->image && status == STATUS_OK; import++)
-            status = upload_image(&on_gpu->images[on_gpu->image_count++], gpu, import, scene);
-    }
+    for (size_t i = 0; status == STATUS_OK && (import = techniques_import(i)); i++)
+        status = upload_image(&on_gpu->images[on_gpu->image_count++], gpu, import, scene);
     return status;
 }
 
 static size_t count_imports(void)
 {
     size_t count = 0;
-    for (const struct technique *const *t = techniques; *t; t++) {
-        for (const struct technique_import *i = (*t)->imports; i && i->image; i++)
-            count++;
-    }
+    while (techniques_import(count))
+        count++;
     return count;
 }
 

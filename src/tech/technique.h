@@ -47,10 +47,10 @@ enum technique_phase {
     PHASE_NORMALS,     /* normals of the object's faces */
     PHASE_REFRACTION,  /* the refractive object or the water */
     PHASE_INCLUSIONS,  /* what is inside the object, each into its own image */
-    PHASE_COMPOSITE,   /* the same over the picture */
+    PHASE_COMPOSITE,   /* the inclusions, blended over the picture */
     PHASE_BACKGROUND,  /* what the object does not hide */
     PHASE_LAYERS,      /* the rung's layers */
-    PHASE_FINISH,      /* what covers all of that */
+    PHASE_FINISH,      /* what is drawn over the finished picture: frost, free cracks */
     PHASE_DISPLAY,     /* tone mapping */
     PHASE_COUNT,
 };

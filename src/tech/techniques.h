@@ -27,4 +27,7 @@ void techniques_switch_off(struct settings *settings, const struct technique *te
 /* Layer i in the order of the list; NULL: there are no more. */
 const struct frame_layer *techniques_layer(size_t i);
 
+/* Import i in the order of the list; NULL: there are no more. */
+const struct technique_import *techniques_import(size_t i);
+
 #endif

@@ -2,6 +2,7 @@
 #include "src/view/screen.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/render/frame_exec.h"
 #include "src/tech/frame.h"
 #include "src/tech/tonemap.h"
 #include "src/view/view_costs.h"
@@ -101,16 +102,6 @@ static void log_exec(void *user, const char *what, VkResult result)
     (void)gpu_failed(what, result);
 }
 
-struct rg_vulkan screen_vulkan(const struct gpu *gpu)
-{
-    return (struct rg_vulkan){
-        gpu->instance,
-        vkGetInstanceProcAddr,
-        gpu->physical,
-        gpu->device,
-    };
-}
-
 struct rg_exec_params screen_exec_params(const struct gpu *gpu, const struct rg_plan *plan)
 {
     return (struct rg_exec_params){
@@ -129,7 +120,7 @@ struct rg_exec_params screen_exec_params(const struct gpu *gpu, const struct rg_
 
 enum status screen_connect(struct screen *s, VkImage picture, VkImage right)
 {
-    const struct rg_vulkan vulkan = screen_vulkan(s->gpu);
+    const struct rg_vulkan vulkan = frame_exec_vulkan(s->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     const struct rg_exec_import objects[IMPORT_COUNT] = {
         [IMPORT_PICTURE] = { .image = picture },

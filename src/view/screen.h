@@ -68,7 +68,6 @@ MUST_USE enum status screen_wait(struct screen *screen);
 
 /* ---- for other plans of the same kind ---- */
 
-struct rg_vulkan screen_vulkan(const struct gpu *gpu);
 struct rg_exec_params screen_exec_params(const struct gpu *gpu, const struct rg_plan *plan);
 MUST_USE enum status screen_report_faults(const struct rg_plan *plan); /* logs them */
 

@@ -322,8 +322,7 @@ enum status view_run(const struct app_options *options)
 {
     struct view *v = calloc(1, sizeof(*v));
     if (!v) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     v->options = options;
     enum status status = signals_begin(&v->stop);

@@ -34,8 +34,7 @@ enum status ui_create(struct ui **ui, struct gpu *gpu, float scale)
     }
     if (u && u->imgui)
         return make_font(u);
-    log_error("out of memory");
-    return STATUS_TRY_AGAIN;
+    return log_out_of_memory(NULL);
 }
 
 void ui_destroy(struct ui *ui)

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/render/frame_exec.h"
 #include "src/tech/frame.h"
 #include "src/tech/tonemap.h"
 
@@ -124,8 +125,7 @@ static enum status draw(struct shot *s, struct ui *ui, size_t size, uint8_t **rg
         return status;
     *rgba = malloc(size);
     if (!*rgba) {
-        log_error("out of memory");
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     memcpy(*rgba, rg_exec_mapped(s->exec, &pixels, slot), size);
     return STATUS_OK;
@@ -134,7 +134,7 @@ static enum status draw(struct shot *s, struct ui *ui, size_t size, uint8_t **rg
 enum status ui_shot(const struct screen *screen, const struct picture *picture, struct ui *ui,
                     uint8_t **rgba)
 {
-    const struct rg_vulkan vulkan = screen_vulkan(screen->gpu);
+    const struct rg_vulkan vulkan = frame_exec_vulkan(screen->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     const VkExtent2D size = screen->swapchain.extent;
     struct shot s = { .screen = screen, .picture = picture };
