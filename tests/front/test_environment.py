@@ -122,8 +122,9 @@ class Environment(Case):
             shutil.copy(Case.program, self.folder / 'bin')  # where anybody can read it
             words = ['setpriv', f'--reuid={NOBODY}', f'--regid={NOBODY}', '--clear-groups',
                      str(self.folder / 'bin'), *words[1:]]
+        asan = os.environ.get('ASAN_OPTIONS', '') + ':detect_leaks=0'
         env = {'MESA_SHADER_CACHE_DISABLE': 'true', **dict(env),
-               'ASAN_OPTIONS': 'detect_leaks=0', 'LSAN_OPTIONS': ''}  # it may not read the list
+               'ASAN_OPTIONS': asan, 'LSAN_OPTIONS': ''}  # it may not read the list
         return subprocess.run(words, env=environment(env), cwd=self.folder / 'closed',
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=240,
                               check=False)

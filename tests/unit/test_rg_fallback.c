@@ -15,12 +15,13 @@ static const struct rg_fallback white = { { 1, 1, 1, 1 } };
 #define DRAW_SHOWN(...) \
     DRAW("draw", .color = RG_TARGETS({ CLEARED(shown) }), .uses = RG_USES(__VA_ARGS__))
 
-static struct rg_plan *compile(const struct rg_pass *rows, size_t row_count,
-                               const struct rg_import *import)
+/* A technique of these rows; a plan points to it, so that it must be in the scope of the plan. */
+#define TECHNIQUE(rows) (&(const struct rg_technique)RG_TECHNIQUE("test", rows))
+
+static struct rg_plan *compile(const struct rg_technique *technique, const struct rg_import *import)
 {
-    const struct rg_technique technique = { "test", rows, row_count };
     struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
-        .techniques = (const struct rg_technique *[]){ &technique },
+        .techniques = (const struct rg_technique *[]){ technique },
         .technique_count = 1,
         .view = { SMALL_GRAPH_SIZE, SMALL_GRAPH_SIZE },
         .outputs = &(struct rg_output){ .image = &shown, .access = RG_SAMPLED },
@@ -32,9 +33,9 @@ static struct rg_plan *compile(const struct rg_pass *rows, size_t row_count,
     return plan;
 }
 
-static void check_fault(const struct rg_pass *rows, size_t row_count, enum rg_error error)
+static void check_fault(const struct rg_technique *technique, enum rg_error error)
 {
-    struct rg_plan *plan = compile(rows, row_count, NULL);
+    struct rg_plan *plan = compile(technique, NULL);
     assert_int_equal(plan->fault_count, 1);
     assert_int_equal(plan->faults[0].error, error);
     assert_string_equal(plan->faults[0].pass, "draw");
@@ -57,7 +58,7 @@ static void without_fallback_it_is_a_fault(void **state)
 {
     (void)state;
     const struct rg_pass rows[] = { DRAW_SHOWN({ TEXTURE(absent) }) };
-    check_fault(rows, 1, RG_ERROR_READ_BEFORE_WRITE);
+    check_fault(TECHNIQUE(rows), RG_ERROR_READ_BEFORE_WRITE);
 }
 
 /* Neither an image nor a use of the plan: it is as if the row had no such use. */
@@ -66,8 +67,8 @@ static void the_executor_binds_it(void **state)
     (void)state;
     const struct rg_pass with[] = { DRAW_SHOWN({ TEXTURE(absent), .fallback = &white }) };
     const struct rg_pass without[] = { DRAW("draw", .color = RG_TARGETS({ CLEARED(shown) })) };
-    struct rg_plan *plan = compile(with, 1, NULL);
-    struct rg_plan *bare = compile(without, 1, NULL);
+    struct rg_plan *plan = compile(TECHNIQUE(with), NULL);
+    struct rg_plan *bare = compile(TECHNIQUE(without), NULL);
     assert_int_equal(plan->fault_count, 0);
     assert_int_equal(plan->image_count, 1);
     assert_int_equal(plan->passes[0].use_count, 0);
@@ -90,7 +91,7 @@ static void each_repetition_has_its_own(void **state)
              .uses = RG_USES({ TEXTURE(absent), .fallback = &white })),
         DRAW_SHOWN({ TEXTURE(faces) }, { TEXTURE(other), .binding = 1, .fallback = &white }),
     };
-    struct rg_plan *plan = compile(rows, 2, NULL);
+    struct rg_plan *plan = compile(TECHNIQUE(rows), NULL);
     assert_int_equal(plan->fault_count, 0);
     assert_int_equal(plan->fallback_count, 4);
     for (uint32_t p = 0; p < 4; p++) {
@@ -101,10 +102,9 @@ static void each_repetition_has_its_own(void **state)
     rg_plan_destroy(plan);
 }
 
-static void check_provided(const struct rg_pass *rows, size_t row_count,
-                           const struct rg_import *import)
+static void check_provided(const struct rg_technique *technique, const struct rg_import *import)
 {
-    struct rg_plan *plan = compile(rows, row_count, import);
+    struct rg_plan *plan = compile(technique, import);
     assert_int_equal(plan->fault_count, 0);
     assert_int_equal(plan->fallback_count, 0);
     assert_int_not_equal(small_graph_find(plan, &absent), RG_NONE);
@@ -124,9 +124,9 @@ static void what_is_provided_is_read(void **state)
         COMPUTE("fill", { .image = &absent, .access = RG_STORAGE_WRITE }),
         DRAW_SHOWN({ TEXTURE(absent), .fallback = &white }),
     };
-    check_provided(reads, 1, &import);
-    check_provided(drawn, 2, NULL);
-    check_provided(stored, 2, NULL);
+    check_provided(TECHNIQUE(reads), &import);
+    check_provided(TECHNIQUE(drawn), NULL);
+    check_provided(TECHNIQUE(stored), NULL);
 }
 
 /* A later row writes it: that is a wrong order, not an image that is missing. */
@@ -137,7 +137,7 @@ static void a_later_write_is_a_fault(void **state)
         DRAW_SHOWN({ TEXTURE(absent), .fallback = &white }),
         DRAW("late", .color = RG_TARGETS({ CLEARED(absent) })),
     };
-    check_fault(rows, 2, RG_ERROR_READ_BEFORE_WRITE);
+    check_fault(TECHNIQUE(rows), RG_ERROR_READ_BEFORE_WRITE);
 }
 
 static void only_sampled_images_have_one(void **state)
@@ -150,13 +150,13 @@ static void only_sampled_images_have_one(void **state)
     };
     const struct rg_pass samples[] = { DRAW_SHOWN({ TEXTURE(many), .fallback = &white }) };
     const struct rg_pass format[] = { DRAW_SHOWN({ TEXTURE(unknown), .fallback = &white }) };
-    struct rg_plan *plan = compile(uniform, 1, NULL);
+    struct rg_plan *plan = compile(TECHNIQUE(uniform), NULL);
     assert_int_equal(plan->fault_count, 2);
     assert_int_equal(plan->faults[0].error, RG_ERROR_ACCESS);
     assert_int_equal(plan->faults[1].error, RG_ERROR_READ_BEFORE_WRITE);
     rg_plan_destroy(plan);
-    check_fault(samples, 1, RG_ERROR_ACCESS);
-    check_fault(format, 1, RG_ERROR_ACCESS);
+    check_fault(TECHNIQUE(samples), RG_ERROR_ACCESS);
+    check_fault(TECHNIQUE(format), RG_ERROR_ACCESS);
 }
 
 int main(void)
