@@ -7,14 +7,16 @@
 #include "graph/rg_time.h"
 #include "src/base/status.h"
 #include "src/frame/layers.h"
+#include "src/gpu/gpu.h"
 #include "src/gpu/gpu_swapchain.h"
 #include "src/metric/comparison.h"
+#include "src/scene/import/decode.h"
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
 
 enum {
     APP_OUTPUT_COUNT = 16,      /* -o options at most */
-    APP_POSITIONAL_COUNT = 256, /* words that are no options */
+    APP_POSITIONAL_COUNT = 256, /* words that are not options, and NULL */
     APP_SWEEP_COUNT = 4,        /* --sweep */
     APP_SBATCH_COUNT = 16,      /* --sbatch */
 };
@@ -35,14 +37,96 @@ enum app_overlay {
     APP_OVERLAY_OFF,
 };
 
-/* Files of firn profile (of firn render: json); NULL: not wanted. */
-struct app_reports {
-    const char *json, *csv, *trace, *html;
+/* A vector that an option may give. */
+struct app_vector {
+    bool is_given;
+    vec3s value;
+};
+
+/* What is drawn. */
+struct app_scene {
+    const char *name; /* SCENE; NULL: it is missing */
+    const char *environment, *surroundings, *material;
+    struct app_vector background; /* linear */
+    struct decode_params decode;
+    struct settings settings;
+    bool ior_is_set; /* by --set */
+};
+
+/* A picture of it, and how that is made. */
+struct app_picture {
+    struct app_scene scene;
+    const struct technique *rung;
+    const struct technique *split; /* on the right of a window; NULL: it is not split */
+    uint32_t width, height, samples;
+    uint32_t columns, rows;         /* of tiles that it is drawn in; 0: it is not */
+    uint32_t tile;                  /* the one to draw, from 1; 0: all of them */
+    bool interleaved;               /* tiles are so: renderer.h */
+    bool all_layers;                /* that the rung makes; app_parse() puts them into: */
+    uint32_t layers;                /* bit i: techniques_layer(i) */
+    const struct frame_layer *show; /* what PNG files show; NULL: the tonemapped picture */
+    struct app_vector eye, target;
+    struct app_vector orbit; /* azimuth, elevation (degrees), distance */
+    float fov_deg;           /* 0: the model's, or 45 */
+    enum rg_sharing sharing;
+};
+
+struct app_outputs {
+    const char *paths[APP_OUTPUT_COUNT];
+    uint32_t count;
+};
+
+/* What it is drawn on, and what is printed and written. */
+struct app_run {
+    struct gpu_params gpu;
+    struct app_outputs outputs;
+    enum app_format format;
+    bool quiet;
+    const char *program; /* as it was called */
+    char *const *words;  /* of the command line, from the command on; ends at NULL */
+};
+
+/* Of firn render and, but for json, of what firn farm starts. */
+struct app_render {
+    const char *frames;          /* not parsed; NULL: one picture */
+    uint32_t chunk, chunk_count; /* of frames, from 1; 0: all of them */
+    bool resume;
+    const char *json; /* file of a report; NULL: none */
+};
+
+/* Of firn view. */
+struct app_view {
+    uint32_t frame_count;     /* ends after so many; 0: when the window is closed */
+    uint32_t fps_limit;       /* frames a second; 0: none */
+    double time_step;         /* seconds from frame to frame; 0: as time passes */
+    const char *watch;        /* folder of shaders; NULL: none */
+    VkPresentModeKHR present; /* 0 means FIFO */
+    enum app_overlay overlay;
+};
+
+/* Of firn profile. */
+struct app_profile {
+    enum rg_clock clock; /* to measure by; RG_CLOCK_NONE: what a test of the device finds */
+    uint32_t warmup, run_count;
+    double time_step;                      /* seconds from run to run */
+    const char *json, *csv, *trace, *html; /* files of reports; NULL: not wanted */
+    const char *baseline;                  /* file */
+    bool each, capture;
+};
+
+/* Of firn profile and firn sheet. */
+struct app_sweeps {
+    const char *words[APP_SWEEP_COUNT]; /* "name=a,b,c" */
+    uint32_t count;
+};
+
+/* Of firn diff and of firn ladder's truth. */
+struct app_mask {
+    const char *file, *channel; /* NULL: all pixels, "A" */
 };
 
 /* Of firn diff. */
 struct app_diff {
-    const char *mask, *mask_channel; /* file and plane; NULL: all pixels, "A" */
     bool has_exposure;
     float exposure; /* stops */
     float ppd;      /* pixels per degree; 0: FLIP_PPD */
@@ -68,48 +152,17 @@ struct app_farm {
     bool submit;
 };
 
-/* What the command line says; zero is the default everywhere. */
+/* What the command line says; app_parse() sets what is not zero by default. */
 struct app_options {
-    const char *positionals[APP_POSITIONAL_COUNT]; /* SCENE, what to list, files; end at NULL */
-    const char *outputs[APP_OUTPUT_COUNT];
-    uint32_t output_count;
-    uint32_t width, height, samples;
-    uint32_t tile_columns, tile_rows; /* that a picture is drawn in; 0: it is not */
-    uint32_t tile;                    /* the one to draw, from 1; 0: all of them */
-    bool interleaved;                 /* tiles are so: renderer.h */
-    uint32_t layers;                  /* bit i: techniques_layer(i) */
-    bool all_layers;                  /* that the rung makes; app_parse() puts them into `layers` */
-    const struct frame_layer *show;   /* what PNG files show; NULL: the tonemapped picture */
-    const struct technique *rung;
-    const char *material, *environment, *surroundings, *device;
-    vec3s background, eye, target, orbit;   /* orbit: azimuth, elevation (degrees), distance */
-    uint32_t load_seconds, load_memory_gib; /* for one file; 0: as in decode.h */
-    bool has_background, has_eye, has_target, has_orbit, has_fov;
-    float fov_deg;
-    struct settings settings;
-    bool ior_is_set;             /* by --set */
-    const char *frames;          /* --frames, not parsed; NULL: one picture */
-    uint32_t chunk, chunk_count; /* of frames, from 1; 0: all of them */
-    bool validate, no_cache, quiet, resume;
-    const char *program; /* as it was called */
-    char *const *words;  /* of the command line, from the command on; ends at NULL */
-    enum app_format format;
-    enum rg_clock clock;        /* to measure by; RG_CLOCK_NONE: what a test of the device finds */
-    uint32_t warmup, run_count; /* of firn profile, as are: */
-    double time_step;           /* seconds from run to run; in a window 0: as time passes */
-    struct app_reports reports;
-    const char *baseline;                /* file */
-    const char *sweeps[APP_SWEEP_COUNT]; /* "name=a,b,c" */
-    uint32_t sweep_count;
-    bool each, capture;
-    uint32_t frame_count;          /* of firn view: ends after so many; 0: when it is closed */
-    uint32_t fps_limit;            /* frames a second; 0: none */
-    const struct technique *split; /* on the right of the window; NULL: it is not split */
-    const char *watch;             /* folder of shaders; NULL: none */
-    VkPresentModeKHR present;      /* 0 means FIFO */
-    enum app_overlay overlay;
-    enum rg_sharing sharing;
-    struct app_diff diff; /* its mask is of firn ladder's truth, too */
+    struct app_picture picture;
+    struct app_run run;
+    const char *positionals[APP_POSITIONAL_COUNT]; /* words that are not SCENE; end at NULL */
+    struct app_render render;
+    struct app_view view;
+    struct app_profile profile;
+    struct app_sweeps sweeps;
+    struct app_mask mask;
+    struct app_diff diff;
     struct app_ladder ladder;
     struct app_farm farm;
 };
@@ -145,19 +198,10 @@ void app_print_render_words(char *const *words, enum app_command command, uint32
 void app_help(enum app_command command);
 
 enum status app_render(const struct app_options *options);
-enum status app_graph(const struct app_options *given);
+enum status app_graph(const struct app_options *options);
 enum status app_list(const struct app_options *options);
 enum status app_profile(const struct app_options *options);
 enum status app_view(const struct app_options *options); /* becomes firn-view if it can */
-
-/*
- * Sets what `name` means, an option that says what is drawn ("size", "material") or a setting
- * ("cracks.count"), as the command line would. Logs: STATUS_USAGE.
- */
-MUST_USE enum status app_set(struct app_options *options, const char *name, const char *value);
-
-/* Whether they name one. Logs: STATUS_USAGE. */
-MUST_USE enum status app_need_scene(const struct app_options *options);
 enum status app_diff(const struct app_options *options);
 enum status app_ladder(const struct app_options *options);
 enum status app_bake(const struct app_options *options);
@@ -165,26 +209,38 @@ enum status app_sheet(const struct app_options *options);
 enum status app_farm(const struct app_options *given);
 enum status app_merge(const struct app_options *options);
 
+/*
+ * Sets what `name` means, an option that says what is drawn ("size", "material") or a setting
+ * ("cracks.count"), as the command line would. Logs: STATUS_USAGE.
+ */
+MUST_USE enum status app_set(struct app_picture *picture, const char *name, const char *value);
+
+/* Whether it has a name. Logs: STATUS_USAGE. */
+MUST_USE enum status app_need_scene(const struct app_scene *given);
+
 struct bump_maps_params;
 
 /* What the options say of the scene; the result points to `maps` and into the options. */
-struct scene_params app_describe_scene(const struct app_options *options,
+struct scene_params app_describe_scene(const struct app_scene *given,
                                        struct bump_maps_params *maps);
 
 /* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
-MUST_USE enum status app_load_scene(struct scene *scene, struct app_options *options);
+MUST_USE enum status app_load_scene(struct scene *scene, struct app_scene *given);
 
 /*
  * The same in two parts: what can be wrong, and what only takes a while and may run beside others
  * that read the first. The second returns NULL, or what there was no memory for, and does not log:
  * app_fill_failed() does, and returns STATUS_TRY_AGAIN.
  */
-MUST_USE enum status app_begin_scene(struct scene *scene, struct app_options *options);
-MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_options *options);
+MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *given);
+MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *given);
 enum status app_fill_failed(const char *lacking);
+
+/* Whether the rung can draw the scene. Logs: STATUS_USAGE. */
+MUST_USE enum status app_check_rung(const struct app_picture *picture, const struct scene *scene);
 
 /* The camera of the options, else the model's, else one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
-                                const struct app_options *options);
+                                const struct app_picture *picture);
 
 #endif

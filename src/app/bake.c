@@ -11,7 +11,6 @@
 #include "src/version.h"
 
 static const char default_output[] = "env.exr";
-static const uint32_t default_size = 512;
 
 struct job {
     struct app_options o;
@@ -23,24 +22,20 @@ struct job {
 
 static enum status draw(struct job *job)
 {
-    const struct app_options *o = &job->o;
-    enum status status = gpu_create(&job->gpu, &(struct gpu_params){
-                                                   .device = o->device,
-                                                   .validate = o->validate,
-                                                   .no_cache = o->no_cache,
-                                               });
+    struct app_picture *p = &job->o.picture;
+    enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (status == STATUS_OK)
         status = renderer_bake(
             &(struct renderer_params){
                 .gpu = &job->gpu,
                 .scene = &job->scene,
-                .settings = &o->settings,
-                .width = o->width,
-                .sharing = o->sharing,
+                .settings = &p->scene.settings,
+                .width = p->width,
+                .sharing = p->sharing,
             },
             job->output.shot.time, &job->strip);
-    job->o.width = job->strip.width;
-    job->o.height = job->strip.height;
+    p->width = job->strip.width;
+    p->height = job->strip.height;
     return status;
 }
 
@@ -68,14 +63,14 @@ static enum status encode(struct job *job, void **data, size_t *size)
 
 static enum status write_output(struct job *job)
 {
-    const char *path = job->o.outputs[0];
+    const char *path = job->o.run.outputs.paths[0];
     void *data = NULL;
     size_t size = 0;
     enum status status = encode(job, &data, &size);
     if (status == STATUS_OK)
         status = file_write(path, data, size);
     free(data);
-    if (status == STATUS_OK && !job->o.quiet)
+    if (status == STATUS_OK && !job->o.run.quiet)
         fprintf(stderr, "%s: six faces of %ux%u\n", path[0] == '-' && !path[1] ? "stdout" : path,
                 job->strip.width, job->strip.width);
     return status;
@@ -83,16 +78,17 @@ static enum status write_output(struct job *job)
 
 static enum status load(struct job *job)
 {
-    const struct motion_params *motion = settings_of(&job->o.settings, &motion_settings);
-    enum status status = app_load_scene(&job->scene, &job->o);
+    const struct motion_params *motion =
+        settings_of(&job->o.picture.scene.settings, &motion_settings);
+    enum status status = app_load_scene(&job->scene, &job->o.picture.scene);
     if (status == STATUS_OK && job->scene.cube.texels) {
         log_error("--env %s: expected an equirectangular picture, got a cube of firn bake",
-                  job->o.environment);
+                  job->o.picture.scene.environment);
         status = STATUS_USAGE;
     }
     const vec3s center = box_center(job->scene.box);
     job->output = (struct output){
-        .options = &job->o,
+        .picture = &job->o.picture,
         .scene = &job->scene,
         .shot = {
             .camera = {
@@ -108,14 +104,12 @@ static enum status load(struct job *job)
 
 static enum status run(struct job *job)
 {
-    if (!job->o.output_count)
-        job->o.outputs[job->o.output_count++] = default_output;
-    job->o.samples = 1;
-    if (!job->o.width)
-        job->o.width = job->o.height = default_size;
-    enum status status = app_need_scene(&job->o);
+    struct app_outputs *outputs = &job->o.run.outputs;
+    if (!outputs->count)
+        outputs->paths[outputs->count++] = default_output;
+    enum status status = app_need_scene(&job->o.picture.scene);
     if (status == STATUS_OK)
-        status = file_check(job->o.outputs[0]);
+        status = file_check(outputs->paths[0]);
     if (status == STATUS_OK)
         status = load(job);
     if (status == STATUS_OK)

@@ -40,14 +40,14 @@ static enum status read_pictures(struct job *job)
 
 static enum status read_mask(struct job *job)
 {
-    const struct app_diff *o = &job->options->diff;
+    const struct app_mask *mask = &job->options->mask;
     struct image image = { 0 };
-    enum status status = input_read(o->mask, &image);
+    enum status status = input_read(mask->file, &image);
     if (status == STATUS_OK)
-        status = check_size(job, &image, o->mask);
+        status = check_size(job, &image, mask->file);
     if (status == STATUS_OK)
-        status = input_make_mask(&image, o->mask, o->mask_channel ? o->mask_channel : "A",
-                                 &job->counted);
+        status =
+            input_make_mask(&image, mask->file, mask->channel ? mask->channel : "A", &job->counted);
     image_finish(&image);
     return status;
 }
@@ -70,12 +70,12 @@ static enum status check_options(struct job *job)
                   paths[0], paths[1]);
     else if (job->is_display && o->diff.has_exposure)
         log_error("--exposure: not available for PNG pictures, which are already exposed");
-    else if (o->diff.mask_channel && !o->diff.mask)
-        log_error("--mask-channel %s: --mask is missing", o->diff.mask_channel);
+    else if (o->mask.channel && !o->mask.file)
+        log_error("--mask-channel %s: --mask is missing", o->mask.channel);
     else
         status = STATUS_OK;
-    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
-        status = file_check(o->outputs[i]);
+    for (uint32_t i = 0; i < o->run.outputs.count && status == STATUS_OK; i++)
+        status = file_check(o->run.outputs.paths[i]);
     return status;
 }
 
@@ -98,11 +98,11 @@ static enum status check_layers(const struct job *job)
                   i == COMPARISON_ANGLE ? "exit.X, exit.Y and exit.Z" : "R, G and B");
         return STATUS_DATA;
     }
-    for (uint32_t i = 0; i < o->output_count; i++) {
-        if (c->has_beauty || (c->has_exit && path_ends_in(o->outputs[i], ".exr")))
+    for (uint32_t i = 0; i < o->run.outputs.count; i++) {
+        if (c->has_beauty || (c->has_exit && path_ends_in(o->run.outputs.paths[i], ".exr")))
             continue;
         log_error("cannot write %s: expected the channels R, G and B in both pictures",
-                  o->outputs[i]);
+                  o->run.outputs.paths[i]);
         return STATUS_DATA;
     }
     return STATUS_OK;
@@ -209,7 +209,7 @@ static enum status compare(struct job *job)
 
 static enum status print_report(const struct job *job)
 {
-    if (job->options->format != APP_FORMAT_JSON)
+    if (job->options->run.format != APP_FORMAT_JSON)
         diff_report_text(&job->report, stdout);
     else if (!diff_report_json(&job->report, stdout))
         return log_out_of_memory(NULL);
@@ -222,12 +222,12 @@ static enum status run(struct job *job)
     enum status status = check_options(job);
     if (status == STATUS_OK)
         status = read_pictures(job);
-    if (status == STATUS_OK && o->diff.mask)
+    if (status == STATUS_OK && o->mask.file)
         status = read_mask(job);
     if (status == STATUS_OK)
         status = compare(job);
-    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
-        status = write_errors(job, o->outputs[i]);
+    for (uint32_t i = 0; i < o->run.outputs.count && status == STATUS_OK; i++)
+        status = write_errors(job, o->run.outputs.paths[i]);
     if (status != STATUS_OK)
         return status;
     check_limits(job);

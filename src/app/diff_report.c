@@ -43,7 +43,7 @@ static void print_head(const struct diff_report *report, FILE *out)
     fputs("\ntest       ", out);
     print_name(o->positionals[1], out);
     fprintf(out, "\npixels     %u x %u", report->width, report->height);
-    if (o->diff.mask)
+    if (o->mask.file)
         fprintf(out, ", %zu selected by the mask", report->comparison->counted);
     fputs("\n\n", out);
 }
@@ -252,7 +252,7 @@ static bool fill_json(json_t *json, const struct diff_report *report)
               put(json, "width", make_count(report->width)) &&
               put(json, "height", make_count(report->height)) &&
               put(json, "pixels", make_count(c->counted)) &&
-              (!o->diff.mask || put(json, "mask", make_text(o->diff.mask))) &&
+              (!o->mask.file || put(json, "mask", make_text(o->mask.file))) &&
               put_beauty(json, report) && put_layers(json, c) &&
               (!c->has_exit || put_exit(json, &c->angle)) && (!c->has_tir || put_tir(json, c)) &&
               put_names(json, "only_reference", c->only_reference, c->only_reference_count) &&

@@ -31,32 +31,31 @@ static bool is_picture(const char *word)
 /* "status" may be of files alone. */
 static enum status take_words(struct app_options *o, bool is_status)
 {
+    struct app_outputs *outputs = &o->run.outputs;
     const char *scene = o->positionals[1];
-    o->positionals[1] = NULL;
-    o->positionals[0] = scene;
     if (is_status && is_picture(scene)) {
-        if (o->output_count) {
+        if (outputs->count) {
             log_error("--output: not available with farm status %s; name a SCENE or only files",
                       scene);
             return STATUS_USAGE;
         }
-        o->outputs[o->output_count++] = scene;
-        o->positionals[0] = NULL;
+        outputs->paths[outputs->count++] = scene;
         return STATUS_OK;
     }
-    return app_need_scene(o);
+    o->picture.scene.name = scene;
+    return app_need_scene(&o->picture.scene);
 }
 
 static enum status check_files(const struct app_options *o)
 {
-    for (uint32_t i = 0; i < o->output_count; i++) {
-        if (!strcmp(o->outputs[i], "-")) {
+    for (uint32_t i = 0; i < o->run.outputs.count; i++) {
+        if (!strcmp(o->run.outputs.paths[i], "-")) {
             log_error(
                 "--output: expected a file name, got '-': the stdout of a task is not collected");
             return STATUS_USAGE;
         }
     }
-    if (o->frames)
+    if (o->render.frames)
         return STATUS_OK;
     log_error("--frames is missing: expected the frames to draw (see --help)");
     return STATUS_USAGE;
@@ -130,14 +129,14 @@ static enum status make_script(const struct app_options *o, const struct sequenc
         .options = o,
         .frame_count = count,
         .task_count = most < count ? most : count,
-        .program = find_program(path, o->program),
+        .program = find_program(path, o->run.program),
         .name = name,
     };
     char *text = NULL;
     size_t size;
     enum status status = STATUS_OK;
 
-    name_job(name, o->outputs[0]);
+    name_job(name, o->run.outputs.paths[0]);
     FILE *out = open_memstream(&text, &size);
     if (out)
         print(&script, out);
@@ -155,7 +154,7 @@ static enum status make_script(const struct app_options *o, const struct sequenc
 
 static enum status make_parallel(const struct app_options *o, const struct sequence *sequence)
 {
-    for (char *const *word = o->words; *word; word++) {
+    for (char *const *word = o->run.words; *word; word++) {
         if (strchr(*word, '{')) {
             log_error(
                 "farm parallel: '%s' contains '{', which GNU parallel replaces; use another name",
@@ -194,8 +193,6 @@ enum status app_farm(const struct app_options *given)
                   what ? what : "");
         return STATUS_USAGE;
     }
-    if (!o.samples)
-        o.samples = 1;
     enum status status = take_words(&o, kinds[k].is_status);
     if (status == STATUS_OK)
         status = check_files(&o);

@@ -6,7 +6,7 @@
 /* The words of the command line, without "farm" and what comes of it. */
 static void print_words(const struct farm_script *script, FILE *out)
 {
-    app_print_render_words(script->options->words + 1, APP_FARM, 1, out);
+    app_print_render_words(script->options->run.words + 1, APP_FARM, 1, out);
 }
 
 static void print_program(const struct farm_script *script, const char *what, FILE *out)

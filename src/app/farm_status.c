@@ -30,7 +30,8 @@ static const struct {
 };
 
 struct look {
-    struct app_options o; /* the scene settles some of them */
+    struct app_picture picture; /* its scene settles some of it; no name: there is none */
+    const struct app_outputs *outputs;
     const struct sequence *sequence;
     struct scene scene;
     struct camera camera;
@@ -78,14 +79,15 @@ static enum status look_at_frame(struct look *look, uint32_t index)
 {
     const int32_t number = look->sequence->range.frames[index];
     struct output output = {
-        .options = &look->o,
+        .picture = &look->picture,
         .scene = &look->scene,
-        .shot = { .camera = look->camera, .time = (float)sequence_time(&look->o, number) },
+        .shot = { .camera = look->camera,
+                  .time = (float)sequence_time(&look->picture.scene.settings, number) },
     };
-    const bool has_scene = look->o.positionals[0] != NULL;
+    const bool has_scene = look->picture.scene.name != NULL;
     enum status status = has_scene ? output_describe(&output) : STATUS_OK;
     enum state worst = DONE;
-    for (uint32_t i = 0; i < look->o.output_count && status == STATUS_OK; i++) {
+    for (uint32_t i = 0; i < look->outputs->count && status == STATUS_OK; i++) {
         char *path = frame_name_make(&look->sequence->names[i], number);
         const enum state state = path ? judge(look, has_scene ? &output : NULL, i, path) : DONE;
         worst = state > worst ? state : worst;
@@ -191,19 +193,21 @@ static enum status print_json(const struct look *look)
 static enum status look_at_all(struct look *look)
 {
     const uint32_t count = look->sequence->range.count;
-    struct app_options *o = &look->o;
+    struct app_picture *picture = &look->picture;
     enum status status = STATUS_OK;
     look->frames = calloc(count, sizeof(*look->frames));
     if (!look->frames)
         return log_out_of_memory(NULL);
-    if (o->positionals[0]) {
-        status = app_load_scene(&look->scene, o);
+    if (picture->scene.name) {
+        status = app_load_scene(&look->scene, &picture->scene);
         if (status == STATUS_OK)
-            status = app_camera(&look->camera, &look->scene, o);
+            status = app_check_rung(picture, &look->scene);
         if (status == STATUS_OK)
-            status = output_check_tiles(o);
+            status = app_camera(&look->camera, &look->scene, picture);
+        if (status == STATUS_OK)
+            status = output_check_tiles(picture, look->outputs);
     } else {
-        for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
+        for (uint32_t i = 0; i < look->outputs->count && status == STATUS_OK; i++)
             status = find_newest(look, i);
     }
     for (uint32_t i = 0; i < count && status == STATUS_OK; i++)
@@ -213,9 +217,13 @@ static enum status look_at_all(struct look *look)
 
 enum status farm_status(const struct app_options *options, const struct sequence *sequence)
 {
-    struct look look = { .o = *options, .sequence = sequence };
+    struct look look = {
+        .picture = options->picture,
+        .outputs = &options->run.outputs,
+        .sequence = sequence,
+    };
     enum status status = look_at_all(&look);
-    if (status == STATUS_OK && options->format == APP_FORMAT_JSON)
+    if (status == STATUS_OK && options->run.format == APP_FORMAT_JSON)
         status = print_json(&look);
     else if (status == STATUS_OK)
         print_text(&look);

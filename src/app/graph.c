@@ -13,28 +13,28 @@ static dump_fn *const dumps[APP_FORMAT_COUNT] = {
     [APP_FORMAT_HTML] = rg_dump_html,
 };
 
-enum status app_graph(const struct app_options *given)
+enum status app_graph(const struct app_options *o)
 {
-    struct app_options o = *given;
+    struct app_picture p = o->picture;
     struct scene scene;
     struct frame_plan frame = { 0 };
-    enum status status = app_load_scene(&scene, &o);
+    enum status status = app_load_scene(&scene, &p.scene);
     if (status != STATUS_OK)
         return status;
     status = renderer_plan(&frame, &(struct renderer_params){
                                        .scene = &scene,
-                                       .settings = &o.settings,
-                                       .rung = o.rung,
-                                       .width = o.width,
-                                       .height = o.height,
-                                       .samples = o.samples,
-                                       .layers = o.layers,
+                                       .settings = &p.scene.settings,
+                                       .rung = p.rung,
+                                       .width = p.width,
+                                       .height = p.height,
+                                       .samples = p.samples,
+                                       .layers = p.layers,
                                        .linear = true,
                                        .display = true,
-                                       .sharing = o.sharing,
+                                       .sharing = p.sharing,
                                    });
     if (status == STATUS_OK)
-        dumps[o.format](frame.plan, stdout);
+        dumps[o->run.format](frame.plan, stdout);
     frame_plan_finish(&frame);
     scene_finish(&scene);
     return status;

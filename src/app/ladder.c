@@ -15,7 +15,6 @@
 #include "src/settings/scene_settings.h"
 
 static const char default_scene[] = "ice-cube";
-static const uint32_t default_side = 512;
 
 struct job {
     struct app_options o;
@@ -33,12 +32,13 @@ struct job {
 
 static enum status refuse_furnace(const struct app_options *o)
 {
-    const char *option = o->environment      ? "--env"
-                         : o->surroundings   ? "--surroundings"
-                         : o->has_background ? "--background"
-                         : o->ladder.truth   ? "--truth"
-                         : o->output_count   ? "--output"
-                                             : NULL;
+    const struct app_scene *scene = &o->picture.scene;
+    const char *option = scene->environment           ? "--env"
+                         : scene->surroundings        ? "--surroundings"
+                         : scene->background.is_given ? "--background"
+                         : o->ladder.truth            ? "--truth"
+                         : o->run.outputs.count       ? "--output"
+                                                      : NULL;
     if (!option)
         return STATUS_OK;
     log_error("%s: not available with --furnace, which has a constant environment and prints only "
@@ -50,29 +50,25 @@ static enum status refuse_furnace(const struct app_options *o)
 static enum status check(struct job *job)
 {
     struct app_options *o = &job->o;
+    struct app_scene *scene = &o->picture.scene;
     enum status status = o->ladder.furnace ? refuse_furnace(o) : STATUS_OK;
     if (status == STATUS_OK && !reference_is_built()) {
         log_error("firn ladder: this build has no Embree; rebuild with meson setup --reconfigure "
                   "-Dreference=enabled");
         return STATUS_NO_DEVICE;
     }
-    if (status == STATUS_OK && o->diff.mask && !o->ladder.truth) {
-        log_error("--mask %s: --truth is missing, which the mask is for", o->diff.mask);
+    if (status == STATUS_OK && o->mask.file && !o->ladder.truth) {
+        log_error("--mask %s: --truth is missing, which the mask is for", o->mask.file);
         return STATUS_USAGE;
     }
-    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
-        status = file_check(o->outputs[i]);
-    if (!o->positionals[0])
-        o->positionals[0] = default_scene;
-    if (!o->width)
-        o->width = o->height = default_side;
-    if (!o->samples)
-        o->samples = 1;
+    for (uint32_t i = 0; i < o->run.outputs.count && status == STATUS_OK; i++)
+        status = file_check(o->run.outputs.paths[i]);
+    if (!scene->name)
+        scene->name = default_scene;
     if (o->ladder.furnace) {
-        o->has_background = true;
-        o->background = (vec3s){ { 1.0f, 1.0f, 1.0f } };
+        scene->background = (struct app_vector){ true, { { 1.0f, 1.0f, 1.0f } } };
         o->ladder.run_count = 0;
-        settings_put(&o->settings, settings_find("motion.count"), 0.0);
+        settings_put(&scene->settings, settings_find("motion.count"), 0.0);
     }
     return status;
 }
@@ -86,7 +82,7 @@ static enum status read_truth(struct job *job)
     enum status status = input_read(path, &job->truth);
     if (status != STATUS_OK)
         return status;
-    if (job->truth.width != o->width || job->truth.height != o->height) {
+    if (job->truth.width != o->picture.width || job->truth.height != o->picture.height) {
         log_error("%s has %u x %u pixels: set --size %ux%u", path, job->truth.width,
                   job->truth.height, job->truth.width, job->truth.height);
         return STATUS_DATA;
@@ -96,15 +92,14 @@ static enum status read_truth(struct job *job)
         log_error("%s: expected the channels R, G and B", path);
         return STATUS_DATA;
     }
-    if (!o->diff.mask)
+    if (!o->mask.file)
         return STATUS_OK;
-    status = input_read(o->diff.mask, &mask);
+    status = input_read(o->mask.file, &mask);
     if (status == STATUS_OK)
-        status = input_check_size(&job->truth, path, &mask, o->diff.mask);
+        status = input_check_size(&job->truth, path, &mask, o->mask.file);
     if (status == STATUS_OK)
-        status =
-            input_make_mask(&mask, o->diff.mask, o->diff.mask_channel ? o->diff.mask_channel : "A",
-                            &job->truth_counted);
+        status = input_make_mask(&mask, o->mask.file, o->mask.channel ? o->mask.channel : "A",
+                                 &job->truth_counted);
     image_finish(&mask);
     return status;
 }
@@ -121,43 +116,40 @@ static bool show_progress(void *user, uint32_t stage, uint32_t done, uint32_t al
 
 static enum status measure(struct job *job)
 {
-    struct app_options *o = &job->o;
-    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
+    const struct app_options *o = &job->o;
+    const struct app_picture *p = &o->picture;
+    const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
     struct ladder_params params = {
         .gpu = &job->gpu,
         .scene = &job->scene,
-        .settings = &o->settings,
+        .settings = &p->scene.settings,
         .shot = { .time = motion->time },
-        .width = o->width,
-        .height = o->height,
-        .samples = o->samples,
+        .width = p->width,
+        .height = p->height,
+        .samples = p->samples,
         .rungs = o->ladder.rungs,
         .run_count = o->ladder.run_count,
         .truth = job->truth.plane_count ? &job->truth : NULL,
         .truth_counted = job->truth_counted,
-        .sharing = o->sharing,
+        .sharing = p->sharing,
     };
     char names[REFERENCE_NAMES_SIZE];
-    enum status status = app_camera(&params.shot.camera, &job->scene, o);
+    enum status status = app_camera(&params.shot.camera, &job->scene, p);
     if (status == STATUS_OK)
-        status = gpu_create(&job->gpu, &(struct gpu_params){
-                                           .device = o->device,
-                                           .validate = o->validate,
-                                           .no_cache = o->no_cache,
-                                       });
+        status = gpu_create(&job->gpu, &o->run.gpu);
     if (status != STATUS_OK)
         return status;
-    if (!o->quiet && reference_leaves_out(&o->settings, names, sizeof(names)))
+    if (!o->run.quiet && reference_leaves_out(&p->scene.settings, names, sizeof(names)))
         log_warning("firn ladder: the reference has only the smooth object, without %s", names);
-    progress_begin(&job->progress, ladder_stages(&params), "steps", o->quiet);
+    progress_begin(&job->progress, ladder_stages(&params), "steps", o->run.quiet);
     status = ladder_run(&job->ladder, &params, show_progress, job);
     progress_clear(&job->progress);
     job->report = (struct ladder_report){
         .ladder = &job->ladder,
-        .scene = o->positionals[0],
+        .scene = p->scene.name,
         .command = job->command,
         .device = job->gpu.properties.deviceName,
-        .samples = o->samples,
+        .samples = p->samples,
     };
     return status;
 }
@@ -186,7 +178,7 @@ static enum status write_output(const struct job *job, const char *path)
     if (status == STATUS_OK)
         status = file_write(path, data, size);
     free(data);
-    if (status == STATUS_OK && !job->o.quiet)
+    if (status == STATUS_OK && !job->o.run.quiet)
         fprintf(stderr, "%s\n", path);
     return status;
 }
@@ -196,7 +188,7 @@ static enum status print(const struct job *job)
     char *text = NULL;
     size_t size;
     enum status status = STATUS_OK;
-    if (job->o.format != APP_FORMAT_JSON)
+    if (job->o.run.format != APP_FORMAT_JSON)
         ladder_table(&job->report, stdout);
     else
         status = ladder_json(&job->report, &text, &size);
@@ -215,8 +207,8 @@ static enum status report(const struct job *job)
         furnace_print(&furnace, stdout);
         status = furnace_holds(&furnace) ? STATUS_OK : STATUS_FAILED;
     } else {
-        for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++)
-            status = write_output(job, job->o.outputs[i]);
+        for (uint32_t i = 0; i < job->o.run.outputs.count && status == STATUS_OK; i++)
+            status = write_output(job, job->o.run.outputs.paths[i]);
         if (status == STATUS_OK)
             status = print(job);
     }
@@ -229,10 +221,10 @@ static enum status run(struct job *job)
     if (status == STATUS_OK && job->o.ladder.truth)
         status = read_truth(job);
     if (status == STATUS_OK)
-        status = app_load_scene(&job->scene, &job->o);
+        status = app_load_scene(&job->scene, &job->o.picture.scene);
     if (status == STATUS_OK && job->scene.has_pool) {
         log_error("firn ladder: expected a scene with a refracting object, got '%s'",
-                  job->o.positionals[0]);
+                  job->o.picture.scene.name);
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK)
@@ -250,7 +242,7 @@ enum status app_ladder(const struct app_options *options)
     enum status status = STATUS_TRY_AGAIN;
     if (job) {
         job->o = *options;
-        job->command = shell_words_join(options->words);
+        job->command = shell_words_join(options->run.words);
     }
     if (job && job->command)
         status = run(job);

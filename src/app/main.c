@@ -100,8 +100,8 @@ static enum status run(int argc, char **argv)
     if (i == COMMAND_COUNT)
         return unknown(argv[1]);
     enum status status = app_parse(&options, commands[i].command, argc - 2, argv + 2, &done);
-    options.program = argv[0];
-    options.words = argv + 1;
+    options.run.program = argv[0];
+    options.run.words = argv + 1;
     if (status == STATUS_OK && !done)
         status = commands[i].run(&options);
     return status;

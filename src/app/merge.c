@@ -233,7 +233,7 @@ static enum status write_picture(struct job *job, const char *path)
 
 enum status app_merge(const struct app_options *o)
 {
-    const char *path = o->output_count ? o->outputs[0] : default_output;
+    const char *path = o->run.outputs.count ? o->run.outputs.paths[0] : default_output;
     struct job *job = calloc(1, sizeof(*job));
     enum status status = STATUS_OK;
     if (!job) {
@@ -249,7 +249,7 @@ enum status app_merge(const struct app_options *o)
         status = open_tiles(job, o);
     if (status == STATUS_OK)
         status = write_picture(job, path);
-    if (status == STATUS_OK && !o->quiet)
+    if (status == STATUS_OK && !o->run.quiet)
         fprintf(stderr, "%s: %ux%u of %u tiles\n", strcmp(path, "-") ? path : "stdout",
                 job->image.width, job->image.height, job->tiling.columns * job->tiling.rows);
     for (uint32_t i = 0; i < APP_POSITIONAL_COUNT; i++)

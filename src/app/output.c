@@ -59,34 +59,34 @@ static void print_cube_time(FILE *out, const struct settings *settings, const st
 
 static bool describe(const struct output *output, const struct frame_layer *show, char **text)
 {
-    const struct app_options *o = output->options;
+    const struct app_picture *p = output->picture;
     const struct camera *camera = &output->shot.camera;
-    struct settings settings = o->settings;
+    struct settings settings = p->scene.settings;
     size_t size;
     FILE *out = open_memstream(text, &size);
     bool ok = out != NULL;
 
     settings_put(&settings, settings_find("motion.time"), (double)output->shot.time);
     if (out) {
-        fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", o->positionals[0],
-                o->rung->rung.name, o->width, o->height, o->samples);
-        if (o->interleaved) /* other tiles change nothing */
-            fprintf(out, " interleaved=%ux%u", o->tile_columns, o->tile_rows);
-        if (o->split)
-            fprintf(out, " split=%s", o->split->rung.name);
+        fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", p->scene.name,
+                p->rung->rung.name, p->width, p->height, p->samples);
+        if (p->interleaved) /* other tiles change nothing */
+            fprintf(out, " interleaved=%ux%u", p->columns, p->rows);
+        if (p->split)
+            fprintf(out, " split=%s", p->split->rung.name);
         if (show)
             fprintf(out, " show=%s", show->name);
-        if (o->environment)
-            fprintf(out, " env=%s", o->environment);
-        if (o->surroundings)
-            fprintf(out, " surroundings=%s", o->surroundings);
-        if (o->has_background)
-            print_vector(out, "background", o->background);
+        if (p->scene.environment)
+            fprintf(out, " env=%s", p->scene.environment);
+        if (p->scene.surroundings)
+            fprintf(out, " surroundings=%s", p->scene.surroundings);
+        if (p->scene.background.is_given)
+            print_vector(out, "background", p->scene.background.value);
         print_vector(out, "eye", camera->eye);
         print_vector(out, "target", camera->target);
         fprintf(out, " fov=%.9g", (double)camera->fov_deg);
         print_settings(out, &settings);
-        print_cube_time(out, &o->settings, output->scene);
+        print_cube_time(out, &p->scene.settings, output->scene);
         ok = !ferror(out);
         ok = !fclose(out) && ok;
     }
@@ -96,7 +96,7 @@ static bool describe(const struct output *output, const struct frame_layer *show
 enum status output_describe(struct output *output)
 {
     bool ok = describe(output, NULL, &output->settings) &&
-              describe(output, output->options->show, &output->png_settings);
+              describe(output, output->picture->show, &output->png_settings);
     if (!ok)
         log_error("out of memory");
     return ok ? STATUS_OK : STATUS_TRY_AGAIN;
@@ -116,13 +116,13 @@ static void add_text(struct texts *texts, const char *name, const char *value)
 static void fill_texts(struct texts *texts, const struct output *output, bool is_png,
                        const char *device)
 {
-    const struct app_options *o = output->options;
+    const struct app_picture *p = output->picture;
     texts->count = 0;
     add_text(texts, "firn/version", FIRN_VERSION);
     add_text(texts, "firn/settings", is_png ? output->png_settings : output->settings);
-    if (o->tile) {
-        snprintf(texts->tile, sizeof(texts->tile), "%u of %ux%u%s", o->tile, o->tile_columns,
-                 o->tile_rows, o->interleaved ? " interleaved" : "");
+    if (p->tile) {
+        snprintf(texts->tile, sizeof(texts->tile), "%u of %ux%u%s", p->tile, p->columns, p->rows,
+                 p->interleaved ? " interleaved" : "");
         add_text(texts, "firn/tile", texts->tile);
     }
     texts->compared_count = texts->count;
@@ -130,55 +130,55 @@ static void fill_texts(struct texts *texts, const struct output *output, bool is
 }
 
 /* Which pixels of the picture a file has; of interleaved tiles at (0, 0). */
-static struct tile pixels_of(const struct app_options *o)
+static struct tile pixels_of(const struct app_picture *p)
 {
-    const struct tiling tiling = { o->width, o->height, o->tile_columns, o->tile_rows };
-    if (!o->tile)
-        return (struct tile){ .width = o->width, .height = o->height };
-    if (!o->interleaved)
-        return tile_at(&tiling, o->tile - 1);
+    const struct tiling tiling = { p->width, p->height, p->columns, p->rows };
+    if (!p->tile)
+        return (struct tile){ .width = p->width, .height = p->height };
+    if (!p->interleaved)
+        return tile_at(&tiling, p->tile - 1);
     return (struct tile){
-        .width = o->width / o->tile_columns,
-        .height = o->height / o->tile_rows,
+        .width = p->width / p->columns,
+        .height = p->height / p->rows,
     };
 }
 
-static struct exr_place place_of(const struct app_options *o)
+static struct exr_place place_of(const struct app_picture *p)
 {
-    const struct tile tile = pixels_of(o);
-    if (!o->tile || o->interleaved)
+    const struct tile tile = pixels_of(p);
+    if (!p->tile || p->interleaved)
         return (struct exr_place){ 0 };
-    return (struct exr_place){ tile.x, tile.y, o->width, o->height };
+    return (struct exr_place){ tile.x, tile.y, p->width, p->height };
 }
 
 /* What is wrong with tiles of the picture's size; NULL: nothing. */
-static const char *check_sizes(const struct app_options *o)
+static const char *check_sizes(const struct app_picture *p)
 {
-    const struct tiling tiling = { o->width, o->height, o->tile_columns, o->tile_rows };
-    if (!o->interleaved)
+    const struct tiling tiling = { p->width, p->height, p->columns, p->rows };
+    if (!p->interleaved)
         return tile_fits(&tiling) ? NULL
                                   : "--tiles: expected at least 2x2 pixels per tile; increase "
                                     "--size or use fewer tiles";
-    if (o->width % o->tile_columns || o->height % o->tile_rows)
+    if (p->width % p->columns || p->height % p->rows)
         return "--interleaved: expected a --size that is a multiple of the columns and rows of "
                "--tiles";
     return NULL;
 }
 
-enum status output_check_tiles(const struct app_options *o)
+enum status output_check_tiles(const struct app_picture *p, const struct app_outputs *outputs)
 {
     const char *wrong = NULL;
-    if (!o->tile_columns && (o->tile || o->interleaved)) {
-        wrong = o->tile ? "--tile: --tiles is missing" : "--interleaved: --tiles is missing";
-    } else if (o->tile_columns) {
-        if (o->rung == &refract_reference)
+    if (!p->columns && (p->tile || p->interleaved)) {
+        wrong = p->tile ? "--tile: --tiles is missing" : "--interleaved: --tiles is missing";
+    } else if (p->columns) {
+        if (p->rung == &refract_reference)
             wrong = "--tiles: not available with --refraction reference, which needs no tiles";
-        else if (o->tile > o->tile_columns * o->tile_rows)
+        else if (p->tile > p->columns * p->rows)
             wrong = "--tile: its number exceeds the number of --tiles";
         else
-            wrong = check_sizes(o);
-        for (uint32_t i = 0; i < o->output_count && o->tile && !wrong; i++)
-            wrong = path_ends_in(o->outputs[i], ".png")
+            wrong = check_sizes(p);
+        for (uint32_t i = 0; i < outputs->count && p->tile && !wrong; i++)
+            wrong = path_ends_in(outputs->paths[i], ".png")
                         ? "--tile: expected an .exr file as --output, got a .png"
                         : NULL;
     }
@@ -196,28 +196,28 @@ enum {
 
 static void add_layer(struct image *image, const struct frame_layer *layer)
 {
-    for (size_t p = 0; p < 4 && layer->planes[p]; p++) {
+    for (size_t i = 0; i < 4 && layer->planes[i]; i++) {
         struct image_plane *plane = &image->planes[image->plane_count++];
         plane->half = layer->half;
-        snprintf(plane->name, sizeof(plane->name), "%s", layer->planes[p]);
+        snprintf(plane->name, sizeof(plane->name), "%s", layer->planes[i]);
     }
 }
 
 static bool exr_is_current(const struct output *output, const char *path, const struct texts *texts)
 {
-    const struct app_options *o = output->options;
+    const struct app_picture *p = output->picture;
     struct image_plane planes[PLANE_COUNT_MAX] = { 0 };
-    const struct tile tile = pixels_of(o);
+    const struct tile tile = pixels_of(p);
     struct image image = { .width = tile.width, .height = tile.height, .planes = planes };
     const struct exr_header header = {
         .texts = texts->all,
         .text_count = texts->compared_count,
-        .place = place_of(o),
+        .place = place_of(p),
     };
 
     add_layer(&image, &frame_beauty);
     for (uint32_t i = 0; techniques_layer(i); i++) {
-        if (o->layers & 1u << i)
+        if (p->layers & 1u << i)
             add_layer(&image, techniques_layer(i));
     }
     return exr_matches(path, &image, &header);
@@ -231,8 +231,8 @@ bool output_is_current(const struct output *output, const char *path)
     const bool is_png = path_ends_in(path, ".png");
     fill_texts(&texts, output, is_png, "");
     const struct png_picture picture = {
-        .width = pixels_of(output->options).width,
-        .height = pixels_of(output->options).height,
+        .width = pixels_of(output->picture).width,
+        .height = pixels_of(output->picture).height,
         .texts = texts.all,
         .text_count = texts.compared_count,
     };
@@ -243,13 +243,13 @@ bool output_is_current(const struct output *output, const char *path)
 
 /* The planes of what is drawn only to be shown are left out. */
 static void select_planes(struct image *image, const struct image *drawn,
-                          const struct app_options *o)
+                          const struct app_picture *p)
 {
-    const bool leave_out = o->show && !(o->layers & layer_picture_bit(o->show));
+    const bool leave_out = p->show && !(p->layers & layer_picture_bit(p->show));
     for (uint32_t i = 0; i < drawn->plane_count; i++) {
         bool keep = true;
-        for (size_t p = 0; leave_out && p < 4 && o->show->planes[p]; p++)
-            keep = keep && strcmp(drawn->planes[i].name, o->show->planes[p]) != 0;
+        for (size_t n = 0; leave_out && n < 4 && p->show->planes[n]; n++)
+            keep = keep && strcmp(drawn->planes[i].name, p->show->planes[n]) != 0;
         if (keep)
             image->planes[image->plane_count++] = drawn->planes[i];
     }
@@ -258,23 +258,23 @@ static void select_planes(struct image *image, const struct image *drawn,
 static enum status encode_exr(const struct output *output, const struct render_result *result,
                               const struct texts *texts, void **data, size_t *size)
 {
-    const struct app_options *o = output->options;
+    const struct app_picture *p = output->picture;
     const struct camera *camera = &output->shot.camera;
     const mat4s view = camera_view_from_world(camera);
     const mat4s ndc = camera_clip_from_world(
-        camera, o->width, o->height, scene_near_plane(output->scene), (vec2s){ { 0.0f, 0.0f } });
+        camera, p->width, p->height, scene_near_plane(output->scene), (vec2s){ { 0.0f, 0.0f } });
     /* column-major matrices for column vectors are row-major ones for row vectors */
     const struct exr_header header = {
         .texts = texts->all,
         .text_count = texts->count,
         .world_to_camera = &view.raw[0][0],
         .world_to_ndc = &ndc.raw[0][0],
-        .place = place_of(o),
+        .place = place_of(p),
     };
-    const struct tile tile = pixels_of(o);
+    const struct tile tile = pixels_of(p);
     struct image_plane planes[PLANE_COUNT_MAX];
     struct image image = { .width = tile.width, .height = tile.height, .planes = planes };
-    select_planes(&image, &result->image, o);
+    select_planes(&image, &result->image, p);
     return exr_encode(&image, &header, data, size);
 }
 
@@ -287,8 +287,8 @@ enum status output_encode(const struct output *output, const char *path,
     fill_texts(&texts, output, is_png, device);
     const struct png_picture picture = {
         .rgba = result->rgba,
-        .width = pixels_of(output->options).width,
-        .height = pixels_of(output->options).height,
+        .width = pixels_of(output->picture).width,
+        .height = pixels_of(output->picture).height,
         .texts = texts.all,
         .text_count = texts.count,
     };

@@ -9,7 +9,7 @@
 
 /* A frame, before and after it is drawn. */
 struct output {
-    const struct app_options *options; /* as app_load_scene() left them */
+    const struct app_picture *picture; /* its scene is as app_load_scene() left it */
     const struct scene *scene;
     struct renderer_shot shot;
     char *settings;     /* how to draw it again, made by output_describe() */
@@ -34,10 +34,10 @@ void output_finish(struct output *output);
 bool output_is_current(const struct output *output, const char *path);
 
 /*
- * Whether --tiles and --tile go with the size, as app_load_scene() left it, and with the rest.
- * Logs: STATUS_USAGE.
+ * Whether --tiles and --tile go with the size, the rung and the files. Logs: STATUS_USAGE.
  */
-MUST_USE enum status output_check_tiles(const struct app_options *options);
+MUST_USE enum status output_check_tiles(const struct app_picture *picture,
+                                        const struct app_outputs *outputs);
 
 /* Encodes it for file_write(); the caller frees *data. Logs. */
 MUST_USE enum status output_encode(const struct output *output, const char *path,

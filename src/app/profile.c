@@ -15,10 +15,9 @@
 
 /* ---- before the device ---- */
 
-static enum status check_reports(const struct app_options *o)
+static enum status check_reports(const struct app_profile *given)
 {
-    const char *const paths[] = { o->reports.json, o->reports.csv, o->reports.trace,
-                                  o->reports.html };
+    const char *const paths[] = { given->json, given->csv, given->trace, given->html };
     uint32_t stdout_count = 0;
     enum status status = STATUS_OK;
     for (size_t i = 0; i < sizeof(paths) / sizeof(paths[0]) && status == STATUS_OK; i++) {
@@ -52,7 +51,7 @@ static enum status write_csv(const char *path, const struct profile *profile)
 
 static enum status write_reports(const struct profile_job *job, const struct profile *profile)
 {
-    const struct app_reports *to = &job->o.reports;
+    const struct app_profile *to = &job->o.profile;
     enum status status = STATUS_OK;
     char *text;
     size_t size;
@@ -79,17 +78,17 @@ static enum status run_frame(struct profile_job *job)
 {
     struct profile profile = { 0 };
     bool is_slower = false;
-    enum status status = profile_job_measure(job, &job->o, &profile);
+    enum status status = profile_job_measure(job, &job->o.picture, &profile);
     if (status == STATUS_OK)
         status = write_reports(job, &profile);
-    if (status == STATUS_OK && profile_job_has_table(&job->o))
-        status = profile_table(&profile, job->o.each, stdout);
-    if (status == STATUS_OK && job->o.baseline) {
-        FILE *out = profile_job_has_table(&job->o) ? stdout : stderr;
+    if (status == STATUS_OK && profile_job_has_table(&job->o.profile))
+        status = profile_table(&profile, job->o.profile.each, stdout);
+    if (status == STATUS_OK && job->o.profile.baseline) {
+        FILE *out = profile_job_has_table(&job->o.profile) ? stdout : stderr;
         putc('\n', out);
-        status = profile_compare(&job->baseline, &profile, job->o.each, out, &is_slower);
+        status = profile_compare(&job->baseline, &profile, job->o.profile.each, out, &is_slower);
     }
-    if (status == STATUS_OK && job->capture[0] && !job->o.quiet)
+    if (status == STATUS_OK && job->capture[0] && !job->o.run.quiet)
         fprintf(stderr, "RenderDoc has captured a frame: %s\n", job->capture);
     profile_finish(&profile);
     return status == STATUS_OK && is_slower ? STATUS_FAILED : status;
@@ -98,9 +97,9 @@ static enum status run_frame(struct profile_job *job)
 /* ---- a sweep ---- */
 
 /* Reports of one frame, where there will be many. */
-static enum status refuse_reports(const struct app_options *o, const char *many)
+static enum status refuse_reports(const struct app_profile *given, const char *many)
 {
-    if (!o->baseline && !o->reports.csv && !o->reports.trace && !o->capture)
+    if (!given->baseline && !given->csv && !given->trace && !given->capture)
         return STATUS_OK;
     log_error(
         "--csv, --trace, --baseline and --capture: not available with %s; use --json or --html",
@@ -110,16 +109,16 @@ static enum status refuse_reports(const struct app_options *o, const char *many)
 
 static enum status run_sweep(struct profile_job *job)
 {
-    struct app_options o;
+    struct app_picture picture;
     enum status status = STATUS_OK;
     job->progress.frame_name = "point";
     for (uint32_t i = 0; i < job->sweep.point_count && status == STATUS_OK; i++) {
         job->progress.frame = i;
-        status = sweep_options_at(&job->sweep, i, &job->o, &o);
+        status = sweep_options_at(&job->sweep, i, &job->o.picture, &picture);
         if (status == STATUS_OK)
-            status = profile_job_measure(job, &o, &job->sweep.points[i]);
+            status = profile_job_measure(job, &picture, &job->sweep.points[i]);
     }
-    if (status == STATUS_OK && profile_job_has_table(&job->o))
+    if (status == STATUS_OK && profile_job_has_table(&job->o.profile))
         status = profile_sweep_table(&job->sweep, stdout);
     return status == STATUS_OK ? profile_job_write_sweep(job) : status;
 }
@@ -130,27 +129,27 @@ static enum status run_sweep(struct profile_job *job)
 static enum status check(struct profile_job *job, bool is_paper)
 {
     const struct app_options *o = &job->o;
-    enum status status = check_reports(o);
-    if (status == STATUS_OK && is_paper && o->sweep_count) {
+    enum status status = check_reports(&o->profile);
+    if (status == STATUS_OK && is_paper && o->sweeps.count) {
         log_error("--sweep: not available with firn profile paper");
         status = STATUS_USAGE;
     }
-    if (status == STATUS_OK && (is_paper || o->sweep_count))
-        status = refuse_reports(o, is_paper ? "paper" : "--sweep");
+    if (status == STATUS_OK && (is_paper || o->sweeps.count))
+        status = refuse_reports(&o->profile, is_paper ? "paper" : "--sweep");
     if (status == STATUS_OK)
-        status = sweep_options_parse(&job->sweep, &job->o);
-    if (status == STATUS_OK && o->baseline)
-        status = profile_read_json(o->baseline, &job->baseline);
+        status = sweep_options_parse(&job->sweep, &o->sweeps, &o->picture);
+    if (status == STATUS_OK && o->profile.baseline)
+        status = profile_read_json(o->profile.baseline, &job->baseline);
     return status;
 }
 
 static enum status run(struct profile_job *job)
 {
     const struct app_options *o = &job->o;
-    const bool is_paper = o->positionals[0] && !strcmp(o->positionals[0], "paper");
+    const bool is_paper = o->picture.scene.name && !strcmp(o->picture.scene.name, "paper");
     enum status status = check(job, is_paper);
     const uint32_t points = job->sweep.point_count;
-    progress_begin(&job->progress, points ? points : 1, "runs", o->quiet);
+    progress_begin(&job->progress, points ? points : 1, "runs", o->run.quiet);
     if (status != STATUS_OK)
         return status;
     if (is_paper)

@@ -17,12 +17,8 @@
 
 static enum status open_device(struct profile_job *job)
 {
-    const struct app_options *o = &job->o;
-    enum status status = gpu_create(&job->gpu, &(struct gpu_params){
-                                                   .device = o->device,
-                                                   .validate = o->validate,
-                                                   .no_cache = o->no_cache,
-                                               });
+    const struct app_profile *o = &job->o.profile;
+    enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (status == STATUS_OK && o->capture && !gpu_capture_is_there()) {
         log_error("--capture: RenderDoc is not loaded; start firn from RenderDoc, or with "
                   "ENABLE_VULKAN_RENDERDOC_CAPTURE=1");
@@ -71,10 +67,10 @@ static bool describe_settings(struct profile *p, const struct settings *settings
 }
 
 /* By its name if the index is the material's. */
-static void describe_material(struct profile *p, const struct app_options *o)
+static void describe_material(struct profile *p, const struct app_scene *given)
 {
-    const double ior = settings_get(&o->settings, settings_find("refract.ior"));
-    const struct material *named = o->material ? material_find(o->material) : &materials[0];
+    const double ior = settings_get(&given->settings, settings_find("refract.ior"));
+    const struct material *named = given->material ? material_find(given->material) : &materials[0];
     for (; named->name && fabs((double)named->ior - ior) > 1e-6; named++)
         continue;
     if (named->name)
@@ -83,53 +79,54 @@ static void describe_material(struct profile *p, const struct app_options *o)
         snprintf(p->material, sizeof(p->material), "refractive index %g", ior);
 }
 
-static enum status describe(struct profile *p, const struct app_options *o)
+static enum status describe(struct profile *p, const struct app_scene *given, char *const *words)
 {
-    p->scene = strdup(o->positionals[0]);
-    p->command = shell_words_join(o->words);
-    describe_material(p, o);
-    if (p->scene && p->command && describe_settings(p, &o->settings))
+    p->scene = strdup(given->name);
+    p->command = shell_words_join(words);
+    describe_material(p, given);
+    if (p->scene && p->command && describe_settings(p, &given->settings))
         return STATUS_OK;
     log_error("out of memory");
     profile_finish(p);
     return STATUS_TRY_AGAIN;
 }
 
-enum status profile_job_measure(struct profile_job *job, const struct app_options *options,
+enum status profile_job_measure(struct profile_job *job, const struct app_picture *picture,
                                 struct profile *profile)
 {
-    struct app_options o = *options;
+    const struct app_profile *o = &job->o.profile;
+    struct app_picture p = *picture;
     struct scene scene = { 0 };
     struct profile_request request = {
         .clock = &job->clock,
-        .warmup = o.warmup,
-        .run_count = o.run_count,
-        .capture = o.capture ? job->capture : NULL,
-        .time_step = o.time_step,
+        .warmup = o->warmup,
+        .run_count = o->run_count,
+        .capture = o->capture ? job->capture : NULL,
+        .time_step = o->time_step,
     };
     *profile = (struct profile){ 0 };
-    enum status status = app_load_scene(&scene, &o);
+    enum status status = app_load_scene(&scene, &p.scene);
     if (status == STATUS_OK)
-        status = app_camera(&request.camera, &scene, &o);
+        status = app_camera(&request.camera, &scene, &p);
     if (status == STATUS_OK && !job->gpu.device)
         status = open_device(job);
     if (status == STATUS_OK) {
-        const struct motion_params *motion = settings_of(&o.settings, &motion_settings);
+        const struct motion_params *motion = settings_of(&p.scene.settings, &motion_settings);
         request.time = (double)motion->time;
         request.renderer = (struct renderer_params){
             .gpu = &job->gpu,
             .scene = &scene,
-            .settings = &o.settings,
-            .rung = o.rung,
-            .width = o.width,
-            .height = o.height,
-            .sharing = o.sharing,
+            .settings = &p.scene.settings,
+            .rung = p.rung,
+            .width = p.width,
+            .height = p.height,
+            .sharing = p.sharing,
         };
         status = profile_measure(profile, &request, show_progress, job);
         progress_clear(&job->progress);
     }
     if (status == STATUS_OK)
-        status = describe(profile, &o);
+        status = describe(profile, &p.scene, job->o.run.words);
     scene_finish(&scene);
     return status;
 }
@@ -141,10 +138,10 @@ static bool is_stdout(const char *path)
     return path && !strcmp(path, "-");
 }
 
-bool profile_job_has_table(const struct app_options *o)
+bool profile_job_has_table(const struct app_profile *given)
 {
-    const struct app_reports *r = &o->reports;
-    return !is_stdout(r->json) && !is_stdout(r->csv) && !is_stdout(r->trace) && !is_stdout(r->html);
+    return !is_stdout(given->json) && !is_stdout(given->csv) && !is_stdout(given->trace) &&
+           !is_stdout(given->html);
 }
 
 enum status profile_job_write_text(const char *path, enum status made, char *text, size_t size)
@@ -156,7 +153,7 @@ enum status profile_job_write_text(const char *path, enum status made, char *tex
 
 enum status profile_job_write_sweep(const struct profile_job *job)
 {
-    const struct app_reports *to = &job->o.reports;
+    const struct app_profile *to = &job->o.profile;
     enum status status = STATUS_OK;
     char *text;
     size_t size;

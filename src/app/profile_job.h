@@ -17,15 +17,15 @@ struct profile_job {
     char capture[MEASURE_PATH_SIZE];
 };
 
-/* Measures what options say, those of the job or others. On failure *profile is {0}. */
-MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_options *options,
+/* Measures a picture, the job's or another. On failure *profile is {0}. */
+MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_picture *picture,
                                          struct profile *profile);
 
 /* Writes the reports of job->sweep that the options name, and flushes what tables came before. */
 MUST_USE enum status profile_job_write_sweep(const struct profile_job *job);
 
 /* Tables go to stdout unless a file does. */
-bool profile_job_has_table(const struct app_options *options);
+bool profile_job_has_table(const struct app_profile *given);
 
 /* Writes a text, which it frees, if `made` says that there is one. */
 MUST_USE enum status profile_job_write_text(const char *path, enum status made, char *text,

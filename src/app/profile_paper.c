@@ -99,19 +99,17 @@ static const struct {
 
 /* ---- measuring ---- */
 
-static enum status case_options(const struct profile_job *job, const struct paper_case *c,
-                                struct app_options *o)
+static enum status case_picture(const struct profile_job *job, const struct paper_case *c,
+                                struct app_picture *picture)
 {
     enum status status = STATUS_OK;
-    *o = job->o;
-    o->positionals[0] = c->scene;
-    if (o->time_step <= 0)
-        o->time_step = 0.04; /* what moves, moves */
+    *picture = job->o.picture;
+    picture->scene.name = c->scene;
     for (size_t i = 0; c->set[i] && status == STATUS_OK; i++) {
         char name[64];
         size_t length = strcspn(c->set[i], "=");
         snprintf(name, sizeof(name), "%.*s", (int)length, c->set[i]);
-        status = app_set(o, name, c->set[i] + length + 1);
+        status = app_set(picture, name, c->set[i] + length + 1);
     }
     return status;
 }
@@ -172,19 +170,21 @@ static void print_pairs(const struct profile *points)
 
 enum status profile_paper(struct profile_job *job)
 {
-    struct app_options o;
+    struct app_picture picture;
     enum status status = make_points(job);
+    if (job->o.profile.time_step <= 0)
+        job->o.profile.time_step = 0.04; /* what moves, moves */
     job->progress.frames = CASE_COUNT;
     job->progress.frame_name = "case";
     for (uint32_t i = 0; i < CASE_COUNT && status == STATUS_OK; i++) {
         job->progress.frame = i;
-        status = case_options(job, &cases[i], &o);
+        status = case_picture(job, &cases[i], &picture);
         if (status == STATUS_OK)
-            status = profile_job_measure(job, &o, &job->sweep.points[i]);
+            status = profile_job_measure(job, &picture, &job->sweep.points[i]);
     }
     if (status != STATUS_OK)
         return status;
-    if (profile_job_has_table(&job->o)) {
+    if (profile_job_has_table(&job->o.profile)) {
         print_cases(job->sweep.points);
         print_pairs(job->sweep.points);
     }

@@ -58,18 +58,21 @@ static enum status frame_init(struct frame *frame, const struct job *job, int32_
 {
     *frame = (struct frame){
         .output = {
-            .options = &job->o,
+            .picture = &job->o.picture,
             .scene = &job->scene,
-            .shot = { .camera = job->camera, .time = (float)sequence_time(&job->o, number),
-                      .tile = job->o.tile ? job->o.tile - 1 : 0 },
+            .shot = {
+                .camera = job->camera,
+                .time = (float)sequence_time(&job->o.picture.scene.settings, number),
+                .tile = job->o.picture.tile ? job->o.picture.tile - 1 : 0,
+            },
         },
     };
     enum status status = output_describe(&frame->output);
-    for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++) {
+    for (uint32_t i = 0; i < job->o.run.outputs.count && status == STATUS_OK; i++) {
         frame->paths[i] = frame_name_make(&job->sequence.names[i], number);
         if (!frame->paths[i])
             status = log_out_of_memory(NULL);
-        else if (job->o.resume)
+        else if (job->o.render.resume)
             frame->is_current[i] = output_is_current(&frame->output, frame->paths[i]);
     }
     return status;
@@ -95,14 +98,14 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
 static bool make_whole(const struct job *job, const struct render_result *tile,
                        struct render_result *whole)
 {
-    image_init(&whole->image, job->o.width, job->o.height);
+    image_init(&whole->image, job->o.picture.width, job->o.picture.height);
     for (uint32_t p = 0; p < tile->image.plane_count; p++) {
         const struct image_plane *plane = &tile->image.planes[p];
         if (!image_add_plane(&whole->image, plane->name, plane->half))
             return false;
     }
     if (tile->rgba)
-        whole->rgba = malloc((size_t)job->o.width * job->o.height * 4);
+        whole->rgba = malloc((size_t)job->o.picture.width * job->o.picture.height * 4);
     return !tile->rgba || whole->rgba;
 }
 
@@ -110,9 +113,9 @@ static bool make_whole(const struct job *job, const struct render_result *tile,
 static void put_tile(const struct job *job, uint32_t index, const struct render_result *tile,
                      struct render_result *whole)
 {
-    const bool apart = job->o.interleaved;
-    const struct tiling tiling = { job->o.width, job->o.height, job->o.tile_columns,
-                                   job->o.tile_rows };
+    const bool apart = job->o.picture.interleaved;
+    const struct tiling tiling = { job->o.picture.width, job->o.picture.height,
+                                   job->o.picture.columns, job->o.picture.rows };
     const struct tile at =
         apart ? (struct tile){ index % tiling.columns, index / tiling.columns, 0, 0 }
               : tile_at(&tiling, index);
@@ -133,7 +136,7 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
                               struct render_result *whole)
 {
     enum status status = STATUS_OK;
-    job->tile_count = job->o.tile_columns * job->o.tile_rows;
+    job->tile_count = job->o.picture.columns * job->o.picture.rows;
     for (uint32_t i = 0; i < job->tile_count && status == STATUS_OK; i++) {
         struct renderer_shot part = *shot;
         struct render_result tile = { 0 };
@@ -154,17 +157,17 @@ static enum status draw_picture(struct job *job, const struct renderer_shot *sho
 {
     if (job->reference)
         return reference_render(job->reference, shot, result, show_progress, job);
-    if (job->o.tile_columns && !job->o.tile)
+    if (job->o.picture.columns && !job->o.picture.tile)
         return draw_tiles(job, shot, result);
     return renderer_render(job->renderer, shot, result, show_progress, job);
 }
 
 static enum status draw(struct job *job, struct frame *frame)
 {
-    const struct frame_layer *show = job->o.show;
+    const struct frame_layer *show = job->o.picture.show;
     const struct renderer_shot *shot = &frame->output.shot;
     struct render_result *result = &frame->result;
-    progress_show(&job->progress, 0, job->o.samples);
+    progress_show(&job->progress, 0, job->o.picture.samples);
     enum status status = draw_picture(job, shot, result);
     progress_clear(&job->progress);
     if (status == STATUS_OK && show) {
@@ -188,7 +191,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
     };
     char names[REFERENCE_NAMES_SIZE];
     enum status status = reference_create(&job->reference, &request);
-    if (status == STATUS_OK && !job->o.quiet &&
+    if (status == STATUS_OK && !job->o.run.quiet &&
         reference_leaves_out(params->settings, names, sizeof(names)))
         log_warning("--refraction reference: draws only the smooth object, without %s", names);
     return status;
@@ -197,14 +200,15 @@ static enum status open_reference(struct job *job, const struct renderer_params 
 /* What llvmpipe saves by compiling less is lost again by a few times as many pixels. */
 static bool is_small(const struct job *job)
 {
-    const uint64_t pixels = (uint64_t)job->o.width * job->o.height * job->o.samples;
+    const uint64_t pixels =
+        (uint64_t)job->o.picture.width * job->o.picture.height * job->o.picture.samples;
     return pixels <= (1u << 17) / job->sequence.range.count;
 }
 
 static void *fill_scene(void *user)
 {
     struct job *job = user;
-    job->lacking = app_fill_scene(&job->scene, &job->o);
+    job->lacking = app_fill_scene(&job->scene, &job->o.picture.scene);
     return NULL;
 }
 
@@ -212,16 +216,11 @@ static void *fill_scene(void *user)
  * status are the device's. */
 static enum status open_device(struct job *job)
 {
-    const struct app_options *o = &job->o;
     pthread_t thread;
     if (is_small(job))
         cpu_driver_prefer_start();
     const bool is_beside = pthread_create(&thread, NULL, fill_scene, job) == 0;
-    const enum status status = gpu_create(&job->gpu, &(struct gpu_params){
-                                                         .device = o->device,
-                                                         .validate = o->validate,
-                                                         .no_cache = o->no_cache,
-                                                     });
+    const enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (is_beside)
         pthread_join(thread, NULL);
     else if (status == STATUS_OK)
@@ -232,33 +231,34 @@ static enum status open_device(struct job *job)
 /* Opens the device, or what traces, with the first frame that has to be drawn. */
 static enum status open_renderer(struct job *job)
 {
-    const struct app_options *o = &job->o;
+    const struct app_picture *p = &job->o.picture;
+    const struct app_outputs *outputs = &job->o.run.outputs;
     struct renderer_params params = {
         .gpu = &job->gpu,
         .scene = &job->scene,
-        .settings = &o->settings,
-        .rung = o->rung,
-        .width = o->width,
-        .height = o->height,
-        .columns = o->tile_columns,
-        .rows = o->tile_rows,
-        .interleaved = o->interleaved,
-        .samples = o->samples,
-        .sharing = o->sharing,
+        .settings = &p->scene.settings,
+        .rung = p->rung,
+        .width = p->width,
+        .height = p->height,
+        .columns = p->columns,
+        .rows = p->rows,
+        .interleaved = p->interleaved,
+        .samples = p->samples,
+        .sharing = p->sharing,
         .warm_up = true,
     };
-    for (uint32_t i = 0; i < o->output_count; i++) {
-        if (path_ends_in(o->outputs[i], ".png"))
-            params.display = !o->show;
+    for (uint32_t i = 0; i < outputs->count; i++) {
+        if (path_ends_in(outputs->paths[i], ".png"))
+            params.display = !p->show;
         else
             params.linear = true;
     }
     if (params.linear)
-        params.layers = o->layers;
-    else if (o->layers)
+        params.layers = p->layers;
+    else if (p->layers)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
-    params.layers |= layer_picture_bit(o->show);
-    if (o->rung == &refract_reference)
+    params.layers |= layer_picture_bit(p->show);
+    if (p->rung == &refract_reference)
         return open_reference(job, &params);
     enum status status = open_device(job);
     if (status == STATUS_OK)
@@ -268,7 +268,7 @@ static enum status open_renderer(struct job *job)
 
 static enum status write_output(struct job *job, const struct frame *frame, const char *path)
 {
-    const struct app_options *o = &job->o;
+    const struct app_picture *p = &job->o.picture;
     const bool is_straight = file_is_straight(path); /* a pipe may wait for ever */
     void *data = NULL;
     size_t size = 0;
@@ -283,19 +283,19 @@ static enum status write_output(struct job *job, const struct frame *frame, cons
             signals_release(&job->stop);
     }
     free(data);
-    if (status == STATUS_OK && !o->quiet)
-        fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout", o->width,
-                o->height, o->samples, o->samples > 1 ? "s" : "");
+    if (status == STATUS_OK && !job->o.run.quiet)
+        fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout", p->width,
+                p->height, p->samples, p->samples > 1 ? "s" : "");
     return status;
 }
 
 static enum status write_outputs(struct job *job, const struct frame *frame)
 {
     enum status status = STATUS_OK;
-    for (uint32_t i = 0; i < job->o.output_count && status == STATUS_OK; i++) {
+    for (uint32_t i = 0; i < job->o.run.outputs.count && status == STATUS_OK; i++) {
         if (!frame->is_current[i])
             status = write_output(job, frame, frame->paths[i]);
-        else if (!job->o.quiet)
+        else if (!job->o.run.quiet)
             fprintf(stderr, "%s: up to date\n", frame->paths[i]);
     }
     return status;
@@ -316,7 +316,7 @@ static enum status run_frame(struct job *job, uint32_t index)
     enum status status = frame_init(&frame, job, job->sequence.range.frames[index]);
     if (status == STATUS_OK)
         report_hash(frame.output.settings, news.hash);
-    if (status == STATUS_OK && !frame_is_current(&frame, job->o.output_count)) {
+    if (status == STATUS_OK && !frame_is_current(&frame, job->o.run.outputs.count)) {
         news.state = REPORT_DRAWN;
         if (!job->renderer && !job->reference)
             status = open_renderer(job);
@@ -341,8 +341,9 @@ static enum status run_frames(struct job *job)
 {
     const uint32_t count = job->sequence.range.count;
     enum status first = STATUS_OK, status = STATUS_OK;
-    progress_begin(&job->progress, count, job->o.rung == &refract_reference ? "tiles" : "samples",
-                   job->o.quiet);
+    progress_begin(&job->progress, count,
+                   job->o.picture.rung == &refract_reference ? "tiles" : "samples",
+                   job->o.run.quiet);
     for (uint32_t i = 0; i < count && (status == STATUS_OK || status == STATUS_CANT_CREATE); i++) {
         job->progress.frame = i;
         status = run_frame(job, i);
@@ -356,7 +357,7 @@ static enum status run_frames(struct job *job)
 
 static enum status write_report(const struct job *job, int code)
 {
-    const char *path = job->o.reports.json;
+    const char *path = job->o.render.json;
     size_t size;
     char *text = report_json(&job->report, &job->sequence, &job->o, code, &size);
     enum status status = text ? file_write(path, text, size) : log_out_of_memory(NULL);
@@ -368,7 +369,7 @@ static enum status write_report(const struct job *job, int code)
 static void write_last_report(void *user, int code)
 {
     const struct job *job = user;
-    if (job->report.count && !file_is_straight(job->o.reports.json) &&
+    if (job->report.count && !file_is_straight(job->o.render.json) &&
         write_report(job, code) != STATUS_OK)
         return; /* it has said why */
 }
@@ -386,9 +387,9 @@ static enum status begin_report(struct job *job)
 /* Once there are frames to speak of: what was wrong with the words has been said. */
 static enum status end_report(struct job *job, enum status status)
 {
-    if (!job->o.reports.json || !job->report.frames)
+    if (!job->o.render.json || !job->report.frames)
         return status;
-    const bool is_straight = file_is_straight(job->o.reports.json);
+    const bool is_straight = file_is_straight(job->o.render.json);
     if (!is_straight)
         signals_hold(&job->stop);
     const enum status written = write_report(job, (int)status);
@@ -403,14 +404,16 @@ static enum status run(struct job *job)
     enum status status = sequence_parse(&job->sequence, &job->o);
     if (status == STATUS_OK)
         status = sequence_check(&job->sequence, &job->o);
-    if (status == STATUS_OK && job->o.reports.json)
-        status = file_check(job->o.reports.json);
+    if (status == STATUS_OK && job->o.render.json)
+        status = file_check(job->o.render.json);
     if (status == STATUS_OK)
-        status = app_begin_scene(&job->scene, &job->o);
+        status = app_begin_scene(&job->scene, &job->o.picture.scene);
     if (status == STATUS_OK)
-        status = app_camera(&job->camera, &job->scene, &job->o);
+        status = app_check_rung(&job->o.picture, &job->scene);
     if (status == STATUS_OK)
-        status = output_check_tiles(&job->o);
+        status = app_camera(&job->camera, &job->scene, &job->o.picture);
+    if (status == STATUS_OK)
+        status = output_check_tiles(&job->o.picture, &job->o.run.outputs);
     if (status == STATUS_OK)
         status = begin_report(job);
     if (status == STATUS_OK)
@@ -426,9 +429,7 @@ enum status app_render(const struct app_options *options)
     if (!job)
         return log_out_of_memory(NULL);
     job->o = *options;
-    if (!job->o.samples)
-        job->o.samples = 1;
-    if (job->o.reports.json)
+    if (job->o.render.json)
         job->stop = (struct signals){ .last = write_last_report, .user = job };
     enum status status = signals_begin(&job->stop);
     if (status == STATUS_OK)

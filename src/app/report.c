@@ -96,12 +96,12 @@ char *report_json(const struct report *report, const struct sequence *sequence,
     bool ok = frames != NULL;
     for (uint32_t i = 0; i < report->count && ok; i++) {
         const int32_t number = sequence->range.frames[i];
-        json_t *files = files_of(sequence, o->output_count, number);
+        json_t *files = files_of(sequence, o->run.outputs.count, number);
         ok = files &&
              json_array_append_new(frames, frame_of(&report->frames[i], number, files)) == 0;
     }
     json_t *json = ok ? json_pack("{s:s, s:o, s:i, s:O}", "version", FIRN_VERSION, "scene",
-                                  word(o->positionals[0]), "code", code, "frames", frames)
+                                  word(o->picture.scene.name), "code", code, "frames", frames)
                       : NULL;
     char *text = json ? json_dumps(json, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) : NULL;
     json_decref(json);

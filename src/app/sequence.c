@@ -11,8 +11,8 @@
 
 static enum status parse_frames(struct sequence *sequence, const struct app_options *o)
 {
-    if (o->frames)
-        return frame_range_parse(&sequence->range, o->frames);
+    if (o->render.frames)
+        return frame_range_parse(&sequence->range, o->render.frames);
     sequence->range.frames = calloc(1, sizeof(*sequence->range.frames));
     sequence->range.count = 1;
     return sequence->range.frames ? STATUS_OK : log_out_of_memory(NULL);
@@ -21,24 +21,25 @@ static enum status parse_frames(struct sequence *sequence, const struct app_opti
 /* After the names: those of all frames must differ, whoever draws them. */
 static enum status take_chunk(struct sequence *sequence, const struct app_options *o)
 {
-    if (!o->frames) {
-        log_error("--chunk %u/%u: --frames is missing", o->chunk, o->chunk_count);
+    if (!o->render.frames) {
+        log_error("--chunk %u/%u: --frames is missing", o->render.chunk, o->render.chunk_count);
         return STATUS_USAGE;
     }
-    frame_range_chunk(&sequence->range, o->chunk, o->chunk_count);
-    if (!sequence->range.count && !o->quiet)
-        fprintf(stderr, "--chunk %u/%u: contains no frames\n", o->chunk, o->chunk_count);
+    frame_range_chunk(&sequence->range, o->render.chunk, o->render.chunk_count);
+    if (!sequence->range.count && !o->run.quiet)
+        fprintf(stderr, "--chunk %u/%u: contains no frames\n", o->render.chunk,
+                o->render.chunk_count);
     return STATUS_OK;
 }
 
 static enum status parse_name(struct sequence *sequence, const struct app_options *o, uint32_t i)
 {
-    const char *path = o->outputs[i];
+    const char *path = o->run.outputs.paths[i];
     const uint32_t count = sequence->range.count;
     struct frame_name *name = &sequence->names[i];
 
     *name = (struct frame_name){ .path = path };
-    if (!o->frames) {
+    if (!o->render.frames) {
         if (!frame_name_is_pattern(path))
             return STATUS_OK;
         log_error("--output %s: has a frame number, but --frames is missing", path);
@@ -60,24 +61,25 @@ static enum status parse_name(struct sequence *sequence, const struct app_option
 
 static enum status parse_names(struct sequence *sequence, struct app_options *o)
 {
+    struct app_outputs *outputs = &o->run.outputs;
     enum status status = STATUS_OK;
-    bool stdout_taken = o->reports.json && !strcmp(o->reports.json, "-");
+    bool stdout_taken = o->render.json && !strcmp(o->render.json, "-");
     bool has_png = false;
-    if (!o->output_count)
-        o->outputs[o->output_count++] = o->frames ? "firn.####.exr" : "firn.exr";
-    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++) {
-        const bool is_stdout = !strcmp(o->outputs[i], "-");
+    if (!outputs->count)
+        outputs->paths[outputs->count++] = o->render.frames ? "firn.####.exr" : "firn.exr";
+    for (uint32_t i = 0; i < outputs->count && status == STATUS_OK; i++) {
+        const bool is_stdout = !strcmp(outputs->paths[i], "-");
         if (is_stdout && stdout_taken) {
             log_error("stdout can hold only one picture or report, but '-' is given twice");
             return STATUS_USAGE;
         }
         stdout_taken = stdout_taken || is_stdout;
-        has_png = has_png || path_ends_in(o->outputs[i], ".png");
+        has_png = has_png || path_ends_in(outputs->paths[i], ".png");
         status = parse_name(sequence, o, i);
     }
-    if (status == STATUS_OK && o->show && !has_png) {
+    if (status == STATUS_OK && o->picture.show && !has_png) {
         log_error("--show %s: only PNG files show a layer; add one with -o FILE.png",
-                  o->show->name);
+                  o->picture.show->name);
         return STATUS_USAGE;
     }
     return status;
@@ -88,14 +90,14 @@ enum status sequence_parse(struct sequence *sequence, struct app_options *o)
     enum status status = parse_frames(sequence, o);
     if (status == STATUS_OK)
         status = parse_names(sequence, o);
-    if (status == STATUS_OK && o->chunk)
+    if (status == STATUS_OK && o->render.chunk)
         status = take_chunk(sequence, o);
     return status;
 }
 
-double sequence_time(const struct app_options *o, int32_t frame)
+double sequence_time(const struct settings *settings, int32_t frame)
 {
-    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
+    const struct motion_params *motion = settings_of(settings, &motion_settings);
     return (double)motion->time + frame / (double)motion->fps;
 }
 
@@ -103,15 +105,15 @@ static enum status check_frame(const struct sequence *sequence, const struct app
                                int32_t frame)
 {
     const struct setting *row = settings_find("motion.time");
-    const double time = sequence_time(o, frame);
+    const double time = sequence_time(&o->picture.scene.settings, frame);
     enum status status = STATUS_OK;
     if (time < row->min || time > row->max) {
         log_error("--frames %s: frame %d is at %.7g seconds (motion.time + frame / motion.fps), "
                   "expected %.7g to %.7g seconds",
-                  o->frames, (int)frame, time, row->min, row->max);
+                  o->render.frames, (int)frame, time, row->min, row->max);
         return STATUS_USAGE;
     }
-    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++) {
+    for (uint32_t i = 0; i < o->run.outputs.count && status == STATUS_OK; i++) {
         char *path = frame_name_make(&sequence->names[i], frame);
         status = path ? file_check(path) : log_out_of_memory(NULL);
         free(path);

@@ -21,7 +21,7 @@ struct sequence {
 MUST_USE enum status sequence_parse(struct sequence *sequence, struct app_options *options);
 
 /* Seconds at which a frame is. */
-double sequence_time(const struct app_options *options, int32_t frame);
+double sequence_time(const struct settings *settings, int32_t frame);
 
 /*
  * Whether every file can be created, and every frame has a time that --set motion.time takes. Logs

@@ -49,28 +49,23 @@ static enum status sweep_materials(struct job *job)
     const bool failed = ferror(out) != 0;
     if (fclose(out) || failed)
         return log_out_of_memory(NULL);
-    job->o.sweeps[job->o.sweep_count++] = job->materials;
+    job->o.sweeps.words[job->o.sweeps.count++] = job->materials;
     return STATUS_OK;
 }
 
 static enum status check(struct job *job)
 {
     struct app_options *o = &job->o;
-    if (!o->output_count)
-        o->outputs[o->output_count++] = default_output;
-    if (!o->samples)
-        o->samples = 1;
-    if (!o->width) {
-        o->width = 320;
-        o->height = 240;
-    }
-    enum status status = app_need_scene(o);
+    struct app_outputs *outputs = &o->run.outputs;
+    if (!outputs->count)
+        outputs->paths[outputs->count++] = default_output;
+    enum status status = app_need_scene(&o->picture.scene);
     if (status == STATUS_OK)
-        status = file_check(o->outputs[0]);
-    if (status == STATUS_OK && !o->sweep_count)
+        status = file_check(outputs->paths[0]);
+    if (status == STATUS_OK && !o->sweeps.count)
         status = sweep_materials(job);
     if (status == STATUS_OK)
-        status = sweep_options_parse(&job->sweep, o);
+        status = sweep_options_parse(&job->sweep, &o->sweeps, &o->picture);
     if (status == STATUS_OK && job->sweep.point_count > PICTURES_MAX) {
         log_error("--sweep: expected at most %d pictures on a sheet, got %u", PICTURES_MAX,
                   job->sweep.point_count);
@@ -80,7 +75,7 @@ static enum status check(struct job *job)
         if (strcmp(job->sweep.parameters[i].name, "size") != 0)
             continue;
         log_error("--sweep %s: all pictures of a sheet have the same size; use --size",
-                  o->sweeps[i]);
+                  o->sweeps.words[i]);
         status = STATUS_USAGE;
     }
     return status;
@@ -90,7 +85,7 @@ static enum status check(struct job *job)
 
 static uint32_t letter_scale(const struct job *job)
 {
-    return job->o.width >= 2 * ROOM ? 2 : 1;
+    return job->o.picture.width >= 2 * ROOM ? 2 : 1;
 }
 
 static uint32_t label_height(const struct job *job)
@@ -111,17 +106,18 @@ static enum status open_canvas(struct job *job)
 {
     const uint32_t across = columns(job);
     const uint32_t down = (job->sweep.point_count + across - 1) / across;
-    const uint32_t width = across * (job->o.width + MARGIN) + MARGIN;
-    const uint32_t height = down * (job->o.height + label_height(job) + MARGIN) + MARGIN;
+    const uint32_t width = across * (job->o.picture.width + MARGIN) + MARGIN;
+    const uint32_t height = down * (job->o.picture.height + label_height(job) + MARGIN) + MARGIN;
     return canvas_init(&job->canvas, width, height, GREY) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
 /* "cracks.count=2 air.count=0" */
 static void put_picture(struct job *job, uint32_t point, const struct render_result *result)
 {
-    const struct canvas picture = { job->o.width, job->o.height, result->rgba };
-    const uint32_t x = MARGIN + point % columns(job) * (job->o.width + MARGIN);
-    const uint32_t y = MARGIN + point / columns(job) * (job->o.height + label_height(job) + MARGIN);
+    const struct canvas picture = { job->o.picture.width, job->o.picture.height, result->rgba };
+    const uint32_t x = MARGIN + point % columns(job) * (job->o.picture.width + MARGIN);
+    const uint32_t y =
+        MARGIN + point / columns(job) * (job->o.picture.height + label_height(job) + MARGIN);
     char label[256];
     size_t length = 0;
     for (uint32_t i = 0; i < job->sweep.parameter_count && length < sizeof(label); i++)
@@ -132,24 +128,24 @@ static void put_picture(struct job *job, uint32_t point, const struct render_res
     canvas_put(&job->canvas, x, y + label_height(job), &picture);
 }
 
-static enum status draw(struct job *job, const struct app_options *o, const struct scene *scene,
+static enum status draw(struct job *job, const struct app_picture *p, const struct scene *scene,
                         struct render_result *result)
 {
-    const struct motion_params *motion = settings_of(&o->settings, &motion_settings);
+    const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
     struct renderer_shot shot = { .time = motion->time };
     struct renderer *renderer = NULL;
-    enum status status = app_camera(&shot.camera, scene, o);
+    enum status status = app_camera(&shot.camera, scene, p);
     if (status == STATUS_OK)
         status = renderer_create(&renderer, &(struct renderer_params){
                                                 .gpu = &job->gpu,
                                                 .scene = scene,
-                                                .settings = &o->settings,
-                                                .rung = o->rung,
-                                                .width = o->width,
-                                                .height = o->height,
-                                                .samples = o->samples,
+                                                .settings = &p->scene.settings,
+                                                .rung = p->rung,
+                                                .width = p->width,
+                                                .height = p->height,
+                                                .samples = p->samples,
                                                 .display = true,
-                                                .sharing = o->sharing,
+                                                .sharing = p->sharing,
                                             });
     if (status == STATUS_OK)
         status = renderer_render(renderer, &shot, result, NULL, NULL);
@@ -159,20 +155,16 @@ static enum status draw(struct job *job, const struct app_options *o, const stru
 
 static enum status add_picture(struct job *job, uint32_t point)
 {
-    struct app_options o;
+    struct app_picture picture;
     struct scene scene = { 0 };
     struct render_result result = { 0 };
-    enum status status = sweep_options_at(&job->sweep, point, &job->o, &o);
+    enum status status = sweep_options_at(&job->sweep, point, &job->o.picture, &picture);
     if (status == STATUS_OK)
-        status = app_load_scene(&scene, &o);
+        status = app_load_scene(&scene, &picture.scene);
     if (status == STATUS_OK && !job->gpu.device)
-        status = gpu_create(&job->gpu, &(struct gpu_params){
-                                           .device = o.device,
-                                           .validate = o.validate,
-                                           .no_cache = o.no_cache,
-                                       });
+        status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (status == STATUS_OK)
-        status = draw(job, &o, &scene, &result);
+        status = draw(job, &picture, &scene, &result);
     if (status == STATUS_OK)
         put_picture(job, point, &result);
     render_result_finish(&result);
@@ -182,7 +174,7 @@ static enum status add_picture(struct job *job, uint32_t point)
 
 static enum status write_sheet(const struct job *job)
 {
-    const char *path = job->o.outputs[0];
+    const char *path = job->o.run.outputs.paths[0];
     const struct image_text texts[] = {
         { "firn/version", FIRN_VERSION },
         { "firn/command", job->command },
@@ -201,9 +193,9 @@ static enum status write_sheet(const struct job *job)
     if (status == STATUS_OK)
         status = file_write(path, data, size);
     free(data);
-    if (status == STATUS_OK && !job->o.quiet)
-        fprintf(stderr, "%s: %u pictures of %ux%u\n", path, job->sweep.point_count, job->o.width,
-                job->o.height);
+    if (status == STATUS_OK && !job->o.run.quiet)
+        fprintf(stderr, "%s: %u pictures of %ux%u\n", path, job->sweep.point_count,
+                job->o.picture.width, job->o.picture.height);
     return status;
 }
 
@@ -212,7 +204,7 @@ static enum status run(struct job *job)
     enum status status = check(job);
     if (status == STATUS_OK)
         status = open_canvas(job);
-    progress_begin(&job->progress, 1, "pictures", job->o.quiet);
+    progress_begin(&job->progress, 1, "pictures", job->o.run.quiet);
     for (uint32_t i = 0; i < job->sweep.point_count && status == STATUS_OK; i++) {
         progress_show(&job->progress, i, job->sweep.point_count);
         status = add_picture(job, i);
@@ -231,7 +223,7 @@ enum status app_sheet(const struct app_options *options)
     enum status status = STATUS_TRY_AGAIN;
     if (job) {
         job->o = *options;
-        job->command = shell_words_join(options->words);
+        job->command = shell_words_join(options->run.words);
     }
     if (job && job->command)
         status = run(job);

@@ -14,7 +14,7 @@ int main(int argc, char **argv)
     signal(SIGPIPE, SIG_IGN); /* of a file it is a write error; standard_streams_end() tells */
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);
     if (status == STATUS_OK && !done)
-        status = app_need_scene(&options);
+        status = app_need_scene(&options.picture.scene);
     if (status == STATUS_OK && !done)
         status = view_run(&options);
     return (int)standard_streams_end(status);

@@ -15,7 +15,7 @@ static char *copy(const char *text)
 }
 
 enum status picture_create(struct picture **picture, struct gpu *gpu,
-                           const struct app_options *options, struct watch *watch)
+                           const struct app_picture *state, struct watch *watch, bool quiet)
 {
     struct picture *p = calloc(1, sizeof(*p));
     *picture = NULL;
@@ -24,17 +24,17 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
     p->gpu = gpu;
     p->watch = watch;
     p->divider = 0.5;
-    p->o = *options;
-    p->o.samples = options->samples ? options->samples : 1;
-    p->o.positionals[0] = p->scene_name = copy(options->positionals[0]);
-    p->o.environment = p->environment_name = copy(options->environment);
+    p->quiet = quiet;
+    p->state = *state;
+    p->state.scene.name = p->scene_name = copy(state->scene.name);
+    p->state.scene.environment = p->environment_name = copy(state->scene.environment);
     enum status status = STATUS_OK;
-    if (!p->scene_name != !options->positionals[0] || !p->environment_name != !options->environment)
+    if (!p->scene_name != !state->scene.name || !p->environment_name != !state->scene.environment)
         status = log_out_of_memory(NULL);
     if (status == STATUS_OK)
-        status = app_load_scene(&p->scene, &p->o);
+        status = app_load_scene(&p->scene, &p->state.scene);
     if (status == STATUS_OK)
-        status = app_camera(&p->camera, &p->scene, &p->o);
+        status = app_camera(&p->camera, &p->scene, &p->state);
     p->first_camera = p->camera;
     if (status == STATUS_OK)
         status = picture_upload(p);
@@ -85,11 +85,11 @@ struct renderer_params picture_params(struct picture *p)
         .gpu = p->gpu,
         .scene = &p->scene,
         .uploaded = &p->uploaded,
-        .settings = &p->o.settings,
-        .rung = p->o.rung,
-        .width = p->o.width,
-        .height = p->o.height,
-        .sharing = p->o.sharing,
+        .settings = &p->state.scene.settings,
+        .rung = p->state.rung,
+        .width = p->state.width,
+        .height = p->state.height,
+        .sharing = p->state.sharing,
         .replace = p->watch ? watch_replace : NULL,
         .replace_user = p->watch,
     };
@@ -113,9 +113,9 @@ static enum status make_renderers(struct picture *p)
 {
     struct renderer *left = NULL;
     struct renderer *right = NULL;
-    enum status status = make_renderer(p, p->o.rung, &left);
-    if (status == STATUS_OK && p->o.split)
-        status = make_renderer(p, p->o.split, &right);
+    enum status status = make_renderer(p, p->state.rung, &left);
+    if (status == STATUS_OK && p->state.split)
+        status = make_renderer(p, p->state.split, &right);
     if (status != STATUS_OK) {
         renderer_destroy(left);
         return status;
@@ -133,21 +133,21 @@ enum status picture_remake(struct picture *p)
 
 enum status picture_resize(struct picture *p, VkExtent2D size)
 {
-    if (p->renderer && p->o.width == size.width && p->o.height == size.height)
+    if (p->renderer && p->state.width == size.width && p->state.height == size.height)
         return STATUS_OK;
     forget_renderers(p); /* first: both sizes may not fit into memory */
-    p->o.width = size.width;
-    p->o.height = size.height;
+    p->state.width = size.width;
+    p->state.height = size.height;
     return make_renderers(p);
 }
 
 enum status picture_split(struct picture *p, const struct technique *rung)
 {
-    const struct technique *before = p->o.split;
-    p->o.split = rung;
+    const struct technique *before = p->state.split;
+    p->state.split = rung;
     const enum status status = picture_remake(p);
     if (status != STATUS_OK)
-        p->o.split = before;
+        p->state.split = before;
     return status;
 }
 
@@ -181,17 +181,19 @@ VkImage picture_right(const struct picture *p)
 
 uint32_t picture_line(const struct picture *p)
 {
-    return p->o.split ? (uint32_t)(p->divider * p->o.width + 0.5) : PRESENT_NO_LINE;
+    return p->state.split ? (uint32_t)(p->divider * p->state.width + 0.5) : PRESENT_NO_LINE;
 }
 
 /* ---- changes ---- */
 
 /* Takes the place of *picture, which is destroyed, with a renderer of the same size. */
-static enum status replace(struct picture **picture, const struct app_options *o, bool keep_camera)
+static enum status replace(struct picture **picture, const struct app_picture *state,
+                           bool keep_camera)
 {
     struct picture *next;
     const bool drawn = (*picture)->renderer != NULL;
-    enum status status = picture_create(&next, (*picture)->gpu, o, (*picture)->watch);
+    enum status status =
+        picture_create(&next, (*picture)->gpu, state, (*picture)->watch, (*picture)->quiet);
     if (status == STATUS_OK && drawn)
         status = make_renderers(next);
     if (status != STATUS_OK) {
@@ -209,36 +211,38 @@ static enum status replace(struct picture **picture, const struct app_options *o
 }
 
 /* Whether the renderers of one draw the other, too. */
-static bool same_frame(const struct picture *p, const struct app_options *a,
-                       const struct app_options *b)
+static bool same_frame(const struct picture *p, const struct app_picture *a,
+                       const struct app_picture *b)
 {
-    if (settings_changed(&a->settings, &b->settings) >= SETTING_AFFECTS_PLAN || a->rung != b->rung)
+    if (settings_changed(&a->scene.settings, &b->scene.settings) >= SETTING_AFFECTS_PLAN ||
+        a->rung != b->rung)
         return false;
     /* a cube that is drawn only once shows the settings it was drawn with */
-    return frame_draws_cube(&a->settings, &p->scene) && frame_draws_cube(&b->settings, &p->scene);
+    return frame_draws_cube(&a->scene.settings, &p->scene) &&
+           frame_draws_cube(&b->scene.settings, &p->scene);
 }
 
 enum status picture_change(struct picture **picture, const struct settings *settings,
                            const struct technique *rung, bool *remade)
 {
     struct picture *p = *picture;
-    const struct app_options before = p->o;
-    struct app_options wanted = p->o;
+    const struct app_picture before = p->state;
+    struct app_picture wanted = p->state;
     *remade = false;
-    wanted.settings = *settings;
+    wanted.scene.settings = *settings;
     wanted.rung = rung;
-    wanted.ior_is_set = true; /* whatever it is, it is in the settings */
-    if (settings_changed(&before.settings, settings) == SETTING_AFFECTS_SCENE) {
+    wanted.scene.ior_is_set = true; /* whatever it is, it is in the settings */
+    if (settings_changed(&before.scene.settings, settings) == SETTING_AFFECTS_SCENE) {
         *remade = true;
         return replace(picture, &wanted, true);
     }
-    p->o = wanted;
+    p->state = wanted;
     if (!p->renderer || same_frame(p, &before, &wanted))
         return STATUS_OK;
     const enum status status = picture_remake(p);
     *remade = status == STATUS_OK;
     if (status != STATUS_OK)
-        p->o = before;
+        p->state = before;
     return status;
 }
 
@@ -250,15 +254,16 @@ static bool is_environment(const char *path)
 enum status picture_open(struct picture **picture, const char *path, bool *remade)
 {
     const bool environment = is_environment(path);
-    struct app_options o = (*picture)->o;
+    struct app_picture state = (*picture)->state;
     if (environment) {
-        o.environment = path;
-        o.has_background = false;
+        state.scene.environment = path;
+        state.scene.background.is_given = false;
     } else {
-        o.positionals[0] = path;
-        o.has_eye = o.has_target = o.has_orbit = false; /* those were of the object before */
+        state.scene.name = path;
+        /* those were of the object before */
+        state.eye.is_given = state.target.is_given = state.orbit.is_given = false;
     }
-    const enum status status = replace(picture, &o, environment);
+    const enum status status = replace(picture, &state, environment);
     *remade = status == STATUS_OK;
     return status;
 }

@@ -1,6 +1,7 @@
 /*
- * picture.h: what the window shows: options, scene, camera and the renderer for them; where it is
- * split, two renderers of the same scene.
+ * picture.h: what the window shows: its state, scene, camera and the renderer for them; where it is
+ * split, two renderers of the same scene. The command line only begins the state: panels, keys and
+ * dropped files change it.
  *
  * A change makes anew only what it needs: nothing (the settings of shaders), the renderer (another
  * list of techniques, another size), or the scene.
@@ -16,24 +17,26 @@
 
 struct picture {
     struct gpu *gpu;
-    struct app_options o;   /* width and height are those of the renderer; settings in use */
-    char *scene_name;       /* of the options; own */
-    char *environment_name; /* the same; may be NULL */
+    bool quiet;               /* files are written without a line about them */
+    struct app_picture state; /* its size is that of the renderer; settings in use */
+    char *scene_name;         /* of the state; own */
+    char *environment_name;   /* the same; may be NULL */
     struct scene scene;
     struct uploaded_scene uploaded;
     struct watch *watch;        /* may be NULL */
     struct camera camera;       /* where a hand has put it */
     struct camera first_camera; /* where it was */
     struct renderer *renderer;  /* NULL until picture_resize() */
-    struct renderer *right;     /* of o.split; NULL without */
+    struct renderer *right;     /* of state.split; NULL without */
     double divider;             /* between them: of the width, from the left */
 };
 
-/* Loads the scene; the strings of the options are copied or outlive the picture, as do the watched
+/* Loads the scene; the strings of the state are copied or outlive the picture, as do the watched
  * shaders (may be NULL). */
 struct watch;
 MUST_USE enum status picture_create(struct picture **picture, struct gpu *gpu,
-                                    const struct app_options *options, struct watch *watch);
+                                    const struct app_picture *state, struct watch *watch,
+                                    bool quiet);
 void picture_destroy(struct picture *picture); /* may be NULL; waits for its frames */
 
 /* Frees all that it has on the device, and brings the scene onto another, opened in the same gpu.
@@ -78,7 +81,7 @@ uint32_t picture_line(const struct picture *picture);
 void picture_range(const struct picture *picture, float *nearest, float *farthest);
 
 /*
- * Draws the picture as `firn render` does, with all samples and layers that the options name, and
+ * Draws the picture as `firn render` does, with all samples and layers of the state, and
  * writes it with the same words in it, each to a file that its ending names. Of a split picture a
  * PNG file shows what the window shows, and NAME.exr becomes NAME-left.exr and NAME-right.exr.
  */

@@ -17,7 +17,7 @@ enum {
 /* One rung's picture. */
 struct side {
     const char *suffix; /* of EXR files' names */
-    struct app_options o;
+    struct app_picture state;
     struct output output;
     struct render_result result;
 };
@@ -54,10 +54,10 @@ static enum status write_file(struct picture *p, const struct output *output, co
         signals_release(stop);
     }
     free(data);
-    const uint32_t samples = output->options->samples;
-    if (status == STATUS_OK && !p->o.quiet)
-        fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout", p->o.width,
-                p->o.height, samples, samples > 1 ? "s" : "");
+    const uint32_t samples = output->picture->samples;
+    if (status == STATUS_OK && !p->quiet)
+        fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout",
+                p->state.width, p->state.height, samples, samples > 1 ? "s" : "");
     return status;
 }
 
@@ -82,16 +82,16 @@ static enum status draw_side(struct picture *p, struct side *side, const struct 
 {
     struct renderer_params params = picture_params(p);
     struct renderer *renderer = NULL;
-    side->output = (struct output){ .options = &side->o, .scene = &p->scene, .shot = *shot };
-    params.rung = side->o.rung;
-    params.samples = p->o.samples;
+    side->output = (struct output){ .picture = &side->state, .scene = &p->scene, .shot = *shot };
+    params.rung = side->state.rung;
+    params.samples = p->state.samples;
     for (uint32_t i = 0; i < path_count; i++) {
         if (path_ends_in(paths[i], ".png"))
             params.display = true;
         else
             params.linear = true;
     }
-    params.layers = params.linear ? p->o.layers : 0;
+    params.layers = params.linear ? p->state.layers : 0;
     enum status status = output_describe(&side->output);
     if (status == STATUS_OK)
         status = renderer_create(&renderer, &params);
@@ -138,20 +138,21 @@ enum status picture_write(struct picture *p, float time, const char *const *path
 {
     const struct renderer_shot shot = { .camera = p->camera, .time = time };
     struct drawn d = {
-        .sides = { { .suffix = "-left", .o = p->o }, { .suffix = "-right", .o = p->o } },
-        .side_count = p->o.split ? 2 : 1,
-        .whole = { .options = &p->o, .scene = &p->scene, .shot = shot },
+        .sides = { { .suffix = "-left", .state = p->state },
+                   { .suffix = "-right", .state = p->state } },
+        .side_count = p->state.split ? 2 : 1,
+        .whole = { .picture = &p->state, .scene = &p->scene, .shot = shot },
     };
-    enum status status = picture_can_write(p->o.split, paths, path_count);
+    enum status status = picture_can_write(p->state.split, paths, path_count);
     if (status == STATUS_OK)
         status = output_describe(&d.whole);
-    d.sides[1].o.rung = p->o.split;
+    d.sides[1].state.rung = p->state.split;
     for (size_t s = 0; s < d.side_count && status == STATUS_OK; s++) {
-        d.sides[s].o.split = NULL;
+        d.sides[s].state.split = NULL;
         status = draw_side(p, &d.sides[s], &shot, paths, path_count);
     }
     if (status == STATUS_OK && d.side_count > 1 && d.sides[0].result.rgba)
-        put_right(d.sides[0].result.rgba, d.sides[1].result.rgba, p->o.width, p->o.height,
+        put_right(d.sides[0].result.rgba, d.sides[1].result.rgba, p->state.width, p->state.height,
                   picture_line(p));
     if (status == STATUS_OK)
         status = write_all(p, &d, paths, path_count, stop);
@@ -166,13 +167,13 @@ enum status picture_write(struct picture *p, float time, const char *const *path
 enum status picture_write_drawn(struct picture *p, float time, const char *path,
                                 const struct render_result *drawn, struct signals *stop)
 {
-    struct app_options o = p->o;
+    struct app_picture state = p->state;
     struct output output = {
-        .options = &o,
+        .picture = &state,
         .scene = &p->scene,
         .shot = { .camera = p->camera, .time = time },
     };
-    o.samples = 1; /* as windows show it */
+    state.samples = 1; /* as windows show it */
     enum status status = output_describe(&output);
     if (status == STATUS_OK)
         status = write_file(p, &output, path, drawn, stop);

@@ -22,10 +22,8 @@ void view_say(struct view *v, const char *what)
 
 static enum status open_window(struct view *v)
 {
-    const struct app_options *o = v->options;
-    const uint32_t width = o->width ? o->width : 1024;
-    const uint32_t height = o->height ? o->height : 768;
-    enum status status = window_init(&v->window, width, height, "firn: loading");
+    const struct app_picture *p = &v->options->picture;
+    enum status status = window_init(&v->window, p->width, p->height, "firn: loading");
     if (status == STATUS_OK)
         status = window_system(&v->window, &v->system);
     return status;
@@ -34,14 +32,11 @@ static enum status open_window(struct view *v)
 static enum status open_device(void *user)
 {
     struct view *v = user;
-    const struct app_options *o = v->options;
-    const struct gpu_params params = {
-        .device = o->device,
-        .validate = o->validate,
-        .no_cache = o->no_cache,
-        .windows = &v->system,
-    };
-    const VkPresentModeKHR mode = o->present ? o->present : VK_PRESENT_MODE_FIFO_KHR;
+    struct gpu_params params = v->options->run.gpu;
+    VkPresentModeKHR mode = v->options->view.present;
+    if (!mode)
+        mode = VK_PRESENT_MODE_FIFO_KHR;
+    params.windows = &v->system;
     enum status status = gpu_create(&v->gpu, &params);
     if (status == STATUS_OK)
         status = window_surface(&v->window, &v->gpu, &v->surface);
@@ -52,13 +47,13 @@ static enum status open_device(void *user)
 
 void view_show_name(struct view *v)
 {
-    const struct app_options *o = &v->picture->o;
+    const struct app_picture *p = &v->picture->state;
     char words[200];
-    if (o->split)
-        snprintf(words, sizeof(words), "%s, %s | %s%s", o->positionals[0], o->rung->rung.name,
-                 o->split->rung.name, v->paused ? ", paused" : "");
+    if (p->split)
+        snprintf(words, sizeof(words), "%s, %s | %s%s", p->scene.name, p->rung->rung.name,
+                 p->split->rung.name, v->paused ? ", paused" : "");
     else
-        snprintf(words, sizeof(words), "%s%s", o->positionals[0], v->paused ? ", paused" : "");
+        snprintf(words, sizeof(words), "%s%s", p->scene.name, v->paused ? ", paused" : "");
     view_say(v, words);
 }
 
@@ -67,7 +62,8 @@ static enum status load(void *user)
     struct view *v = user;
     if (v->picture)
         return picture_upload(v->picture);
-    return picture_create(&v->picture, &v->gpu, v->options, v->watch);
+    return picture_create(&v->picture, &v->gpu, &v->options->picture, v->watch,
+                          v->options->run.quiet);
 }
 
 void view_show_ui(struct view *v, bool shown)
@@ -79,13 +75,14 @@ void view_show_ui(struct view *v, bool shown)
 static enum status open_ui(struct view *v)
 {
     const struct app_options *o = v->options;
-    const bool hands = !o->frame_count && !o->output_count;
+    const bool hands = !o->view.frame_count && !o->run.outputs.count;
     const enum status status = ui_create(&v->ui, &v->gpu, window_scale(&v->window));
     if (status != STATUS_OK)
         return status;
     v->window.listen = ui_hear;
     v->window.listener = v->ui;
-    view_show_ui(v, o->overlay == APP_OVERLAY_ON || (hands && o->overlay == APP_OVERLAY_AUTO));
+    view_show_ui(v, o->view.overlay == APP_OVERLAY_ON ||
+                        (hands && o->view.overlay == APP_OVERLAY_AUTO));
     return STATUS_OK;
 }
 
@@ -118,7 +115,7 @@ static void finish(struct view *v)
 /* Lets the scene's time pass, and the program's until a frame is due. False: there is none. */
 static bool wait_for_turn(struct view *v, VkExtent2D size)
 {
-    const struct app_options *o = v->options;
+    const struct app_view *o = &v->options->view;
     const double before = v->now;
     const bool counted = o->frame_count != 0;
     v->now = clock_seconds();
@@ -156,7 +153,8 @@ static enum status fit(struct view *v, VkExtent2D size, bool *ready)
 
 static struct renderer_shot shot_now(const struct view *v)
 {
-    const struct motion_params *motion = settings_of(&v->picture->o.settings, &motion_settings);
+    const struct motion_params *motion =
+        settings_of(&v->picture->state.scene.settings, &motion_settings);
     return (struct renderer_shot){
         .camera = v->picture->camera,
         .time = (float)((double)motion->time + v->elapsed),
@@ -196,7 +194,7 @@ static void count_frame(struct view *v)
 {
     struct view_costs *c = &v->costs;
     const struct picture *p = v->picture;
-    const struct app_options *o = v->options;
+    const struct app_view *o = &v->options->view;
     struct rg_times times[3] = { rg_exec_times(v->screen.exec) };
     uint32_t count = 1;
     if (v->redrawn)
@@ -257,7 +255,7 @@ static enum status begin_device(struct view *v)
     enum status status = worker_run(&v->window, open_device, v);
     if (status != STATUS_OK || window_is_closed(&v->window))
         return status;
-    snprintf(words, sizeof(words), "loading %s", v->options->positionals[0]);
+    snprintf(words, sizeof(words), "loading %s", v->options->picture.scene.name);
     view_say(v, words);
     status = worker_run(&v->window, load, v);
     if (status != STATUS_OK || window_is_closed(&v->window))
@@ -276,9 +274,10 @@ static enum status begin_device(struct view *v)
 static enum status begin(struct view *v)
 {
     const struct app_options *o = v->options;
-    enum status status = picture_can_write(o->split, o->outputs, o->output_count);
-    if (status == STATUS_OK && o->watch)
-        status = watch_create(&v->watch, o->watch, o->quiet);
+    enum status status =
+        picture_can_write(o->picture.split, o->run.outputs.paths, o->run.outputs.count);
+    if (status == STATUS_OK && o->view.watch)
+        status = watch_create(&v->watch, o->view.watch, o->run.quiet);
     if (status == STATUS_OK)
         status = open_window(v);
     return status == STATUS_OK ? begin_device(v) : status;
@@ -305,7 +304,6 @@ static enum status recover(struct view *v, enum status status)
 
 static enum status run(struct view *v)
 {
-    const struct app_options *o = v->options;
     enum status status = recover(v, begin(v));
     v->quit = status == STATUS_OK && window_is_closed(&v->window);
     v->now = clock_seconds();
@@ -313,7 +311,7 @@ static enum status run(struct view *v)
         status = recover(v, run_frame(v));
         v->quit = v->quit || window_is_closed(&v->window);
     }
-    if (status == STATUS_OK && o->output_count && v->costs.frame_count)
+    if (status == STATUS_OK && v->options->run.outputs.count && v->costs.frame_count)
         status = view_write_outputs(v);
     return status;
 }
@@ -328,7 +326,7 @@ enum status view_run(const struct app_options *options)
     enum status status = signals_begin(&v->stop);
     if (status == STATUS_OK)
         status = run(v);
-    if (status == STATUS_OK && !options->quiet)
+    if (status == STATUS_OK && !options->run.quiet)
         view_costs_print(&v->costs, stderr);
     finish(v);
     if (status == STATUS_OK && v->message_count)

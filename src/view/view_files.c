@@ -57,13 +57,13 @@ void view_shoot(struct view *v)
 
 enum status view_write_outputs(struct view *v)
 {
-    const struct app_options *o = v->options;
+    const struct app_outputs *outputs = &v->options->run.outputs;
     enum status status = STATUS_OK;
-    if (o->overlay != APP_OVERLAY_ON)
-        return picture_write(v->picture, v->shown, o->outputs, o->output_count, &v->stop);
-    for (uint32_t i = 0; i < o->output_count && status == STATUS_OK; i++)
-        status = path_ends_in(o->outputs[i], ".png")
-                     ? shoot_all(v, o->outputs[i])
-                     : picture_write(v->picture, v->shown, &o->outputs[i], 1, &v->stop);
+    if (v->options->view.overlay != APP_OVERLAY_ON)
+        return picture_write(v->picture, v->shown, outputs->paths, outputs->count, &v->stop);
+    for (uint32_t i = 0; i < outputs->count && status == STATUS_OK; i++)
+        status = path_ends_in(outputs->paths[i], ".png")
+                     ? shoot_all(v, outputs->paths[i])
+                     : picture_write(v->picture, v->shown, &outputs->paths[i], 1, &v->stop);
     return status;
 }

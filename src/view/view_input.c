@@ -25,11 +25,11 @@ static void zoom(struct view *v, float steps)
 static const struct technique *other_rung(const struct view *v)
 {
     const struct technique *last = NULL, *next;
-    if (v->options->split)
-        return v->options->split;
+    if (v->options->picture.split)
+        return v->options->picture.split;
     for (size_t i = 0; (next = techniques_rung(i)); i++)
         last = next;
-    return v->picture->o.rung == last ? techniques_rung(0) : last;
+    return v->picture->state.rung == last ? techniques_rung(0) : last;
 }
 
 /* A failure has been logged; it stays as it was. NULL: not split. */
@@ -46,7 +46,7 @@ static void split(struct view *v, const struct technique *rung)
 static void copy_command(struct view *v)
 {
     char *words = ui_command_print(&(struct ui_command){
-        .options = &v->picture->o,
+        .picture = &v->picture->state,
         .scene = &v->picture->scene,
         .camera = &v->picture->camera,
         .time = v->shown,
@@ -110,7 +110,7 @@ static void act(struct view *v, enum view_action action)
         window_fill_screen(&v->window);
         break;
     case VIEW_SPLIT:
-        split(v, v->picture->o.split ? NULL : other_rung(v));
+        split(v, v->picture->state.split ? NULL : other_rung(v));
         break;
     case VIEW_DIVIDER_LEFT:
         slide(v, v->picture->divider - key_slide);
@@ -220,7 +220,7 @@ void view_handle(struct view *v)
         act(v, input.actions[i]);
     open_dropped(v);
     take_shaders(v);
-    v->window.divider = v->picture->o.split ? v->picture->divider : -1.0;
+    v->window.divider = v->picture->state.split ? v->picture->divider : -1.0;
     v->quit = v->quit || window_is_closed(&v->window);
 }
 
@@ -273,7 +273,7 @@ void view_run_ui(struct view *v, VkExtent2D size)
     ui_frame(v->ui, &view, &wish);
     if (wish.changed)
         change(v, &wish);
-    if (wish.split != v->picture->o.split)
+    if (wish.split != v->picture->state.split)
         split(v, wish.split);
     if (wish.action != VIEW_NOTHING)
         act(v, wish.action);

@@ -26,22 +26,22 @@ static void check_matrix(mat4s matrix)
         FUZZ_CHECK(isfinite(matrix.raw[i / 4][i % 4]));
 }
 
-static void check_camera(const struct camera *camera, const struct app_options *options)
+static void check_camera(const struct camera *camera, const struct app_picture *picture)
 {
     const struct camera_basis basis = camera_basis(camera);
     FUZZ_CHECK(is_unit(basis.right) && is_unit(basis.up) && is_unit(basis.forward));
     FUZZ_CHECK(fabsf(glms_vec3_dot(basis.right, basis.forward)) < 1e-3F);
     FUZZ_CHECK(fabsf(glms_vec3_dot(basis.up, basis.forward)) < 1e-3F);
     check_matrix(camera_view_from_world(camera));
-    check_matrix(camera_clip_from_world(camera, options->width, options->height, 0.01F,
+    check_matrix(camera_clip_from_world(camera, picture->width, picture->height, 0.01F,
                                         (vec2s){ { 0.5F, -0.5F } }));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct scene scene = { .box = { { { -1, -1, -1 } }, { { 1, 2, 1 } } } };
-    struct app_options options = {
-        .settings = settings_default(),
+    struct app_picture picture = {
+        .scene = { .settings = settings_default() },
         .rung = techniques_rung(0),
         .width = 64,
         .height = 48,
@@ -57,13 +57,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         for (size_t k = 0; value && k < sizeof(names) / sizeof(names[0]); k++) {
             const size_t length = strlen(names[k]);
             if (strncmp(line, names[k], length) == 0 && line[length] == ' ')
-                (void)!app_set(&options, names[k], line + length + 1);
+                (void)!app_set(&picture, names[k], line + length + 1);
         }
         line = end ? end + 1 : NULL;
     }
     free(text);
     /* what a refused option leaves is not used */
-    if (app_camera(&camera, &scene, &options) == STATUS_OK)
-        check_camera(&camera, &options);
+    if (app_camera(&camera, &scene, &picture) == STATUS_OK)
+        check_camera(&camera, &picture);
     return 0;
 }

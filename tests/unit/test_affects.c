@@ -19,7 +19,7 @@ enum {
 static enum setting_effect affected;
 
 /* Numbers of which a scene is made, as text. */
-static void describe_scene(const struct app_options *o, char text[static TEXT_SIZE])
+static void describe_scene(const struct app_scene *o, char text[static TEXT_SIZE])
 {
     struct bump_maps_params maps;
     const struct scene_params p = app_describe_scene(o, &maps);
@@ -35,7 +35,7 @@ static void describe_scene(const struct app_options *o, char text[static TEXT_SI
     assert_true(length < TEXT_SIZE);
 }
 
-static bool same_scene(const struct app_options *a, const struct app_options *b)
+static bool same_scene(const struct app_scene *a, const struct app_scene *b)
 {
     char before[TEXT_SIZE], after[TEXT_SIZE];
     describe_scene(a, before);
@@ -85,7 +85,7 @@ static bool same_plan(const struct settings *a, const struct settings *b)
 
 static void check_change(const struct setting *row, const struct settings *before, double value)
 {
-    struct app_options a = { .settings = *before }, b = { .settings = *before };
+    struct app_scene a = { .settings = *before }, b = { .settings = *before };
     settings_put(&b.settings, row, value);
     const enum setting_effect said = settings_changed(&a.settings, &b.settings);
     enum setting_effect found = SETTING_AFFECTS_FRAME;

@@ -30,9 +30,9 @@ static void start(struct fixture *f, const char *words)
     *f = (struct fixture){ 0 };
     parse(f, words, 0);
     f->scene.box = (struct box){ .min = { { -1, -1, -1 } }, .max = { { 1, 1, 1 } } };
-    f->options.width = 320;
-    f->options.height = 240;
-    assert_int_equal(app_camera(&f->camera, &f->scene, &f->options), STATUS_OK);
+    f->options.picture.width = 320;
+    f->options.picture.height = 240;
+    assert_int_equal(app_camera(&f->camera, &f->scene, &f->options.picture), STATUS_OK);
 }
 
 static void finish(struct fixture *f)
@@ -43,7 +43,7 @@ static void finish(struct fixture *f)
 static char *print(const struct fixture *f)
 {
     char *text = ui_command_print(&(struct ui_command){
-        .options = &f->options,
+        .picture = &f->options.picture,
         .scene = &f->scene,
         .camera = &f->camera,
         .time = f->time,
@@ -67,7 +67,7 @@ static void read_back(const struct fixture *f, struct fixture *back)
     parse(back, text, 2);
     assert_string_equal(back->words.we_wordv[0], "firn");
     assert_string_equal(back->words.we_wordv[1], "render");
-    assert_int_equal(app_camera(&back->camera, &back->scene, &back->options), STATUS_OK);
+    assert_int_equal(app_camera(&back->camera, &back->scene, &back->options.picture), STATUS_OK);
     free(text);
 }
 
@@ -132,15 +132,17 @@ static void test_words_come_back(void **state)
         .fov_deg = 100.0f / 3.0f,
     };
     read_back(&f, &back);
-    assert_string_equal(back.options.positionals[0], "it's a $HOME `x` \"y\".obj");
-    assert_string_equal(back.options.environment, "a b.hdr");
-    assert_string_equal(back.options.surroundings, "c;d.glb");
-    assert_memory_equal(&back.options.background, &f.options.background, sizeof(vec3s));
+    assert_string_equal(back.options.picture.scene.name, "it's a $HOME `x` \"y\".obj");
+    assert_string_equal(back.options.picture.scene.environment, "a b.hdr");
+    assert_string_equal(back.options.picture.scene.surroundings, "c;d.glb");
+    assert_memory_equal(&back.options.picture.scene.background.value,
+                        &f.options.picture.scene.background.value, sizeof(vec3s));
     assert_memory_equal(&back.camera.eye, &f.camera.eye, sizeof(vec3s));
     assert_memory_equal(&back.camera.target, &f.camera.target, sizeof(vec3s));
     assert_memory_equal(&back.camera.fov_deg, &f.camera.fov_deg, sizeof(float));
-    settings_put(&f.options.settings, settings_find("motion.time"), (double)f.time);
-    assert_memory_equal(&back.options.settings, &f.options.settings, sizeof(struct settings));
+    settings_put(&f.options.picture.scene.settings, settings_find("motion.time"), (double)f.time);
+    assert_memory_equal(&back.options.picture.scene.settings, &f.options.picture.scene.settings,
+                        sizeof(struct settings));
     finish(&back);
     finish(&f);
 }
@@ -158,10 +160,10 @@ static void test_another_size(void **state)
     struct fixture f;
     struct fixture back;
     start(&f, "sphere");
-    f.options.width = 100; /* higher than wide: the framing camera stands farther away */
+    f.options.picture.width = 100; /* higher than wide: the framing camera stands farther away */
     read_back(&f, &back);
     assert_memory_equal(&back.camera.eye, &f.camera.eye, sizeof(vec3s));
-    assert_int_equal(back.options.width, 100);
+    assert_int_equal(back.options.picture.width, 100);
     finish(&back);
     finish(&f);
 }

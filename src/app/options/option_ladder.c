@@ -7,72 +7,43 @@
 #include "src/tech/refract.h"
 #include "src/tech/techniques.h"
 
-enum {
-    RUNS_MAX = 10000
-};
-
-enum status option_ladder_output(struct app_options *o, const char *value)
+enum status option_ladder_output(const struct option *option, void *at, const char *value)
 {
     static const char *const endings[] = { ".png", ".exr", ".svg", ".html" };
     bool known = false;
     for (size_t i = 0; i < sizeof(endings) / sizeof(endings[0]); i++)
         known = known || path_ends_in(value, endings[i]);
     if (!known)
-        return option_refuse("output", value, "a file name that ends in .png, .exr, .svg or .html");
-    if (o->output_count == APP_OUTPUT_COUNT)
-        return option_refuse_more("output", value, APP_OUTPUT_COUNT);
-    o->outputs[o->output_count++] = value;
-    return STATUS_OK;
+        return option_refuse(option, value, "a file name that ends in .png, .exr, .svg or .html");
+    return option_add_output(option, at, value);
 }
 
-static bool add_rung(struct app_options *o, const char *name, size_t length)
+static bool add_rung(struct app_ladder *ladder, const char *name, size_t length)
 {
     const struct technique *rung;
     for (uint32_t i = 0; (rung = techniques_rung(i)); i++) {
         if (strlen(rung->rung.name) == length && !strncmp(rung->rung.name, name, length)) {
-            o->ladder.rungs |= 1u << i;
+            ladder->rungs |= 1u << i;
             return true;
         }
     }
     return false;
 }
 
-enum status option_rungs(struct app_options *o, const char *value)
+enum status option_rungs(const struct option *option, void *at, const char *value)
 {
     for (const char *name = value;;) {
         const size_t length = strcspn(name, ",");
-        if (!add_rung(o, name, length))
-            return option_refuse_name("rungs", OPTION_RUNGS, name, length);
+        if (!add_rung(at, name, length))
+            return option_refuse_name(option, OPTION_RUNGS, name, length);
         if (!name[length])
             return STATUS_OK;
         name += length + 1;
     }
 }
 
-enum status option_costs(struct app_options *o, const char *value)
+void option_ladder_settings(struct settings *s)
 {
-    const char *rest;
-    if (!option_parse_count(value, 0, RUNS_MAX, &o->ladder.run_count, &rest) || *rest)
-        return option_refuse("runs", value, "a whole number from 0 to 10000");
-    return STATUS_OK;
-}
-
-enum status option_furnace(struct app_options *o, const char *value)
-{
-    (void)value;
-    o->ladder.furnace = true;
-    return STATUS_OK;
-}
-
-enum status option_truth(struct app_options *o, const char *value)
-{
-    o->ladder.truth = value;
-    return STATUS_OK;
-}
-
-void option_ladder_defaults(struct app_options *o)
-{
-    struct settings *s = &o->settings;
     for (const struct technique *const *t = techniques; *t; t++) {
         if ((*t)->is_on && !(*t)->is_traced)
             techniques_switch_off(s, *t);
@@ -84,5 +55,4 @@ void option_ladder_defaults(struct app_options *o)
                  REFRACT_FRESNEL_EXACT);
     settings_put(s, settings_row(&refract_settings, offsetof(struct refract_params, lookup)),
                  REFRACT_LOOKUP_DISTANCE);
-    o->ladder.run_count = 10;
 }

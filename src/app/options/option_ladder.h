@@ -4,10 +4,11 @@
 
 #include "src/app/options/option.h"
 
-option_fn option_ladder_output, option_rungs, option_costs, option_furnace, option_truth;
+option_fn option_ladder_output; /* of struct app_outputs */
+option_fn option_rungs;         /* of struct app_ladder */
 
 /* Settings that the reference leaves out are off, and rungs are exact where they can be, unless the
  * command line says otherwise. */
-void option_ladder_defaults(struct app_options *o);
+void option_ladder_settings(struct settings *settings);
 
 #endif

@@ -4,8 +4,8 @@
 
 #include "src/app/options/option.h"
 
-option_fn option_runs, option_warmup, option_time_step, option_clock, option_sweep;
-option_fn option_baseline, option_each, option_json, option_csv, option_trace, option_html;
-option_fn option_capture;
+option_fn option_time_step; /* of a double */
+option_fn option_clock;     /* of enum rg_clock */
+option_fn option_sweep;     /* of struct app_sweeps */
 
 #endif

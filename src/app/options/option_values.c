@@ -12,15 +12,16 @@
 #include "src/tech/refract_reference.h"
 #include "src/tech/techniques.h"
 
-enum status option_refuse(const char *option, const char *value, const char *expected)
+enum status option_refuse(const struct option *option, const char *value, const char *expected)
 {
-    log_error("--%s: expected %s, got '%s'", option, expected, value);
+    log_error("--%s: expected %s, got '%s'", option->name, expected, value);
     return STATUS_USAGE;
 }
 
-enum status option_refuse_more(const char *option, const char *value, uint32_t most)
+enum status option_refuse_more(const struct option *option, const char *value, uint32_t most)
 {
-    log_error("--%s: expected at most %u of these options, '%s' is one more", option, most, value);
+    log_error("--%s: expected at most %u of these options, '%s' is one more", option->name, most,
+              value);
     return STATUS_USAGE;
 }
 
@@ -37,8 +38,8 @@ static void offer_names(struct suggest *suggest, enum option_names names)
         suggest_offer(suggest, techniques_layer(i)->name);
 }
 
-enum status option_refuse_name(const char *option, enum option_names names, const char *word,
-                               size_t length)
+enum status option_refuse_name(const struct option *option, enum option_names names,
+                               const char *word, size_t length)
 {
     static const char *const kinds[] = {
         [OPTION_RUNGS] = "rung",
@@ -54,9 +55,9 @@ enum status option_refuse_name(const char *option, enum option_names names, cons
     offer_names(&suggest, names);
     if (names == OPTION_RUNGS && !strcmp(name, refract_reference.rung.name))
         log_error("--%s: rung '%s' is ray traced, which only firn render --refraction supports",
-                  option, name);
+                  option->name, name);
     else
-        log_error("--%s: unknown %s '%s'%s (firn list %ss)", option, kinds[names], name,
+        log_error("--%s: unknown %s '%s'%s (firn list %ss)", option->name, kinds[names], name,
                   suggest_hint(&suggest, hint), kinds[names]);
     return STATUS_USAGE;
 }
@@ -90,4 +91,49 @@ bool option_parse_count(const char *text, uint32_t min, uint32_t max, uint32_t *
     *count = (uint32_t)value;
     *rest = end;
     return true;
+}
+
+int option_find_word(const char *const *words, int count, const char *value)
+{
+    int i = 0;
+    while (i < count && strcmp(words[i], value) != 0)
+        i++;
+    return i < count ? i : -1;
+}
+
+enum status option_add_output(const struct option *option, struct app_outputs *outputs,
+                              const char *value)
+{
+    if (outputs->count == APP_OUTPUT_COUNT)
+        return option_refuse_more(option, value, APP_OUTPUT_COUNT);
+    outputs->paths[outputs->count++] = value;
+    return STATUS_OK;
+}
+
+enum status option_flag(const struct option *option, void *at, const char *value)
+{
+    bool *flag = at;
+    (void)option;
+    (void)value;
+    *flag = true;
+    return STATUS_OK;
+}
+
+enum status option_text(const struct option *option, void *at, const char *value)
+{
+    const char **text = at;
+    (void)option;
+    *text = value;
+    return STATUS_OK;
+}
+
+enum status option_count(const struct option *option, void *at, const char *value)
+{
+    char expected[64];
+    const char *rest;
+    if (option_parse_count(value, option->min, option->max, at, &rest) && !*rest)
+        return STATUS_OK;
+    snprintf(expected, sizeof(expected), "a whole number%s from %u to %u",
+             option->unit ? option->unit : "", option->min, option->max);
+    return option_refuse(option, value, expected);
 }

@@ -1,17 +1,17 @@
-/* option_values.h: numbers on the command line. */
+/* option_values.h: values on the command line, and options that only take one over. */
 #ifndef FIRN_APP_OPTIONS_OPTION_VALUES_H
 #define FIRN_APP_OPTIONS_OPTION_VALUES_H
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include "src/base/status.h"
+#include "src/app/options/option.h"
+
+/* Of a bool, a string that is taken as it is, and a uint32_t from option->min to max. */
+option_fn option_flag, option_text, option_count;
 
 /* Logs "--option: expected EXPECTED, got 'value'". STATUS_USAGE. */
-enum status option_refuse(const char *option, const char *value, const char *expected);
+enum status option_refuse(const struct option *option, const char *value, const char *expected);
 
 /* Logs that an option was given more than `most` times, last with `value`. STATUS_USAGE. */
-enum status option_refuse_more(const char *option, const char *value, uint32_t most);
+enum status option_refuse_more(const struct option *option, const char *value, uint32_t most);
 
 enum option_names {
     OPTION_RUNGS,
@@ -24,8 +24,15 @@ enum option_names {
  * Logs that the first `length` characters of `word` are none of these names, suggesting a close one
  * and the list to look at. STATUS_USAGE.
  */
-enum status option_refuse_name(const char *option, enum option_names names, const char *word,
-                               size_t length);
+enum status option_refuse_name(const struct option *option, enum option_names names,
+                               const char *word, size_t length);
+
+/* One file more. Logs: STATUS_USAGE. */
+enum status option_add_output(const struct option *option, struct app_outputs *outputs,
+                              const char *value);
+
+/* Which of the words it is; -1: none. */
+int option_find_word(const char *const *words, int count, const char *value);
 
 /* Numbers with a separator between; true if there are exactly `count`, all finite. */
 bool option_parse_numbers(const char *text, char separator, float *numbers, size_t count);

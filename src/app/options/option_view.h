@@ -4,7 +4,7 @@
 
 #include "src/app/options/option.h"
 
-option_fn option_frame_count, option_fps_limit, option_present, option_overlay, option_split,
-    option_watch;
+option_fn option_present, option_overlay, option_watch; /* of struct app_view */
+option_fn option_split;                                 /* of struct app_picture */
 
 #endif

@@ -1,7 +1,5 @@
 /* options.c: the table of options, parsed and explained. */
-#include <ctype.h>
-#include <errno.h>
-#include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,17 +20,11 @@
 #include "src/tech/refract.h"
 #include "src/tech/refract_reference.h"
 
-struct option {
-    const char *group; /* heading in the help */
-    const char *name;  /* without dashes */
-    char letter;       /* 0: none */
-    const char *value; /* NULL: takes none; "[=VALUE]": may be left out, and is then NULL */
-    unsigned commands; /* enum app_command */
-    option_fn *set;
-    const char *help;
-};
-
 /* ---- the table ---- */
+
+enum {
+    TASKS_MAX = 1000 /* Slurm's MaxArraySize is 1001 where nobody has set it */
+};
 
 #define FRAMES   (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW | APP_FARM)
 #define PICTURES (FRAMES | APP_LADDER | APP_SHEET)
@@ -40,155 +32,173 @@ struct option {
 #define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
 #define DEVICES  ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
+/* What a row sets, and the function for it; a field of another type does not compile. */
+#define AT(type, field, set) \
+    _Generic(((struct app_options *)0)->field, type : offsetof(struct app_options, field)), set
+#define FLAG(field)        AT(bool, field, option_flag)
+#define TEXT(field)        AT(const char *, field, option_text)
+#define COUNT(field)       AT(uint32_t, field, option_count)
+#define PICTURE(set)       AT(struct app_picture, picture, set)
+#define SCENE(set)         AT(struct app_scene, picture.scene, set)
+#define VECTOR(field, set) AT(struct app_vector, picture.field, set)
+#define OUTPUTS(set)       AT(struct app_outputs, run.outputs, set)
+#define FORMAT             AT(enum app_format, run.format, option_format)
+#define SWEEP              AT(struct app_sweeps, sweeps, option_sweep)
+#define VIEW(set)          AT(struct app_view, view, set)
+#define DIFF(set)          AT(struct app_diff, diff, set)
+#define FARM(set)          AT(struct app_farm, farm, set)
+
 static const struct option options[] = {
-    { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, option_output,
+    { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, OUTPUTS(option_output),
       "output file, .exr or .png; - is an EXR on stdout; repeatable (firn.exr)" },
-    { "Output", "output", 'o', "FILE", APP_LADDER, option_ladder_output,
+    { "Output", "output", 'o', "FILE", APP_LADDER, OUTPUTS(option_ladder_output),
       "report: .png sheet, .exr layers, .svg plot or .html page; repeatable" },
-    { "Output", "output", 'o', "FILE", APP_BAKE, option_bake_output,
+    { "Output", "output", 'o', "FILE", APP_BAKE, OUTPUTS(option_bake_output),
       "output file, .exr, or - for stdout (env.exr)" },
-    { "Output", "output", 'o', "FILE", APP_SHEET, option_sheet_output,
+    { "Output", "output", 'o', "FILE", APP_SHEET, OUTPUTS(option_sheet_output),
       "output file, .png (sheet.png)" },
-    { "Output", "output", 'o', "FILE", APP_MERGE, option_bake_output,
+    { "Output", "output", 'o', "FILE", APP_MERGE, OUTPUTS(option_bake_output),
       "output file, .exr, or - for stdout (merged.exr)" },
-    { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, option_sweep,
+    { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, SWEEP,
       "values, one picture each; repeated: every combination (every material)" },
-    { "Output", "size", 's', "WxH", APP_SHEET, option_size,
+    { "Output", "size", 's', "WxH", APP_SHEET, PICTURE(option_size),
       "size of each picture, pixels, 1x1 to 16384x16384 (320x240)" },
-    { "Output", "size", 's', "N", APP_BAKE, option_bake_size,
+    { "Output", "size", 's', "N", APP_BAKE, PICTURE(option_bake_size),
       "side of a cube face, texels, 1 to 4096 (512)" },
-    { "Output", "size", 's', "WxH", FRAMES, option_size,
+    { "Output", "size", 's', "WxH", FRAMES, PICTURE(option_size),
       "size of the picture, pixels, 1x1 to 16384x16384 (1024x768)" },
-    { "Output", "size", 's', "WxH", APP_LADDER, option_size,
+    { "Output", "size", 's', "WxH", APP_LADDER, PICTURE(option_size),
       "size of the picture, pixels, 1x1 to 16384x16384 (512x512)" },
     { "Output", "samples", 'n', "N", (FILES & ~(unsigned)APP_VIEW) | APP_LADDER | APP_SHEET,
-      option_samples, "samples per pixel, 1 to 65536 (1)" },
-    { "Output", "samples", 'n', "N", APP_VIEW, option_samples,
-      "samples per pixel of screenshots, 1 to 65536; the window draws 1 (1)" },
-    { "Output", "aov", 0, "LIST", FILES, option_aov,
+      COUNT(picture.samples), "samples per pixel, 1 to 65536 (1)", 1, 65536 },
+    { "Output", "samples", 'n', "N", APP_VIEW, COUNT(picture.samples),
+      "samples per pixel of screenshots, 1 to 65536; the window draws 1 (1)", 1, 65536 },
+    { "Output", "aov", 0, "LIST", FILES, PICTURE(option_aov),
       "additional EXR layers, separated by commas, or all: firn list layers" },
-    { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, option_tiles,
+    { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, PICTURE(option_tiles),
       "columns and rows of tiles, 1x1 to 16x16: less memory, identical output" },
-    { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, option_tile,
+    { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, PICTURE(option_tile),
       "number of the only tile to draw, from 1; firn merge joins the files" },
-    { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, option_interleaved,
+    { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, FLAG(picture.interleaved),
       "interleaved tiles: pictures beyond the device's limit, output differs" },
-    { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, option_show,
+    { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, PICTURE(option_show),
       "layer that PNG files show instead of the picture: firn list layers" },
-    { "Window", "frames", 0, "N", APP_VIEW, option_frame_count,
-      "number of frames until the window closes, 1 to 1000000000 (no limit)" },
-    { "Window", "time-step", 0, "SECONDS", APP_VIEW, option_time_step,
+    { "Window", "frames", 0, "N", APP_VIEW, COUNT(view.frame_count),
+      "number of frames until the window closes, 1 to 1000000000 (no limit)", 1, 1000000000 },
+    { "Window", "time-step", 0, "SECONDS", APP_VIEW, AT(double, view.time_step, option_time_step),
       "scene time per frame, seconds, 0 to 3600 (real time)" },
-    { "Window", "screenshot", 0, "FILE", APP_VIEW, option_screenshot,
+    { "Window", "screenshot", 0, "FILE", APP_VIEW, OUTPUTS(option_output),
       "file for the last frame, .png or .exr, written at the end; repeatable" },
-    { "Window", "present", 0, "MODE", APP_VIEW, option_present,
+    { "Window", "present", 0, "MODE", APP_VIEW, VIEW(option_present),
       "present mode: fifo or mailbox (no tearing), or immediate (fifo)" },
-    { "Window", "fps-limit", 0, "N", APP_VIEW, option_fps_limit,
-      "limit of the frame rate, frames per second, 1 to 1000 (none)" },
-    { "Window", "overlay", 0, "on|off", APP_VIEW, option_overlay,
+    { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(view.fps_limit),
+      "limit of the frame rate, frames per second, 1 to 1000 (none)", 1, 1000 },
+    { "Window", "overlay", 0, "on|off", APP_VIEW, VIEW(option_overlay),
       "panels over the picture (on; off with --frames or --screenshot)" },
-    { "Window", "split", 0, "RUNG", APP_VIEW, option_split,
+    { "Window", "split", 0, "RUNG", APP_VIEW, PICTURE(option_split),
       "rung right of a divider, --refraction left of it; keys S, [ and ]" },
-    { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, option_watch,
+    { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, VIEW(option_watch),
       "folder of shaders that are recompiled and reloaded when saved (shaders)" },
-    { "Sequence", "frames", 0, "LIST", APP_RENDER | APP_FARM, option_frames,
+    { "Sequence", "frames", 0, "LIST", APP_RENDER | APP_FARM, TEXT(render.frames),
       "frame numbers: A, A-B, A-BxN (every Nth) or A-B,C; to -o a.####.exr" },
-    { "Sequence", "chunk", 0, "K/N", APP_RENDER, option_chunk,
+    { "Sequence", "chunk", 0, "K/N", APP_RENDER, AT(struct app_render, render, option_chunk),
       "part K of N of the frame list, to distribute it over machines" },
-    { "Sequence", "resume", 0, NULL, APP_RENDER, option_resume,
+    { "Sequence", "resume", 0, NULL, APP_RENDER, FLAG(render.resume),
       "skip frames whose files are complete and have the same options" },
-    { "Sequence", "json", 0, "FILE", APP_RENDER, option_json,
+    { "Sequence", "json", 0, "FILE", APP_RENDER, TEXT(render.json),
       "report with state, seconds and hash of each frame; - is stdout" },
-    { "Farm", "tasks", 0, "N", APP_FARM, option_farm_tasks,
-      "number of jobs, 1 to 1000 (one per frame, at most 100)" },
-    { "Farm", "submit", 0, NULL, APP_FARM, option_farm_submit,
+    { "Farm", "tasks", 0, "N", APP_FARM, COUNT(farm.task_count),
+      "number of jobs, 1 to 1000 (one per frame, at most 100)", 1, TASKS_MAX },
+    { "Farm", "submit", 0, NULL, APP_FARM, FLAG(farm.submit),
       "run the script instead of printing it" },
-    { "Farm", "sbatch", 0, "OPTION", APP_FARM, option_farm_sbatch,
+    { "Farm", "sbatch", 0, "OPTION", APP_FARM, FARM(option_farm_sbatch),
       "additional option for sbatch, such as --time=2:00:00; repeatable" },
-    { "Farm", "hosts", 0, "LIST", APP_FARM, option_farm_hosts,
+    { "Farm", "hosts", 0, "LIST", APP_FARM, FARM(option_farm_hosts),
       "ssh hosts, separated by commas; : is this machine (:)" },
-    { "Runs", "runs", 'n', "N", APP_PROFILE, option_runs,
-      "number of measured runs, 1 to 100000 (30)" },
-    { "Runs", "warmup", 0, "N", APP_PROFILE, option_warmup,
-      "number of warm-up runs, which are not measured, 0 to 100000 (5)" },
-    { "Runs", "time-step", 0, "SECONDS", APP_PROFILE, option_time_step,
+    { "Runs", "runs", 'n', "N", APP_PROFILE, COUNT(profile.run_count),
+      "number of measured runs, 1 to 100000 (30)", 1, 100000 },
+    { "Runs", "warmup", 0, "N", APP_PROFILE, COUNT(profile.warmup),
+      "number of warm-up runs, which are not measured, 0 to 100000 (5)", 0, 100000 },
+    { "Runs", "time-step", 0, "SECONDS", APP_PROFILE,
+      AT(double, profile.time_step, option_time_step),
       "scene time between runs, seconds, 0 to 3600; 0 repeats one frame (0)" },
-    { "Runs", "clock", 0, "CLOCK", APP_PROFILE, option_clock,
+    { "Runs", "clock", 0, "CLOCK", APP_PROFILE, AT(enum rg_clock, profile.clock, option_clock),
       "timer: timestamps, submits (each pass submitted alone) or auto (auto)" },
-    { "Runs", "sweep", 0, "NAME=A,B,...", APP_PROFILE, option_sweep,
+    { "Runs", "sweep", 0, "NAME=A,B,...", APP_PROFILE, SWEEP,
       "values of a setting, size, ... to profile; repeated: every combination" },
-    { "Runs", "baseline", 0, "FILE", APP_PROFILE, option_baseline,
+    { "Runs", "baseline", 0, "FILE", APP_PROFILE, TEXT(profile.baseline),
       "profile from --json to compare with; exit code 1 if a pass is slower" },
-    { "Reports", "each", 0, NULL, APP_PROFILE, option_each,
+    { "Reports", "each", 0, NULL, APP_PROFILE, FLAG(profile.each),
       "one line per repetition of a pass, such as cube faces" },
-    { "Reports", "json", 0, "FILE", APP_PROFILE, option_json,
+    { "Reports", "json", 0, "FILE", APP_PROFILE, TEXT(profile.json),
       "JSON report with all samples; - is stdout, which then has no table" },
-    { "Reports", "csv", 0, "FILE", APP_PROFILE, option_csv,
+    { "Reports", "csv", 0, "FILE", APP_PROFILE, TEXT(profile.csv),
       "CSV report with one line per run and pass" },
-    { "Reports", "trace", 0, "FILE", APP_PROFILE, option_trace,
+    { "Reports", "trace", 0, "FILE", APP_PROFILE, TEXT(profile.trace),
       "Chrome trace, for Perfetto, Tracy or speedscope" },
-    { "Reports", "html", 0, "FILE", APP_PROFILE, option_html, "HTML page with plots" },
-    { "Reports", "capture", 0, NULL, APP_PROFILE, option_capture,
+    { "Reports", "html", 0, "FILE", APP_PROFILE, TEXT(profile.html), "HTML page with plots" },
+    { "Reports", "capture", 0, NULL, APP_PROFILE, FLAG(profile.capture),
       "RenderDoc capture of one frame; start firn from RenderDoc" },
-    { "Ladder", "rungs", 0, "LIST", APP_LADDER, option_rungs,
+    { "Ladder", "rungs", 0, "LIST", APP_LADDER, AT(struct app_ladder, ladder, option_rungs),
       "rungs to compare, separated by commas; see firn list rungs (all)" },
-    { "Ladder", "runs", 0, "N", APP_LADDER, option_costs,
-      "number of timed frames per rung, 0 to 10000; 0 skips the timing (10)" },
-    { "Ladder", "furnace", 0, NULL, APP_LADDER, option_furnace,
+    { "Ladder", "runs", 0, "N", APP_LADDER, COUNT(ladder.run_count),
+      "number of timed frames per rung, 0 to 10000; 0 skips the timing (10)", 0, 10000 },
+    { "Ladder", "furnace", 0, NULL, APP_LADDER, FLAG(ladder.furnace),
       "white furnace test; exit code 1 if a rung gains or loses light" },
-    { "Ladder", "truth", 0, "FILE", APP_LADDER, option_truth,
+    { "Ladder", "truth", 0, "FILE", APP_LADDER, TEXT(ladder.truth),
       "second reference: a picture of the same view by another program" },
-    { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, option_refraction,
+    { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, PICTURE(option_refraction),
       "refraction rung: paper, bounce, ...; see firn list rungs (paper)" },
-    { "Picture", "material", 'm', "NAME", PICTURES, option_material,
+    { "Picture", "material", 'm', "NAME", PICTURES, SCENE(option_material),
       "material: ice, water, glass, ...; see firn list materials (ice)" },
-    { "Picture", "set", 0, "NAME=VALUE", SCENES, option_set,
+    { "Picture", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
-    { "Scene", "env", 'e', "FILE", SCENES, option_env,
+    { "Scene", "env", 'e', "FILE", SCENES, TEXT(picture.scene.environment),
       "environment: equirectangular .exr or .hdr, or firn bake's cube (sky)" },
-    { "Scene", "surroundings", 0, "FILE", SCENES, option_surroundings,
+    { "Scene", "surroundings", 0, "FILE", SCENES, TEXT(picture.scene.surroundings),
       "model file that surrounds the object (the scene's own surroundings)" },
-    { "Scene", "background", 0, "R,G,B", SCENES, option_background,
+    { "Scene", "background", 0, "R,G,B", SCENES, VECTOR(scene.background, option_background),
       "constant colour instead of the sky, linear, each from 0" },
-    { "Scene", "load-seconds", 0, "N", PICTURES, option_load_seconds,
-      "time limit per file, seconds, 1 to 3600 (10)" },
-    { "Scene", "load-memory", 0, "GiB", PICTURES, option_load_memory,
-      "memory limit per file, GiB, 1 to 1024 (4)" },
-    { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, option_orbit,
+    { "Scene", "load-seconds", 0, "N", PICTURES, COUNT(picture.scene.decode.seconds),
+      "time limit per file, seconds, 1 to 3600 (10)", 1, 3600, " of seconds" },
+    { "Scene", "load-memory", 0, "GiB", PICTURES, COUNT(picture.scene.decode.memory_gib),
+      "memory limit per file, GiB, 1 to 1024 (4)", 1, 1024, " of GiB" },
+    { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, VECTOR(orbit, option_orbit),
       "camera around the target: azimuth, elevation, degrees; distance, metres" },
-    { "Camera", "eye", 0, "X,Y,Z", PICTURES, option_eye, "position of the camera, metres" },
-    { "Camera", "target", 0, "X,Y,Z", PICTURES, option_target,
+    { "Camera", "eye", 0, "X,Y,Z", PICTURES, VECTOR(eye, option_place),
+      "position of the camera, metres" },
+    { "Camera", "target", 0, "X,Y,Z", PICTURES, VECTOR(target, option_place),
       "point that the camera faces, metres (the object's centre)" },
-    { "Camera", "fov", 0, "DEGREES", PICTURES, option_fov,
+    { "Camera", "fov", 0, "DEGREES", PICTURES, PICTURE(option_fov),
       "vertical field of view, degrees, 1 to 170 (45)" },
-    { "Device", "device", 'd', "N|NAME", DEVICES, option_device,
+    { "Device", "device", 'd', "N|NAME", DEVICES, TEXT(run.gpu.device),
       "Vulkan device, number or part of its name: firn list devices (a GPU)" },
-    { "Device", "validate", 0, NULL, DEVICES, option_validate,
+    { "Device", "validate", 0, NULL, DEVICES, FLAG(run.gpu.validate),
       "Vulkan validation layer, with synchronization validation" },
-    { "Device", "no-cache", 0, NULL, DEVICES, option_no_cache,
+    { "Device", "no-cache", 0, NULL, DEVICES, FLAG(run.gpu.no_cache),
       "no cache of compiled pipelines in $XDG_CACHE_HOME/firn" },
-    { "Device", "sharing", 0, "HOW", SCENES, option_sharing,
+    { "Device", "sharing", 0, "HOW", SCENES, AT(enum rg_sharing, picture.sharing, option_sharing),
       "memory aliasing: batches (no extra batches), memory, nothing (batches)" },
-    { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, option_mask,
+    { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, TEXT(mask.file),
       "mask, .exr or .png: only pixels with A above 0 are compared (none)" },
-    { "Comparison", "mask-channel", 0, "NAME", APP_DIFF | APP_LADDER, option_mask_channel,
+    { "Comparison", "mask-channel", 0, "NAME", APP_DIFF | APP_LADDER, TEXT(mask.channel),
       "channel that --mask reads (A)" },
-    { "Comparison", "exposure", 0, "STOPS", APP_DIFF, option_exposure,
+    { "Comparison", "exposure", 0, "STOPS", APP_DIFF, DIFF(option_exposure),
       "exposure for LDR-FLIP of EXR and HDR files, stops, -40 to 40 (HDR-FLIP)" },
-    { "Comparison", "curve", 0, "NAME", APP_DIFF, option_curve,
+    { "Comparison", "curve", 0, "NAME", APP_DIFF, DIFF(option_curve),
       "tone curve of HDR-FLIP: aces, hable or reinhard (aces)" },
-    { "Comparison", "ppd", 0, "N", APP_DIFF, option_ppd,
+    { "Comparison", "ppd", 0, "N", APP_DIFF, DIFF(option_ppd),
       "pixels per degree of the viewer's field of view, 1 to 400 (67)" },
-    { "Result", "output", 'o', "FILE", APP_DIFF, option_error_picture,
+    { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS(option_error_picture),
       "error picture, .png in colours or .exr as numbers; repeatable" },
-    { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, option_fail_above,
+    { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, DIFF(option_fail_above),
       "limit of flip, rmse, relmse, mae or angle, degrees: exit code 1 above it" },
-    { "Format", "dot", 0, NULL, APP_GRAPH, option_format_dot, "Graphviz digraph instead of text" },
-    { "Format", "html", 0, NULL, APP_GRAPH, option_format_html,
+    { "Format", "dot", 0, NULL, APP_GRAPH, FORMAT, "Graphviz digraph instead of text" },
+    { "Format", "html", 0, NULL, APP_GRAPH, FORMAT,
       "HTML page of passes and memory instead of text" },
-    { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM, option_format_json,
+    { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM, FORMAT,
       "JSON with all data instead of text" },
-    { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, option_quiet, "no progress output" },
+    { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, FLAG(run.quiet), "no progress output" },
 };
 
 enum {
@@ -384,32 +394,35 @@ static enum status parse_option(struct app_options *o, enum app_command command,
         log_error("--%s: expected %s, got nothing (see --help)", option->name, option->value);
         return STATUS_USAGE;
     }
-    return option->set(o, value);
+    return option->set(option, (char *)o + option->offset, value);
 }
 
+/* Most commands have one word that is no option, SCENE. */
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
+    const bool is_scene = command & SCENES & ~(unsigned)APP_FARM;
+    const char **words = is_scene ? &o->picture.scene.name : o->positionals;
     const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2
                           : command == APP_MERGE          ? APP_POSITIONAL_COUNT - 1
                                                           : 1;
     uint32_t count = 0;
-    while (count < most && o->positionals[count])
+    while (count < most && words[count])
         count++;
     if (count < most) {
-        o->positionals[count] = word;
+        words[count] = word;
         return STATUS_OK;
     }
     if (most > 1)
         log_error("unexpected argument '%s': expected at most %u (see --help)", word, most);
     else
         log_error("unexpected argument '%s': the %s is already '%s'", word,
-                  command == APP_LIST ? "list" : "scene", o->positionals[0]);
+                  is_scene ? "scene" : "list", words[0]);
     return STATUS_USAGE;
 }
 
-static enum status refuse_traced(const struct app_options *o)
+static enum status refuse_traced(const struct app_picture *picture)
 {
-    if (o->rung != &refract_reference)
+    if (picture->rung != &refract_reference)
         return STATUS_OK;
     log_error("--refraction: 'reference' is ray traced, which only firn render supports; choose "
               "another rung");
@@ -417,23 +430,50 @@ static enum status refuse_traced(const struct app_options *o)
 }
 
 /* What cannot be said before all words are read: who draws which layers. */
-static enum status settle_layers(struct app_options *o)
+static enum status settle_layers(struct app_picture *picture)
 {
     uint32_t made = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const struct frame_layer *layer = techniques_layer(i);
         const bool is_made =
-            o->rung == &refract_reference ? reference_makes(layer) : layer->image != NULL;
+            picture->rung == &refract_reference ? reference_makes(layer) : layer->image != NULL;
+        const bool is_shown = picture->show == layer;
         made |= is_made ? 1u << i : 0;
-        if (is_made || !((o->layers & 1u << i) || o->show == layer))
+        if (is_made || !(picture->layers & 1u << i || is_shown))
             continue;
         log_error("--%s: layer '%s' is not available with --refraction %s (firn list layers)",
-                  o->show == layer ? "show" : "aov", layer->name, o->rung->rung.name);
+                  is_shown ? "show" : "aov", layer->name, picture->rung->rung.name);
         return STATUS_USAGE;
     }
-    if (o->all_layers)
-        o->layers = made;
+    if (picture->all_layers)
+        picture->layers = made;
     return STATUS_OK;
+}
+
+static void set_defaults(struct app_options *o, enum app_command command)
+{
+    *o = (struct app_options){
+        .picture = {
+            .scene = {
+                .decode = { .program = "/proc/self/exe" },
+                .settings = settings_default(),
+            },
+            .rung = techniques_rung(0),
+            .width = 1024,
+            .height = 768,
+            .samples = 1,
+        },
+        .profile = { .warmup = 5, .run_count = 30 },
+        .ladder = { .run_count = 10 },
+    };
+    if (command == APP_LADDER)
+        option_ladder_settings(&o->picture.scene.settings);
+    if (command & (APP_LADDER | APP_BAKE))
+        o->picture.width = o->picture.height = 512;
+    if (command == APP_SHEET) {
+        o->picture.width = 320;
+        o->picture.height = 240;
+    }
 }
 
 enum status app_parse(struct app_options *o, enum app_command command, int argc, char **argv,
@@ -441,14 +481,7 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
 {
     bool only_words = false;
     *done = false;
-    *o = (struct app_options){
-        .settings = settings_default(),
-        .rung = techniques_rung(0),
-        .warmup = 5,
-        .run_count = 30,
-    };
-    if (command == APP_LADDER)
-        option_ladder_defaults(o);
+    set_defaults(o, command);
     for (int i = 0; i < argc; i++) {
         enum status status = STATUS_OK;
         const char *word = argv[i];
@@ -467,9 +500,9 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
         if (status != STATUS_OK)
             return status;
     }
-    if (!(command & (APP_RENDER | APP_FARM)) && refuse_traced(o) != STATUS_OK)
+    if (!(command & (APP_RENDER | APP_FARM)) && refuse_traced(&o->picture) != STATUS_OK)
         return STATUS_USAGE;
-    return settle_layers(o);
+    return settle_layers(&o->picture);
 }
 
 void app_print_render_words(char *const *words, enum app_command command, uint32_t skip, FILE *out)
@@ -496,15 +529,16 @@ void app_print_render_words(char *const *words, enum app_command command, uint32
     }
 }
 
-/* Options that say what is drawn. */
-enum status app_set(struct app_options *o, const char *name, const char *value)
+/* Options of a picture, which is all that their addresses then lead to. */
+enum status app_set(struct app_picture *picture, const char *name, const char *value)
 {
     const struct option *option = find_long(name, strlen(name), APP_GRAPH);
     char assignment[256];
-    if (option && option->value && strcmp(name, "set") != 0) {
-        const enum status status = option->set(o, value);
-        return status == STATUS_OK ? refuse_traced(o) : status;
+    _Static_assert(offsetof(struct app_options, picture) == 0, "offsets are those in a picture");
+    if (option && option->offset < sizeof(*picture) && strcmp(name, "set") != 0) {
+        const enum status status = option->set(option, (char *)picture + option->offset, value);
+        return status == STATUS_OK ? refuse_traced(picture) : status;
     }
     snprintf(assignment, sizeof(assignment), "%s=%s", name, value);
-    return option_set(o, assignment);
+    return option_set(option, &picture->scene, assignment);
 }

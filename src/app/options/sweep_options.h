@@ -7,11 +7,12 @@
 
 /* All of them, and whether every point's words are right. Logs; *sweep may then be half-built. */
 MUST_USE enum status sweep_options_parse(struct profile_sweep *sweep,
-                                         const struct app_options *options);
+                                         const struct app_sweeps *sweeps,
+                                         const struct app_picture *picture);
 
-/* Those of a point. Logs: STATUS_USAGE. */
+/* The picture of a point. Logs: STATUS_USAGE. */
 MUST_USE enum status sweep_options_at(const struct profile_sweep *sweep, uint32_t point,
-                                      const struct app_options *options,
-                                      struct app_options *at_point);
+                                      const struct app_picture *picture,
+                                      struct app_picture *at_point);
 
 #endif

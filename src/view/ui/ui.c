@@ -205,9 +205,9 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     struct imgui_input *input = &ui->input.now;
     *wish = (struct ui_wish){
-        .settings = view->picture->o.settings,
-        .rung = view->picture->o.rung,
-        .split = view->picture->o.split,
+        .settings = view->picture->state.scene.settings,
+        .rung = view->picture->state.rung,
+        .split = view->picture->state.split,
     };
     take_input(ui);
     ui->settle -= ui->settle ? 1 : 0;

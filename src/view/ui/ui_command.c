@@ -27,6 +27,12 @@ static void print_vector(FILE *out, const char *option, vec3s v)
     }
 }
 
+static void print_given(FILE *out, const char *option, const struct app_vector *vector)
+{
+    if (vector->is_given)
+        print_vector(out, option, vector->value);
+}
+
 static void print_fov(FILE *out, float fov_deg)
 {
     fputs(" --fov ", out);
@@ -51,17 +57,14 @@ static bool leans(const struct camera *camera)
 /* The options that placed it, if they still do, in a picture of this size. */
 static void print_camera(FILE *out, const struct ui_command *c)
 {
-    const struct app_options *o = c->options;
+    const struct app_picture *p = c->picture;
     struct camera given;
-    if (app_camera(&given, c->scene, o) == STATUS_OK && same_camera(&given, c->camera)) {
-        if (o->has_orbit)
-            print_vector(out, "orbit", o->orbit);
-        if (o->has_eye)
-            print_vector(out, "eye", o->eye);
-        if (o->has_target)
-            print_vector(out, "target", o->target);
-        if (o->has_fov)
-            print_fov(out, o->fov_deg);
+    if (app_camera(&given, c->scene, p) == STATUS_OK && same_camera(&given, c->camera)) {
+        print_given(out, "orbit", &p->orbit);
+        print_given(out, "eye", &p->eye);
+        print_given(out, "target", &p->target);
+        if (p->fov_deg > 0.0f)
+            print_fov(out, p->fov_deg);
         return;
     }
     if (leans(c->camera))
@@ -92,7 +95,7 @@ static void print_ior(FILE *out, const struct ui_command *c)
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const struct model *model = &c->scene->model;
     const struct settings defaults = settings_default();
-    const double ior = settings_get(&c->options->settings, row);
+    const double ior = settings_get(&c->picture->scene.settings, row);
     if (!differ(ior, model->has_ior ? (double)model->ior : settings_get(&defaults, row)))
         return;
     for (const struct material *m = materials; m->name; m++) {
@@ -101,13 +104,13 @@ static void print_ior(FILE *out, const struct ui_command *c)
             return;
         }
     }
-    print_setting(out, &c->options->settings, row);
+    print_setting(out, &c->picture->scene.settings, row);
 }
 
 static void print_settings(FILE *out, const struct ui_command *c)
 {
     const struct settings defaults = settings_default();
-    struct settings settings = c->options->settings;
+    struct settings settings = c->picture->scene.settings;
     settings_put(&settings, settings_find("motion.time"), (double)c->time);
     const struct setting_group *group;
     for (size_t g = 0; (group = settings_group(g)); g++) {
@@ -124,22 +127,21 @@ static void print_settings(FILE *out, const struct ui_command *c)
 
 static void print(FILE *out, const struct ui_command *c)
 {
-    const struct app_options *o = c->options;
+    const struct app_picture *p = c->picture;
     fputs("firn render ", out);
-    if (o->positionals[0][0] == '-') /* else an option */
+    if (p->scene.name[0] == '-') /* else an option */
         fputs("./", out);
-    shell_words_quote(o->positionals[0], out);
-    fprintf(out, " --size %ux%u", o->width, o->height);
-    if (o->samples > 1)
-        fprintf(out, " --samples %u", o->samples);
-    if (o->rung != techniques_rung(0))
-        print_name(out, "refraction", o->rung->rung.name);
+    shell_words_quote(p->scene.name, out);
+    fprintf(out, " --size %ux%u", p->width, p->height);
+    if (p->samples > 1)
+        fprintf(out, " --samples %u", p->samples);
+    if (p->rung != techniques_rung(0))
+        print_name(out, "refraction", p->rung->rung.name);
     print_ior(out, c);
     print_settings(out, c);
-    print_name(out, "env", o->environment);
-    print_name(out, "surroundings", o->surroundings);
-    if (o->has_background)
-        print_vector(out, "background", o->background);
+    print_name(out, "env", p->scene.environment);
+    print_name(out, "surroundings", p->scene.surroundings);
+    print_given(out, "background", &p->scene.background);
     print_camera(out, c);
     fputs(" -o firn.png", out);
 }

@@ -11,7 +11,7 @@
 #include "src/app/app.h"
 
 struct ui_command {
-    const struct app_options *options; /* settings and size in use */
+    const struct app_picture *picture; /* settings and size in use */
     const struct scene *scene;
     const struct camera *camera;
     float time; /* seconds */

@@ -108,10 +108,10 @@ static void buttons(struct ui *ui, const struct ui_view *view, struct ui_wish *w
 
 static void head(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
-    const struct app_options *o = &view->picture->o;
+    const struct app_picture *p = &view->picture->state;
     const double frame = ui->pace.frame;
     char text[256];
-    snprintf(text, sizeof(text), "%s, %ux%u", o->positionals[0], o->width, o->height);
+    snprintf(text, sizeof(text), "%s, %ux%u", p->scene.name, p->width, p->height);
     imgui_text(text);
     snprintf(text, sizeof(text), "%.1f frames per second, %.1f ms each",
              frame > 0.0 ? 1.0 / frame : 0.0, frame * 1e3);
