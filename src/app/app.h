@@ -243,4 +243,11 @@ MUST_USE enum status app_check_rung(const struct app_picture *picture, const str
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
                                 const struct app_picture *picture);
 
+struct renderer_params;
+
+/* For renderers of the picture, in tiles if it is; the caller says how many samples and what they
+ * bring back. Points into the picture. */
+struct renderer_params app_renderer_params(const struct app_picture *picture, struct gpu *gpu,
+                                           const struct scene *scene);
+
 #endif

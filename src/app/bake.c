@@ -23,17 +23,10 @@ struct job {
 static enum status draw(struct job *job)
 {
     struct app_picture *p = &job->o.picture;
+    const struct renderer_params params = app_renderer_params(p, &job->gpu, &job->scene);
     enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (status == STATUS_OK)
-        status = renderer_bake(
-            &(struct renderer_params){
-                .gpu = &job->gpu,
-                .scene = &job->scene,
-                .settings = &p->scene.settings,
-                .width = p->width,
-                .sharing = p->sharing,
-            },
-            job->output.shot.time, &job->strip);
+        status = renderer_bake(&params, job->output.shot.time, &job->strip);
     p->width = job->strip.width;
     p->height = job->strip.height;
     return status;

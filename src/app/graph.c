@@ -21,18 +21,12 @@ enum status app_graph(const struct app_options *o)
     enum status status = app_load_scene(&scene, &p.scene);
     if (status != STATUS_OK)
         return status;
-    status = renderer_plan(&frame, &(struct renderer_params){
-                                       .scene = &scene,
-                                       .settings = &p.scene.settings,
-                                       .rung = p.rung,
-                                       .width = p.width,
-                                       .height = p.height,
-                                       .samples = p.samples,
-                                       .layers = p.layers,
-                                       .linear = true,
-                                       .display = true,
-                                       .sharing = p.sharing,
-                                   });
+    struct renderer_params params = app_renderer_params(&p, NULL, &scene);
+    params.samples = p.samples;
+    params.layers = p.layers;
+    params.linear = true;
+    params.display = true;
+    status = renderer_plan(&frame, &params);
     if (status == STATUS_OK)
         dumps[o->run.format](frame.plan, stdout);
     frame_plan_finish(&frame);

@@ -113,15 +113,7 @@ enum status profile_job_measure(struct profile_job *job, const struct app_pictur
     if (status == STATUS_OK) {
         const struct motion_params *motion = settings_of(&p.scene.settings, &motion_settings);
         request.time = (double)motion->time;
-        request.renderer = (struct renderer_params){
-            .gpu = &job->gpu,
-            .scene = &scene,
-            .settings = &p.scene.settings,
-            .rung = p.rung,
-            .width = p.width,
-            .height = p.height,
-            .sharing = p.sharing,
-        };
+        request.renderer = app_renderer_params(&p, &job->gpu, &scene);
         status = profile_measure(profile, &request, show_progress, job);
         progress_clear(&job->progress);
     }

@@ -233,20 +233,9 @@ static enum status open_renderer(struct job *job)
 {
     const struct app_picture *p = &job->o.picture;
     const struct app_outputs *outputs = &job->o.run.outputs;
-    struct renderer_params params = {
-        .gpu = &job->gpu,
-        .scene = &job->scene,
-        .settings = &p->scene.settings,
-        .rung = p->rung,
-        .width = p->width,
-        .height = p->height,
-        .columns = p->columns,
-        .rows = p->rows,
-        .interleaved = p->interleaved,
-        .samples = p->samples,
-        .sharing = p->sharing,
-        .warm_up = true,
-    };
+    struct renderer_params params = app_renderer_params(p, &job->gpu, &job->scene);
+    params.samples = p->samples;
+    params.warm_up = true;
     for (uint32_t i = 0; i < outputs->count; i++) {
         if (path_ends_in(outputs->paths[i], ".png"))
             params.display = !p->show;

@@ -1,7 +1,8 @@
-/* scene.c: what the options say of scene and camera. */
+/* scene.c: what the options say of scene, camera and renderer. */
 #include "src/app/app.h"
 #include "src/base/log.h"
 #include "src/frame/view.h"
+#include "src/render/renderer.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
@@ -168,4 +169,21 @@ enum status app_camera(struct camera *camera, const struct scene *scene,
     log_error(
         "the camera and its target have the same position: change --eye, --orbit or --target");
     return STATUS_USAGE;
+}
+
+struct renderer_params app_renderer_params(const struct app_picture *p, struct gpu *gpu,
+                                           const struct scene *scene)
+{
+    return (struct renderer_params){
+        .gpu = gpu,
+        .scene = scene,
+        .settings = &p->scene.settings,
+        .rung = p->rung,
+        .width = p->width,
+        .height = p->height,
+        .columns = p->columns,
+        .rows = p->rows,
+        .interleaved = p->interleaved,
+        .sharing = p->sharing,
+    };
 }

@@ -133,20 +133,13 @@ static enum status draw(struct job *job, const struct app_picture *p, const stru
 {
     const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
     struct renderer_shot shot = { .time = motion->time };
+    struct renderer_params params = app_renderer_params(p, &job->gpu, scene);
     struct renderer *renderer = NULL;
     enum status status = app_camera(&shot.camera, scene, p);
+    params.samples = p->samples;
+    params.display = true;
     if (status == STATUS_OK)
-        status = renderer_create(&renderer, &(struct renderer_params){
-                                                .gpu = &job->gpu,
-                                                .scene = scene,
-                                                .settings = &p->scene.settings,
-                                                .rung = p->rung,
-                                                .width = p->width,
-                                                .height = p->height,
-                                                .samples = p->samples,
-                                                .display = true,
-                                                .sharing = p->sharing,
-                                            });
+        status = renderer_create(&renderer, &params);
     if (status == STATUS_OK)
         status = renderer_render(renderer, &shot, result, NULL, NULL);
     renderer_destroy(renderer);

@@ -81,18 +81,11 @@ void picture_destroy(struct picture *p)
 
 struct renderer_params picture_params(struct picture *p)
 {
-    return (struct renderer_params){
-        .gpu = p->gpu,
-        .scene = &p->scene,
-        .uploaded = &p->uploaded,
-        .settings = &p->state.scene.settings,
-        .rung = p->state.rung,
-        .width = p->state.width,
-        .height = p->state.height,
-        .sharing = p->state.sharing,
-        .replace = p->watch ? watch_replace : NULL,
-        .replace_user = p->watch,
-    };
+    struct renderer_params params = app_renderer_params(&p->state, p->gpu, &p->scene);
+    params.uploaded = &p->uploaded;
+    params.replace = p->watch ? watch_replace : NULL;
+    params.replace_user = p->watch;
+    return params;
 }
 
 static enum status make_renderer(struct picture *p, const struct technique *rung,

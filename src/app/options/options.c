@@ -32,9 +32,11 @@ enum {
 #define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
 #define DEVICES  ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
-/* What a row sets, and the function for it; a field of another type does not compile. */
+/* What a row sets, and the function for it; a field of another type does not compile. A type cannot
+ * be in parentheses. NOLINTBEGIN(bugprone-macro-parentheses) */
 #define AT(type, field, set) \
     _Generic(((struct app_options *)0)->field, type : offsetof(struct app_options, field)), set
+/* NOLINTEND(bugprone-macro-parentheses) */
 #define FLAG(field)        AT(bool, field, option_flag)
 #define TEXT(field)        AT(const char *, field, option_text)
 #define COUNT(field)       AT(uint32_t, field, option_count)
