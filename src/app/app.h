@@ -96,11 +96,11 @@ struct app_render {
 
 /* Of firn view. */
 struct app_view {
-    uint32_t frame_count;     /* ends after so many; 0: when the window is closed */
-    uint32_t fps_limit;       /* frames a second; 0: none */
-    double time_step;         /* seconds from frame to frame; 0: as time passes */
-    const char *watch;        /* folder of shaders; NULL: none */
-    VkPresentModeKHR present; /* 0 means FIFO */
+    uint32_t frame_count; /* ends after so many; 0: when the window is closed */
+    uint32_t fps_limit;   /* frames a second; 0: none */
+    double time_step;     /* seconds from frame to frame; 0: as time passes */
+    const char *watch;    /* folder of shaders; NULL: none */
+    VkPresentModeKHR present;
     enum app_overlay overlay;
 };
 

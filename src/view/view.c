@@ -33,15 +33,12 @@ static enum status open_device(void *user)
 {
     struct view *v = user;
     struct gpu_params params = v->options->run.gpu;
-    VkPresentModeKHR mode = v->options->view.present;
-    if (!mode)
-        mode = VK_PRESENT_MODE_FIFO_KHR;
     params.windows = &v->system;
     enum status status = gpu_create(&v->gpu, &params);
     if (status == STATUS_OK)
         status = window_surface(&v->window, &v->gpu, &v->surface);
     if (status == STATUS_OK)
-        status = screen_init(&v->screen, &v->gpu, v->surface, mode);
+        status = screen_init(&v->screen, &v->gpu, v->surface, v->options->view.present);
     return status;
 }
 

@@ -465,6 +465,7 @@ static void set_defaults(struct app_options *o, enum app_command command)
             .height = 768,
             .samples = 1,
         },
+        .view = { .present = VK_PRESENT_MODE_FIFO_KHR },
         .profile = { .warmup = 5, .run_count = 30 },
         .ladder = { .run_count = 10 },
     };
