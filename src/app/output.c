@@ -61,7 +61,7 @@ static bool describe(const struct output *output, const struct frame_layer *show
 {
     const struct app_picture *p = output->picture;
     const struct camera *camera = &output->shot.camera;
-    struct settings settings = p->scene.settings;
+    struct settings settings = frame_settings(&p->scene.settings, output->scene);
     size_t size;
     FILE *out = open_memstream(text, &size);
     bool ok = out != NULL;

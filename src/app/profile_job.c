@@ -6,6 +6,7 @@
 #include <string.h>
 #include "src/app/shell_words.h"
 #include "src/base/log.h"
+#include "src/frame/list.h"
 #include "src/gpu/gpu_capture.h"
 #include "src/image/file.h"
 #include "src/profile/html.h"
@@ -79,12 +80,14 @@ static void describe_material(struct profile *p, const struct app_scene *given)
         snprintf(p->material, sizeof(p->material), "refractive index %g", ior);
 }
 
-static enum status describe(struct profile *p, const struct app_scene *given, char *const *words)
+static enum status describe(struct profile *p, const struct app_scene *given,
+                            const struct scene *scene, char *const *words)
 {
+    const struct settings settings = frame_settings(&given->settings, scene);
     p->scene = strdup(given->name);
     p->command = shell_words_join(words);
     describe_material(p, given);
-    if (p->scene && p->command && describe_settings(p, &given->settings))
+    if (p->scene && p->command && describe_settings(p, &settings))
         return STATUS_OK;
     log_error("out of memory");
     profile_finish(p);
@@ -118,7 +121,7 @@ enum status profile_job_measure(struct profile_job *job, const struct app_pictur
         progress_clear(&job->progress);
     }
     if (status == STATUS_OK)
-        status = describe(profile, &p.scene, job->o.run.words);
+        status = describe(profile, &p.scene, &scene, job->o.run.words);
     scene_finish(&scene);
     return status;
 }

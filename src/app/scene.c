@@ -125,12 +125,6 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
     if (status == STATUS_OK) {
         settle_ior(given, &scene->model);
         check_box(given, scene);
-        /* what frames know from the scene, pictures tell in their settings */
-        if (scene->cube.texels)
-            settings_put(
-                &given->settings,
-                settings_row(&env_cube_settings, offsetof(struct env_cube_params, dynamic)), 0.0);
-        settings_put(&given->settings, POOL_IS_ON_ROW, scene->has_pool);
     }
     return status;
 }

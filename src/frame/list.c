@@ -4,6 +4,7 @@
 #include "src/base/log.h"
 #include "src/scene/scene.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/pool.h"
 #include "src/tech/techniques.h"
 
 static bool fits(const struct technique *technique, const struct technique_part *part,
@@ -71,4 +72,14 @@ bool frame_draws_cube(const struct settings *settings, const struct scene *scene
 {
     const struct env_cube_params *cube = settings_of(settings, &env_cube_settings);
     return cube->dynamic && !scene->cube.texels;
+}
+
+struct settings frame_settings(const struct settings *settings, const struct scene *scene)
+{
+    struct settings own = *settings;
+    settings_put(&own, settings_row(&pool_settings, offsetof(struct pool_params, water)),
+                 scene->has_pool);
+    settings_put(&own, settings_row(&env_cube_settings, offsetof(struct env_cube_params, dynamic)),
+                 frame_draws_cube(settings, scene));
+    return own;
 }

@@ -21,4 +21,7 @@ void frame_list_finish(struct frame_list *list); /* {0} is fine */
 /* The environment cube is drawn by pictures' own frames, as it changes. */
 bool frame_draws_cube(const struct settings *settings, const struct scene *scene);
 
+/* The settings with switches as the scene has them: what is recorded with its pictures. */
+struct settings frame_settings(const struct settings *settings, const struct scene *scene);
+
 #endif

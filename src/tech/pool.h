@@ -11,7 +11,4 @@ extern const struct setting_group water_settings, pool_settings;
 /* What shaders of the pool are told: struct water_push. */
 struct water_push pool_push_of(const struct settings *settings);
 
-/* The row that says in a picture's settings that its scene is a pool. */
-#define POOL_IS_ON_ROW (&pool_settings.rows[0])
-
 #endif

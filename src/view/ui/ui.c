@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/frame/list.h"
 #include "src/view/ui/ui_internal.h"
 
 enum {
@@ -205,7 +206,7 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     struct imgui_input *input = &ui->input.now;
     *wish = (struct ui_wish){
-        .settings = view->picture->state.scene.settings,
+        .settings = frame_settings(&view->picture->state.scene.settings, &view->picture->scene),
         .rung = view->picture->state.rung,
         .split = view->picture->state.split,
     };

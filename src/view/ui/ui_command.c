@@ -4,6 +4,7 @@
 #include <string.h>
 #include "src/app/shell_words.h"
 #include "src/base/log.h"
+#include "src/frame/list.h"
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
 
@@ -110,7 +111,7 @@ static void print_ior(FILE *out, const struct ui_command *c)
 static void print_settings(FILE *out, const struct ui_command *c)
 {
     const struct settings defaults = settings_default();
-    struct settings settings = c->picture->scene.settings;
+    struct settings settings = frame_settings(&c->picture->scene.settings, c->scene);
     settings_put(&settings, settings_find("motion.time"), (double)c->time);
     const struct setting_group *group;
     for (size_t g = 0; (group = settings_group(g)); g++) {
