@@ -120,7 +120,10 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
     start.slot = start.slot_count - 1;
     if (params->warm_up_only)
         start.params.import_count = 0;
-    VkResult outcome = rg_exec_find_functions(&start);
+    const char *missing = rg_functions_find(&start.vk, params->get_proc_addr, params->instance);
+    VkResult outcome = missing ? rg_exec_check(&start, VK_ERROR_INCOMPATIBLE_DRIVER,
+                                               "vkGetInstanceProcAddr", missing)
+                               : VK_SUCCESS;
     struct rg_exec *exec = outcome == VK_SUCCESS ? calloc(1, sizeof(*exec)) : NULL;
     if (exec) {
         *exec = start;

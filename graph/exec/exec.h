@@ -152,9 +152,6 @@ bool rg_exec_is_limited(const struct rg_exec *exec, const struct rg_plan_pass *p
 VkRect2D rg_exec_area(const struct rg_exec *exec, const struct rg_plan_pass *pass);
 VkRect2D rg_exec_within(VkRect2D inner, VkRect2D outer); /* the common part */
 
-/* functions.c: fills exec->vk */
-VkResult rg_exec_find_functions(struct rg_exec *exec);
-
 /* memory.c */
 VkResult rg_exec_make_memory(struct rg_exec *exec);
 /* Allocates from the first memory type that has all of `wanted` and `needed`, else of `needed`. */

@@ -47,4 +47,8 @@ struct rg_functions {
 #undef MEMBER
 };
 
+/* Fills *functions. Returns NULL, or the name of one that the instance lacks. */
+const char *rg_functions_find(struct rg_functions *functions, PFN_vkGetInstanceProcAddr find,
+                              VkInstance instance);
+
 #endif

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include "src/app/app.h"
 #include "src/frame/plan.h"
-#include "src/render/renderer.h"
+#include "src/render/request.h"
 
 typedef void dump_fn(const struct rg_plan *plan, FILE *out);
 

@@ -12,6 +12,7 @@
 #include "src/ladder/furnace.h"
 #include "src/ladder/ladder_report.h"
 #include "src/reference/reference.h"
+#include "src/reference/reference_layers.h"
 #include "src/settings/scene_settings.h"
 
 static const char default_scene[] = "ice-cube";

@@ -16,6 +16,7 @@
 #include "src/base/tile.h"
 #include "src/image/file.h"
 #include "src/reference/reference.h"
+#include "src/reference/reference_layers.h"
 #include "src/render/cpu_driver.h"
 #include "src/render/renderer.h"
 #include "src/tech/refract_reference.h"

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/ladder/ladder.h"
 #include "src/profile/statistics.h"
 
 static enum status time_frame(struct renderer *renderer, const struct renderer_shot *shot,
@@ -37,12 +36,9 @@ static enum status time_all(struct renderer *const *renderers,
 enum status ladder_cost(const struct ladder_cost_request *request, double *costs,
                         renderer_progress_fn *progress, void *user)
 {
-    struct renderer *renderers[LADDER_RUNG_COUNT] = { NULL };
+    struct renderer **renderers = calloc(request->count, sizeof(struct renderer *));
     double *samples = calloc((size_t)request->count * request->run_count, sizeof(*samples));
-    enum status status = STATUS_OK;
-    if (!samples) {
-        return log_out_of_memory(NULL);
-    }
+    enum status status = samples && renderers ? STATUS_OK : log_out_of_memory(NULL);
     for (uint32_t i = 0; i < request->count && status == STATUS_OK; i++) {
         struct renderer_params params = request->renderers[i];
         params.keep = true;
@@ -50,7 +46,7 @@ enum status ladder_cost(const struct ladder_cost_request *request, double *costs
     }
     if (status == STATUS_OK)
         status = time_all(renderers, request, samples, progress, user);
-    for (uint32_t i = 0; i < request->count; i++) {
+    for (uint32_t i = 0; i < request->count && renderers; i++) {
         if (status == STATUS_OK)
             costs[i] =
                 profile_summarize(&samples[(size_t)i * request->run_count], request->run_count)
@@ -58,5 +54,6 @@ enum status ladder_cost(const struct ladder_cost_request *request, double *costs
         renderer_destroy(renderers[i]);
     }
     free(samples);
+    free(renderers);
     return status;
 }

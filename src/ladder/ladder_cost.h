@@ -6,7 +6,7 @@
 
 struct ladder_cost_request {
     const struct renderer_params *renderers; /* keep is set for them */
-    uint32_t count;                          /* of renderers, at most LADDER_RUNG_COUNT */
+    uint32_t count;                          /* of renderers */
     uint32_t run_count;                      /* from 1; one more, before them, does not count */
     struct renderer_shot shot;
 };

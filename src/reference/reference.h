@@ -27,17 +27,6 @@
 /* Whether this build can trace. */
 bool reference_is_built(void);
 
-/* Whether a layer is one that it makes. */
-bool reference_makes(const struct frame_layer *layer);
-
-enum {
-    REFERENCE_NAMES_SIZE = 512 /* room for all of them */
-};
-
-/* Names of what the settings switch on and it leaves out, with commas between, into `names`; true
- * if there is any. */
-bool reference_leaves_out(const struct settings *settings, char *names, size_t size);
-
 struct reference_request {
     const struct scene *scene;
     const struct settings *settings;

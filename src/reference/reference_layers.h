@@ -2,7 +2,9 @@
 #ifndef FIRN_REFERENCE_LAYERS_H
 #define FIRN_REFERENCE_LAYERS_H
 
-#include "src/reference/reference.h"
+#include <cglm/struct.h>
+#include "src/frame/layers.h"
+#include "src/settings/settings.h"
 
 /* What a ray from the eye sees, all of float; zeros where there is nothing. */
 struct reference_seen {
@@ -23,5 +25,16 @@ enum {
 
 /* Which of the floats a plane takes; REFERENCE_SEEN_COUNT: none. */
 size_t reference_layers_find(const char *plane);
+
+/* Whether a layer is one that the reference makes. */
+bool reference_makes(const struct frame_layer *layer);
+
+enum {
+    REFERENCE_NAMES_SIZE = 512 /* room for all of them */
+};
+
+/* Names of what the settings switch on and the reference leaves out, with commas between, into
+ * `names`; true if there is any. */
+bool reference_leaves_out(const struct settings *settings, char *names, size_t size);
 
 #endif

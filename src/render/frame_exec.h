@@ -10,7 +10,7 @@
 #include "shaders/constants.h"
 #include "src/frame/plan.h"
 #include "src/frame/view.h"
-#include "src/render/renderer.h"
+#include "src/render/renderer_params.h"
 
 struct frame_exec {
     struct frame_plan frame;

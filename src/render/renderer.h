@@ -18,30 +18,8 @@
 #include "src/frame/layers.h"
 #include "src/gpu/gpu.h"
 #include "src/image/image.h"
+#include "src/render/renderer_params.h"
 #include "src/scene/scene.h"
-
-struct uploaded_scene;
-
-struct renderer_params {
-    struct gpu *gpu;
-    const struct scene *scene;
-    const struct uploaded_scene *uploaded; /* the scene; NULL: the renderer does that itself */
-    const struct settings *settings;
-    const struct technique *rung;
-    uint32_t width, height;  /* pixels */
-    uint32_t columns, rows;  /* of tiles, of which each shot draws one; 0 means 1 */
-    bool interleaved;        /* what tiles are: see renderer_shot */
-    uint32_t samples;        /* a pixel; 0 means 1 */
-    uint32_t layers;         /* bit i: techniques_layer(i); 0 where the settings switch it off */
-    bool linear;             /* the beauty, in render_result.image */
-    bool display;            /* the tonemapped picture, in render_result.rgba */
-    bool keep;               /* the same on the device, of the last sample: renderer_picture() */
-    bool measured;           /* renderer_measure() may be called */
-    bool warm_up;            /* compile shaders on all cores: warm_up.h */
-    enum rg_sharing sharing; /* which transient images share memory */
-    rg_replace_shader_fn *replace; /* of rg_exec_params, as is: */
-    void *replace_user;
-};
 
 struct renderer;
 
@@ -111,10 +89,5 @@ const struct rg_plan *renderer_frame(const struct renderer *renderer);
 void renderer_destroy(struct renderer *renderer); /* may be NULL */
 
 void render_result_finish(struct render_result *result);
-
-/* The plan of a frame as the renderer would compile it, without a device: for `firn graph`.
- * Only rung, size, layers, linear, display, keep, sharing, scene and settings of params count. */
-struct frame_plan;
-MUST_USE enum status renderer_plan(struct frame_plan *plan, const struct renderer_params *params);
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef FIRN_SETTINGS_SCENE_SETTINGS_H
 #define FIRN_SETTINGS_SCENE_SETTINGS_H
 
-#include "src/settings/settings.h"
+#include "src/settings/setting.h"
 
 struct object_params {
     uint32_t triangles; /* of a built-in object; 0: its default */

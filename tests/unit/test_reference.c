@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "src/reference/reference.h"
+#include "src/reference/reference_layers.h"
 #include "src/scene/generate/generate.h"
 #include "tests/support/check.h"
 #include "tests/support/picture.h"

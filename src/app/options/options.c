@@ -16,6 +16,7 @@
 #include "src/base/log.h"
 #include "src/base/suggest.h"
 #include "src/reference/reference.h"
+#include "src/reference/reference_layers.h"
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
 #include "src/tech/refract_reference.h"
