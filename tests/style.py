@@ -196,6 +196,19 @@ def check_file(file):
     return [f'{file.path}:{number}: {message}' for rule in RULES for number, message in rule(file)]
 
 
+def check_circles(files):
+    """Pairs of files, with headers, that include each other; not headers that have no .c."""
+    needs = {}
+    for file in files:
+        stem, suffix = os.path.splitext(file.path)
+        if suffix in ('.c', '.h') and file.path.startswith(('src/', 'graph/')):
+            found = re.findall(r'^#include "(.*)\.h"', file.text, re.MULTILINE)
+            needs.setdefault(stem, set()).update(found)
+    units = {file.path[:-2] for file in files if file.path.endswith('.c')}
+    return [f'{a}: it and {b} include each other' for a in sorted(units & needs.keys())
+            for b in sorted(needs[a] & units) if a < b and a in needs.get(b, ())]
+
+
 def read_tree(root):
     inside = (path for folder in FOLDERS for path in (root / folder).rglob('*'))
     for path in sorted([*root.iterdir(), *inside]):
@@ -296,6 +309,13 @@ SAMPLES = (
     ('src/a.c', '    goto out;\n', 'the one label'),
     ('src/a.c', '    goto fail;\n', None),
 )
+# Files of one tree, each a path and what it includes.
+TREES = (
+    ((('src/a.c', 'src/b'), ('src/b.c', 'src/a')), 'src/a: it and src/b include each other'),
+    ((('src/a.c', 'src/b'), ('src/b.h', 'src/a'), ('src/b.c', 'src/b')), 'include each other'),
+    ((('src/a.c', 'src/parts'), ('src/parts.h', 'src/a')), None),
+    ((('src/a.c', 'src/a'), ('src/a.h', 'src/b'), ('src/b.c', 'src/b')), None),
+)
 SUBJECTS = (
     ('Add the cracks', 'not of the form'),
     ('cracks: ' + 'x' * 65, '73 columns'),
@@ -328,6 +348,9 @@ def self_test():
     with tempfile.TemporaryDirectory() as folder:
         said = [(text, check_file(File(path, text)), want) for path, text, want in SAMPLES]
         said += [(text, list(filter(None, [subject_fault(text)])), want) for text, want in SUBJECTS]
+        said += [(str(tree), check_circles([File(path, f'#include "{header}.h"\n')
+                                            for path, header in tree]), want)
+                 for tree, want in TREES]
         said += [(text, check_library(compile_library(folder, text)), want)
                  for text, want in OBJECTS]
     wrong = 0
@@ -347,7 +370,8 @@ def main(arguments):
         print(__doc__, file=sys.stderr)
         return 2
     root = pathlib.Path(arguments[0])
-    faults = [fault for file in read_tree(root) for fault in check_file(file)]
+    files = list(read_tree(root))
+    faults = [fault for file in files for fault in check_file(file)] + check_circles(files)
     faults += [fault for library in arguments[1:] for fault in check_library(library)]
     faults += check_commits(root)
     print(*faults, sep='\n', end='\n' if faults else '')
