@@ -44,15 +44,14 @@ void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands)
     const struct rg_plan *plan = exec->plan;
     const VkClearColorValue zero = { { 0 } };
     for (uint32_t i = 0; i < plan->image_count; i++) {
-        const struct rg_plan_image *image = &plan->images[i];
-        const VkImageSubresourceRange all = { image->aspects, 0, image->mips, 0, image->layers };
-        if (image->persistent)
-            rg_exec_record_clear_image(exec, commands, exec->images[i], &all, &zero);
+        const VkImageSubresourceRange all = rg_exec_whole(&plan->images[i]);
+        if (plan->images[i].persistent)
+            rg_exec_record_clear_image(exec, commands, exec->image_set->images[i], &all, &zero);
     }
     for (uint32_t i = 0; i < plan->buffer_count; i++) {
         if (plan->buffers[i].persistent)
-            exec->vk.CmdFillBuffer(commands, rg_exec_buffer(exec, i, exec->slot), 0, VK_WHOLE_SIZE,
-                                   0);
+            exec->vk.CmdFillBuffer(commands, rg_exec_buffer(exec, i, exec->slot)->buffer, 0,
+                                   VK_WHOLE_SIZE, 0);
     }
     rg_exec_record_batch(exec, commands, plan->first_initial_barrier, plan->initial_barrier_count);
 }

@@ -1,39 +1,12 @@
 /* exec.c: creates and destroys an executor; begins, submits and waits for frames. */
 #include "graph/exec/exec.h"
+#include <assert.h>
 #include <stdlib.h>
-#include <string.h>
-
-VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
-                       const char *of)
-{
-    if (result != VK_SUCCESS && exec->params.log) {
-        char what[512];
-        if (of)
-            snprintf(what, sizeof(what), "%s of %s", call, of);
-        else
-            snprintf(what, sizeof(what), "%s of a frame of %u passes", call,
-                     exec->plan->pass_count);
-        exec->params.log(exec->params.user, what, result);
-    }
-    return result;
-}
-
-void rg_exec_name(const struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name)
-{
-    const VkDebugUtilsObjectNameInfoEXT info = {
-        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
-        .objectType = type,
-        .objectHandle = handle,
-        .pObjectName = name,
-    };
-    if (exec->vk.SetDebugUtilsObjectNameEXT)
-        exec->vk.SetDebugUtilsObjectNameEXT(exec->device, &info);
-}
 
 static VkResult make_slots(struct rg_exec *exec)
 {
     VkResult result;
-    RG_MAKE(exec, NULL, CreateCommandPool, &exec->command_pool,
+    RG_MAKE(exec, NULL, COMMAND_POOL, CreateCommandPool, &exec->command_pool,
             &(VkCommandPoolCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                 .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
@@ -49,64 +22,65 @@ static VkResult make_slots(struct rg_exec *exec)
                     .commandBufferCount = 1,
                 },
                 &slot->commands);
-        RG_MAKE(exec, NULL, CreateFence, &slot->fence,
+        RG_MAKE(exec, NULL, FENCE, CreateFence, &slot->fence,
                 &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
     }
 fail:
     return result;
 }
 
-/* At least one element: calloc() may return NULL for none, which would look like a failure. */
-static void *make_array(size_t count, size_t size)
+static VkResult count_image_sets(struct rg_exec *exec)
 {
-    return calloc(count ? count : 1, size);
+    exec->image_set_count = 1;
+    for (size_t i = 0; i < exec->params.import_count; i++) {
+        uint32_t count = exec->params.imports[i].image_count;
+        if (count && exec->image_set_count > 1 && count != exec->image_set_count)
+            return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the image index",
+                                 "imports of different numbers of images");
+        if (count)
+            exec->image_set_count = count;
+    }
+    return VK_SUCCESS;
 }
 
-static bool make_arrays(struct rg_exec *exec)
+static VkResult make_arrays(struct rg_exec *exec)
 {
     const struct rg_plan *plan = exec->plan;
+    size_t slot_count = exec->slot_count;
     size_t barrier_count = (size_t)plan->barrier_count + plan->initial_barrier_count;
-    exec->blocks = make_array(plan->block_count, sizeof(*exec->blocks));
-    exec->images = make_array(plan->image_count, sizeof(*exec->images));
-    exec->import_images =
-        make_array((size_t)plan->image_count * exec->image_set_count, sizeof(VkImage));
-    exec->image_memory = make_array(plan->image_count, sizeof(*exec->image_memory));
-    exec->buffers = make_array(plan->buffer_count, sizeof(*exec->buffers));
-    exec->use_views =
-        make_array((size_t)plan->use_count * exec->image_set_count, sizeof(VkImageView));
-    exec->fallbacks = make_array(plan->fallback_count, sizeof(*exec->fallbacks));
-    exec->samplers =
-        make_array((size_t)plan->use_count + plan->fallback_count, sizeof(*exec->samplers));
-    exec->passes = make_array(plan->pass_count, sizeof(*exec->passes));
-    exec->targets =
-        make_array((size_t)plan->pass_count * exec->image_set_count, sizeof(*exec->targets));
-    exec->slots = make_array(exec->slot_count, sizeof(*exec->slots));
-    exec->image_batch = make_array(barrier_count, sizeof(*exec->image_batch));
-    exec->buffer_batch = make_array(barrier_count, sizeof(*exec->buffer_batch));
-    return exec->blocks && exec->images && exec->import_images && exec->image_memory &&
-           exec->buffers && exec->use_views && exec->fallbacks && exec->samplers && exec->passes &&
-           exec->targets && exec->slots && exec->image_batch && exec->buffer_batch;
+    size_t sampled_count = (size_t)plan->use_count + plan->fallback_count;
+    bool done = RG_MAKE_ARRAY(exec, exec->blocks, plan->block_count) &&
+                RG_MAKE_ARRAY(exec, exec->buffers, plan->buffer_count * slot_count) &&
+                RG_MAKE_ARRAY(exec, exec->fallbacks, plan->fallback_count) &&
+                RG_MAKE_ARRAY(exec, exec->samplers, sampled_count) &&
+                RG_MAKE_ARRAY(exec, exec->passes, plan->pass_count) &&
+                RG_MAKE_ARRAY(exec, exec->slots, slot_count) &&
+                RG_MAKE_ARRAY(exec, exec->image_batch, barrier_count) &&
+                RG_MAKE_ARRAY(exec, exec->buffer_batch, barrier_count) &&
+                RG_MAKE_ARRAY(exec, exec->image_sets, exec->image_set_count);
+    for (uint32_t i = 0; done && i < exec->image_set_count; i++) {
+        struct exec_image_set *set = &exec->image_sets[i];
+        done = RG_MAKE_ARRAY(exec, set->images, plan->image_count) &&
+               RG_MAKE_ARRAY(exec, set->targets, plan->pass_count) &&
+               RG_MAKE_ARRAY(exec, set->descriptors, plan->pass_count * slot_count);
+    }
+    exec->image_set = exec->image_sets;
+    return done ? VK_SUCCESS : VK_ERROR_OUT_OF_HOST_MEMORY;
 }
 
 static VkResult make_all(struct rg_exec *exec)
 {
     VkResult (*const steps[])(struct rg_exec *) = {
-        rg_exec_make_memory,      rg_exec_make_fallbacks, rg_exec_make_targets,
-        rg_exec_make_descriptors, rg_exec_make_pipelines, make_slots,
-        rg_exec_make_time,        rg_exec_make_coverage,  rg_exec_make_warm_up,
+        count_image_sets,       make_arrays,          rg_exec_make_memory,
+        rg_exec_make_fallbacks, rg_exec_make_targets, rg_exec_make_descriptors,
+        rg_exec_make_pipelines, make_slots,           rg_exec_make_time,
+        rg_exec_make_coverage,  rg_exec_make_warm_up,
     };
-    VkResult counted = rg_exec_count_image_sets(exec);
-    if (counted != VK_SUCCESS)
-        return counted;
+    VkResult result = VK_SUCCESS;
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
-    if (!make_arrays(exec))
-        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
-    for (size_t i = 0; i < sizeof(steps) / sizeof(steps[0]); i++) {
-        VkResult result = steps[i](exec);
-        if (result != VK_SUCCESS)
-            return result;
-    }
-    return VK_SUCCESS;
+    for (size_t i = 0; i < sizeof(steps) / sizeof(steps[0]) && result == VK_SUCCESS; i++)
+        result = steps[i](exec);
+    return result;
 }
 
 struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result)
@@ -151,31 +125,8 @@ void rg_exec_destroy(struct rg_exec *exec)
     for (uint32_t i = 0; exec->slots && i < exec->slot_count; i++) {
         if (exec->slots[i].submitted) /* lost or not, it goes */
             (void)wait_fence(exec, &exec->slots[i]);
-        exec->vk.DestroyFence(exec->device, exec->slots[i].fence, NULL);
     }
-    exec->vk.DestroyCommandPool(exec->device, exec->command_pool, NULL);
-    if (exec->passes) {
-        rg_exec_free_pipelines(exec);
-        rg_exec_free_targets(exec);
-    }
-    rg_exec_free_descriptors(exec);
-    rg_exec_free_fallbacks(exec);
-    rg_exec_free_memory(exec);
-    rg_exec_free_time(exec);
-    rg_exec_free_warm_up(exec);
-    free(exec->blocks);
-    free(exec->images);
-    free(exec->import_images);
-    free(exec->image_memory);
-    free(exec->buffers);
-    free(exec->use_views);
-    free(exec->fallbacks);
-    free(exec->samplers);
-    free(exec->passes);
-    free(exec->targets);
-    free(exec->slots);
-    free(exec->image_batch);
-    free(exec->buffer_batch);
+    rg_exec_free_objects(exec);
     free(exec);
 }
 
@@ -269,8 +220,9 @@ VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *fram
                                const struct rg_exec_external_sync *sync)
 {
     VkResult result;
+    assert(sync->image_index < exec->image_set_count);
     exec->external_sync = *sync;
-    rg_exec_select_image_set(exec, sync->image_index);
+    exec->image_set = &exec->image_sets[sync->image_index];
     RG_PASS(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
     if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_SUBMITS)
         RG_PASS(submit_alone(exec, frame));
@@ -298,8 +250,8 @@ fail:
 void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot)
 {
     for (uint32_t i = 0; i < exec->plan->buffer_count; i++) {
-        if (exec->plan->buffers[i].buffer == buffer && exec->buffers[i].mapped)
-            return exec->buffers[i].mapped[slot];
+        if (exec->plan->buffers[i].buffer == buffer)
+            return rg_exec_buffer(exec, i, slot)->mapped;
     }
     return NULL;
 }
@@ -308,7 +260,7 @@ VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image)
 {
     for (uint32_t i = 0; i < exec->plan->image_count; i++) {
         if (exec->plan->images[i].image == image)
-            return exec->images[i];
+            return exec->image_set->images[i];
     }
     return VK_NULL_HANDLE;
 }

@@ -1,5 +1,4 @@
 /* memory.c: blocks of device memory, the images and buffers in them, and host buffers. */
-#include <stdlib.h>
 #include "graph/exec/exec.h"
 
 /* Returns the first memory type that has all of `wanted` and `needed`, else of `needed`; RG_NONE if
@@ -18,13 +17,13 @@ static uint32_t find_type(const struct rg_exec *exec, uint32_t bits, VkMemoryPro
     return RG_NONE;
 }
 
-static VkResult allocate(const struct rg_exec *exec, VkDeviceSize size, uint32_t type,
-                         const char *name, VkDeviceMemory *memory)
+static VkResult allocate(struct rg_exec *exec, VkDeviceSize size, uint32_t type, const char *name,
+                         VkDeviceMemory *memory)
 {
     VkResult result;
     if (type == RG_NONE)
         return rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT, "the memory type", name);
-    RG_MAKE(exec, name, AllocateMemory, memory,
+    RG_MAKE(exec, name, DEVICE_MEMORY, AllocateMemory, memory,
             &(VkMemoryAllocateInfo){
                 .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
                 .allocationSize = size,
@@ -34,22 +33,55 @@ fail:
     return result;
 }
 
-VkResult rg_exec_allocate(const struct rg_exec *exec, const VkMemoryRequirements *needs,
-                          VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags needed,
-                          const char *name, VkDeviceMemory *memory)
+static VkResult allocate_local(struct rg_exec *exec, VkDeviceSize size, uint32_t type_bits,
+                               const char *name, VkDeviceMemory *memory)
 {
-    uint32_t type = find_type(exec, needs->memoryTypeBits, wanted, needed);
-    VkResult result;
-    RG_PASS(allocate(exec, needs->size, type, name, memory));
-    rg_exec_name(exec, VK_OBJECT_TYPE_DEVICE_MEMORY, (uint64_t)*memory, name);
-fail:
+    uint32_t type = find_type(exec, type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0);
+    return allocate(exec, size, type, name, memory);
+}
+
+static VkResult make_blocks(struct rg_exec *exec)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < exec->plan->block_count && result == VK_SUCCESS; i++) {
+        const struct rg_block *block = &exec->plan->blocks[i];
+        const char *name = block->buffers ? "transient buffers" : "transient images";
+        result = allocate_local(exec, block->size, block->type_bits, name, &exec->blocks[i]);
+    }
     return result;
 }
 
-static VkResult allocate_local(const struct rg_exec *exec, const VkMemoryRequirements *needs,
-                               const char *name, VkDeviceMemory *memory)
+/* Where the plan puts a resource. */
+struct place {
+    const char *name; /* of the resource */
+    uint32_t block;   /* RG_NONE: memory of its own */
+    VkDeviceSize offset, size;
+};
+
+/* Finds the memory of a place. A plan that was compiled without this device, or for another one,
+ * may have given the resource too little. */
+static VkResult find_memory(struct rg_exec *exec, const struct place *place,
+                            const VkMemoryRequirements *needs, VkDeviceMemory *memory)
 {
-    return rg_exec_allocate(exec, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, name, memory);
+    if (place->block == RG_NONE)
+        return allocate_local(exec, needs->size, needs->memoryTypeBits, place->name, memory);
+    const struct rg_block *block = &exec->plan->blocks[place->block];
+    *memory = exec->blocks[place->block];
+    if (needs->size > place->size || place->offset % needs->alignment ||
+        block->type_bits & ~needs->memoryTypeBits)
+        return rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER,
+                             "a plan for another device: the place", place->name);
+    return VK_SUCCESS;
+}
+
+/* Returns the import of a plan's resource; NULL if the program has given none. */
+static const struct rg_exec_import *find_import(const struct rg_exec *exec, uint32_t import,
+                                                const char *name)
+{
+    if (import < exec->params.import_count)
+        return &exec->params.imports[import];
+    rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the object", name);
+    return NULL;
 }
 
 /* An executor made with `warm_up_only` makes the objects that others import. */
@@ -58,151 +90,133 @@ static bool is_foreign(const struct rg_exec *exec, bool imported)
     return imported && !exec->params.warm_up_only;
 }
 
-static VkResult make_blocks(struct rg_exec *exec)
+/* ---- images ---- */
+
+VkImageSubresourceRange rg_exec_whole(const struct rg_plan_image *image)
 {
-    VkResult result = VK_SUCCESS;
-    for (uint32_t i = 0; i < exec->plan->block_count && result == VK_SUCCESS; i++) {
-        const struct rg_block *block = &exec->plan->blocks[i];
-        const VkMemoryRequirements needs = { block->size, block->alignment, block->type_bits };
-        result =
-            allocate_local(exec, &needs, block->buffers ? "transient buffers" : "transient images",
-                           &exec->blocks[i]);
-    }
-    return result;
+    return (VkImageSubresourceRange){ image->aspects, 0, image->mips, 0, image->layers };
 }
 
-static const char for_another[] = "a plan for another device: the place";
-
-/* Checks the place that the plan gives a resource: a plan that was compiled without this device, or
- * for another one, may have given it too little memory. */
-static bool fits(const VkMemoryRequirements *needs, const struct rg_block *block,
-                 VkDeviceSize offset, VkDeviceSize size)
+VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage *image)
 {
-    return needs->size <= size && offset % needs->alignment == 0 &&
-           !(block->type_bits & ~needs->memoryTypeBits);
-}
-
-static VkResult make_image(struct rg_exec *exec, uint32_t index)
-{
-    const struct rg_plan_image *image = &exec->plan->images[index];
-    const char *name = image->image->name;
-    const VkImageCreateInfo info = rg_image_create_info(image);
+    const struct place place = { plan->image->name, plan->block, plan->offset, plan->size };
+    const VkImageCreateInfo info = rg_image_create_info(plan);
     VkMemoryRequirements needs;
-    VkResult result = VK_SUCCESS;
-    if (is_foreign(exec, image->imported)) {
-        if (image->import >= exec->params.import_count)
-            RG_PASS(rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the object", name));
-        exec->images[index] = exec->params.imports[image->import].image;
-        rg_exec_keep_import_images(exec, index, &exec->params.imports[image->import]);
-        return VK_SUCCESS;
-    }
-    RG_MAKE(exec, name, CreateImage, &exec->images[index], &info);
-    rg_exec_name(exec, VK_OBJECT_TYPE_IMAGE, (uint64_t)exec->images[index], name);
-    exec->vk.GetImageMemoryRequirements(exec->device, exec->images[index], &needs);
-    if (image->persistent || image->imported) {
-        VkDeviceMemory *memory = &exec->image_memory[index];
-        RG_PASS(allocate_local(exec, &needs, name, memory));
-        RG_CALL(exec, name, BindImageMemory, exec->device, exec->images[index], *memory, 0);
-        return VK_SUCCESS;
-    }
-    if (!fits(&needs, &exec->plan->blocks[image->block], image->offset, image->size))
-        RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, for_another, name));
-    RG_CALL(exec, name, BindImageMemory, exec->device, exec->images[index],
-            exec->blocks[image->block], image->offset);
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkResult result;
+    RG_MAKE(exec, place.name, IMAGE, CreateImage, image, &info);
+    exec->vk.GetImageMemoryRequirements(exec->device, *image, &needs);
+    RG_PASS(find_memory(exec, &place, &needs, &memory));
+    RG_CALL(exec, place.name, BindImageMemory, exec->device, *image, memory, place.offset);
 fail:
     return result;
 }
 
-static VkResult create_buffer(struct rg_exec *exec, const struct rg_plan_buffer *plan,
-                              VkBuffer *buffer)
+VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
+                           VkImageViewType type, const VkImageSubresourceRange *range,
+                           VkImageView *view)
 {
-    /* vkCmdFillBuffer() fills whole words of 4 bytes */
-    VkDeviceSize room = plan->persistent ? (plan->size + 3) / 4 * 4 : plan->size;
     VkResult result;
-    RG_MAKE(exec, plan->buffer->name, CreateBuffer, buffer,
-            &(VkBufferCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-                .size = room,
-                .usage = plan->usage,
+    RG_MAKE(exec, plan->image->name, IMAGE_VIEW, CreateImageView, view,
+            &(VkImageViewCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                .image = image,
+                .viewType = type,
+                .format = plan->image->format,
+                .subresourceRange = *range,
             });
-    rg_exec_name(exec, VK_OBJECT_TYPE_BUFFER, (uint64_t)*buffer, plan->buffer->name);
 fail:
     return result;
 }
 
-static VkResult make_device_buffer(struct rg_exec *exec, const struct rg_plan_buffer *plan,
-                                   struct exec_buffer *buffer)
+/* Fills the image of every image set. */
+static VkResult find_images(struct rg_exec *exec, uint32_t index)
 {
-    const char *name = plan->buffer->name;
+    const struct rg_plan_image *plan = &exec->plan->images[index];
+    const struct rg_exec_import own = { 0 };
+    const struct rg_exec_import *import = &own;
+    VkImage image = VK_NULL_HANDLE;
+    VkResult result = VK_SUCCESS;
+    if (is_foreign(exec, plan->imported))
+        import = find_import(exec, plan->import, plan->image->name);
+    else
+        result = rg_exec_make_image(exec, plan, &image);
+    if (!import)
+        return VK_ERROR_INITIALIZATION_FAILED;
+    for (uint32_t i = 0; i < exec->image_set_count; i++)
+        exec->image_sets[i].images[index] = import->image_count ? import->images[i]
+                                            : image             ? image
+                                                                : import->image;
+    return result;
+}
+
+/* ---- buffers ---- */
+
+VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
+                                  VkMemoryPropertyFlags wanted, const char *name,
+                                  struct exec_buffer *buffer)
+{
     VkMemoryRequirements needs;
     VkResult result;
-    RG_PASS(create_buffer(exec, plan, &buffer->buffers[0]));
-    exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffers[0], &needs);
-    if (plan->persistent || plan->imported) {
-        RG_PASS(allocate_local(exec, &needs, name, &buffer->own));
-        RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffers[0], buffer->own, 0);
-        return VK_SUCCESS;
-    }
-    if (!fits(&needs, &exec->plan->blocks[plan->block], plan->offset, plan->memory_size))
-        RG_PASS(rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER, for_another, name));
-    RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffers[0],
-            exec->blocks[plan->block], plan->offset);
+    RG_MAKE(exec, name, BUFFER, CreateBuffer, &buffer->buffer, info);
+    exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffer, &needs);
+    uint32_t type =
+        find_type(exec, needs.memoryTypeBits, wanted, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
+    RG_PASS(allocate(exec, needs.size, type, name, &buffer->host));
+    buffer->coherent = exec->memory_properties.memoryTypes[type].propertyFlags &
+                       VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffer, buffer->host, 0);
+    RG_CALL(exec, name, MapMemory, exec->device, buffer->host, 0, VK_WHOLE_SIZE, 0,
+            &buffer->mapped); /* freeing the memory unmaps it */
 fail:
     return result;
 }
 
-static VkResult make_host_buffer(struct rg_exec *exec, const struct rg_plan_buffer *plan,
-                                 struct exec_buffer *buffer, uint32_t slot)
+static VkResult make_device_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
+                                   const struct place *place, VkBuffer *buffer)
 {
-    const char *name = plan->buffer->name;
     VkMemoryRequirements needs;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
     VkResult result;
+    RG_MAKE(exec, place->name, BUFFER, CreateBuffer, buffer, info);
+    exec->vk.GetBufferMemoryRequirements(exec->device, *buffer, &needs);
+    RG_PASS(find_memory(exec, place, &needs, &memory));
+    RG_CALL(exec, place->name, BindBufferMemory, exec->device, *buffer, memory, place->offset);
+fail:
+    return result;
+}
+
+/* Fills the buffer of every slot. */
+static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
+{
+    const struct rg_plan_buffer *plan = &exec->plan->buffers[index];
+    const struct place place = { plan->buffer->name, plan->block, plan->offset, plan->memory_size };
+    const VkBufferCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+        /* vkCmdFillBuffer() fills whole words of 4 bytes */
+        .size = plan->persistent ? (plan->size + 3) / 4 * 4 : plan->size,
+        .usage = plan->usage,
+    };
     VkMemoryPropertyFlags wanted = plan->buffer->memory == RG_MEMORY_READBACK
                                        ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
                                        : VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    RG_PASS(create_buffer(exec, plan, &buffer->buffers[slot]));
-    exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffers[slot], &needs);
-    uint32_t type =
-        find_type(exec, needs.memoryTypeBits, wanted, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
-    RG_PASS(allocate(exec, needs.size, type, name, &buffer->memory[slot]));
-    buffer->coherent = exec->memory_properties.memoryTypes[type].propertyFlags &
-                       VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffers[slot], buffer->memory[slot],
-            0);
-    RG_CALL(exec, name, MapMemory, exec->device, buffer->memory[slot], 0, VK_WHOLE_SIZE, 0,
-            &buffer->mapped[slot]);
-fail:
-    return result;
-}
-
-static VkResult make_buffer(struct rg_exec *exec, uint32_t index)
-{
-    const struct rg_plan_buffer *plan = &exec->plan->buffers[index];
-    struct exec_buffer *buffer = &exec->buffers[index];
-    bool host = !plan->imported && plan->buffer->memory != RG_MEMORY_DEVICE;
-    VkResult result = VK_ERROR_OUT_OF_HOST_MEMORY;
-    buffer->buffers = calloc(exec->slot_count, sizeof(VkBuffer));
-    if (host) {
-        buffer->memory = calloc(exec->slot_count, sizeof(VkDeviceMemory));
-        buffer->mapped = calloc(exec->slot_count, sizeof(*buffer->mapped));
+    bool is_host = !plan->imported && plan->buffer->memory != RG_MEMORY_DEVICE;
+    VkResult result = VK_SUCCESS;
+    for (uint32_t slot = 0; slot < exec->slot_count && result == VK_SUCCESS; slot++) {
+        struct exec_buffer *buffer = rg_exec_buffer(exec, index, slot);
+        const struct rg_exec_import *import;
+        if (is_host) {
+            result = rg_exec_make_host_buffer(exec, &info, wanted, place.name, buffer);
+        } else if (slot > 0) {
+            *buffer = *rg_exec_buffer(exec, index, 0);
+        } else if (!is_foreign(exec, plan->imported)) {
+            result = make_device_buffer(exec, &info, &place, &buffer->buffer);
+        } else {
+            import = find_import(exec, plan->import, place.name);
+            buffer->buffer = import ? import->buffer : VK_NULL_HANDLE;
+            result = import ? VK_SUCCESS : VK_ERROR_INITIALIZATION_FAILED;
+        }
     }
-    if (!buffer->buffers || (host && (!buffer->memory || !buffer->mapped)))
-        return rg_exec_check(exec, result, "calloc", plan->buffer->name);
-    if (is_foreign(exec, plan->imported)) {
-        if (plan->import >= exec->params.import_count)
-            RG_PASS(rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the object",
-                                  plan->buffer->name));
-        buffer->buffers[0] = exec->params.imports[plan->import].buffer;
-        return VK_SUCCESS;
-    }
-    if (!host)
-        return make_device_buffer(exec, plan, buffer);
-    for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
-        result = make_host_buffer(exec, plan, buffer, slot);
-        if (result != VK_SUCCESS)
-            break;
-    }
-fail:
     return result;
 }
 
@@ -210,36 +224,10 @@ VkResult rg_exec_make_memory(struct rg_exec *exec)
 {
     VkResult result = make_blocks(exec);
     for (uint32_t i = 0; i < exec->plan->image_count && result == VK_SUCCESS; i++)
-        result = make_image(exec, i);
+        result = find_images(exec, i);
     for (uint32_t i = 0; i < exec->plan->buffer_count && result == VK_SUCCESS; i++)
-        result = make_buffer(exec, i);
+        result = find_buffers(exec, i);
     return result;
-}
-
-void rg_exec_free_memory(struct rg_exec *exec)
-{
-    const struct rg_plan *plan = exec->plan;
-    for (uint32_t i = 0; exec->images && i < plan->image_count; i++) {
-        if (!is_foreign(exec, plan->images[i].imported))
-            exec->vk.DestroyImage(exec->device, exec->images[i], NULL);
-    }
-    for (uint32_t i = 0; exec->image_memory && i < plan->image_count; i++)
-        exec->vk.FreeMemory(exec->device, exec->image_memory[i], NULL);
-    for (uint32_t i = 0; exec->buffers && i < plan->buffer_count; i++) {
-        struct exec_buffer *buffer = &exec->buffers[i];
-        for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
-            if (buffer->buffers && !is_foreign(exec, plan->buffers[i].imported))
-                exec->vk.DestroyBuffer(exec->device, buffer->buffers[slot], NULL);
-            if (buffer->memory)
-                exec->vk.FreeMemory(exec->device, buffer->memory[slot], NULL);
-        }
-        exec->vk.FreeMemory(exec->device, buffer->own, NULL);
-        free(buffer->buffers);
-        free(buffer->memory);
-        free(buffer->mapped);
-    }
-    for (uint32_t i = 0; exec->blocks && i < plan->block_count; i++)
-        exec->vk.FreeMemory(exec->device, exec->blocks[i], NULL);
 }
 
 VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block)
@@ -247,10 +235,9 @@ VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block)
     return exec->blocks[block];
 }
 
-VkBuffer rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot)
+struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot)
 {
-    const struct exec_buffer *b = &exec->buffers[buffer];
-    return b->buffers[b->memory ? slot : 0];
+    return &exec->buffers[(size_t)slot * exec->plan->buffer_count + buffer];
 }
 
 /* Flushes what the CPU wrote, or invalidates what it will read; coherent memory needs neither. */
@@ -258,19 +245,19 @@ VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory m
 {
     VkResult result = VK_SUCCESS;
     for (uint32_t i = 0; i < exec->plan->buffer_count; i++) {
-        const struct exec_buffer *buffer = &exec->buffers[i];
-        if (!buffer->memory || buffer->coherent || exec->plan->buffers[i].buffer->memory != memory)
-            continue;
+        const struct rg_buffer *declared = exec->plan->buffers[i].buffer;
+        const struct exec_buffer *buffer = rg_exec_buffer(exec, i, slot);
         const VkMappedMemoryRange range = {
             .sType = VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE,
-            .memory = buffer->memory[slot],
+            .memory = buffer->host,
             .size = VK_WHOLE_SIZE,
         };
-        const char *name = exec->plan->buffers[i].buffer->name;
+        if (!buffer->host || buffer->coherent || declared->memory != memory)
+            continue;
         if (memory == RG_MEMORY_UPLOAD)
-            RG_CALL(exec, name, FlushMappedMemoryRanges, exec->device, 1, &range);
+            RG_CALL(exec, declared->name, FlushMappedMemoryRanges, exec->device, 1, &range);
         else
-            RG_CALL(exec, name, InvalidateMappedMemoryRanges, exec->device, 1, &range);
+            RG_CALL(exec, declared->name, InvalidateMappedMemoryRanges, exec->device, 1, &range);
     }
 fail:
     return result;

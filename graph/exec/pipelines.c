@@ -12,7 +12,7 @@ static VkResult make_layout(struct rg_exec *exec, const struct rg_pass *row, str
 {
     const VkPushConstantRange push = { rg_exec_stages(row), 0, row->push_size };
     VkResult result;
-    RG_MAKE(exec, row->name, CreatePipelineLayout, &pass->layout,
+    RG_MAKE(exec, row->name, PIPELINE_LAYOUT, CreatePipelineLayout, &pass->layout,
             &(VkPipelineLayoutCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                 .setLayoutCount = 1,
@@ -20,7 +20,6 @@ static VkResult make_layout(struct rg_exec *exec, const struct rg_pass *row, str
                 .pushConstantRangeCount = row->push_size ? 1 : 0,
                 .pPushConstantRanges = &push,
             });
-    rg_exec_name(exec, VK_OBJECT_TYPE_PIPELINE_LAYOUT, (uint64_t)pass->layout, row->name);
 fail:
     return result;
 }
@@ -32,176 +31,138 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
     const struct rg_exec_params *params = &exec->params;
     const struct rg_shader *code =
         params->replace_shader ? params->replace_shader(params->user, shader) : shader;
-    VkResult result;
+    const VkShaderModuleCreateInfo module = {
+        .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+        .codeSize = code->word_count * sizeof(uint32_t),
+        .pCode = code->words,
+    };
     *info = (VkPipelineShaderStageCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
         .stage = stage,
         .pName = "main",
         .pSpecializationInfo = params->constants,
     };
-    RG_MAKE(exec, shader->name, CreateShaderModule, &info->module,
-            &(VkShaderModuleCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                .codeSize = code->word_count * sizeof(uint32_t),
-                .pCode = code->words,
-            });
-    rg_exec_name(exec, VK_OBJECT_TYPE_SHADER_MODULE, (uint64_t)info->module, shader->name);
-fail:
-    return result;
+    VkResult result = exec->vk.CreateShaderModule(exec->device, &module, NULL, &info->module);
+    if (result != VK_SUCCESS)
+        info->module = VK_NULL_HANDLE; /* Vulkan leaves it undefined */
+    return rg_exec_check(exec, result, "vkCreateShaderModule", shader->name);
 }
 
 static VkPipelineColorBlendAttachmentState blend_state(enum rg_blend blend)
 {
+    VkBlendFactor kept =
+        blend == RG_BLEND_ADD ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     return (VkPipelineColorBlendAttachmentState){
         .blendEnable = blend != RG_BLEND_NONE,
         .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
-        .dstColorBlendFactor =
-            blend == RG_BLEND_ADD ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+        .dstColorBlendFactor = kept,
         .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
-        .dstAlphaBlendFactor =
-            blend == RG_BLEND_ADD ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+        .dstAlphaBlendFactor = kept,
         .colorWriteMask = 0xf,
     };
 }
 
-/* The fixed-function state of a row; everything a VkGraphicsPipelineCreateInfo points to. */
-struct raster_state {
-    VkVertexInputBindingDescription binding;
-    VkPipelineVertexInputStateCreateInfo vertices;
-    VkPipelineInputAssemblyStateCreateInfo assembly;
-    VkPipelineViewportStateCreateInfo viewport;
-    VkPipelineRasterizationStateCreateInfo rasterization;
-    VkPipelineMultisampleStateCreateInfo samples;
-    VkPipelineDepthStencilStateCreateInfo depth;
+/* What depends on the targets of a row. */
+struct target_state {
     VkPipelineColorBlendAttachmentState blends[RG_COLOR_COUNT];
-    VkPipelineColorBlendStateCreateInfo blend;
-    VkDynamicState dynamic_states[2];
-    VkPipelineDynamicStateCreateInfo dynamic;
     VkFormat formats[RG_COLOR_COUNT];
     VkPipelineRenderingCreateInfo rendering;
 };
 
-static void fill_geometry(struct raster_state *s, const struct rg_pass *row)
+static void fill_target_state(struct target_state *state, const struct rg_exec *exec,
+                              const struct rg_plan_pass *plan)
 {
-    const struct rg_vertex_layout *layout = row->vertices;
-    if (layout)
-        s->binding = (VkVertexInputBindingDescription){ .stride = layout->stride };
-    s->vertices = (VkPipelineVertexInputStateCreateInfo){
+    const struct rg_plan_image *images = exec->plan->images;
+    state->rendering = (VkPipelineRenderingCreateInfo){
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+        .colorAttachmentCount = plan->color_count,
+        .pColorAttachmentFormats = state->formats,
+    };
+    for (uint32_t i = 0; i < plan->color_count; i++) {
+        state->blends[i] = blend_state(plan->pass->color[i].blend);
+        state->formats[i] = images[plan->color[i].image].image->format;
+    }
+    if (plan->depth.image == RG_NONE)
+        return;
+    const struct rg_plan_image *depth = &images[plan->depth.image];
+    state->rendering.depthAttachmentFormat = depth->image->format;
+    if (depth->aspects & VK_IMAGE_ASPECT_STENCIL_BIT)
+        state->rendering.stencilAttachmentFormat = depth->image->format;
+}
+
+static VkPipelineVertexInputStateCreateInfo
+vertex_input(const struct rg_vertex_layout *layout, const VkVertexInputBindingDescription *binding)
+{
+    return (VkPipelineVertexInputStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
         .vertexBindingDescriptionCount = layout ? 1 : 0,
-        .pVertexBindingDescriptions = &s->binding,
+        .pVertexBindingDescriptions = binding,
         .vertexAttributeDescriptionCount = layout ? layout->attribute_count : 0,
         .pVertexAttributeDescriptions = layout ? layout->attributes : NULL,
     };
-    s->assembly = (VkPipelineInputAssemblyStateCreateInfo){
+}
+
+/* Makes a graphics pipeline from one or two shader stages. */
+static VkResult make_graphics(struct rg_exec *exec, const struct rg_plan_pass *plan,
+                              struct exec_pass *pass, const VkPipelineShaderStageCreateInfo *stages)
+{
+    static const VkDynamicState dynamic[] = { VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR };
+    const struct rg_pass *row = plan->pass;
+    const VkVertexInputBindingDescription binding = {
+        .stride = row->vertices ? row->vertices->stride : 0,
+    };
+    const VkPipelineVertexInputStateCreateInfo vertices = vertex_input(row->vertices, &binding);
+    bool has_depth = plan->depth.image != RG_NONE;
+    struct target_state targets;
+    fill_target_state(&targets, exec, plan);
+    VkGraphicsPipelineCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+        .pNext = pass->render_pass ? NULL : &targets.rendering,
+        .stageCount = row->frag ? 2 : 1,
+        .pStages = stages,
+        .layout = pass->layout,
+        .renderPass = pass->render_pass,
+    };
+    VkResult result;
+    info.pVertexInputState = &vertices;
+    info.pInputAssemblyState = &(VkPipelineInputAssemblyStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
         .topology = row->topology ? row->topology : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
     };
-    s->viewport = (VkPipelineViewportStateCreateInfo){
+    info.pViewportState = &(VkPipelineViewportStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
         .viewportCount = 1,
         .scissorCount = 1,
     };
-    s->rasterization = (VkPipelineRasterizationStateCreateInfo){
+    info.pRasterizationState = &(VkPipelineRasterizationStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
         .cullMode = row->cull,
         .frontFace = row->front,
         .lineWidth = 1.0f,
     };
-}
-
-static void fill_targets(struct raster_state *s, const struct rg_exec *exec,
-                         const struct rg_plan_pass *plan)
-{
-    const struct rg_pass *row = plan->pass;
-    const struct rg_plan_image *images = exec->plan->images;
-    bool has_depth = plan->depth.image != RG_NONE;
-    for (uint32_t i = 0; i < plan->color_count; i++) {
-        s->blends[i] = blend_state(row->color[i].blend);
-        s->formats[i] = images[plan->color[i].image].image->format;
-    }
-    s->samples = (VkPipelineMultisampleStateCreateInfo){
+    info.pMultisampleState = &(VkPipelineMultisampleStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
         .rasterizationSamples = rg_exec_samples(exec, plan),
     };
-    s->depth = (VkPipelineDepthStencilStateCreateInfo){
+    info.pDepthStencilState = &(VkPipelineDepthStencilStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
         .depthTestEnable = has_depth,
         .depthWriteEnable = has_depth && !row->depth_read_only,
         .depthCompareOp = row->depth_compare ? row->depth_compare : VK_COMPARE_OP_LESS_OR_EQUAL,
     };
-    s->blend = (VkPipelineColorBlendStateCreateInfo){
+    info.pColorBlendState = &(VkPipelineColorBlendStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
         .attachmentCount = plan->color_count,
-        .pAttachments = s->blends,
+        .pAttachments = targets.blends,
     };
-    s->dynamic_states[0] = VK_DYNAMIC_STATE_VIEWPORT;
-    s->dynamic_states[1] = VK_DYNAMIC_STATE_SCISSOR;
-    s->dynamic = (VkPipelineDynamicStateCreateInfo){
+    info.pDynamicState = &(VkPipelineDynamicStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
         .dynamicStateCount = 2,
-        .pDynamicStates = s->dynamic_states,
+        .pDynamicStates = dynamic,
     };
-    VkFormat depth = has_depth ? images[plan->depth.image].image->format : VK_FORMAT_UNDEFINED;
-    bool stencil = has_depth && images[plan->depth.image].aspects & VK_IMAGE_ASPECT_STENCIL_BIT;
-    s->rendering = (VkPipelineRenderingCreateInfo){
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
-        .colorAttachmentCount = plan->color_count,
-        .pColorAttachmentFormats = s->formats,
-        .depthAttachmentFormat = depth,
-        .stencilAttachmentFormat = stencil ? depth : VK_FORMAT_UNDEFINED,
-    };
-}
-
-static VkResult make_raster(struct rg_exec *exec, const struct rg_plan_pass *plan,
-                            struct exec_pass *pass)
-{
-    const struct rg_pass *row = plan->pass;
-    VkPipelineShaderStageCreateInfo stages[2] = { 0 };
-    struct raster_state s = { 0 };
-    VkResult result;
-    fill_geometry(&s, row);
-    fill_targets(&s, exec, plan);
-    RG_PASS(make_stage(exec, row->vert, VK_SHADER_STAGE_VERTEX_BIT, &stages[0]));
-    if (row->frag)
-        RG_PASS(make_stage(exec, row->frag, VK_SHADER_STAGE_FRAGMENT_BIT, &stages[1]));
-    const VkGraphicsPipelineCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
-        .pNext = pass->render_pass ? NULL : &s.rendering,
-        .stageCount = row->frag ? 2 : 1,
-        .pStages = stages,
-        .pVertexInputState = &s.vertices,
-        .pInputAssemblyState = &s.assembly,
-        .pViewportState = &s.viewport,
-        .pRasterizationState = &s.rasterization,
-        .pMultisampleState = &s.samples,
-        .pDepthStencilState = &s.depth,
-        .pColorBlendState = &s.blend,
-        .pDynamicState = &s.dynamic,
-        .layout = pass->layout,
-        .renderPass = pass->render_pass,
-    };
-    RG_CALL(exec, row->name, CreateGraphicsPipelines, exec->device, exec->params.pipeline_cache, 1,
-            &info, NULL, &pass->pipeline);
+    RG_MAKE(exec, row->name, PIPELINE, CreateGraphicsPipelines, &pass->pipeline,
+            exec->params.pipeline_cache, 1, &info);
 fail:
-    exec->vk.DestroyShaderModule(exec->device, stages[0].module, NULL);
-    exec->vk.DestroyShaderModule(exec->device, stages[1].module, NULL);
-    return result;
-}
-
-static VkResult make_compute(struct rg_exec *exec, const struct rg_pass *row,
-                             struct exec_pass *pass)
-{
-    VkComputePipelineCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-        .layout = pass->layout,
-    };
-    VkResult result;
-    RG_PASS(make_stage(exec, row->comp, VK_SHADER_STAGE_COMPUTE_BIT, &info.stage));
-    RG_CALL(exec, row->name, CreateComputePipelines, exec->device, exec->params.pipeline_cache, 1,
-            &info, NULL, &pass->pipeline);
-fail:
-    exec->vk.DestroyShaderModule(exec->device, info.stage.module, NULL);
     return result;
 }
 
@@ -209,16 +170,29 @@ static VkResult make_pipeline(struct rg_exec *exec, const struct rg_plan_pass *p
                               struct exec_pass *pass)
 {
     const struct rg_pass *row = plan->pass;
+    VkPipelineShaderStageCreateInfo stages[2] = { 0 };
     VkResult result = VK_SUCCESS;
     if (row->kind == RG_TRANSFER)
         return VK_SUCCESS;
     RG_PASS(make_layout(exec, row, pass));
-    if (row->kind == RG_COMPUTE)
-        RG_PASS(make_compute(exec, row, pass));
-    else
-        RG_PASS(make_raster(exec, plan, pass));
-    rg_exec_name(exec, VK_OBJECT_TYPE_PIPELINE, (uint64_t)pass->pipeline, row->name);
+    if (row->kind == RG_COMPUTE) {
+        RG_PASS(make_stage(exec, row->comp, VK_SHADER_STAGE_COMPUTE_BIT, &stages[0]));
+        RG_MAKE(exec, row->name, PIPELINE, CreateComputePipelines, &pass->pipeline,
+                exec->params.pipeline_cache, 1,
+                &(VkComputePipelineCreateInfo){
+                    .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                    .stage = stages[0],
+                    .layout = pass->layout,
+                });
+    } else {
+        RG_PASS(make_stage(exec, row->vert, VK_SHADER_STAGE_VERTEX_BIT, &stages[0]));
+        if (row->frag)
+            RG_PASS(make_stage(exec, row->frag, VK_SHADER_STAGE_FRAGMENT_BIT, &stages[1]));
+        RG_PASS(make_graphics(exec, plan, pass, stages));
+    }
 fail:
+    exec->vk.DestroyShaderModule(exec->device, stages[0].module, NULL);
+    exec->vk.DestroyShaderModule(exec->device, stages[1].module, NULL);
     return result;
 }
 
@@ -248,20 +222,20 @@ static bool draw_alike(const struct rg_exec *exec, const struct rg_plan_pass *a,
     return same;
 }
 
-/* Finds an earlier row to share the pipeline with, since drivers compile equal pipelines again. A
- * pipeline made for a VkRenderPass is not shared. */
-static bool find_alike(const struct rg_exec *exec, uint32_t p, struct exec_pass *pass)
+/* Returns the first pass that a pass can share the pipeline with, since drivers compile equal
+ * pipelines again; it may be the pass itself. A pipeline made for a VkRenderPass is only shared by
+ * repetitions. */
+static uint32_t find_alike(const struct rg_exec *exec, uint32_t p)
 {
     const struct rg_plan_pass *passes = exec->plan->passes;
-    for (uint32_t q = 0; q < p && passes[p].pass->kind == RG_RASTER && !pass->render_pass; q++) {
-        if (exec->passes[q].owner && passes[q].pass->kind == RG_RASTER &&
-            draw_alike(exec, &passes[p], &passes[q])) {
-            pass->layout = exec->passes[q].layout;
-            pass->pipeline = exec->passes[q].pipeline;
-            return true;
-        }
+    if (p > 0 && passes[p - 1].pass == passes[p].pass)
+        return p - 1;
+    for (uint32_t q = 0; q < p && passes[p].pass->kind == RG_RASTER; q++) {
+        if (exec->passes[q].first && passes[q].pass->kind == RG_RASTER &&
+            !exec->passes[p].render_pass && draw_alike(exec, &passes[p], &passes[q]))
+            return q;
     }
-    return false;
+    return p;
 }
 
 VkResult rg_exec_make_pipelines(struct rg_exec *exec)
@@ -269,24 +243,12 @@ VkResult rg_exec_make_pipelines(struct rg_exec *exec)
     VkResult result = VK_SUCCESS;
     for (uint32_t p = 0; p < exec->plan->pass_count && result == VK_SUCCESS; p++) {
         struct exec_pass *pass = &exec->passes[p];
-        if (pass->owner) {
-            pass->shares = find_alike(exec, p, pass);
-            if (!pass->shares)
-                result = make_pipeline(exec, &exec->plan->passes[p], pass);
-        } else {
-            pass->layout = exec->passes[p - 1].layout;
-            pass->pipeline = exec->passes[p - 1].pipeline;
-        }
+        uint32_t alike = find_alike(exec, p);
+        pass->first = alike == p;
+        if (pass->first)
+            result = make_pipeline(exec, &exec->plan->passes[p], pass);
+        pass->layout = exec->passes[alike].layout;
+        pass->pipeline = exec->passes[alike].pipeline;
     }
     return result;
-}
-
-void rg_exec_free_pipelines(struct rg_exec *exec)
-{
-    for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
-        if (!exec->passes[p].owner || exec->passes[p].shares)
-            continue;
-        exec->vk.DestroyPipeline(exec->device, exec->passes[p].pipeline, NULL);
-        exec->vk.DestroyPipelineLayout(exec->device, exec->passes[p].layout, NULL);
-    }
 }

@@ -18,7 +18,7 @@ static VkImageMemoryBarrier2 image_barrier(const struct rg_exec *exec, const str
         .newLayout = b->new_layout,
         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .image = exec->images[b->image],
+        .image = exec->image_set->images[b->image],
         .subresourceRange = b->range,
     };
 }
@@ -33,7 +33,7 @@ static VkBufferMemoryBarrier2 buffer_barrier(const struct rg_exec *exec, const s
         .dstAccessMask = b->dst_access,
         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .buffer = rg_exec_buffer(exec, b->buffer, exec->slot),
+        .buffer = rg_exec_buffer(exec, b->buffer, exec->slot)->buffer,
         .size = VK_WHOLE_SIZE,
     };
 }
@@ -63,27 +63,6 @@ void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32
 
 /* ---- targets ---- */
 
-static VkRenderingAttachmentInfo attachment(const struct rg_plan_target *target,
-                                            const struct rg_target *row, VkImageView view)
-{
-    return (VkRenderingAttachmentInfo){
-        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-        .imageView = view,
-        .imageLayout = target->layout,
-        .loadOp = target->load,
-        .storeOp = target->store,
-        .clearValue = row->clear,
-    };
-}
-
-/* A warm-up draws nothing into its targets, so it neither loads nor stores them. */
-static VkRenderingAttachmentInfo untouched(VkRenderingAttachmentInfo info)
-{
-    info.loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-    info.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
-    return info;
-}
-
 /* Integer formats cannot be averaged; their names tell them. */
 static VkResolveModeFlagBits resolve_mode(const struct rg_plan_image *image)
 {
@@ -92,37 +71,43 @@ static VkResolveModeFlagBits resolve_mode(const struct rg_plan_image *image)
     return integer ? VK_RESOLVE_MODE_SAMPLE_ZERO_BIT : VK_RESOLVE_MODE_AVERAGE_BIT;
 }
 
+/* A warm-up draws nothing into its targets, so it neither loads nor stores them. */
 static void begin_rendering(const struct rg_cmd *cmd)
 {
     const struct rg_plan_pass *plan = cmd->plan_pass;
+    const struct rg_plan_image *images = cmd->exec->plan->images;
+    const VkImageView *views = cmd->exec->image_set->targets[cmd->index].views;
+    struct rg_plan_target targets[RG_ATTACHMENT_COUNT];
     VkRenderingAttachmentInfo attachments[RG_COLOR_COUNT + 1];
+    uint32_t color_count = plan->color_count;
     bool has_depth = plan->depth.image != RG_NONE;
-    uint32_t count = plan->color_count;
-    const VkImageView *views = rg_exec_targets(cmd->exec, cmd->pass)->views;
-    const VkImageView *resolve_view = &views[count + has_depth];
-    for (uint32_t i = 0; i < count; i++) {
-        const struct rg_plan_target *target = &plan->color[i];
-        attachments[i] = attachment(target, &plan->pass->color[i], views[i]);
-        if (target->resolve == RG_NONE)
+    uint32_t resolve = color_count + has_depth; /* the next image to resolve to */
+    rg_exec_attachments(plan, targets);
+    for (uint32_t i = 0; i < color_count + has_depth; i++) {
+        const struct rg_target *row = i < color_count ? &plan->pass->color[i] : &plan->pass->depth;
+        attachments[i] = (VkRenderingAttachmentInfo){
+            .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+            .imageView = views[i],
+            .imageLayout = targets[i].layout,
+            .loadOp = cmd->warm_up ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : targets[i].load,
+            .storeOp = cmd->warm_up ? VK_ATTACHMENT_STORE_OP_DONT_CARE : targets[i].store,
+            .clearValue = row->clear,
+        };
+        if (i == color_count || targets[i].resolve == RG_NONE)
             continue;
-        attachments[i].resolveMode = resolve_mode(&cmd->exec->plan->images[target->resolve]);
-        attachments[i].resolveImageView = *resolve_view++;
-        attachments[i].resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+        attachments[i].resolveMode = resolve_mode(&images[targets[i].resolve]);
+        attachments[i].resolveImageLayout = targets[resolve].layout;
+        attachments[i].resolveImageView = views[resolve++];
     }
-    if (has_depth)
-        attachments[count] = attachment(&plan->depth, &plan->pass->depth, views[count]);
-    bool has_stencil = has_depth && cmd->exec->plan->images[plan->depth.image].aspects &
-                                        VK_IMAGE_ASPECT_STENCIL_BIT;
-    for (uint32_t i = 0; cmd->warm_up && i < count + has_depth; i++)
-        attachments[i] = untouched(attachments[i]);
+    bool has_stencil = has_depth && images[plan->depth.image].aspects & VK_IMAGE_ASPECT_STENCIL_BIT;
     const VkRenderingInfo info = {
         .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-        .renderArea = rg_exec_area(cmd->exec, plan),
+        .renderArea = rg_exec_area(cmd),
         .layerCount = 1,
-        .colorAttachmentCount = count,
+        .colorAttachmentCount = color_count,
         .pColorAttachments = attachments,
-        .pDepthAttachment = has_depth ? &attachments[count] : NULL,
-        .pStencilAttachment = has_stencil ? &attachments[count] : NULL,
+        .pDepthAttachment = has_depth ? &attachments[color_count] : NULL,
+        .pStencilAttachment = has_stencil ? &attachments[color_count] : NULL,
     };
     cmd->exec->vk.CmdBeginRendering(cmd->commands, &info);
 }
@@ -137,8 +122,8 @@ static void begin_render_pass(const struct rg_cmd *cmd)
     const VkRenderPassBeginInfo info = {
         .sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
         .renderPass = cmd->pass->render_pass,
-        .framebuffer = rg_exec_targets(cmd->exec, cmd->pass)->framebuffer,
-        .renderArea = rg_exec_area(cmd->exec, plan),
+        .framebuffer = cmd->exec->image_set->targets[cmd->index].framebuffer,
+        .renderArea = rg_exec_area(cmd),
         .clearValueCount = plan->color_count + 1,
         .pClearValues = clears,
     };
@@ -155,9 +140,10 @@ static void bind(const struct rg_cmd *cmd)
     if (plan->pass->kind == RG_TRANSFER)
         return;
     cmd->exec->vk.CmdBindPipeline(cmd->commands, point, cmd->pass->pipeline);
+    const VkDescriptorSet *sets =
+        &cmd->exec->image_set->descriptors[(size_t)cmd->index * cmd->exec->slot_count];
     cmd->exec->vk.CmdBindDescriptorSets(cmd->commands, point, cmd->pass->layout, 0, 1,
-                                        rg_exec_set(cmd->exec, cmd->pass, cmd->exec->slot), 0,
-                                        NULL);
+                                        &sets[cmd->exec->slot], 0, NULL);
     if (plan->pass->kind != RG_RASTER)
         return;
     const VkViewport viewport = {
@@ -166,7 +152,7 @@ static void bind(const struct rg_cmd *cmd)
         .maxDepth = 1.0f,
     };
     cmd->exec->vk.CmdSetViewport(cmd->commands, 0, 1, &viewport);
-    const VkRect2D area = cmd->warm_up ? (VkRect2D){ 0 } : rg_exec_area(cmd->exec, plan);
+    const VkRect2D area = cmd->warm_up ? (VkRect2D){ 0 } : rg_exec_area(cmd);
     cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &area);
 }
 
@@ -190,6 +176,7 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
 {
     struct rg_cmd cmd = {
         .exec = exec,
+        .index = index,
         .plan_pass = &exec->plan->passes[index],
         .pass = &exec->passes[index],
         .commands = commands,
@@ -211,21 +198,22 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
         exec->vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 
+const VkCommandBufferBeginInfo rg_exec_commands_once = {
+    .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+    .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
+};
+
 VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                         uint32_t count)
 {
     VkCommandBuffer commands = exec->slots[exec->slot].commands;
     const struct rg_plan *plan = exec->plan;
     VkResult result;
-    RG_CALL(exec, NULL, BeginCommandBuffer, commands,
-            &(VkCommandBufferBeginInfo){
-                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
-            });
-    if (first == 0 && !exec->filled)
+    RG_CALL(exec, NULL, BeginCommandBuffer, commands, &rg_exec_commands_once);
+    if (first == 0 && !exec->filled) {
         rg_exec_record_clear(exec, commands);
-    if (first == 0 && !exec->filled)
         rg_exec_record_fallbacks(exec, commands);
+    }
     if (first == 0)
         rg_time_begin_frame(exec, commands);
     for (uint32_t p = first; p < first + count; p++)
@@ -281,10 +269,8 @@ void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint3
     if (!count)
         return;
     bind_mesh(cmd, mesh);
-    if (cmd->warm_up)
-        cmd->exec->vk.CmdDrawIndexed(cmd->commands, 3, 1, 0, 0, 0);
-    else
-        cmd->exec->vk.CmdDrawIndexed(cmd->commands, count, 1, first, 0, 0);
+    cmd->exec->vk.CmdDrawIndexed(cmd->commands, cmd->warm_up ? 3 : count, 1,
+                                 cmd->warm_up ? 0 : first, 0, 0);
 }
 
 void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
@@ -294,7 +280,7 @@ void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
 
 void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle)
 {
-    const VkRect2D both = rg_exec_within(rectangle, rg_exec_area(cmd->exec, cmd->plan_pass));
+    const VkRect2D both = rg_exec_within(rectangle, rg_exec_area(cmd));
     if (!cmd->warm_up)
         cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &both);
 }
@@ -304,7 +290,8 @@ void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)
     cmd->exec->vk.CmdDispatch(cmd->commands, x, y, z);
 }
 
-/* Returns the row's first use of a resource with an access, or with any if `access` is none. */
+/* Returns the row's first use of a resource with an access, or with any if `access` is none. The
+ * row has one. */
 static const struct rg_plan_use *find_use(const struct rg_cmd *cmd, const void *resource,
                                           enum rg_access access)
 {
@@ -315,14 +302,15 @@ static const struct rg_plan_use *find_use(const struct rg_cmd *cmd, const void *
         if (used == resource && (!access || use->use->access == access))
             return use;
     }
+    assert(!"the row names the resource");
     return NULL;
 }
 
-static VkBuffer indirect_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer)
+static VkBuffer find_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer,
+                            enum rg_access access)
 {
-    const struct rg_plan_use *use = find_use(cmd, buffer, RG_INDIRECT);
-    assert(use); /* the row names it */
-    return rg_exec_buffer(cmd->exec, use->buffer, cmd->exec->slot);
+    const struct rg_plan_use *use = find_use(cmd, buffer, access);
+    return rg_exec_buffer(cmd->exec, use->buffer, cmd->exec->slot)->buffer;
 }
 
 void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer, VkDeviceSize offset)
@@ -330,7 +318,8 @@ void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer, Vk
     if (cmd->warm_up)
         rg_cmd_draw(cmd, 3);
     else
-        cmd->exec->vk.CmdDrawIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
+        cmd->exec->vk.CmdDrawIndirect(cmd->commands, find_buffer(cmd, buffer, RG_INDIRECT), offset,
+                                      1, 0);
 }
 
 void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
@@ -341,13 +330,14 @@ void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
         return;
     }
     bind_mesh(cmd, mesh);
-    cmd->exec->vk.CmdDrawIndexedIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset, 1, 0);
+    cmd->exec->vk.CmdDrawIndexedIndirect(cmd->commands, find_buffer(cmd, buffer, RG_INDIRECT),
+                                         offset, 1, 0);
 }
 
 void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                               VkDeviceSize offset)
 {
-    cmd->exec->vk.CmdDispatchIndirect(cmd->commands, indirect_buffer(cmd, buffer), offset);
+    cmd->exec->vk.CmdDispatchIndirect(cmd->commands, find_buffer(cmd, buffer, RG_INDIRECT), offset);
 }
 
 static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_plan_use *use,
@@ -358,8 +348,7 @@ static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_p
     uint32_t width = image->extent.width >> mip;
     uint32_t height = image->extent.height >> mip;
     const VkRect2D whole = { .extent = { width ? width : 1, height ? height : 1 } };
-    const VkRect2D area =
-        rg_exec_is_limited(cmd->exec, cmd->plan_pass) ? cmd->exec->region.region : whole;
+    const VkRect2D area = rg_exec_is_limited(cmd) ? cmd->exec->region.region : whole;
     return (VkBufferImageCopy){
         .bufferOffset = offset,
         .imageSubresource = { use->range.aspectMask, mip, use->range.baseArrayLayer,
@@ -373,24 +362,20 @@ void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *imag
                                  const struct rg_buffer *buffer, VkDeviceSize offset)
 {
     const struct rg_plan_use *from = find_use(cmd, image, RG_COPY_SRC);
-    const struct rg_plan_use *to = find_use(cmd, buffer, RG_COPY_DST);
-    assert(from && to); /* the row names both */
     const VkBufferImageCopy region = copy_region(cmd, from, offset);
-    cmd->exec->vk.CmdCopyImageToBuffer(cmd->commands, cmd->exec->images[from->image], from->layout,
-                                       rg_exec_buffer(cmd->exec, to->buffer, cmd->exec->slot), 1,
+    cmd->exec->vk.CmdCopyImageToBuffer(cmd->commands, cmd->exec->image_set->images[from->image],
+                                       from->layout, find_buffer(cmd, buffer, RG_COPY_DST), 1,
                                        &region);
 }
 
 void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                  VkDeviceSize offset, const struct rg_image *image)
 {
-    const struct rg_plan_use *from = find_use(cmd, buffer, RG_COPY_SRC);
     const struct rg_plan_use *to = find_use(cmd, image, RG_COPY_DST);
-    assert(from && to); /* the row names both */
     const VkBufferImageCopy region = copy_region(cmd, to, offset);
-    cmd->exec->vk.CmdCopyBufferToImage(cmd->commands,
-                                       rg_exec_buffer(cmd->exec, from->buffer, cmd->exec->slot),
-                                       cmd->exec->images[to->image], to->layout, 1, &region);
+    cmd->exec->vk.CmdCopyBufferToImage(cmd->commands, find_buffer(cmd, buffer, RG_COPY_SRC),
+                                       cmd->exec->image_set->images[to->image], to->layout, 1,
+                                       &region);
 }
 
 VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd)
@@ -400,14 +385,10 @@ VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd)
 
 VkImage rg_cmd_image(const struct rg_cmd *cmd, const struct rg_image *image)
 {
-    const struct rg_plan_use *use = find_use(cmd, image, RG_ACCESS_NONE);
-    assert(use); /* the row names it */
-    return cmd->exec->images[use->image];
+    return cmd->exec->image_set->images[find_use(cmd, image, RG_ACCESS_NONE)->image];
 }
 
 VkBuffer rg_cmd_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer)
 {
-    const struct rg_plan_use *use = find_use(cmd, buffer, RG_ACCESS_NONE);
-    assert(use); /* the row names it */
-    return rg_exec_buffer(cmd->exec, use->buffer, cmd->exec->slot);
+    return find_buffer(cmd, buffer, RG_ACCESS_NONE);
 }

@@ -1,6 +1,5 @@
 /* region.c: how much of the view each pass draws if only a region is asked for. */
 #include <assert.h>
-#include <stdlib.h>
 #include "graph/exec/exec.h"
 
 /* Flags. Of an image: what later passes read of it; of a pass: what it draws. */
@@ -99,21 +98,19 @@ static bool spread(struct rg_exec *exec, uint8_t *needs)
 VkResult rg_exec_make_coverage(struct rg_exec *exec)
 {
     const struct rg_plan *plan = exec->plan;
-    uint8_t *needs = calloc(plan->image_count ? plan->image_count : 1, sizeof(*needs));
-    if (!needs)
-        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
+    uint8_t *needs;
+    if (!RG_MAKE_ARRAY(exec, needs, plan->image_count))
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
     for (uint32_t i = 0; i < plan->image_count; i++) /* outputs */
         needs[i] = plan->images[i].last == plan->pass_count ? COVER_REGION : 0;
     while (spread(exec, needs))
         ;
-    free(needs);
     return VK_SUCCESS;
 }
 
-bool rg_exec_is_limited(const struct rg_exec *exec, const struct rg_plan_pass *pass)
+bool rg_exec_is_limited(const struct rg_cmd *cmd)
 {
-    return exec->region.region.extent.width &&
-           !(exec->passes[pass - exec->plan->passes].coverage & COVER_ALL);
+    return cmd->exec->region.region.extent.width && !(cmd->pass->coverage & COVER_ALL);
 }
 
 /* In one direction: the common part of two intervals, or the smallest one around them. */
@@ -135,15 +132,15 @@ static VkRect2D combine(VkRect2D a, VkRect2D b, bool common)
     return a;
 }
 
-VkRect2D rg_exec_area(const struct rg_exec *exec, const struct rg_plan_pass *pass)
+VkRect2D rg_exec_area(const struct rg_cmd *cmd)
 {
-    const struct rg_exec_region *region = &exec->region;
-    const uint32_t coverage = exec->passes[pass - exec->plan->passes].coverage;
-    if (!rg_exec_is_limited(exec, pass))
-        return (VkRect2D){ .extent = pass->extent };
-    if (coverage == COVER_REGION)
+    const struct rg_exec_region *region = &cmd->exec->region;
+    if (!rg_exec_is_limited(cmd))
+        return (VkRect2D){ .extent = cmd->plan_pass->extent };
+    if (cmd->pass->coverage == COVER_REGION)
         return region->region;
-    return coverage == COVER_REACH ? region->reach : combine(region->region, region->reach, false);
+    return cmd->pass->coverage == COVER_REACH ? region->reach
+                                              : combine(region->region, region->reach, false);
 }
 
 VkRect2D rg_exec_within(VkRect2D inner, VkRect2D outer)

@@ -4,7 +4,6 @@
  * The order pass, timestamp, barrier is measured right by tile-based software rasterisers: after a
  * barrier, the timestamp may be taken behind the next pass.
  */
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include "graph/exec/exec.h"
@@ -39,11 +38,10 @@ uint64_t rg_time_now(void)
 
 /* ---- creating and destroying ---- */
 
-static VkResult make_pool(const struct rg_exec *exec, VkQueryType type, uint32_t count,
-                          VkQueryPool *pool)
+static VkResult make_pool(struct rg_exec *exec, VkQueryType type, uint32_t count, VkQueryPool *pool)
 {
     VkResult result;
-    RG_MAKE(exec, NULL, CreateQueryPool, pool,
+    RG_MAKE(exec, NULL, QUERY_POOL, CreateQueryPool, pool,
             &(VkQueryPoolCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
                 .queryType = type,
@@ -70,46 +68,28 @@ VkResult rg_exec_make_time(struct rg_exec *exec)
 {
     VkPhysicalDeviceProperties properties;
     const uint32_t pass_count = exec->plan->pass_count;
+    const uint32_t query_count = exec->slot_count * pass_count;
+    struct exec_time *time;
     VkResult result = VK_SUCCESS;
     if (!exec->params.measured)
         return result;
-    struct exec_time *time = calloc(1, sizeof(*time));
+    if (!RG_MAKE_ARRAY(exec, time, 1) || !RG_MAKE_ARRAY(exec, time->passes, query_count) ||
+        !RG_MAKE_ARRAY(exec, time->finished, pass_count) ||
+        !RG_MAKE_ARRAY(exec, time->results, (size_t)pass_count * COUNTED_COUNT + 1))
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
     exec->time = time;
-    if (time) {
-        time->passes = calloc((size_t)exec->slot_count * pass_count, sizeof(*time->passes));
-        time->finished = calloc(pass_count, sizeof(*time->finished));
-        time->results = calloc((size_t)pass_count * COUNTED_COUNT + 1, sizeof(*time->results));
-    }
-    if (!time || !time->passes || !time->finished || !time->results)
-        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
     exec->vk.GetPhysicalDeviceProperties(exec->params.physical, &properties);
     time->period = (double)properties.limits.timestampPeriod;
     time->stamp_mask = stamp_mask(exec);
     if (time->stamp_mask)
-        RG_PASS(make_pool(exec, VK_QUERY_TYPE_TIMESTAMP, exec->slot_count * (pass_count + 1),
+        RG_PASS(make_pool(exec, VK_QUERY_TYPE_TIMESTAMP, query_count + exec->slot_count,
                           &time->stamps));
     if (exec->params.statistics) {
-        RG_PASS(make_pool(exec, VK_QUERY_TYPE_PIPELINE_STATISTICS, exec->slot_count * pass_count,
-                          &time->counts));
-        RG_PASS(make_pool(exec, VK_QUERY_TYPE_OCCLUSION, exec->slot_count * pass_count,
-                          &time->samples));
+        RG_PASS(make_pool(exec, VK_QUERY_TYPE_PIPELINE_STATISTICS, query_count, &time->counts));
+        RG_PASS(make_pool(exec, VK_QUERY_TYPE_OCCLUSION, query_count, &time->samples));
     }
 fail:
     return result;
-}
-
-void rg_exec_free_time(struct rg_exec *exec)
-{
-    struct exec_time *time = exec->time;
-    if (!time)
-        return;
-    exec->vk.DestroyQueryPool(exec->device, time->stamps, NULL);
-    exec->vk.DestroyQueryPool(exec->device, time->counts, NULL);
-    exec->vk.DestroyQueryPool(exec->device, time->samples, NULL);
-    free(time->passes);
-    free(time->finished);
-    free(time->results);
-    free(time);
 }
 
 /* ---- what is measured ---- */
@@ -226,39 +206,37 @@ void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t p
 
 /* ---- results ---- */
 
-static VkResult read_pool(struct rg_exec *exec, VkQueryPool pool, uint32_t first, uint32_t count,
+/* Reads all that a pool has of a slot: `count` queries of `values` numbers each. */
+static VkResult read_pool(struct rg_exec *exec, VkQueryPool pool, uint32_t slot, uint32_t count,
                           uint32_t values)
 {
     const size_t stride = values * sizeof(uint64_t);
-    return rg_exec_check(exec,
-                         exec->vk.GetQueryPoolResults(
-                             exec->device, pool, first, count, count * stride, exec->time->results,
-                             stride, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-                         "vkGetQueryPoolResults", NULL);
-}
-
-static VkResult read_stamps(struct rg_exec *exec, uint32_t slot)
-{
-    const struct exec_time *time = exec->time;
-    const uint64_t *stamps = time->results;
-    VkResult result =
-        read_pool(exec, time->stamps, first_stamp(exec, slot), exec->plan->pass_count + 1, 1);
-    for (uint32_t p = 0; p < exec->plan->pass_count && result == VK_SUCCESS; p++) {
-        uint64_t begin = (stamps[p] - stamps[0]) & time->stamp_mask;
-        uint64_t end = (stamps[p + 1] - stamps[0]) & time->stamp_mask;
-        exec->slots[slot].passes[p].begin = (uint64_t)((double)begin * time->period);
-        exec->slots[slot].passes[p].end = (uint64_t)((double)end * time->period);
-    }
+    VkResult result;
+    RG_CALL(exec, NULL, GetQueryPoolResults, exec->device, pool, slot * count, count,
+            count * stride, exec->time->results, stride,
+            VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+fail:
     return result;
 }
 
-static VkResult read_statistics(struct rg_exec *exec, uint32_t slot)
+static VkResult read_results(struct rg_exec *exec, uint32_t slot)
 {
+    const struct exec_time *time = exec->time;
+    const uint64_t *results = time->results;
     const uint32_t pass_count = exec->plan->pass_count;
-    const uint64_t *results = exec->time->results;
     struct rg_pass_time *passes = exec->slots[slot].passes;
-    VkResult result;
-    RG_PASS(read_pool(exec, exec->time->counts, slot * pass_count, pass_count, COUNTED_COUNT));
+    VkResult result = VK_SUCCESS;
+    if (is_stamped(&exec->slots[slot]))
+        RG_PASS(read_pool(exec, time->stamps, slot, pass_count + 1, 1));
+    for (uint32_t p = 0; p < pass_count && is_stamped(&exec->slots[slot]); p++) {
+        uint64_t begin = (results[p] - results[0]) & time->stamp_mask;
+        uint64_t end = (results[p + 1] - results[0]) & time->stamp_mask;
+        passes[p].begin = (uint64_t)((double)begin * time->period);
+        passes[p].end = (uint64_t)((double)end * time->period);
+    }
+    if (!exec->slots[slot].times.measure.statistics)
+        return result;
+    RG_PASS(read_pool(exec, time->counts, slot, pass_count, COUNTED_COUNT));
     for (uint32_t p = 0; p < pass_count; p++) {
         const uint64_t *counts = &results[(size_t)p * COUNTED_COUNT];
         passes[p].vertices = counts[0];
@@ -266,7 +244,7 @@ static VkResult read_statistics(struct rg_exec *exec, uint32_t slot)
         passes[p].fragments = counts[2];
         passes[p].invocations = counts[3];
     }
-    RG_PASS(read_pool(exec, exec->time->samples, slot * pass_count, pass_count, 1));
+    RG_PASS(read_pool(exec, time->samples, slot, pass_count, 1));
     for (uint32_t p = 0; p < pass_count; p++)
         passes[p].samples = results[p];
 fail:
@@ -276,19 +254,17 @@ fail:
 VkResult rg_time_finish(struct rg_exec *exec, uint32_t index, uint64_t wait_start)
 {
     struct exec_slot *slot = &exec->slots[index];
+    struct exec_time *time = exec->time;
     const uint64_t end = rg_time_now();
     VkResult result = VK_SUCCESS;
     slot->times.wait += end - wait_start;
     slot->times.whole = end - slot->times.start;
-    if (!exec->time)
+    if (!time)
         return result;
-    if (is_stamped(slot))
-        RG_PASS(read_stamps(exec, index));
-    if (slot->times.measure.statistics)
-        RG_PASS(read_statistics(exec, index));
-    memcpy(exec->time->finished, slot->passes, exec->plan->pass_count * sizeof(*slot->passes));
-    exec->time->times = slot->times;
-    exec->time->times.passes = exec->time->finished;
+    RG_PASS(read_results(exec, index));
+    memcpy(time->finished, slot->passes, exec->plan->pass_count * sizeof(*slot->passes));
+    time->times = slot->times;
+    time->times.passes = time->finished;
 fail:
     return result;
 }
