@@ -14,20 +14,19 @@
 #include "graph/compile/compiler.h"
 
 /* Gives the newest batch to its pass, or to the end of the frame. */
-static void close_batch(struct barrier_list *list)
+static void close_batch(struct compiler *c)
 {
-    struct rg_plan *plan = list->c->plan;
-    uint32_t count = list->count - list->batch_first;
-    if (!list->batch_end)
+    struct rg_plan *plan = c->plan;
+    uint32_t count = c->barrier_count - c->batch_first;
+    if (!c->batch_end)
         return;
-    uint32_t position = list->batch_end - 1;
     plan->batch_count++;
-    if (position == plan->pass_count) {
-        plan->first_final_barrier = list->batch_first;
+    if (c->batch_end > plan->pass_count) {
+        plan->first_final_barrier = c->batch_first;
         plan->final_barrier_count = count;
     } else {
-        list->passes[position].first_barrier = list->batch_first;
-        list->passes[position].barrier_count = count;
+        c->plan_passes[c->batch_end - 1].first_barrier = c->batch_first;
+        c->plan_passes[c->batch_end - 1].barrier_count = count;
     }
 }
 
@@ -59,22 +58,22 @@ static bool join_ranges(VkImageSubresourceRange *a, const VkImageSubresourceRang
 }
 
 /* Makes one of the newest barrier and barrier `before` of the same batch, if it can. */
-static bool join(struct barrier_list *list, uint32_t before)
+static bool join(struct compiler *c, uint32_t before)
 {
-    struct rg_barrier *a = &list->barriers[before];
-    const struct rg_barrier *b = &list->barriers[list->count - 1];
-    if (before < list->batch_first || a->image == RG_NONE || !is_alike(a, b) ||
+    struct rg_barrier *a = &c->barriers[before];
+    const struct rg_barrier *b = &c->barriers[c->barrier_count - 1];
+    if (before < c->batch_first || a->image == RG_NONE || !is_alike(a, b) ||
         !join_ranges(&a->range, &b->range))
         return false;
-    list->count--;
+    c->barrier_count--;
     return true;
 }
 
 /* Joins the newest barriers, all from `start` on and of one resource, while they make one. */
-static void join_rows(struct barrier_list *list, struct resource *r, uint32_t start)
+static void join_rows(struct compiler *c, struct resource *r, uint32_t start)
 {
-    while (list->count >= start + 2 && join(list, list->count - 2))
-        r->last_barrier = list->count - 1;
+    while (c->barrier_count >= start + 2 && join(c, c->barrier_count - 2))
+        r->last_barrier = c->barrier_count - 1;
 }
 
 /* ---- adding ---- */
@@ -84,11 +83,11 @@ static void join_rows(struct barrier_list *list, struct resource *r, uint32_t st
  * makes it visible to this one too, instead of a barrier more. `next` is what would be added. False
  * if there is no such barrier.
  */
-static bool widen(struct barrier_list *list, const struct cell *s, const struct access *a,
+static bool widen(struct compiler *c, const struct cell *s, const struct access *a,
                   const struct rg_barrier *next)
 {
-    for (uint32_t i = s->first_barrier; i < s->barrier_end && i < list->count; i++) {
-        struct rg_barrier *b = &list->barriers[i];
+    for (uint32_t i = s->first_barrier; i < s->barrier_end && i < c->barrier_count; i++) {
+        struct rg_barrier *b = &c->barriers[i];
         const VkImageSubresourceRange *all = &b->range;
         const VkImageSubresourceRange *one = &next->range;
         if (b->image != next->image || b->buffer != next->buffer)
@@ -105,28 +104,28 @@ static bool widen(struct barrier_list *list, const struct cell *s, const struct 
 }
 
 /* Adds the barrier behind the last one, to the newest batch or to a new one before `deadline`. */
-static void put(struct barrier_list *list, const struct cell_walk *w, struct resource *r,
-                uint32_t release, uint32_t deadline)
+static void put(struct compiler *c, const struct cell_walk *w, struct resource *r, uint32_t release,
+                uint32_t deadline)
 {
     uint32_t before = r->last_barrier;
-    if (release >= list->batch_end) {
-        close_batch(list);
-        list->batch_first = list->count;
-        list->batch_end = deadline + 1;
+    if (release >= c->batch_end) {
+        close_batch(c);
+        c->batch_first = c->barrier_count;
+        c->batch_end = deadline + 1;
     }
-    if (w->cell->flags & CELL_FRESH && r->acquired_at >= list->batch_end)
-        r->acquired_at = list->batch_end - 1;
-    r->last_barrier = list->count++;
-    if (before != RG_NONE && join(list, before))
+    if (w->cell->flags & CELL_FRESH && r->acquired_at >= c->batch_end)
+        r->acquired_at = c->batch_end - 1;
+    r->last_barrier = c->barrier_count++;
+    if (before != RG_NONE && join(c, before))
         r->last_barrier = before;
 }
 
 /* Returns whether it has added a barrier. */
-static bool sync_cell(struct barrier_list *list, const struct cell_walk *w, const struct access *a,
+static bool sync_cell(struct compiler *c, const struct cell_walk *w, const struct access *a,
                       uint32_t pass)
 {
     struct resource *r = a->resource;
-    struct rg_barrier *b = &list->barriers[list->count];
+    struct rg_barrier *b = &c->barriers[c->barrier_count];
     uint32_t release;
     bool needed = rg_needs_barrier(w->cell, a, b, &release);
     bool added = false;
@@ -135,18 +134,17 @@ static bool sync_cell(struct barrier_list *list, const struct cell_walk *w, cons
         b->image = r->plan_image;
         b->buffer = r->plan_buffer;
         b->range = rg_cell_range(w);
-        added = !only_reads || !widen(list, w->cell, a, b);
+        added = !only_reads || !widen(c, w->cell, a, b);
         if (added)
-            put(list, w, r, release, pass);
+            put(c, w, r, release, pass);
     }
     rg_apply_access(w->cell, a, pass, needed);
     return added;
 }
 
-static bool has_room(struct barrier_list *list)
+static bool has_room(struct compiler *c)
 {
-    return ARENA_ROOM(list->c->arena, list->barriers, list->count, list->room,
-                      list->c->row_count * 2);
+    return ARENA_ROOM(c->arena, c->barriers, c->barrier_count, c->barrier_room, c->row_count * 2);
 }
 
 /* Whether a frame has left a cell of an import in another state than it arrived in. */
@@ -158,76 +156,62 @@ static bool has_to_go_back(const struct cell *s, const struct access *arrival)
            s->write_access != rg_access_table[arrival->kind].writes || s->read_stages;
 }
 
-/* `hands_back`: only cells that are not as the import arrived. */
-static void sync_cells(struct barrier_list *list, const struct access *a, uint32_t pass,
-                       bool hands_back)
+void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass, bool hands_back)
 {
     struct resource *r = a->resource;
     bool writes = a->flags & ACCESS_WRITES;
-    uint32_t start = list->count;
+    uint32_t start = c->barrier_count;
     uint32_t mip = a->range.baseMipLevel;
-    for (struct cell_walk w = rg_cells(r, &a->range); w.cell && has_room(list); rg_next_cell(&w)) {
+    for (struct cell_walk w = rg_cells(r, &a->range); w.cell && has_room(c); rg_next_cell(&w)) {
         if (hands_back && !has_to_go_back(w.cell, a))
             continue;
         if (w.mip != mip)
-            join_rows(list, r, start); /* the mip before with those before it */
+            join_rows(c, r, start); /* the mip before with those before it */
         mip = w.mip;
-        if (sync_cell(list, &w, a, pass) && !writes && r->last_barrier < start) {
+        if (sync_cell(c, &w, a, pass) && !writes && r->last_barrier < start) {
             w.cell->first_barrier = r->last_barrier;
             w.cell->barrier_end = r->last_barrier + 1;
         }
     }
-    join_rows(list, r, start);
-    if (writes || list->count == start)
+    join_rows(c, r, start);
+    if (writes || c->barrier_count == start)
         return;
     for (struct cell_walk w = rg_cells(r, &a->range); w.cell; rg_next_cell(&w)) {
         if (w.cell->barrier_end)
             continue;
         w.cell->first_barrier = start;
-        w.cell->barrier_end = list->count;
+        w.cell->barrier_end = c->barrier_count;
     }
-}
-
-void rg_add_barriers(struct barrier_list *list, const struct access *a, uint32_t pass)
-{
-    sync_cells(list, a, pass, false);
-}
-
-void rg_begin_barriers(struct barrier_list *list, struct compiler *c, struct rg_plan_pass *passes)
-{
-    *list = (struct barrier_list){ .c = c, .passes = passes };
-    rg_begin_cells(c);
 }
 
 /* ---- after the last pass, and before the first frame ---- */
 
 /* Outputs become ready for their access; other imports go back as they arrived. */
-static void end_resource(struct barrier_list *list, struct resource *r)
+static void end_resource(struct compiler *c, struct resource *r)
 {
-    const struct rg_compile_params *params = list->c->params;
     bool hands_back = r->output == RG_NONE && r->import != RG_NONE;
     enum rg_access access = RG_ACCESS_NONE;
     if (hands_back)
-        access = params->imports[r->import].access;
+        access = c->params->imports[r->import].access;
     else if (r->output != RG_NONE)
-        access = params->outputs[r->output].access;
+        access = c->params->outputs[r->output].access;
     if (access == RG_ACCESS_NONE)
         return;
     const struct access a = rg_boundary_access(r, access);
-    sync_cells(list, &a, list->c->plan->pass_count, hands_back);
+    rg_add_barriers(c, &a, c->plan->pass_count, hands_back);
 }
 
 /* From the zeros of the very first frame to what every frame finds, which is what it leaves. */
-static void begin_history(struct barrier_list *list, struct resource *r)
+static void begin_history(struct compiler *c, struct resource *r)
 {
-    uint32_t start = list->count;
+    uint32_t start = c->barrier_count;
     uint32_t mip = 0;
-    for (struct cell_walk w = rg_cells(r, &r->all); w.cell && has_room(list); rg_next_cell(&w)) {
+    for (struct cell_walk w = rg_cells(r, &r->all); w.cell && has_room(c); rg_next_cell(&w)) {
         if (w.mip != mip)
-            join_rows(list, r, start);
+            join_rows(c, r, start);
         mip = w.mip;
         VkImageLayout found = w.cell->layout ? w.cell->layout : VK_IMAGE_LAYOUT_GENERAL;
-        list->barriers[list->count++] = (struct rg_barrier){
+        c->barriers[c->barrier_count++] = (struct rg_barrier){
             .image = r->plan_image,
             .buffer = r->plan_buffer,
             .src_stages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
@@ -238,15 +222,16 @@ static void begin_history(struct barrier_list *list, struct resource *r)
             .new_layout = r->image ? found : VK_IMAGE_LAYOUT_UNDEFINED,
             .range = rg_cell_range(&w),
         };
-        if (list->count >= start + 2)
-            join(list, list->count - 2);
+        if (c->barrier_count >= start + 2)
+            join(c, c->barrier_count - 2);
     }
-    join_rows(list, r, start);
+    join_rows(c, r, start);
 }
 
 /* The barrier by which this frame makes visible what it leaves makes it visible to a read of the
  * next frame, too, as that frame expects (cell_state.c). */
-static void serve_history_read(void *user, const struct cell_walk *w, const struct access *a)
+static void serve_history_read(struct compiler *c, const struct cell_walk *w,
+                               const struct access *a)
 {
     const struct rg_barrier next = {
         .image = a->resource->plan_image,
@@ -255,30 +240,29 @@ static void serve_history_read(void *user, const struct cell_walk *w, const stru
     };
     if (!(a->visibility & RG_VISIBLE_TO_ALL & ~w->cell->visible) || !w->cell->visible)
         return;
-    bool served = widen(user, w->cell, a, &next);
+    bool served = widen(c, w->cell, a, &next);
     assert(served);
     (void)served;
 }
 
-void rg_end_barriers(struct barrier_list *list)
+void rg_end_barriers(struct compiler *c)
 {
-    struct compiler *c = list->c;
     struct rg_plan *plan = c->plan;
     for (uint32_t i = 0; i < c->boundary_count; i++) {
         if (c->resources[i]->first != RG_NONE)
-            end_resource(list, c->resources[i]);
+            end_resource(c, c->resources[i]);
     }
     if (c->persistent_count && !c->arena->failed)
-        rg_each_history_read(c, serve_history_read, list);
-    close_batch(list);
-    plan->barrier_count = list->count;
-    plan->first_initial_barrier = list->batch_first = list->count;
+        rg_each_history_read(c, serve_history_read);
+    close_batch(c);
+    plan->barrier_count = c->barrier_count;
+    plan->first_initial_barrier = c->batch_first = c->barrier_count;
     for (uint32_t i = 0; i < c->resource_count; i++) {
         if (c->resources[i]->first != RG_NONE && c->resources[i]->persistent)
-            begin_history(list, c->resources[i]);
+            begin_history(c, c->resources[i]);
     }
-    plan->initial_barrier_count = list->count - plan->barrier_count;
-    plan->barriers = c->barriers = list->barriers;
+    plan->initial_barrier_count = c->barrier_count - plan->barrier_count;
+    plan->barriers = c->barriers;
 }
 
 void rg_wait_for_owners(struct compiler *c)

@@ -111,7 +111,7 @@ static void rehearse_frame(struct compiler *c)
     }
 }
 
-void rg_each_history_read(struct compiler *c, rg_history_read_fn *see, void *user)
+void rg_each_history_read(struct compiler *c, rg_history_read_fn *see)
 {
     for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = c->resources[i];
@@ -129,7 +129,7 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *see, void *use
                 if (a->flags & ACCESS_WRITES || w.cell->layout != a->layout)
                     w.cell->changed = true;
                 if (!w.cell->changed)
-                    see(user, &w, a);
+                    see(c, &w, a);
             }
         }
     }
@@ -137,9 +137,10 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *see, void *use
 
 /* A barrier of the frame before that makes the write visible to other reads will make it visible
  * to this one, too (barriers.c). */
-static void expect_history_read(void *user, const struct cell_walk *w, const struct access *a)
+static void expect_history_read(struct compiler *c, const struct cell_walk *w,
+                                const struct access *a)
 {
-    (void)user;
+    (void)c;
     if (w->cell->visible)
         w->cell->visible |= a->visibility & RG_VISIBLE_TO_ALL;
 }
@@ -147,7 +148,7 @@ static void expect_history_read(void *user, const struct cell_walk *w, const str
 static void begin_history(struct compiler *c)
 {
     rehearse_frame(c);
-    rg_each_history_read(c, expect_history_read, NULL);
+    rg_each_history_read(c, expect_history_read);
     for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = c->resources[i];
         for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {

@@ -1,64 +1,60 @@
 /* check.c: what is wrong with params, images and buffers. */
 #include "graph/compile/compiler.h"
 
-/* Whether an import or output can be in the state that an access says. */
-static bool fits_boundary(const struct rg_image *image, const struct rg_buffer *buffer,
-                          enum rg_access access)
+/* An import or an output. */
+struct boundary {
+    const struct rg_image *image;
+    const struct rg_buffer *buffer;
+    enum rg_access access;
+};
+
+/* Whether it can be in the state that its access says. */
+static bool fits(const struct boundary *b)
 {
-    const struct rg_access_info *info = &rg_access_table[access];
-    if (buffer)
-        return info->buffer_usage || access == RG_HOST_READ;
-    const struct rg_format_info *format = rg_format_info(image->format);
+    const struct rg_access_info *info = &rg_access_table[b->access];
+    if (b->buffer)
+        return info->buffer_usage || b->access == RG_HOST_READ;
+    const struct rg_format_info *format = rg_format_info(b->image->format);
     bool depth = format && !(format->aspects & VK_IMAGE_ASPECT_COLOR_BIT);
-    if (access == RG_DEPTH || access == RG_DEPTH_READ)
+    if (b->access == RG_DEPTH || b->access == RG_DEPTH_READ)
         return depth;
-    return info->layout != VK_IMAGE_LAYOUT_UNDEFINED && access != RG_RESOLVE &&
-           (access != RG_COLOR || !depth);
+    return info->layout != VK_IMAGE_LAYOUT_UNDEFINED && b->access != RG_RESOLVE &&
+           (b->access != RG_COLOR || !depth);
 }
 
-static bool is_access(enum rg_access access)
+/* Says with `incomplete` that it does not name one resource and an access, with `misfit` that the
+ * access does not fit. */
+static void check_boundary(struct compiler *c, const struct boundary *b, bool may_be_none,
+                           const char *incomplete, const char *misfit)
 {
-    return (unsigned)access < RG_ACCESS_COUNT;
-}
-
-static void check_import(struct compiler *c, const struct rg_import *import)
-{
-    if (!import->image == !import->buffer || !is_access(import->access)) {
-        rg_fault_of(c, RG_ERROR_NOT_ONE_RESOURCE, NULL,
-                    "an import names one image or one buffer, and an access");
-        return;
-    }
-    if (import->access && (import->access == RG_HOST_READ ||
-                           !fits_boundary(import->image, import->buffer, import->access)))
-        rg_fault_of(c, RG_ERROR_ACCESS, import->image ? import->image->name : import->buffer->name,
-                    "an import cannot arrive in this state");
-}
-
-static void check_output(struct compiler *c, const struct rg_output *output)
-{
-    if (!output->image == !output->buffer || !is_access(output->access) || !output->access) {
-        rg_fault_of(c, RG_ERROR_NOT_ONE_RESOURCE, NULL,
-                    "an output names one image or one buffer, and an access");
-        return;
-    }
-    if (!fits_boundary(output->image, output->buffer, output->access))
-        rg_fault_of(c, RG_ERROR_ACCESS, output->image ? output->image->name : output->buffer->name,
-                    "an output cannot be left in this state");
+    if (!b->image == !b->buffer || (unsigned)b->access >= RG_ACCESS_COUNT ||
+        (!b->access && !may_be_none))
+        rg_fault_of(c, RG_ERROR_NOT_ONE_RESOURCE, NULL, incomplete);
+    else if (b->access && ((may_be_none && b->access == RG_HOST_READ) || !fits(b)))
+        rg_fault_of(c, RG_ERROR_ACCESS, b->image ? b->image->name : b->buffer->name, misfit);
 }
 
 void rg_check_params(struct compiler *c)
 {
     const struct rg_compile_params *params = c->params;
-    if (!params->view.width || !params->view.height)
-        rg_fault_of(c, RG_ERROR_NO_SIZE, NULL, "give the view a size");
-    if (!params->output_count)
-        rg_fault_of(c, RG_ERROR_NO_OUTPUT, NULL, "without an output every pass is culled");
-    if ((unsigned)params->sharing > RG_SHARE_NOTHING)
-        rg_fault_of(c, RG_ERROR_VALUE, NULL, "sharing is one of enum rg_sharing");
-    for (size_t i = 0; i < params->import_count; i++)
-        check_import(c, &params->imports[i]);
-    for (size_t i = 0; i < params->output_count; i++)
-        check_output(c, &params->outputs[i]);
+    rg_fault_if(c, !params->view.width || !params->view.height, RG_ERROR_NO_SIZE, NULL,
+                "give the view a size");
+    rg_fault_if(c, !params->output_count, RG_ERROR_NO_OUTPUT, NULL,
+                "without an output every pass is culled");
+    rg_fault_if(c, (unsigned)params->sharing > RG_SHARE_NOTHING, RG_ERROR_VALUE, NULL,
+                "sharing is one of enum rg_sharing");
+    for (size_t i = 0; i < params->import_count; i++) {
+        const struct rg_import *import = &params->imports[i];
+        check_boundary(c, &(struct boundary){ import->image, import->buffer, import->access }, true,
+                       "an import names one image or one buffer, and an access",
+                       "an import cannot arrive in this state");
+    }
+    for (size_t i = 0; i < params->output_count; i++) {
+        const struct rg_output *output = &params->outputs[i];
+        check_boundary(c, &(struct boundary){ output->image, output->buffer, output->access },
+                       false, "an output names one image or one buffer, and an access",
+                       "an output cannot be left in this state");
+    }
 }
 
 void rg_check_output_memory(struct compiler *c, const struct resource *r)
@@ -124,9 +120,9 @@ static const char *buffer_trouble(const struct resource *r, enum rg_error *error
 void rg_check_resource(struct compiler *c, struct resource *r)
 {
     enum rg_error error;
-    const char *hint = r->image ? image_trouble(c, r, &error) : buffer_trouble(r, &error);
-    if (!hint)
+    const char *trouble = r->image ? image_trouble(c, r, &error) : buffer_trouble(r, &error);
+    if (!trouble)
         return;
-    rg_fault_of(c, error, r->name, hint);
+    rg_fault_of(c, error, r->name, trouble);
     r->all.layerCount = r->all.levelCount = 1;
 }

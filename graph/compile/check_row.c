@@ -7,30 +7,21 @@ static const char *use_name(const struct rg_use *use)
     return use->image ? use->image->name : use->buffer ? use->buffer->name : NULL;
 }
 
-static const char *samples_trouble(const struct rg_use *use)
+static void check_use(struct compiler *c, const struct rg_pass *pass, const struct rg_use *use)
 {
-    if (!use->image || use->image->samples <= 1)
-        return NULL;
-    if (use->access != RG_SAMPLED)
-        return "a pass can only sample it, or draw to it; resolve it first";
-    return use->sampler ? "texelFetch reads its samples: name no sampler" : NULL;
-}
-
-static void check_use(struct compiler *c, const struct rg_pass *pass, const struct rg_use *use,
-                      struct fault_location location)
-{
-    location.resource = use_name(use);
+    const char *name = use_name(use);
     if (!rg_is_good_use(use)) {
-        rg_fault_add(c, RG_ERROR_NOT_ONE_RESOURCE, location,
-                     "a use names one image or one buffer, and an access");
+        rg_fault(c, RG_ERROR_NOT_ONE_RESOURCE, name,
+                 "a use names one image or one buffer, and an access");
         return;
     }
-    const char *hint = rg_use_trouble(pass, use);
-    if (hint)
-        rg_fault_add(c, RG_ERROR_ACCESS, location, hint);
-    hint = samples_trouble(use);
-    if (hint)
-        rg_fault_add(c, RG_ERROR_SAMPLES, location, hint);
+    const char *trouble = rg_use_trouble(pass, use);
+    rg_fault_if(c, trouble, RG_ERROR_ACCESS, name, trouble);
+    bool several = use->image && use->image->samples > 1; /* in each texel */
+    rg_fault_if(c, several && use->access != RG_SAMPLED, RG_ERROR_SAMPLES, name,
+                "a pass can only sample it, or draw to it; resolve it first");
+    rg_fault_if(c, several && use->access == RG_SAMPLED && use->sampler, RG_ERROR_SAMPLES, name,
+                "texelFetch reads its samples: name no sampler");
 }
 
 static int compare_bindings(const void *a, const void *b)
@@ -43,8 +34,7 @@ static int compare_bindings(const void *a, const void *b)
 }
 
 /* Of rows whose bindings do not rise. */
-static void check_bindings(struct compiler *c, const struct rg_pass *pass, uint32_t use_count,
-                           struct fault_location location)
+static void check_bindings(struct compiler *c, const struct rg_pass *pass, uint32_t use_count)
 {
     uint32_t count = 0;
     const struct rg_use **sorted = ARENA_ARRAY(c->arena, const struct rg_use *, use_count);
@@ -54,16 +44,12 @@ static void check_bindings(struct compiler *c, const struct rg_pass *pass, uint3
     }
     if (count)
         qsort(sorted, count, sizeof(*sorted), compare_bindings); /* NOLINT: pointers are sorted */
-    for (uint32_t i = 1; i < count; i++) {
-        location.resource = use_name(sorted[i]);
-        if (sorted[i]->binding == sorted[i - 1]->binding)
-            rg_fault_add(c, RG_ERROR_DUPLICATE_BINDING, location,
-                         "give each use of the row a binding of its own");
-    }
+    for (uint32_t i = 1; i < count; i++)
+        rg_fault_if(c, sorted[i]->binding == sorted[i - 1]->binding, RG_ERROR_DUPLICATE_BINDING,
+                    use_name(sorted[i]), "give each use of the row a binding of its own");
 }
 
-static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t color_count,
-                       struct fault_location location)
+static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
     /* a raster row without targets has a fault already */
     bool writes =
@@ -72,7 +58,7 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
     uint32_t next_binding = 0;
     uint32_t use_count = 0;
     for (const struct rg_use *use = pass->uses; use && rg_is_use(use); use++, use_count++) {
-        check_use(c, pass, use, location);
+        check_use(c, pass, use);
         writes = writes || ((unsigned)use->access < RG_ACCESS_COUNT &&
                             rg_access_table[use->access].writes_content);
         if (!rg_is_shader_access(use->access))
@@ -81,27 +67,23 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
         next_binding = use->binding + 1u;
     }
     if (!rising)
-        check_bindings(c, pass, use_count, location);
-    if (!writes)
-        rg_fault_add(c, RG_ERROR_WRITES_NOTHING, location,
-                     "a pass without a result is never needed");
+        check_bindings(c, pass, use_count);
+    rg_fault_if(c, !writes, RG_ERROR_WRITES_NOTHING, NULL,
+                "a pass without a result is never needed");
 }
 
-static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32_t color_count,
-                          struct fault_location location)
+static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
     bool any = color_count || pass->depth.image;
-    if (pass->kind != RG_RASTER && any)
-        rg_fault_add(c, RG_ERROR_ACCESS, location, "only a raster pass has targets");
-    if (pass->kind == RG_RASTER && !any)
-        rg_fault_add(c, RG_ERROR_NO_TARGET, location, "name an image in .color or .depth");
+    rg_fault_if(c, pass->kind != RG_RASTER && any, RG_ERROR_ACCESS, NULL,
+                "only a raster pass has targets");
+    rg_fault_if(c, pass->kind == RG_RASTER && !any, RG_ERROR_NO_TARGET, NULL,
+                "name an image in .color or .depth");
     for (uint32_t i = color_count, room = rg_color_room(pass); i < room; i++) {
         const struct rg_image *image =
             pass->color[i].image ? pass->color[i].image : pass->color[i].resolve;
-        if (!image)
-            continue;
-        location.resource = image->name;
-        rg_fault_add(c, RG_ERROR_NO_TARGET, location,
+        if (image)
+            rg_fault(c, RG_ERROR_NO_TARGET, image->name,
                      "leave no gap: colour targets end at the first without an image");
     }
 }
@@ -124,28 +106,19 @@ static const char *value_trouble(const struct rg_pass *pass, uint32_t color_coun
     return NULL;
 }
 
-static const char *shader_trouble(const struct rg_pass *pass, uint32_t color_count)
-{
-    if (pass->kind == RG_RASTER && !(pass->vert && (pass->frag || !color_count)))
-        return "a raster pass needs .vert, and .frag unless it has depth alone";
-    if (pass->kind == RG_COMPUTE && !pass->comp)
-        return "a compute pass needs .comp";
-    return NULL;
-}
-
-void rg_check_row(struct compiler *c, const struct rg_pass *pass, struct fault_location location)
+void rg_check_row(struct compiler *c, const struct rg_pass *pass)
 {
     uint32_t color_count = rg_color_count(pass);
-    if (!pass->record)
-        rg_fault_add(c, RG_ERROR_NO_RECORD, location, "name its record function");
-    const char *hint = value_trouble(pass, color_count);
-    if (hint)
-        rg_fault_add(c, RG_ERROR_VALUE, location, hint);
-    hint = shader_trouble(pass, color_count);
-    if (hint)
-        rg_fault_add(c, RG_ERROR_NO_SHADER, location, hint);
-    if (pass->push_size > RG_MAX_PUSH || pass->push_size % 4)
-        rg_fault_add(c, RG_ERROR_PUSH_SIZE, location, "at most 128 bytes, a multiple of 4");
-    check_targets(c, pass, color_count, location);
-    check_uses(c, pass, color_count, location);
+    const char *trouble = value_trouble(pass, color_count);
+    bool draws = pass->vert && (pass->frag || !color_count);
+    rg_fault_if(c, !pass->record, RG_ERROR_NO_RECORD, NULL, "name its record function");
+    rg_fault_if(c, trouble, RG_ERROR_VALUE, NULL, trouble);
+    rg_fault_if(c, pass->kind == RG_RASTER && !draws, RG_ERROR_NO_SHADER, NULL,
+                "a raster pass needs .vert, and .frag unless it has depth alone");
+    rg_fault_if(c, pass->kind == RG_COMPUTE && !pass->comp, RG_ERROR_NO_SHADER, NULL,
+                "a compute pass needs .comp");
+    rg_fault_if(c, pass->push_size > RG_MAX_PUSH || pass->push_size % 4, RG_ERROR_PUSH_SIZE, NULL,
+                "at most 128 bytes, a multiple of 4");
+    check_targets(c, pass, color_count);
+    check_uses(c, pass, color_count);
 }

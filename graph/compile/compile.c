@@ -70,6 +70,7 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
         .params = params,
         .plan = &owned->plan,
         .arena = &arena,
+        .row = RG_NONE,
         .max_image_size = device && device->max_image_size ? device->max_image_size : 1u << 16,
         .max_layers = device && device->max_layers ? device->max_layers : 1u << 11,
     };

@@ -90,12 +90,7 @@ struct access {
 };
 
 struct pass {
-    const struct rg_technique *technique;
-    const struct rg_pass *rg;
-    uint32_t row, repetition;
-    VkExtent2D extent; /* of the targets; the view's without targets */
     uint32_t first_access, access_count;
-    uint32_t first_fallback, fallback_count;
     bool alive; /* not culled */
 };
 
@@ -130,41 +125,54 @@ struct compiler {
     struct map resource_names, pass_names;
     struct map
         provided; /* images that rows write or imports provide; only if a use has a fallback */
+
+    /* The row at work; NULL and RG_NONE: none. */
+    const struct rg_technique *technique;
+    uint32_t row;
+    uint32_t row_first_fault;
+    uint32_t target_samples; /* of its pass at work; 0: no target yet */
+
     struct pass *passes;
-    uint32_t pass_count, pass_room;
+    struct rg_plan_pass *plan_passes; /* as many; in the end the plan's alone */
+    uint32_t pass_count, pass_room, plan_pass_room;
     struct access *accesses;
     uint32_t access_count, access_room;
-    uint32_t color_count;            /* accesses that are colour targets */
-    const struct rg_use **fallbacks; /* uses that are bound to their fallback */
-    uint32_t fallback_count, fallback_room;
-    struct rg_plan_image *images;   /* of the plan, while it is written */
-    struct rg_plan_buffer *buffers; /* of the plan, while it is written */
-    struct pack_item *items;        /* in the order of first use; those of one block adjoin */
-    uint32_t item_count;
+    uint32_t color_count;          /* accesses that are colour targets */
+    struct pack_item *items;       /* in the order of first use; those of one block adjoin */
     struct previous_owner *owners; /* of each item; NULL: not known yet */
-    struct rg_barrier *barriers;   /* of the plan, while they are written */
+    uint32_t item_count;
+
+    /* The plan's arrays, while they are written. */
+    struct rg_plan_image *images;
+    struct rg_plan_buffer *buffers;
+    struct rg_plan_use *uses;
+    struct rg_plan_target *colors;
+    const struct rg_use **fallbacks;
+    uint32_t fallback_count, fallback_room;
+    struct rg_barrier *barriers;
+    uint32_t barrier_count, barrier_room;
+    uint32_t batch_first; /* the first barrier of the newest batch */
+    uint32_t batch_end;   /* one more than the pass that the newest batch is before; 0: none yet */
     struct rg_fault *faults;
     uint32_t fault_count, fault_room;
-    uint32_t row_first_fault; /* the first fault of the row at work */
 };
 
 /* ---- fault.c ---- */
 
-/* Where a fault is; fields that do not apply are NULL or RG_NONE. */
-struct fault_location {
-    const struct rg_technique *technique;
-    uint32_t row;
-    const char *resource;
-};
+/* Adds a fault of the row at work, unless the row has the same one already. `resource`: its name;
+ * NULL if it is none's. */
+void rg_fault(struct compiler *c, enum rg_error error, const char *resource, const char *hint);
 
-#define RG_NOWHERE ((struct fault_location){ .row = RG_NONE })
-
-/* Adds a fault, unless the row at work has the same one already. */
-void rg_fault_add(struct compiler *c, enum rg_error error, struct fault_location location,
-                  const char *hint);
-
-/* Adds a fault of a resource that belongs to no row. */
+/* Adds a fault that belongs to no row. */
 void rg_fault_of(struct compiler *c, enum rg_error error, const char *resource, const char *hint);
+
+/* Does so if something is wrong. */
+static inline void rg_fault_if(struct compiler *c, bool wrong, enum rg_error error,
+                               const char *resource, const char *hint)
+{
+    if (wrong)
+        rg_fault(c, error, resource, hint);
+}
 
 /* ---- access.c ---- */
 
@@ -281,7 +289,7 @@ void rg_check_resource(struct compiler *c, struct resource *r);
 void rg_check_output_memory(struct compiler *c, const struct resource *r);
 
 /* Finds what is wrong with a row by itself, its name left out. */
-void rg_check_row(struct compiler *c, const struct rg_pass *pass, struct fault_location location);
+void rg_check_row(struct compiler *c, const struct rg_pass *pass);
 
 /* fallback.c: binds a use to its fallback, if it has one and nothing provides its image. Returns
  * whether it does. */
@@ -374,30 +382,21 @@ bool rg_needs_barrier(const struct cell *s, const struct access *a, struct rg_ba
 /* Changes the state by an access in a pass; `made_visible`: it has just been given a barrier. */
 void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass, bool made_visible);
 
-typedef void rg_history_read_fn(void *user, const struct cell_walk *w, const struct access *a);
+typedef void rg_history_read_fn(struct compiler *c, const struct cell_walk *w,
+                                const struct access *a);
 
 /* Calls `see` for each read of a persistent cell that finds what the frame before left there, in
  * the layout that the cell has in between. */
-void rg_each_history_read(struct compiler *c, rg_history_read_fn *see, void *user);
+void rg_each_history_read(struct compiler *c, rg_history_read_fn *see);
 
 /* ---- barriers.c ---- */
 
-struct barrier_list {
-    struct compiler *c;
-    struct rg_plan_pass *passes; /* the plan's; those up to the pass at work are filled */
-    struct rg_barrier *barriers;
-    uint32_t count, room;
-    uint32_t batch_first; /* the first barrier of the newest batch */
-    uint32_t batch_end;   /* one more than the pass that the newest batch is before; 0: none yet */
-};
-
-void rg_begin_barriers(struct barrier_list *list, struct compiler *c, struct rg_plan_pass *passes);
-
-/* Adds what an access of a pass needs. */
-void rg_add_barriers(struct barrier_list *list, const struct access *a, uint32_t pass);
+/* Adds what an access of a pass needs. `hands_back`: of an import that goes back, only cells that are
+ * not as it arrived. */
+void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass, bool hands_back);
 
 /* Adds the barriers after the last pass, and those before the first frame. */
-void rg_end_barriers(struct barrier_list *list);
+void rg_end_barriers(struct compiler *c);
 
 /* ---- pack.c ---- */
 

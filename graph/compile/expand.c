@@ -5,36 +5,26 @@
  */
 #include "graph/compile/compiler.h"
 
-/* The pass being made. */
-struct expansion {
-    struct compiler *c;
-    struct pass *pass;
-    struct fault_location location;
-    uint32_t target_samples; /* 0: no target yet */
-};
-
-static void fault(const struct expansion *e, enum rg_error error, const struct resource *r,
-                  const char *hint)
-{
-    struct fault_location location = e->location;
-    location.resource = r->name;
-    rg_fault_add(e->c, error, location, hint);
-}
-
 /* ---- what an access finds and leaves ---- */
 
-static bool is_filled(const struct compiler *c, const struct cell *cell, const struct pass *pass)
+/* The pass being made. */
+static struct rg_plan_pass *pass_at_work(const struct compiler *c)
+{
+    return &c->plan_passes[c->pass_count];
+}
+
+static bool is_filled(const struct compiler *c, const struct cell *cell)
 {
     return cell->filled == CELL_FILLED ||
            (cell->filled >= CELL_FILLED_BY &&
-            c->passes[cell->filled - CELL_FILLED_BY].rg->when == pass->rg->when);
+            c->plan_passes[cell->filled - CELL_FILLED_BY].pass->when ==
+                pass_at_work(c)->pass->when);
 }
 
 /* Whether the pass accesses the cell already, in a way that the access contradicts. */
-static bool is_conflict(const struct compiler *c, const struct pass *pass, const struct cell *cell,
-                        const struct access *a)
+static bool is_conflict(const struct compiler *c, const struct cell *cell, const struct access *a)
 {
-    if (cell->last_access <= pass->first_access)
+    if (cell->last_access <= c->passes[c->pass_count].first_access)
         return false;
     const struct access *before = &c->accesses[cell->last_access - 1];
     return ((a->flags | before->flags) & ACCESS_WRITES) || a->layout != before->layout;
@@ -50,10 +40,9 @@ static bool is_in_range(const struct resource *r, const VkImageSubresourceRange 
 }
 
 /* Makes the next access, which counts after keep_access(). NULL: memory is short. */
-static struct access *next_access(struct expansion *e, struct resource *r, enum rg_access kind,
+static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
                                   bool reads, VkPipelineStageFlags2 stages)
 {
-    struct compiler *c = e->c;
     if (!r || !ARENA_ROOM(c->arena, c->accesses, c->access_count, c->access_room, c->row_count * 4))
         return NULL;
     struct access *a = &c->accesses[c->access_count];
@@ -61,142 +50,135 @@ static struct access *next_access(struct expansion *e, struct resource *r, enum 
     return a;
 }
 
-/* Adds the next access to the pass, unless its range is a fault. */
-static void keep_access(struct expansion *e, const struct access *a, const char *unfilled_hint)
+/* Adds the next access to the pass, unless its range is a fault. A conditional pass leaves what it
+ * does not draw over. */
+static void keep_access(struct compiler *c, struct access *a, const char *unfilled_hint)
 {
-    struct compiler *c = e->c;
-    struct pass *pass = e->pass;
+    const char *name = a->resource->name;
     VkImageAspectFlags aspects = a->range.aspectMask;
+    bool conditional = pass_at_work(c)->pass->when;
     bool conflict = false;
     bool unfilled = false;
+    if (conditional)
+        a->flags = (a->flags & ~(uint32_t)ACCESS_OVERWRITES) | ACCESS_CONDITIONAL;
     if (!is_in_range(a->resource, &a->range)) {
-        fault(e, RG_ERROR_RANGE, a->resource, "name a mip, layer and aspect that the image has");
+        rg_fault(c, RG_ERROR_RANGE, name, "name a mip, layer and aspect that the image has");
         return;
     }
-    if ((aspects & (aspects - 1)) && rg_is_shader_access(a->kind))
-        fault(e, RG_ERROR_RANGE, a->resource, "a shader sees one aspect: name depth or stencil");
+    rg_fault_if(c, (aspects & (aspects - 1)) && rg_is_shader_access(a->kind), RG_ERROR_RANGE, name,
+                "a shader sees one aspect: name depth or stencil");
     for (struct cell_walk w = rg_cells(a->resource, &a->range); w.cell; rg_next_cell(&w)) {
-        bool filled = is_filled(c, w.cell, pass);
-        conflict = conflict || is_conflict(c, pass, w.cell, a);
+        bool filled = is_filled(c, w.cell);
+        conflict = conflict || is_conflict(c, w.cell, a);
         unfilled = unfilled || ((a->flags & ACCESS_READS) && !filled);
-        if (a->flags & ACCESS_WRITES && !pass->rg->when)
+        if (a->flags & ACCESS_WRITES && !conditional)
             w.cell->filled = CELL_FILLED;
         else if (a->flags & ACCESS_WRITES && !filled)
             w.cell->filled = CELL_FILLED_BY + c->pass_count;
         w.cell->last_access = c->access_count + 1;
     }
-    if (conflict)
-        fault(e, RG_ERROR_CONFLICT, a->resource,
-              "split the pass in two, or read another mip, layer or image");
-    if (unfilled)
-        fault(e, RG_ERROR_READ_BEFORE_WRITE, a->resource, unfilled_hint);
+    rg_fault_if(c, conflict, RG_ERROR_CONFLICT, name,
+                "split the pass in two, or read another mip, layer or image");
+    rg_fault_if(c, unfilled, RG_ERROR_READ_BEFORE_WRITE, name, unfilled_hint);
     c->access_count++;
-}
-
-/* A conditional pass leaves what it does not draw over. */
-static void set_conditional(const struct expansion *e, struct access *a)
-{
-    if (!e->pass->rg->when)
-        return;
-    a->flags &= ~(uint32_t)ACCESS_OVERWRITES;
-    a->flags |= ACCESS_CONDITIONAL;
 }
 
 /* ---- targets ---- */
 
-static void check_extent(struct expansion *e, const struct resource *r, uint32_t mip)
+static uint32_t mip_side(uint32_t side, uint32_t mip)
 {
-    uint32_t width = mip < 32 ? r->extent.width >> mip : 0;
-    uint32_t height = mip < 32 ? r->extent.height >> mip : 0;
-    VkExtent2D extent = { width ? width : 1, height ? height : 1 };
-    if (e->c->access_count == e->pass->first_access && !e->target_samples)
-        e->pass->extent = extent;
-    else if (extent.width != e->pass->extent.width || extent.height != e->pass->extent.height)
-        fault(e, RG_ERROR_TARGET_SIZE, r, "all targets of a pass are of one size");
+    return mip < 32 && side >> mip ? side >> mip : 1;
 }
 
-static void check_target(struct expansion *e, const struct rg_target *target,
+static void check_extent(struct compiler *c, const struct resource *r, uint32_t mip)
+{
+    VkExtent2D *pass = &pass_at_work(c)->extent;
+    VkExtent2D extent = { mip_side(r->extent.width, mip), mip_side(r->extent.height, mip) };
+    if (c->access_count == c->passes[c->pass_count].first_access && !c->target_samples)
+        *pass = extent;
+    rg_fault_if(c, extent.width != pass->width || extent.height != pass->height,
+                RG_ERROR_TARGET_SIZE, r->name, "all targets of a pass are of one size");
+}
+
+static void check_target(struct compiler *c, const struct rg_target *target,
                          const struct resource *r, uint32_t mip)
 {
-    const struct rg_pass *rg = e->pass->rg;
-    bool is_depth = target == &rg->depth;
+    const struct rg_pass *row = pass_at_work(c)->pass;
+    bool is_depth = target == &row->depth;
+    bool has_depth = !(r->all.aspectMask & VK_IMAGE_ASPECT_COLOR_BIT);
     uint32_t samples = r->image->samples ? r->image->samples : 1;
     if (mip < r->all.levelCount)
-        check_extent(e, r, mip);
-    if (!(r->all.aspectMask & VK_IMAGE_ASPECT_COLOR_BIT) != is_depth)
-        fault(e, RG_ERROR_FORMAT, r,
-              is_depth ? "a depth target needs a depth format"
-                       : "a colour target needs a colour format");
-    if (is_depth && rg->depth_read_only && target->load != RG_LOAD_KEEP)
-        fault(e, RG_ERROR_ACCESS, r, "depth that is only tested is RG_LOAD_KEEP");
-    if (is_depth && target->resolve)
-        fault(e, RG_ERROR_SAMPLES, r, "only colour is resolved; read depth by texelFetch");
-    if (e->target_samples && samples != e->target_samples)
-        fault(e, RG_ERROR_SAMPLES, r, "all targets of a pass have as many samples");
-    e->target_samples = samples;
+        check_extent(c, r, mip);
+    rg_fault_if(c, is_depth && !has_depth, RG_ERROR_FORMAT, r->name,
+                "a depth target needs a depth format");
+    rg_fault_if(c, !is_depth && has_depth, RG_ERROR_FORMAT, r->name,
+                "a colour target needs a colour format");
+    rg_fault_if(c, is_depth && row->depth_read_only && target->load != RG_LOAD_KEEP,
+                RG_ERROR_ACCESS, r->name, "depth that is only tested is RG_LOAD_KEEP");
+    rg_fault_if(c, is_depth && target->resolve, RG_ERROR_SAMPLES, r->name,
+                "only colour is resolved; read depth by texelFetch");
+    rg_fault_if(c, c->target_samples && samples != c->target_samples, RG_ERROR_SAMPLES, r->name,
+                "all targets of a pass have as many samples");
+    c->target_samples = samples;
 }
 
-/* A repeated row's mip or layer: an image with a single one serves every repetition. */
-static VkImageSubresourceRange target_range(const struct pass *pass, const struct resource *r,
-                                            uint32_t mip, uint32_t layer)
+static VkImageSubresourceRange target_range(const struct rg_plan_pass *pass,
+                                            const struct resource *r, uint32_t mip, uint32_t layer)
 {
-    if (pass->rg->repeat == RG_PER_LAYER && r->all.layerCount > 1)
+    if (pass->pass->repeat == RG_PER_LAYER && r->all.layerCount > 1)
         layer += pass->repetition;
-    if (pass->rg->repeat == RG_PER_MIP && r->all.levelCount > 1)
+    if (pass->pass->repeat == RG_PER_MIP && r->all.levelCount > 1)
         mip += pass->repetition;
     return (VkImageSubresourceRange){ r->all.aspectMask, mip, 1, layer, 1 };
 }
 
-static void add_resolve(struct expansion *e, const struct rg_target *target)
+static void add_resolve(struct compiler *c, const struct rg_target *target)
 {
-    struct resource *r = rg_resource_of(e->c, target->resolve, NULL);
-    struct access *a = next_access(e, r, RG_RESOLVE, false, rg_access_table[RG_RESOLVE].stages);
+    struct resource *r = rg_resource_of(c, target->resolve, NULL);
+    struct access *a = next_access(c, r, RG_RESOLVE, false, rg_access_table[RG_RESOLVE].stages);
     if (!a)
         return;
     a->declared = target;
-    a->range = target_range(e->pass, r, target->resolve_mip, target->resolve_layer);
+    a->range = target_range(pass_at_work(c), r, target->resolve_mip, target->resolve_layer);
     a->flags |= ACCESS_OVERWRITES;
-    if (e->pass->rg->when)
-        a->flags = ACCESS_WRITES | ACCESS_CONDITIONAL;
-    if (r->image->samples > 1)
-        fault(e, RG_ERROR_SAMPLES, r, "resolve to an image of one sample a texel");
-    if (target->image->samples <= 1)
-        fault(e, RG_ERROR_SAMPLES, r, "resolve from an image of several samples a texel");
-    if (r->image->format != target->image->format)
-        fault(e, RG_ERROR_FORMAT, r, "resolve to an image of the same format");
-    check_extent(e, r, a->range.baseMipLevel);
-    keep_access(e, a, NULL);
+    rg_fault_if(c, r->image->samples > 1, RG_ERROR_SAMPLES, r->name,
+                "resolve to an image of one sample a texel");
+    rg_fault_if(c, target->image->samples <= 1, RG_ERROR_SAMPLES, r->name,
+                "resolve from an image of several samples a texel");
+    rg_fault_if(c, r->image->format != target->image->format, RG_ERROR_FORMAT, r->name,
+                "resolve to an image of the same format");
+    check_extent(c, r, a->range.baseMipLevel);
+    keep_access(c, a, NULL);
 }
 
-static void add_target(struct expansion *e, const struct rg_target *target)
+static void add_target(struct compiler *c, const struct rg_target *target)
 {
-    const struct rg_pass *rg = e->pass->rg;
-    enum rg_access kind = target != &rg->depth  ? RG_COLOR
-                          : rg->depth_read_only ? RG_DEPTH_READ
-                                                : RG_DEPTH;
+    const struct rg_pass *row = pass_at_work(c)->pass;
+    enum rg_access kind = target != &row->depth  ? RG_COLOR
+                          : row->depth_read_only ? RG_DEPTH_READ
+                                                 : RG_DEPTH;
     bool keeps = target->load == RG_LOAD_KEEP;
     bool reads = keeps || target->blend || kind != RG_COLOR;
-    struct resource *r = rg_resource_of(e->c, target->image, NULL);
-    struct access *a = next_access(e, r, kind, reads, rg_access_table[kind].stages);
+    struct resource *r = rg_resource_of(c, target->image, NULL);
+    struct access *a = next_access(c, r, kind, reads, rg_access_table[kind].stages);
     if (!a)
         return;
     a->declared = target;
-    a->range = target_range(e->pass, r, target->mip, target->layer);
+    a->range = target_range(pass_at_work(c), r, target->mip, target->layer);
     if (keeps)
         a->flags |= ACCESS_READS;
     else if (a->flags & ACCESS_WRITES)
         a->flags |= ACCESS_OVERWRITES;
-    set_conditional(e, a);
-    check_target(e, target, r, a->range.baseMipLevel);
-    keep_access(e, a, "clear it, or put the pass that fills it before this one");
-    if (target->resolve && target != &rg->depth)
-        add_resolve(e, target);
+    check_target(c, target, r, a->range.baseMipLevel);
+    keep_access(c, a, "clear it, or put the pass that fills it before this one");
+    if (target->resolve && kind == RG_COLOR)
+        add_resolve(c, target);
 }
 
 /* ---- uses ---- */
 
 static VkImageSubresourceRange use_range(const struct resource *r, const struct rg_range *range,
-                                         const struct pass *pass)
+                                         const struct rg_plan_pass *pass)
 {
     VkImageSubresourceRange out = {
         .aspectMask = range->aspect ? range->aspect : r->all.aspectMask,
@@ -205,10 +187,10 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
         .baseArrayLayer = range->layer,
         .layerCount = range->layer_count,
     };
-    if (range->each && pass->rg->repeat == RG_PER_LAYER) {
+    if (range->each && pass->pass->repeat == RG_PER_LAYER) {
         out.baseArrayLayer += pass->repetition;
         out.layerCount = 1;
-    } else if (range->each && pass->rg->repeat == RG_PER_MIP) {
+    } else if (range->each && pass->pass->repeat == RG_PER_MIP) {
         out.baseMipLevel += pass->repetition;
         out.levelCount = 1;
     }
@@ -219,49 +201,50 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
     return out;
 }
 
-static void add_use(struct expansion *e, const struct rg_use *use)
+static void add_use(struct compiler *c, const struct rg_use *use)
 {
-    struct resource *r = rg_resource_of(e->c, use->image, use->buffer);
-    struct access *a = next_access(e, r, use->access, true, rg_use_stages(e->pass->rg, use));
+    struct resource *r = rg_resource_of(c, use->image, use->buffer);
+    VkPipelineStageFlags2 stages = rg_use_stages(pass_at_work(c)->pass, use);
+    struct access *a = next_access(c, r, use->access, true, stages);
     if (!a)
         return;
     a->declared = use;
     if (use->image)
-        a->range = use_range(r, &use->range, e->pass);
+        a->range = use_range(r, &use->range, pass_at_work(c));
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
         a->flags |= ACCESS_OVERWRITES;
-    set_conditional(e, a);
-    keep_access(e, a, "put the pass that writes it before this one, or import it");
+    keep_access(c, a, "put the pass that writes it before this one, or import it");
 }
 
 /* ---- rows ---- */
 
-static void add_pass(struct expansion *e, const struct rg_pass *rg, uint32_t repetition)
+static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t repetition)
 {
-    struct compiler *c = e->c;
-    uint32_t color_count = rg_color_count(rg);
-    if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, c->row_count))
+    uint32_t color_count = rg_color_count(row);
+    if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, c->row_count) ||
+        !ARENA_ROOM(c->arena, c->plan_passes, c->pass_count, c->plan_pass_room, c->row_count))
         return;
-    e->pass = &c->passes[c->pass_count];
-    e->target_samples = 0;
-    e->pass->technique = e->location.technique;
-    e->pass->rg = rg;
-    e->pass->row = e->location.row;
-    e->pass->repetition = repetition;
-    e->pass->extent = c->params->view;
-    e->pass->first_access = c->access_count;
-    e->pass->first_fallback = c->fallback_count;
+    struct pass *pass = &c->passes[c->pass_count];
+    struct rg_plan_pass *out = pass_at_work(c);
+    pass->first_access = c->access_count;
+    out->pass = row;
+    out->technique = c->technique;
+    out->row = c->row;
+    out->repetition = repetition;
+    out->extent = c->params->view;
+    out->first_fallback = c->fallback_count;
     c->color_count += color_count;
+    c->target_samples = 0;
     for (uint32_t i = 0; i < color_count; i++)
-        add_target(e, &rg->color[i]);
-    if (rg->depth.image)
-        add_target(e, &rg->depth);
-    for (const struct rg_use *use = rg->uses; use && rg_is_use(use); use++) {
+        add_target(c, &row->color[i]);
+    if (row->depth.image)
+        add_target(c, &row->depth);
+    for (const struct rg_use *use = row->uses; use && rg_is_use(use); use++) {
         if (rg_is_good_use(use) && !rg_use_fallback(c, use))
-            add_use(e, use);
+            add_use(c, use);
     }
-    e->pass->access_count = c->access_count - e->pass->first_access;
-    e->pass->fallback_count = c->fallback_count - e->pass->first_fallback;
+    pass->access_count = c->access_count - pass->first_access;
+    out->fallback_count = c->fallback_count - out->first_fallback;
     c->pass_count++;
 }
 
@@ -290,32 +273,18 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
     return r->all.levelCount > mip ? r->all.levelCount - mip : 1;
 }
 
-static void check_pass_name(struct expansion *e, const struct rg_pass *rg)
+static void expand_row(struct compiler *c, const struct rg_pass *row)
 {
-    struct compiler *c = e->c;
-    if (!rg->name) {
-        rg_fault_add(c, RG_ERROR_NO_NAME, e->location, "give the pass a name");
-        return;
-    }
-    void **known = rg_map_value(c->arena, &c->pass_names, rg->name);
-    if (known && *known)
-        rg_fault_add(c, RG_ERROR_DUPLICATE_NAME, e->location, "give each a name of its own");
-    if (known)
-        *known = c;
-}
-
-static void expand_row(struct expansion *e, const struct rg_pass *rg)
-{
-    struct compiler *c = e->c;
     c->row_first_fault = c->fault_count;
-    check_pass_name(e, rg);
-    rg_check_row(c, rg, e->location);
-    uint32_t count = repetition_count(c, rg);
-    if (!count)
-        rg_fault_add(c, RG_ERROR_REPEAT, e->location,
-                     "a repeated row writes an image, whose layers or mips it counts");
+    rg_fault_if(c, !row->name, RG_ERROR_NO_NAME, NULL, "give the pass a name");
+    rg_fault_if(c, row->name && rg_map_has(c->arena, &c->pass_names, row->name),
+                RG_ERROR_DUPLICATE_NAME, NULL, "give each a name of its own");
+    rg_check_row(c, row);
+    uint32_t count = repetition_count(c, row);
+    rg_fault_if(c, !count, RG_ERROR_REPEAT, NULL,
+                "a repeated row writes an image, whose layers or mips it counts");
     for (uint32_t i = 0; i < count && !c->arena->failed; i++)
-        add_pass(e, rg, i);
+        add_pass(c, row, i);
 }
 
 static void check_output(struct compiler *c, const struct resource *r)
@@ -331,14 +300,11 @@ static void check_output(struct compiler *c, const struct resource *r)
 void rg_expand(struct compiler *c)
 {
     for (uint32_t t = 0; t < c->params->technique_count; t++) {
-        const struct rg_technique *technique = c->params->techniques[t];
-        struct expansion e = { .c = c, .location = { technique, RG_NONE, NULL } };
-        if (!technique->name)
-            rg_fault_add(c, RG_ERROR_NO_NAME, e.location, "give the technique a name");
-        for (uint32_t p = 0; p < technique->pass_count && !c->arena->failed; p++) {
-            e.location.row = p;
-            expand_row(&e, &technique->passes[p]);
-        }
+        c->technique = c->params->techniques[t];
+        c->row = RG_NONE;
+        rg_fault_if(c, !c->technique->name, RG_ERROR_NO_NAME, NULL, "give the technique a name");
+        for (c->row = 0; c->row < c->technique->pass_count && !c->arena->failed; c->row++)
+            expand_row(c, &c->technique->passes[c->row]);
     }
     c->row_first_fault = c->fault_count;
     for (uint32_t i = 0; i < c->boundary_count; i++) {

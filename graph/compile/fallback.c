@@ -3,9 +3,8 @@
 
 static void provide(struct compiler *c, const struct rg_image *image)
 {
-    void **value = image ? rg_map_value(c->arena, &c->provided, image) : NULL;
-    if (value)
-        *value = c;
+    if (image)
+        rg_map_has(c->arena, &c->provided, image);
 }
 
 static void provide_row(struct compiler *c, const struct rg_pass *pass)

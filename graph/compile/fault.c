@@ -51,39 +51,37 @@ int rg_fault_text(const struct rg_fault *fault, char *text, size_t size)
 }
 
 /* The repetitions of a row have the same faults: once is enough. */
-static bool is_known(const struct compiler *c, enum rg_error error, struct fault_location location,
-                     const char *hint)
+static bool is_known(const struct compiler *c, const struct rg_fault *fault)
 {
-    const char *technique = location.technique ? location.technique->name : NULL;
     for (uint32_t i = c->row_first_fault; i < c->fault_count; i++) {
         const struct rg_fault *f = &c->faults[i];
-        if (f->error == error && f->technique == technique && f->row == location.row &&
-            f->resource == location.resource && f->hint == hint)
+        if (f->error == fault->error && f->technique == fault->technique && f->row == fault->row &&
+            f->resource == fault->resource && f->hint == fault->hint)
             return true;
     }
     return false;
 }
 
-void rg_fault_add(struct compiler *c, enum rg_error error, struct fault_location location,
-                  const char *hint)
+static void add(struct compiler *c, struct rg_fault fault)
 {
-    if (is_known(c, error, location, hint) ||
-        !ARENA_ROOM(c->arena, c->faults, c->fault_count, c->fault_room, 8))
-        return;
-    const struct rg_pass *pass = NULL;
-    if (location.technique && location.row != RG_NONE)
-        pass = &location.technique->passes[location.row];
-    c->faults[c->fault_count++] = (struct rg_fault){
-        .error = error,
-        .technique = location.technique ? location.technique->name : NULL,
-        .pass = pass ? pass->name : NULL,
-        .resource = location.resource,
-        .row = location.row,
-        .hint = hint,
-    };
+    if (!is_known(c, &fault) && ARENA_ROOM(c->arena, c->faults, c->fault_count, c->fault_room, 8))
+        c->faults[c->fault_count++] = fault;
+}
+
+void rg_fault(struct compiler *c, enum rg_error error, const char *resource, const char *hint)
+{
+    bool in_row = c->technique && c->row != RG_NONE;
+    add(c, (struct rg_fault){
+               .error = error,
+               .technique = c->technique ? c->technique->name : NULL,
+               .pass = in_row ? c->technique->passes[c->row].name : NULL,
+               .resource = resource,
+               .row = c->row,
+               .hint = hint,
+           });
 }
 
 void rg_fault_of(struct compiler *c, enum rg_error error, const char *resource, const char *hint)
 {
-    rg_fault_add(c, error, (struct fault_location){ .row = RG_NONE, .resource = resource }, hint);
+    add(c, (struct rg_fault){ error, .resource = resource, .row = RG_NONE, .hint = hint });
 }

@@ -60,3 +60,12 @@ void **rg_map_value(struct arena *arena, struct map *map, const void *key)
     slot->key = key;
     return &slot->value;
 }
+
+bool rg_map_has(struct arena *arena, struct map *map, const void *key)
+{
+    void **value = rg_map_value(arena, map, key);
+    bool known = value && *value;
+    if (value)
+        *value = map;
+    return known;
+}

@@ -24,4 +24,7 @@ void rg_map_expect(struct arena *arena, struct map *map, uint32_t count);
 /* Returns where the value of a key is; a new key has the value NULL. NULL: memory is short. */
 void **rg_map_value(struct arena *arena, struct map *map, const void *key);
 
+/* Adds a key of a map that is a set. Returns whether it was there before. */
+bool rg_map_has(struct arena *arena, struct map *map, const void *key);
+
 #endif

@@ -62,7 +62,7 @@ void rg_find_lifetimes(struct compiler *c)
 
 /* ---- what the device cannot do ---- */
 
-static void check_format(struct compiler *c, const struct pass *pass, const struct access *a)
+static void check_format(struct compiler *c, const struct access *a)
 {
     const struct rg_device *device = c->params->device;
     const struct rg_sampler *sampler =
@@ -73,9 +73,8 @@ static void check_format(struct compiler *c, const struct pass *pass, const stru
     if (a->kind == RG_COLOR && ((const struct rg_target *)a->declared)->blend)
         needed |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
     if (needed & ~device->format_features(device->user, a->resource->image->format))
-        rg_fault_add(c, RG_ERROR_FORMAT,
-                     (struct fault_location){ pass->technique, pass->row, a->resource->name },
-                     "this device cannot use the format so; choose another format or device");
+        rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
+                 "this device cannot use the format so; choose another format or device");
 }
 
 void rg_check_formats(struct compiler *c)
@@ -84,11 +83,13 @@ void rg_check_formats(struct compiler *c)
     for (uint32_t p = 0; p < c->pass_count && device && device->format_features; p++) {
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
-        if (pass->alive && !pass->repetition)
+        c->technique = c->plan_passes[p].technique;
+        c->row = c->plan_passes[p].row;
+        if (pass->alive && !c->plan_passes[p].repetition)
             c->row_first_fault = c->fault_count;
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
             if (a[i].resource->image)
-                check_format(c, pass, &a[i]);
+                check_format(c, &a[i]);
         }
     }
 }

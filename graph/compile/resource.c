@@ -88,11 +88,8 @@ static void check_name(struct compiler *c, struct resource *r)
         rg_fault_of(c, RG_ERROR_NO_NAME, r->name, "give the resource a name");
         return;
     }
-    void **known = rg_map_value(c->arena, &c->resource_names, name);
-    if (known && *known)
+    if (rg_map_has(c->arena, &c->resource_names, name))
         rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each a name of its own");
-    if (known)
-        *known = r;
 }
 
 /* NULL: memory is short. */
