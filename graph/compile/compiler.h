@@ -391,8 +391,8 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *see);
 
 /* ---- barriers.c ---- */
 
-/* Adds what an access of a pass needs. `hands_back`: of an import that goes back, only cells that are
- * not as it arrived. */
+/* Adds what an access of a pass needs. `hands_back`: of an import that goes back, only cells that
+ * are not as it arrived. */
 void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass, bool hands_back);
 
 /* Adds the barriers after the last pass, and those before the first frame. */

@@ -64,65 +64,56 @@ static uint32_t next_of(const struct rg_plan *plan, enum group group, uint32_t b
 
 /* ---- pieces ---- */
 
-static void open_row(const struct chart *c, const char *style)
+/* Begins a row, with its axis. */
+static void open_row(const struct chart *c, const char *style, uint32_t height)
 {
-    fprintf(c->d.out, "<div class=\"row %s\">\n", style);
+    rg_put(&c->d, "<div class=\"row %s\">\n<svg class=\"axis\" width=\"%u\" height=\"%u\">\n",
+           style, AXIS_WIDTH, height);
 }
 
 static void close_row(const struct chart *c)
 {
-    fputs("</svg>\n</div>\n", c->d.out);
-}
-
-static void open_axis(const struct chart *c, uint32_t height)
-{
-    fprintf(c->d.out, "<svg class=\"axis\" width=\"%d\" height=\"%u\">\n", AXIS_WIDTH, height);
+    rg_put(&c->d, "</svg>\n</div>\n");
 }
 
 /* Begins the part of a row that has columns; x is 0 where the first column begins. */
 static void open_plot(const struct chart *c, uint32_t height, const char *attributes)
 {
     uint32_t width = LEFT + c->columns * c->column;
-    fprintf(c->d.out,
-            "</svg>\n<svg class=\"plot\" width=\"%u\" height=\"%u\" viewBox=\"-%d 0 %u %u\"%s>\n",
-            width, height, LEFT, width, height, attributes);
+    rg_put(&c->d,
+           "</svg>\n<svg class=\"plot\" width=\"%u\" height=\"%u\" viewBox=\"-%u 0 %u %u\"%s>\n",
+           width, height, LEFT, width, height, attributes);
 }
 
 static void print_axis_text(const struct chart *c, uint32_t y, const char *text)
 {
-    fprintf(c->d.out, "<text x=\"6\" y=\"%u\">", y);
-    c->d.name(c->d.out, text);
-    fputs("</text>\n", c->d.out);
+    rg_put(&c->d, "<text x=\"6\" y=\"%u\">%n</text>\n", y, text);
 }
 
 /* Prints a vertical line wherever barriers are recorded. */
 static void print_batch_lines(const struct chart *c, uint32_t height)
 {
     const struct rg_plan *plan = c->d.plan;
-    fprintf(c->d.out, "<rect class=\"grid\" width=\"%u\" height=\"%u\"/>\n<path class=\"batches\" ",
-            c->columns * c->column, height);
-    fputs("d=\"M0 0", c->d.out);
+    rg_put(&c->d, "<rect class=\"grid\" width=\"%u\" height=\"%u\"/>\n", c->columns * c->column,
+           height);
+    rg_put(&c->d, "<path class=\"batches\" d=\"M0 0");
     for (uint32_t p = 0; p < plan->pass_count; p++) {
         if (plan->passes[p].barrier_count)
-            fprintf(c->d.out, "M%u 0v%u", p * c->column, height);
+            rg_put(&c->d, "M%u 0v%u", p * c->column, height);
     }
     if (plan->final_barrier_count)
-        fprintf(c->d.out, "M%u 0v%u", plan->pass_count * c->column, height);
-    fputs("\"/>\n", c->d.out);
+        rg_put(&c->d, "M%u 0v%u", plan->pass_count * c->column, height);
+    rg_put(&c->d, "\"/>\n");
 }
 
 /* Prints a name in a box: cut off where the box ends, and repeated if the box is long. */
 static void print_label(const struct chart *c, uint32_t x, uint32_t width, uint64_t y,
                         const char *name)
 {
-    fprintf(c->d.out, "<svg x=\"%u\" y=\"%" PRIu64 "\" width=\"%u\" height=\"16\">", x, y,
-            width - 2);
-    for (uint32_t at = 0; at == 0 || at + LABEL_DISTANCE / 2 < width; at += LABEL_DISTANCE) {
-        fprintf(c->d.out, "<text x=\"%u\" y=\"12\">", at + 4);
-        c->d.name(c->d.out, name);
-        fputs("</text>", c->d.out);
-    }
-    fputs("</svg>", c->d.out);
+    rg_put(&c->d, "<svg x=\"%u\" y=\"%z\" width=\"%u\" height=\"16\">", x, y, width - 2);
+    for (uint32_t at = 0; at == 0 || at + LABEL_DISTANCE / 2 < width; at += LABEL_DISTANCE)
+        rg_put(&c->d, "<text x=\"%u\" y=\"12\">%n</text>", at + 4, name);
+    rg_put(&c->d, "</svg>");
 }
 
 /* Prints an attribute in thousandths of pixels. */
@@ -141,14 +132,13 @@ static void print_column_name(const struct chart *c, uint32_t column)
     if (column < plan->pass_count)
         rg_dump_pass_name(&c->d, plan->passes[column].pass, plan->passes[column].repetition);
     else
-        fputs("the frame's end", c->d.out);
+        rg_put(&c->d, "the frame's end");
 }
 
 static void print_techniques(const struct chart *c)
 {
     const struct rg_plan *plan = c->d.plan;
-    open_row(c, "techniques");
-    open_axis(c, BAR_HEIGHT);
+    open_row(c, "techniques", BAR_HEIGHT);
     print_axis_text(c, 14, "technique");
     open_plot(c, BAR_HEIGHT, "");
     for (uint32_t first = 0, end; first < plan->pass_count; first = end) {
@@ -156,12 +146,10 @@ static void print_techniques(const struct chart *c)
         for (end = first; end < plan->pass_count && plan->passes[end].technique == technique;)
             end++;
         uint32_t x = first * c->column, width = (end - first) * c->column;
-        fputs("<g class=\"technique\"><title>", c->d.out);
-        c->d.name(c->d.out, technique->name);
-        fprintf(c->d.out, "</title><rect x=\"%u\" y=\"0\" width=\"%u\" height=\"%d\"/>", x, width,
-                BAR_HEIGHT);
+        rg_put(&c->d, "<g class=\"technique\"><title>%n</title>", technique->name);
+        rg_put(&c->d, "<rect x=\"%u\" y=\"0\" width=\"%u\" height=\"%u\"/>", x, width, BAR_HEIGHT);
         print_label(c, x, width, 2, technique->name);
-        fputs("</g>\n", c->d.out);
+        rg_put(&c->d, "</g>\n");
     }
     close_row(c);
 }
@@ -190,25 +178,22 @@ static void print_passes(const struct chart *c)
     };
     const struct rg_plan *plan = c->d.plan;
     uint32_t height = name_height(plan);
-    open_row(c, "passes");
-    open_axis(c, height);
+    open_row(c, "passes", height);
     print_axis_text(c, height - 6, "pass");
     open_plot(c, height, "");
     for (uint32_t p = 0; p <= plan->pass_count; p++) {
-        if (p < plan->pass_count) {
-            const struct rg_pass *pass = plan->passes[p].pass;
-            fprintf(c->d.out, "<g class=\"%s%s\" tabindex=\"0\" data-pass=\"%u\"><title>",
-                    styles[pass->kind], pass->when ? " when" : "", p);
+        const struct rg_pass *pass = p < plan->pass_count ? plan->passes[p].pass : NULL;
+        if (pass) {
+            rg_put(&c->d, "<g class=\"%s%s\" tabindex=\"0\" data-pass=\"%u\"><title>",
+                   styles[pass->kind], pass->when ? " when" : "", p);
             rg_dump_pass(&c->d, p);
-            fprintf(c->d.out, "</title><rect x=\"%u\" y=\"1\" width=\"%u\" height=\"%u\"/>",
-                    p * c->column + 2, c->column - 4, height - 2);
-        } else {
-            fputs("<g>", c->d.out);
+            rg_put(&c->d, "</title><rect x=\"%u\" y=\"1\" width=\"%u\" height=\"%u\"/>",
+                   p * c->column + 2, c->column - 4, height - 2);
         }
-        fprintf(c->d.out, "<text transform=\"translate(%u %u) rotate(-90)\">",
-                p * c->column + c->column / 2 + 4, height - 6);
+        rg_put(&c->d, "%s<text transform=\"translate(%u %u) rotate(-90)\">", pass ? "" : "<g>",
+               p * c->column + c->column / 2 + 4, height - 6);
         print_column_name(c, p);
-        fputs("</text></g>\n", c->d.out);
+        rg_put(&c->d, "</text></g>\n");
     }
     close_row(c);
 }
@@ -217,29 +202,26 @@ static void print_batch(const struct chart *c, uint32_t x, uint32_t first, uint3
 {
     if (!count)
         return;
-    fputs("<g class=\"batch\" tabindex=\"0\"><title>", c->d.out);
+    rg_put(&c->d, "<g class=\"batch\" tabindex=\"0\"><title>");
     rg_dump_barriers(&c->d, "barrier", first, count);
-    fprintf(c->d.out,
-            "</title><circle cx=\"%u\" cy=\"12\" r=\"9\"/>"
-            "<text class=\"middle\" x=\"%u\" y=\"16\">%u</text></g>\n",
-            x, x, count);
+    rg_put(&c->d, "</title><circle cx=\"%u\" cy=\"12\" r=\"9\"/>", x);
+    rg_put(&c->d, "<text class=\"middle\" x=\"%u\" y=\"16\">%u</text></g>\n", x, count);
 }
 
 static void print_batches(const struct chart *c)
 {
     const struct rg_plan *plan = c->d.plan;
-    open_row(c, "barriers");
-    open_axis(c, 24);
+    open_row(c, "barriers", 24);
     print_axis_text(c, 16, "barriers");
     open_plot(c, 24, "");
     if (plan->initial_barrier_count) {
-        fputs("<g class=\"batch\" tabindex=\"0\" data-initial=\"0\"><title>", c->d.out);
+        rg_put(&c->d, "<g class=\"batch\" tabindex=\"0\" data-initial=\"0\"><title>");
         rg_dump_barriers(&c->d, "barrier before the first frame", plan->first_initial_barrier,
                          plan->initial_barrier_count);
-        fprintf(c->d.out,
-                "</title><rect x=\"-34\" y=\"3\" width=\"22\" height=\"18\"/>"
-                "<text class=\"middle\" x=\"-23\" y=\"16\">%u</text></g>\n",
-                plan->initial_barrier_count);
+        rg_put(&c->d,
+               "</title><rect x=\"-34\" y=\"3\" width=\"22\" height=\"18\"/>"
+               "<text class=\"middle\" x=\"-23\" y=\"16\">%u</text></g>\n",
+               plan->initial_barrier_count);
     }
     for (uint32_t p = 0; p < plan->pass_count; p++)
         print_batch(c, p * c->column, plan->passes[p].first_barrier, plan->passes[p].barrier_count);
@@ -257,25 +239,21 @@ static void open_resource(const struct chart *c, uint32_t index, const struct rg
     bool is_buffer = index >= plan->image_count;
     uint32_t own = is_buffer ? index - plan->image_count : index;
     enum group group = group_of(r);
-    fprintf(c->d.out, "<g class=\"%s\" tabindex=\"0\" data-%s=\"%u\"><title>",
-            style_of(plan, index), is_buffer ? "buffer" : "image", own);
+    rg_put(&c->d, "<g class=\"%s\" tabindex=\"0\" data-%s=\"%u\"><title>", style_of(plan, index),
+           is_buffer ? "buffer" : "image", own);
     if (is_buffer)
         rg_dump_buffer(&c->d, own);
     else
         rg_dump_image(&c->d, own);
-    if (group == TRANSIENT || group == PERSISTENT) {
-        rg_dump_bytes(c->d.out, r->size);
-        if (group == TRANSIENT) {
-            fputs(" at ", c->d.out);
-            rg_dump_bytes(c->d.out, r->offset);
-        }
-        fputs(", ", c->d.out);
-    }
-    fputs("from ", c->d.out);
+    if (group == TRANSIENT)
+        rg_put(&c->d, "%b at %b, ", r->size, r->offset);
+    else if (group == PERSISTENT)
+        rg_put(&c->d, "%b, ", r->size);
+    rg_put(&c->d, "from ");
     print_column_name(c, r->first);
-    fputs(" to ", c->d.out);
+    rg_put(&c->d, " to ");
     print_column_name(c, r->last);
-    fputs("</title>", c->d.out);
+    rg_put(&c->d, "</title>");
 }
 
 /* Converts bytes of a block to thousandths of pixels. */
@@ -292,13 +270,13 @@ static void print_rectangle(const struct chart *c, uint32_t index, const struct 
     uint64_t top = scaled(r.offset, block, height);
     uint64_t bottom = scaled(r.offset + r.size, block, height);
     open_resource(c, index, &r);
-    fprintf(c->d.out, "<rect x=\"%u\" width=\"%u\"", x, width);
+    rg_put(&c->d, "<rect x=\"%u\" width=\"%u\"", x, width);
     print_pixels(c->d.out, "y", top);
     print_pixels(c->d.out, "height", bottom - top);
-    fputs("/>", c->d.out);
+    rg_put(&c->d, "/>");
     if (bottom - top >= 12000)
         print_label(c, x, width, top / 1000, r.name);
-    fputs("</g>\n", c->d.out);
+    rg_put(&c->d, "</g>\n");
 }
 
 static uint32_t block_height(const struct rg_plan *plan, uint32_t block)
@@ -316,19 +294,14 @@ static void print_block(const struct chart *c, uint32_t index)
     const struct rg_block *block = &plan->blocks[index];
     uint32_t height = block_height(plan, index);
     char attributes[64];
-    fprintf(c->d.out, "<h2>Block %u: %s</h2>\n", index, block->buffers ? "buffers" : "images");
-    open_row(c, "block");
-    open_axis(c, height);
+    rg_put(&c->d, "<h2>Block %u: %s</h2>\n", index, block->buffers ? "buffers" : "images");
+    open_row(c, "block", height);
     for (uint32_t i = 0; i <= TICK_COUNT; i++) {
         uint32_t y = i * (height - 1) / TICK_COUNT;
-        fprintf(c->d.out,
-                "<path class=\"line\" d=\"M%d %uh8\"/><text class=\"end\" x=\"%d\" y=\"%u\">",
-                AXIS_WIDTH - 8, y, AXIS_WIDTH - 12,
-                i == 0            ? 10
-                : i == TICK_COUNT ? y
-                                  : y + 4);
-        rg_dump_bytes(c->d.out, block->size / TICK_COUNT * i + block->size % TICK_COUNT * i / 4);
-        fputs("</text>\n", c->d.out);
+        uint32_t text_y = i == 0 ? 10 : i == TICK_COUNT ? y : y + 4;
+        rg_put(&c->d, "<path class=\"line\" d=\"M%u %uh8\"/>", AXIS_WIDTH - 8, y);
+        rg_put(&c->d, "<text class=\"end\" x=\"%u\" y=\"%u\">%b</text>\n", AXIS_WIDTH - 12, text_y,
+               block->size / TICK_COUNT * i + block->size % TICK_COUNT * i / 4);
     }
     snprintf(attributes, sizeof(attributes), " data-block=\"%u\" data-column=\"%u\"", index,
              c->column);
@@ -347,10 +320,10 @@ static void print_bar(const struct chart *c, uint32_t index, uint32_t y)
     const struct rg_dump_resource r = rg_dump_resource(c->d.plan, index);
     open_resource(c, index, &r);
     if (group_of(&r) == PERSISTENT) /* from frame to frame */
-        fprintf(c->d.out, "<rect class=\"frames\" x=\"0\" y=\"%u\" width=\"%u\" height=\"%d\"/>", y,
-                c->columns * c->column, BAR_HEIGHT - 4);
-    fprintf(c->d.out, "<rect x=\"%u\" y=\"%u\" width=\"%u\" height=\"%d\"/></g>\n",
-            r.first * c->column, y, (r.last - r.first + 1) * c->column, BAR_HEIGHT - 4);
+        rg_put(&c->d, "<rect class=\"frames\" x=\"0\" y=\"%u\" width=\"%u\" height=\"%u\"/>", y,
+               c->columns * c->column, BAR_HEIGHT - 4);
+    rg_put(&c->d, "<rect x=\"%u\" y=\"%u\" width=\"%u\" height=\"%u\"/></g>\n", r.first * c->column,
+           y, (r.last - r.first + 1) * c->column, BAR_HEIGHT - 4);
 }
 
 static void print_bars(const struct chart *c, enum group group, const char *title)
@@ -362,9 +335,8 @@ static void print_bars(const struct chart *c, enum group group, const char *titl
         count++;
     if (!count)
         return;
-    fprintf(c->d.out, "<h2>%s</h2>\n", title);
-    open_row(c, "bars");
-    open_axis(c, count * BAR_HEIGHT);
+    rg_put(&c->d, "<h2>%s</h2>\n", title);
+    open_row(c, "bars", count * BAR_HEIGHT);
     for (uint32_t i = next_of(plan, group, RG_NONE, 0); i != RG_NONE;
          i = next_of(plan, group, RG_NONE, i + 1)) {
         print_axis_text(c, y, rg_dump_resource(plan, i).name);
@@ -386,20 +358,20 @@ void rg_dump_chart(const struct rg_dump *d)
     uint32_t columns = d->plan->pass_count + 1, column = CHART_WIDTH / columns;
     column = column < MIN_COLUMN ? MIN_COLUMN : column > MAX_COLUMN ? MAX_COLUMN : column;
     const struct chart chart = { *d, column, columns };
-    fprintf(d->out,
-            "<main tabindex=\"0\">\n<svg width=\"0\" height=\"0\"><defs><pattern id=\"grid\" "
-            "width=\"%u\" height=\"8\" patternUnits=\"userSpaceOnUse\">"
-            "<path class=\"line\" d=\"M0 0v8\"/></pattern></defs></svg>\n"
-            "<div class=\"head\">\n",
-            column);
+    rg_put(d,
+           "<main tabindex=\"0\">\n<svg width=\"0\" height=\"0\"><defs><pattern id=\"grid\" "
+           "width=\"%u\" height=\"8\" patternUnits=\"userSpaceOnUse\">"
+           "<path class=\"line\" d=\"M0 0v8\"/></pattern></defs></svg>\n"
+           "<div class=\"head\">\n",
+           column);
     print_techniques(&chart);
     print_passes(&chart);
     print_batches(&chart);
-    fputs("</div>\n", d->out);
+    rg_put(d, "</div>\n");
     for (uint32_t i = 0; i < d->plan->block_count; i++)
         print_block(&chart, i);
     print_bars(&chart, PERSISTENT, "Persistent");
     print_bars(&chart, IMPORTED, "Imported");
     print_bars(&chart, HOST, "Written or read by the CPU");
-    fputs("</main>\n", d->out);
+    rg_put(d, "</main>\n");
 }

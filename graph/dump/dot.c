@@ -12,16 +12,14 @@ static void dot_name(FILE *out, const char *name)
     }
 }
 
-static void print_resource(const struct rg_dump *d, char kind, uint32_t index, const char *name,
-                           bool persistent)
+static void print_resource(const struct rg_dump *d, const char *kind, uint32_t index,
+                           const char *name, bool persistent)
 {
-    fprintf(d->out, "  %c%u [shape=%s%s, label=\"", kind, index,
-            kind == 'i' ? "ellipse" : "cylinder", persistent ? ", peripheries=2" : "");
-    d->name(d->out, name);
-    fputs("\"];\n", d->out);
+    rg_put(d, "  %s%u [shape=%s%s, label=\"%n\"];\n", kind, index,
+           *kind == 'i' ? "ellipse" : "cylinder", persistent ? ", peripheries=2" : "", name);
     if (persistent)
-        fprintf(d->out, "  %c%u -> %c%u [style=dashed, label=\"next frame\"];\n", kind, index, kind,
-                index);
+        rg_put(d, "  %s%u -> %s%u [style=dashed, label=\"next frame\"];\n", kind, index, kind,
+               index);
 }
 
 static void print_edge(FILE *out, uint32_t pass, char kind, uint32_t resource, bool reads,
@@ -43,8 +41,8 @@ static void print_target(FILE *out, uint32_t pass, const struct rg_plan_target *
 static void print_pass(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_plan_pass *pass = &d->plan->passes[index];
-    fprintf(d->out, "  p%u [shape=box, style=\"filled%s\", fillcolor=lightblue, label=\"", index,
-            pass->pass->when ? ",dashed" : "");
+    rg_put(d, "  p%u [shape=box, style=\"filled%s\", fillcolor=lightblue, label=\"", index,
+           pass->pass->when ? ",dashed" : "");
     rg_dump_pass_name(d, pass->pass, pass->repetition);
     fputs("\"];\n", d->out);
     for (uint32_t i = 0; i < pass->color_count; i++)
@@ -65,9 +63,9 @@ void rg_dump_dot(const struct rg_plan *plan, FILE *out)
     const struct rg_dump d = { plan, out, dot_name };
     fputs("digraph plan {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n", out);
     for (uint32_t i = 0; i < plan->image_count; i++)
-        print_resource(&d, 'i', i, plan->images[i].image->name, plan->images[i].persistent);
+        print_resource(&d, "i", i, plan->images[i].image->name, plan->images[i].persistent);
     for (uint32_t i = 0; i < plan->buffer_count; i++)
-        print_resource(&d, 'b', i, plan->buffers[i].buffer->name, plan->buffers[i].persistent);
+        print_resource(&d, "b", i, plan->buffers[i].buffer->name, plan->buffers[i].persistent);
     for (uint32_t p = 0; p < plan->pass_count; p++)
         print_pass(&d, p);
     fputs("}\n", out);

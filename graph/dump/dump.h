@@ -17,7 +17,11 @@ struct rg_dump {
     rg_dump_name_fn *name;
 };
 
-/* words.c */
+/* ---- put.c ---- */
+
+/* Writes a text, in which %u stands for a uint32_t, %z for a VkDeviceSize, %b for one as a number
+ * of bytes with a unit (12.5 MiB), %s for a string as it is, and %n for a name. */
+void rg_put(const struct rg_dump *d, const char *text, ...);
 
 /* Returns the next character of a text that is not at its end, and moves behind it. A byte that is
  * no part of valid UTF-8 gives U+FFFD. */
@@ -28,19 +32,25 @@ uint32_t rg_dump_visible(uint32_t character);
 
 void rg_dump_utf8(FILE *out, uint32_t character);
 
-/* Writes a number of bytes with a unit: 12.5 MiB. */
-void rg_dump_bytes(FILE *out, VkDeviceSize size);
+/* ---- words.c ---- */
 
-/* These write the names of flags with a separator between them; nothing if there are none. */
-void rg_dump_stages(FILE *out, VkPipelineStageFlags2 stages, const char *separator);
-void rg_dump_accesses(FILE *out, VkAccessFlags2 accesses, const char *separator);
+/* The word for a flag or a value of an enum; a list of them ends with a NULL. */
+struct rg_dump_word {
+    const char *word;
+    uint64_t value;
+};
 
-void rg_dump_aspects(FILE *out, VkImageAspectFlags aspects, const char *separator);
+extern const struct rg_dump_word rg_dump_aspects[], rg_dump_stages[], rg_dump_accesses[];
+extern const struct rg_dump_word rg_dump_layouts[], rg_dump_loads[], rg_dump_stores[];
+extern const struct rg_dump_word rg_dump_kinds[], rg_dump_memories[];
 
-const char *rg_dump_layout(VkImageLayout layout);
-const char *rg_dump_load(VkAttachmentLoadOp load);
-const char *rg_dump_store(VkAttachmentStoreOp store);
-const char *rg_dump_kind(enum rg_kind kind);
+/* Returns the word for a value; "?" if there is none. */
+const char *rg_dump_word(const struct rg_dump_word *words, uint64_t value);
+
+/* Writes the words for flags with a separator between them; nothing if there are none. */
+void rg_dump_flags(FILE *out, const struct rg_dump_word *words, uint64_t flags,
+                   const char *separator);
+
 const char *rg_dump_depth(const struct rg_pass *pass); /* what it does to its depth target */
 
 /* Returns the binding of a use that has a descriptor, else RG_NONE. */
@@ -61,7 +71,7 @@ struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t in
 /* Returns how many barriers a frame records. */
 uint32_t rg_dump_barrier_count(const struct rg_plan *plan);
 
-/* text.c: lines of text, each with its newline. */
+/* ---- text.c: lines of text, each with its newline ---- */
 
 void rg_dump_pass_name(const struct rg_dump *d, const struct rg_pass *pass, uint32_t repetition);
 void rg_dump_image(const struct rg_dump *d, uint32_t index);

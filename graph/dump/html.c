@@ -1,5 +1,4 @@
 /* html.c: the plan as an HTML page that is well-formed XML too and needs nothing else. */
-#include <inttypes.h>
 #include "graph/dump/dump.h"
 
 /* Colours by what a resource is for. */
@@ -82,46 +81,35 @@ static void print_head(FILE *out)
     fprintf(out, "<style>\n%s%s</style>\n</head>\n<body>\n", colors, style);
 }
 
-static void print_faults(FILE *out, const struct rg_plan *plan)
+static void print_faults(const struct rg_dump *d)
 {
-    fprintf(out, "<h1>Faults: %u</h1>\n<ol>\n", plan->fault_count);
-    for (uint32_t i = 0; i < plan->fault_count; i++) {
+    rg_put(d, "<h1>Faults: %u</h1>\n<ol>\n", d->plan->fault_count);
+    for (uint32_t i = 0; i < d->plan->fault_count; i++) {
         char text[512];
-        rg_fault_text(&plan->faults[i], text, sizeof(text));
-        fputs("<li>", out);
-        html_name(out, text);
-        fputs("</li>\n", out);
+        rg_fault_text(&d->plan->faults[i], text, sizeof(text));
+        rg_put(d, "<li>%n</li>\n", text);
     }
-    fputs("</ol>\n", out);
+    rg_put(d, "</ol>\n");
 }
 
-static void print_sum(FILE *out, const char *what, VkDeviceSize size)
+static void print_summary(const struct rg_dump *d)
 {
-    fprintf(out, "%s ", what);
-    rg_dump_bytes(out, size);
-}
-
-static void print_summary(FILE *out, const struct rg_plan *plan)
-{
-    fprintf(out, "<h1>Plan for %ux%u</h1>\n<p id=\"summary\">", plan->view.width,
-            plan->view.height);
-    fprintf(out, "%u passes, %u culled; %u barriers in %u batches; ", plan->pass_count,
-            plan->culled_count, rg_dump_barrier_count(plan), plan->batch_count);
-    print_sum(out, "transient memory: used", plan->memory_used);
-    print_sum(out, ", without aliasing", plan->memory_without_aliasing);
-    print_sum(out, ", bound", plan->memory_bound);
-    if (plan->memory_least != plan->memory_bound) {
-        print_sum(out, ", least", plan->memory_least);
-        fputs(" if batches did not count", out);
-    }
+    const struct rg_plan *plan = d->plan;
+    rg_put(d, "<h1>Plan for %ux%u</h1>\n<p id=\"summary\">", plan->view.width, plan->view.height);
+    rg_put(d, "%u passes, %u culled; %u barriers in %u batches; ", plan->pass_count,
+           plan->culled_count, rg_dump_barrier_count(plan), plan->batch_count);
+    rg_put(d, "transient memory: used %b, without aliasing %b, bound %b", plan->memory_used,
+           plan->memory_without_aliasing, plan->memory_bound);
+    if (plan->memory_least != plan->memory_bound)
+        rg_put(d, ", least %b if batches did not count", plan->memory_least);
     if (plan->memory_persistent)
-        print_sum(out, "; persistent memory:", plan->memory_persistent);
-    fputs("</p>\n"
-          "<p><b class=\"color\">colour target, raster pass</b> <b class=\"depth\">depth</b> "
-          "<b class=\"storage\">storage image, compute pass</b> <b class=\"copy\">other image, "
-          "transfer pass</b> <b class=\"data\">buffer</b> circles: barriers of a batch; square: "
-          "those before the first frame; dashed: passes that do not run in every frame</p>\n",
-          out);
+        rg_put(d, "; persistent memory: %b", plan->memory_persistent);
+    rg_put(d,
+           "</p>\n"
+           "<p><b class=\"color\">colour target, raster pass</b> <b class=\"depth\">depth</b> "
+           "<b class=\"storage\">storage image, compute pass</b> <b class=\"copy\">other image, "
+           "transfer pass</b> <b class=\"data\">buffer</b> circles: barriers of a batch; square: "
+           "those before the first frame; dashed: passes that do not run in every frame</p>\n");
 }
 
 void rg_dump_html(const struct rg_plan *plan, FILE *out)
@@ -129,15 +117,15 @@ void rg_dump_html(const struct rg_plan *plan, FILE *out)
     const struct rg_dump d = { plan, out, html_name };
     print_head(out);
     if (plan->fault_count) {
-        print_faults(out, plan);
+        print_faults(&d);
     } else {
-        print_summary(out, plan);
+        print_summary(&d);
         rg_dump_chart(&d);
-        fputs("<pre id=\"detail\" role=\"status\" hidden=\"hidden\">Point at something, or reach "
-              "it with Tab.</pre>\n<details>\n<summary>The same as text</summary>\n<pre>",
-              out);
+        rg_put(&d,
+               "<pre id=\"detail\" role=\"status\" hidden=\"hidden\">Point at something, or "
+               "reach it with Tab.</pre>\n<details>\n<summary>The same as text</summary>\n<pre>");
         rg_dump_text(&d);
-        fprintf(out, "</pre>\n</details>\n<script>\n%s</script>\n", script);
+        rg_put(&d, "</pre>\n</details>\n<script>\n%s</script>\n", script);
     }
-    fputs("</body>\n</html>\n", out);
+    rg_put(&d, "</body>\n</html>\n");
 }

@@ -1,8 +1,8 @@
 /* json.c: the plan as a JSON object. docs/render-graph.md describes its members. */
-#include <inttypes.h>
 #include "graph/dump/dump.h"
 
-static void print_string(FILE *out, const char *text)
+/* Writes a string with its quotes. */
+static void json_name(FILE *out, const char *text)
 {
     fputc('"', out);
     while (*text) {
@@ -18,12 +18,10 @@ static void print_string(FILE *out, const char *text)
 }
 
 /* Prints a member that is not the object's first one; nothing if `text` is NULL. */
-static void string_member(FILE *out, const char *key, const char *text)
+static void string_member(const struct rg_dump *d, const char *key, const char *text)
 {
-    if (!text)
-        return;
-    fprintf(out, ", \"%s\": ", key);
-    print_string(out, text);
+    if (text)
+        rg_put(d, ", \"%s\": %n", key, text);
 }
 
 static const char *bool_of(bool value)
@@ -31,228 +29,218 @@ static const char *bool_of(bool value)
     return value ? "true" : "false";
 }
 
-typedef void element_fn(FILE *out, const struct rg_plan *plan, uint32_t index);
+typedef void element_fn(const struct rg_dump *d, uint32_t index);
 
 /* Prints `count` elements from `first` on, each on a line of its own, indented by `indent`. */
-static void print_array(FILE *out, const struct rg_plan *plan, element_fn *element, uint32_t first,
-                        uint32_t count, int indent)
+static void print_array(const struct rg_dump *d, element_fn *element, uint32_t first,
+                        uint32_t count, const char *indent)
 {
-    fputc('[', out);
+    rg_put(d, "[");
     for (uint32_t i = 0; i < count; i++) {
-        fprintf(out, "%s\n%*s", i ? "," : "", indent, "");
-        element(out, plan, first + i);
+        rg_put(d, "%s\n%s", i ? "," : "", indent);
+        element(d, first + i);
     }
-    fputc(']', out);
+    rg_put(d, "]");
 }
 
 /* Prints an array that is a member of the outermost object. */
-static void array_member(FILE *out, const struct rg_plan *plan, const char *key,
-                         element_fn *element, uint32_t first, uint32_t count)
+static void array_member(const struct rg_dump *d, const char *key, element_fn *element,
+                         uint32_t first, uint32_t count)
 {
-    fprintf(out, ",\n  \"%s\": ", key);
-    print_array(out, plan, element, first, count, 4);
+    rg_put(d, ",\n  \"%s\": ", key);
+    print_array(d, element, first, count, "    ");
 }
 
-static void print_fault(FILE *out, const struct rg_plan *plan, uint32_t index)
+static void print_fault(const struct rg_dump *d, uint32_t index)
 {
-    const struct rg_fault *f = &plan->faults[index];
+    const struct rg_fault *f = &d->plan->faults[index];
     char text[512];
     rg_fault_text(f, text, sizeof(text));
-    fprintf(out, "{\"error\": %d", (int)f->error);
-    string_member(out, "text", text);
-    string_member(out, "technique", f->technique);
+    rg_put(d, "{\"error\": %u", f->error);
+    string_member(d, "text", text);
+    string_member(d, "technique", f->technique);
     if (f->row != RG_NONE)
-        fprintf(out, ", \"row\": %u", f->row);
-    string_member(out, "pass", f->pass);
-    string_member(out, "resource", f->resource);
-    string_member(out, "hint", f->hint);
-    fputc('}', out);
+        rg_put(d, ", \"row\": %u", f->row);
+    string_member(d, "pass", f->pass);
+    string_member(d, "resource", f->resource);
+    string_member(d, "hint", f->hint);
+    rg_put(d, "}");
 }
 
-static void print_aspects(FILE *out, VkImageAspectFlags flags)
+/* "key": ["flag", ...] */
+static void print_flags(const struct rg_dump *d, const char *key, const struct rg_dump_word *words,
+                        uint64_t flags)
 {
-    fprintf(out, "\"aspects\": [%s", flags ? "\"" : "");
-    rg_dump_aspects(out, flags, "\", \"");
-    fprintf(out, "%s]", flags ? "\"" : "");
+    const char *quote = flags ? "\"" : "";
+    rg_put(d, "\"%s\": [%s", key, quote);
+    rg_dump_flags(d->out, words, flags, "\", \"");
+    rg_put(d, "%s]", quote);
 }
 
-static void range_member(FILE *out, const VkImageSubresourceRange *r)
+static void range_member(const struct rg_dump *d, const VkImageSubresourceRange *r)
 {
-    fputs(", \"range\": {", out);
-    print_aspects(out, r->aspectMask);
-    fprintf(out, ", \"mip\": %u, \"mips\": %u, \"layer\": %u, \"layers\": %u}", r->baseMipLevel,
-            r->levelCount, r->baseArrayLayer, r->layerCount);
+    rg_put(d, ", \"range\": {");
+    print_flags(d, "aspects", rg_dump_aspects, r->aspectMask);
+    rg_put(d, ", \"mip\": %u, \"mips\": %u, \"layer\": %u, \"layers\": %u}", r->baseMipLevel,
+           r->levelCount, r->baseArrayLayer, r->layerCount);
 }
 
 /* Prints the members that images and buffers have in common, and closes the object. */
-static void resource_members(FILE *out, const struct rg_dump_resource *r)
+static void resource_members(const struct rg_dump *d, const struct rg_dump_resource *r)
 {
-    fprintf(out, ", \"imported\": %s, \"persistent\": %s, \"first\": %u, \"last\": %u",
-            bool_of(r->imported), bool_of(r->persistent), r->first, r->last);
+    rg_put(d, ", \"imported\": %s, \"persistent\": %s, \"first\": %u, \"last\": %u",
+           bool_of(r->imported), bool_of(r->persistent), r->first, r->last);
     if (r->block != RG_NONE)
-        fprintf(out, ", \"block\": %u, \"offset\": %" PRIu64, r->block, r->offset);
+        rg_put(d, ", \"block\": %u, \"offset\": %z", r->block, r->offset);
     if (!r->imported && !r->host)
-        fprintf(out, ", \"memory_size\": %" PRIu64, r->size);
-    fputc('}', out);
+        rg_put(d, ", \"memory_size\": %z", r->size);
+    rg_put(d, "}");
 }
 
-static void print_image(FILE *out, const struct rg_plan *plan, uint32_t index)
+static void print_image(const struct rg_dump *d, uint32_t index)
 {
-    const struct rg_plan_image *i = &plan->images[index];
-    const struct rg_dump_resource r = rg_dump_resource(plan, index);
-    fputs("{\"name\": ", out);
-    print_string(out, i->image->name);
-    string_member(out, "format", rg_format_info(i->image->format)->name);
-    fputs(", ", out);
-    print_aspects(out, i->aspects);
-    fprintf(out,
-            ", \"width\": %u, \"height\": %u, \"layers\": %u, \"mips\": %u, \"samples\": %u, "
-            "\"cube\": %s",
-            i->extent.width, i->extent.height, i->layers, i->mips, i->samples,
-            bool_of(i->image->cube));
-    resource_members(out, &r);
+    const struct rg_plan_image *i = &d->plan->images[index];
+    const struct rg_dump_resource r = rg_dump_resource(d->plan, index);
+    rg_put(d, "{\"name\": %n, \"format\": %n, ", r.name, rg_format_info(i->image->format)->name);
+    print_flags(d, "aspects", rg_dump_aspects, i->aspects);
+    rg_put(d, ", \"width\": %u, \"height\": %u, \"layers\": %u, \"mips\": %u, \"samples\": %u",
+           i->extent.width, i->extent.height, i->layers, i->mips, i->samples);
+    rg_put(d, ", \"cube\": %s", bool_of(i->image->cube));
+    resource_members(d, &r);
 }
 
-static void print_buffer(FILE *out, const struct rg_plan *plan, uint32_t index)
+static void print_buffer(const struct rg_dump *d, uint32_t index)
 {
-    static const char *const memories[] = {
-        [RG_MEMORY_DEVICE] = "device",
-        [RG_MEMORY_UPLOAD] = "upload",
-        [RG_MEMORY_READBACK] = "readback",
-    };
-    const struct rg_plan_buffer *b = &plan->buffers[index];
-    const struct rg_dump_resource r = rg_dump_resource(plan, plan->image_count + index);
-    fputs("{\"name\": ", out);
-    print_string(out, b->buffer->name);
-    fprintf(out, ", \"size\": %" PRIu64 ", \"memory\": \"%s\"", b->size,
-            memories[b->buffer->memory]);
-    resource_members(out, &r);
+    const struct rg_plan_buffer *b = &d->plan->buffers[index];
+    const struct rg_dump_resource r = rg_dump_resource(d->plan, d->plan->image_count + index);
+    rg_put(d, "{\"name\": %n, \"size\": %z, \"memory\": \"%s\"", r.name, b->size,
+           rg_dump_word(rg_dump_memories, b->buffer->memory));
+    resource_members(d, &r);
 }
 
-static void print_block(FILE *out, const struct rg_plan *plan, uint32_t index)
+static void print_block(const struct rg_dump *d, uint32_t index)
 {
-    fprintf(out, "{\"of\": \"%s\", \"size\": %" PRIu64 "}",
-            plan->blocks[index].buffers ? "buffers" : "images", plan->blocks[index].size);
+    const struct rg_block *block = &d->plan->blocks[index];
+    rg_put(d, "{\"of\": \"%s\", \"size\": %z}", block->buffers ? "buffers" : "images", block->size);
 }
 
 /* {"stages": [...], "access": [...]} */
-static void scope_member(FILE *out, const char *key, VkPipelineStageFlags2 stages,
+static void scope_member(const struct rg_dump *d, const char *key, VkPipelineStageFlags2 stages,
                          VkAccessFlags2 accesses)
 {
-    fprintf(out, ", \"%s\": {\"stages\": [%s", key, stages ? "\"" : "");
-    rg_dump_stages(out, stages, "\", \"");
-    fprintf(out, "%s], \"access\": [%s", stages ? "\"" : "", accesses ? "\"" : "");
-    rg_dump_accesses(out, accesses, "\", \"");
-    fprintf(out, "%s]}", accesses ? "\"" : "");
+    rg_put(d, ", \"%s\": {", key);
+    print_flags(d, "stages", rg_dump_stages, stages);
+    rg_put(d, ", ");
+    print_flags(d, "access", rg_dump_accesses, accesses);
+    rg_put(d, "}");
 }
 
-static void print_barrier(FILE *out, const struct rg_plan *plan, uint32_t index)
+static void print_barrier(const struct rg_dump *d, uint32_t index)
 {
-    const struct rg_barrier *b = &plan->barriers[index];
-    bool of_image = b->image != RG_NONE;
-    fprintf(out, "{\"%s\": %u", of_image ? "image" : "buffer", of_image ? b->image : b->buffer);
-    if (of_image) {
-        range_member(out, &b->range);
-        string_member(out, "old_layout", rg_dump_layout(b->old_layout));
-        string_member(out, "new_layout", rg_dump_layout(b->new_layout));
+    const struct rg_barrier *b = &d->plan->barriers[index];
+    if (b->image != RG_NONE) {
+        rg_put(d, "{\"image\": %u", b->image);
+        range_member(d, &b->range);
+        string_member(d, "old_layout", rg_dump_word(rg_dump_layouts, b->old_layout));
+        string_member(d, "new_layout", rg_dump_word(rg_dump_layouts, b->new_layout));
+    } else {
+        rg_put(d, "{\"buffer\": %u", b->buffer);
     }
-    scope_member(out, "src", b->src_stages, b->src_access);
-    scope_member(out, "dst", b->dst_stages, b->dst_access);
-    fputc('}', out);
+    scope_member(d, "src", b->src_stages, b->src_access);
+    scope_member(d, "dst", b->dst_stages, b->dst_access);
+    rg_put(d, "}");
 }
 
-static void print_target(FILE *out, const struct rg_plan_target *t, const char *access)
+static void print_target(const struct rg_dump *d, const struct rg_plan_target *t,
+                         const char *access)
 {
-    fprintf(out,
-            "{\"access\": \"%s\", \"image\": %u, \"mip\": %u, \"layer\": %u, \"load\": \"%s\", "
-            "\"store\": \"%s\"",
-            access, t->image, t->mip, t->layer, rg_dump_load(t->load), rg_dump_store(t->store));
+    rg_put(d, "{\"access\": \"%s\", \"image\": %u, \"mip\": %u, \"layer\": %u", access, t->image,
+           t->mip, t->layer);
+    string_member(d, "load", rg_dump_word(rg_dump_loads, t->load));
+    string_member(d, "store", rg_dump_word(rg_dump_stores, t->store));
     if (t->resolve != RG_NONE)
-        fprintf(out, ", \"resolve\": {\"image\": %u, \"mip\": %u, \"layer\": %u}", t->resolve,
-                t->resolve_mip, t->resolve_layer);
-    fputc('}', out);
+        rg_put(d, ", \"resolve\": {\"image\": %u, \"mip\": %u, \"layer\": %u}", t->resolve,
+               t->resolve_mip, t->resolve_layer);
+    rg_put(d, "}");
 }
 
-static void targets_member(FILE *out, const struct rg_plan_pass *pass)
+static void print_use(const struct rg_dump *d, uint32_t index)
 {
-    fputs(", \"targets\": [", out);
-    for (uint32_t i = 0; i < pass->color_count; i++) {
-        fputs(i ? ", " : "", out);
-        print_target(out, &pass->color[i], rg_access_info(RG_COLOR)->name);
-    }
-    if (pass->depth.image != RG_NONE) {
-        fputs(pass->color_count ? ", " : "", out);
-        print_target(out, &pass->depth, rg_dump_depth(pass->pass));
-    }
-    fputc(']', out);
-}
-
-static void print_use(FILE *out, const struct rg_plan *plan, uint32_t index)
-{
-    const struct rg_plan_use *u = &plan->uses[index];
+    const struct rg_plan_use *u = &d->plan->uses[index];
     bool of_image = u->image != RG_NONE;
-    fprintf(out, "{\"access\": \"%s\", \"%s\": %u", rg_access_info(u->use->access)->name,
-            of_image ? "image" : "buffer", of_image ? u->image : u->buffer);
+    rg_put(d, "{\"access\": \"%s\", \"%s\": %u", rg_access_info(u->use->access)->name,
+           of_image ? "image" : "buffer", of_image ? u->image : u->buffer);
     if (of_image)
-        range_member(out, &u->range);
+        range_member(d, &u->range);
     if (rg_dump_binding(u) != RG_NONE)
-        fprintf(out, ", \"binding\": %u", rg_dump_binding(u));
-    fputc('}', out);
+        rg_put(d, ", \"binding\": %u", rg_dump_binding(u));
+    rg_put(d, "}");
 }
 
 /* Prints the first members of a pass, whether it is culled or not. */
-static void print_pass_name(FILE *out, const struct rg_pass *pass, uint32_t repetition)
+static void print_pass_name(const struct rg_dump *d, const struct rg_pass *pass,
+                            uint32_t repetition)
 {
-    fputs("{\"name\": ", out);
-    print_string(out, pass->name);
-    if (pass->repeat != RG_ONCE)
-        fprintf(out, ", \"repetition\": %u", repetition);
+    rg_put(d, pass->repeat != RG_ONCE ? "{\"name\": %n, \"repetition\": %u" : "{\"name\": %n",
+           pass->name, repetition);
 }
 
-static void print_pass(FILE *out, const struct rg_plan *plan, uint32_t index)
+static void print_pass(const struct rg_dump *d, uint32_t index)
 {
-    const struct rg_plan_pass *p = &plan->passes[index];
-    print_pass_name(out, p->pass, p->repetition);
-    string_member(out, "technique", p->technique->name);
-    fprintf(out,
-            ", \"row\": %u, \"kind\": \"%s\", \"width\": %u, \"height\": %u, \"conditional\": %s",
-            p->row, rg_dump_kind(p->pass->kind), p->extent.width, p->extent.height,
-            bool_of(p->pass->when));
-    targets_member(out, p);
-    fputs(", \"uses\": ", out);
-    print_array(out, plan, print_use, p->first_use, p->use_count, 6);
-    fputs(", \"barriers\": ", out);
-    print_array(out, plan, print_barrier, p->first_barrier, p->barrier_count, 6);
-    fputc('}', out);
+    const struct rg_plan_pass *p = &d->plan->passes[index];
+    print_pass_name(d, p->pass, p->repetition);
+    string_member(d, "technique", p->technique->name);
+    rg_put(d, ", \"row\": %u, \"kind\": \"%s\", \"width\": %u, \"height\": %u", p->row,
+           rg_dump_word(rg_dump_kinds, p->pass->kind), p->extent.width, p->extent.height);
+    rg_put(d, ", \"conditional\": %s, \"targets\": [", bool_of(p->pass->when));
+    for (uint32_t i = 0; i < p->color_count; i++) {
+        rg_put(d, i ? ", " : "");
+        print_target(d, &p->color[i], rg_access_info(RG_COLOR)->name);
+    }
+    if (p->depth.image != RG_NONE) {
+        rg_put(d, p->color_count ? ", " : "");
+        print_target(d, &p->depth, rg_dump_depth(p->pass));
+    }
+    rg_put(d, "], \"uses\": ");
+    print_array(d, print_use, p->first_use, p->use_count, "      ");
+    rg_put(d, ", \"barriers\": ");
+    print_array(d, print_barrier, p->first_barrier, p->barrier_count, "      ");
+    rg_put(d, "}");
 }
 
-static void print_culled(FILE *out, const struct rg_plan *plan, uint32_t index)
+static void print_culled(const struct rg_dump *d, uint32_t index)
 {
-    print_pass_name(out, plan->culled[index].pass, plan->culled[index].repetition);
-    fputc('}', out);
+    print_pass_name(d, d->plan->culled[index].pass, d->plan->culled[index].repetition);
+    rg_put(d, "}");
+}
+
+static void print_members(const struct rg_dump *d)
+{
+    const struct rg_plan *plan = d->plan;
+    rg_put(d, ",\n  \"view\": {\"width\": %u, \"height\": %u}", plan->view.width,
+           plan->view.height);
+    rg_put(d, ",\n  \"memory\": {\"used\": %z, \"without_aliasing\": %z, \"bound\": %z",
+           plan->memory_used, plan->memory_without_aliasing, plan->memory_bound);
+    rg_put(d, ", \"least\": %z, \"persistent\": %z}", plan->memory_least, plan->memory_persistent);
+    rg_put(d, ",\n  \"barrier_count\": %u,\n  \"batch_count\": %u", rg_dump_barrier_count(plan),
+           plan->batch_count);
+    array_member(d, "images", print_image, 0, plan->image_count);
+    array_member(d, "buffers", print_buffer, 0, plan->buffer_count);
+    array_member(d, "blocks", print_block, 0, plan->block_count);
+    array_member(d, "initial_barriers", print_barrier, plan->first_initial_barrier,
+                 plan->initial_barrier_count);
+    array_member(d, "passes", print_pass, 0, plan->pass_count);
+    array_member(d, "final_barriers", print_barrier, plan->first_final_barrier,
+                 plan->final_barrier_count);
+    array_member(d, "culled", print_culled, 0, plan->culled_count);
 }
 
 void rg_dump_json(const struct rg_plan *plan, FILE *out)
 {
-    fputs("{\n  \"faults\": ", out);
-    print_array(out, plan, print_fault, 0, plan->fault_count, 4);
-    if (!plan->fault_count) {
-        fprintf(out,
-                ",\n  \"view\": {\"width\": %u, \"height\": %u},\n  \"memory\": {\"used\": %" PRIu64
-                ", \"without_aliasing\": %" PRIu64 ", \"bound\": %" PRIu64 ", \"least\": %" PRIu64
-                ", \"persistent\": %" PRIu64 "},\n  \"barrier_count\": %u,\n  \"batch_count\": %u",
-                plan->view.width, plan->view.height, plan->memory_used,
-                plan->memory_without_aliasing, plan->memory_bound, plan->memory_least,
-                plan->memory_persistent, rg_dump_barrier_count(plan), plan->batch_count);
-        array_member(out, plan, "images", print_image, 0, plan->image_count);
-        array_member(out, plan, "buffers", print_buffer, 0, plan->buffer_count);
-        array_member(out, plan, "blocks", print_block, 0, plan->block_count);
-        array_member(out, plan, "initial_barriers", print_barrier, plan->first_initial_barrier,
-                     plan->initial_barrier_count);
-        array_member(out, plan, "passes", print_pass, 0, plan->pass_count);
-        array_member(out, plan, "final_barriers", print_barrier, plan->first_final_barrier,
-                     plan->final_barrier_count);
-        array_member(out, plan, "culled", print_culled, 0, plan->culled_count);
-    }
-    fputs("\n}\n", out);
+    const struct rg_dump d = { plan, out, json_name };
+    rg_put(&d, "{\n  \"faults\": ");
+    print_array(&d, print_fault, 0, plan->fault_count, "    ");
+    if (!plan->fault_count)
+        print_members(&d);
+    rg_put(&d, "\n}\n");
 }

@@ -1,5 +1,4 @@
 /* text.c: the plan as text. */
-#include <inttypes.h>
 #include "graph/dump/dump.h"
 
 static void print_span(FILE *out, const char *what, uint32_t first, uint32_t count, uint32_t all)
@@ -26,42 +25,36 @@ static void print_place(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_dump_resource r = rg_dump_resource(d->plan, index);
     if (r.imported)
-        fputs("imported", d->out);
+        rg_put(d, "imported");
     else if (r.persistent)
-        fprintf(d->out, "persistent size %" PRIu64, r.size);
+        rg_put(d, "persistent size %z", r.size);
     else if (r.block == RG_NONE)
-        fputs("host", d->out);
+        rg_put(d, "host");
     else
-        fprintf(d->out, "block %u offset %" PRIu64 " size %" PRIu64, r.block, r.offset, r.size);
-    if (r.last == d->plan->pass_count)
-        fprintf(d->out, ", passes %u-end\n", r.first);
-    else
-        fprintf(d->out, ", passes %u-%u\n", r.first, r.last);
+        rg_put(d, "block %u offset %z size %z", r.block, r.offset, r.size);
+    rg_put(d, ", passes %u-", r.first);
+    rg_put(d, r.last == d->plan->pass_count ? "end\n" : "%u\n", r.last);
 }
 
 void rg_dump_image(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_plan_image *image = &d->plan->images[index];
-    fputs("image ", d->out);
-    d->name(d->out, image->image->name);
-    fprintf(d->out, " %s %ux%u", rg_format_info(image->image->format)->name, image->extent.width,
-            image->extent.height);
+    rg_put(d, "image %n %s %ux%u", image->image->name, rg_format_info(image->image->format)->name,
+           image->extent.width, image->extent.height);
     if (image->layers > 1)
-        fprintf(d->out, " layers %u", image->layers);
+        rg_put(d, " layers %u", image->layers);
     if (image->mips > 1)
-        fprintf(d->out, " mips %u", image->mips);
+        rg_put(d, " mips %u", image->mips);
     if (image->samples > 1)
-        fprintf(d->out, " samples %u", image->samples);
-    fputs(image->image->cube ? " cube, " : ", ", d->out);
+        rg_put(d, " samples %u", image->samples);
+    rg_put(d, image->image->cube ? " cube, " : ", ");
     print_place(d, index);
 }
 
 void rg_dump_buffer(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_plan_buffer *buffer = &d->plan->buffers[index];
-    fputs("buffer ", d->out);
-    d->name(d->out, buffer->buffer->name);
-    fprintf(d->out, " %" PRIu64 " bytes, ", buffer->size);
+    rg_put(d, "buffer %n %z bytes, ", buffer->buffer->name, buffer->size);
     print_place(d, d->plan->image_count + index);
 }
 
@@ -69,55 +62,50 @@ static void print_memory(const struct rg_dump *d)
 {
     const struct rg_plan *plan = d->plan;
     for (uint32_t i = 0; i < plan->block_count; i++)
-        fprintf(d->out, "block %u %s size %" PRIu64 "\n", i,
-                plan->blocks[i].buffers ? "buffers" : "images", plan->blocks[i].size);
-    fprintf(d->out,
-            "transient memory: used %" PRIu64 ", without aliasing %" PRIu64 ", bound %" PRIu64,
-            plan->memory_used, plan->memory_without_aliasing, plan->memory_bound);
+        rg_put(d, "block %u %s size %z\n", i, plan->blocks[i].buffers ? "buffers" : "images",
+               plan->blocks[i].size);
+    rg_put(d, "transient memory: used %z, without aliasing %z, bound %z", plan->memory_used,
+           plan->memory_without_aliasing, plan->memory_bound);
     if (plan->memory_least != plan->memory_bound)
-        fprintf(d->out, ", least %" PRIu64 " if batches did not count", plan->memory_least);
-    fputc('\n', d->out);
+        rg_put(d, ", least %z if batches did not count", plan->memory_least);
     if (plan->memory_persistent)
-        fprintf(d->out, "persistent memory: %" PRIu64 "\n", plan->memory_persistent);
-    fprintf(d->out, "barriers: %u in %u batches\n", rg_dump_barrier_count(plan), plan->batch_count);
+        rg_put(d, "\npersistent memory: %z", plan->memory_persistent);
+    rg_put(d, "\nbarriers: %u in %u batches\n", rg_dump_barrier_count(plan), plan->batch_count);
 }
 
-static void print_flags(FILE *out, VkPipelineStageFlags2 stages, VkAccessFlags2 accesses)
+static void print_scope(FILE *out, VkPipelineStageFlags2 stages, VkAccessFlags2 accesses)
 {
     if (!stages)
         fputs("none", out);
-    rg_dump_stages(out, stages, "|");
+    rg_dump_flags(out, rg_dump_stages, stages, "|");
     fputs(accesses ? "/" : "/none", out);
-    rg_dump_accesses(out, accesses, "|");
+    rg_dump_flags(out, rg_dump_accesses, accesses, "|");
 }
 
 void rg_dump_barriers(const struct rg_dump *d, const char *what, uint32_t first, uint32_t count)
 {
     for (uint32_t i = first; i < first + count; i++) {
         const struct rg_barrier *b = &d->plan->barriers[i];
-        fprintf(d->out, "  %s ", what);
         if (b->image != RG_NONE) {
-            d->name(d->out, d->plan->images[b->image].image->name);
-            print_range(d->out, &d->plan->images[b->image], &b->range);
-            fprintf(d->out, ": %s -> %s", rg_dump_layout(b->old_layout),
-                    rg_dump_layout(b->new_layout));
+            const struct rg_plan_image *image = &d->plan->images[b->image];
+            rg_put(d, "  %s %n", what, image->image->name);
+            print_range(d->out, image, &b->range);
+            rg_put(d, ": %s -> %s  ", rg_dump_word(rg_dump_layouts, b->old_layout),
+                   rg_dump_word(rg_dump_layouts, b->new_layout));
         } else {
-            d->name(d->out, d->plan->buffers[b->buffer].buffer->name);
-            fputc(':', d->out);
+            rg_put(d, "  %s %n:  ", what, d->plan->buffers[b->buffer].buffer->name);
         }
-        fputs("  ", d->out);
-        print_flags(d->out, b->src_stages, b->src_access);
-        fputs(" -> ", d->out);
-        print_flags(d->out, b->dst_stages, b->dst_access);
-        fputc('\n', d->out);
+        print_scope(d->out, b->src_stages, b->src_access);
+        rg_put(d, " -> ");
+        print_scope(d->out, b->dst_stages, b->dst_access);
+        rg_put(d, "\n");
     }
 }
 
 static void print_texels(const struct rg_dump *d, uint32_t index, uint32_t mip, uint32_t layer)
 {
     const struct rg_plan_image *image = &d->plan->images[index];
-    fputc(' ', d->out);
-    d->name(d->out, image->image->name);
+    rg_put(d, " %n", image->image->name);
     print_span(d->out, "mip", mip, 1, image->mips);
     print_span(d->out, "layer", layer, 1, image->layers);
 }
@@ -125,44 +113,40 @@ static void print_texels(const struct rg_dump *d, uint32_t index, uint32_t mip, 
 static void print_target(const struct rg_dump *d, const struct rg_plan_target *target,
                          const char *what)
 {
-    fprintf(d->out, "  %s", what);
+    rg_put(d, "  %s", what);
     print_texels(d, target->image, target->mip, target->layer);
-    fprintf(d->out, " %s %s", rg_dump_load(target->load), rg_dump_store(target->store));
+    rg_put(d, " %s %s", rg_dump_word(rg_dump_loads, target->load),
+           rg_dump_word(rg_dump_stores, target->store));
     if (target->resolve != RG_NONE) {
-        fputs(" resolve", d->out);
+        rg_put(d, " resolve");
         print_texels(d, target->resolve, target->resolve_mip, target->resolve_layer);
     }
-    fputc('\n', d->out);
+    rg_put(d, "\n");
 }
 
 void rg_dump_pass_name(const struct rg_dump *d, const struct rg_pass *pass, uint32_t repetition)
 {
-    d->name(d->out, pass->name);
-    if (pass->repeat != RG_ONCE)
-        fprintf(d->out, "[%u]", repetition);
+    rg_put(d, pass->repeat != RG_ONCE ? "%n[%u]" : "%n", pass->name, repetition);
 }
 
 static void print_use(const struct rg_dump *d, const struct rg_plan_use *use)
 {
-    fprintf(d->out, "  %s ", rg_access_info(use->use->access)->name);
-    if (use->image != RG_NONE) {
-        d->name(d->out, d->plan->images[use->image].image->name);
+    bool of_image = use->image != RG_NONE;
+    rg_put(d, "  %s %n", rg_access_info(use->use->access)->name,
+           of_image ? d->plan->images[use->image].image->name
+                    : d->plan->buffers[use->buffer].buffer->name);
+    if (of_image)
         print_range(d->out, &d->plan->images[use->image], &use->range);
-    } else {
-        d->name(d->out, d->plan->buffers[use->buffer].buffer->name);
-    }
-    if (rg_dump_binding(use) != RG_NONE)
-        fprintf(d->out, " binding %u", rg_dump_binding(use));
-    fputc('\n', d->out);
+    rg_put(d, rg_dump_binding(use) != RG_NONE ? " binding %u\n" : "\n", rg_dump_binding(use));
 }
 
 void rg_dump_pass(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_plan_pass *pass = &d->plan->passes[index];
-    fprintf(d->out, "pass %u ", index);
+    rg_put(d, "pass %u ", index);
     rg_dump_pass_name(d, pass->pass, pass->repetition);
-    fprintf(d->out, " %s %ux%u%s\n", rg_dump_kind(pass->pass->kind), pass->extent.width,
-            pass->extent.height, pass->pass->when ? " conditional" : "");
+    rg_put(d, " %s %ux%u%s\n", rg_dump_word(rg_dump_kinds, pass->pass->kind), pass->extent.width,
+           pass->extent.height, pass->pass->when ? " conditional" : "");
     for (uint32_t i = 0; i < pass->color_count; i++)
         print_target(d, &pass->color[i], "color");
     if (pass->depth.image != RG_NONE)
@@ -174,7 +158,7 @@ void rg_dump_pass(const struct rg_dump *d, uint32_t index)
 void rg_dump_text(const struct rg_dump *d)
 {
     const struct rg_plan *plan = d->plan;
-    fprintf(d->out, "view %ux%u\n", plan->view.width, plan->view.height);
+    rg_put(d, "view %ux%u\n", plan->view.width, plan->view.height);
     for (uint32_t i = 0; i < plan->image_count; i++)
         rg_dump_image(d, i);
     for (uint32_t i = 0; i < plan->buffer_count; i++)
@@ -189,9 +173,9 @@ void rg_dump_text(const struct rg_dump *d)
     }
     rg_dump_barriers(d, "barrier", plan->first_final_barrier, plan->final_barrier_count);
     for (uint32_t i = 0; i < plan->culled_count; i++) {
-        fputs("culled ", d->out);
+        rg_put(d, "culled ");
         rg_dump_pass_name(d, plan->culled[i].pass, plan->culled[i].repetition);
-        fputc('\n', d->out);
+        rg_put(d, "\n");
     }
 }
 
