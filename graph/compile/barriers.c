@@ -7,8 +7,8 @@
  * batch if that is not before its release, or else opens one at its deadline. No set of batches
  * for the same order of passes is smaller, and none waits earlier than it has to.
  *
- * A barrier whose memory is taken over from a previous owner has no source stages until
- * rg_wait_for_owners(); every other one has some.
+ * A barrier whose memory is taken over from a previous owner has no source stages, and the number of
+ * the item for access, until rg_find_owners(); every other one has some.
  */
 #include <assert.h>
 #include "graph/compile/compiler.h"
@@ -134,6 +134,8 @@ static bool sync_cell(struct compiler *c, const struct cell_walk *w, const struc
         b->image = r->plan_image;
         b->buffer = r->plan_buffer;
         b->range = rg_cell_range(w);
+        if (!b->src_stages)
+            b->src_access = r->item;
         added = !only_reads || !widen(c, w->cell, a, b);
         if (added)
             put(c, w, r, release, pass);
@@ -263,18 +265,4 @@ void rg_end_barriers(struct compiler *c)
     }
     plan->initial_barrier_count = c->barrier_count - plan->barrier_count;
     plan->barriers = c->barriers;
-}
-
-void rg_wait_for_owners(struct compiler *c)
-{
-    for (uint32_t i = 0; i < c->plan->barrier_count; i++) {
-        struct rg_barrier *b = &c->barriers[i];
-        if (b->src_stages)
-            continue;
-        const struct resource *r = b->image != RG_NONE
-                                       ? rg_resource_of(c, c->images[b->image].image, NULL)
-                                       : rg_resource_of(c, NULL, c->buffers[b->buffer].buffer);
-        b->src_stages = c->owners[r->item].stages;
-        b->src_access = c->owners[r->item].writes;
-    }
 }

@@ -164,7 +164,7 @@ void rg_begin_cells(struct compiler *c)
     for (uint32_t i = 0; i < c->item_count && c->owners; i++) {
         const struct resource *r = c->items[i].resource;
         for (uint32_t k = 0; k < r->cell_count; k++)
-            r->cells[k].written = r->cells[k].touched = c->owners[i].end;
+            r->cells[k].written = r->cells[k].touched = c->owners[r->item].end;
     }
     for (uint32_t i = 0; i < c->boundary_count; i++) {
         struct resource *r = c->resources[i];

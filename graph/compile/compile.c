@@ -10,15 +10,14 @@ struct owned_plan {
 /* Makes room for about as much as the tables hold, so that little is copied as it grows. */
 static void expect(struct compiler *c)
 {
-    size_t rows = 0;
+    size_t row_count = 0;
     for (size_t t = 0; t < c->params->technique_count; t++)
-        rows += c->params->techniques[t]->pass_count;
-    uint32_t count = rows < UINT32_MAX / 64 ? (uint32_t)rows : UINT32_MAX / 64;
-    c->row_count = count + 8; /* arrays are never empty */
+        row_count += c->params->techniques[t]->pass_count;
+    c->row_count = (row_count < UINT32_MAX / 64 ? (uint32_t)row_count : UINT32_MAX / 64) + 8;
     c->resource_names.of_texts = c->pass_names.of_texts = true;
-    rg_map_expect(c->arena, &c->by_address, count * 2);
-    rg_map_expect(c->arena, &c->resource_names, count * 2);
-    rg_map_expect(c->arena, &c->pass_names, count);
+    rg_map_expect(c->arena, &c->by_address, c->row_count * 2);
+    rg_map_expect(c->arena, &c->resource_names, c->row_count * 2);
+    rg_map_expect(c->arena, &c->pass_names, c->row_count);
 }
 
 static bool failed(const struct compiler *c)
@@ -54,8 +53,6 @@ static void run(struct compiler *c)
         rg_place_items(c);
     if (!failed(c))
         rg_find_owners(c);
-    if (!failed(c))
-        rg_wait_for_owners(c);
 }
 
 struct rg_plan *rg_compile(const struct rg_compile_params *params)

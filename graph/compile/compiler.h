@@ -72,7 +72,7 @@ struct resource {
     uint32_t first, last;                /* plan passes that access it; first RG_NONE: unused */
     VkFlags usage;                       /* VkImageUsageFlags or VkBufferUsageFlags */
     uint32_t plan_image, plan_buffer;    /* index into the plan's images or buffers, or RG_NONE */
-    uint32_t item;                       /* index into compiler.items, or RG_NONE */
+    uint32_t item;                       /* index into compiler.owners, or RG_NONE */
     uint32_t acquired_at;                /* the pass before which it takes over its memory */
     uint32_t last_barrier;               /* index of the newest barrier, or RG_NONE */
 };
@@ -102,6 +102,7 @@ struct pack_item {
     uint32_t first_use;           /* the first pass that accesses it; not before `first` */
     uint32_t type_bits;           /* as of VkMemoryRequirements */
     struct resource *resource;
+    uint32_t block; /* index into the plan's */
 };
 
 /* How the accesses end that had the memory of an item before the item. */
@@ -139,7 +140,7 @@ struct compiler {
     uint32_t access_count, access_room;
     uint32_t color_count;          /* accesses that are colour targets */
     struct pack_item *items;       /* in the order of first use; those of one block adjoin */
-    struct previous_owner *owners; /* of each item; NULL: not known yet */
+    struct previous_owner *owners; /* by resource.item; NULL: not known yet */
     uint32_t item_count;
 
     /* The plan's arrays, while they are written. */
@@ -362,12 +363,10 @@ void rg_place_items(struct compiler *c);
 void rg_write_passes(struct compiler *c);
 
 /* previous_owner.c: how the accesses end that had an item's memory before it. The first needs
- * places, the second also the state that every cell is left in. */
+ * places, the second also the state that every cell is left in; it completes the barriers that take
+ * over memory. */
 void rg_find_owner_ends(struct compiler *c);
 void rg_find_owners(struct compiler *c);
-
-/* barriers.c: completes the barriers that take over memory from previous owners. */
-void rg_wait_for_owners(struct compiler *c);
 
 /* ---- cell_state.c ---- */
 

@@ -44,8 +44,8 @@ static void place_block(struct compiler *c, uint32_t first, uint32_t count, stru
     plan->memory_bound += packed.bound;
     plan->memory_least += packed.least;
     for (uint32_t i = 0; i < count; i++) {
-        struct resource *r = items[i].resource;
-        r->item = first + i;
+        const struct resource *r = items[i].resource;
+        items[i].block = plan->block_count;
         if (r->image) {
             c->images[r->plan_image].block = plan->block_count;
             c->images[r->plan_image].offset = items[i].offset;

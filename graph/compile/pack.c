@@ -62,10 +62,10 @@ struct packing {
     struct change *changes; /* of each pass */
     struct moment *moments; /* in the order of time */
     struct moment *moments_end;
-    struct span *spans;        /* room for those of all moments */
-    VkDeviceSize *offsets;     /* of each item, the best so far */
-    uint64_t *order, *scratch; /* items in the lower half, keys in the upper */
-    uint32_t placed;           /* items that the order at work has placed before it lost or ended */
+    struct span *spans;    /* room for those of all moments */
+    VkDeviceSize *offsets; /* of each item, the best so far */
+    uint64_t *order;       /* items in the lower half, keys in the upper */
+    uint32_t placed;       /* items that the order at work has placed before it lost or ended */
 };
 
 static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)
@@ -217,30 +217,24 @@ static uint64_t product_of(const struct rule *rule, const struct pack_item *item
     return bits;
 }
 
-/* Merges the sorted halves a to b and b to end. */
-static void merge(const uint64_t *a, const uint64_t *b, const uint64_t *end, uint64_t *out)
-{
-    const uint64_t *middle = b;
-    while (a < middle || b < end)
-        *out++ = b == end || (a < middle && *a < *b) ? *a++ : *b++;
-}
-
-/* Fills p->order: items by falling upper halves of their products. Merge sort, since qsort() may
+/* Fills p->order: items by falling upper halves of their products. Shell sort, since qsort() may
  * allocate. */
 static void sort(struct packing *p, const struct rule *rule)
 {
-    uint32_t count = p->count;
-    for (uint32_t i = 0; i < count; i++)
-        p->order[i] = (~product_of(rule, &p->items[i]) & UINT64_MAX << 32) | i;
-    for (uint32_t width = 1; width < count; width *= 2) {
-        uint64_t *order = p->order;
-        for (uint32_t i = 0; i < count; i += 2 * width) {
-            uint32_t middle = i + width < count ? i + width : count;
-            uint32_t end = i + 2 * width < count ? i + 2 * width : count;
-            merge(&order[i], &order[middle], &order[end], &p->scratch[i]);
+    uint64_t *order = p->order;
+    uint32_t gap = 1;
+    while (gap < p->count / 3)
+        gap = gap * 3 + 1;
+    for (uint32_t i = 0; i < p->count; i++)
+        order[i] = (~product_of(rule, &p->items[i]) & UINT64_MAX << 32) | i;
+    for (; gap; gap /= 3) {
+        for (uint32_t i = gap; i < p->count; i++) {
+            uint64_t moved = order[i];
+            uint32_t k = i;
+            for (; k >= gap && order[k - gap] > moved; k -= gap)
+                order[k] = order[k - gap];
+            order[k] = moved;
         }
-        p->order = p->scratch;
-        p->scratch = order;
     }
 }
 
@@ -358,7 +352,6 @@ struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_
         .moments = ARENA_ARRAY(arena, struct moment, count),
         .offsets = ARENA_ARRAY(arena, VkDeviceSize, count),
         .order = ARENA_ARRAY(arena, uint64_t, count),
-        .scratch = ARENA_ARRAY(arena, uint64_t, count),
     };
     if (arena->failed)
         return result;

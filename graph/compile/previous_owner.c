@@ -83,14 +83,21 @@ static struct previous_owner look_up(const struct segments *s, const struct pack
     return all;
 }
 
-static void find_ends(struct segments *s, const struct pack_item *items,
-                      struct previous_owner *owners, uint32_t count)
+static struct previous_owner *owner_of(const struct compiler *c, const struct pack_item *item)
 {
-    for (uint32_t i = 0; i < count; i++) {
-        const struct previous_owner left = { .end = items[i].last + 1 };
-        uint32_t end = look_up(s, &items[i]).end;
-        owners[i].end = end < items[i].first ? end : items[i].first; /* a neighbour may live on */
-        leave(s, &items[i], &left);
+    return &c->owners[item->resource->item];
+}
+
+/* Finds when the accesses of one block's items end. */
+static void find_ends(struct compiler *c, struct segments *s, const struct pack_item *items,
+                      uint32_t count)
+{
+    for (const struct pack_item *item = items; item < items + count; item++) {
+        const struct previous_owner left = { .end = item->last + 1 };
+        uint32_t end = look_up(s, item).end;
+        owner_of(c, item)->end =
+            end < item->first ? end : item->first; /* a neighbour may live on */
+        leave(s, item, &left);
     }
 }
 
@@ -107,48 +114,44 @@ static struct previous_owner find_left(const struct resource *r)
     return left;
 }
 
-/* What is left of all items is left of all bytes, so that only what is more splits segments. */
-static void find_owners(struct segments *s, const struct pack_item *items,
-                        struct previous_owner *owners, uint32_t count)
+/* Finds the owners of one block's items. What is left of all items is left of all bytes, so that
+ * only what is more splits segments. */
+static void find_owners(struct compiler *c, struct segments *s, const struct pack_item *items,
+                        uint32_t count)
 {
+    const struct pack_item *end = items + count;
     struct previous_owner common = { UINT64_MAX, UINT64_MAX, 0 };
-    for (uint32_t i = 0; i < count; i++) {
-        owners[i] = find_left(items[i].resource);
-        common.stages &= owners[i].stages;
-        common.writes &= owners[i].writes;
+    for (const struct pack_item *item = items; item < end; item++) {
+        struct previous_owner *owner = owner_of(c, item);
+        *owner = find_left(item->resource);
+        common.stages &= owner->stages;
+        common.writes &= owner->writes;
     }
+    if (c->params->sharing == RG_SHARE_NOTHING) /* each has been its own */
+        return;
     s->items[0].left = common;
-    for (uint32_t i = 0; i < count; i++) {
-        if (!has_all(&common, &owners[i]))
-            leave(s, &items[i], &owners[i]);
+    for (const struct pack_item *item = items; item < end; item++) {
+        if (!has_all(&common, owner_of(c, item)))
+            leave(s, item, owner_of(c, item));
     }
-    for (uint32_t i = 0; i < count; i++)
-        owners[i] = look_up(s, &items[i]);
+    for (const struct pack_item *item = items; item < end; item++)
+        *owner_of(c, item) = look_up(s, item);
 }
 
-typedef void find_fn(struct segments *s, const struct pack_item *items,
-                     struct previous_owner *owners, uint32_t count);
+typedef void find_fn(struct compiler *c, struct segments *s, const struct pack_item *items,
+                     uint32_t count);
 
-static uint32_t block_of(const struct compiler *c, const struct pack_item *item)
-{
-    const struct resource *r = item->resource;
-    return r->image ? c->images[r->plan_image].block : c->buffers[r->plan_buffer].block;
-}
-
-/* Calls a function for the items of each block. */
 static void each_block(struct compiler *c, find_fn *find_in_block)
 {
     struct segments *segments = ARENA_ARRAY(c->arena, struct segments, 1);
     if (!c->owners)
         c->owners = ARENA_ZEROED(c->arena, struct previous_owner, c->item_count);
-    for (uint32_t done = 0, count; done < c->item_count && !c->arena->failed; done += count) {
-        const struct pack_item *items = &c->items[done];
-        count = 1;
-        while (done + count < c->item_count && block_of(c, &items[count]) == block_of(c, items))
-            count++;
+    for (uint32_t done = 0, end; done < c->item_count && !c->arena->failed; done = end) {
+        for (end = done + 1; end < c->item_count && c->items[end].block == c->items[done].block;)
+            end++;
         segments->items[0] = (struct segment){ 0 };
         segments->count = 1;
-        find_in_block(segments, items, &c->owners[done], count);
+        find_in_block(c, segments, &c->items[done], end - done);
     }
 }
 
@@ -157,16 +160,15 @@ void rg_find_owner_ends(struct compiler *c)
     each_block(c, find_ends);
 }
 
-static void find_themselves(struct segments *s, const struct pack_item *items,
-                            struct previous_owner *owners, uint32_t count)
-{
-    (void)s;
-    for (uint32_t i = 0; i < count; i++)
-        owners[i] = find_left(items[i].resource);
-}
-
 void rg_find_owners(struct compiler *c)
 {
-    bool apart = c->params->sharing == RG_SHARE_NOTHING;
-    each_block(c, apart ? find_themselves : find_owners);
+    each_block(c, find_owners);
+    for (uint32_t i = 0; i < c->plan->barrier_count && !c->arena->failed; i++) {
+        struct rg_barrier *b = &c->barriers[i];
+        if (b->src_stages)
+            continue;
+        const struct previous_owner *owner = &c->owners[b->src_access]; /* as barriers.c left it */
+        b->src_stages = owner->stages;
+        b->src_access = owner->writes;
+    }
 }
