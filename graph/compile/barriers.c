@@ -7,8 +7,8 @@
  * batch if that is not before its release, or else opens one at its deadline. No set of batches
  * for the same order of passes is smaller, and none waits earlier than it has to.
  *
- * A barrier whose memory is taken over from a previous owner has no source stages, and the number of
- * the item for access, until rg_find_owners(); every other one has some.
+ * A barrier whose memory is taken over from a previous owner has no source stages, and the item's
+ * number for access, until rg_find_owners(); every other one has some.
  */
 #include <assert.h>
 #include "graph/compile/compiler.h"
@@ -146,7 +146,7 @@ static bool sync_cell(struct compiler *c, const struct cell_walk *w, const struc
 
 static bool has_room(struct compiler *c)
 {
-    return ARENA_ROOM(c->arena, c->barriers, c->barrier_count, c->barrier_room, c->row_count * 2);
+    return ARENA_ROOM(c->arena, c->barriers, c->barrier_count, c->barrier_room, c->row_count * 4);
 }
 
 /* Whether a frame has left a cell of an import in another state than it arrived in. */

@@ -327,12 +327,6 @@ static inline uint32_t rg_color_count(const struct rg_pass *pass)
     return count;
 }
 
-/* ---- format.c ---- */
-
-enum {
-    RG_FORMAT_COUNT = VK_FORMAT_D32_SFLOAT_S8_UINT + 1, /* from 0 to the last one known */
-};
-
 /* ---- resource.c: the resources that tables name ---- */
 
 /* Adds imports and outputs, with their faults. */

@@ -43,7 +43,7 @@ static bool is_in_range(const struct resource *r, const VkImageSubresourceRange 
 static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
                                   bool reads, VkPipelineStageFlags2 stages)
 {
-    if (!r || !ARENA_ROOM(c->arena, c->accesses, c->access_count, c->access_room, c->row_count * 4))
+    if (!r || !ARENA_ROOM(c->arena, c->accesses, c->access_count, c->access_room, c->row_count * 8))
         return NULL;
     struct access *a = &c->accesses[c->access_count];
     rg_access_init(a, r, kind, reads, stages);
@@ -221,8 +221,8 @@ static void add_use(struct compiler *c, const struct rg_use *use)
 static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t repetition)
 {
     uint32_t color_count = rg_color_count(row);
-    if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, c->row_count) ||
-        !ARENA_ROOM(c->arena, c->plan_passes, c->pass_count, c->plan_pass_room, c->row_count))
+    if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, c->row_count * 2) ||
+        !ARENA_ROOM(c->arena, c->plan_passes, c->pass_count, c->plan_pass_room, c->row_count * 2))
         return;
     struct pass *pass = &c->passes[c->pass_count];
     struct rg_plan_pass *out = pass_at_work(c);

@@ -37,7 +37,7 @@ static inline struct map_slot *find(const struct map *map, const void *key)
 void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
 {
     struct map grown = { .mask = FIRST_MASK, .count = map->count, .of_texts = map->of_texts };
-    while (grown.mask / 2 < count)
+    while (grown.mask / 4 * 3 < count)
         grown.mask = grown.mask * 2 + 1;
     grown.slots = ARENA_ZEROED(arena, struct map_slot, (size_t)grown.mask + 1);
     if (!grown.slots)
@@ -51,7 +51,7 @@ void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
 
 void **rg_map_value(struct arena *arena, struct map *map, const void *key)
 {
-    if (map->count >= map->mask / 2)
+    if (map->count >= map->mask / 4 * 3)
         rg_map_expect(arena, map, map->mask);
     if (arena->failed)
         return NULL;

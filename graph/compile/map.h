@@ -9,7 +9,7 @@ struct map_slot {
     void *value;
 };
 
-/* Open addressing: the slots are a power of two, and at most half of them have a key. {0} is an
+/* Open addressing: the slots are a power of two, and at most three quarters have a key. {0} is an
  * empty map of addresses. */
 struct map {
     struct map_slot *slots;
