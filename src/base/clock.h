@@ -1,11 +1,11 @@
-/* clock.h: how long something takes. */
+/* clock.h: monotonic time, for measuring durations. Any thread may call these functions. */
 #ifndef FIRN_BASE_CLOCK_H
 #define FIRN_BASE_CLOCK_H
 
-/* Seconds since some moment; never goes back. */
+/* Returns seconds since an unspecified moment; the value never decreases. */
 double clock_seconds(void);
 
-/* The same in milliseconds. */
+/* Returns clock_seconds() in milliseconds. */
 double clock_ms(void);
 
 #endif

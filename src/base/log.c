@@ -1,4 +1,4 @@
-/* log.c: words for people. */
+/* log.c: messages for people. */
 #include "src/base/log.h"
 #include <stdarg.h>
 #include <stdio.h>

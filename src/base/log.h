@@ -1,7 +1,7 @@
 /*
- * log.h: words for people, one line each, to stderr.
+ * log.h: messages for people, one line each, to stderr.
  *
- * Thread-safety: a line is written with one call and never torn.
+ * Thread-safety: any thread may log; a line is written with one call, so lines do not mix.
  */
 #ifndef FIRN_BASE_LOG_H
 #define FIRN_BASE_LOG_H
@@ -12,11 +12,11 @@
  * (a file name may hold any) are written as '?'. */
 void log_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* The same, beginning "firn: warning: ". */
+/* Writes "firn: warning: " and the formatted message and a newline, as log_error() does. */
 void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Logs "WHAT: out of memory", or without a subject (NULL) "out of memory". Inline, so that readers
- * and analyzers see that it never returns STATUS_OK. */
+/* Logs "WHAT: out of memory", or "out of memory" if `what` is NULL, and returns STATUS_TRY_AGAIN.
+ * It is inline, so that analyzers see that it never returns STATUS_OK. */
 static inline enum status log_out_of_memory(const char *what)
 {
     if (what)

@@ -1,4 +1,4 @@
-/* path.c: names of files. */
+/* path.c: functions on names of files. */
 #include "src/base/path.h"
 #include <string.h>
 

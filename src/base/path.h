@@ -1,10 +1,10 @@
-/* path.h: names of files. */
+/* path.h: functions on names of files. */
 #ifndef FIRN_BASE_PATH_H
 #define FIRN_BASE_PATH_H
 
 #include <stdbool.h>
 
-/* Whether a name's extension is `ending`, dot included: ".exr". */
+/* Returns whether a name's extension is `ending`, which includes the dot: ".exr". */
 bool path_ends_in(const char *path, const char *ending);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * status.h: how an operation on the world ended; the values are the program's exit codes.
+ * status.h: how an operation ended that may fail; the values are the program's exit codes.
  *
- * Whoever finds the trouble logs one line (what, where, how to mend it) and returns the status;
- * callers pass it on and say nothing more.
+ * The function that detects an error logs one line (what, where, how to mend it) and returns the
+ * status; callers pass the status on and log nothing.
  */
 #ifndef FIRN_BASE_STATUS_H
 #define FIRN_BASE_STATUS_H
@@ -16,10 +16,10 @@ enum status {
     STATUS_NO_DEVICE = 69,   /* no usable Vulkan device */
     STATUS_CANT_CREATE = 73, /* an output file cannot be created */
     STATUS_WRITE = 74,       /* an output file cannot be written to the end */
-    STATUS_TRY_AGAIN = 75,   /* device lost, out of memory, SIGUSR1: worth another try */
+    STATUS_TRY_AGAIN = 75,   /* temporary failure (device lost, out of memory, SIGUSR1): retry */
 };
 
-/* The caller must look at the result. */
+/* The compiler warns if a caller ignores the result. */
 #define MUST_USE __attribute__((warn_unused_result))
 
 #endif

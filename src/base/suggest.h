@@ -9,7 +9,7 @@ enum {
     SUGGEST_HINT_SIZE = SUGGEST_NAME_SIZE + 32, /* bytes */
 };
 
-/* Begins as { .word = the unknown name }. */
+/* A search for the closest name; initialise it with { .word = the unknown name }. */
 struct suggest {
     const char *word;
     const char *best; /* NULL: no close name was offered; borrowed from suggest_offer() */

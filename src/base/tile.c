@@ -1,4 +1,4 @@
-/* tile.c: pictures cut into nearly equal parts. */
+/* tile.c: divides pictures into nearly equal tiles. */
 #include "src/base/tile.h"
 
 bool tile_fits(const struct tiling *tiling)
@@ -7,7 +7,7 @@ bool tile_fits(const struct tiling *tiling)
            (tiling->rows <= 1 || tiling->height / 2 >= tiling->rows);
 }
 
-/* Where the part begins, or the last one ends. */
+/* Where part `index` begins; for `index` = `parts`, where the last part ends. */
 static uint32_t cut(uint32_t side, uint32_t parts, uint32_t index)
 {
     const uint64_t at = (uint64_t)side * index / parts;

@@ -1,9 +1,9 @@
 /*
- * tile.h: which part of a picture a tile is.
+ * tile.h: which pixels of a picture belong to a tile.
  *
- * Tiles of a picture lie in columns and rows, numbered row by row from 0. They begin at even
- * pixels, so that none parts the 2x2 pixels of which a device takes derivatives, and are as equal
- * as that allows.
+ * The tiles of a picture form columns and rows, numbered row by row from 0. They begin at even
+ * pixels, so that none divides the 2x2 pixels from which a device computes derivatives; apart from
+ * that their sizes are as equal as possible.
  */
 #ifndef FIRN_BASE_TILE_H
 #define FIRN_BASE_TILE_H
@@ -20,13 +20,13 @@ struct tiling {
     uint32_t columns, rows; /* of tiles */
 };
 
-/* Whether each of the tiles has pixels. */
+/* Returns whether each of the tiles has at least one pixel. */
 bool tile_fits(const struct tiling *tiling);
 
-/* Of tiles that fit. */
+/* Returns the pixels of tile `index`, below columns * rows. The tiling must fit. */
 struct tile tile_at(const struct tiling *tiling, uint32_t index);
 
-/* At (0, 0), as wide as the widest and as high as the highest of them. */
+/* Returns a tile at (0, 0), as wide as the widest tile and as high as the highest one. */
 struct tile tile_largest(const struct tiling *tiling);
 
 #endif

@@ -1,14 +1,14 @@
 /*
- * gpu.h: one Vulkan 1.3 device: chosen, opened, and its memory.
+ * gpu.h: chooses and opens one Vulkan 1.3 device; buffers and images in its memory.
  *
- * Correct on any device: queue families, memory types, coherence, alignment and formats are
- * queried, never assumed. Works with no window system.
+ * Queue families, memory types, coherence, alignment and formats are queried, never assumed. No
+ * window system is needed.
  *
  * Ownership:     gpu_destroy() frees everything gpu_create() made; buffers and images made with
- *                gpu_buffer_create() and gpu_image_create() are the caller's to destroy before.
+ *                gpu_buffer_create() and gpu_image_create() must be destroyed before it.
  * Errors:        logged once, with the failing call and the VkResult's name; the result is
- *                STATUS_NO_DEVICE (no loader, no device, or none good enough), STATUS_TRY_AGAIN
- *                (device lost or memory short) or STATUS_FAILED (anything else).
+ *                STATUS_NO_DEVICE (no loader, no device, or none that firn can use),
+ *                STATUS_TRY_AGAIN (device lost or out of memory) or STATUS_FAILED (anything else).
  * Thread-safety: one thread at a time per gpu.
  */
 #ifndef FIRN_GPU_GPU_H
@@ -20,7 +20,7 @@
 #include <volk.h>
 #include "src/base/status.h"
 
-/* What lets a device show pictures in windows. */
+/* How a window system presents images of a device. */
 struct gpu_window_system {
     const char *const *instance_extensions;
     uint32_t instance_extension_count;
@@ -31,26 +31,26 @@ struct gpu_params {
     /* number as listed, from 0, or part of the name in any case; NULL: the best */
     const char *device;
     bool validate; /* validation and synchronization validation, if the layer is there */
-    bool no_cache; /* neither reads nor leaves compiled pipelines for another run */
-    const struct gpu_window_system *windows; /* outlives the gpu; NULL: no windows */
+    bool no_cache; /* compiled pipelines are neither read from a file nor saved */
+    const struct gpu_window_system *windows; /* must outlive the gpu; NULL: no windows */
 };
 
 struct gpu {
     VkInstance instance;
     VkPhysicalDevice physical;
     VkDevice device;
-    const struct gpu_window_system *windows; /* of the params */
+    const struct gpu_window_system *windows; /* from the params */
     VkQueue queue; /* graphics, compute and transfer; with windows, presentation too */
     uint32_t queue_family;
     VkPhysicalDeviceProperties properties;
     VkPhysicalDeviceMemoryProperties memory;
     VkPipelineCache pipeline_cache;
-    bool no_cache;           /* of the params: it begins empty and ends with the run */
+    bool no_cache;           /* from the params */
     VkCommandPool pool;      /* for uploads */
-    bool portability_subset; /* must be enabled */
-    float max_anisotropy;    /* of samplers; 0: not to be had */
+    bool portability_subset; /* the device has this extension, so it is enabled */
+    float max_anisotropy;    /* of samplers; 0: not supported */
     bool has_statistics;     /* pipeline statistics and exact occlusion queries */
-    bool validated;          /* the layer is really on */
+    bool validated;          /* the validation layer was found and is enabled */
     VkDebugUtilsMessengerEXT messenger;
     uint32_t message_count; /* warnings and errors of the validation layer so far */
 };
@@ -59,25 +59,26 @@ struct gpu {
 MUST_USE enum status gpu_create(struct gpu *gpu, const struct gpu_params *params);
 
 /*
- * Waits for the device, saves the pipeline cache, frees. A {0} or half-built gpu is fine. Leaves
- * {0} but for message_count, which then tells also of objects that were not destroyed.
+ * Waits for the device, saves the pipeline cache and frees everything. A {0} or half-built gpu is
+ * fine. *gpu is then {0}, except for message_count, which now includes the messages about objects
+ * that were not destroyed.
  */
 void gpu_destroy(struct gpu *gpu);
 
-/* Waits for the device. True: it is lost, and nothing can be done with it but gpu_destroy(). */
+/* Waits for the device and returns whether it is lost; then only gpu_destroy() may be called. */
 bool gpu_is_lost(const struct gpu *gpu);
 
-/* A second device of the same kind, with a queue and nothing else, for one other thread. */
+/* A second logical device on the same physical device, with one queue, for one other thread. */
 struct gpu_twin {
     VkDevice device;
-    VkQueue queue; /* of gpu->queue_family */
+    VkQueue queue; /* from gpu->queue_family */
 };
 
-/* Logs nothing. */
+/* Creates a twin of `gpu`; returns false on failure and logs nothing. */
 MUST_USE bool gpu_twin_create(struct gpu_twin *twin, const struct gpu *gpu);
-void gpu_twin_destroy(struct gpu_twin *twin); /* waits for it */
+void gpu_twin_destroy(struct gpu_twin *twin); /* waits for the device first */
 
-/* One line of gpu_list(). */
+/* One entry of gpu_list(). */
 struct gpu_device {
     char name[VK_MAX_PHYSICAL_DEVICE_NAME_SIZE];
     VkPhysicalDeviceType type;
@@ -86,28 +87,29 @@ struct gpu_device {
     char version[64];  /* of Vulkan and driver: "1.3.230, Mesa 22.3.6 (LLVM 15.0.6)" */
 };
 
-/* The device that is open, as gpu_list() would say it. */
+/* Describes the open device, as gpu_list() does. */
 void gpu_describe(const struct gpu *gpu, struct gpu_device *device);
 
 /*
- * The devices there are, in the order of --device numbers, into *devices (malloc'd, the caller
- * frees it). No loader or no device is an empty list and STATUS_OK.
+ * Lists the devices of this machine in the order of --device numbers in *devices, which the caller
+ * frees with free(). Without a loader or a device the list is empty and the result STATUS_OK.
  */
 MUST_USE enum status gpu_list(struct gpu_device **devices, uint32_t *count);
 
-/* The VkResult's name, "VK_ERROR_DEVICE_LOST". */
+/* Returns the VkResult's name, for example "VK_ERROR_DEVICE_LOST". */
 const char *gpu_result_name(VkResult result);
 
 /*
- * As above; STATUS_OK for VK_SUCCESS alone. VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN where the memory
- * of this process is limited, since that is what drivers say when they reach the limit.
+ * Returns the status for a VkResult, as described above; only VK_SUCCESS is STATUS_OK.
+ * VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN where the memory of this process is limited, because
+ * drivers return it when they reach the limit.
  */
 enum status gpu_status(VkResult result);
 
-/* Logs "<what>: <result's name>", and what to do about it, and gives the status for it. */
+/* Logs "WHAT: NAME OF THE RESULT" and what to do about it; returns gpu_status(result). */
 enum status gpu_failed(const char *what, VkResult result);
 
-/* The same, "<call> of <name>: ...". The name may be NULL. */
+/* Logs "CALL of NAME: NAME OF THE RESULT" as gpu_failed() does. The name may be NULL. */
 enum status gpu_failed_for(const char *call, const char *name, VkResult result);
 
 struct gpu_buffer {
@@ -125,8 +127,9 @@ struct gpu_image {
 };
 
 /*
- * Makes a device-local buffer and fills it with `data` through a staging buffer, waiting until it
- * is done and visible to every later command of the queue. A size of 0 makes nothing: {0}.
+ * Makes a device-local buffer of `size` bytes and fills it with `data` through a staging buffer.
+ * Waits until the data are visible to every later command of the queue. A size of 0 makes no
+ * buffer: *buffer is {0}.
  */
 MUST_USE enum status gpu_buffer_create(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, const void *data,
@@ -137,19 +140,19 @@ struct gpu_image_params {
     VkFormat format;
     uint32_t width, height;
     uint32_t layers;         /* 0 means 1 */
-    bool cube;               /* of six square layers */
-    bool mipmaps;            /* makes the whole chain by halving; needs blit support, queried */
-    bool levels;             /* instead: `texels` has it, level after level */
-    const void *texels;      /* layers one after another, rows tight; of mip 0 only, or `levels` */
-    size_t texels_size;      /* bytes; checked against the format */
+    bool cube;               /* the image is a cube map; it has six square layers */
+    bool mipmaps;            /* the whole mip chain is made with blits from mip 0 */
+    bool levels;             /* `texels` has the whole mip chain, level after level */
+    const void *texels;      /* of mip 0, or with `levels` of all; layer after layer, rows tight */
+    size_t texels_size;      /* bytes; must fit the format and size */
     VkImageUsageFlags usage; /* besides SAMPLED and TRANSFER */
 };
 
 /*
  * Makes a device-local 2D (array) image, fills it and leaves it in SHADER_READ_ONLY_OPTIMAL,
- * visible to every later command of the queue. A device that cannot make, sample linearly or
- * (for mipmaps) blit the format is a logged STATUS_NO_DEVICE; an image of no size or over the
- * device's limits, or a wrong texels_size, is a logged STATUS_DATA.
+ * visible to every later command of the queue. Logs and returns STATUS_NO_DEVICE if the device
+ * cannot make, sample linearly or (for mipmaps) blit the format, and STATUS_DATA if a side of the
+ * image is 0 or over the device's limits, or texels_size is wrong.
  */
 MUST_USE enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
                                       const struct gpu_image_params *params);
@@ -157,12 +160,12 @@ MUST_USE enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
 void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
 
 /*
- * Says in advance that a picture is too large, before anything is allocated for it: for the
- * device's limits (STATUS_USAGE), or, with so many bytes on the device and in memory that the host
- * sees, for its heaps (STATUS_TRY_AGAIN).
+ * Check before any allocation that a picture is not too large: sizes in pixels against the device's
+ * limits (STATUS_USAGE), and `device_size` bytes of device memory with `host_size` bytes of
+ * host-visible memory against the heaps (STATUS_TRY_AGAIN). Errors are logged.
  */
 MUST_USE enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height);
-MUST_USE enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side); /* of its faces */
+MUST_USE enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side); /* side of a face */
 MUST_USE enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view,
                                     VkDeviceSize device_size, VkDeviceSize host_size);
 void gpu_image_destroy(struct gpu *gpu, struct gpu_image *image);

@@ -1,8 +1,8 @@
-/* gpu_buffer.c: buffers with their content. */
+/* gpu_buffer.c: creates buffers and fills them. */
 #include <string.h>
 #include "src/gpu/gpu_internal.h"
 
-/* Makes everything copied so far visible to whatever comes later. */
+/* Makes all copies so far visible to all later commands. */
 static void record_visible(VkCommandBuffer commands)
 {
     const VkMemoryBarrier2 barrier = {

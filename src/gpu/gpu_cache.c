@@ -1,4 +1,4 @@
-/* gpu_cache.c: compiled pipelines, kept in a file between runs: the driver's data and a hash. */
+/* gpu_cache.c: saves the pipeline cache in a file between runs: the driver's data and a hash. */
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@ enum {
     HASH_SIZE = sizeof(uint64_t),
 };
 
-/* FNV-1a, 64 bits. A driver may crash on data that are not whole. */
+/* FNV-1a, 64 bits. The hash is checked because a driver may crash on damaged data. */
 static uint64_t hash(const unsigned char *data, size_t size)
 {
     uint64_t value = 0xcbf29ce484222325;
@@ -84,8 +84,8 @@ static bool write_all(int file, const char *data, size_t size)
     return true;
 }
 
-/* The sound content of the file, hash included, or NULL; the caller frees it. No file is no
- * fault. */
+/* Returns the undamaged content of the file, hash included, or NULL; the caller frees it. A missing
+ * file is no error. */
 static void *read_sound(const struct gpu *gpu, size_t *size)
 {
     char folder[2048];
@@ -133,7 +133,7 @@ enum status gpu_cache_load(struct gpu *gpu)
     return gpu_failed("vkCreatePipelineCache", result);
 }
 
-/* The driver's data and their hash; the caller frees them. */
+/* Returns the driver's data followed by their hash; the caller frees them. */
 static char *get_data(const struct gpu *gpu, size_t *size)
 {
     size_t used = 0;
@@ -153,7 +153,7 @@ static char *get_data(const struct gpu *gpu, size_t *size)
     return data;
 }
 
-/* Makes the folder, and the one above it (~/.cache) should that be missing. */
+/* Makes the folder, and its parent (~/.cache) if that is missing. */
 static void make_folder(char *folder)
 {
     char *slash = strrchr(folder, '/');

@@ -1,4 +1,4 @@
-/* gpu_capture.c: asks RenderDoc, if its library is in the program, to capture. */
+/* gpu_capture.c: tells RenderDoc, if its library is loaded, to capture. */
 #include "src/gpu/gpu_capture.h"
 
 #include <dlfcn.h>
@@ -8,18 +8,18 @@
 
 #include "src/base/log.h"
 
-/* NULL: it is not loaded. */
+/* Returns RenderDoc's interface, or NULL if its library is not loaded. */
 static RENDERDOC_API_1_4_0 *find_renderdoc(void)
 {
     RENDERDOC_API_1_4_0 *api = NULL;
     pRENDERDOC_GetAPI get_api = NULL;
     void *library = dlopen("librenderdoc.so", RTLD_NOW | RTLD_NOLOAD);
     void *symbol = library ? dlsym(library, "RENDERDOC_GetAPI") : NULL;
-    memcpy(&get_api, &symbol, sizeof(get_api)); /* ISO C knows no cast from object to function */
+    memcpy(&get_api, &symbol, sizeof(get_api)); /* ISO C has no cast from object to function */
     if (!get_api || get_api(eRENDERDOC_API_Version_1_4_0, (void **)&api) != 1)
         api = NULL;
     if (library)
-        dlclose(library); /* whoever loaded it keeps it */
+        dlclose(library); /* it stays loaded: its loader has a reference */
     return api;
 }
 

@@ -1,4 +1,4 @@
-/* gpu_choose.c: the devices there are, which of them will do, and which is taken. */
+/* gpu_choose.c: describes devices, checks whether firn can use them, and chooses one. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,13 +7,13 @@
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
-/* least values of limits; the graph writes up to 8 targets, push structs have up to 128 bytes */
+/* Required limits: the graph writes up to 8 targets, push structs have up to 128 bytes. */
 enum {
     PUSH_CONSTANTS_SIZE = 128,
     COLOR_ATTACHMENT_COUNT = 8,
 };
 
-/* best first */
+/* Types of devices, best first. */
 static const struct {
     VkPhysicalDeviceType type;
     const char *name;
@@ -70,7 +70,7 @@ static void chain(struct gpu_features *features)
     };
 }
 
-/* Wants the feature if the device has it. */
+/* Enables the feature if the device has it. */
 static bool want(const struct feature *feature, const struct gpu_features *has,
                  struct gpu_features *wanted)
 {
@@ -194,7 +194,7 @@ void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
     find_refusal(gpu, physical, properties, device->refused, sizeof(device->refused));
 }
 
-/* Is `part` in `name`, in any case? */
+/* Whether `part` is in `name`, ignoring case. */
 static bool contains(const char *name, const char *part)
 {
     const size_t length = strlen(part);
@@ -214,7 +214,7 @@ static bool matches(const struct gpu_device *device, uint32_t number, const char
     return contains(device->name, wanted);
 }
 
-/* "0: NAME, 1: NAME (no synchronization2)", as far as it fits. */
+/* Writes "0: NAME, 1: NAME (no synchronization2)" to `text`, cut off at `size` bytes. */
 static void list_names(const struct gpu_device *devices, uint32_t count, char *text, size_t size)
 {
     size_t used = 0;

@@ -1,10 +1,10 @@
-/* gpu_device.c: opens and closes a device, lists them. */
+/* gpu_device.c: opens and closes a device; lists devices. */
 #include <stdlib.h>
 
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
-/* more than any machine has; the rest is not seen */
+/* More than any machine has; further devices are ignored. */
 enum {
     DEVICES_MAX = 32,
 };
@@ -16,7 +16,7 @@ static VkResult find_devices(VkInstance instance, VkPhysicalDevice *devices, uin
     if (result == VK_SUCCESS || result == VK_INCOMPLETE)
         return VK_SUCCESS;
     *count = 0;
-    /* how some loaders say that there is none */
+    /* Some loaders return this if there is no device. */
     return result == VK_ERROR_INITIALIZATION_FAILED ? VK_SUCCESS : result;
 }
 
@@ -56,14 +56,14 @@ static enum status choose(struct gpu *gpu, const char *wanted)
     return STATUS_OK;
 }
 
-/* With all that gpu->physical has of what firn knows how to use. */
+/* Creates the device with the optional extensions that gpu->physical has and firn uses. */
 static VkResult create_device(const struct gpu *gpu, const struct gpu_features *features,
                               VkDevice *device)
 {
     const float priority = 1.0F;
     const char *extensions[2];
     uint32_t extension_count = 0;
-    if (gpu->portability_subset) /* who offers it must have it enabled */
+    if (gpu->portability_subset) /* required where it is offered */
         extensions[extension_count++] = "VK_KHR_portability_subset";
     if (gpu->windows)
         extensions[extension_count++] = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
@@ -92,7 +92,7 @@ static enum status open_device(struct gpu *gpu)
     VkResult result = gpu_offer_find(gpu->physical, &offer);
     if (result != VK_SUCCESS)
         return gpu_failed("vkEnumerateDeviceExtensionProperties", result);
-    (void)gpu_features_choose(gpu->physical, &features); /* has all, or it was not chosen */
+    (void)gpu_features_choose(gpu->physical, &features); /* the chosen device lacks none */
     gpu->portability_subset = offer.portability_subset;
     result = create_device(gpu, &features, &gpu->device);
     if (result != VK_SUCCESS) {
@@ -136,7 +136,7 @@ enum status gpu_create(struct gpu *gpu, const struct gpu_params *params)
 void gpu_destroy(struct gpu *gpu)
 {
     if (gpu->device) {
-        (void)vkDeviceWaitIdle(gpu->device); /* lost or not, it goes */
+        (void)vkDeviceWaitIdle(gpu->device); /* destroyed even if it is lost */
         if (gpu->pipeline_cache && !gpu->no_cache)
             gpu_cache_save(gpu);
         vkDestroyPipelineCache(gpu->device, gpu->pipeline_cache, NULL);

@@ -1,4 +1,4 @@
-/* gpu_fit.c: says in advance that a picture is too large for a device. */
+/* gpu_fit.c: checks before any allocation whether a picture is too large for a device. */
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
@@ -53,7 +53,8 @@ static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
     return found;
 }
 
-/* A CPU's heap may be said to be small: it is the machine's memory, less what else needs some. */
+/* CPU drivers may report a heap that is too small. Theirs is the machine's memory, a quarter of
+ * which is left to other programs. */
 static VkDeviceSize heap_size(const struct gpu *gpu, uint32_t heap)
 {
     const VkDeviceSize size = gpu->memory.memoryHeaps[heap].size;

@@ -1,4 +1,4 @@
-/* gpu_image.c: sampled images with their content and mip levels. */
+/* gpu_image.c: creates sampled images and fills them and their mip levels. */
 #include <assert.h>
 #include <string.h>
 
@@ -50,7 +50,7 @@ static uint32_t mip_size(uint32_t size, uint32_t mip)
     return size >> mip ? size >> mip : 1;
 }
 
-/* Mip levels that come with the texels. */
+/* Number of mip levels that the given texels have. */
 static uint32_t count_given(const struct gpu_image *image, const struct gpu_image_params *params)
 {
     return params->levels ? image->mips : 1;
@@ -66,7 +66,8 @@ static const char *name_of(const struct gpu_image_params *params)
     return params->name ? params->name : "an image";
 }
 
-/* Can the device make, fill and sample it? Gives its limits for such images. */
+/* Checks that the device can make, fill and sample the image; returns the limits for such images in
+ * *limits. */
 static enum status check_format(const struct gpu *gpu, const struct gpu_image_params *params,
                                 VkImageUsageFlags usage, VkImageFormatProperties *limits)
 {
@@ -105,7 +106,7 @@ static enum status check_size(const struct gpu_image_params *params, const struc
                   limits->maxExtent.width, limits->maxExtent.height, limits->maxArrayLayers);
         return STATUS_DATA;
     }
-    /* within the limits, hence no overflow */
+    /* The size is within the device's limits, so this cannot overflow. */
     uint64_t size = 0;
     for (uint32_t mip = 0; mip < count_given(image, params); mip++)
         size += (uint64_t)mip_size(extent.width, mip) * mip_size(extent.height, mip) *
@@ -167,7 +168,7 @@ static const struct use sampled = { VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
                                     VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                     VK_ACCESS_2_SHADER_SAMPLED_READ_BIT };
 
-/* Takes `count` mip levels of all layers from one use to the next. */
+/* Records a barrier between two uses of `count` mip levels of all layers. */
 static void record_use(VkCommandBuffer commands, const struct gpu_image *image, uint32_t mip,
                        uint32_t count, const struct use *from, const struct use *to)
 {
@@ -192,7 +193,7 @@ static void record_use(VkCommandBuffer commands, const struct gpu_image *image, 
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-/* Of one mip level, as much at a time as the staging buffer holds. */
+/* Copies one mip level, in pieces that fit in the staging buffer. */
 static enum status copy_level(struct gpu *gpu, const struct gpu_image *image,
                               struct gpu_upload *upload, const char *texels, uint32_t mip)
 {
@@ -200,7 +201,7 @@ static enum status copy_level(struct gpu *gpu, const struct gpu_image *image,
     const uint32_t height = mip_size(image->extent.height, mip);
     const size_t row_size = (size_t)width * find_texel_size(image->format);
     const uint32_t rows_max = (uint32_t)(upload->staging.size / row_size);
-    const uint32_t layers = rows_max / height >= image->layers ? image->layers : 1; /* at once */
+    const uint32_t layers = rows_max / height >= image->layers ? image->layers : 1; /* per copy */
     enum status status = STATUS_OK;
     assert(rows_max > 0); /* the widest image's row is much less than GPU_STAGING_SIZE */
     for (uint32_t layer = 0; layer < image->layers; layer += layers) {
@@ -236,7 +237,7 @@ static enum status copy_texels(struct gpu *gpu, const struct gpu_image *image,
     return status;
 }
 
-/* Halves level after level; each but the last is then left as `halved`. */
+/* Blits each mip level to the next smaller one; all but the last are then in the use `halved`. */
 static void record_mips(VkCommandBuffer commands, const struct gpu_image *image)
 {
     const VkExtent3D size = image->extent;

@@ -1,4 +1,4 @@
-/* gpu_instance.c: the Vulkan instance, with what layers and extensions there are. */
+/* gpu_instance.c: creates the Vulkan instance with the available layers and extensions. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,13 +7,13 @@
 
 static const char layer[] = "VK_LAYER_KHRONOS_validation";
 
-/* at most */
+/* Upper bounds of what firn enables. */
 enum {
     OWN_EXTENSION_COUNT = 3,
     WINDOW_EXTENSION_COUNT = 8,
 };
 
-/* What of the optional there is. */
+/* Which of the optional layers and extensions are available. */
 struct offer {
     bool layer, validation_features, debug_utils, portability;
 };
@@ -27,7 +27,8 @@ bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const 
     return false;
 }
 
-/* The extensions of a layer, or with NULL of loader and drivers; the caller frees *list. */
+/* Lists the extensions of a layer or, if `of` is NULL, of loader and drivers; the caller frees
+ * *list. */
 static VkResult list_extensions(const char *of, VkExtensionProperties **list, uint32_t *count)
 {
     *list = NULL;
@@ -70,7 +71,7 @@ static VkResult create(struct gpu *gpu, const struct offer *offer)
 {
     const VkValidationFeatureEnableEXT sync =
         VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
-    /* this messenger serves while the instance is made and destroyed */
+    /* This messenger reports messages while the instance is created and destroyed. */
     VkDebugUtilsMessengerCreateInfoEXT messenger = gpu_debug_messenger(gpu);
     VkValidationFeaturesEXT features = {
         .sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,

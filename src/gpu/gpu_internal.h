@@ -1,7 +1,7 @@
 /*
- * gpu_internal.h: what the files of src/gpu share with each other and with their test.
+ * gpu_internal.h: declarations that the files of src/gpu and their tests share.
  *
- * Whatever returns an enum status has logged its own line.
+ * Functions that return an enum status log their errors.
  */
 #ifndef FIRN_GPU_INTERNAL_H
 #define FIRN_GPU_INTERNAL_H
@@ -13,36 +13,37 @@ enum {
     GPU_STAGING_SIZE = 16 << 20,
 };
 
-/* Makes gpu->instance, for gpu->windows, and with validation gpu->messenger. Wants
- * volkInitialize() done; logs nothing but that there is no validation layer. */
+/* Makes gpu->instance with the extensions of gpu->windows, and with `validate` gpu->messenger. Call
+ * volkInitialize() first. Logs nothing but a warning if the validation layer is missing. */
 MUST_USE VkResult gpu_instance_create(struct gpu *gpu, bool validate);
 
-/* What to do where no driver is found: install one, or raise a limit in which none is loaded. */
+/* Returns advice for a machine on which no driver is found: install one, or raise the limit of
+ * memory under which none can be loaded. */
 const char *gpu_missing_driver(void);
 
 bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const char *name);
 
-/* What a messenger is made from. It keeps the address of gpu. */
+/* Returns what a messenger is created from. The messenger keeps the pointer to `gpu`. */
 VkDebugUtilsMessengerCreateInfoEXT gpu_debug_messenger(struct gpu *gpu);
 
-/* Names an object for captures and messages. Does nothing if `name` is NULL or debug utils are
- * missing. */
+/* Names an object for captures and messages. Does nothing if `name` is NULL or the debug utils
+ * extension is missing. */
 void gpu_debug_name(const struct gpu *gpu, VkObjectType type, uint64_t handle, const char *name);
 
-/* Says what a device is and whether firn can use it. */
+/* Fills in a device's name, type and versions, and why firn cannot use it. */
 void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
                          struct gpu_device *device);
 
 /*
- * Picks from a list as --device says: the one with that number if `wanted` is all digits, else the
- * best with `wanted` in its name (NULL: of all). Best: discrete, integrated, virtual, CPU, then
- * the first.
+ * Chooses a device from a list as --device does: the device with that number if `wanted` is all
+ * digits, else the best one with `wanted` in its name (NULL: the best of all). Types from best to
+ * worst are discrete, integrated, virtual, CPU; of one type the first device is chosen.
  */
 MUST_USE enum status gpu_choose(const struct gpu_device *devices, uint32_t count,
                                 const char *wanted, uint32_t *index);
 
-/* The first queue family with graphics and compute (and thereby transfer), that can also present
- * where there are windows; UINT32_MAX: none. */
+/* Returns the first queue family with graphics and compute (which implies transfer) that, if
+ * gpu->windows is set, can also present; UINT32_MAX if there is none. */
 uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physical);
 
 /* Which of the extensions that firn may enable a device has. */
@@ -52,37 +53,40 @@ struct gpu_offer {
 
 MUST_USE VkResult gpu_offer_find(VkPhysicalDevice physical, struct gpu_offer *offer);
 
-/* `core` is the head of the chain; must not move once chosen. */
+/* The features to enable. `core` is the head of the pNext chain, which points into the struct: it
+ * must not move after gpu_features_choose(). */
 struct gpu_features {
     VkPhysicalDeviceFeatures2 core;
     VkPhysicalDeviceVulkan12Features v12;
     VkPhysicalDeviceVulkan13Features v13;
 };
 
-/* Chains *wanted and sets what firn needs, and what it can use if the device has it. Returns the
- * name of the first needed feature that the device lacks; NULL: it has all. For Vulkan 1.3. */
+/* Chains *wanted and sets the features that firn needs, and those that it uses where the device has
+ * them. Returns the name of the first needed feature that the device lacks, or NULL. The device
+ * must support Vulkan 1.3. */
 const char *gpu_features_choose(VkPhysicalDevice physical, struct gpu_features *wanted);
 
-/* Makes gpu->pipeline_cache, with the data of an earlier run. A damaged file is ignored with a
+/* Makes gpu->pipeline_cache from the file of an earlier run. A damaged file is ignored with a
  * warning. */
 MUST_USE enum status gpu_cache_load(struct gpu *gpu);
 
-/* Saves it for a later run. Silent: nobody is worse off if it fails. */
+/* Saves gpu->pipeline_cache for a later run. Failures are not logged: only speed is lost. */
 void gpu_cache_save(const struct gpu *gpu);
 
-/* Is this content of a cache file undamaged and of this very device and driver? */
+/* Returns whether the content of a cache file is undamaged and from this device and driver. */
 bool gpu_cache_sound(const VkPhysicalDeviceProperties *device, const void *data, size_t size);
 
-/* The first memory type among `bits` with all of `required`, if possible with all of `preferred`
- * too; UINT32_MAX: none. */
+/* Returns the first memory type among `bits` with all of `required`, if possible with all of
+ * `preferred` too; UINT32_MAX if there is none. */
 uint32_t gpu_memory_type(const VkPhysicalDeviceMemoryProperties *memory, uint32_t bits,
                          VkMemoryPropertyFlags required, VkMemoryPropertyFlags preferred);
 
-/* Allocates what `needs` says, device-local or host-visible; too much is STATUS_TRY_AGAIN. */
+/* Allocates memory for `needs`, device-local or (`host`) host-visible. More than the device has is
+ * STATUS_TRY_AGAIN. */
 MUST_USE enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *needs,
                                          bool host, const char *name, VkDeviceMemory *memory);
 
-/* Makes a buffer with memory of its own, content undefined. On failure *buffer is {0}. */
+/* Makes a buffer with its own memory and undefined content. On failure *buffer is {0}. */
 MUST_USE enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, VkDeviceSize size, bool host,
                                        const char *name);
@@ -93,15 +97,16 @@ struct gpu_upload {
     void *mapped; /* staging.size bytes */
     VkCommandBuffer commands;
     VkFence fence;
-    const char *name; /* of what is filled, for messages; may be NULL */
-    bool submitted;   /* and not known to be done */
+    const char *name; /* of the buffer or image to fill, for messages; may be NULL */
+    bool submitted;   /* `commands` are submitted and may still be executing */
 };
 
-/* Staging for `size` bytes or GPU_STAGING_SIZE, whichever is less; `commands` records. */
+/* Makes a staging buffer of `size` bytes, at most GPU_STAGING_SIZE, and begins to record
+ * `commands`. */
 MUST_USE enum status gpu_upload_begin(struct gpu *gpu, struct gpu_upload *upload, VkDeviceSize size,
                                       const char *name);
 
-/* Submits, waits until it is done, and lets `commands` record again. */
+/* Submits `commands`, waits until they are done, and begins to record again. */
 MUST_USE enum status gpu_upload_flush(struct gpu *gpu, struct gpu_upload *upload);
 
 /* A {0} or half-built upload is fine. */

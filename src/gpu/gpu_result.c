@@ -1,4 +1,4 @@
-/* gpu_result.c: Vulkan's results in words and as a status. */
+/* gpu_result.c: names of Vulkan's results, and their status. */
 #include <stdio.h>
 #include <sys/resource.h>
 
@@ -14,7 +14,7 @@ static const char memory[] =
 static const struct row {
     VkResult result;
     const char *name;
-    const char *mend; /* what to do about it; NULL: nothing is known */
+    const char *mend; /* what to do about it, or NULL */
 } rows[] = {
     { ROW(VK_SUCCESS) },
     { ROW(VK_NOT_READY) },
@@ -65,7 +65,7 @@ const char *gpu_result_name(VkResult result)
     return row ? row->name : "a VkResult without a name";
 }
 
-/* MiB that this process may use; 0: there is no limit. */
+/* Returns the limit of this process's memory, MiB; 0: there is no limit. */
 static unsigned memory_limit(void)
 {
     struct rlimit limit;
@@ -81,7 +81,7 @@ const char *gpu_missing_driver(void)
                             "one for the CPU)";
 }
 
-/* Drivers that reach a limit often do not know what they lack. */
+/* Whether an unspecific result probably means that this process reached its limit of memory. */
 static bool is_out_of_limit(VkResult result)
 {
     return result == VK_ERROR_UNKNOWN && memory_limit() != 0;
@@ -95,7 +95,7 @@ enum status gpu_status(VkResult result)
     switch ((int)result) {
     case VK_SUCCESS:
         return STATUS_OK;
-    case VK_TIMEOUT: /* of a wait without end */
+    case VK_TIMEOUT: /* of a wait without a time limit */
     case VK_ERROR_DEVICE_LOST:
     case VK_ERROR_OUT_OF_HOST_MEMORY:
     case VK_ERROR_OUT_OF_DEVICE_MEMORY:

@@ -1,4 +1,4 @@
-/* gpu_swapchain.c: the images of a window: made, taken, shown, made anew. */
+/* gpu_swapchain.c: creates, acquires, presents and recreates the images of a window. */
 #include "src/gpu/gpu_swapchain.h"
 
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
-/* best first: pictures are sRGB-encoded already */
+/* Formats, best first. Pictures are sRGB-encoded already, so the format need not encode. */
 static const struct {
     VkFormat format;
     bool encodes;
@@ -29,7 +29,7 @@ static const struct {
 enum {
     FORMAT_COUNT = sizeof(formats) / sizeof(formats[0]),
     MODE_COUNT = sizeof(modes) / sizeof(modes[0]),
-    OFFER_MAX = 128, /* of formats or modes; the rest is not seen */
+    OFFER_MAX = 128, /* formats or modes; further ones are ignored */
 };
 
 const char *gpu_swapchain_mode_name(VkPresentModeKHR mode)
@@ -52,7 +52,7 @@ bool gpu_swapchain_mode_find(const char *name, VkPresentModeKHR *mode)
     return false;
 }
 
-/* ---- what the surface offers ---- */
+/* ---- capabilities of the surface ---- */
 
 static enum status choose_format(const struct gpu *gpu, struct gpu_swapchain *s)
 {
@@ -120,7 +120,7 @@ enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *s, VkSurfa
     return status;
 }
 
-/* ---- its images ---- */
+/* ---- the images ---- */
 
 static void free_images(const struct gpu *gpu, struct gpu_swapchain *s)
 {
@@ -159,7 +159,7 @@ static uint32_t within(uint32_t value, uint32_t min, uint32_t max)
     return value < min ? min : value > max ? max : value;
 }
 
-/* The surface's own size, or the window's where the surface takes that of its images. */
+/* Returns the surface's size, or the window's (`size`) where the program may choose. */
 static VkExtent2D choose_extent(const VkSurfaceCapabilitiesKHR *has, VkExtent2D size)
 {
     if (has->currentExtent.width != UINT32_MAX)
@@ -172,7 +172,7 @@ static VkExtent2D choose_extent(const VkSurfaceCapabilitiesKHR *has, VkExtent2D 
     };
 }
 
-/* One more than the least, so that none is waited for while the screen shows another. */
+/* One more than the minimum, so that an image is free while the screen shows another. */
 static uint32_t choose_count(const VkSurfaceCapabilitiesKHR *has)
 {
     const uint32_t count = has->minImageCount + 1;
@@ -239,7 +239,7 @@ void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *s)
 {
     if (!gpu->device)
         return;
-    (void)vkDeviceWaitIdle(gpu->device); /* lost or not, it goes */
+    (void)vkDeviceWaitIdle(gpu->device); /* destroyed even if the device is lost */
     free_images(gpu, s);
     for (uint32_t i = 0; i < GPU_SWAPCHAIN_SLOT_COUNT; i++)
         vkDestroySemaphore(gpu->device, s->acquired[i], NULL);

@@ -1,4 +1,4 @@
-/* gpu_upload.c: a staging buffer and the commands that copy from it, piece by piece. */
+/* gpu_upload.c: a staging buffer and the commands that copy from it. */
 #include "src/gpu/gpu_internal.h"
 
 static VkResult begin_commands(VkCommandBuffer commands)
@@ -70,8 +70,8 @@ static enum status submit(struct gpu *gpu, struct gpu_upload *upload)
 
 enum status gpu_upload_flush(struct gpu *gpu, struct gpu_upload *upload)
 {
-    /* The whole of it: needs no rounding to nonCoherentAtomSize, and does no harm to coherent
-     * memory. */
+    /* The whole range needs no rounding to nonCoherentAtomSize; for coherent memory this call does
+     * nothing. */
     const VkMappedMemoryRange range = {
         .sType = VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE,
         .memory = upload->staging.memory,
@@ -93,7 +93,7 @@ enum status gpu_upload_flush(struct gpu *gpu, struct gpu_upload *upload)
 
 void gpu_upload_finish(struct gpu *gpu, struct gpu_upload *upload)
 {
-    if (upload->submitted) /* a wait has failed */
+    if (upload->submitted) /* a wait has failed, so the commands may still execute */
         (void)vkDeviceWaitIdle(gpu->device);
     if (upload->commands)
         vkFreeCommandBuffers(gpu->device, gpu->pool, 1, &upload->commands);
