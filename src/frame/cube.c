@@ -1,4 +1,4 @@
-/* cube.c: faces of the environment cube that are due. */
+/* cube.c: finds the faces of the environment cube that are due. */
 #include "src/frame/cube.h"
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "src/tech/techniques.h"
 
 enum {
-    MOVER_TRIANGLES = 64, /* of one sphere, one after another in the mesh */
+    MOVER_TRIANGLES = 64, /* consecutive moving triangles of the mesh share one sphere */
 };
 
 static vec3s corner(const struct mesh *mesh, uint32_t triangle, uint32_t i)
@@ -16,7 +16,7 @@ static vec3s corner(const struct mesh *mesh, uint32_t triangle, uint32_t i)
     return mesh->vertices[mesh->indices[3 * triangle + i]].position;
 }
 
-/* Around the corners of some triangles, at least one. */
+/* Returns a sphere around the vertices of `count` triangles, at least 1. */
 static struct frame_cube_mover sphere_around(const struct mesh *mesh, const uint32_t *triangles,
                                              uint32_t count)
 {
@@ -78,7 +78,8 @@ static struct frame_cube_state state_of(const struct globals *globals)
     };
 }
 
-/* The part of the world in sight of a face is where |right| and |up| are at most `forward`. */
+/* Whether a sphere may be visible in a face, which shows the points whose |right| and |up| are at
+ * most `forward`. */
 static bool sees(uint32_t face, const struct frame_cube_state *state,
                  const struct frame_cube_mover *mover)
 {
@@ -121,7 +122,7 @@ static bool has_changed(const struct frame_cube *cube, uint32_t face,
     return false;
 }
 
-/* Whether a part of the object may be in the picture: its sphere is not beyond an edge. */
+/* Whether the object may be in the picture: its bounding sphere is not wholly beyond an edge. */
 static bool is_in_picture(const struct globals *globals)
 {
     const mat4s rows = glms_mat4_transpose(globals->clip_from_world);
@@ -136,7 +137,7 @@ static bool is_in_picture(const struct globals *globals)
     return true;
 }
 
-/* Whether something that is on makes the surroundings look different in every frame. */
+/* Whether a technique that is on changes the surroundings' look in every frame. */
 static bool is_relit(const struct settings *settings)
 {
     for (const struct technique *const *t = techniques; *t; t++) {

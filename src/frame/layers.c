@@ -1,4 +1,4 @@
-/* layers.c: the layer that every picture has. */
+/* layers.c: the beauty layer. */
 #include "src/frame/layers.h"
 #include "src/tech/frame.h"
 

@@ -1,4 +1,4 @@
-/* list.c: walks all techniques, phase by phase. */
+/* list.c: collects the rows of all techniques, phase by phase. */
 #include "src/frame/list.h"
 #include <stdlib.h>
 #include "src/base/log.h"
@@ -19,7 +19,7 @@ static bool fits(const struct technique *technique, const struct technique_part 
     return !technique->rung.name || technique == choice->rung;
 }
 
-/* The rows of a part; none if it is off. */
+/* Returns the rows of a part, or no rows if it is off. */
 static struct rg_technique make(const struct technique *technique,
                                 const struct technique_part *part,
                                 const struct technique_choice *choice, struct row_builder *builder)

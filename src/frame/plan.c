@@ -1,4 +1,4 @@
-/* plan.c: tables made at run time around the techniques' own. */
+/* plan.c: makes the tables of a frame at run time: the techniques' rows, imports and readback. */
 #include "src/frame/plan.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 #include "src/base/log.h"
 #include "src/tech/frame.h"
 
-/* The rows made below name the image first, then the buffer. */
+/* The first use of a readback row is the image, the second one the buffer. */
 static void record_readback(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct rg_use *uses = rg_cmd_pass(cmd)->uses;
@@ -14,7 +14,7 @@ static void record_readback(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_copy_image_to_buffer(cmd, uses[0].image, uses[1].buffer, 0);
 }
 
-/* Asks for an image back, once however often it is asked for. */
+/* Adds a readback of the image, unless there is one. */
 static void want(struct frame_plan *p, const struct rg_image *image)
 {
     for (uint32_t i = 0; i < p->readback_count; i++) {
@@ -42,7 +42,7 @@ static void want(struct frame_plan *p, const struct rg_image *image)
         (struct rg_output){ .buffer = &r->buffer, .access = RG_HOST_READ };
 }
 
-/* A technique that is switched off leaves its layers undrawn. */
+/* Whether a pass draws the image; a technique that is off does not draw its layers. */
 static bool is_drawn(const struct frame_plan *p, const struct rg_image *image)
 {
     for (size_t t = 0; image && t < p->list.count; t++) {
@@ -106,7 +106,7 @@ static struct rg_import describe(const struct technique_import *import, const st
     };
 }
 
-/* What comes from the scene, but for what the plan draws itself. */
+/* Imports the scene's images, except for those that the plan draws. */
 static bool import_all(struct frame_plan *p, const struct scene *scene)
 {
     const struct technique_import *import;
@@ -137,7 +137,7 @@ static enum status out_of_memory(void)
     return STATUS_TRY_AGAIN;
 }
 
-/* The parts of the list, and the row that brings results back. */
+/* Lists the parts, with room for the readback rows. */
 static bool list_techniques(struct frame_plan *p)
 {
     p->techniques = calloc(p->list.count + 1, sizeof(const struct rg_technique *));

@@ -1,7 +1,7 @@
 /*
- * plan.h: a frame's techniques, the copies that bring its results back, and their plan.
+ * plan.h: compiles a frame's techniques, and the copies that read its results back, to a plan.
  *
- * Needs no device unless one is given.
+ * No device is needed.
  */
 #ifndef FIRN_FRAME_PLAN_H
 #define FIRN_FRAME_PLAN_H
@@ -12,24 +12,24 @@
 
 enum {
     FRAME_READBACK_COUNT = FRAME_LAYER_MAX + 2
-}; /* images brought back at most */
+}; /* greatest number of images that are read back */
 
-/* What is brought in and wanted back. */
+/* What a frame imports, draws and reads back. */
 struct frame_request {
     struct technique_choice choice;
-    const struct scene *scene; /* whose pictures are imported; NULL: none, but a texel of each */
-    VkExtent2D view;
-    VkExtent2D part;      /* of it, that is drawn at once; 0: all */
-    uint32_t layers;      /* bit i: techniques_layer(i), if it is drawn */
-    bool beauty, display; /* the linear picture; the 8-bit one */
-    bool cube_back;       /* bring frame_env_cube_baked back */
-    bool keep_cube;       /* leave frame_env_cube ready to be sampled elsewhere */
-    bool keep_display;    /* the same of the 8-bit picture */
+    const struct scene *scene; /* its images are imported; NULL: one texel for each of them */
+    VkExtent2D view;           /* pixels */
+    VkExtent2D part;           /* pixels of the largest region that is drawn at once; 0: the view */
+    uint32_t layers;           /* bit i: read techniques_layer(i) back, if a pass draws it */
+    bool beauty, display;      /* read the linear picture back; the 8-bit one */
+    bool cube_back;            /* read frame_env_cube_baked back */
+    bool keep_cube;            /* leave frame_env_cube ready to be sampled by other frames */
+    bool keep_display;         /* leave the 8-bit picture ready to be sampled by other frames */
     enum rg_sharing sharing;
     const struct rg_device *device; /* may be NULL */
 };
 
-/* An image and the host buffer it is copied to. */
+/* An image, and the host-visible buffer to which it is copied. */
 struct frame_readback {
     const struct rg_image *image;
     struct rg_buffer buffer;
@@ -37,11 +37,11 @@ struct frame_readback {
     char name[64]; /* of the pass and the buffer */
 };
 
-/* Points into itself: must not move. */
+/* Has pointers into itself: it must not move. */
 struct frame_plan {
     struct rg_plan *plan;
     struct frame_list list;
-    const struct rg_technique **techniques; /* the list's parts, and `readback` */
+    const struct rg_technique **techniques; /* the parts of `list`, and `readback` */
     size_t technique_count;
     struct rg_technique readback;
     struct rg_pass readback_passes[FRAME_READBACK_COUNT];
@@ -53,12 +53,15 @@ struct frame_plan {
     size_t import_count;
 };
 
-/* Faults of the tables are logged, all of them, and are STATUS_FAILED; memory STATUS_TRY_AGAIN. */
+/*
+ * Compiles the request. Logs every fault of the tables and returns STATUS_FAILED, or logs and
+ * returns STATUS_TRY_AGAIN when out of memory; in any case call frame_plan_finish() afterwards.
+ */
 MUST_USE enum status frame_plan_init(struct frame_plan *plan, const struct frame_request *request);
 
 void frame_plan_finish(struct frame_plan *plan);
 
-/* The buffer that an image comes back in, or NULL. */
+/* Returns the buffer into which an image is read back, or NULL. */
 const struct rg_buffer *frame_plan_buffer(const struct frame_plan *plan,
                                           const struct rg_image *image);
 

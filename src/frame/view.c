@@ -1,11 +1,11 @@
-/* view.c: camera, time and scene as shaders read them. */
+/* view.c: computes the uniform data of a frame from camera, time and scene. */
 #include "src/frame/view.h"
 #include <math.h>
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
 
-/* Of frame_view_reach(): rays begin a little outside of the sphere (refract_inside.glsl), and what
- * they look up is between texels, which jitter moves. */
+/* Margins of frame_view_reach(): rays begin a little outside of the sphere (refract_inside.glsl);
+ * lookups are between texels, and jitter moves them. */
 #define REACH_ROOM 1.05f
 
 enum {
@@ -17,7 +17,7 @@ static float radians(float degrees)
     return degrees * 0.01745329252f;
 }
 
-/* Mip of the environment whose texels are as large as pixels of this size, radians. */
+/* Returns the mip level of the environment whose texels are as large as `pixel`, radians. */
 static float environment_lod(const struct scene *scene, float pixel)
 {
     float texel = 6.2831853f / (float)(scene->environment.width ? scene->environment.width : 1);
@@ -33,7 +33,7 @@ struct background_push frame_view_push(const struct frame_view *view)
     float height = (float)view->height;
     float up = tanf(radians(camera->fov_deg) / 2.0f);
     float right = up * width / height;
-    /* a pixel to the right is 2 right / width; a pixel down is the other way than up */
+    /* A pixel to the right is 2 right / width, a pixel down is -2 up / height. */
     const vec2s at = glms_vec2_add(view->jitter, view->tile);
     vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * at.x * right / width),
                                 glms_vec3_scale(basis.up, 2.0f * at.y * up / height));
@@ -70,7 +70,7 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
     float middle = glms_vec3_dot(glms_vec3_sub(center, camera->eye), forward);
     float far = fmaxf(middle + radius, 2e-3f * radius);
     float near = fmaxf(middle - radius, 1e-3f * radius);
-    /* with w the distance along the axis: z = far / (far - near) (w - near) */
+    /* z = far / (far - near) (w - near), where w is the distance along the camera's axis. */
     float scale = far / (far - near);
     for (int column = 0; column < 4; column++)
         clip_from_world.raw[column][2] = scale * clip_from_world.raw[column][3];
@@ -79,8 +79,11 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
     return clip_from_world;
 }
 
-/* The tangents of a sphere, seen from where it is `ahead` and `aside`, in pixels from the picture's
- * edge, whose middle is `half` of them away and shows the tangent `edge`. */
+/*
+ * Computes the first and last pixel that a sphere covers along one axis of the picture. The
+ * sphere's centre is `ahead` along the camera's axis and `aside` along the picture's axis, metres;
+ * `half` is half of the picture's side, pixels, and `edge` the tangent of half its angle of view.
+ */
 static void span(float aside, float ahead, float radius, float half, float edge, int32_t ends[2])
 {
     const float most = 4.0f * half;
@@ -93,7 +96,7 @@ static void span(float aside, float ahead, float radius, float half, float edge,
     ends[1] = (int32_t)ceilf(half + fminf(fmaxf(high * half, -most), most)) + REACH_MARGIN;
 }
 
-/* One pixel at least, within the picture. */
+/* Clips the range `ends` to the picture; at least one pixel is left. */
 static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t *extent)
 {
     const int32_t last = (int32_t)side - 1;
@@ -156,7 +159,7 @@ VkRect2D frame_view_object_area(const struct frame_view *view, const struct glob
     return area;
 }
 
-/* About the vertical axis through a point, `turn` radians. */
+/* Returns a rotation about the vertical axis through `center` by `turn` radians. */
 static mat4s turned(vec3s center, float turn)
 {
     mat4s there = glms_translate(glms_mat4_identity(), center);
@@ -170,7 +173,7 @@ static vec3s direction(float azimuth, float elevation)
                       cosf(azimuth) * cosf(elevation) } };
 }
 
-/* The lights stand evenly around the object and go around it together. */
+/* Spaces the lights evenly on a circle around the object, which rotates with time. */
 static void place_lights(const struct frame_view *view, struct globals *g)
 {
     const struct light_params *light = settings_of(view->settings, &light_settings);

@@ -1,4 +1,4 @@
-/* accumulate.c: texels of any layer's format, added up in float. */
+/* accumulate.c: adds up texels of any layer's format in floats. */
 #include "src/render/accumulate.h"
 #include <assert.h>
 #include <math.h>
@@ -77,7 +77,7 @@ void accumulate_mean(struct image *image, const struct frame_layer *layer, uint3
 
 vec2s accumulate_jitter(uint32_t sample)
 {
-    /* powers of 1 / g, g the real root of g^3 = g + 1 */
+    /* The powers 1 and 2 of 1 / g, where g is the real root of g^3 = g + 1. */
     const double a[2] = { 0.7548776662466927, 0.5698402909980532 };
     vec2s jitter;
     for (int i = 0; i < 2; i++) {

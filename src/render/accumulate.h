@@ -1,5 +1,5 @@
 /*
- * accumulate.h: what comes back from the device, sample by sample, becomes planes of floats.
+ * accumulate.h: adds up the samples that are read back from the device in planes of floats.
  */
 #ifndef FIRN_RENDER_ACCUMULATE_H
 #define FIRN_RENDER_ACCUMULATE_H
@@ -9,12 +9,12 @@
 #include "src/frame/layers.h"
 #include "src/image/image.h"
 
-/* Adds the planes of a layer to an image, all 0. False when memory is short. */
+/* Adds the planes of a layer, filled with 0, to an image. Returns false when out of memory. */
 bool accumulate_add_planes(struct image *image, const struct frame_layer *layer);
 
 /*
  * Adds one sample of a layer to its planes. `texels` are those of the layer's image, rows tight.
- * Layers that are not averaged take sample 0, the pixel's centre, and ignore the others.
+ * Layers that are not averaged use sample 0, the pixel's centre, alone.
  */
 void accumulate_sample(struct image *image, const struct frame_layer *layer, const void *texels,
                        uint32_t sample);
@@ -23,8 +23,8 @@ void accumulate_sample(struct image *image, const struct frame_layer *layer, con
 void accumulate_mean(struct image *image, const struct frame_layer *layer, uint32_t samples);
 
 /*
- * Where in its pixel sample i lies, in pixels from the pixel's centre, in [-0.5, 0.5). Sample 0 is
- * the centre; the others follow Roberts' R2 sequence, which fills the pixel evenly at any count.
+ * Returns the offset of a sample from its pixel's centre, pixels, in [-0.5, 0.5). Sample 0 is the
+ * centre; the others follow Roberts' R2 sequence, which covers the pixel evenly at any count.
  */
 vec2s accumulate_jitter(uint32_t sample);
 

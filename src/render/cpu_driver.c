@@ -1,4 +1,4 @@
-/* cpu_driver.c: environment and memory for drivers that draw on the CPU. */
+/* cpu_driver.c: sets up environment and memory for drivers that draw on the CPU. */
 #define _DEFAULT_SOURCE /* madvise */
 #include "src/render/cpu_driver.h"
 #include <stdlib.h>
@@ -11,10 +11,10 @@ bool cpu_driver_is(const struct gpu *gpu)
 
 void cpu_driver_prefer_start(void)
 {
-    (void)setenv("GALLIVM_PERF", "nopt", 0); /* without it all works as well */
+    (void)setenv("GALLIVM_PERF", "nopt", 0); /* failure only costs time */
 }
 
-/* All memory of such a device can be mapped, and is this process's own. */
+/* All memory of a CPU device is host-visible memory of this process, so it can be advised. */
 void cpu_driver_advise_memory(const struct gpu *gpu, const struct rg_plan *plan,
                               struct rg_exec *exec)
 {

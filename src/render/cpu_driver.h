@@ -1,8 +1,8 @@
 /*
- * cpu_driver.h: what serves drivers that draw on the CPU alone, such as Mesa's lavapipe.
+ * cpu_driver.h: optimisations for drivers that draw on the CPU, such as Mesa's lavapipe.
  *
- * All that is for them is here and in warm_up.h, which compiles their shaders side by side.
- * Pictures are the same bytes without it: it saves time and memory.
+ * All code for such drivers is here and in warm_up.h, which compiles their shaders in parallel.
+ * It saves time and memory and changes no byte of a picture.
  */
 #ifndef FIRN_RENDER_CPU_DRIVER_H
 #define FIRN_RENDER_CPU_DRIVER_H
@@ -10,7 +10,7 @@
 #include "graph/rg_exec.h"
 #include "src/gpu/gpu.h"
 
-/* Whether the device is the CPU. */
+/* Returns whether the device is the CPU. */
 bool cpu_driver_is(const struct gpu *gpu);
 
 /*

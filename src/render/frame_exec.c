@@ -1,4 +1,4 @@
-/* frame_exec.c: plans for the device, and executors of them. */
+/* frame_exec.c: compiles plans for the device and creates their executors. */
 #include "src/render/frame_exec.h"
 #include <math.h>
 #include "src/gpu/gpu.h"
@@ -16,8 +16,8 @@ static void log_exec(void *user, const char *what, VkResult result)
     (void)gpu_failed(what, result);
 }
 
-/* Every frame that is on its way has its own buffers that the host sees. A CPU's memory is taken
- * as it is touched: of a picture in tiles about as much as of one. */
+/* Each frame in flight has its own host-visible buffers. A CPU device commits memory when it is
+ * touched, so a picture that is drawn in tiles needs about as much as one tile. */
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
     const bool is_cpu = cpu_driver_is(gpu);
@@ -81,7 +81,7 @@ void frame_exec_describe(struct frame_exec_params *described, const struct frame
         .import_count = frame_exec->frame.import_count,
         .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
         .frames_in_flight = FRAMES_IN_FLIGHT,
-        .render_passes = gpu->validated, /* see rg_exec.h */
+        .render_passes = gpu->validated, /* rg_exec.h says why */
         .measured = params->measured,
         .statistics = gpu->has_statistics,
         .constants = &d->info,

@@ -1,7 +1,7 @@
 /*
  * frame_exec.h: a plan and its executor, for the renderer and for the warm-up of shaders.
  *
- * Errors: logged once; as the renderer's.
+ * Errors: logged once; the statuses are those of renderer.h.
  */
 #ifndef FIRN_RENDER_FRAME_EXEC_H
 #define FIRN_RENDER_FRAME_EXEC_H
@@ -14,23 +14,24 @@
 
 struct frame_exec {
     struct frame_plan frame;
-    struct rg_exec *exec; /* NULL: not realised */
+    struct rg_exec *exec; /* NULL until frame_exec_realise() */
 };
 
-/* A device as the graph library takes it. */
+/* Returns the handles of a device that the graph library needs. */
 struct rg_vulkan frame_exec_vulkan(const struct gpu *gpu);
 
-/* Compiles the request to a plan, and checks that its memory fits. */
+/* Compiles the request to a plan, and checks that its memory fits in the device's heaps. */
 MUST_USE enum status frame_exec_compile(struct frame_exec *frame_exec,
                                         const struct renderer_params *params,
                                         struct frame_request request);
 
-/* Makes the plan's memory, images and pipelines; `imports` are in the order of frame.imports. */
+/* Creates the plan's memory, images and pipelines. `imports` are in the order of frame.imports. */
 MUST_USE enum status frame_exec_realise(struct frame_exec *frame_exec,
                                         const struct renderer_params *params,
                                         const struct rg_exec_import *imports);
 
-/* What an executor is made from, all but imports, with what that points to: it must not move. */
+/* The parameters of an executor, except for its imports. `info` and `params` point into the struct,
+ * so it must not move. */
 struct frame_exec_params {
     struct frame_constants constants;
     VkSpecializationMapEntry entries[CONSTANT_COUNT];
@@ -38,6 +39,7 @@ struct frame_exec_params {
     struct rg_exec_params params;
 };
 
+/* Fills *described for a compiled frame_exec. */
 void frame_exec_describe(struct frame_exec_params *described, const struct frame_exec *frame_exec,
                          const struct renderer_params *params);
 

@@ -1,4 +1,4 @@
-/* renderer.c: plans, executors and frames behind a picture. */
+/* renderer.c: the plans, executors and frames of a picture. */
 #include "src/render/renderer.h"
 #include <assert.h>
 #include <math.h>
@@ -22,22 +22,22 @@
 #include "src/tech/techniques.h"
 
 struct renderer {
-    struct renderer_params params;      /* but of a tile's size */
-    uint32_t width, height;             /* of the picture */
-    struct tiling tiling;               /* of what is drawn into images of one size */
-    struct tile tile;                   /* of them, that is drawn now: what results have */
-    struct uploaded_scene own;          /* {0} if it comes uploaded */
-    const struct uploaded_scene *scene; /* on the device */
-    struct rg_mesh *meshes;             /* of techniques, to draw them */
-    struct frame_exec capture;          /* the environment cube, once, if it is not dynamic */
-    struct frame_exec picture;          /* a sample */
-    struct frame_exec resolve;          /* the mean of many samples, tonemapped */
+    struct renderer_params params;      /* interleaved: width and height are those of a tile */
+    uint32_t width, height;             /* pixels of the picture */
+    struct tiling tiling;               /* one tile if the tiles are interleaved */
+    struct tile tile;                   /* the tile of `tiling` that results have now */
+    struct uploaded_scene own;          /* {0} if params.uploaded is set */
+    const struct uploaded_scene *scene; /* `own` or params.uploaded */
+    struct rg_mesh *meshes;             /* of the techniques, in their order */
+    struct frame_exec capture;          /* draws the environment cube, if it is not dynamic */
+    struct frame_exec picture;          /* draws a sample */
+    struct frame_exec resolve;          /* tonemaps the mean of many samples */
     struct warm_up *warm_up;            /* compiles for the first picture; may be NULL */
-    bool captured;
-    struct frame_cube cube;      /* that of the picture's frames */
-    uint32_t face_size;          /* of the cubes that it draws, texels */
-    struct renderer_costs costs; /* of the picture's */
-    uint32_t last_slot;          /* of the picture's executor, where the last sample is */
+    bool captured;                      /* `capture` has drawn the environment cube */
+    struct frame_cube cube;             /* the cube that the picture's frames draw */
+    uint32_t face_size;                 /* of environment cubes that are drawn, texels */
+    struct renderer_costs costs;
+    uint32_t last_slot; /* slot of the picture's executor with the last sample */
 };
 
 /* ---- plans ---- */
@@ -87,7 +87,8 @@ static enum status upload(struct renderer *r)
     return status;
 }
 
-/* From the middle of the pixels that all tiles have at one place, in pixels of the picture. */
+/* Returns the offset of an interleaved tile's pixels, in pixels of the picture, from the middle of
+ * the block of pixels to which each tile contributes one. */
 static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
 {
     if (!renderer_is_interleaved(params))
@@ -97,7 +98,8 @@ static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
                       (float)row + 0.5f - (float)params->rows / 2.0f } };
 }
 
-/* Sizes become those of an interleaved tile. */
+/* Copies the params and replaces sizes of 0 by 1, and the picture's size by that of an interleaved
+ * tile. */
 static void take_params(struct renderer *r, const struct renderer_params *params)
 {
     r->params = *params;
@@ -171,7 +173,7 @@ void renderer_destroy(struct renderer *renderer)
 
 /* ---- a frame ---- */
 
-/* The buffers of techniques that the plan has. */
+/* Fills the techniques' upload buffers that the plan has. */
 static void write_uploads(const struct frame_view *view, const struct globals *globals,
                           struct rg_exec *exec, uint32_t slot)
 {
@@ -187,19 +189,19 @@ static void write_uploads(const struct frame_view *view, const struct globals *g
     }
 }
 
-/* Rays begin up to 0.02 radii inside (shaders/refract_inside.glsl). Layers are read everywhere, and
- * so is the floe in a pool. */
+/* Returns the pixels in which shaders may look up the object's faces. Rays begin up to 0.02 radii
+ * inside (shaders/refract_inside.glsl). Layers and the floe in a pool are looked up everywhere. */
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
-    const struct technique *rung = r->params.rung; /* none draws a cube alone */
+    const struct technique *rung = r->params.rung; /* NULL: only the cube is drawn */
     const bool is_all =
         !rung || rung->rung.reach > 0.0f || r->params.layers || view->scene->has_pool;
     return is_all ? (VkRect2D){ .extent = size }
                   : frame_view_object_area(view, globals, size, 0.05f);
 }
 
-/* The next frame draws a tile, and what its rays may meet. */
+/* Limits the next frame to a tile, and to the pixels that the rays of the tile may look up. */
 static void limit(const struct renderer *r, const struct frame_view *view,
                   const struct globals *globals)
 {
@@ -291,7 +293,7 @@ static enum status fetch_sample(struct renderer *r, struct image *image, uint32_
     return STATUS_OK;
 }
 
-/* Before the first sample of a renderer whose cube is not dynamic. */
+/* Draws the environment cube once, before the first sample, if it is not dynamic. */
 static enum status capture_cube(struct renderer *r, const struct renderer_shot *shot)
 {
     const struct motion_params *motion = settings_of(r->params.settings, &motion_settings);
@@ -347,8 +349,8 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
                                 struct image *image, renderer_progress_fn *progress, void *user)
 {
     enum status status = capture_cube(r, shot);
-    r->cube.in_turn = false; /* a picture does not depend on those before it */
-    /* one sample is drawn while the one before is added up */
+    r->cube.in_turn = false; /* pictures must not depend on earlier ones, so all faces are drawn */
+    /* The device draws a sample while the host adds up the one before. */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
         uint32_t slot_before = r->last_slot;
         if (i < r->params.samples)
@@ -362,7 +364,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
     return status;
 }
 
-/* `width`: pixels from row to row in the frame_exec's picture. */
+/* Reads the tile of the 8-bit picture back; `width` is that of the frame_exec's picture, pixels. */
 static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, uint32_t slot,
                              uint32_t width)
 {
@@ -376,7 +378,7 @@ static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, 
     return rgba;
 }
 
-/* Sends the mean back to the device, in half as the device would have drawn it. */
+/* Tonemaps the mean on the device, to which it is copied in half, the format of frame_color. */
 static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
 {
     const uint32_t width = r->resolve.frame.plan->view.width;
@@ -441,7 +443,7 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
         status = draw_samples(r, shot, &result->image, progress, user);
     else
         log_error("out of memory");
-    /* whatever a driver's compiler does, it does before a file is written */
+    /* The warm-up ends first, so that a crash of a driver's compiler cannot damage an output. */
     warm_up_end(r->warm_up);
     r->warm_up = NULL;
     if (status == STATUS_OK)
@@ -481,7 +483,8 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
     const vec3s center = box_center(params->scene->box);
     const vec3s ahead = glms_vec3_add(center, (vec3s){ { 0.0f, 0.0f, -1.0f } });
     const struct renderer_shot shot = {
-        .camera = { .eye = center, .target = ahead, .fov_deg = 90.0f }, /* no face has to do with */
+        /* The faces of the cube do not depend on the camera. */
+        .camera = { .eye = center, .target = ahead, .fov_deg = 90.0f },
         .time = time,
     };
     struct renderer_params strip = *params;

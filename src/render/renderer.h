@@ -1,12 +1,13 @@
 /*
- * renderer.h: scene + settings + camera to a picture; what every front end calls.
+ * renderer.h: draws a picture of a scene with settings and a camera; used by every front end.
  *
- *     renderer_create()   uploads the scene, compiles the plan, realises it
- *     renderer_render()   draws all samples and brings the picture back
- *     renderer_draw()     or draws a sample and leaves the picture on the device
- *     renderer_bake()     or, without all these, what surrounds the object
+ *     renderer_create()   uploads the scene, compiles the plan, creates its resources
+ *     renderer_render()   draws all samples and reads the picture back
+ *     renderer_draw()     draws one sample and leaves the picture on the device
+ *     renderer_bake()     needs no renderer: draws the environment cube and reads it back
  *
- * Ownership: gpu, scene (and `uploaded`) and settings are borrowed and outlive the renderer.
+ * Thread-safety: one thread at a time per gpu.
+ * Ownership: gpu, scene (and `uploaded`) and settings are borrowed and must outlive the renderer.
  * Errors:    logged once where found; STATUS_NO_DEVICE, STATUS_TRY_AGAIN or STATUS_FAILED, and
  *            STATUS_USAGE for a picture beyond the device's limits.
  */
@@ -28,52 +29,56 @@ struct render_result {
     uint8_t *rgba;      /* sRGB-encoded, width * height * 4 bytes; NULL if not asked for */
 };
 
-/* Called after every sample; false stops the render with STATUS_FAILED, nothing logged. */
+/* Called after every sample. If it returns false, rendering stops with STATUS_FAILED and logs
+ * nothing. */
 typedef bool renderer_progress_fn(void *user, uint32_t done, uint32_t all);
 
+/* Creates a renderer for shots of one size. On failure *renderer is NULL. */
 MUST_USE enum status renderer_create(struct renderer **renderer,
                                      const struct renderer_params *params);
 
 /*
- * What one picture shows. With tiles, one of them: a part of the picture (src/base/tile.h), with
- * the bits that it has there, for which images of the whole picture's size are made, of which only
- * some is touched. Interleaved ones are small pictures: pixel (x, y) of tile i is pixel
- * (columns x + i % columns, rows y + i / columns) of the picture, so each tile shows all of it;
- * they divide its width and height.
+ * What renderer_render() or renderer_draw() draws: a picture, or one of its tiles.
+ *
+ * A tile is a rectangle of the picture (src/base/tile.h) with the same bits as in a whole picture.
+ * Render targets have the size of the whole picture, but only a part of their memory is touched.
+ * Interleaved tiles are small pictures: pixel (x, y) of tile i is pixel (columns x + i % columns,
+ * rows y + i / columns) of the picture, so each tile shows the whole scene. Columns and rows must
+ * then divide the picture's width and height.
  */
 struct renderer_shot {
     struct camera camera;
-    float time;    /* seconds: what turns and moves has turned so long */
+    float time;    /* seconds since objects and lights began to move */
     uint32_t tile; /* below columns * rows */
 };
 
-/* *result must be {0} or finished; on failure it is {0}; with tiles it has the pixels of one.
- * `progress` may be NULL. */
+/* Draws all samples of a shot. *result must be {0} or finished; on failure it is {0}. With tiles it
+ * has the size of one tile. `progress` may be NULL. */
 MUST_USE enum status renderer_render(struct renderer *renderer, const struct renderer_shot *shot,
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);
 
 /*
- * Draws the shot's sample 0 and returns without waiting for it; at most two frames are on their way
- * at once. For renderers that keep the picture.
+ * Submits the shot's sample 0 and returns without waiting for it, except that at most two frames
+ * are in flight. For renderers with params.keep.
  */
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
 
 /*
- * The environment cube at a time, as environment.h has it: six faces, one below the other, planes
- * R, G, B, A of half. Only gpu, scene, uploaded, settings, sharing and width (of a face) of params
- * count. *image must be {0}; on failure it is.
+ * Draws the environment cube at `time`, seconds, as an image in the layout of environment.h: six
+ * faces, one below the other, planes R, G, B, A of half. Of params only gpu, scene, uploaded,
+ * settings, sharing and width (of a face) are used. *image must be {0}; on failure it is {0}.
  */
 MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
                                    struct image *image);
 
-/* Waits for the frame drawn last. */
+/* Waits for the frame submitted last. */
 MUST_USE enum status renderer_wait(struct renderer *renderer);
 
-/* The kept picture (frame_display), which every frame leaves ready to be sampled by shaders. */
+/* Returns the kept picture (frame_display); every frame leaves it ready to be sampled. */
 VkImage renderer_picture(const struct renderer *renderer);
 
-/* What a renderer took to make, milliseconds of the host. */
+/* Time that renderer_create() took, milliseconds of the host. */
 struct renderer_costs {
     double upload;  /* of the scene */
     double compile; /* the frame's tables to a plan */
@@ -81,7 +86,8 @@ struct renderer_costs {
 };
 struct renderer_costs renderer_costs(const struct renderer *renderer);
 
-/* What each pass of a frame costs: graph/rg_time.h. The plan's passes are those of the times. */
+/* Measures the passes of a frame as graph/rg_time.h says. The times are in the order of the passes
+ * of renderer_frame(). */
 void renderer_measure(struct renderer *renderer, const struct rg_measure *measure);
 struct rg_times renderer_times(const struct renderer *renderer);
 const struct rg_plan *renderer_frame(const struct renderer *renderer);

@@ -12,21 +12,21 @@ struct uploaded_scene;
 struct renderer_params {
     struct gpu *gpu;
     const struct scene *scene;
-    const struct uploaded_scene *uploaded; /* the scene; NULL: the renderer does that itself */
+    const struct uploaded_scene *uploaded; /* the scene on the device; NULL: it is uploaded */
     const struct settings *settings;
     const struct technique *rung;
     uint32_t width, height;  /* pixels */
-    uint32_t columns, rows;  /* of tiles, of which each shot draws one; 0 means 1 */
-    bool interleaved;        /* what tiles are: see renderer_shot */
-    uint32_t samples;        /* a pixel; 0 means 1 */
-    uint32_t layers;         /* bit i: techniques_layer(i); 0 where the settings switch it off */
-    bool linear;             /* the beauty, in render_result.image */
-    bool display;            /* the tonemapped picture, in render_result.rgba */
-    bool keep;               /* the same on the device, of the last sample: renderer_picture() */
+    uint32_t columns, rows;  /* of tiles; each shot draws one tile; 0 means 1 */
+    bool interleaved;        /* tiles are interleaved: see renderer_shot */
+    uint32_t samples;        /* per pixel; 0 means 1 */
+    uint32_t layers;         /* bit i: techniques_layer(i), if the settings switch it on */
+    bool linear;             /* return the beauty in render_result.image */
+    bool display;            /* return the tonemapped picture in render_result.rgba */
+    bool keep;               /* keep the tonemapped last sample on the device: renderer_picture() */
     bool measured;           /* renderer_measure() may be called */
-    bool warm_up;            /* compile shaders on all cores: warm_up.h */
-    enum rg_sharing sharing; /* which transient images share memory */
-    rg_replace_shader_fn *replace; /* of rg_exec_params, as is: */
+    bool warm_up;            /* compile shaders on several cores: warm_up.h */
+    enum rg_sharing sharing; /* which transient images may share memory */
+    rg_replace_shader_fn *replace; /* passed on in rg_exec_params, with replace_user */
     void *replace_user;
 };
 

@@ -1,4 +1,4 @@
-/* request.c: what a renderer's plans are to draw and bring back. */
+/* request.c: what the renderer's plans draw and read back. */
 #include "src/render/request.h"
 #include "src/scene/scene.h"
 
@@ -61,7 +61,7 @@ struct frame_request renderer_capture_request(const struct renderer_params *para
     };
 }
 
-/* A view as large as a face. */
+/* The view has the size of a face. */
 struct frame_request renderer_bake_request(const struct renderer_params *params)
 {
     return (struct frame_request){
@@ -73,7 +73,7 @@ struct frame_request renderer_bake_request(const struct renderer_params *params)
     };
 }
 
-/* Of a picture as large as the largest tile. */
+/* The view has the size of the largest tile. */
 struct frame_request renderer_resolve_request(const struct renderer_params *params)
 {
     const struct tiling tiling = renderer_tiling(params);

@@ -1,4 +1,4 @@
-/* request.h: the frames behind a picture, as frame_plan.h takes them; for the renderer. */
+/* request.h: the requests (src/frame/plan.h) of the renderer's frames. */
 #ifndef FIRN_RENDER_REQUEST_H
 #define FIRN_RENDER_REQUEST_H
 
@@ -6,17 +6,18 @@
 #include "src/frame/plan.h"
 #include "src/render/renderer_params.h"
 
-/* A sample; the environment cube that stays; one to keep as a file; the mean of many samples. */
+/* Return the requests for a sample; for the environment cube, once for all samples; for the
+ * environment cube to be written to a file; and for tonemapping the mean of many samples. */
 struct frame_request renderer_picture_request(const struct renderer_params *params);
 struct frame_request renderer_capture_request(const struct renderer_params *params);
 struct frame_request renderer_bake_request(const struct renderer_params *params);
 struct frame_request renderer_resolve_request(const struct renderer_params *params);
 
-/* Whether each tile is some pixels of all the picture. */
+/* Returns whether tiles are interleaved (struct renderer_shot) and there are several. */
 bool renderer_is_interleaved(const struct renderer_params *params);
 
-/* The tiles that a picture is drawn in, one after another, as parts of it: one if it is whole, or
- * drawn interleaved. */
+/* Returns the rectangles in which a picture is drawn: one if the picture is drawn as a whole or in
+ * interleaved tiles. */
 struct tiling renderer_tiling(const struct renderer_params *params);
 
 /* The plan of a frame as the renderer would compile it, without a device: for `firn graph`.

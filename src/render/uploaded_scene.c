@@ -1,4 +1,4 @@
-/* uploaded_scene.c: what techniques need of a scene, on the device. */
+/* uploaded_scene.c: uploads what techniques need of a scene. */
 #include "src/render/uploaded_scene.h"
 #include <stdlib.h>
 #include "src/base/log.h"
@@ -33,7 +33,7 @@ static enum status upload_meshes(struct uploaded_scene *on_gpu, struct gpu *gpu,
     return status;
 }
 
-/* Bytes of all texels that the scene has; mips that are made do not count. */
+/* Returns the bytes of all texels of the scene's image, without mip levels that are generated. */
 static size_t size_of(const struct technique_texels *texels, size_t texel_size)
 {
     const uint32_t layers = texels->layers ? texels->layers : 1;

@@ -1,4 +1,4 @@
-/* warm_up.c: threads, each with a device and an executor without content. */
+/* warm_up.c: threads, each with a logical device and a warm-up executor. */
 #include "src/render/warm_up.h"
 #include <pthread.h>
 #include <sched.h>
@@ -15,7 +15,7 @@
 #include "src/tech/techniques.h"
 
 enum {
-    THREAD_COUNT_MAX = 3, /* more find nothing left */
+    THREAD_COUNT_MAX = 3, /* more threads save no time */
 };
 
 struct warm_up {
@@ -24,7 +24,7 @@ struct warm_up {
     struct settings settings;
     struct rg_frame frame;
     struct rg_mesh *meshes; /* of techniques */
-    atomic_int next;        /* pass; below 0: all are done, or it is over */
+    atomic_int next;        /* pass to compile next; below 0: none */
     pthread_t threads[THREAD_COUNT_MAX];
     uint32_t thread_count;
 };
@@ -45,9 +45,8 @@ static void prime_passes(struct warm_up *warm_up, const struct gpu_twin *twin)
 }
 
 /*
- * This thread, and those that the driver makes for it, take what nobody else wants. So the picture
- * is not held up; and Mesa's own thread that writes the cache, which comes last on every machine,
- * has its turn before all is compiled.
+ * Gives this thread, and the threads that the driver starts for it, the lowest priority. So they do
+ * not delay the picture, nor Mesa's thread that writes the cache, which has a low priority, too.
  */
 static void step_back(void)
 {
@@ -67,7 +66,7 @@ static void *work(void *user)
     return NULL;
 }
 
-/* Everything has three indices. */
+/* Describes a frame whose meshes are one triangle each. */
 static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exec,
                      const struct renderer_params *params)
 {
