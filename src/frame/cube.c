@@ -46,9 +46,8 @@ enum status frame_cube_init(struct frame_cube *cube, const struct scene *scene)
     if (all == 0)
         return STATUS_OK;
     cube->movers = calloc(all / MOVER_TRIANGLES + 1, sizeof(*cube->movers));
-    if (!cube->movers) {
+    if (!cube->movers)
         return log_out_of_memory(NULL);
-    }
     for (uint32_t i = 0; i < mesh->index_count / 3; i++) {
         if (moves(mesh, i))
             triangles[count++] = i;

@@ -213,10 +213,8 @@ static enum status report(const char *path, const struct source *source, exr_res
         log_error("%s: reading failed", path);
         return STATUS_NO_INPUT;
     }
-    if (source->out_of_memory) {
-        log_error("%s: out of memory", path);
-        return STATUS_TRY_AGAIN;
-    }
+    if (source->out_of_memory)
+        return log_out_of_memory(path);
     log_error("%s: %s", path,
               source->message[0] ? source->message : exr_get_default_error_message(result));
     return STATUS_DATA;
@@ -359,10 +357,8 @@ enum status exr_inspect(const char *path, const char *name, char **text)
         exr_attr_get_string(reader.context, 0, name, &length, &value) != EXR_ERR_SUCCESS)
         value = "";
     status = report(path, &source, result);
-    if (status == STATUS_OK && !(*text = strdup(value))) {
-        log_error("%s: out of memory", path);
-        status = STATUS_TRY_AGAIN;
-    }
+    if (status == STATUS_OK && !(*text = strdup(value)))
+        status = log_out_of_memory(path);
     exr_finish(&reader.context);
     image_finish(&image);
     fclose(source.file);
@@ -404,15 +400,14 @@ static exr_result_t open_rows(struct exr_file *file)
 enum status exr_open(struct exr_file **opened, const char *path, struct image *image)
 {
     struct exr_file *file = calloc(1, sizeof(*file));
-    enum status status = STATUS_TRY_AGAIN;
+    enum status status;
 
     *opened = NULL;
     if (file)
         file->path = strdup(path);
     if (!file || !file->path) {
-        log_error("%s: out of memory", path);
         free(file);
-        return status;
+        return log_out_of_memory(path);
     }
     file->reader = (struct reader){ .image = &file->rows, .source = &file->source };
     status = file_open(path, &file->source.file, &file->source.size);

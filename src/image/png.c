@@ -276,6 +276,8 @@ enum status png_inspect(const char *path, const char *name, char **text)
         return STATUS_OK;
     free(*text);
     *text = NULL;
-    log_error(is_whole ? "%s: out of memory" : "%s: not a PNG file, or damaged", path);
-    return is_whole ? STATUS_TRY_AGAIN : STATUS_DATA;
+    if (is_whole)
+        return log_out_of_memory(path);
+    log_error("%s: not a PNG file, or damaged", path);
+    return STATUS_DATA;
 }

@@ -163,9 +163,8 @@ enum status ladder_json(const struct ladder_report *report, char **text, size_t 
     json_t *root = json_object();
     *text = fill(root, report) ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) : NULL;
     json_decref(root);
-    if (!*text) {
+    if (!*text)
         return log_out_of_memory(NULL);
-    }
     *size = 0;
     while ((*text)[*size])
         ++*size;

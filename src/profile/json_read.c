@@ -32,8 +32,7 @@ static enum status fault(const struct reader *reader, const char *key, const cha
 
 static enum status no_memory(const struct reader *reader)
 {
-    log_error("%s: out of memory", reader->path);
-    return STATUS_TRY_AGAIN;
+    return log_out_of_memory(reader->path);
 }
 
 static bool is_number(const json_t *value)

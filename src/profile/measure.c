@@ -75,9 +75,8 @@ static enum status describe_memory(struct profile *p, const struct rg_plan *plan
     p->memory_persistent = plan->memory_persistent;
     p->residents =
         calloc((size_t)plan->image_count + plan->buffer_count + 1, sizeof(*p->residents));
-    if (!p->residents) {
+    if (!p->residents)
         return log_out_of_memory(NULL);
-    }
     for (uint32_t i = 0; i < plan->image_count; i++) {
         const struct rg_plan_image *image = &plan->images[i];
         add_resident(p, image->image->name,

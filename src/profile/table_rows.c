@@ -52,9 +52,8 @@ enum status profile_table_rows_init(struct profile_table_rows *lines, const stru
     for (uint32_t i = 0; i < p->row_count && ok; i++)
         ok = add_row(lines, p, i, each);
     if (!ok) {
-        log_error("out of memory");
         profile_table_rows_finish(lines);
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     for (uint32_t i = 0; i < lines->count; i++) {
         struct profile_table_row *line = &lines->lines[i];

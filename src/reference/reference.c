@@ -61,9 +61,8 @@ enum status reference_create(struct reference **reference, const struct referenc
 {
     struct reference *r = calloc(1, sizeof(*r));
     *reference = NULL;
-    if (!r) {
+    if (!r)
         return log_out_of_memory(NULL);
-    }
     r->request = *request;
     r->request.samples = request->samples ? request->samples : 1;
     r->device = rtcNewDevice(NULL);

@@ -53,9 +53,8 @@ static enum status realise(struct renderer *r, struct frame_exec *frame_exec)
 {
     const struct frame_plan *plan = &frame_exec->frame;
     struct rg_exec_import *imports = calloc(plan->import_count + 1, sizeof(*imports));
-    if (!imports) {
+    if (!imports)
         return log_out_of_memory(NULL);
-    }
     for (size_t i = 0; i < plan->import_count; i++)
         imports[i].image = find_import(r, plan->imports[i].image);
     const enum status status = frame_exec_realise(frame_exec, &r->params, imports);
@@ -120,15 +119,12 @@ static void take_params(struct renderer *r, const struct renderer_params *params
 enum status renderer_create(struct renderer **renderer, const struct renderer_params *params)
 {
     struct renderer *r = calloc(1, sizeof(*r));
-    enum status status = STATUS_TRY_AGAIN;
     *renderer = NULL;
-    if (!r) {
-        log_error("out of memory");
-        return status;
-    }
+    if (!r)
+        return log_out_of_memory(NULL);
     take_params(r, params);
     r->face_size = frame_env_cube.width;
-    status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
+    enum status status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
     const double start = clock_ms();
     if (status == STATUS_OK)
         status = frame_exec_compile(&r->picture, &r->params, renderer_picture_request(&r->params));
@@ -372,7 +368,7 @@ static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, 
     uint8_t *rgba = malloc(row_size * r->tile.height);
     const uint8_t *source = read_back(frame_exec, &frame_display, slot);
     if (!rgba || !source)
-        log_error("out of memory");
+        (void)log_out_of_memory(NULL);
     for (size_t y = 0; y < r->tile.height && rgba && source; y++)
         memcpy(rgba + y * row_size, source + y * width * 4, row_size);
     return rgba;
@@ -436,13 +432,11 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
                             void *user)
 {
     *result = (struct render_result){ 0 };
-    enum status status = STATUS_TRY_AGAIN;
     if (!renderer_is_interleaved(&r->params))
         r->tile = tile_at(&r->tiling, shot->tile);
-    if (make_planes(r, &result->image))
-        status = draw_samples(r, shot, &result->image, progress, user);
-    else
-        log_error("out of memory");
+    enum status status = make_planes(r, &result->image)
+                             ? draw_samples(r, shot, &result->image, progress, user)
+                             : log_out_of_memory(NULL);
     /* The warm-up ends first, so that a crash of a driver's compiler cannot damage an output. */
     warm_up_end(r->warm_up);
     r->warm_up = NULL;
@@ -469,9 +463,8 @@ static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *i
     };
     image_init(image, r->face_size, 6 * r->face_size);
     if (!accumulate_add_planes(image, &cube)) {
-        log_error("out of memory");
         image_finish(image);
-        return STATUS_TRY_AGAIN;
+        return log_out_of_memory(NULL);
     }
     accumulate_sample(image, &cube, read_back(&r->capture, &frame_env_cube_baked, slot), 0);
     return STATUS_OK;

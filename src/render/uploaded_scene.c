@@ -93,15 +93,12 @@ static size_t count_imports(void)
 enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                 const struct scene *scene)
 {
-    enum status status = STATUS_TRY_AGAIN;
     *on_gpu = (struct uploaded_scene){
         .meshes = calloc(techniques_count, sizeof(*on_gpu->meshes)),
         .images = calloc(count_imports() + 1, sizeof(*on_gpu->images)),
     };
-    if (on_gpu->meshes && on_gpu->images)
-        status = upload_meshes(on_gpu, gpu, scene);
-    else
-        log_error("out of memory");
+    enum status status = on_gpu->meshes && on_gpu->images ? upload_meshes(on_gpu, gpu, scene)
+                                                          : log_out_of_memory(NULL);
     if (status == STATUS_OK)
         status = upload_images(on_gpu, gpu, scene);
     if (status != STATUS_OK)

@@ -56,10 +56,8 @@ static enum status convert(struct environment *environment, const struct image *
         }
     }
     environment->texels = calloc(count, 4 * sizeof(uint16_t));
-    if (!environment->texels) {
-        log_error("%s: out of memory", path);
-        return STATUS_TRY_AGAIN;
-    }
+    if (!environment->texels)
+        return log_out_of_memory(path);
     environment->width = image->width;
     environment->height = image->height;
     environment->is_cube = image->height > image->width;

@@ -286,10 +286,8 @@ static enum status judge(const char *path, const struct decode_params *params,
 {
     if (fault == MESH_PIPE_SHORT)
         return say_why(path, params, child);
-    if (fault == MESH_PIPE_MEMORY) {
-        log_error("%s: out of memory", path);
-        return STATUS_TRY_AGAIN;
-    }
+    if (fault == MESH_PIPE_MEMORY)
+        return log_out_of_memory(path);
     if (fault != MESH_PIPE_OK) {
         log_error("%s: invalid data from the reader: %s; export the file again", path,
                   mesh_pipe_words(fault));
