@@ -1,4 +1,4 @@
-/* absorb.c: what the object takes of the light that goes through it, by Beer and Lambert. */
+/* absorb.c: absorption of light in the object, by the law of Beer and Lambert. */
 #include "src/tech/absorb.h"
 #include "src/tech/frame.h"
 

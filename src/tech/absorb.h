@@ -3,7 +3,7 @@
 #define TECH_ABSORB_H
 #include "src/tech/technique.h"
 
-/* What the object takes of light that passes it: exp(-absorb * length) is left. */
+/* Absorption coefficients: the share exp(-coefficient * length) of the light passes the object. */
 struct absorb_params {
     float red, green, blue; /* 1 / metre */
 };

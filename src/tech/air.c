@@ -1,17 +1,17 @@
 /*
  * air.c: the milky white of air enclosed in the ice: texture impostors.
  *
- * Seipel and Nivfors 2006, section 3.1: transparently textured polygons at random inside the ice,
+ * Seipel and Nivfors 2006, section 3.1: polygons with transparent textures at random in the ice,
  * whose textures show bubbles of certain sizes and frequencies, drawn in a pass of their own and
  * composited by alpha blending; section 4 draws 19. Clipped to the ice as section 3.3 clips cracks.
  * Drawn at the view's size; the paper's target is 512 x 512.
  *
- * All planes scatter the same light, the mean of what comes from all sides. Colours that are alike
- * blend to colour x (1 - product of (1 - alpha)) in whatever order, so nothing has to be sorted.
+ * All planes scatter the same light, the mean of the light from all directions. Equal colours blend
+ * to colour x (1 - product of (1 - alpha)) in any order, so no plane has to be sorted.
  *
- * Limits: the air is seen along the straight ray, not the refracted one. No light is lost on its
- * way through the ice. Convex objects only, as ice_depth is. A plane seen edge on is none, for
- * which it fades.
+ * Limits: the air is seen along the straight ray, not the refracted one. The light of the air is
+ * not absorbed by the ice. Convex objects only, as for ice_depth. A plane is invisible when it is
+ * seen edge on, so it fades out near that angle.
  */
 #include "src/tech/air.h"
 #include "shaders/air.h"
@@ -22,7 +22,7 @@
 
 static rg_record_fn record_planes;
 
-/* Imported: struct air_layers of the scene; the size is that of the fallback. */
+/* The scene's struct air_layers, imported; this size is that of the fallback. */
 static const struct rg_image air_layers = {
     .name = "frame.air",
     .format = VK_FORMAT_R8G8_UNORM,

@@ -1,13 +1,13 @@
-/* air.h: milky planes inside the ice. */
+/* air.h: planes of air bubbles inside the ice. */
 #ifndef TECH_AIR_H
 #define TECH_AIR_H
 #include "shaders/over.h"
 #include "src/tech/technique.h"
 
 extern const struct rg_image air_cover; /* opacity of all planes together */
-extern const struct rg_image air_color; /* premultiplied; 0 where there is none; a layer alone */
+extern const struct rg_image air_color; /* premultiplied colour, for the layer only; 0: no air */
 
-/* What over.vert reads of the environment for the air's light. */
+/* The use of the environment by over.vert, which computes the light of the air from it. */
 #define AIR_USE_ENVIRONMENT \
     FRAME_SAMPLE(frame_environment, OVER_ENVIRONMENT, .sampler = &frame_environment_sampler, \
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
@@ -16,11 +16,11 @@ extern const struct technique air;
 extern const struct setting_group air_settings;
 
 struct air_params {
-    uint32_t count, seed; /* of planes; of their poses and pictures */
+    uint32_t count, seed; /* number of planes; seed of their poses and textures */
     float size;           /* diameter of the largest bubbles, in diagonals of the object's box */
     float frequency;      /* of the largest bubbles along that diagonal */
     float strength;       /* opacity of a plane's bubbles at most */
-    float haze;           /* the same of its haze */
+    float haze;           /* opacity of a plane's haze at most */
 };
 
 #endif

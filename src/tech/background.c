@@ -1,7 +1,7 @@
 /*
  * background.c: the surroundings, and behind them the sky or environment picture.
  *
- * Drawn after the ice, if there is one: what it hides costs a depth test and no more.
+ * Drawn after the ice, if there is any: hidden pixels then cost only a depth test.
  */
 #include "src/tech/background.h"
 #include "shaders/embedded.h"
@@ -23,7 +23,7 @@ static const struct rg_use sky_uses[] = {
     { 0 },
 };
 
-/* What background_make() fills in: names, targets, uses, record functions. */
+/* The constant part of the rows; background_make() adds names, targets, uses, record functions. */
 static const struct rg_pass passes[] = {
     {
         .depth_compare = VK_COMPARE_OP_GREATER,
@@ -44,7 +44,7 @@ static const struct rg_pass passes[] = {
 struct rg_technique background_make(struct row_builder *builder,
                                     const struct background_rows *wanted)
 {
-    /* the sky fills what the surroundings leave */
+    /* The sky covers all pixels without surroundings, so the colours need no clear. */
     const enum rg_load color_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
     const enum rg_load depth_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
     const struct rg_use *const uses[] = { plain_uses, wanted->shine ? ice_caustics_uses : NULL };
@@ -69,7 +69,7 @@ struct rg_technique background_make(struct row_builder *builder,
     return (struct rg_technique){ wanted->name, rows, 2 };
 }
 
-/* In a pool first of all, else after the object. */
+/* The background is drawn before the water of a pool, but after an object. */
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {

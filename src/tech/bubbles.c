@@ -1,17 +1,18 @@
 /*
- * bubbles.c: spheres of air in the ice, each a square on which its ray is followed.
+ * bubbles.c: spheres of air in the ice, each drawn as a square whose fragments trace a ray.
  *
  * Closed forms of geometrical optics: with b the sine of the angle of incidence, light beyond
  * b = 1.0003 / 1.3091 is totally reflected, 41.6 % of the disc; other light leaves turned outward
- * by 2 (theta_t - theta_i). Shares by Fresnel's equations. Spheres do not overlap, and are drawn
- * farthest first: by squared distance of the centre less squared radius, which is exact for such.
+ * by 2 (theta_t - theta_i). Reflectances are those of Fresnel's equations. Spheres do not overlap
+ * and are drawn farthest first, sorted by the centre's squared distance less the squared radius,
+ * which is exact for them.
  *
- * Limits: what is seen in a bubble comes straight from the environment cube; the ice's surface
- * bends neither the ray from the eye nor that from the bubble. Because the picture behind is bent,
- * light that passes counts only by the squared sine of its angle inside (bubble_cover), so that the
- * middle shows the picture behind, where a true bubble shows it smaller. Light reflected inside the
- * bubble is taken to pass. The eye sees nothing of a bubble around it. Convex objects only, as
- * ice_depth is.
+ * Limits: bubbles show the environment cube; the ice's surface bends neither the ray from the eye
+ * nor the ray from the bubble. Because the picture behind is already bent, transmitted light counts
+ * only by the squared sine of its angle inside (bubble_cover), so that the middle of a bubble shows
+ * the picture behind it, where a true bubble shows it smaller. Light that is reflected inside the
+ * bubble is treated as transmitted. A bubble around the eye is invisible. Convex objects only, as
+ * for ice_depth.
  */
 #include "src/tech/bubbles.h"
 #include <stdlib.h>
@@ -119,7 +120,7 @@ static bool is_on(const struct settings *settings)
 
 struct far_sphere {
     struct bubbles_sphere sphere;
-    float power; /* squared length of the tangents from the eye */
+    float power; /* of the eye: squared length of its tangents to the sphere */
 };
 
 static int compare_far(const void *a, const void *b)
@@ -129,7 +130,8 @@ static int compare_far(const void *a, const void *b)
     return (x->power < y->power) - (x->power > y->power);
 }
 
-/* Of spheres that do not overlap, the plane of points of equal power lies between each two. */
+/* The points of equal power of two spheres that do not overlap form a plane between them, so the
+ * one with more power is on the far side. */
 void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals)
 {
     const struct bubbles *all = &view->scene->bubbles;

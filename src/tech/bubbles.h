@@ -3,20 +3,21 @@
 #define TECH_BUBBLES_H
 #include "src/tech/technique.h"
 
-extern const struct rg_image bubbles_color; /* premultiplied; 0 where there is none */
+extern const struct rg_image bubbles_color; /* premultiplied colour; 0 without bubbles */
 
-/* BUBBLES_COUNT_MAX of struct bubbles_sphere in the world, of which as many are there as the scene
- * has. */
+/* An array of BUBBLES_COUNT_MAX struct bubbles_sphere in world space; the first ones, as many as
+ * the scene has, are valid. */
 extern const struct rg_buffer bubbles_spheres;
 
-/* Writes them, farthest first: none can hide one that comes after it. */
+/* Fills bubbles_spheres, farthest first, so that later spheres may hide earlier ones but not the
+ * other way around. */
 void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals);
 
 extern const struct technique bubbles;
 extern const struct setting_group bubbles_settings;
 
 struct bubbles_params {
-    uint32_t count, seed; /* of bubbles; of their places and sizes */
+    uint32_t count, seed; /* number of bubbles; seed of their places and sizes */
     float size;           /* diameter of the largest, in diagonals of the object's box */
 };
 

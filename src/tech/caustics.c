@@ -6,23 +6,24 @@
  *
  *   naive      photons from the sun through random points of the surface, counted where they land.
  *              Right, and grainy: the noise falls with the root of their number.
- *   gather     from each point of the floor directions within a cone about the straight ray; those
- *              count which leave the surface towards the sun. Right where the cone holds all of the
- *              light; slow, since few directions meet a small sun.
- *   backtrace  from each point of the floor one ray up, looked up in a round map of light. One
- *              shader, made up: crests and troughs shine alike at any depth. Refracted by Snell's
- *              law; as published the ray leaves along the surface's slope, which bends it three
- *              times too much. Scaled to as much light as enters the pool.
+ *   gather     traces directions in a cone about the straight ray from each point of the floor, and
+ *              counts those that leave the surface towards the sun. Right if the cone contains all
+ *              of the light; slow, since few directions meet a small sun.
+ *   backtrace  traces one ray up from each point of the floor and looks it up in a round light map.
+ *              One shader, not physical: crests and troughs are equally bright at any depth. Here
+ *              the ray is refracted by Snell's law; as published it leaves along the surface's
+ *              slope, which bends it three times too much. Scaled to the light that enters the pool.
  *   area       a grid of points of the surface, refracted to the floor; light is dimmed as the
  *              triangles between them grow, and added up where they fold over one another.
  *
- * All hold the light that enters through the pool's surface, and shadows of its rim. The sun is
- * a disc; area spreads the light of its middle by the image it has below water at rest.
+ * All methods model the light that enters through the pool's surface, and the shadow of its rim.
+ * The sun is a disc; area traces its middle and blurs the map by the sun's image below water at
+ * rest.
  *
- * Limits: light that falls on a wall is focused as on the floor behind it. What a wave reflects is
- * gone; light meets no second wave. The map has CAUSTICS_SIZE texels a side: finer lines are lost.
- * What a triangle of area brings to a texel has a limit, so that a fold which covers a texel's
- * centre by chance does not shine out.
+ * Limits: light that falls on a wall is focused as on the floor behind it. Light that a wave
+ * reflects is lost; light meets no second wave. The map has CAUSTICS_SIZE texels a side: finer
+ * lines are lost. The light of one triangle of `area` in a texel is clamped, so that a fold that
+ * covers a texel's centre by chance makes no bright dot.
  */
 #include "src/tech/caustics.h"
 #include "shaders/embedded.h"
@@ -60,7 +61,7 @@ static const struct rg_buffer caustics_sum = {
 
 #define PUSH .push_size = sizeof(struct caustics_push)
 
-/* The last row of each method: the map itself. */
+/* The last row of each method draws the map. */
 #define LIGHT \
     .name = "caustics.light", .color = RG_TARGETS({ &caustics_light, RG_LOAD_DISCARD }), \
     .vert = &screen_vert, .record = record_screen

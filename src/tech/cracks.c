@@ -4,18 +4,19 @@
  * Seipel and Nivfors 2006, section 3.3: generic sheets, turned and placed at random near the
  * object's centre, drawn from both sides with a bump map, a fragment kept only if it lies inside
  * the object. They show nothing but specular highlights and are transparent elsewhere. The paper's
- * way to clip (cracks.clip=convex) is right for convex objects; of a concave one it keeps what lies
- * between two parts. Intervals of each pixel's ray are right for any closed object; so are cracks
- * cut in advance (the paper's section 5). The bump map is noise made here.
+ * clipping (cracks.clip=convex) is right for convex objects; in a concave one it keeps fragments
+ * between two parts of the object. Intervals of each pixel's ray are right for any closed object,
+ * and so are cracks that were cut in advance (the paper's section 5). The bump map is procedural
+ * noise.
  *
- * cracks.refract=normals is the experiment of the paper's section 5, too strong as it says: light
- * leaves a crack on the other side in the direction in which it came. =gap is that law: what a thin
- * parallel gap filled with air does not reflect goes straight through. cracks.surface paints the
- * sheets red and opaque, as the paper's figures 5c and 5d do to show them.
+ * cracks.refract=normals is the experiment of the paper's section 5, which is too strong, as the
+ * paper says: light leaves a crack in the direction in which it enters. cracks.refract=gap follows
+ * that law: light that a thin parallel gap of air does not reflect goes straight on. cracks.surface
+ * paints the sheets red and opaque, as the paper's figures 5c and 5d do to show them.
  *
- * Error: cracks are seen along the straight ray, not the refracted one, and light comes and goes as
- * if there were no surface above them. Where cracks lie behind each other they are blended in the
- * order of the mesh, not of depth.
+ * Error: cracks are seen along the straight ray, not the refracted one, and their light is not
+ * refracted by the surface above them. Cracks behind each other are blended in the order of the
+ * mesh, not of depth.
  */
 #include "src/tech/cracks.h"
 #include "shaders/embedded.h"
@@ -40,11 +41,11 @@ static const struct rg_image cracks_depth = {
 
 /* ---- rows ---- */
 
-/* A way to clip: what its shaders read, and which they are. */
+/* A method of clipping: its shaders and their uses. */
 struct clipping {
     const struct rg_use *uses, *normal_uses;
     const struct rg_shader *vert, *color, *gap, *normal;
-    bool before_back; /* the depth test leaves out what is behind the ice */
+    bool before_back; /* the depth test rejects fragments behind the ice */
 };
 
 static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
@@ -77,7 +78,7 @@ static const struct clipping convex = {
     .before_back = true,
 };
 
-/* Tests nothing: cracks that are cut already, or over the whole picture. */
+/* No test: for cracks that were cut in advance or are drawn over the whole picture. */
 static const struct clipping none = {
     .uses = globals_use,
     .normal_uses = globals_use,
@@ -105,8 +106,8 @@ static const struct rg_use *use_intervals(struct row_builder *builder, uint32_t 
     return row_builder_uses(builder, (const struct rg_use *const[]){ globals_use, layers }, 2);
 }
 
-/* What is surely convex has one interval, from the nearest to the farthest face: others are not
- * searched for. */
+/* An object that is known to be convex has one interval, from the nearest to the farthest face, so
+ * it needs no depth peeling. */
 static struct clipping find_clipping(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
@@ -262,7 +263,7 @@ bool cracks_are_in_ice(const struct settings *settings)
     return params->count && params->clip != CRACKS_CLIP_NONE;
 }
 
-/* Without cracks it draws nothing there, and is culled unless the layer is asked for. */
+/* Without cracks the rows draw an empty layer; they are culled unless the layer is requested. */
 static struct rg_technique make_color(const struct technique_choice *choice,
                                       struct row_builder *builder)
 {

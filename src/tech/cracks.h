@@ -4,19 +4,19 @@
 #include "shaders/cracks.h"
 #include "src/tech/technique.h"
 
-/* How cracks are kept inside the ice. */
+/* How cracks are clipped to the ice. */
 enum cracks_clip {
     CRACKS_CLIP_CONVEX,   /* between the nearest front and the farthest back face */
     CRACKS_CLIP_INTERVAL, /* within one of the intervals of ice_interval */
-    CRACKS_CLIP_PRECUT,   /* not at all: the scene's cracks were cut when it was loaded */
-    CRACKS_CLIP_NONE,
+    CRACKS_CLIP_PRECUT,   /* not when drawn: they were cut when the scene was loaded */
+    CRACKS_CLIP_NONE,     /* not at all */
 };
 
 /* How cracks change what is seen through the ice. */
 enum cracks_refract {
     CRACKS_REFRACT_OFF,
-    CRACKS_REFRACT_NORMALS, /* their normals take the place of the back faces' */
-    CRACKS_REFRACT_GAP,     /* they reflect the environment as gaps filled with air do */
+    CRACKS_REFRACT_NORMALS, /* their normals replace those of the back faces */
+    CRACKS_REFRACT_GAP,     /* they reflect the environment as thin gaps of air */
 };
 
 struct cracks_params {
@@ -26,15 +26,15 @@ struct cracks_params {
     uint32_t refract;     /* enum cracks_refract */
 };
 
-/* Premultiplied: highlights, and what gaps reflect. */
+/* Premultiplied colours: highlights, and reflections of gaps. */
 extern const struct rg_image cracks_color;
 
 extern const struct setting_group cracks_settings;
 
 extern const struct technique cracks;
 
-/* Whether there are cracks and they are clipped to the ice, over whose picture over.c draws them;
- * others are drawn over all the picture. */
+/* Returns whether there are cracks that are clipped to the ice, which over.c draws over the ice;
+ * other cracks are drawn over the finished picture. */
 bool cracks_are_in_ice(const struct settings *settings);
 
 #endif

@@ -3,12 +3,14 @@
  *
  * Seipel and Nivfors 2006, section 3.2: the entire scene without the ice, rendered six times with
  * a field of view of 90 degrees from the centre of the ice object, 512 x 512 texels a face.
- * Alpha is 1 / distance from there, 0 where only the sky is seen: by it rungs follow a ray to what
- * is near. Faces in Vulkan's order and orientation, which is left-handed: nothing here culls by
- * winding. The cube lives from frame to frame: a face is drawn when it is due (src/frame/cube.h).
+ * Alpha is 1 / distance from the centre, 0 where only the sky is seen; rungs use it to follow a ray
+ * to near surroundings. Faces have Vulkan's order and orientation, which is left-handed: nothing
+ * here is culled by winding. The cube keeps its content from frame to frame: a face is drawn when
+ * it is due (src/frame/cube.h).
  *
- * Limits: what lies near the object is seen from its centre, not from where light leaves it, if
- * refract.lookup is infinite; and else, too, what other things hide from the centre is not there.
+ * Limits: if refract.lookup is infinite, surroundings near the object appear as seen from its
+ * centre, not from where light leaves it. Surroundings that are hidden from the centre are missing
+ * in any case.
  */
 #include "src/settings/scene_settings.h"
 #include "src/tech/background.h"

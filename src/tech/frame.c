@@ -1,4 +1,4 @@
-/* frame.c: what all techniques share. */
+/* frame.c: images, samplers and record functions that techniques share. */
 #include "src/tech/frame.h"
 #include "src/scene/mesh.h"
 #include "src/tech/techniques.h"
@@ -64,7 +64,7 @@ const struct rg_image frame_env_cube = {
     .width = FRAME_FACE_SIZE,
     .height = FRAME_FACE_SIZE,
     .cube = true,
-    .persistent = true, /* of a face that is not due, the last picture */
+    .persistent = true, /* faces that are not due keep their content */
 };
 
 const struct rg_image frame_env_cube_baked = {
@@ -79,7 +79,7 @@ const struct rg_buffer frame_samples = {
     .memory = RG_MEMORY_UPLOAD,
 };
 
-/* Imported; the sizes are those of the fallbacks where the scene has no such picture. */
+/* Imported images; these sizes are those of the fallbacks. */
 const struct rg_image frame_environment = {
     .name = "frame.environment",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,

@@ -1,5 +1,5 @@
 /*
- * frame.h: what techniques share: what their functions may read of a frame, images, samplers.
+ * frame.h: what techniques share: the data of a frame that their functions read, images, samplers.
  */
 #ifndef FIRN_TECH_FRAME_H
 #define FIRN_TECH_FRAME_H
@@ -14,7 +14,7 @@
 struct technique;
 struct window_frame;
 
-/* What a frame shows, and how. */
+/* What a frame shows, and how; for functions that compute uniform data. */
 struct frame_view {
     const struct scene *scene;
     const struct settings *settings;
@@ -23,41 +23,44 @@ struct frame_view {
     uint32_t width, height; /* pixels */
     vec2s jitter;           /* of the sample, pixels */
     uint32_t face_size;     /* of the cube around the object, texels */
-    vec2s tile;             /* where the tile's pixels are, in pixels: from the middle of those
-                               that all tiles have at one place */
-    float lod_bias;         /* log2 of the distance of neighbours, in pixels, times -1 */
+    vec2s tile;             /* of an interleaved tile: offset of its pixels, in pixels of the
+                               picture, from the middle of each block of all tiles' pixels */
+    float lod_bias;         /* of an interleaved tile: -log2 of the distance of its pixels in the
+                               picture; else 0 */
 };
 
 /*
- * What a record function may read; the tag that graph/rg.h leaves to the program. Filled by the
- * renderer, once a frame.
+ * What a record function may read: the struct that graph/rg.h leaves to the program. The renderer
+ * fills it once a frame.
  */
 struct rg_frame {
     const struct settings *settings;
     const struct scene *scene;
-    struct rg_mesh object;        /* the refractive one */
+    struct rg_mesh object;        /* the refractive object */
     struct rg_mesh surroundings;  /* may be empty */
-    const struct rg_mesh *meshes; /* of techniques: frame_draw_mesh() */
-    VkRect2D object_area;         /* pixels of the view; all of the object lies in it */
-    VkRect2D lookup_area;         /* the same, and wherever else shaders look for its faces */
+    const struct rg_mesh *meshes; /* of the techniques, for frame_draw_mesh() */
+    VkRect2D object_area;         /* pixels of the view that contain the whole object */
+    VkRect2D lookup_area;         /* pixels of the view in which shaders look up its faces */
     struct background_push view;
     vec2s jitter;                      /* of the sample, pixels */
     struct background_push faces[6];   /* of the cube around the object, Vulkan's order */
-    uint32_t faces_due;                /* those that are drawn, a bit each */
+    uint32_t faces_due;                /* a bit for each face that is drawn */
     const struct window_frame *window; /* src/view/present.h; NULL: there is no window */
 };
 
-/* struct mesh_vertex as shaders/mesh.h has it. */
+/* The layout of struct mesh_vertex (shaders/mesh.h). */
 extern const struct rg_vertex_layout frame_mesh_layout;
 
-/* struct globals (shaders/globals.h), and the use of it that most rows begin with. */
+/* The uniform buffer of struct globals (shaders/globals.h), and the use with which most rows
+ * begin. */
 extern const struct rg_buffer frame_globals;
 #define FRAME_USE_GLOBALS \
     { \
         .buffer = &frame_globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING \
     }
 
-/* The use of an image whose texels shaders read; the same, then other fields of struct rg_use. */
+/* FRAME_READ is a use of an image whose texels shaders fetch; FRAME_SAMPLE takes further fields of
+ * struct rg_use, such as the sampler. */
 #define FRAME_READ(read_image, at) \
     { \
         .image = &(read_image), .access = RG_SAMPLED, .binding = (at) \
@@ -67,7 +70,7 @@ extern const struct rg_buffer frame_globals;
         .image = &(sampled_image), .access = RG_SAMPLED, .binding = (at), __VA_ARGS__ \
     }
 
-/* What frames are drawn for. */
+/* The results of a frame. */
 extern const struct rg_image frame_color;   /* linear radiance, alpha 1 */
 extern const struct rg_image frame_depth;   /* reversed: 1 near, 0 infinitely far */
 extern const struct rg_image frame_display; /* for the eye: 8 bits, sRGB-encoded */
@@ -76,30 +79,30 @@ enum {
     FRAME_FACE_SIZE = 512 /* texels along the sides of an environment cube's face */
 };
 
-/* The environment cube: linear radiance; a: 1 / distance, 1 / metre. The other one is for files,
- * its faces as large as the view. */
+/* The environment cube: linear radiance; alpha: 1 / distance, 1 / metre. frame_env_cube_baked is
+ * the one for files; its faces have the view's size. */
 extern const struct rg_image frame_env_cube, frame_env_cube_baked;
 
-/* The mean of many samples, from the renderer: half RGBA, rows tight, as frame_color. */
+/* The mean of many samples, which the renderer writes: texels of frame_color, rows tight. */
 extern const struct rg_buffer frame_samples;
 
-/* Pictures that come from the scene, imported: */
-extern const struct rg_image frame_environment; /* equirectangular; 1x1 if there is none */
-extern const struct rg_image frame_textures;    /* of the surroundings, an array; the same */
+/* Imported images of the scene. */
+extern const struct rg_image frame_environment; /* equirectangular; 1x1 if the scene has none */
+extern const struct rg_image frame_textures;    /* surroundings' textures; 1x1 if it has none */
 
-/* Samplers. What is anisotropic is so as far as the settings and the device let it. */
+/* Samplers. The settings and the device limit the anisotropy. */
 #define FRAME_ANISOTROPY 16.0f
 extern const struct rg_sampler frame_linear;              /* clamped, one mip */
 extern const struct rg_sampler frame_environment_sampler; /* wraps around, all mips */
 extern const struct rg_sampler frame_texture_sampler;     /* repeats, all mips, anisotropic */
 
-/* Record functions of rows that push nothing: the object; a triangle that covers the picture
- * (screen.vert), or as much of it as shaders look for the object's faces in. */
+/* Record functions of rows without push constants: they draw the object, a triangle that covers the
+ * picture (screen.vert), and that triangle within lookup_area. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* Draws the mesh that a technique has uploaded. */
+/* Draws the mesh that the technique's `mesh` function returned. */
 void frame_draw_mesh(struct rg_cmd *cmd, const struct rg_frame *frame,
                      const struct technique *technique);
 

@@ -1,19 +1,19 @@
 /*
- * frost.c: crystals on the ice's surface, which blur what is behind it and are white.
+ * frost.c: white crystals on the ice's surface, which blur what is behind them.
  *
  * Seipel and Nivfors 2006, section 3.1: in the cold the surface is populated with thousands of
- * microscopically small crystals and reflects diffusely; they do not draw it. Here frost lies where
- * the bump mask says that the surface is rough, over all else that the pixel shows. Thin frost lets
- * light through that its slopes scatter, distributed as GGX says (Walter and others 2007); thick
+ * microscopically small crystals and reflects diffusely; the paper does not draw them. Here frost
+ * is where the bump mask has a rough surface, over all else that the pixel shows. Thin frost
+ * transmits light and scatters it by its slopes, distributed as GGX (Walter and others 2007); thick
  * frost is a matt white surface.
  *
- * A slope of angle d tilts light that enters by (n - 1) d, where it would tilt a reflection by 2 d:
- * a lobe (n - 1) / 2 as wide, 0.155 for ice. That is right for small angles and light square to the
- * surface, and for one rough side. The environment is blurred with this lobe into a small cube,
- * which the direction that the rung found looks up: the lobe is round, and light is scattered as it
- * leaves though it was as it entered. What air and cracks lie behind the frost is covered, not
+ * A slope of angle d tilts refracted light by (n - 1) d, and would tilt a reflection by 2 d: the
+ * lobe is (n - 1) / 2 times as wide, 0.155 for ice. That is right for small angles, perpendicular
+ * light and one rough side. The environment is blurred with this lobe into a small cube, which is
+ * looked up in the direction that the rung found: the lobe is round, and light is scattered as it
+ * leaves although it was scattered as it entered. Air and cracks behind the frost are covered, not
  * blurred, and there is no rough reflection. The white is lit by sky and sun without shadow; by a
- * picture or a colour through the same small cube, as if all light came from along the normal.
+ * panorama or a colour through the same small cube, as if all light came along the normal.
  */
 #include "src/tech/frost.h"
 #include "shaders/embedded.h"
@@ -51,7 +51,7 @@ static const struct rg_pass passes[] = {
         .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
         .depth = { &frame_depth, RG_LOAD_KEEP },
         .depth_read_only = true,
-        .depth_compare = VK_COMPARE_OP_EQUAL, /* on the faces that the rung drew */
+        .depth_compare = VK_COMPARE_OP_EQUAL, /* only the faces that the rung drew */
         .uses = RG_USES(FRAME_USE_GLOBALS, BUMP_USE_MAP,
                         { .image = &frost_blurred,
                           .access = RG_SAMPLED,

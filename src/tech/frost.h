@@ -7,8 +7,8 @@ extern const struct technique frost;
 extern const struct setting_group frost_settings;
 
 struct frost_params {
-    float amount;    /* share of the light that the thickest frost takes; 0: none */
-    float roughness; /* of the crystals; its square is GGX's alpha */
+    float amount;    /* share of the light that the thickest frost scatters; 0: no frost */
+    float roughness; /* of the crystals; GGX's alpha is its square */
 };
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * gbuffer.c: normal, position and depth of the nearest surface: the layers N, P and Z.
  *
- * Both rows draw into the same targets with a depth of their own, so that these layers can be had
- * without a picture.
+ * Both rows draw into the same targets and use a depth buffer of their own, so that these layers
+ * can be drawn without a picture.
  */
 #include "src/tech/gbuffer.h"
 #include "shaders/embedded.h"

@@ -1,19 +1,20 @@
 /*
- * ice_caustics.c: the sun's light that comes through the ice, and the ice's shadow.
+ * ice_caustics.c: the sun's light that passes through the ice, and the ice's shadow.
  *
  * Photon maps of refractive objects in the light's view, after Wyman and Davis 2006, Interactive
  * Image-Space Techniques for Approximating Caustics, and Shah, Konttinen and Pattanaik 2007,
- * Caustics Mapping: the ice's faces are drawn as the sun sees them, each texel of the front is a
- * photon that goes the way of refract_bounce.c, meets the depth of what the sun sees behind the
- * ice, and is counted there. The map lies square to the light, so that a texel of it stands for as
- * much light as another, however steep the ground is: none is lost or made. A photon brings what
- * Fresnel's equations let through where it enters and where it leaves, less what the ice absorbs.
+ * Caustics Mapping: the ice's faces are drawn as the sun sees them. Each texel of the front faces
+ * is a photon, which is traced as in refract_bounce.c to the depth buffer of the surroundings that
+ * the sun sees behind the ice, and counted there. The map is perpendicular to the light, so that
+ * each texel receives the same light, however steep the ground is, and energy is preserved. A
+ * photon carries the light that is transmitted by Fresnel's equations where it enters and where it
+ * leaves, less absorption.
  *
- * Limits: light reflected inside though not totally is gone, as is what leaves the map, and light
- * that the ice mirrors. Ground that the sun cannot see behind the ice gets none. Beams end at the
- * nearest thing on their way in that view, even where they would pass behind it or through holes
- * that are only in its texture. The map's texels blur: a photon fills three by three of them.
- * Cracks, air, bubbles and frost let all light pass; what lies around casts no shadows of its own.
+ * Limits: light is lost that is partly reflected inside, leaves the map, or is reflected by the
+ * ice's outside. Ground that the sun cannot see behind the ice gets no caustics. Beams end at the
+ * first surface on their path in the sun's view, even where they would pass behind it or through
+ * holes of a cut-out texture. Each photon covers three by three texels, which blurs the map.
+ * Cracks, air, bubbles and frost transmit all light; surroundings cast no shadows.
  */
 #include "src/tech/ice_caustics.h"
 #include <math.h>
@@ -110,11 +111,11 @@ static const struct rg_use photon_uses[] = {
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
 enum {
-    PHOTONS_ROW = 3 /* of these: */
+    PHOTONS_ROW = 3 /* index in `passes` */
 };
 
 static const struct rg_pass passes[] = {
-    /* what the sun sees of the ice, as ice_normal.c */
+    /* The ice's faces as the sun sees them, drawn as in ice_normal.c. */
     {
         .name = "ice_caustics.back",
         .color = RG_TARGETS({ &back, RG_LOAD_CLEAR }),
@@ -312,7 +313,7 @@ static struct rg_technique make_maps(const struct technique_choice *choice,
     return (struct rg_technique){ "ice_caustics", made, count };
 }
 
-/* How much of the sun's light there is on what is seen. */
+/* The layer: the sun's light on the visible surroundings. */
 static struct rg_technique make_layer(const struct technique_choice *choice,
                                       struct row_builder *builder)
 {
@@ -326,7 +327,7 @@ static struct rg_technique make_layer(const struct technique_choice *choice,
 
 /* ---- the sun's view ---- */
 
-/* So far away that its rays are nearly parallel. */
+/* Returns a camera at the sun's direction, so far away that its rays are nearly parallel. */
 static struct camera sun_camera(const struct globals *globals)
 {
     const float radius = fmaxf(globals->radius, 1e-6f);
@@ -344,7 +345,7 @@ void ice_caustics_write_globals(void *memory, const struct frame_view *view,
     struct globals *sun = memory;
     const struct camera camera = sun_camera(globals);
     *sun = *globals;
-    sun->lod_bias = 0.0f; /* its picture is whole, whatever tiles the view is drawn in */
+    sun->lod_bias = 0.0f; /* the sun's view is never tiled */
     sun->eye = camera.eye;
     sun->forward = glms_vec3_negate(globals->sun_dir);
     sun->clip_from_world =
@@ -352,7 +353,7 @@ void ice_caustics_write_globals(void *memory, const struct frame_view *view,
                                scene_near_plane(view->scene), view->jitter);
 }
 
-/* The map is the same picture, wider. */
+/* The map's view is the sun's view of the ice with a wider angle. */
 void ice_caustics_write_light(void *memory, const struct frame_view *view,
                               const struct globals *globals)
 {
@@ -390,7 +391,7 @@ const struct technique ice_caustics = {
     .help = "sunlight through the ice, by photons from the sun's view",
     .settings = { &ice_caustics_settings },
     .is_on = is_on,
-    .relights = true, /* the light turns with the ice */
+    .relights = true, /* the caustics move with the ice */
     .title = "light through the ice",
     .parts = { { PHASE_LIGHT, .rows = make_maps }, { PHASE_FINISH, .rows = make_layer } },
     .uploads = uploads,

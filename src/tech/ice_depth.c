@@ -5,8 +5,8 @@
  * the object's bounding sphere, so that the depth buffer spends all its precision on the object.
  * The paper's textures are 512 x 512; these are of the view's size, as the layers are.
  *
- * Convex objects only: of a concave one, what lies between the nearest front face and the farthest
- * back face is not all inside.
+ * Convex objects only: in a concave one, not every point between the nearest front face and the
+ * farthest back face is inside.
  */
 #include "src/tech/ice_depth.h"
 #include "shaders/embedded.h"

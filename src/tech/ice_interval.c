@@ -1,12 +1,12 @@
 /*
- * ice_interval.c: the intervals of each pixel's ray that lie inside the ice.
+ * ice_interval.c: the intervals of each pixel's ray that are inside the ice.
  *
  * Seipel and Nivfors 2006 take the nearest front and the farthest back face for the two ends of one
  * interval, which is right for convex objects only. Depth peeling (Everitt 2001) finds all faces in
- * their order: each layer draws the object once more and keeps the nearest of what lies behind the
- * layer before. Depth is fitted to the object, as in ice_depth.
+ * their order: each layer draws the object once more and keeps the nearest faces behind the layer
+ * before. Depth is fitted to the object, as in ice_depth.
  *
- * The object must be closed. What lies behind the last layer counts as outside.
+ * The object must be closed. Points behind the last layer count as outside.
  */
 #include "src/tech/ice_interval.h"
 #include "shaders/embedded.h"
@@ -37,7 +37,7 @@ const struct rg_image ice_interval_far[ICE_INTERVAL_MAX] = {
 
 /* ---- rows ---- */
 
-/* Both kinds of faces, nearest first, into the layers from depth.layer on. */
+/* Draws front and back faces; each layer from depth.layer on keeps the nearest that is left. */
 static const struct rg_pass peel = {
     .depth = { .load = RG_LOAD_CLEAR, .clear = { .depthStencil = { 1.0f, 0 } } },
     .depth_compare = VK_COMPARE_OP_LESS,
@@ -56,7 +56,7 @@ static const struct rg_pass count = {
 
 static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
 
-/* Globals, and a range of the layers that a shader reads. */
+/* Returns the uses of a row that reads the globals and a range of layers. */
 static const struct rg_use *use_before(struct row_builder *builder, const struct rg_image *layers,
                                        struct rg_range range)
 {
@@ -71,7 +71,7 @@ static const struct rg_use *use_before(struct row_builder *builder, const struct
     return row_builder_uses(builder, (const struct rg_use *const[]){ globals_use, before }, 2);
 }
 
-/* The first layer, and then, if there are several, each behind the one before. */
+/* Fills rows for the first layer and, if there are several, for each further one behind it. */
 static struct rg_pass *peel_all(struct rg_pass *row, struct row_builder *builder,
                                 const struct rg_image *layers, const char *first, const char *next)
 {
@@ -111,7 +111,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
         peel_all(middle, builder, far, "ice_interval.middle", "ice_interval.last");
     rows->uses = globals_use;
     rows->frag = &ice_interval_first_frag;
-    /* behind the last of the nearer layers */
+    /* This row peels behind the last layer of the nearer image. */
     middle->uses = use_before(builder, near, (struct rg_range){ .layer = near->layers - 1 });
     middle->frag = &ice_interval_next_frag;
     *last = count;

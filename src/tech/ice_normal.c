@@ -3,11 +3,11 @@
  *
  * Seipel and Nivfors 2006, section 3.2: rendered to a floating-point texture of the window's size,
  * interpolated and normalised. Of several back faces behind each other the nearest counts: it is
- * where a ray that enters a convex part leaves it. The front faces are for rungs that follow light
- * back to them; surroundings in front of the ice hide none of either.
+ * where a ray that enters a convex part leaves it. The front faces are for rungs that trace light
+ * back to them. Surroundings in front of the ice do not hide its faces here.
  *
- * Normals are set to none where shaders may look them up, by a draw: llvmpipe clears what has more
- * than four bytes a texel by a call for each.
+ * A draw resets the normals where shaders may look them up, not a clear: llvmpipe clears formats of
+ * more than four bytes a texel with a function call for each texel.
  */
 #include "src/tech/ice_normal.h"
 #include "shaders/embedded.h"
@@ -41,7 +41,7 @@ const struct rg_image ice_normal_front_depth = {
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
-/* In a pool. */
+/* Replaces frame_depth in a pool. */
 static const struct rg_image front_test = {
     .name = "ice_normal.front_test",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -51,7 +51,7 @@ static const struct rg_use smooth_uses[] = { FRAME_USE_GLOBALS, { 0 } };
 static const struct rg_use bumped_uses[] = { FRAME_USE_GLOBALS, BUMP_USE_MAP, { 0 } };
 
 enum {
-    FRONT_ROW = 3 /* of these: */
+    FRONT_ROW = 3 /* index in `passes` */
 };
 
 static const struct rg_pass passes[] = {
@@ -65,7 +65,7 @@ static const struct rg_pass passes[] = {
     {
         .name = "ice_normal.back",
         .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }),
-        .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
+        .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* to 0: infinity */
         .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = smooth_uses,
         .vert = &ice_normal_vert,
@@ -94,7 +94,7 @@ static const struct rg_pass passes[] = {
     },
 };
 
-/* In a pool it comes after the background, whose depth it leaves alone, and shows no bumps. */
+/* In a pool the rows are drawn after the background, keep its depth, and show no bumps. */
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {

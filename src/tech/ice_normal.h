@@ -1,18 +1,18 @@
-/* ice_normal.h: the ice's back and front faces as the view sees them: normals and depth. */
+/* ice_normal.h: normals and depth of the ice's back and front faces as the eye sees them. */
 #ifndef TECH_ICE_NORMAL_H
 #define TECH_ICE_NORMAL_H
 #include "src/tech/technique.h"
 
-/* xyz: outward, unit, world: away from the eye, never flipped; w: 1, or 0 where there is none */
+/* xyz: outward unit normal, world, which points away from the eye; w: 1, or 0 without a face */
 extern const struct rg_image ice_normal_back;
 
-extern const struct rg_image ice_normal_front; /* the same, towards the eye */
+extern const struct rg_image ice_normal_front; /* as ice_normal_back; points towards the eye */
 
-/* Where there are front faces, xyz: their normal, as bumps bend it; w: SN eq. 4, from the vertices.
- * Elsewhere undefined. */
+/* Where there are front faces, xyz: their normal with bumps; w: eq. 4 of the paper, interpolated
+ * from the vertices. Undefined elsewhere. */
 extern const struct rg_image ice_normal_shading;
 
-/* Their depth by globals.clip_from_world: near over the distance; 0 where there is none. */
+/* Their depth by globals.clip_from_world: near plane over distance; 0 without a face. */
 extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 
 #endif

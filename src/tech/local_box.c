@@ -1,4 +1,4 @@
-/* local_box.c: the box on whose sides rays end with refract.lookup=box. */
+/* local_box.c: the box on whose sides rays end if refract.lookup is `box`. */
 #include "src/tech/local_box.h"
 #include <math.h>
 #include "src/tech/frame.h"

@@ -1,10 +1,10 @@
-/* local_box.h: the box on whose sides rays end with refract.lookup=box. */
+/* local_box.h: the box on whose sides rays end if refract.lookup is `box`. */
 #ifndef TECH_LOCAL_BOX_H
 #define TECH_LOCAL_BOX_H
 #include "src/scene/mesh.h"
 #include "src/tech/technique.h"
 
-/* Metres, world; all 0: that of the surroundings. */
+/* Sides of the box, metres, world; all 0: the box of the surroundings. */
 struct local_params {
     float left, right; /* along x */
     float bottom, top; /* y */
@@ -13,8 +13,7 @@ struct local_params {
 
 extern const struct setting_group local_settings;
 
-/* The box: that of the settings, else what lies around the object. One without room, or inside out,
- * is none. */
+/* Returns the box of the settings or, if that is empty or inside out, the scene's `around`. */
 struct box local_box_of(const struct scene *scene, const struct settings *settings);
 
 #endif

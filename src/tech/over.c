@@ -1,9 +1,9 @@
 /*
- * over.c: premultiplied colours over each other, those that lie further out last: air, bubbles,
- * cracks; the highlights of the surface are added.
+ * over.c: blends the premultiplied colours of air, bubbles and cracks, in this order, over the ice
+ * and adds the highlights of the surface.
  *
- * The shader's bindings are the same whatever is there; what is not is bound to the highlights, and
- * not looked at.
+ * The shader always has the same bindings; those of techniques that are off are bound to the
+ * highlights and not read.
  */
 #include "shaders/over.h"
 #include <string.h>
@@ -38,7 +38,7 @@ static const struct rg_pass passes[] = {
     },
 };
 
-/* What there is to draw: OVER_HAS_AIR ... */
+/* Returns bits of the layers to draw: OVER_HAS_AIR ... */
 static uint32_t find_layers(const struct settings *settings)
 {
     return (surface.is_on(settings) ? OVER_HAS_HIGHLIGHT : 0u) |

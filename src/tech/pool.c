@@ -1,5 +1,5 @@
 /*
- * pool.c: what a pool of water is: its waves, its ground, what floats in it.
+ * pool.c: the settings of a pool of water: waves, ground, floating ice.
  *
  * water.c draws it and caustics.c lights it. Absorption by default is that of pure water (Pope and
  * Fry 1997) at 650, 550 and 450 nm.

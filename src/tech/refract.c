@@ -1,4 +1,4 @@
-/* refract.c: what refraction rungs have in common: rows, layers, settings. */
+/* refract.c: rows, layers and settings of all refraction rungs. */
 #include "src/tech/refract.h"
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
@@ -37,7 +37,7 @@ const struct rg_image refract_way = {
 
 static const struct rg_target color_targets[] = {
     [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
-    /* below 0 where the rung draws no ice */
+    /* A value below 0 marks pixels without ice. */
     [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } },
 };
 
@@ -65,12 +65,12 @@ static const struct rg_use scene_uses[] = {
 
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
-/* Rows that draw front faces find which are in front by a depth test of their own; those that draw
- * pixels know it from ice_normal.front. */
+/* Rows that draw front faces find the nearest ones by a depth test; rows that shade pixels use the
+ * depth of ice_normal.front. */
 static const struct rg_pass color_row = {
     .color = color_targets,
     .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
-    .depth = { &frame_depth, RG_LOAD_CLEAR }, /* 0 is infinity */
+    .depth = { &frame_depth, RG_LOAD_CLEAR }, /* to 0: infinity */
     .depth_compare = VK_COMPARE_OP_GREATER,
 };
 
@@ -100,7 +100,7 @@ static bool shows_bumps(const struct technique_choice *choice)
     return choice->rung->rung.rows->bump_frag && bump.is_on(choice->settings);
 }
 
-/* Of front faces, with eq. 4 at the vertices. */
+/* Makes a row draw front faces, with eq. 4 at the vertices. */
 static void draw_faces(struct rg_pass *row, const struct refract_rung *rung, bool bumped)
 {
     row->vert = rung->vert ? rung->vert : bumped ? &refract_bump_vert : &refract_vert;
@@ -228,7 +228,8 @@ static const struct setting rows[] = {
 
 const struct setting_group refract_settings = SETTING_GROUP("refract", rows, struct refract_params);
 
-/* KHR_materials_dispersion: red has the index n - h, blue n + h, h = (n - 1) 0.025 dispersion. */
+/* KHR_materials_dispersion: the index of red is n - h and of blue n + h, where h = (n - 1) 0.025
+ * dispersion. */
 static void write_globals(const struct frame_view *view, struct globals *g)
 {
     const struct refract_params *params = settings_of(view->settings, &refract_settings);

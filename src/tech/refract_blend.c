@@ -1,12 +1,12 @@
 /*
  * refract_blend.c: front and back normals blended into one that bends more, not less.
  *
- * Eq. 1 of Seipel and Nivfors 2006 with the back normal turned round and the sum normalised. The
- * two faces of a convex object turn light the same way; so does this normal, more than the front
- * one. Near the middle of a sphere a = 0.25 is right, over all of it 0.3 is best.
+ * Eq. 1 of Seipel and Nivfors 2006 with the back normal negated and the sum normalised. The two
+ * faces of a convex object bend light to the same side; so does this normal, more than the front
+ * normal alone. Near the middle of a sphere a = 0.25 is right; over the whole sphere 0.3 is best.
  *
- * Error: 6 degrees on average on a sphere, 12 on cubes (docs/truth.md): still one bend, and no
- * total reflection. It knows no thickness: nothing is absorbed.
+ * Error: 6 degrees on average on a sphere, 12 on cubes (docs/truth.md): there is still only one
+ * bend, and no total reflection. The thickness is unknown, so nothing is absorbed.
  */
 #include "shaders/refract_blend.h"
 #include "shaders/embedded.h"

@@ -1,13 +1,13 @@
 /*
  * refract_bounce.c: light followed inside the ice through total reflections.
  *
- * As refract_search.c, but among front and back faces, and on from where it is totally reflected.
- * Where it still is after the last of them it leaves as it is.
+ * The ray is searched as in refract_search.c, but among front and back faces, and continued where
+ * it is totally reflected. After the last bounce it leaves in its direction.
  *
- * Error: as small as that of refract_search.c, and on ways with total reflections a degree or a few
- * on average on convex objects: small errors grow from bounce to bounce. Of a concave object the
- * nearest faces count. Light that is reflected inside though not totally is left out, 2 % straight
- * on and more near the limit: it is taken to see what the rest sees.
+ * Error: as small as that of refract_search.c; on paths with total reflections one or a few degrees
+ * on average on convex objects, because small errors grow from bounce to bounce. Of a concave
+ * object only the nearest faces are known. Light that is partly reflected inside, 2 % at
+ * perpendicular incidence and more near the critical angle, is treated as transmitted.
  */
 #include "src/tech/refract_bounce.h"
 #include "shaders/embedded.h"

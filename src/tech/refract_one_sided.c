@@ -1,7 +1,7 @@
 /*
  * refract_one_sided.c: the environment, refracted at the front face as if the ice never ended.
  *
- * The plain environment mapping that Seipel and Nivfors 2006 start from (section 3.2): eq. 2 with
+ * The plain environment mapping from which Seipel and Nivfors 2006 start (section 3.2): eq. 2 with
  * the front normal alone, eq. 3, 4 and 6 as in their method.
  *
  * Error: for an ice sphere half of the true deviation; 11 to 15 degrees on average elsewhere

@@ -7,8 +7,8 @@
  *
  * Error: outward normals make eq. 1 average two normals that face the viewer, which bends less
  * than one interface where two true ones bend twice: an ice sphere at impact parameter 0.6 shows
- * 3.3 degrees, one interface 9.6, the truth 19.2. Convex objects only: of a concave one, one front
- * and one back face count.
+ * 3.3 degrees, one interface 9.6, the truth 19.2. Convex objects only: of a concave one, only one
+ * front and one back face are known.
  */
 #include "src/tech/refract_paper.h"
 #include "shaders/embedded.h"

@@ -1,12 +1,12 @@
 /*
  * refract_per_vertex.c: reflected and refracted directions computed at the vertices.
  *
- * Environment mapping as lectures teach it (after The Cg Tutorial, chapter 7): one bend at the
- * front, both directions interpolated between vertices. A lecture's cross-fade of reflection and
- * refraction is refract.fresnel=crossfade.
+ * Environment mapping as it is commonly taught (after The Cg Tutorial, chapter 7): one bend at the
+ * front, and both directions interpolated between vertices. The cross-fade of reflection and
+ * refraction of such courses is refract.fresnel=crossfade.
  *
- * Error: that of refract_one_sided.c and, where triangles are large, of interpolation. It has no
- * bumps: they are finer than vertices.
+ * Error: that of refract_one_sided.c and, where triangles are large, of the interpolation. Bumps
+ * are finer than vertices, so there are none.
  */
 #include "shaders/embedded.h"
 #include "src/tech/frame.h"

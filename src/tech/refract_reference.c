@@ -1,7 +1,7 @@
 /*
  * refract_reference.c: the truth, traced on the CPU (src/reference), as a rung of --refraction.
  *
- * It has no rows: nothing of it is drawn.
+ * It has no rows, because nothing of it is drawn by the device.
  */
 #include "src/tech/refract_reference.h"
 
@@ -17,7 +17,7 @@ static const struct setting rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct reference_params, cutoff),
         .initial = 1e-3,
-        .min = 1e-6, /* in concave objects branches multiply */
+        .min = 1e-6, /* the number of branches grows fast in concave objects */
         .max = 1,
         .help = "share of a ray's light below which the ray is terminated (see layer remaining)",
     },

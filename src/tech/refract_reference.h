@@ -1,4 +1,4 @@
-/* refract_reference.h: the traced rung, and what --set reference.* changes. In every build. */
+/* refract_reference.h: the traced rung and its settings, also in builds without Embree. */
 #ifndef TECH_REFRACT_REFERENCE_H
 #define TECH_REFRACT_REFERENCE_H
 #include "src/tech/technique.h"
@@ -13,9 +13,9 @@ enum {
 };
 
 struct reference_params {
-    float cutoff;     /* light of less weight is followed no further */
-    uint32_t bounces; /* nor after so many surfaces; at most REFERENCE_BOUNCES_MAX */
-    uint32_t normals; /* enum reference_normals, of the object */
+    float cutoff;     /* rays of less weight are terminated */
+    uint32_t bounces; /* surfaces after which rays are terminated; at most REFERENCE_BOUNCES_MAX */
+    uint32_t normals; /* of the object: enum reference_normals */
 };
 
 extern const struct technique refract_reference;

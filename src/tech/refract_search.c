@@ -1,13 +1,13 @@
 /*
  * refract_search.c: the exit searched along the refracted ray.
  *
- * The ray is followed in the picture until it is behind the back faces: steps up to the object's
- * bounding sphere, then the one that went outside is divided where it would meet a flat face. There
- * it is bent by the back normal of that place.
+ * The ray is marched in screen space until it is behind the back faces: steps up to the object's
+ * bounding sphere, then refinement of the step that went outside, which is divided where the ray
+ * would meet a flat face. There the ray is bent by the back normal.
  *
  * Error: some hundredths of a degree on average on convex objects in 512 x 512 pixels, growing with
- * the size of the pixels; but what is totally reflected leaves in the direction of its first
- * reflection, dozens of degrees off. Of a concave object the nearest back faces count.
+ * the size of the pixels; but light that is totally reflected leaves in the direction of its first
+ * reflection, dozens of degrees off. Of a concave object only the nearest back faces are known.
  */
 #include "shaders/embedded.h"
 #include "shaders/refract_march.h"

@@ -1,9 +1,9 @@
 /*
- * refract_slab.c: each pixel as if it were one of a window pane.
+ * refract_slab.c: refraction as by a window pane in each pixel.
  *
- * A slab that is parallel to the front face, as thick as the straight ray finds the ice: light
- * leaves as it came, moved aside. Exact for a pane; of an environment at infinity it shows nothing
- * but what is behind the ice (but see refract.lookup).
+ * The slab is parallel to the front face and as thick as the ice along the straight ray: light
+ * leaves in its original direction, displaced. Exact for a pane. An environment at infinity
+ * therefore appears undistorted (but see refract.lookup).
  *
  * Error: all of the deviation, wherever the back is not parallel to the front.
  */

@@ -1,12 +1,13 @@
 /*
- * refract_sphere.c: each pixel as if it were one of a sphere.
+ * refract_sphere.c: refraction as by a sphere in each pixel.
  *
- * A sphere that touches the front face stands in for the object, as in most renderers that know
- * only the front: exact for light through a sphere, whatever its radius. The radius counts for the
- * length of the way and where it ends: half the edge of a cube whose diagonal is the object's.
+ * A sphere that touches the front face replaces the object, as in most renderers that have only the
+ * front faces: exact directions for light through a sphere of any radius. The radius, half the edge
+ * of a cube with the object's diagonal, decides the length and the end of the path.
  *
  * Error: 0.1 degrees on average on a sphere of triangles, 11 on cubes (docs/truth.md). A sphere
- * never reflects light totally that came in; two fifths of the first hits inside those cubes do.
+ * never totally reflects light that has entered it; two fifths of the first inner surfaces of those
+ * cubes do.
  */
 #include "shaders/embedded.h"
 #include "src/tech/frame.h"

@@ -1,14 +1,14 @@
 /*
- * refract_wyman.c: the exit guessed from two thicknesses.
+ * refract_wyman.c: the exit estimated from two thicknesses.
  *
- * Wyman 2005, An Approximate Image-Space Approach for Interactive Refraction: the way inside is
- * between the thickness along the straight ray and the one along the front normal, mixed by the
- * ratio of the angles of refraction and incidence; the back normal is that of the pixel where it
- * ends, and light is bent again there. He has the thickness along the normal computed before, at
- * each vertex; here it is that to the back face seen where a slab would end.
+ * Wyman 2005, An Approximate Image-Space Approach for Interactive Refraction: the length of the
+ * path inside is interpolated between the thickness along the straight ray and that along the front
+ * normal, by the ratio of the angles of refraction and incidence. Light is bent again by the back
+ * normal of the pixel in which the path ends. Wyman precomputes the thickness along the normal for
+ * each vertex; here it is the distance to the back face seen where a slab would end.
  *
- * Error: 7 degrees on average on a sphere, 2 to 3 on cubes, 11 on a teapot (docs/truth.md). What is
- * totally reflected leaves in the direction of its first reflection.
+ * Error: 7 degrees on average on a sphere, 2 to 3 on cubes, 11 on a teapot (docs/truth.md). Light
+ * that is totally reflected leaves in the direction of its first reflection.
  */
 #include "shaders/embedded.h"
 #include "src/tech/frame.h"
@@ -34,5 +34,5 @@ const struct technique refract_wyman = {
     .name = "refract_wyman",
     .help = "two refractions, the exit estimated from two thicknesses (Wyman 2005)",
     .parts = REFRACT_PARTS,
-    .rung = { .name = "wyman", .rows = &rung, .reach = 3.0f }, /* it looks a diameter further */
+    .rung = { .name = "wyman", .rows = &rung, .reach = 3.0f }, /* lookups go a diameter further */
 };

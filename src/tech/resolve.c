@@ -1,8 +1,8 @@
 /*
- * resolve.c: fills the picture with the mean of its samples.
+ * resolve.c: copies the mean of the samples into the picture.
  *
- * Samples are added up in float on the CPU; tonemapping a mean is not the mean of the tonemapped,
- * so the mean goes back into frame_color before tonemap reads it.
+ * Samples are added up in float on the CPU. The tonemapped mean differs from the mean of tonemapped
+ * samples, so the mean is copied to frame_color before tonemap reads it.
  */
 #include "src/tech/frame.h"
 #include "src/tech/technique.h"

@@ -1,9 +1,9 @@
 /*
  * row_builder.h: memory for rows that a technique makes when it is chosen.
  *
- * Ownership: what the functions return lives until row_builder_finish().
- * Errors:    NULL when memory is short; `failed` then stays true, so that callers may return no
- *            rows and go on.
+ * Ownership: the builder owns what its functions return, until row_builder_finish().
+ * Errors:    the functions return NULL when out of memory; `failed` is then true, so that callers
+ *            may return no rows and leave the error to the builder's owner.
  */
 #ifndef FIRN_TECH_ROW_BUILDER_H
 #define FIRN_TECH_ROW_BUILDER_H
@@ -11,24 +11,24 @@
 #include "graph/rg.h"
 
 struct row_builder {
-    struct row_block *blocks; /* of memory, newest first */
+    struct row_block *blocks; /* memory, newest block first */
     bool failed;
 };
 
-/* Memory for any object, zeroed. */
+/* Returns zeroed memory of `size` bytes, aligned for any object. */
 void *row_builder_alloc(struct row_builder *builder, size_t size);
 
-/* A copy of a table of rows, to be changed. */
+/* Returns a writable copy of a table of rows. */
 struct rg_pass *row_builder_rows(struct row_builder *builder, const struct rg_pass *table,
                                  size_t count);
 
-/* "PREFIX.NAME" */
+/* Returns "PREFIX.NAME". */
 const char *row_builder_name(struct row_builder *builder, const char *prefix, const char *name);
 
-/* A target alone, for rows with one colour target. */
+/* Returns a table of one target, for rows with one colour target. */
 const struct rg_target *row_builder_target(struct row_builder *builder, struct rg_target target);
 
-/* The uses of several lists, each of which ends at {0} or is NULL, one after another. */
+/* Returns the concatenation of `count` lists of uses, each of which ends at {0} or is NULL. */
 const struct rg_use *row_builder_uses(struct row_builder *builder,
                                       const struct rg_use *const *lists, size_t count);
 

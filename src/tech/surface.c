@@ -2,12 +2,12 @@
  * surface.c: highlights of the lights on the ice's front.
  *
  * Seipel and Nivfors 2006, sections 3.1 b and 5: specular highlights on the outer surface, of light
- * sources that move. The paper does not say which; this is Blinn's (1977): a power of the cosine
- * between the normal and the direction halfway between light and eye. The rungs work them out, who
- * know the bumpy normal; over.c adds them to the picture.
+ * sources that move. The paper does not name the model; this is Blinn's (1977): a power of the
+ * cosine between the normal and the direction halfway between light and eye. The rungs compute the
+ * highlights, because they have the normal with bumps; over.c adds them to the picture.
  *
- * Wrong: a highlight keeps its radiance and its size wherever its light stands, where Fresnel's
- * equations make a grazing one up to 56 times as bright; the lights themselves are not seen, and
+ * Error: a highlight has the same radiance and size for every direction of its light, where
+ * Fresnel's equations make a grazing one up to 56 times as bright. The lights are invisible and
  * light nothing else.
  */
 #include "src/tech/surface.h"

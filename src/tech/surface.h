@@ -3,7 +3,7 @@
 #define TECH_SURFACE_H
 #include "src/tech/technique.h"
 
-/* Radiance of the highlights; below 0 where no ice is seen. A rung's row writes it. */
+/* Radiance of the highlights; below 0 in pixels without ice. A rung's row writes it. */
 extern const struct rg_image surface_highlight;
 
 extern const struct technique surface;

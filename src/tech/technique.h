@@ -1,9 +1,9 @@
 /*
- * technique.h: a technique as the program knows it: its rows, its settings, what it uploads.
+ * technique.h: a technique: its rows, its settings, its uploads.
  *
  * One technique is one file of src/tech: citation, images, pass tables, record functions, settings.
- * It owns nothing and holds no writable data. src/tech/techniques.h lists them all; nothing else
- * has to be told of a new one.
+ * It owns nothing and has no writable data. A new technique is added to the list in
+ * src/tech/meson.build (techniques.h) and nowhere else.
  */
 #ifndef FIRN_TECH_TECHNIQUE_H
 #define FIRN_TECH_TECHNIQUE_H
@@ -28,17 +28,19 @@ enum technique_purpose {
     TECHNIQUE_RESOLVE, /* the display picture of the mean of many samples */
 };
 
-/* What decides which rows a plan has. */
+/* The data that decide which rows a plan has. */
 struct technique_choice {
     const struct settings *settings;
     enum technique_purpose purpose;
-    const struct technique *rung; /* of a picture without a pool; else it may be NULL */
-    bool is_convex;               /* the object is known to be convex */
-    bool has_pool;                /* the scene is a pool of water */
-    bool has_cube;                /* the scene has an environment cube of its own */
+    const struct technique
+        *rung;      /* NULL is allowed in a pool and for other purposes than pictures */
+    bool is_convex; /* the object is known to be convex */
+    bool has_pool;  /* the scene is a pool of water */
+    bool has_cube;  /* the scene has an environment cube of its own */
 };
 
-/* When in a frame a part of a technique is drawn. Within a phase the order of the list counts. */
+/* When in a frame a part of a technique is drawn. Within a phase the parts are drawn in the order
+ * of techniques.h. */
 enum technique_phase {
     PHASE_LIGHT,       /* light maps */
     PHASE_ENVIRONMENT, /* the environment cube */
@@ -46,62 +48,63 @@ enum technique_phase {
     PHASE_DEPTHS,      /* depths inside the object */
     PHASE_NORMALS,     /* normals of the object's faces */
     PHASE_REFRACTION,  /* the refractive object or the water */
-    PHASE_INCLUSIONS,  /* what is inside the object, each into its own image */
-    PHASE_COMPOSITE,   /* the inclusions, blended over the picture */
-    PHASE_BACKGROUND,  /* what the object does not hide */
+    PHASE_INCLUSIONS,  /* inclusions of the object, each into its own image */
+    PHASE_COMPOSITE,   /* blends the inclusions over the picture */
+    PHASE_BACKGROUND,  /* surroundings and sky, where the object does not hide them */
     PHASE_LAYERS,      /* the rung's layers */
-    PHASE_FINISH,      /* what is drawn over the finished picture: frost, free cracks */
+    PHASE_FINISH,      /* drawn over the finished picture: frost, free cracks */
     PHASE_DISPLAY,     /* tone mapping */
     PHASE_COUNT,
 };
 
-/* Which scenes have a part. */
+/* For which scenes a part is drawn. */
 enum technique_scene {
-    SCENE_OF_OBJECT, /* those without a pool */
+    SCENE_OF_OBJECT, /* scenes without a pool */
     SCENE_OF_POOL,
     SCENE_OF_ANY,
 };
 
-/* Returns a part's rows; without passes the part is off. Tables that depend on the choice are made
- * with the builder (src/tech/row_builder.h) and live as long as it does. */
+/* Returns a part's rows, or no passes if the part is off. Tables that depend on the choice are made
+ * with the builder (src/tech/row_builder.h), which owns them. */
 typedef struct rg_technique technique_rows_fn(const struct technique_choice *choice,
                                               struct row_builder *builder);
 
 struct technique_part {
     enum technique_phase phase;
     enum technique_scene scene;
-    uint32_t purposes;         /* bit of each enum technique_purpose; 0: pictures alone */
-    struct rg_technique graph; /* rows that are there while the technique is on; or: */
-    technique_rows_fn *rows;
+    uint32_t purposes;         /* a bit for each enum technique_purpose; 0: pictures alone */
+    struct rg_technique graph; /* the rows if the technique is on; unused if `rows` is set */
+    technique_rows_fn *rows;   /* may be NULL */
 };
 
 /* A rung of refraction, as --refraction names it. */
 struct technique_rung {
     const char *name;                /* NULL: the technique is no rung */
-    const struct refract_rung *rows; /* src/tech/refract.h; NULL: it is traced, not drawn */
-    float reach; /* where it looks for the object's faces: radii of the bounding sphere; 0: 1 */
+    const struct refract_rung *rows; /* src/tech/refract.h; NULL: the rung is traced, not drawn */
+    float reach; /* radius within which it looks up faces, in bounding radii; 0 means 1 */
 };
 
-/* A buffer that the host fills in every frame, if the plan has it. */
+/* A buffer that the host fills in every frame whose plan has it. */
 struct technique_upload {
     const struct rg_buffer *buffer; /* RG_MEMORY_UPLOAD; NULL ends the list */
+    /* Fills the mapped memory of the buffer. */
     void (*write)(void *memory, const struct frame_view *view, const struct globals *globals);
 };
 
-/* Texels of an image that comes from the scene. */
+/* Texels of an image of the scene; borrowed. */
 struct technique_texels {
-    const void *texels;     /* NULL: the scene has none, and one texel is imported in its place */
+    const void *texels;     /* NULL: the scene has none, and the fallback is imported */
     uint32_t width, height; /* of the first mip level */
     uint32_t layers;        /* 0 means 1 */
-    bool all_mips;          /* `texels` has all mip levels, largest first; else they are made */
-    bool no_mips;           /* there is only the first level */
+    bool all_mips; /* `texels` has all mip levels, largest first; else they are generated */
+    bool no_mips;  /* the image has only the first level */
 };
 
-/* An image that comes from the scene, imported into the plan unless the plan draws it. */
+/* An image of the scene, which is imported into the plan unless the plan draws it. */
 struct technique_import {
     const struct rg_image *image; /* NULL ends the list */
     struct technique_texels (*find)(const struct scene *scene);
-    const void *fallback; /* its one texel where the scene has none; NULL: no image at all */
+    const void *fallback; /* one texel, for scenes without texels; NULL: no image is imported */
 };
 
 enum {
@@ -113,21 +116,23 @@ struct technique {
     const char *name;
     const char *help; /* one line, no full stop */
     const struct setting_group *settings[TECHNIQUE_GROUP_COUNT];
-    /* Whether the feature is on; it is not where the first row of its settings is 0. NULL: it is no
-     * feature that can be switched. */
+    /* Returns whether the feature is on; 0 in the first row of its settings must switch it off.
+     * NULL: the feature cannot be switched off. */
     bool (*is_on)(const struct settings *settings);
     bool is_traced;    /* the reference models the feature */
-    bool relights;     /* while it is on, surroundings look different in every frame */
-    const char *title; /* of the feature, where it is named to people; NULL: `name` */
+    bool relights;     /* while it is on, the surroundings' light changes in every frame */
+    const char *title; /* name of the feature for people; NULL: `name` */
     struct technique_part parts[TECHNIQUE_PART_COUNT];
     struct technique_rung rung;
-    const struct frame_layer *layers;                      /* ends at a row of zeros; may be NULL */
-    const struct technique_upload *uploads;                /* may be NULL */
-    const struct technique_import *imports;                /* may be NULL */
-    const struct mesh *(*mesh)(const struct scene *scene); /* of frame_draw_mesh() */
+    const struct frame_layer *layers;       /* ends at a row of zeros; may be NULL */
+    const struct technique_upload *uploads; /* may be NULL */
+    const struct technique_import *imports; /* may be NULL */
+    /* Returns the mesh that frame_draw_mesh() draws; may be NULL. */
+    const struct mesh *(*mesh)(const struct scene *scene);
     /* Fills the technique's members of struct globals; may be NULL. */
     void (*write_globals)(const struct frame_view *view, struct globals *globals);
-    /* Fills its specialization constants, by their ids (shaders/constants.h); may be NULL. */
+    /* Fills the technique's specialization constants, indexed by their ids (shaders/constants.h);
+     * may be NULL. */
     void (*write_constants)(const struct settings *settings, uint32_t *values);
 };
 

@@ -1,7 +1,7 @@
 /*
- * techniques.h: the list of all techniques, generated from that in meson.build.
+ * techniques.h: the list of all techniques, generated from the list in meson.build.
  *
- * Its order is that of the settings' groups, the rungs and the layers, and of what is drawn in one
+ * Groups of settings, rungs and layers have the order of this list, and so have the parts of one
  * phase of a frame.
  */
 #ifndef FIRN_TECH_TECHNIQUES_H
@@ -12,22 +12,23 @@
 extern const struct technique *const techniques[]; /* ends at NULL */
 extern const size_t techniques_count;
 
-/* Where a technique is in the list. */
+/* Returns the index of a technique in the list. */
 size_t techniques_index(const struct technique *technique);
 
-/* Rung i in the order of the list, the first being the default; NULL: there are no more. */
+/* Returns rung i in the order of the list, or NULL at the end. Rung 0 is the default. */
 const struct technique *techniques_rung(size_t i);
 
-/* The rung of that name, or NULL. */
+/* Returns the rung of that name, or NULL. */
 const struct technique *techniques_find_rung(const char *name);
 
-/* Sets the first row of its settings to 0, so that is_on(), which it has, returns false. */
+/* Sets the first row of the technique's settings to 0, so that its is_on(), which must not be NULL,
+ * returns false. */
 void techniques_switch_off(struct settings *settings, const struct technique *technique);
 
-/* Layer i in the order of the list; NULL: there are no more. */
+/* Returns layer i in the order of the list, or NULL at the end. */
 const struct frame_layer *techniques_layer(size_t i);
 
-/* Import i in the order of the list; NULL: there are no more. */
+/* Returns import i in the order of the list, or NULL at the end. */
 const struct technique_import *techniques_import(size_t i);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * tonemap.c: exposure, highlight compression, sRGB encoding; for PNG and windows only.
  *
- * Curve "neutral": Khronos PBR Neutral (Khronos Group 2024), which keeps base colours; "clip":
- * nothing but the encoding, for measuring.
+ * Curve "neutral": Khronos PBR Neutral (Khronos Group 2024), which preserves base colours. Curve
+ * "clip": only the encoding, for measurements.
  */
 #include "src/tech/tonemap.h"
 #include <math.h>

@@ -1,4 +1,4 @@
-/* tonemap.h: the linear picture for people's eyes: 8 bits, sRGB. */
+/* tonemap.h: converts the linear picture to 8 bits, sRGB, for displays. */
 #ifndef TECH_TONEMAP_H
 #define TECH_TONEMAP_H
 #include "src/tech/technique.h"

@@ -1,21 +1,22 @@
 /*
- * water.c: a pool of water: waves, what they mirror, and the ground that they refract.
+ * water.c: a pool of water: waves, their reflection, and the ground seen by refraction.
  *
- * Waves are those of shaders/lib/wave.glsl, with exact normals. The surface is drawn as a grid; at
- * each pixel the ray is refracted once, meets the floor or a wall of the box exactly, and loses by
- * Beer and Lambert's law what its path through the water absorbs. Shares by Fresnel's equations.
- * The sun's light comes down as through water at rest, and is uneven as src/tech/caustics.c says.
+ * The waves of shaders/lib/wave.glsl have exact normals. The surface is drawn as a grid; in each
+ * pixel the ray is refracted once, meets the floor or a wall of the pool exactly, and is absorbed
+ * along its path through the water by the law of Beer and Lambert. Reflectances are those of
+ * Fresnel's equations. The sun's light falls as through water at rest, multiplied by the light map
+ * of src/tech/caustics.c.
  *
- * Limits: no ray meets a second wave; the reflection has the sky and the pool's dry walls, not what
- * stands around it; the ground does not light itself, nor the surface from below, which stands for
- * the loss of radiance by the square of the index that light has when it leaves water. The eye is
- * above the water.
+ * Limits: no ray meets a second wave. Reflections show the sky and the pool's dry walls, but no
+ * surroundings. Interreflection is left out between parts of the ground, and between the ground and
+ * the surface above it; to make up for that, radiance is not divided by the squared index where
+ * light leaves the water. The eye must be above the water.
  *
- * Ice that floats in it (pool.ice) is drawn above the water, and met by rays below, by the maps of
- * ice_normal.c in the eye's view, with the bends that air and water at rest give it. The limits
- * are those of refract_bounce.c, and: colours do not part; the ice mirrors nothing but the sky and
- * the dry walls, the water no ice; no ray meets the ice twice; sun and waves are as if it were not
- * there.
+ * Ice that floats in the pool (pool.ice) is drawn above the water. Rays below the water meet it in
+ * the maps of ice_normal.c in the eye's view, bent by air and water at rest. The limits are those
+ * of refract_bounce.c, and: there is no dispersion; the ice reflects only the sky and the dry
+ * walls; the water does not reflect the ice; no ray meets the ice twice; the ice changes neither
+ * the sun's light nor the waves.
  */
 #include "shaders/water.h"
 #include "shaders/embedded.h"
@@ -40,7 +41,7 @@ static const struct rg_use caustics_uses[] = {
     { 0 },
 };
 
-/* Where the ice is: shaders/refract_inside.glsl. */
+/* The maps in which shaders/refract_inside.glsl searches the ice. */
 static const struct rg_use ice_uses[] = {
     FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
@@ -73,7 +74,7 @@ static const struct rg_pass color_row = {
     .record = record_surface,
 };
 
-/* What of the ice stands out of the water. */
+/* Draws the part of the ice above the water. */
 static const struct rg_pass ice_row = {
     .name = "water.ice",
     .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP }),
@@ -102,7 +103,7 @@ enum {
     ROW_COUNT = 4
 };
 
-/* Shaders for water without and with ice, in plain light and in that of caustics. */
+/* Shaders for water without and with ice, without and with caustics. */
 static const struct rg_shader *const color_frags[2][2] = {
     { &water_frag, &water_caustics_frag },
     { &water_iced_frag, &water_iced_caustics_frag },
