@@ -12,7 +12,7 @@ enum {
     PERIOD_MAX = 64, /* cells across the tile */
 };
 
-/* A random vector at every corner of the cells that a tile is cut into. */
+/* A tile divided into cells, with a random vector at every corner. */
 struct lattice {
     uint32_t period; /* cells across the tile */
     vec2s corners[PERIOD_MAX][PERIOD_MAX];
@@ -34,11 +34,11 @@ static vec2s corner(const struct lattice *lattice, uint32_t x, uint32_t y)
     return lattice->corners[y % lattice->period][x % lattice->period];
 }
 
-/* Texels side by side in one cell. */
+/* Consecutive texels of a row that are in one cell. */
 struct run {
-    uint32_t x, y;         /* of the cell */
-    uint32_t first, count; /* of the texels, along x */
-    float rest_y;          /* from the cell's top, in cells */
+    uint32_t x, y;         /* the cell */
+    uint32_t first, count; /* the texels, along x */
+    float rest_y;          /* distance from the cell's top, in cells */
 };
 
 static struct run find_run(const struct lattice *lattice, uint32_t x, uint32_t y)
@@ -49,7 +49,7 @@ static struct run find_run(const struct lattice *lattice, uint32_t x, uint32_t y
     return (struct run){ cell, in_y / SIZE, x, end - x, (float)(in_y % SIZE) / SIZE };
 }
 
-/* From the cell's left, in cells. */
+/* Returns the distance of texel i of a run from the cell's left, in cells. */
 static float rest_x(const struct lattice *lattice, const struct run *run, uint32_t i)
 {
     return (float)((run->first + i) * lattice->period - run->x * SIZE) / SIZE;
@@ -60,7 +60,7 @@ static float fade(float t)
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/* Gradient noise (Perlin 2002): about -1 to 1, one cell wide. */
+/* Gradient noise (Perlin 2002): about -1 to 1, with features of the size of a cell. */
 static void wave(const struct lattice *lattice, const struct run *run, float *values)
 {
     const vec2s upper[2] = { corner(lattice, run->x, run->y), corner(lattice, run->x + 1, run->y) };
@@ -78,8 +78,8 @@ static void wave(const struct lattice *lattice, const struct run *run, float *va
     }
 }
 
-/* Square of the distance to the nearest of scattered points, about 0 to 1, with rounded ridges:
- * bowls side by side. */
+/* Squared distance to the nearest of scattered points, about 0 to 1, with rounded ridges: adjacent
+ * bowls. */
 static void dimple(const struct lattice *lattice, const struct run *run, float *values)
 {
     memset(values, 0, run->count * sizeof(*values));
@@ -98,7 +98,7 @@ static void dimple(const struct lattice *lattice, const struct run *run, float *
         values[i] = 1 / sqrtf(sqrtf(values[i]));
 }
 
-/* Its values at all texels of a run. */
+/* Computes a field at all texels of a run. */
 typedef void field_fn(const struct lattice *lattice, const struct run *run, float *values);
 
 /* Adds a field to a tile of heights. */
@@ -141,7 +141,8 @@ static void make_slopes(uint16_t *texels, const float *heights)
     }
 }
 
-/* The value below which a share of a field lies, to a thousandth of the range -2 to 2. */
+/* Returns the value below which a share of a field's values are, to a thousandth of the range -2 to
+ * 2. */
 static float quantile(const float *field, float share)
 {
     uint32_t counts[4096] = { 0 };
@@ -159,7 +160,7 @@ static uint16_t to_share(float x)
     return half_from_float(glm_clamp(x, 0, 1));
 }
 
-/* Where the field is low it is smooth; from smooth to rough it takes a while. */
+/* Makes the surface smooth where the field is low, with a gradual transition to rough. */
 static void make_smooth(uint16_t *texels, const float *field, float share)
 {
     const float width = 0.25F;

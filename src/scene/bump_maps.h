@@ -1,10 +1,11 @@
 /*
- * bump_maps.h: the uneven surface of ice as a picture that repeats, made by code.
+ * bump_maps.h: the uneven surface of ice as a procedural texture that repeats.
  *
- * A height of dimples, as melting leaves them, under ever finer noise: its slopes. Noise again says
- * where the surface is smooth all the same. The same numbers give the same bytes on every machine.
+ * The texture has the slopes of a height field: dimples, as melting leaves them, and several
+ * octaves of noise. Another noise selects where the surface is smooth. Equal parameters give equal
+ * bytes on every machine.
  *
- * Ownership: bump_maps_finish() frees them; {0} is fine.
+ * Ownership: bump_maps_finish() frees the texels; {0} is fine.
  */
 #ifndef FIRN_SCENE_BUMP_MAPS_H
 #define FIRN_SCENE_BUMP_MAPS_H
@@ -13,14 +14,14 @@
 #include <stdint.h>
 
 enum {
-    BUMP_MAPS_SIZE = 512, /* texels, both ways */
+    BUMP_MAPS_SIZE = 512, /* texels along each side */
 };
 
 struct bump_maps {
-    uint16_t *texels; /* half, four each: rise along u and v, 1 in the root mean square; how smooth
-                         the surface is and how thick its crystals stand, 0 to 1; all levels of
-                         mips.h */
-    uint32_t size;    /* texels, both ways; 0: none */
+    uint16_t *texels; /* half, four a texel: slopes along u and v, whose root mean square is 1;
+                         smoothness of the surface and thickness of its frost, 0 to 1; all mip
+                         levels, as mips.h orders them */
+    uint32_t size;    /* texels along each side of the first level; 0: no texture */
 };
 
 struct bump_maps_params {
@@ -28,7 +29,7 @@ struct bump_maps_params {
     uint32_t seed;
 };
 
-/* False only when memory is short; *maps is then {0}. */
+/* Makes the texture. Returns false when out of memory; *maps is then {0}. */
 bool bump_maps_init(struct bump_maps *maps, const struct bump_maps_params *params);
 
 void bump_maps_finish(struct bump_maps *maps);

@@ -4,7 +4,7 @@
 #include <assert.h>
 #include <math.h>
 
-/* Of lengths, too, whose squares vanish or overflow. */
+/* Normalises a vector; its squared length may underflow or overflow. */
 static vec3s direction(vec3s v)
 {
     const float largest = fmaxf(fabsf(v.x), fmaxf(fabsf(v.y), fabsf(v.z)));
@@ -40,7 +40,8 @@ static void set_row(mat4s *matrix, int row, vec3s v, float w)
     matrix->raw[3][row] = w;
 }
 
-/* With p = point - eye: x = right.p, y = down.p, w = forward.p, depth = near / w. */
+/* The projection of a point with p = point - eye: x = right.p, y = down.p, w = forward.p, depth =
+ * near / w. */
 static mat4s project(vec3s right, vec3s down, vec3s forward, vec3s eye, float near)
 {
     mat4s clip_from_world = { 0 };
@@ -59,7 +60,7 @@ mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32
     float scale_x = scale_y * (float)height / (float)width;
     vec3s right = glms_vec3_scale(basis.right, scale_x);
     vec3s down = glms_vec3_scale(basis.up, -scale_y);
-    /* a multiple of w added to x and y moves the picture after the division */
+    /* Adding a multiple of w to x and y moves the picture after the division by w. */
     right = glms_vec3_muladds(basis.forward, -2 * jitter.x / (float)width, right);
     down = glms_vec3_muladds(basis.forward, -2 * jitter.y / (float)height, down);
     return project(right, down, basis.forward, camera->eye, near);

@@ -1,4 +1,4 @@
-/* environment.c: a picture of the surroundings, from file to half floats. */
+/* environment.c: loads an image of the surroundings as half floats. */
 #include "src/scene/environment.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,9 @@
 /*
- * environment.h: a picture of the surroundings; linear Rec.709 radiance.
+ * environment.h: an image of the surroundings in linear Rec.709 radiance.
  *
- * Equirectangular, at infinity: -Z in the middle, +Y at the top, +X right of the middle. Or a cube:
- * six square faces, one below the other, +X -X +Y -Y +Z -Z, each as Vulkan turns it.
+ * It is either equirectangular and infinitely far away, with -Z in the middle, +Y at the top and +X
+ * right of the middle; or a cube, six square faces, one below the other, +X -X +Y -Y +Z -Z, in
+ * Vulkan's orientation.
  */
 #ifndef FIRN_SCENE_ENVIRONMENT_H
 #define FIRN_SCENE_ENVIRONMENT_H
@@ -12,19 +13,22 @@
 #include "src/base/status.h"
 
 struct environment {
-    uint16_t *texels; /* half RGBA, rows from the top; finite, not negative; alpha 1, or ... */
-    uint32_t width, height;
-    bool is_cube; /* ... 1 / distance from where it was captured, 1 / metre; 0: infinitely far */
+    uint16_t *texels;       /* half RGBA, rows from the top; finite, not negative; owned */
+    uint32_t width, height; /* texels */
+    bool is_cube; /* alpha is 1 / distance from the capture's centre, 1 / metre, 0 at infinity; if
+                     false, alpha is 1 */
 };
 
 /*
- * Loads a .exr (channels R, G, B or Y; of a cube A, too, else all is infinitely far away) or .hdr
- * file. A picture six times as high as wide is a cube; another that is higher than wide is refused.
- * Values that are not finite become 0, those below 0 too, those beyond half's range its largest.
- * Logs and returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *environment is then {0}.
+ * Loads a .exr file (channels R, G, B or Y; of a cube also A, without which everything is
+ * infinitely far away) or a .hdr file. An image six times as high as wide is a cube; others that
+ * are higher than wide are refused. Values below 0 or not finite become 0; values beyond half's
+ * range become its largest. Logs and returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN;
+ * *environment is then {0}.
  */
 MUST_USE enum status environment_load(struct environment *environment, const char *path);
 
+/* Frees the texels; *environment is then {0}. */
 void environment_finish(struct environment *environment);
 
 #endif

@@ -1,4 +1,4 @@
-/* hull.c: polygons are cut plane by plane, as Sutherland and Hodgman do it (1974). */
+/* hull.c: clips polygons plane by plane (Sutherland and Hodgman 1974). */
 #include "src/scene/hull.h"
 #include <assert.h>
 #include <math.h>
@@ -25,7 +25,8 @@ static float beyond(const vec4s *plane, const struct mesh_vertex *corner)
     return glms_vec3_dot(corner->position, glms_vec3(*plane)) - plane->w;
 }
 
-/* Between two corners, where they are so far beyond the plane: one of them is, one is not. */
+/* Returns the point between two corners on the plane, whose signed distances from it, at_a and
+ * at_b, have different signs. */
 static struct mesh_vertex between(const struct mesh_vertex *a, float at_a,
                                   const struct mesh_vertex *b, float at_b)
 {

@@ -10,7 +10,7 @@ struct material {
 
 extern const struct material materials[]; /* ends at a row of zeros */
 
-/* NULL if there is none of that name. */
+/* Returns the material of that name, or NULL. */
 const struct material *material_find(const char *name);
 
 #endif

@@ -35,7 +35,7 @@ void mesh_finish(struct mesh *mesh)
     *mesh = (struct mesh){ 0 };
 }
 
-/* *array with room for `count` elements more, or NULL. */
+/* Returns `array` reallocated with room for `count` more elements, or NULL. */
 static void *grown(void *array, uint32_t have, uint32_t count, size_t size)
 {
     if (count > UINT32_MAX - have || have + count > SIZE_MAX / size)
@@ -83,7 +83,7 @@ struct box mesh_box(const struct mesh *mesh)
 
 vec3s box_center(struct box box)
 {
-    /* halved first: the sum of two large coordinates may overflow */
+    /* The halves are added, because the sum of two large coordinates may overflow. */
     return glms_vec3_add(glms_vec3_scale(box.min, 0.5F), glms_vec3_scale(box.max, 0.5F));
 }
 
@@ -103,10 +103,10 @@ void mesh_fit(struct mesh *mesh, float width)
     }
 }
 
-/* {0} for a vector without a direction. */
+/* Returns the unit vector, or {0} for a vector without a direction. */
 static vec3s unit(vec3s v)
 {
-    /* in double, so that the squares neither vanish nor overflow */
+    /* In double the squares neither underflow nor overflow. */
     double x = (double)v.x, y = (double)v.y, z = (double)v.z;
     double length = sqrt(x * x + y * y + z * z);
     if (!(length > 0) || !isfinite(length))
@@ -143,7 +143,7 @@ void mesh_make_normals(struct mesh *mesh)
     }
 }
 
-/* Twice a triangle's area, outward. */
+/* Returns an outward normal whose length is twice the triangle's area. */
 static vec3s area_of(const struct mesh *mesh, const uint32_t *corners)
 {
     const vec3s a = mesh->vertices[corners[0]].position;
@@ -151,7 +151,8 @@ static vec3s area_of(const struct mesh *mesh, const uint32_t *corners)
                            glms_vec3_sub(mesh->vertices[corners[2]].position, a));
 }
 
-/* `normal` need not be unit. */
+/* Whether all vertices are behind the plane through a point, or at most `room` before it. `normal`
+ * need not be unit. */
 static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float room)
 {
     const float most = glms_vec3_dot(normal, point) + room * glms_vec3_norm(normal);
@@ -165,7 +166,7 @@ static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float 
 bool mesh_is_convex(const struct mesh *mesh)
 {
     const float room = 1e-5f * box_diagonal(mesh_box(mesh));
-    vec3s sum = { 0 }; /* of closed surfaces none is left */
+    vec3s sum = { 0 }; /* of all area vectors; 0 for a closed surface */
     float all = 0.0f;
     if ((uint64_t)mesh->index_count / 3 * mesh->vertex_count > MESH_CONVEX_MAX)
         return false;
@@ -183,7 +184,8 @@ enum {
     SHELL_COUNT = 1 << 9
 };
 
-/* A float's exponent and the first bit behind it, of a squared distance: four an octave. */
+/* Returns the exponent and the first mantissa bit of the squared distance as a float: four shells
+ * an octave. */
 static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s from)
 {
     float nearest = INFINITY;
@@ -196,7 +198,7 @@ static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s
 
 bool mesh_sort_by_distance(struct mesh *mesh, vec3s from)
 {
-    uint32_t next[SHELL_COUNT + 1] = { 0 }; /* where the next triangle of each shell goes */
+    uint32_t next[SHELL_COUNT + 1] = { 0 }; /* index of the next triangle of each shell */
     if (mesh->index_count == 0)
         return true;
     uint32_t *sorted = malloc(mesh->index_count * sizeof(*sorted));

@@ -1,7 +1,8 @@
 /*
- * mesh.h: indexed triangles on the CPU, and the one vertex layout every pass draws with.
+ * mesh.h: indexed triangles on the CPU, with the vertex layout of all passes.
  *
- * Space:     whatever the owner says; world space once in a scene (right-handed, +Y up, metres).
+ * Space:     decided by the owner; the meshes of a scene are in world space (right-handed, +Y up,
+ *            metres).
  * Winding:   counter-clockwise seen from outside.
  * Ownership: a mesh owns its two arrays (malloc'd); mesh_finish() frees them.
  */
@@ -23,7 +24,7 @@ struct mesh_vertex {
 
 struct mesh {
     struct mesh_vertex *vertices;
-    uint32_t *indices; /* three a triangle */
+    uint32_t *indices; /* three per triangle */
     uint32_t vertex_count;
     uint32_t index_count;
 };
@@ -34,7 +35,7 @@ struct box {
 };
 
 /*
- * Allocates room for the given counts, all zero. False when memory is short or the sizes
+ * Allocates arrays of the given counts, all zero. Returns false when out of memory or if the sizes
  * overflow; *mesh is then {0}.
  */
 bool mesh_init(struct mesh *mesh, uint32_t vertex_count, uint32_t index_count);
@@ -42,40 +43,41 @@ bool mesh_init(struct mesh *mesh, uint32_t vertex_count, uint32_t index_count);
 /* Frees the arrays and leaves *mesh {0}. A {0} mesh is fine. */
 void mesh_finish(struct mesh *mesh);
 
-/* Appends a copy of `other`, another mesh. False when memory is short or the counts overflow:
- * *mesh is unchanged. */
+/* Appends a copy of `other`, which must be another mesh. Returns false when out of memory or if the
+ * counts overflow; *mesh is then unchanged. */
 bool mesh_append(struct mesh *mesh, const struct mesh *other);
 
 struct box mesh_box(const struct mesh *mesh);
 
 vec3s box_center(struct box box);
 
-/* Length of the diagonal. */
+/* Returns the length of the diagonal. */
 float box_diagonal(struct box box);
 
-/* Moves the box's centre to the origin and scales evenly until the box is `width` wide along x,
- * where it must have an extent. Normals stay. */
+/* Moves the box's centre to the origin and scales uniformly to a width of `width` along x, where
+ * the box must have an extent. Normals are unchanged. */
 void mesh_fit(struct mesh *mesh, float width);
 
 /*
  * Sets every vertex normal to the mean of its triangles' normals weighted by their angles there,
- * which does not depend on how a surface is cut into triangles (Thuermer and Wuethrich 1998).
+ * which does not depend on the triangulation of a surface (Thuermer and Wuethrich 1998).
  * Vertices of no triangle with an area get +Y.
  */
 void mesh_make_normals(struct mesh *mesh);
 
 /*
- * Whether no vertex lies outside of any triangle's plane, to a hundred thousandth of the size, and
- * the triangles close: then a ray is inside once at most. Not asked of more than MESH_CONVEX_MAX
- * pairs of a triangle and a vertex: false.
+ * Returns whether the mesh is closed and no vertex is outside of any triangle's plane, to a hundred
+ * thousandth of the size: a ray is then inside in one interval at most. Returns false without a
+ * test for more than MESH_CONVEX_MAX pairs of a triangle and a vertex.
  */
 #define MESH_CONVEX_MAX (1u << 24)
 bool mesh_is_convex(const struct mesh *mesh);
 
 /*
- * Puts triangles first that are nearer to a point: a depth test then leaves out most of what others
- * hide from there. By shells, each less than a quarter larger than the last, in which the order
- * stays, for caches of vertices. False when memory is short: *mesh is unchanged.
+ * Sorts the triangles by distance from a point, nearest first, so that a depth test rejects most
+ * fragments that are hidden from there. Distances are quantised to shells, each less than a quarter
+ * larger than the last, in which the order is kept, for vertex caches. Returns false when out of
+ * memory; *mesh is then unchanged.
  */
 bool mesh_sort_by_distance(struct mesh *mesh, vec3s from);
 

@@ -1,4 +1,4 @@
-/* mips.c: halves pictures. */
+/* mips.c: generates mip levels. */
 #include "src/scene/mips.h"
 #include <math.h>
 #include "src/image/half.h"
@@ -11,7 +11,7 @@ size_t mips_count(const struct mips *mips)
     return count;
 }
 
-/* Of the numbers at four places, to another one. */
+/* Writes the mean of the values at four indices to the index `to`. */
 typedef void mean_fn(void *texels, size_t to, const size_t from[4]);
 
 static void fill(void *texels, const struct mips *mips, mean_fn *mean)

@@ -1,10 +1,10 @@
 /*
- * mips.h: smaller and smaller copies of square pictures, made with them.
+ * mips.h: mip levels of square images, generated on the host.
  *
- * A device could halve them too, but would have to compile shaders for that before it draws its
- * first picture, and each would round in its own way.
+ * A device could generate them too, but would have to compile shaders for that before it draws its
+ * first picture, and devices round differently.
  *
- * Level after level, from `side` texels to one, each with its layers one after another.
+ * Memory has level after level, from `side` texels to one, each with its layers one after another.
  */
 #ifndef FIRN_SCENE_MIPS_H
 #define FIRN_SCENE_MIPS_H
@@ -13,16 +13,16 @@
 #include <stdint.h>
 
 struct mips {
-    uint32_t side;     /* texels, both ways, of the first level: a power of two */
+    uint32_t side;     /* texels along each side of the first level: a power of two */
     uint32_t layers;   /* of every level */
-    uint32_t channels; /* of a texel */
+    uint32_t channels; /* per texel */
 };
 
-/* Numbers in all levels together. */
+/* Returns the number of values in all levels together. */
 size_t mips_count(const struct mips *mips);
 
-/* Fill all levels from the first: means of four, of halves rounded to zero, of bytes away from
- * it, first along rows. */
+/* Fill all other levels from the first one with means of four texels, which are added up along rows
+ * first. Halves are rounded toward zero, bytes away from it. */
 void mips_fill_halves(uint16_t *texels, const struct mips *mips);
 void mips_fill_bytes(uint8_t *texels, const struct mips *mips);
 

@@ -1,4 +1,4 @@
-/* scene.c: built-in scenes, model files, and what lies around them. */
+/* scene.c: built-in scenes, model files, and their surroundings. */
 #include "src/scene/scene.h"
 #include <errno.h>
 #include <stdlib.h>
@@ -51,7 +51,7 @@ static const struct scene_builtin *find_builtin(const char *name)
     return NULL;
 }
 
-/* Ice must find room, also where it turns, and water below. */
+/* The ice must fit in the pool at any angle about the vertical axis, with water below it. */
 static enum status add_floe(struct scene *scene, const struct scene_params *params)
 {
     const struct generate_pool *pool = &params->pool;
@@ -68,7 +68,7 @@ static enum status add_floe(struct scene *scene, const struct scene_params *para
     return STATUS_USAGE;
 }
 
-/* A box to be looked at. */
+/* Makes the pool, and a camera that looks into it. */
 static enum status make_pool(struct scene *scene, const struct scene_params *params)
 {
     const struct generate_pool *pool = &params->pool;
@@ -91,7 +91,7 @@ static enum status check_name(const char *name)
     char hint[SUGGEST_HINT_SIZE];
     struct suggest suggest = { .word = name };
     if (access(name, F_OK) == 0 || errno != ENOENT)
-        return STATUS_OK; /* opening it says what is wrong */
+        return STATUS_OK; /* opening the file logs the error */
     for (const struct scene_builtin *b = scene_builtins; b->name; b++)
         suggest_offer(&suggest, b->name);
     log_error("'%s' is neither a built-in scene nor a file%s (firn list scenes)", name,
@@ -116,7 +116,7 @@ static enum status load_object(struct scene *scene, const struct scene_params *p
     return STATUS_OK;
 }
 
-/* The landscape is made for objects about 3.2 m across; others get it to their scale. */
+/* The landscape is made for objects about 3.2 m across; it is scaled to fit others. */
 static void fit_landscape(struct mesh *landscape, struct box box)
 {
     float scale = box_diagonal(box) / 3.2f;
@@ -227,7 +227,7 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
     return NULL;
 }
 
-/* What lies on and in the object. */
+/* Makes the inclusions and the surface of the object. */
 static enum status fill_object(struct scene *scene, const struct scene_params *params)
 {
     const char *lacking = params->later ? NULL : scene_fill(scene, params);
@@ -259,7 +259,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
     else if (status == STATUS_OK && bare && scene->background == SCENE_SKY)
         status = add_landscape(scene, params);
     scene->around = scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);
-    /* the cube is drawn from there, and views are often from near by */
+    /* The environment cube is drawn from this point, and cameras are often near it. */
     if (status == STATUS_OK &&
         !mesh_sort_by_distance(&scene->model.surroundings, box_center(scene->box)))
         status = log_out_of_memory("surroundings");

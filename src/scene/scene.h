@@ -1,7 +1,7 @@
 /*
- * scene.h: what there is to draw: an object, its surroundings, a background.
+ * scene.h: a scene: an object, its surroundings, a background.
  *
- * Ownership: scene_finish() frees what a scene holds; a {0} scene is fine.
+ * Ownership: a scene owns its members; scene_finish() frees them; a {0} scene is fine.
  */
 #ifndef FIRN_SCENE_SCENE_H
 #define FIRN_SCENE_SCENE_H
@@ -23,74 +23,75 @@ struct scene {
     enum scene_background background;
     vec3s background_color; /* SCENE_COLOR; linear radiance */
     struct environment environment;
-    struct environment cube;      /* in place of what env_cube draws if that is not dynamic */
-    struct bump_maps bump;        /* of the object's surface; {0}: none */
-    struct box box;               /* of the object, or of the pool */
-    struct box floe;              /* of the object in the pool; {0}: there is none */
-    struct box around;            /* that a model names, or of the surroundings but for what moves;
-                                   * {0}: there are none */
-    struct mesh cracks;           /* in the object's space; may be empty */
-    struct mesh air;              /* in the object's space, as are the bubbles; may be empty */
-    struct air_layers air_layers; /* on it */
-    struct bubbles bubbles;
-    bool has_pool;  /* with the object in it, if there is one */
-    bool is_convex; /* the object, surely: mesh_is_convex() */
+    struct environment cube; /* replaces the environment cube that env_cube draws; may be {0} */
+    struct bump_maps bump;   /* of the object's surface; {0}: none */
+    struct box box;          /* of the object, or of the pool */
+    struct box floe;         /* of the object in the pool; {0}: there is none */
+    struct box around;       /* for refract.lookup=box: the box that a model names, or that of
+                                   * the surroundings without moving objects; {0}: none */
+    struct mesh cracks;      /* in the object's space; may be empty */
+    struct mesh air;         /* planes of air in the object's space; may be empty */
+    struct air_layers air_layers; /* textures of the planes of air */
+    struct bubbles bubbles;       /* in the object's space */
+    bool has_pool;                /* the scene is a pool, with the object, if any, in it */
+    bool is_convex;               /* the object is known to be convex: mesh_is_convex() */
 };
 
 /* Cracks inside the object. */
 struct scene_cracks {
     uint32_t count; /* 0: none */
     uint32_t seed;
-    bool cut; /* nothing of them reaches out of the object, which must be closed */
+    bool cut; /* clip them to the object, which must be closed */
 };
 
 struct scene_params {
     const char *name;                /* of a built-in scene, or a model file */
     const char *surroundings;        /* model file; NULL: the landscape, if the sky is there too */
-    const char *environment;         /* picture file: background, or cube; NULL: none */
-    const vec3s *background;         /* NULL: the sky */
+    const char *environment;         /* image file of the background or of a cube; NULL: none */
+    const vec3s *background;         /* colour; NULL: the sky */
     uint32_t object_triangles;       /* of a built-in object; 0: its default */
     uint32_t landscape_triangles;    /* 0: default */
-    bool flat;                       /* a level floor in the landscape's place */
-    uint32_t mover_count;            /* objects that move around it */
+    bool flat;                       /* a level floor instead of the landscape */
+    uint32_t mover_count;            /* objects that move around the object */
     struct generate_air air;         /* count 0: none */
-    struct generate_bubbles bubbles; /* the same */
+    struct generate_bubbles bubbles; /* count 0: none */
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
     struct scene_cracks cracks;
-    const struct decode_params *decode; /* who reads the files; NULL: this process */
-    struct generate_pool pool;          /* of the scene that is one */
-    bool later; /* leaves the bump maps and the pictures of air to scene_fill() */
+    const struct decode_params
+        *decode;               /* how a child process reads the files; NULL: this one does */
+    struct generate_pool pool; /* of the scene `pool` */
+    bool later;                /* leave the bump maps and the textures of air to scene_fill() */
 };
 
-/* A scene known by name. */
+/* A built-in scene. */
 struct scene_builtin {
     const char *name;
-    bool (*generate)(struct mesh *mesh, uint32_t triangles); /* NULL: a pool of water is there */
-    bool (*surround)(struct mesh *mesh, struct box object);  /* NULL: the landscape does it */
-    uint32_t triangles;                                      /* of the object, by default */
+    bool (*generate)(struct mesh *mesh, uint32_t triangles); /* NULL: a pool of water */
+    bool (*surround)(struct mesh *mesh, struct box object);  /* NULL: the landscape */
+    uint32_t triangles;                                      /* default, of the object */
     const char *help;
 };
 
 extern const struct scene_builtin scene_builtins[]; /* ends at a row of zeros */
 
-/* Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (ice that finds no room in the pool)
- * or STATUS_TRY_AGAIN; *scene is then {0}. */
+/* Loads or generates a scene. Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (the ice
+ * does not fit in the pool) or STATUS_TRY_AGAIN; *scene is then {0}. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
 
 /*
- * Makes what `later` has left out, while other threads may read the rest. Returns NULL, or what
- * there was no memory for ("air"). Does not log, since another thread may have an error to report:
- * the caller decides which of the two is printed.
+ * Makes what params.later has left out, while other threads may read the rest. Returns NULL, or the
+ * name of the part for which memory was short ("air"). Does not log, since another thread may have
+ * an error to report: the caller decides which of the two is printed.
  */
 MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
 
-/* Replaces the cracks of a scene; done by scene_load() too. Logs and returns STATUS_TRY_AGAIN when
- * memory is short. */
+/* Replaces the cracks of a scene; scene_load() makes them, too. Logs and returns STATUS_TRY_AGAIN
+ * when out of memory. */
 MUST_USE enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cracks);
 
 void scene_finish(struct scene *scene);
 
-/* Metres from the eye to the near plane of pictures of a scene; there is no far plane. */
+/* Returns the distance of the near plane for pictures of a scene, metres; there is no far plane. */
 float scene_near_plane(const struct scene *scene);
 
 #endif

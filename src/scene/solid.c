@@ -1,4 +1,4 @@
-/* solid.c: points inside a closed mesh, by columns of triangles. */
+/* solid.c: tests points against a closed mesh, by columns of triangles. */
 #include "src/scene/solid.h"
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@ enum {
     SIDE_MAX = 256,
 };
 
-/* Columns from a to b along one axis. */
+/* A range of columns along one axis. */
 struct span {
     uint32_t from, to;
 };
@@ -38,7 +38,8 @@ static struct box triangle_box(const struct mesh *mesh, uint32_t index)
     return box;
 }
 
-/* Counts each triangle in the columns of its box; with `triangles` also enters it, from the end. */
+/* Counts each triangle in the columns of its box or, if s->triangles is set, enters it there,
+ * filling each column from its end. */
 static void enter_triangles(struct solid *s)
 {
     for (uint32_t i = 0; i + 2 < s->mesh->index_count; i += 3) {
@@ -88,9 +89,9 @@ void solid_finish(struct solid *solid)
 }
 
 /*
- * Which side of the line from a to b, seen from above, p lies on: twice the area of the triangle.
- * Both triangles at an edge get the same number with opposite signs, 0 included: it is worked out
- * from the same end.
+ * Returns on which side of the line from a to b, seen from above, p is: twice the signed area of
+ * the triangle. Both triangles at an edge get the same value with opposite signs, 0 included,
+ * because it is computed from the same end.
  */
 static double side_of(vec3s a, vec3s b, vec3s p)
 {

@@ -1,9 +1,9 @@
-/* solid_cut.c: what of a sheet lies inside a solid. */
+/* solid_cut.c: clips a sheet to the inside of a solid. */
 #include <math.h>
 #include <stdlib.h>
 #include "src/scene/solid.h"
 
-/* What remains of the sheet so far. */
+/* The clipped triangles so far. */
 struct cut {
     const struct solid *solid;
     float step; /* metres */
@@ -42,7 +42,7 @@ static void keep(struct cut *cut, const struct mesh_vertex *a, const struct mesh
     cut->vertices[cut->count++] = *c;
 }
 
-/* Where the side from a point inside to one outside leaves the solid. */
+/* Returns the point at which the side from a point inside to one outside leaves the solid. */
 static struct mesh_vertex find_exit(const struct solid *solid, const struct mesh_vertex *inside,
                                     const struct mesh_vertex *outside)
 {
@@ -89,7 +89,7 @@ static struct box box_of(const struct mesh_vertex corner[3])
     return box;
 }
 
-/* At the middle of its longest side, again and again: both triangles at a side halve it alike. */
+/* Halves a triangle at its longest side, recursively. Two triangles at a side halve it alike. */
 static void cut_triangle(struct cut *cut, const struct mesh_vertex corner[3])
 {
     int longest = 0;
@@ -110,7 +110,7 @@ static void cut_triangle(struct cut *cut, const struct mesh_vertex corner[3])
     const struct mesh_vertex middle = between(a, b, 0.5F);
     float half = fmaxf(glms_vec3_distance(middle.position, a->position),
                        glms_vec3_distance(middle.position, b->position));
-    if (length <= cut->step || !(half < 0.75F * length)) { /* or as small as floats can tell */
+    if (length <= cut->step || !(half < 0.75F * length)) { /* or at the precision of floats */
         cut_straight(cut, corner);
         return;
     }

@@ -12,7 +12,8 @@
  *   backtrace  traces one ray up from each point of the floor and looks it up in a round light map.
  *              One shader, not physical: crests and troughs are equally bright at any depth. Here
  *              the ray is refracted by Snell's law; as published it leaves along the surface's
- *              slope, which bends it three times too much. Scaled to the light that enters the pool.
+ *              slope, which bends it three times too much. The result is scaled to the light that
+ *              enters the pool.
  *   area       a grid of points of the surface, refracted to the floor; light is dimmed as the
  *              triangles between them grow, and added up where they fold over one another.
  *

@@ -1,4 +1,4 @@
-/* air.c: planes of air, and the pictures of bubbles and haze on them. */
+/* air.c: planes of air, and the textures of bubbles and haze on them. */
 #include <math.h>
 #include <stdlib.h>
 #include "src/scene/generate/generate.h"
@@ -13,11 +13,12 @@ enum {
     OCTAVES = 3,
 };
 
-static const float off_center = 0.1f; /* of a plane's middle, in the object's radii */
+static const float off_center =
+    0.1f; /* greatest offset of a plane's middle, in the object's radii */
 
 /* ---- planes ---- */
 
-/* Front face first; two triangles. */
+/* Makes the two triangles of a plane. */
 static void make_plane(struct mesh *mesh, uint32_t plane, mat3s axes, vec3s center, float side)
 {
     static const uint32_t corners[6] = { 0, 1, 2, 2, 1, 3 };
@@ -83,9 +84,9 @@ bool generate_air_cut(struct mesh *planes, const struct mesh *object)
     return true;
 }
 
-/* ---- their pictures ---- */
+/* ---- textures ---- */
 
-/* 1 in the middle of a picture, 0 from its edges on; uv from 0 to 1. */
+/* Returns the density at uv, from 0 to 1: 1 in the middle of a texture, 0 at its edges. */
 static float density(float u, float v)
 {
     const float x = 2 * u - 1;
@@ -94,7 +95,7 @@ static float density(float u, float v)
     return rest * rest * rest;
 }
 
-/* A disc, brighter towards its rim, half a texel soft. */
+/* Draws a disc, brighter towards its rim, with an edge half a texel wide. */
 static void draw_bubble(uint8_t *texels, vec2s center, float radius)
 {
     const int left = (int)floorf(center.x - radius - 1);
@@ -116,7 +117,7 @@ static void draw_bubble(uint8_t *texels, vec2s center, float radius)
     }
 }
 
-/* Squares, in each of which there may be a bubble. */
+/* Draws at most one bubble in each cell of a grid. */
 static void draw_bubbles(uint8_t *texels, float frequency, float size, struct random *random)
 {
     const uint32_t across = (uint32_t)ceilf(frequency);

@@ -6,17 +6,17 @@
 #include "src/scene/generate/random.h"
 
 enum {
-    ATTEMPTS = 64,   /* for each bubble */
-    FAILURES_MAX = 4 /* bubbles in a row without room: there is none */
+    ATTEMPTS = 64,   /* random places that are tried for each bubble */
+    FAILURES_MAX = 4 /* consecutive bubbles without a place, after which no more are tried */
 };
 
-/* Twice the area of a, b and the origin. */
+/* Returns twice the signed area of the triangle of a, b and the origin. */
 static float cross(vec2s a, vec2s b)
 {
     return a.x * b.y - a.y * b.x;
 }
 
-/* Where a triangle, seen from the point, crosses the line along an axis; NAN: it does not. */
+/* Returns the coordinate at which a triangle, relative to the point, crosses an axis, or NAN. */
 static float crossing(const vec3s corners[3], int axis)
 {
     const int u = (axis + 1) % 3;
@@ -44,9 +44,9 @@ static bool straddles(const vec3s corners[3], int axis)
 }
 
 /*
- * How far away the surface is along the three axes, at least; 0 outside. Inside of a closed surface
- * every ray leaves it an odd number of times. A ray through an edge may miss it and count wrongly,
- * so the rays along all three axes must agree.
+ * Returns the least distance of the surface along the three axes, or 0 for points outside. A ray
+ * from a point inside a closed surface crosses it an odd number of times. A ray through an edge may
+ * miss it, so the rays along all three axes must agree.
  */
 static float clearance(const struct mesh *mesh, vec3s point)
 {
@@ -81,8 +81,9 @@ static bool is_free(const struct bubbles *bubbles, vec3s center, float radius)
     return true;
 }
 
-/* In a convex body the octahedron of the clearance is inside, and so is the ball in that. False
- * when no room is found. */
+/* Adds a bubble at a random place with enough room; returns false if none is found. In a convex
+ * object the octahedron whose half diagonals are the clearance is inside, and so is the ball in
+ * it. */
 static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh, struct box box,
                        float radius, struct random *random)
 {

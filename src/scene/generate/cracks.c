@@ -2,8 +2,8 @@
  * cracks.c: sheets for cracks inside an object.
  *
  * Seipel and Nivfors 2006, section 3.3: a few generic models, each instance scaled to the object's
- * box, turned at random, and put at random near the centre. No function of the C library that
- * could differ between machines is called, but floor and square root.
+ * box, rotated at random, and placed at random near the centre. Of the C library only floor and
+ * square root are called, because other functions could differ between machines.
  */
 #include "shaders/cracks.h"
 #include <math.h>
@@ -30,21 +30,21 @@ static float twisted(float x, float y, float r)
     return 0.7F * x * y + 0.1F * x;
 }
 
-/* A shell with waves around its deepest point, as glass breaks. */
+/* A shell with waves around its deepest point, like a fracture of glass. */
 static float shell(float x, float y, float r)
 {
     float wave = noise_value((vec3s){ { 5.5F * r, 0.4F * x, 0.4F * y } }, 7);
     return 0.5F * r * r + 0.07F * wave - 0.25F;
 }
 
-/* How far the sheet reaches into a direction: never round. */
+/* Returns the radius of the sheet in a direction; the outline is irregular. */
 static float outline(vec3s dir, uint32_t seed)
 {
     return 0.85F + 0.3F * noise_value(glms_vec3_scale(dir, 1.3F), seed) +
            0.12F * noise_value(glms_vec3_scale(dir, 5.0F), seed + 1);
 }
 
-/* A square's point to the disc's, by ellipses. */
+/* Maps a point of the square to the disc, by ellipses, and displaces it. */
 static vec3s sheet_point(float u, float v, uint32_t model)
 {
     static float (*const heights[MODEL_COUNT])(float x, float y, float r) = { bent, twisted,
@@ -84,16 +84,16 @@ static bool make_sheet(struct mesh *mesh, uint32_t model)
     return true;
 }
 
-/* ---- where they lie ---- */
+/* ---- placement ---- */
 
-/* From -1 to 1; the next one at each call. */
+/* Returns the next number of a sequence, from -1 to 1. */
 static float random_value(uint32_t *state)
 {
     *state += 0x9e3779b9U;
     return (float)(noise_hash(*state) >> 8) / 8388607.5F - 1.0F;
 }
 
-/* Evenly within the unit ball of `count` dimensions, but not too near to its centre. */
+/* Returns a random point of the unit ball of `count` dimensions, not too near to its centre. */
 static vec4s random_in_ball(uint32_t *state, int count)
 {
     vec4s v = { 0 };
@@ -135,7 +135,7 @@ bool generate_cracks(struct mesh *mesh, struct box box, uint32_t count, uint32_t
     for (uint32_t i = 0; i < MODEL_COUNT && done; i++)
         done = make_sheet(&sheets[i], i);
     for (uint32_t i = 0; i < wanted && done; i++) {
-        uint32_t state = noise_hash(noise_hash(seed) ^ i); /* more cracks: the same, and others */
+        uint32_t state = noise_hash(noise_hash(seed) ^ i); /* independent of `count` */
         done = add_crack(mesh, &sheets[i % MODEL_COUNT], box, &state);
     }
     for (uint32_t i = 0; i < MODEL_COUNT; i++)

@@ -1,4 +1,4 @@
-/* floor.c: pale tiles on a level plane, and as much again of one colour around them. */
+/* floor.c: pale tiles on a level plane, with a plane of one colour around them. */
 #include "src/scene/generate/generate.h"
 
 enum {
@@ -7,10 +7,10 @@ enum {
 
 static const vec3s pale = { { 0.36F, 0.34F, 0.31F } };
 static const vec3s dark = { { 0.25F, 0.24F, 0.23F } };
-static const float tile = 0.28F; /* length of its sides, of the box's diagonal */
-static const float beyond = 100; /* how far the floor goes, the same */
+static const float tile = 0.28F; /* side length of a tile, in diagonals of the box */
+static const float beyond = 100; /* half side of the floor, in diagonals of the box */
 
-/* From (x, z) to the opposite corner. */
+/* Adds a horizontal rectangle from the corner `from`, of size x, z. */
 static void add_square(struct mesh *mesh, vec3s from, float x, float z, vec3s color)
 {
     static const uint32_t order[6] = { 0, 2, 1, 0, 3, 2 };
@@ -44,7 +44,7 @@ static void add_tiles(struct mesh *mesh, vec3s corner, float side)
     }
 }
 
-/* Four squares' worth of floor around the tiles, whose half side is `inner`. */
+/* Adds four rectangles around the tiles, whose half side is `inner`. */
 static void add_rest(struct mesh *mesh, vec3s middle, float inner, float outer)
 {
     const float x = middle.x;
@@ -67,7 +67,7 @@ bool generate_floor(struct mesh *mesh, struct box object)
     middle.y = object.min.y;
     if (!mesh_init(mesh, 4 * count, 6 * count))
         return false;
-    mesh->vertex_count = mesh->index_count = 0; /* as far as they are filled */
+    mesh->vertex_count = mesh->index_count = 0; /* counts of the filled part */
     add_tiles(mesh, (vec3s){ { middle.x - inner, middle.y, middle.z - inner } }, side);
     add_rest(mesh, middle, inner, beyond * side / tile);
     return true;

@@ -1,14 +1,14 @@
 /*
- * generate.h: the built-in objects and the landscape, made by code.
+ * generate.h: procedural objects, surroundings and inclusions.
  *
- * Triangle counts: each generator takes the wanted number of triangles and makes the closest
- * mesh its topology allows; the default counts are met exactly (Seipel and Nivfors 2006,
- * section 4). Wishes above GENERATE_TRIANGLES_MAX count as that. The closed objects are watertight
- * (every edge belongs to two triangles, which share its vertices), outward and consistently wound,
- * centred on the origin, with vertex normals; they are white and their material is 0.
+ * Triangle counts: each generator makes the mesh with the count closest to `triangles` that its
+ * topology allows; the default counts are met exactly (Seipel and Nivfors 2006, section 4). Counts
+ * above GENERATE_TRIANGLES_MAX are clamped. The closed objects are watertight (every edge belongs
+ * to two triangles, which share its vertices), wound counter-clockwise seen from outside, centred
+ * on the origin, with vertex normals; they are white and their material is 0. Units are metres.
  *
- * Ownership: *mesh must be {0} or finished before; the caller finishes it.
- * Errors:    false only when memory is short; *mesh is then {0}.
+ * Ownership: *mesh must be {0} or finished; the caller finishes it.
+ * Errors:    the functions return false only when out of memory; *mesh is then {0}.
  */
 #ifndef FIRN_SCENE_GENERATE_GENERATE_H
 #define FIRN_SCENE_GENERATE_GENERATE_H
@@ -26,86 +26,87 @@ enum {
     GENERATE_AIR_MAX = 64,
 };
 
-/* Sphere of longitudes and latitudes, of the unit sphere's volume: the vertices lie a little
- * outside of it, the facets on it. Normals are exact. */
+/* A sphere of longitudes and latitudes with the unit sphere's volume: the vertices are a little
+ * outside of the unit sphere. Normals are exact. */
 bool generate_sphere(struct mesh *mesh, uint32_t triangles);
 
-/* Irregular rounded cube, about 1.6 m wide: six grids of squares, displaced by smooth noise. */
+/* An irregular rounded cube, about 1.6 m wide: six grids of squares, displaced by smooth noise. */
 bool generate_ice_cube(struct mesh *mesh, uint32_t triangles);
 
 /*
  * The Utah teapot from its 32 Bezier patches (Newell 1975), about 2 m wide, standing upright
- * (+Y), its spout toward +X. Solid, with no wall inside: one surface, the gap between lid and rim
- * and the spout's mouth closed, handle and spout joined to the body.
+ * (+Y), its spout toward +X. It is solid, one surface without inner walls: the gap between lid and
+ * rim and the spout's mouth are closed, handle and spout are joined to the body.
  */
 bool generate_teapot(struct mesh *mesh, uint32_t triangles);
 
 /*
- * A valley with hills around it, 60 m wide, 1.35 m below the origin in the middle; open, lit
- * (not MESH_UNLIT), coloured by height and slope, facing up.
+ * A valley with hills around it, 60 m wide, 1.35 m below the origin in the middle. It is an open
+ * surface that faces up, lit (not MESH_UNLIT), coloured by height and slope.
  */
 bool generate_landscape(struct mesh *mesh, uint32_t triangles);
 
 /*
- * A level floor of pale tiles on which the object stands, as far as the eye sees: for light that
- * comes through the object. Lit, facing up.
+ * A level floor of pale tiles under the object, up to the horizon, which shows the light that the
+ * object transmits. Lit, facing up.
  */
 bool generate_floor(struct mesh *mesh, struct box object);
 
 /*
- * A closed room, 11.7 x 6.3 x 9.9 m, with a table under the object, which stands off its middle.
- * Walls, floor and ceiling are tiled with coloured lines, a lamp and a window are bright; colours
- * are what is seen (MESH_UNLIT), with the shadows of furniture.
+ * A closed room, 11.7 x 6.3 x 9.9 m, with a table under the object, which is off its middle. Walls,
+ * floor and ceiling are tiled with coloured lines, a lamp and a window are bright. Colours are
+ * radiances (MESH_UNLIT) that contain the shadows of furniture.
  */
 bool generate_room(struct mesh *mesh, struct box object);
 
 /*
- * Coloured balls in a ring around a box, of MESH_MOVES; `count` from 1 to GENERATE_MOVERS_MAX. They
- * stay outside the sphere around the box wherever they turn about its vertical axis.
+ * Coloured balls of MESH_MOVES in a ring around a box; `count` is from 1 to GENERATE_MOVERS_MAX.
+ * They stay outside the sphere around the box at any angle about its vertical axis.
  */
 bool generate_movers(struct mesh *mesh, struct box box, uint32_t count);
 
 struct generate_pool {
     float size, depth; /* of the water, metres */
-    float ice;         /* width of what floats in it, metres; 0: nothing */
+    float ice;         /* width of the floating ice, metres; 0: none */
 };
 
-/* What is dry of a square pool around the origin, its water at height 0: walls down to the floor,
- * which is not there, and stone all around. */
+/* The surroundings of a square pool around the origin, with the water at height 0: the walls' upper
+ * ends and the stone around the pool. Water, floor and walls below it are drawn by water.c. */
 bool generate_pool(struct mesh *mesh, const struct generate_pool *pool);
 
-/* What floats in it: the ice cube, in the middle, as deep as its density has it were it a box; its
- * width is pool->ice. */
+/* The floating ice: the ice cube, in the middle, of width pool->ice, as deep in the water as a box
+ * of ice. */
 bool generate_floe(struct mesh *mesh, const struct generate_pool *pool, uint32_t triangles);
 
 struct generate_air {
-    uint32_t count, seed; /* of planes, from 1 to GENERATE_AIR_MAX */
+    uint32_t count, seed; /* number of planes, from 1 to GENERATE_AIR_MAX */
     float size;           /* diameter of the largest bubbles, in diagonals of the object's box */
     float frequency;      /* of the largest bubbles along that diagonal */
 };
 
-/* Square pictures, one after another, two bytes a texel: opacity of bubbles, opacity of haze. */
+/* An array of square textures, two bytes a texel: opacity of bubbles, opacity of haze. */
 struct air_layers {
-    uint8_t *texels;      /* two a texel, all levels of mips.h; the caller frees it */
-    uint32_t size, count; /* size is a power of two; both 0 when there are none */
+    uint8_t *texels;      /* all mip levels, as mips.h orders them; the caller frees it */
+    uint32_t size, count; /* texels a side, a power of two; layers; both 0 if there are none */
 };
 
 /*
- * Squares as wide as the box's diagonal, turned in any way about points near its middle. Their
- * pictures fill them (uv); material is the layer + 1.
+ * Squares as wide as the box's diagonal, rotated at random about points near its middle. Their
+ * textures fill them (uv); `material` of a vertex is the layer + 1.
  */
 bool generate_air_planes(struct mesh *mesh, struct box box, const struct generate_air *air);
 
-/* Cuts off what of these squares cannot be in the object: they become polygons, or nothing. False
- * when memory is short; they are unchanged then. */
+/* Clips these squares to a hull of the object. Returns false when out of memory; they are then
+ * unchanged. */
 bool generate_air_cut(struct mesh *planes, const struct mesh *object);
 
-/* Bubbles of three sizes, each half of the last and twice as frequent, and haze: dense in the
- * middle, nothing at the edges. False when memory is short; *layers is then {0}. */
+/* Draws the textures: bubbles of three sizes, each half of the one before and twice as frequent,
+ * and haze, which are dense in the middle and fade out at the edges. Returns false when out of
+ * memory; *layers is then {0}. */
 bool generate_air_layers(struct air_layers *layers, const struct generate_air *air);
 
 struct generate_bubbles {
-    uint32_t count, seed; /* from 1 to BUBBLES_COUNT_MAX */
+    uint32_t count, seed; /* number of bubbles, from 1 to BUBBLES_COUNT_MAX */
     float size;           /* diameter of the largest, in diagonals of the object's box */
 };
 
@@ -116,17 +117,17 @@ struct bubbles {
 };
 
 /*
- * Many small spheres and few large ones within a closed mesh: whole if it is convex, else at least
- * their centres. Those for which no room is found are left out. False when memory is short;
- * *bubbles is then {0}.
+ * Many small spheres and few large ones in a closed mesh: the whole spheres are inside if it is
+ * convex, else at least their centres. Spheres that fit nowhere are left out. Returns false when
+ * out of memory; *bubbles is then {0}.
  */
 bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
                       const struct generate_bubbles *params);
 
 /*
- * Sheets that crack whatever fills a box: `count` of them (at most CRACKS_MAX), about as large as
- * the box, near its centre, open, curved, irregular, reaching out of it. The seed says how they
- * lie: of two counts the smaller is the beginning of the larger.
+ * Sheets for cracks in an object that fills a box: `count` of them (at most CRACKS_MAX), about as
+ * large as the box, near its centre, open, curved, irregular, partly outside of it. For one seed,
+ * a smaller count gives the first sheets of a larger one.
  */
 bool generate_cracks(struct mesh *mesh, struct box box, uint32_t count, uint32_t seed);
 

@@ -1,8 +1,8 @@
 /*
- * ice_cube.c: a cube of six grids, its edges rounded, bent out of shape by smooth noise.
+ * ice_cube.c: a cube of six grids with rounded edges, displaced by smooth noise.
  *
- * The noise moves points as a gently sloped field of the whole space, so that the surface neither
- * tears where grids meet nor passes through itself.
+ * The displacement is a field of the whole space with gentle slopes, so that the surface has
+ * neither gaps where grids meet nor self-intersections.
  */
 #include "src/scene/generate/generate.h"
 
@@ -43,7 +43,7 @@ static uint32_t surface_index(const uint32_t at[3], uint32_t n)
     return ring + 4 * n - j;
 }
 
-/* Grid lines are closer together toward the edges, where the surface turns. */
+/* Grid lines are closer together toward the edges, where the curvature is high. */
 static float lattice_coordinate(uint32_t i, uint32_t n)
 {
     float t = 2 * (float)i / (float)n - 1;

@@ -45,7 +45,7 @@ static vec3s point_at(struct grid grid, uint32_t column, uint32_t row)
 {
     float x = 2 * (float)column / (float)grid.columns - 1;
     float z = 2 * (float)row / (float)grid.rows - 1;
-    /* inner points leave the grid's lines, so that the eye does not see them */
+    /* Inner points are displaced, so that the grid is not visible. */
     vec3s shift = noise_vector((vec3s){ { (float)column, 0, (float)row } }, 23);
     if (column > 0 && column < grid.columns)
         x += 0.5F * shift.x / (float)grid.columns;
@@ -115,7 +115,7 @@ bool generate_landscape(struct mesh *mesh, uint32_t triangles)
             vec3s b = point_at(grid, column, row + 1);
             vec3s c = point_at(grid, column + 1, row + 1);
             vec3s d = point_at(grid, column + 1, row);
-            /* the diagonal alternates: a herringbone shows less than parallel lines */
+            /* The diagonal alternates: a herringbone is less visible than parallel lines. */
             if ((row + column) % 2 == 0) {
                 add_facet(mesh, first, a, b, c);
                 add_facet(mesh, first + 3, a, c, d);

@@ -16,7 +16,7 @@ static float fade(float t)
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/* A whole coordinate, and how much the next one counts. */
+/* An integer coordinate, and the weight of the next one. */
 struct cell {
     uint32_t at;
     float next;

@@ -1,5 +1,5 @@
 /*
- * noise.h: smooth random fields for the generators; the same on every machine.
+ * noise.h: smooth random fields for the generators, equal on every machine.
  */
 #ifndef FIRN_SCENE_GENERATE_NOISE_H
 #define FIRN_SCENE_GENERATE_NOISE_H
@@ -7,7 +7,7 @@
 #include <cglm/struct.h>
 #include <stdint.h>
 
-/* A number to look random beside those of other numbers. */
+/* Returns a hash of x. */
 uint32_t noise_hash(uint32_t x);
 
 /*
@@ -17,7 +17,7 @@ uint32_t noise_hash(uint32_t x);
  */
 float noise_value(vec3s p, uint32_t seed);
 
-/* Three unrelated fields as a vector. */
+/* Returns three unrelated fields as a vector. */
 vec3s noise_vector(vec3s p, uint32_t seed);
 
 /* A sum of `octaves` fields, each of twice the frequency and half the height, in (-2, 2). */
@@ -28,16 +28,16 @@ enum {
     NOISE_PLANE_SIDE_MAX = 32,
 };
 
-/* The random values of noise_fractal() where z is 0, kept for those who ask often. */
+/* The random values of noise_fractal() in the plane z = 0, cached for many evaluations. */
 struct noise_plane {
     int octaves;
     float corners[NOISE_PLANE_OCTAVES_MAX][NOISE_PLANE_SIDE_MAX][NOISE_PLANE_SIDE_MAX]; /* x, y */
 };
 
-/* For x and y from 0 on; in the last octave they stay below NOISE_PLANE_SIDE_MAX - 1. */
+/* Fills the cache for coordinates from 0 to below NOISE_PLANE_SIDE_MAX - 1 in the last octave. */
 void noise_plane_init(struct noise_plane *plane, int octaves, uint32_t seed);
 
-/* What noise_fractal() gives, to the bit. */
+/* Returns the same bits as noise_fractal(). */
 float noise_plane_at(const struct noise_plane *plane, float x, float y);
 
 #endif

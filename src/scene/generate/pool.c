@@ -1,4 +1,4 @@
-/* pool.c: what is dry of a pool: its walls' upper ends, a coping, paving all around; and
+/* pool.c: the dry parts of a pool: its walls' upper ends, a coping and paving around it; and the
  * ice that floats in it. */
 #include "shaders/water.h"
 #include "src/scene/generate/generate.h"
@@ -6,10 +6,10 @@
 static const vec3s stone = { { POOL_STONE } };
 static const vec3s paving = { { 0.400F, 0.385F, 0.360F } };
 static const float coping = 0.3F;   /* metres wide */
-static const float sunken = 0.917F; /* share of ice that is below: its density over water's */
-static const float paved = 2000;    /* metres from the middle: as far as the eye sees */
+static const float sunken = 0.917F; /* share of the ice below water: its density over water's */
+static const float paved = 2000;    /* metres from the middle to the edge of the paving */
 
-/* Corners in their order around the normal. */
+/* Adds a quad whose corners are in counter-clockwise order around its normal. */
 static void add_quad(struct mesh *mesh, uint32_t *count, const vec3s corners[4], vec3s color)
 {
     static const uint32_t order[6] = { 0, 1, 2, 0, 2, 3 };
@@ -27,7 +27,7 @@ static void add_quad(struct mesh *mesh, uint32_t *count, const vec3s corners[4],
     ++*count;
 }
 
-/* (x, y) turned by quarters, at a height. */
+/* Returns (x, y) rotated by quarter turns, at a height. */
 static vec3s turned(uint32_t quarters, float x, float height, float y)
 {
     const vec3s at[4] = {
@@ -39,7 +39,7 @@ static vec3s turned(uint32_t quarters, float x, float height, float y)
     return at[quarters];
 }
 
-/* Level, between squares of these half sides around the middle. */
+/* Adds a horizontal frame between two squares of these half sides around the middle. */
 static void add_frame(struct mesh *mesh, uint32_t *count, float inner, float outer, vec3s color)
 {
     for (uint32_t q = 0; q < 4; q++) {

@@ -32,8 +32,8 @@ vec3s random_box(struct random *random)
     return v;
 }
 
-/* A point of the ball in four dimensions, as a quaternion. No sine: libraries differ in the last
- * bit of one. */
+/* A point of the four-dimensional ball as a quaternion, without a sine, because libraries differ in
+ * its last bit. */
 mat3s random_rotation(struct random *random)
 {
     versors q;

@@ -1,5 +1,5 @@
 /*
- * random.h: sequences of random numbers, the same on every machine.
+ * random.h: sequences of random numbers, equal on every machine.
  */
 #ifndef FIRN_SCENE_GENERATE_RANDOM_H
 #define FIRN_SCENE_GENERATE_RANDOM_H
@@ -7,18 +7,18 @@
 #include <cglm/struct.h>
 #include <stdint.h>
 
-/* Where a sequence stands. */
+/* The state of a sequence. */
 struct random {
     uint32_t key, count;
 };
 
-/* Seeds give unrelated sequences, and so do parts of one seed. */
+/* Begins a sequence; different seeds and different parts of one seed give unrelated sequences. */
 struct random random_begin(uint32_t seed, uint32_t part);
 
 float random_unit(struct random *random); /* in [0, 1) */
-vec3s random_box(struct random *random);  /* each in [-1, 1) */
+vec3s random_box(struct random *random);  /* each coordinate in [-1, 1) */
 
-/* Every rotation is as likely as any other; columns are the turned axes. */
+/* Returns a uniformly distributed rotation. */
 mat3s random_rotation(struct random *random);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * room.c: a closed room with a table, to see straight lines through ice.
+ * room.c: a closed room with a table, which shows straight lines through ice.
  *
- * Everything is a box of rectangles along the axes. Light comes from a lamp and a window, each
- * vertex sees them or furniture before them, and the rest of the room adds an even glow.
+ * Everything is made of boxes along the axes. Each vertex is lit by a lamp and a window, if no
+ * furniture hides them, and by a constant ambient light.
  */
 #include <math.h>
 #include "src/scene/generate/generate.h"
@@ -12,7 +12,7 @@ static const struct box walls = {
     .max = { { 7.2F, 3.6F, 6.3F } },
 };
 static const float tile = 0.9F;
-static const float line = 0.03F; /* half as wide as the lines between tiles */
+static const float line = 0.03F; /* half the width of the lines between tiles, metres */
 
 enum {
     BREAKS_MAX = 64,
@@ -21,10 +21,10 @@ enum {
     LIGHT_SAMPLES = 3, /* along each side of a light */
 };
 
-/* A light fills whole tiles of one side of the room. */
+/* A light covers whole tiles of one side of the room. */
 struct light {
     int axis;
-    bool high; /* on the side of greater coordinates */
+    bool high; /* at the greater coordinate of the axis */
     struct box box;
     vec3s radiance;
 };
@@ -49,7 +49,7 @@ struct room {
     struct mesh *mesh;
 };
 
-/* One of the six sides of a box, seen from its inside or outside. */
+/* One of the six sides of a box, visible from its inside or outside. */
 struct side {
     struct box box;
     int axis;
@@ -58,7 +58,7 @@ struct side {
     vec3s albedo; /* of furniture */
 };
 
-/* Where cells of a side begin and end along one axis, rising. */
+/* Ascending boundaries of a side's cells along one axis. */
 struct breaks {
     float at[BREAKS_MAX];
     uint32_t count;
@@ -76,7 +76,7 @@ static const vec3s furniture_colors[] = {
     { { 0.75F, 0.60F, 0.10F } }, { { 0.12F, 0.38F, 0.22F } },
 };
 
-/* The lines between tiles are cells of their own, and those at the walls' ends half as wide. */
+/* The lines between tiles are cells of their own; those at the ends of a wall are half as wide. */
 static struct breaks room_breaks(int axis)
 {
     struct breaks b = { { walls.min.raw[axis] }, 1 };
@@ -105,7 +105,7 @@ static struct breaks furniture_breaks(struct box box, int axis)
     return b;
 }
 
-/* Between two points, their ends left out. */
+/* Whether furniture is between two points, excluding the points. */
 static bool is_hidden(const struct room *room, vec3s from, vec3s to)
 {
     vec3s way = glms_vec3_sub(to, from);
@@ -125,7 +125,7 @@ static bool is_hidden(const struct room *room, vec3s from, vec3s to)
     return false;
 }
 
-/* Of all points of a light, from a few of them: radiance that a white surface would have. */
+/* Returns the radiance of a white surface in the light, estimated from a few points of it. */
 static vec3s light_from(const struct room *room, const struct light *light, vec3s point,
                         vec3s normal)
 {
@@ -190,7 +190,7 @@ static vec3s albedo_of(const struct side *side, vec3s middle)
     return (vec3s){ { 0.72F, 0.70F, 0.66F } };
 }
 
-/* Four vertices of a cell, and two triangles that show to whom the side is meant for. */
+/* Sets the four vertices of a cell, and two triangles wound for the side's visible face. */
 static void set_cell(const struct room *room, const struct side *side, uint32_t cell, vec3s low,
                      vec3s high)
 {

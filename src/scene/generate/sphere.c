@@ -10,7 +10,7 @@ struct grid {
 
 static struct grid choose_grid(uint32_t triangles)
 {
-    /* 2 columns (rows - 1) triangles; about even facets need columns = 2 rows */
+    /* There are 2 columns (rows - 1) triangles; nearly square quads need columns = 2 rows. */
     double wanted = fmax(fmin(triangles, GENERATE_TRIANGLES_MAX), 6);
     double rows = fmax(2, round((1 + sqrt(1 + wanted)) / 2));
     double columns = fmax(3, round(wanted / (2 * (rows - 1))));
@@ -27,7 +27,7 @@ static void add_vertex(struct mesh_vertex *vertex, double latitude, double longi
     *vertex = (struct mesh_vertex){ .position = p, .normal = p, .color = { { 1, 1, 1 } } };
 }
 
-/* One triangle, if it is more than an edge that ends at a pole. */
+/* Adds a triangle, unless two of its corners are the same pole. */
 static uint32_t *add_triangle(uint32_t *out, uint32_t a, uint32_t b, uint32_t c)
 {
     if (a == b || b == c || c == a)
@@ -38,7 +38,7 @@ static uint32_t *add_triangle(uint32_t *out, uint32_t a, uint32_t b, uint32_t c)
     return out + 3;
 }
 
-/* Row 0 and the last row of vertices are the poles, one vertex each. */
+/* Row 0 and the last row of vertices are the poles, each with one vertex. */
 static uint32_t vertex_at(struct grid grid, uint32_t row, uint32_t column)
 {
     if (row == 0)
@@ -49,9 +49,9 @@ static uint32_t vertex_at(struct grid grid, uint32_t row, uint32_t column)
 }
 
 /*
- * Moves the vertices out until the facets enclose what the unit sphere does. Facets then lie about
- * as far outside as inside of it, where vertices on it would leave them all inside, and what is
- * refracted comes three times as near to the sphere's closed forms.
+ * Moves the vertices out until the facets enclose the volume of the unit sphere. Facets are then
+ * about as far outside as inside of it, where vertices on the sphere would leave them all inside,
+ * and the error of refracted directions against the sphere's closed forms is a third.
  */
 static void fill_volume(struct mesh *mesh)
 {

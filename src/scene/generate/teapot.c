@@ -119,7 +119,7 @@ static vec3s tube_point(const float (*sections)[5], float u, float v, float side
     } };
 }
 
-/* How far a point at the height of the body's side is outside it. */
+/* Returns the distance of a point outside the body, at a height of its side. */
 static float outside_body(vec3s p)
 {
     const int steps = 24; /* each halves the interval; a float has no more digits */
@@ -148,7 +148,7 @@ static float outside_body(vec3s p)
     return hypotf(p.x, p.z) - radius * glms_vec2_norm(direction);
 }
 
-/* The u between a point inside the body and one outside where the tube leaves it. */
+/* Returns the u at which the tube leaves the body, between a u inside and one outside. */
 static float find_joint(const float (*sections)[5], float inside, float outside, float v)
 {
     for (int i = 0; i < 24; i++) {
@@ -182,9 +182,9 @@ static uint32_t percent_ceil(uint32_t n, uint32_t percent)
 }
 
 /*
- * The holes, as shares of a patch: the joints lie well inside them. In rows of the body, counted
- * from its rim, the spout's joint covers 0.62..1.20, the handle's 0.10..0.24 and 1.00..1.24; in
- * columns they reach 0.153, 0.085 and 0.070 to both sides.
+ * Plans the grid. The holes are given as shares of a patch; the joints are well inside them. In
+ * rows of the body, counted from its rim, the spout's joint covers 0.62..1.20, the handle's
+ * 0.10..0.24 and 1.00..1.24; in columns they reach 0.153, 0.085 and 0.070 to both sides.
  */
 static struct teapot plan(uint32_t n)
 {
@@ -211,7 +211,7 @@ static struct teapot plan(uint32_t n)
     return t;
 }
 
-/* Half the triangles, and all the vertices. */
+/* Returns half the number of triangles, which is the number of vertices. */
 static uint32_t half_count(const struct teapot *t)
 {
     uint32_t body = t->columns * (t->lines - 2) - hole_cells(&t->spout) -
@@ -271,7 +271,7 @@ static vec3s body_point(const struct teapot *t, uint32_t line, uint32_t column)
     return (vec3s){ { p.x * direction.x, p.y, p.x * direction.y } };
 }
 
-/* Columns from the hole's center, to either side. */
+/* Returns the distance of a column from the hole's center, in columns. */
 static uint32_t columns_off(const struct teapot *t, const struct hole *hole, uint32_t column)
 {
     uint32_t off = (column + t->columns - hole->center) % t->columns;
@@ -334,8 +334,8 @@ static void add_body(struct teapot *t)
 }
 
 /*
- * The vertices around a hole from the middle of its upper edge (or lower, for a tube that begins
- * there), the half with +Z first.
+ * Lists the vertices around a hole from the middle of its upper edge (or lower, for a tube that
+ * begins there), the half with +Z first.
  */
 static void trace_hole(struct teapot *t, const struct hole *hole, bool from_bottom, uint32_t *loop)
 {
@@ -357,7 +357,7 @@ static void trace_hole(struct teapot *t, const struct hole *hole, bool from_bott
     }
 }
 
-/* Joins two loops, the second further along the tube. */
+/* Joins two loops of vertices; the second is further along the tube. */
 static void bridge(struct teapot *t, const uint32_t *from, const uint32_t *to, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {
@@ -371,7 +371,7 @@ struct tube {
     const float (*sections)[5];
     uint32_t size, rings;
     float begin_inside, begin_outside; /* for find_joint() */
-    float end_inside, end_outside;     /* the same; equal: the tube ends there, in the open */
+    float end_inside, end_outside;     /* for find_joint(); equal: the tube has an open end there */
 };
 
 /* Adds the rings from one end to the other and returns the first vertex. */
@@ -395,7 +395,7 @@ static uint32_t add_tube_vertices(struct teapot *t, const struct tube *tube)
     return first;
 }
 
-/* Joins t->loop to t->next_loop, which becomes the loop to go on from. */
+/* Joins t->loop to t->next_loop, and makes the latter the current loop. */
 static void advance(struct teapot *t, uint32_t size)
 {
     bridge(t, t->loop, t->next_loop, size);
@@ -404,7 +404,7 @@ static void advance(struct teapot *t, uint32_t size)
     t->next_loop = done;
 }
 
-/* Continues from t->loop and leaves the last ring there. */
+/* Joins the tube's rings to t->loop, which is the last ring afterwards. */
 static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
 {
     for (uint32_t ring = 0; ring < tube->rings; ring++) {
@@ -415,8 +415,8 @@ static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
 }
 
 /*
- * Puts a ring into t->next_loop: on the body, between a hole's edge and the tube's ring there but
- * close to the latter, so that its smoothed normals bend the body's only near the joint.
+ * Puts a ring of the body's surface into t->next_loop: between a hole's edge and the tube's ring,
+ * close to the latter, so that smoothing changes the body's normals only near the joint.
  */
 static void add_skirt(struct teapot *t, const uint32_t *edge, uint32_t joint, uint32_t size)
 {
@@ -451,7 +451,7 @@ static void add_spout(struct teapot *t)
 static void add_handle(struct teapot *t)
 {
     uint32_t size = loop_size(&t->handle_top);
-    /* the lower end stops just short of the body: follow its curve a little beyond u = 2 */
+    /* The lower end is just outside of the body, so the curve is extended a little beyond u = 2. */
     const struct tube tube = {
         handle_sections, size, t->handle_rows - 3, 0, 0.5F, 2.12F, 1.5F,
     };

@@ -1,4 +1,4 @@
-/* decode.c: starts the process that reads a file, listens to it, and says how it ended. */
+/* decode.c: starts the child that reads a file, receives its data, and logs why it failed. */
 #define _GNU_SOURCE /* environ, pipe2, posix_spawn_file_actions_addclosefrom_np */
 #include "src/scene/import/decode.h"
 #include <errno.h>
@@ -22,12 +22,12 @@ enum {
 
 struct child {
     pid_t process;
-    int data, words; /* to read from; -1: ended */
+    int data, words; /* descriptors of the pipes from its stdout and stderr; -1: closed */
     double deadline; /* seconds of the monotonic clock */
     bool is_late;
-    char said[SAID_SIZE]; /* on its stderr, so far; ends at '\0' */
+    char said[SAID_SIZE]; /* its stderr so far; ends at '\0' */
     size_t said_size;
-    int ended; /* as waitpid() says; valid if has_ended */
+    int ended; /* status of waitpid(); valid if has_ended */
     bool has_ended;
 };
 
@@ -50,7 +50,8 @@ static void close_end(int *end)
     *end = -1;
 }
 
-/* Above 2, so that the child's own 0 to 2 can be set in any order; closed in other programs. */
+/* Opens a pipe with descriptors above 2, so that the child's descriptors 0 to 2 can be set in any
+ * order; other programs do not inherit them. */
 static bool open_pipe(int ends[2])
 {
     int low[2];
@@ -63,7 +64,8 @@ static bool open_pipe(int ends[2])
     return ends[0] >= 0 && ends[1] >= 0;
 }
 
-/* 0 or an errno. In a group of its own: Ctrl-C is for the program that waits. */
+/* Returns 0 or an errno. The child has a process group of its own, so that Ctrl-C reaches only the
+ * parent. */
 static int spawn(pid_t *process, const char *program, char *const *words, int out, int err)
 {
     posix_spawn_file_actions_t files;
@@ -117,7 +119,7 @@ static enum status start(struct child *child, const struct decode_params *params
     if (!failed && (!open_pipe(data) || !open_pipe(words)))
         failed = errno;
     if (!failed) {
-        fcntl(data[0], F_SETPIPE_SZ, PIPE_SIZE); /* or less: then it takes longer */
+        fcntl(data[0], F_SETPIPE_SZ, PIPE_SIZE); /* a smaller pipe is only slower */
         failed = spawn(&child->process, params->program, argv, data[1], words[1]);
     }
     free(file);
@@ -134,7 +136,7 @@ static enum status start(struct child *child, const struct decode_params *params
     return STATUS_TRY_AGAIN;
 }
 
-/* ---- listen ---- */
+/* ---- receive ---- */
 
 static void take_words(struct child *child)
 {
@@ -152,7 +154,7 @@ static void take_words(struct child *child)
     }
 }
 
-/* Until there is something to read of the data, or their end; false when it is too late. */
+/* Waits until data or their end can be read; returns false at the deadline. */
 static bool await(struct child *child)
 {
     while (child->data >= 0 || child->words >= 0) {
@@ -193,7 +195,7 @@ static bool read_data(void *user, void *bytes, size_t size)
     return size == 0;
 }
 
-/* What it has said before its last bytes is there already. */
+/* Reads the rest of stderr; what the child wrote before its last data is already in the pipe. */
 static void hear_rest(struct child *child)
 {
     struct pollfd words = { .fd = child->words, .events = POLLIN };
@@ -209,7 +211,7 @@ static void finish(struct child *child, enum mesh_pipe_fault fault)
     else if (fault == MESH_PIPE_SHORT)
         await(child);
     close_end(&child->words);
-    /* whose pipes have closed has ended, or will not tell how */
+    /* A child that has closed its pipes has ended or will not end by itself. */
     kill(child->process, SIGKILL);
     pid_t found;
     do {
@@ -218,9 +220,9 @@ static void finish(struct child *child, enum mesh_pipe_fault fault)
     child->has_ended = found == child->process;
 }
 
-/* ---- say how it ended ---- */
+/* ---- log why it failed ---- */
 
-/* Passes on its lines, at most so many; returns how many. */
+/* Logs at most `max` lines of the child's stderr; returns their number. */
 static int repeat(const struct child *child, int max)
 {
     static const char mark[] = "firn: ", warning[] = "warning: ";
@@ -266,7 +268,7 @@ static enum status say_crashed(const char *path, const struct child *child)
     return STATUS_DATA;
 }
 
-/* Of a child that sent less than was wanted. */
+/* Logs why a child sent less data than announced. */
 static enum status say_why(const char *path, const struct decode_params *params,
                            const struct child *child)
 {

@@ -1,15 +1,16 @@
 /*
- * decode.h: files that nobody vouches for are read by another process.
+ * decode.h: reads untrusted files in a child process.
  *
- * Parsers of models and pictures are large, and a broken or malicious file may make one crash, hang
- * or take all memory. So the program starts itself again, with limits of memory, time and open
- * files, no descriptor but the pipes to it, no way to write a file, and gets back meshes and texels
- * that are checked anew (mesh_pipe.h). It is started, not forked: that is sound whatever threads
- * there are, and the child has none of the parent's memory.
+ * Parsers of models and images are large, and a damaged or malicious file may make one crash, hang
+ * or use all memory. Therefore the program starts itself as a child with limits of memory, time and
+ * open files, without descriptors other than the pipes to the parent and without permission to
+ * write files, and receives meshes and texels, which it validates again (mesh_pipe.h). The child is
+ * spawned, not forked: that is safe in a program with threads, and the child has none of the
+ * parent's memory.
  *
- * Threads: any, one model at a time (see model.h).
- * Errors:  one line is logged: STATUS_NO_INPUT, or STATUS_DATA for whatever the file does to its
- *          reader, or STATUS_TRY_AGAIN when memory or processes are short here.
+ * Thread-safety: any thread, one model at a time (see model.h).
+ * Errors:        one line is logged: STATUS_NO_INPUT; STATUS_DATA if the child fails because of the
+ *                file; STATUS_TRY_AGAIN if the parent lacks memory or processes.
  */
 #ifndef FIRN_SCENE_IMPORT_DECODE_H
 #define FIRN_SCENE_IMPORT_DECODE_H
@@ -17,7 +18,7 @@
 #include "src/scene/environment.h"
 #include "src/scene/import/model.h"
 
-/* The program's first word when it is started to read a file. */
+/* The program's first argument in the child. */
 #define DECODE_WORD "--decode"
 
 enum {
@@ -26,19 +27,19 @@ enum {
 };
 
 struct decode_params {
-    const char *program; /* file of a program whose main() hands on to decode_main() */
-    uint32_t seconds;    /* by the clock, and of one CPU; 0: DECODE_SECONDS */
-    uint32_t memory_gib; /* of addresses; 0: DECODE_MEMORY_GIB */
+    const char *program; /* path of a program whose main() calls decode_main() in the child */
+    uint32_t seconds;    /* limit of elapsed time and of CPU time; 0: DECODE_SECONDS */
+    uint32_t memory_gib; /* limit of address space; 0: DECODE_MEMORY_GIB */
 };
 
-/* As model_load() and environment_load(); without params (NULL) they do it, in this process. */
+/* Load a file as model_load() and environment_load() do; if `params` is NULL, in this process. */
 MUST_USE enum status decode_model(struct model *model, const char *path,
                                   enum model_part everything_is,
                                   const struct decode_params *params);
 MUST_USE enum status decode_environment(struct environment *environment, const char *path,
                                         const struct decode_params *params);
 
-/* ---- in the process that reads ---- */
+/* ---- in the child ---- */
 
 enum decode_kind {
     DECODE_OBJECT,
@@ -52,13 +53,13 @@ struct decode_job {
     const char *path;
 };
 
-/* Whether the program was started to read a file. */
+/* Returns whether the program was started to read a file. */
 bool decode_is_wanted(int argc, char **argv);
 
-/* What to read; from here on the limits hold. False: the words are not decode.c's. */
+/* Applies the limits and returns the job in *job. Returns false if the arguments are invalid. */
 MUST_USE bool decode_enter(int argc, char **argv, struct decode_job *job);
 
-/* All that a process does that was started so; its exit code. */
+/* Does the whole work of a child, and returns its exit code. */
 int decode_main(int argc, char **argv);
 
 #endif

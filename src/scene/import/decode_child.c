@@ -1,4 +1,4 @@
-/* decode_child.c: the process that reads one file, within limits. */
+/* decode_child.c: the child that reads one file, within limits. */
 #define _GNU_SOURCE /* for prctl.h's and resource.h's names */
 #include <signal.h>
 #include <stdlib.h>
@@ -12,11 +12,11 @@
 
 enum {
     OPEN_FILE_MAX = 32,
-    WORD_COUNT = 6, /* program, DECODE_WORD, kind, path, seconds, GiB */
+    WORD_COUNT = 6, /* arguments: program, DECODE_WORD, kind, path, seconds, GiB */
 };
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define MAPS_SHADOWS 1 /* and so needs terabytes of addresses */
+#define MAPS_SHADOWS 1 /* sanitizers map terabytes of address space */
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define MAPS_SHADOWS 1
@@ -50,8 +50,8 @@ bool decode_enter(int argc, char **argv, struct decode_job *job)
         return false;
     *job = (struct decode_job){ .kind = (enum decode_kind)(kind - 1), .path = argv[3] };
 
-    prctl(PR_SET_PDEATHSIG, SIGKILL); /* does not outlive who reads the pipe ... */
-    alarm(seconds + 1);               /* ... or, if that is gone already, not for long */
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* the child ends with its parent ... */
+    alarm(seconds + 1);               /* ... or soon, if the parent has ended before this call */
     prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     bool done = limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_FSIZE, 0, 0) &&
                 limit(RLIMIT_NOFILE, OPEN_FILE_MAX, OPEN_FILE_MAX) &&
@@ -68,7 +68,7 @@ static bool write_all(void *user, const void *bytes, size_t size)
     (void)user;
     for (const char *next = bytes; size > 0;) {
         const ssize_t count = write(STDOUT_FILENO, next, size);
-        if (count <= 0) /* no signal has a handler: it cannot have been interrupted */
+        if (count <= 0) /* not EINTR, because no signal has a handler */
             return false;
         next += count;
         size -= (size_t)count;
@@ -108,5 +108,5 @@ int decode_main(int argc, char **argv)
     }
     const enum status status =
         job.kind == DECODE_ENVIRONMENT ? send_environment(&job) : send_model(&job);
-    _exit((int)status); /* nothing a file has been through runs at exit */
+    _exit((int)status); /* no exit handler runs in a process that has parsed the file */
 }

@@ -1,4 +1,4 @@
-/* mesh_pipe.c: a head with all counts, the arrays in its order, a last word. */
+/* mesh_pipe.c: the format is a head with all counts, the arrays in its order, a final word. */
 #include "src/scene/import/mesh_pipe.h"
 #include <math.h>
 #include <stdlib.h>
@@ -12,9 +12,9 @@ enum {
     HAS_CAMERA = 1,
     HAS_IOR = 2,
     HAS_BOX = 4,
-    TEXEL_SIZE = 4,             /* bytes of a texture's */
-    ENVIRONMENT_TEXEL_SIZE = 8, /* of four halfs */
-    HALF_MAX = 0x7bff,          /* the largest finite one's bits; of negative ones they are more */
+    TEXEL_SIZE = 4,             /* bytes of a texture's texel */
+    ENVIRONMENT_TEXEL_SIZE = 8, /* bytes of four halfs */
+    HALF_MAX = 0x7bff,          /* bits of the largest finite half; negative ones have more */
     HALF_ONE = 0x3c00,
 };
 
@@ -139,7 +139,7 @@ static enum mesh_pipe_fault read_end(const struct mesh_pipe_source *source)
 
 static bool is_within(vec3s v, float max)
 {
-    /* a comparison with NaN is false */
+    /* Comparisons with NaN are false. */
     return fabsf(v.x) <= max && fabsf(v.y) <= max && fabsf(v.z) <= max;
 }
 
@@ -192,7 +192,7 @@ static uint64_t mesh_size(struct mesh_counts counts)
            counts.indices * (uint64_t)sizeof(uint32_t);
 }
 
-/* Triangles have vertices, and vertices triangles: what nobody draws is not sent. */
+/* A mesh has both vertices and triangles, or neither: meshes without triangles are not sent. */
 static bool is_countable(struct mesh_counts counts)
 {
     return counts.vertices <= MODEL_ELEMENT_MAX && counts.indices <= MODEL_ELEMENT_MAX &&

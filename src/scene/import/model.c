@@ -36,7 +36,8 @@ static const char *extension_of(const char *path)
     return dot ? dot : "";
 }
 
-/* assimp leaves such triangles of a glTF file out, and only its log says so. */
+/* assimp leaves out triangles of a glTF file with indices out of range, and reports it only in its
+ * log. */
 static void watch_log(const char *message, char *found)
 {
     if (strstr(message, "out-of-range indices"))
@@ -104,7 +105,7 @@ static enum status add_children(struct model_import *import, uint32_t index, uin
     return STATUS_OK;
 }
 
-/* Level by level in a list, not by recursion: a file may nest them as deeply as it likes. */
+/* Lists nodes level by level, without recursion, because a file may nest them deeply. */
 static enum status list_nodes(struct model_import *import)
 {
     uint32_t room = 64;
@@ -133,7 +134,7 @@ static enum status convert(struct model_import *import, struct model *model,
     status = model_mesh_check(import);
     if (status != STATUS_OK)
         return status;
-    /* in place; a scene that fails is released */
+    /* It works in place and releases the scene on failure. */
     import->scene = aiApplyPostProcessing(import->scene, aiProcess_Triangulate);
     if (!import->scene) {
         log_error("%s: triangulation failed: %s", import->path, aiGetErrorString());

@@ -1,9 +1,9 @@
 /*
- * model_box.c: the box around the object that a glTF file names, in any node's extras:
+ * model_box.c: reads the box around the object from the extras of a glTF file's node:
  *
  *     "extras": { "firn": { "box": [[-3, 0, -4], [3, 2.5, 4]] } }
  *
- * assimp 5.2 makes metadata of extras, in which an array is metadata whose keys say nothing.
+ * assimp 5.2 converts extras to metadata, in which an array is metadata with meaningless keys.
  */
 #include <math.h>
 #include <string.h>
@@ -19,7 +19,7 @@ static const struct aiMetadataEntry *find(const struct aiMetadata *data, const c
     return NULL;
 }
 
-/* NULL: something else. */
+/* Returns the entry as metadata, or NULL if it has another type. */
 static const struct aiMetadata *as_metadata(const struct aiMetadataEntry *entry)
 {
     return entry && entry->mType == AI_AIMETADATA ? entry->mData : NULL;
@@ -35,7 +35,7 @@ static bool read_number(const struct aiMetadataEntry *entry, float *number)
     else if (entry->mType == AI_UINT64)
         found = (double)*(const uint64_t *)entry->mData;
     *number = (float)found;
-    return fabs(found) <= MODEL_COORDINATE_MAX; /* NaN is not */
+    return fabs(found) <= MODEL_COORDINATE_MAX; /* false for NaN */
 }
 
 static bool read_corner(const struct aiMetadataEntry *entry, vec3s *corner)

@@ -18,7 +18,7 @@ static const struct model_node *find_node(const struct model_import *import,
 static float vertical_fov(const struct model_import *import, const struct aiCamera *source)
 {
     float aspect = source->mAspect > 0 ? source->mAspect : 1;
-    /* what assimp 5.2 calls the horizontal angle of a glTF camera is yfov times the aspect */
+    /* For a glTF camera, the horizontal angle of assimp 5.2 is yfov times the aspect. */
     if (import->is_gltf)
         return source->mHorizontalFOV / aspect;
     return 2 * atanf(tanf(source->mHorizontalFOV / 2) / aspect);
@@ -31,7 +31,7 @@ static vec3s transform(mat4s matrix, struct aiVector3D vector, float w)
 
 static bool is_sound(vec3s vector)
 {
-    const float max = MODEL_COORDINATE_MAX; /* a comparison with NaN is false */
+    const float max = MODEL_COORDINATE_MAX; /* comparisons with NaN are false */
     return fabsf(vector.x) <= max && fabsf(vector.y) <= max && fabsf(vector.z) <= max;
 }
 
@@ -39,7 +39,7 @@ static bool fill(struct camera *camera, const struct model_import *import,
                  const struct aiCamera *source, const struct model_node *node,
                  const struct mesh *object)
 {
-    /* assimp 5.2 takes a glTF camera's position from its node, which would count it twice */
+    /* assimp 5.2 gives a glTF camera its node's position, which would be applied twice. */
     struct aiVector3D position = import->is_gltf ? (struct aiVector3D){ 0 } : source->mPosition;
     camera->eye = transform(node->model_from_node, position, 1);
     camera->up = transform(node->model_from_node, source->mUp, 0);

@@ -1,4 +1,4 @@
-/* model_files.c: what files a model may name, and how assimp opens them. */
+/* model_files.c: which files a model may name, and how assimp opens them. */
 #include <assimp/cfileio.h>
 #include <ctype.h>
 #include <stdio.h>
@@ -53,7 +53,7 @@ bool model_file_clean(char *name, bool is_uri)
     return !is_elsewhere && !leads_outside(name);
 }
 
-/* What the file at `path` is called in the model's folder; the caller frees it. */
+/* Returns the path of a file relative to the model's folder; the caller frees it. */
 static char *local_name(const struct model_import *import, const char *path)
 {
     const char *slash = strrchr(import->path, '/');
@@ -105,20 +105,20 @@ static void flush_file(struct aiFile *file)
     (void)file;
 }
 
-/* Whether it is a file that the model may name; if not, notes it. */
+/* Whether the model may name a file; if not, notes it. */
 static bool is_allowed(struct model_import *import, const char *path)
 {
     struct stat info;
     char *name = local_name(import, path);
     if (!name)
         return false;
-    /* of a file that is not there assimp asks again, with a slash or the folder before it */
+    /* For a missing file assimp tries again, with a slash or the folder before the name. */
     const bool again = import->misses_file && name[0] == '/';
     const bool is_inside = !again && model_file_clean(name, import->is_gltf);
     if (!again && !is_inside && import->refused[0] == '\0')
         snprintf(import->refused, sizeof(import->refused), "%s", path);
     free(name);
-    /* asked before it is opened: to open a pipe would wait for its other end */
+    /* Only regular files are opened: opening a pipe would wait for its other end. */
     const bool is_there = is_inside && stat(path, &info) == 0 && S_ISREG(info.st_mode);
     import->misses_file = import->misses_file || (is_inside && !is_there);
     return is_there;

@@ -1,4 +1,4 @@
-/* model_join.c: finds vertices that are bit by bit alike, for smooth normals and small meshes. */
+/* model_join.c: finds identical vertices, for smooth normals and small meshes. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/model_import.h"
@@ -22,8 +22,8 @@ static uint32_t hash(const void *key, size_t size)
 }
 
 /*
- * For every vertex the number of the first one that shares its first key_size bytes. The caller
- * frees it. NULL when memory is short.
+ * Returns for every vertex the index of the first one with the same first key_size bytes, in an
+ * array that the caller frees; NULL when out of memory.
  */
 static uint32_t *find_alike(const struct mesh *mesh, size_t key_size)
 {
@@ -63,7 +63,7 @@ static bool make_missing_normals(struct mesh *mesh)
     if (first == mesh->vertex_count)
         return true;
 
-    /* the same triangles, but with one vertex a place, whatever its colour or texture */
+    /* The same triangles with one vertex per position, regardless of colour and texture. */
     struct mesh smooth = { 0 };
     uint32_t *alike = find_alike(mesh, sizeof(vec3s));
     bool is_done = alike && mesh_append(&smooth, mesh);
@@ -81,7 +81,7 @@ static bool make_missing_normals(struct mesh *mesh)
     return is_done;
 }
 
-/* Numbers the vertices that triangles use in the order of first use; returns how many there are. */
+/* Numbers the vertices that triangles use, in the order of first use; returns their number. */
 static uint32_t renumber(const struct mesh *mesh, const uint32_t *alike, uint32_t *number)
 {
     uint32_t count = 0;

@@ -1,4 +1,4 @@
-/* model_material.c: what firn takes from the materials of a model file. */
+/* model_material.c: reads the materials of a model file. */
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <stdlib.h>
@@ -50,7 +50,7 @@ static void read_gltf(const struct aiMaterial *source, struct model_material *ma
     float transmission = 0;
     if (read_float(source, "$mat.transmission.factor", &transmission))
         material->is_transmissive = transmission > 0;
-    /* present only with KHR_materials_ior; absent is not glTF's 1.5 */
+    /* Present only with KHR_materials_ior; without it, glTF's default of 1.5 is not used. */
     read_float(source, "$mat.refracti", &material->ior);
 }
 

@@ -1,4 +1,4 @@
-/* model_mesh.c: merges the meshes of a model file, each as often as nodes show it. */
+/* model_mesh.c: merges the meshes of a model file, one instance for each node. */
 #include <math.h>
 #include "src/base/log.h"
 #include "src/scene/import/model_import.h"
@@ -17,10 +17,10 @@ struct build {
     const struct model_import *import;
     struct part parts[PART_COUNT];
     enum model_part everything_is;
-    bool is_split; /* by transmission */
+    bool is_split; /* transmission decides the part of each mesh */
 };
 
-/* How one mesh of the file goes into a part. */
+/* An instance of a mesh of the file in a part. */
 struct placement {
     const struct aiMesh *source;
     mat4s model_from_mesh;
@@ -131,7 +131,7 @@ static enum status read_ior(const struct model_import *import,
     return STATUS_OK;
 }
 
-/* Of vectors square to a surface: the transposed inverse but for its length. It exists even where
+/* Returns the transform of normals: the transposed inverse without its scale. It exists even where
  * a scale is 0. */
 static mat3s normal_matrix(mat3s m, bool is_mirrored)
 {
@@ -178,7 +178,7 @@ static bool fill_vertex(struct mesh_vertex *vertex, const struct placement *plac
         if (!(fabsf(position.raw[k]) <= (float)MODEL_COORDINATE_MAX))
             return false;
     }
-    vertex->position = glms_vec3_adds(position, 0); /* turns -0 to 0: they are one place */
+    vertex->position = glms_vec3_adds(position, 0); /* turns -0 to 0, so that they compare equal */
 
     if (source->mNormals) {
         vec3s normal = glms_mat3_mulv(place->normal_from_mesh, vec3_from(source->mNormals[i]));

@@ -1,4 +1,4 @@
-/* model_texture.c: the base colour pictures of a model file, brought to one size. */
+/* model_texture.c: loads the base colour textures of a model file at one size. */
 #include <assert.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_resize.h>
@@ -15,17 +15,17 @@ enum {
     CHANNELS = 4,
 };
 
-/* Where a picture comes from: one of the two is NULL. */
+/* The source of a texture: an embedded texture or a file; the other one is NULL. */
 struct source {
     const struct aiTexture *embedded;
     char *file;
-    const struct aiMaterial *material; /* that names it first */
+    const struct aiMaterial *material; /* the first material that names it */
 };
 
-/* A picture still encoded, or, if is_raw, aiTexel. */
+/* An encoded image or, if is_raw, an array of aiTexel. */
 struct picture {
     const uint8_t *bytes;
-    uint8_t *owned; /* the same to be freed, or NULL */
+    uint8_t *owned; /* `bytes`, if it must be freed, or NULL */
     int size;       /* bytes */
     int width, height;
     bool is_raw;
@@ -46,7 +46,7 @@ static enum status read_file(const struct model_import *import, const struct sou
                              struct picture *picture)
 {
     struct stat info;
-    /* asked first: to open a pipe would wait for its other end */
+    /* Only regular files are opened: opening a pipe would wait for its other end. */
     if (stat(source->file, &info) != 0 || !S_ISREG(info.st_mode))
         return fault(import, source, "file not found");
     if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
@@ -67,7 +67,7 @@ static enum status read_file(const struct model_import *import, const struct sou
     return STATUS_OK;
 }
 
-/* The caller frees picture->owned, also when this fails. */
+/* Opens an encoded image. The caller frees picture->owned, even on failure. */
 static enum status open_picture(const struct model_import *import, const struct source *source,
                                 struct picture *picture)
 {
@@ -115,13 +115,13 @@ static uint8_t *decode_raw(const struct picture *picture)
     return texels;
 }
 
-/* Along one axis. stb's own choice would blur where the size stays. */
+/* Returns the filter along one axis. The default of stb would blur if the size is unchanged. */
 static stbir_filter filter(int from, int to)
 {
     return from > to ? STBIR_FILTER_MITCHELL : STBIR_FILTER_CATMULLROM;
 }
 
-/* False when memory is short. */
+/* Resamples an image to a layer. Returns false when out of memory. */
 static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int width, int height)
 {
     int to = (int)side;
