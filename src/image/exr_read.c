@@ -9,8 +9,8 @@
 struct source {
     FILE *file;
     int64_t size;
-    char message[256];  /* the library's first complaint */
-    bool out_of_memory; /* for planes; the library says so of some damaged chunks too */
+    char message[256];  /* the library's first error message */
+    bool out_of_memory; /* for planes; the library reports it for some damaged chunks, too */
 };
 
 struct reader {
@@ -52,7 +52,8 @@ static void keep_message(exr_const_context_t context, exr_result_t code, const c
         snprintf(source->message, sizeof(source->message), "%s", text);
 }
 
-/* The library's buffers, zeroed: it misses some chunks that unpack to less than they should. */
+/* Allocates the library's buffers, zeroed, because it accepts some chunks that unpack to too few
+ * bytes. */
 static void *allocate(size_t size)
 {
     return calloc(1, size);
@@ -83,7 +84,7 @@ static exr_result_t add_planes(struct reader *reader, const exr_attr_chlist_t *c
     return EXR_ERR_SUCCESS;
 }
 
-/* Without planes: those of the image may be of fewer rows. */
+/* Reads the size and the channels, but adds no planes, since the image may have fewer rows. */
 static exr_result_t read_size(struct reader *reader, const exr_attr_chlist_t **list)
 {
     const exr_attr_chlist_t *channels;
@@ -119,7 +120,7 @@ static exr_result_t prepare(struct reader *reader)
     return result == EXR_ERR_SUCCESS ? add_planes(reader, channels) : result;
 }
 
-/* Channels stand in the order of the file's list, as the planes do. */
+/* Both channels and planes have the order of the file's list. */
 static void set_channels(exr_decode_pipeline_t *pipeline, const struct image *image, size_t first)
 {
     for (int c = 0; c < pipeline->channel_count; c++) {
@@ -132,7 +133,7 @@ static void set_channels(exr_decode_pipeline_t *pipeline, const struct image *im
     }
 }
 
-/* A pipeline per chunk: reused ones keep pointers and buffers that must be mended by hand. */
+/* Each chunk has a pipeline of its own, because a reused one keeps stale pointers and buffers. */
 static exr_result_t read_chunk(const struct reader *reader, const exr_chunk_info_t *chunk, size_t x,
                                size_t y)
 {
@@ -204,7 +205,7 @@ static exr_result_t read_part(struct reader *reader)
     return reader->storage == EXR_STORAGE_TILED ? read_tiles(reader) : read_lines(reader);
 }
 
-/* Logs what went wrong. */
+/* Logs the error, if any, and returns its status. */
 static enum status report(const char *path, const struct source *source, exr_result_t result)
 {
     if (result == EXR_ERR_SUCCESS)
@@ -233,7 +234,7 @@ static exr_result_t open_reader(struct reader *reader, const char *path)
     start.max_image_height = IMAGE_MAX_SIDE;
     start.max_tile_width = IMAGE_MAX_SIDE;
     start.max_tile_height = IMAGE_MAX_SIDE;
-    /* a file with holes is refused below, so do not search it for the chunks it lost */
+    /* A file with missing chunks is refused below, so the library need not search for them. */
     start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
     return exr_start_read(&reader->context, path, &start);
 }
@@ -370,10 +371,10 @@ enum status exr_inspect(const char *path, const char *name, char **text)
 struct exr_file {
     struct source source;
     struct reader reader;
-    struct image rows; /* one chunk */
+    struct image rows; /* the rows of one chunk */
     uint32_t height;   /* of the picture */
-    uint32_t first;    /* row of the picture that the first of `rows` is */
-    bool is_read;      /* they are */
+    uint32_t first;    /* row of the picture with which `rows` begin */
+    bool is_read;      /* `rows` are filled */
     char *path;
 };
 

@@ -1,4 +1,5 @@
-/* exr_write.c: OpenEXR files into memory: the library's own files hide errors of writing. */
+/* exr_write.c: encodes OpenEXR files in memory, because the library hides errors of writing to
+ * files. */
 #include <OpenEXR/openexr.h>
 #include <assert.h>
 #include <stdlib.h>
@@ -7,7 +8,7 @@
 #include "src/image/exr.h"
 #include "src/image/half.h"
 
-/* Longer ones need a flag in the file, which old readers refuse. */
+/* Longer names need a flag in the file, which old readers refuse. */
 enum {
     SHORT_NAME_MAX = 31
 };
@@ -18,7 +19,7 @@ struct sink {
     bool out_of_memory;
 };
 
-/* Chunks come in order, past a hole for their table, which comes last. */
+/* The library writes the chunks in order, after a gap for their table, which it writes last. */
 static int64_t sink_write(exr_const_context_t context, void *user, const void *bytes, uint64_t size,
                           uint64_t offset, exr_stream_error_func_ptr_t report)
 {
@@ -44,7 +45,7 @@ static int64_t sink_write(exr_const_context_t context, void *user, const void *b
     return (int64_t)size;
 }
 
-/* Keeps the library from printing: the result code says enough of a write to memory. */
+/* Keeps the library from printing; the result code suffices for a write to memory. */
 static void ignore_message(exr_const_context_t context, exr_result_t code, const char *text)
 {
     (void)context;
@@ -77,7 +78,7 @@ static exr_result_t declare_matrix(exr_context_t context, const char *name, cons
 
 static exr_result_t declare_attributes(exr_context_t context, const struct exr_header *header)
 {
-    /* ITU-R BT.709-6, item 1.3 and 1.4 */
+    /* ITU-R BT.709-6, items 1.3 and 1.4. */
     static const exr_attr_chromaticities_t rec709 = {
         .red_x = 0.64f,
         .red_y = 0.33f,
@@ -101,7 +102,7 @@ static exr_result_t declare_attributes(exr_context_t context, const struct exr_h
     return result;
 }
 
-/* As exr_initialize_required_attr_simple() does where the image is the picture. */
+/* Does the same as exr_initialize_required_attr_simple() if the image is the whole picture. */
 static exr_result_t declare_windows(exr_context_t context, int part, const struct image *image,
                                     const struct exr_place *place)
 {
@@ -146,17 +147,17 @@ static const struct image_plane *find_plane(const struct image *image, const cha
     return plane;
 }
 
-/* What is encoded: all of a picture, or rows that `fill` brings, some at a time. */
+/* The source of texels: a whole picture, or groups of rows that `fill` writes. */
 struct origin {
     const struct image *image;
-    uint32_t y;        /* of its first row in the picture */
-    exr_rows_fn *fill; /* NULL: the image has its texels */
+    uint32_t y;        /* row of the picture with which the image begins */
+    exr_rows_fn *fill; /* NULL: the image has texels */
     void *user;
-    struct image rows;  /* `height` of them, for fill */
-    enum status status; /* of the last fill */
+    struct image rows;  /* the group of rows for `fill` */
+    enum status status; /* of the last call of `fill` */
 };
 
-/* Gives the pipeline the image's rows from y on; those of half planes by way of `halves`. */
+/* Passes the image's rows from y on to the pipeline; half planes are converted in `halves`. */
 static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *image, uint32_t y,
                          uint16_t *halves)
 {
@@ -183,12 +184,12 @@ static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *im
 typedef exr_result_t compress_fn(exr_encode_pipeline_t *pipeline);
 
 struct compressor {
-    compress_fn *compress; /* the library's */
+    compress_fn *compress; /* the library's function */
 };
 
 /*
- * A chunk as long as it unpacks to is one stored unpacked, to all readers. The library 3.1.5
- * writes packed ones of that length too, which nobody can read again.
+ * Readers take a chunk for uncompressed if it is as long as its content. Version 3.1.5 of the
+ * library also writes compressed chunks of that length, which cannot be read again.
  */
 static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
 {
@@ -200,7 +201,7 @@ static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
     return result;
 }
 
-/* A pipeline per chunk: reused ones keep pointers and buffers that must be mended by hand. */
+/* Each chunk has a pipeline of its own, because a reused one keeps stale pointers and buffers. */
 static exr_result_t write_chunk(exr_context_t context, struct origin *origin, uint32_t y,
                                 uint16_t *halves)
 {
@@ -240,7 +241,7 @@ static bool make_rows(struct origin *origin, uint32_t lines)
     return ok;
 }
 
-/* The last rows may be fewer. */
+/* Fills the next group of rows; the last one may be smaller. */
 static exr_result_t fill_rows(struct origin *origin, uint32_t y, uint32_t lines)
 {
     const uint32_t left = origin->image->height - y;
@@ -291,7 +292,7 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     start.error_handler_fn = ignore_message;
     start.user_data = &sink;
     start.write_fn = sink_write;
-    start.zip_level = 4; /* against zlib's default: two thirds of the time, 5% more bytes */
+    start.zip_level = 4; /* two thirds of the time of zlib's default, 5 % more bytes */
     result = exr_start_write(&context, "memory", EXR_WRITE_FILE_DIRECTLY, &start);
     if (result == EXR_ERR_SUCCESS && has_long_names(image, header))
         result = exr_set_longname_support(context, 1);
@@ -314,8 +315,8 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     }
     free(sink.bytes);
     if (origin->status != STATUS_OK)
-        return origin->status; /* has been said */
-    /* what is compressed cannot be corrupt: OpenEXR says so where zlib finds no memory */
+        return origin->status; /* its error is logged */
+    /* Data cannot be corrupt here: OpenEXR returns this if zlib is out of memory. */
     if (sink.out_of_memory || result == EXR_ERR_CORRUPT_CHUNK)
         result = EXR_ERR_OUT_OF_MEMORY;
     log_error("an EXR picture could not be encoded: %s", exr_get_default_error_message(result));

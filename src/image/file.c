@@ -1,4 +1,4 @@
-/* file.c: output files, whole or not at all. */
+/* file.c: writes output files atomically. */
 #define _XOPEN_SOURCE 700 /* realpath() */
 #include "src/image/file.h"
 #include <dirent.h>
@@ -22,9 +22,9 @@ enum {
 static const char suffix[] = ".tmp";
 static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 
-/* Where a path leads. */
+/* The file to which a path leads. */
 struct target {
-    bool straight;           /* to be written in place: it is there and no regular file */
+    bool straight;           /* written directly: it exists and is no regular file */
     int folder;              /* descriptor, or -1 */
     char name[NAME_MAX + 1]; /* in the folder */
 };
@@ -91,13 +91,13 @@ static enum status target_find(struct target *target, const char *path)
     return ok ? STATUS_OK : cannot_create(path, strerror(errno));
 }
 
-/* A temporary that is being written, locked for as long as it is open. */
+/* A temporary file, which is locked as long as it is open. */
 struct temporary {
     int file;                /* descriptor, or -1 */
     char name[NAME_MAX + 1]; /* in the target's folder */
 };
 
-/* Length of what temporaries of this file begin with: ".NAME.", of which NAME may be shortened. */
+/* Returns the length of the prefix ".NAME." of this file's temporaries; NAME may be shortened. */
 static int prefix_length(const char *name)
 {
     const int longest = NAME_MAX - (RANDOM_LENGTH + (int)strlen(suffix));
@@ -105,7 +105,7 @@ static int prefix_length(const char *name)
     return length < longest ? length : longest;
 }
 
-/* ".NAME.XXXXXX.tmp", with letters that nobody can guess. */
+/* Makes a name ".NAME.XXXXXX.tmp" with unpredictable letters. */
 static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1])
 {
     unsigned char random[RANDOM_LENGTH];
@@ -118,7 +118,7 @@ static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1]
     return true;
 }
 
-/* Whether a folder's entry is named like a temporary of this file. */
+/* Whether an entry of a folder has the name of a temporary of this file. */
 static bool is_temporary(const char *entry, const char *name)
 {
     const int length = prefix_length(name);
@@ -141,8 +141,8 @@ static void remove_temporary(const struct target *target, struct temporary *temp
     close(temporary->file);
 }
 
-/* Creates and locks one. Between the two, another process may take it for left behind and remove
- * it: then the next name has its turn. */
+/* Creates and locks a temporary. Between these steps another process may take it for an abandoned
+ * one and remove it; then another name is tried. */
 static bool open_temporary(const struct target *target, struct temporary *temporary)
 {
     const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
@@ -164,8 +164,8 @@ static bool open_temporary(const struct target *target, struct temporary *tempor
 }
 
 /*
- * Whether the open file was left behind. A lock goes with the process that held it, on whatever
- * machine; where the file system has no locks, an hour without a write decides.
+ * Whether an open temporary is abandoned. The lock of a process ends with it, on any machine; on
+ * file systems without locks, an hour without a write decides.
  */
 static bool is_stale(int file, time_t now)
 {
@@ -188,7 +188,8 @@ static void remove_if_stale(int folder, const char *entry, time_t now)
     close(file);
 }
 
-/* `own`: the temporary that stays, and whose time is the disk's clock. */
+/* Removes abandoned temporaries of the target, but not `own`, whose time of writing is the file
+ * system's current time. */
 static void remove_stale(const struct target *target, const struct temporary *own)
 {
     const int again = openat(target->folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -220,13 +221,13 @@ static bool write_all(int file, const unsigned char *data, size_t size)
     return true;
 }
 
-/* After EINTR the descriptor is closed all the same, on Linux. */
+/* On Linux the descriptor is closed even if close() fails with EINTR. */
 static bool close_file(int file)
 {
     return close(file) == 0 || errno == EINTR;
 }
 
-/* Some file systems cannot do it for folders, and say EINVAL. */
+/* Some file systems cannot sync folders and return EINVAL. */
 static bool sync_folder(int folder)
 {
     return fsync(folder) == 0 || errno == EINVAL;
@@ -252,7 +253,8 @@ static enum status write_straight(const char *path, const void *data, size_t siz
     return status;
 }
 
-/* Closed when it has its name, since who finds it closed before may take it for left behind. */
+/* The temporary is closed after it is renamed, because another process may remove an unlocked
+ * temporary. */
 static enum status replace(const struct target *target, const char *path, const void *data,
                            size_t size)
 {

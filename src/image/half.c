@@ -1,6 +1,6 @@
 /* half.c: IEEE 754 half floats. */
 #include "src/image/half.h"
-/* Imath's own functions need its library for a table otherwise. */
+/* Without this, Imath's functions need a table in its library. */
 #define IMATH_HALF_NO_LOOKUP_TABLE
 #include <Imath/half.h>
 

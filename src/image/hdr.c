@@ -1,4 +1,4 @@
-/* hdr.c: Radiance .hdr files by stb_image, with guards against what it takes on trust. */
+/* hdr.c: reads Radiance .hdr files by stb_image, and checks what it does not check. */
 #include "src/image/hdr.h"
 #include <stb/stb_image.h>
 #include <stdint.h>
@@ -9,15 +9,15 @@
 
 struct source {
     FILE *file;
-    bool ended;   /* a read came short */
-    bool overrun; /* stb_image asked for more than there is */
+    bool ended;   /* a read was short */
+    bool overrun; /* stb_image has read beyond the end of the file */
 };
 
 /*
- * stb_image neither reports a picture cut short nor, in run-length data, ends at all when fed the
- * zeros it makes up for itself at the end of a file. Line ends in their place end every loop of
- * its (an empty header line, a run longer than none). It fills its buffer ahead by large reads,
- * where the last may well be short; one for a single texel (4 bytes) may not.
+ * At the end of a file stb_image reads zeros: it does not report a truncated picture, and in
+ * run-length data it does not terminate. Line ends instead of zeros terminate all of its loops (an
+ * empty header line, a run longer than 0). It fills its buffer by large reads, of which the last
+ * may be short; a read for a single texel (4 bytes) must not be.
  */
 static int source_read(void *user, char *data, int size)
 {
@@ -57,7 +57,7 @@ static void source_rewind(struct source *source)
     source->overrun = false;
 }
 
-/* Bytes that the texels take at least: flat, or in runs of 127, four to each row. */
+/* Returns the least number of bytes of the texels: flat, or four channels in runs of 127. */
 static int64_t least_size(int width, int height)
 {
     const int64_t row =
@@ -65,7 +65,7 @@ static int64_t least_size(int width, int height)
     return row * height;
 }
 
-/* Says what is wrong with the header, or NULL. */
+/* Returns what is wrong with the header, or NULL. */
 static const char *find_fault(struct source *source, int64_t file_size, int *width, int *height)
 {
     int channels;

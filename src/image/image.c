@@ -1,4 +1,4 @@
-/* image.c: pictures in memory as named planes. */
+/* image.c: images in memory as named planes. */
 #include "src/image/image.h"
 #include <assert.h>
 #include <stdlib.h>

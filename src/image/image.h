@@ -1,7 +1,7 @@
 /*
- * image.h: a picture in memory as named planes of floats.
+ * image.h: an image in memory as named planes of floats.
  *
- * Rows run from the top; row 0 is the top one. Colours are linear Rec.709.
+ * Row 0 is the top row. Colours are linear Rec.709.
  * Ownership: an image owns its planes; image_finish() frees them.
  */
 #ifndef FIRN_IMAGE_IMAGE_H
@@ -15,17 +15,17 @@ enum {
     IMAGE_NAME_SIZE = 64
 };
 
-/* What the readers accept; a larger picture in a file is STATUS_DATA. */
+/* Limits of the readers; a larger image in a file is STATUS_DATA. */
 enum {
     IMAGE_MAX_SIDE = 65536,      /* pixels */
     IMAGE_MAX_TEXELS = 1 << 28,  /* of one plane */
-    IMAGE_MAX_SAMPLES = 1 << 30, /* of all planes: 4 GiB in memory */
+    IMAGE_MAX_SAMPLES = 1 << 30, /* texels of all planes: 4 GiB in memory */
     IMAGE_MAX_PLANES = 256,
 };
 
 struct image_plane {
     char name[IMAGE_NAME_SIZE]; /* as in EXR: "R", "N.X", "fresnel.Z" */
-    bool half;                  /* stored as half in files; float in memory all the same */
+    bool half;                  /* stored as half in files; memory always has floats */
     float *texels;              /* width * height */
 };
 
@@ -35,25 +35,24 @@ struct image {
     struct image_plane *planes;
 };
 
-/* Words about a picture, stored with it: {"firn/settings", "..."}. */
+/* Metadata of an image file: {"firn/settings", "..."}. */
 struct image_text {
     const char *name;
     const char *value;
 };
 
-/* Empty image of a size. Sizes of 0 are allowed only for {0}. */
+/* Initialises an image without planes. Sizes of 0 are allowed only for {0}. */
 void image_init(struct image *image, uint32_t width, uint32_t height);
 
 void image_finish(struct image *image);
 
 /*
- * Adds a plane of zeros and returns its texels, or NULL when memory is short. The name is
- * copied; it must be shorter than IMAGE_NAME_SIZE and not in use. The pointers of other planes'
- * texels stay valid.
+ * Adds a plane of zeros and returns its texels, or NULL when out of memory. The name is copied; it
+ * must be shorter than IMAGE_NAME_SIZE and not in use. Pointers to other planes' texels stay valid.
  */
 float *image_add_plane(struct image *image, const char *name, bool half);
 
-/* The texels of a plane, or NULL when there is none of that name. */
+/* Returns the texels of a plane, or NULL if there is none of that name. */
 float *image_find(const struct image *image, const char *name);
 
 #endif

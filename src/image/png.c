@@ -1,6 +1,7 @@
 /*
- * png.c: PNG files by libpng's simplified interface, which needs no setjmp of ours. It knows no
- * texts; they are put in, and looked for, as chunks (PNG specification, second edition, 5.3).
+ * png.c: writes PNG files by libpng's simplified interface, which needs no setjmp(). It does not
+ * support texts; they are written and searched for as chunks (PNG specification, second edition,
+ * 5.3).
  */
 #include "src/image/png.h"
 #include <assert.h>
@@ -11,7 +12,7 @@
 #include "src/image/file.h"
 
 enum {
-    CHUNK_SIZE = 12, /* of one without data: length, type, check sum */
+    CHUNK_SIZE = 12, /* of a chunk without data: length, type, checksum */
     NAME_MAX_LENGTH = 79,
     HEAD_SIZE = 8 + CHUNK_SIZE + 13, /* signature and IHDR */
 };
@@ -41,7 +42,7 @@ static uint32_t check_sum(const uint8_t *bytes, size_t size)
     return ~sum;
 }
 
-/* Begins a chunk; its data go to the place that is returned. */
+/* Begins a chunk and returns where its data begin. */
 static uint8_t *begin_chunk(uint8_t *chunk, const char *type, size_t data_size)
 {
     put_u32(chunk, (uint32_t)data_size);
@@ -49,7 +50,7 @@ static uint8_t *begin_chunk(uint8_t *chunk, const char *type, size_t data_size)
     return chunk + 8;
 }
 
-/* The byte after it. */
+/* Writes the checksum and returns the end of the chunk. */
 static uint8_t *end_chunk(uint8_t *chunk)
 {
     const size_t data_size = get_u32(chunk);
@@ -57,7 +58,7 @@ static uint8_t *end_chunk(uint8_t *chunk)
     return chunk + CHUNK_SIZE + data_size;
 }
 
-/* The size of the whole and sound chunk at the beginning, or 0. */
+/* Returns the size of the chunk at the beginning, or 0 if it is incomplete or damaged. */
 static size_t measure_chunk(const uint8_t *bytes, size_t size)
 {
     if (size < CHUNK_SIZE || get_u32(bytes) > size - CHUNK_SIZE)
@@ -82,7 +83,7 @@ static bool is_ascii(const char *text)
     return *text == '\0';
 }
 
-/* tEXt holds Latin-1; iTXt UTF-8, after four bytes: not compressed, in no language. */
+/* A tEXt chunk has Latin-1, an iTXt chunk UTF-8 after four bytes: not compressed, no language. */
 static uint8_t *put_text(uint8_t *chunk, const struct image_text *text)
 {
     const size_t name_size = strlen(text->name) + 1, value_size = strlen(text->value);
@@ -94,7 +95,7 @@ static uint8_t *put_text(uint8_t *chunk, const struct image_text *text)
     return end_chunk(chunk);
 }
 
-/* All of them, one after another, malloc'd; NULL when memory is short. */
+/* Returns all text chunks, malloc'd, or NULL when out of memory. */
 static uint8_t *make_texts(const struct png_picture *picture, size_t *size)
 {
     size_t size_max = 1;
@@ -128,11 +129,11 @@ static enum status out_of_memory(const struct png_picture *picture)
     return STATUS_TRY_AGAIN;
 }
 
-/* Into the first bytes of `bytes`, which has room for them. */
+/* Encodes the picture without texts into `bytes`, which has room for it. */
 static enum status encode_texels(const struct png_picture *picture, uint8_t *bytes, size_t *size)
 {
     const size_t texel_count = (size_t)picture->width * picture->height;
-    /* 8 bits a channel: taken as sRGB, and marked so */
+    /* libpng takes 8 bits a channel as sRGB, and writes an sRGB chunk. */
     png_image png = {
         .version = PNG_IMAGE_VERSION,
         .width = picture->width,
@@ -241,7 +242,8 @@ bool png_matches(const char *path, const struct png_picture *picture)
     return same && has_texels && at == size && text_count == picture->text_count;
 }
 
-/* The value of such a text chunk, malloc'd; NULL: it is another chunk, or memory is short. */
+/* Returns the value of a text chunk of this name, malloc'd; NULL if it is another chunk or memory
+ * is short. */
 static char *copy_text(const uint8_t *chunk, const char *name)
 {
     const size_t name_size = strlen(name) + 1;

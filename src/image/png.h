@@ -1,4 +1,4 @@
-/* png.h: PNG files, by libpng: 8-bit sRGB, for people's eyes. */
+/* png.h: reads and writes PNG files by libpng: 8-bit sRGB, for displays. */
 #ifndef FIRN_IMAGE_PNG_H
 #define FIRN_IMAGE_PNG_H
 
@@ -17,28 +17,28 @@ struct png_picture {
 
 /*
  * Encodes a picture as opaque RGB into memory: *data (malloc'd, the caller frees it), *size bytes.
- * Writes an sRGB chunk, the texts (tEXt where they are ASCII, else iTXt in UTF-8; names of at most
- * 79 characters), no time of day. Logs and returns STATUS_TRY_AGAIN or STATUS_FAILED; *data is
+ * Writes an sRGB chunk and the texts (tEXt if they are ASCII, else iTXt in UTF-8; names of at most
+ * 79 characters), but no time of day. Logs and returns STATUS_TRY_AGAIN or STATUS_FAILED; *data is
  * then NULL.
  */
 MUST_USE enum status png_encode(const struct png_picture *picture, void **data, size_t *size);
 
 /*
- * Reads a file of any kind of PNG into *image ({0} before): planes R, G and B, and A if it has
- * alpha or a transparent colour; colours are decoded to linear ones and not multiplied by alpha.
- * 16 bits are rounded to 8; without a word on colours in the file they are sRGB. Limits, errors
- * and ownership as exr_read().
+ * Reads a PNG file of any kind into *image, which must be {0}: planes R, G and B, and A if it has
+ * alpha or a transparent colour. Colours are decoded to linear ones and not multiplied by alpha. 16
+ * bits are rounded to 8; files without a colour space are taken as sRGB. Limits, errors and
+ * ownership are those of exr_read().
  */
 MUST_USE enum status png_read(const char *path, struct image *image);
 
 /*
- * Whether a file is such as png_encode() makes of a picture of this size with these texts, whole,
- * and with the check sums of all its chunks right. Texels (which may be NULL) are not compared.
- * Logs only when the file is missing or cannot be opened.
+ * Returns whether a file is complete and has the format of png_encode(), the picture's size and
+ * texts, and right checksums of all chunks. Texels (which may be NULL) are not compared. Logs only
+ * if the file is missing or cannot be opened.
  */
 bool png_matches(const char *path, const struct png_picture *picture);
 
-/* As exr_inspect(), by the check sums of all chunks. */
+/* Checks a file by the checksums of all chunks, and returns a text as exr_inspect() does. */
 MUST_USE enum status png_inspect(const char *path, const char *name, char **text);
 
 #endif

@@ -1,4 +1,4 @@
-/* png_read.c: PNG files in, by libpng's simplified interface. */
+/* png_read.c: reads PNG files by libpng's simplified interface. */
 #include <png.h>
 #include <stdlib.h>
 #include "src/base/log.h"
@@ -18,7 +18,7 @@ static enum status damaged(const char *path, const char *why)
     return STATUS_DATA;
 }
 
-/* Channel by channel; with false memory is short. */
+/* Fills the planes channel by channel. Returns false when out of memory. */
 static bool fill_image(struct image *image, const png_image *png, const uint8_t *rgba)
 {
     static const char names[4][2] = { "R", "G", "B", "A" };
@@ -78,7 +78,7 @@ enum status png_read(const char *path, struct image *image)
         status = read_texels(path, &png, image);
     }
     if (status == STATUS_DATA && ferror(file))
-        status = STATUS_NO_INPUT; /* "read error" has been said */
+        status = STATUS_NO_INPUT; /* "read error" is already logged */
     png_image_free(&png);
     fclose(file);
     return status;

@@ -1,8 +1,8 @@
-/* srgb.h: the encoding of colours for displays. */
+/* srgb.h: the transfer function of sRGB. */
 #ifndef FIRN_IMAGE_SRGB_H
 #define FIRN_IMAGE_SRGB_H
 
-/* From 0 to 1 to linear light, IEC 61966-2-1. */
+/* Returns the linear value, 0 to 1, of an encoded one, 0 to 1 (IEC 61966-2-1). */
 float srgb_decode(float encoded);
 
 #endif

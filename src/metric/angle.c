@@ -1,4 +1,4 @@
-/* angle.c: how far directions are apart. */
+/* angle.c: angles between directions. */
 #include "src/metric/angle.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -17,7 +17,7 @@ bool angle_is_there(const float *const direction[static 3], size_t pixel)
     return isfinite(length) && length > 0.5f;
 }
 
-/* By the tangent: the cosine of a small angle knows little of it. */
+/* Uses the tangent, because the cosine of a small angle is imprecise. */
 static float measure(vec3s a, vec3s b)
 {
     const float across = glms_vec3_norm(glms_vec3_cross(a, b));

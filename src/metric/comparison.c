@@ -1,4 +1,4 @@
-/* comparison.c: two pictures, layer by layer. */
+/* comparison.c: compares two images layer by layer. */
 #include "src/metric/comparison.h"
 #include <assert.h>
 #include <math.h>
@@ -30,7 +30,7 @@ static bool is_beauty(const char *plane)
     return strlen(plane) == 1 && strchr("RGB", *plane);
 }
 
-/* Of three planes in both pictures. */
+/* Finds three planes in both images. */
 static bool find_planes(const struct comparison_params *params, const char *const names[static 3],
                         const float *reference[static 3], const float *test[static 3])
 {
@@ -91,7 +91,7 @@ static bool measure_layers(struct comparison *c, const struct comparison_params 
     return true;
 }
 
-/* ---- what some layers mean ---- */
+/* ---- layers with a metric of their own ---- */
 
 static bool measure_flip(struct comparison *c, const struct comparison_params *params)
 {
@@ -131,7 +131,7 @@ static bool measure_exit(struct comparison *c, const struct comparison_params *p
     return c->degrees && angle_measure(&c->angle, &pair, c->degrees);
 }
 
-/* Where the pictures have exit, too, only its pixels count. */
+/* If both images have the layer exit, too, only its pixels are compared. */
 static void measure_tir(struct comparison *c, const struct comparison_params *params)
 {
     static const char *const names[3] = { "exit.X", "exit.Y", "exit.Z" };
@@ -147,7 +147,7 @@ static void measure_tir(struct comparison *c, const struct comparison_params *pa
             (has_exit && !angle_is_there(reference_exit, i) && !angle_is_there(test_exit, i)))
             continue;
         c->tir_count++;
-        c->tir_differs += !(reference[i] == test[i]); /* NaN is no class */
+        c->tir_differs += !(reference[i] == test[i]); /* NaN differs from everything */
     }
 }
 

@@ -1,8 +1,8 @@
 /*
- * comparison.h: two pictures, layer by layer.
+ * comparison.h: compares two images layer by layer.
  *
- * A layer is all planes of the same name before its last dot; R, G and B are "beauty". Only planes
- * that both pictures have are measured.
+ * A layer is all planes with the same name before the last dot; R, G and B are "beauty". Only
+ * planes that both pictures have are measured.
  */
 #ifndef FIRN_METRIC_COMPARISON_H
 #define FIRN_METRIC_COMPARISON_H
@@ -14,11 +14,11 @@
 
 struct comparison_params {
     const struct image *reference, *test; /* of one size */
-    const bool *counted;                  /* pixels that count; may be NULL: all */
-    bool display;          /* both are made for a display: LDR-FLIP; else HDR-FLIP, but */
-    bool has_exposure;     /* LDR-FLIP all the same, with */
+    const bool *counted;                  /* pixels to compare; NULL: all */
+    bool display;          /* display-referred images: LDR-FLIP; else HDR-FLIP, unless: */
+    bool has_exposure;     /* LDR-FLIP with `exposure` */
     double exposure;       /* stops */
-    enum flip_curve curve; /* of HDR-FLIP */
+    enum flip_curve curve; /* tone curve of HDR-FLIP */
     double ppd;            /* pixels per degree, 1 to FLIP_PPD_MAX */
 };
 
@@ -27,13 +27,13 @@ struct comparison_layer {
     struct difference difference;
 };
 
-/* What is known of both in one number, and may have a limit. */
+/* The differences that are one number and may have a limit. */
 enum comparison_metric {
     COMPARISON_FLIP,   /* mean, of beauty */
-    COMPARISON_RMSE,   /* of beauty, as is */
-    COMPARISON_RELMSE, /* this */
-    COMPARISON_MAE,    /* and this, clipped to 0 and 1 */
-    COMPARISON_ANGLE,  /* mean of exit, degrees */
+    COMPARISON_RMSE,   /* of beauty */
+    COMPARISON_RELMSE, /* of beauty */
+    COMPARISON_MAE,    /* of beauty, clipped to 0 and 1 */
+    COMPARISON_ANGLE,  /* mean of the layer exit, degrees */
     COMPARISON_METRIC_COUNT,
 };
 
@@ -43,32 +43,32 @@ struct comparison {
     size_t counted; /* pixels */
     bool has_beauty;
     double flip;                     /* mean */
-    bool is_hdr;                     /* that FLIP is */
+    bool is_hdr;                     /* `flip` is HDR-FLIP */
     struct flip_exposures exposures; /* of HDR-FLIP */
-    float *errors;                   /* FLIP of each pixel, 0 where it does not count; or NULL */
-    bool has_exit;                   /* X, Y and Z */
-    struct angle angle;              /* of exit */
-    float *degrees;                  /* angle_measure()'s; or NULL */
-    bool has_tir;                    /* a class of total internal reflection */
-    uint64_t tir_differs, tir_count; /* pixels; of those that leave the object in either */
-    struct comparison_layer *layers; /* beauty first, then as in the reference */
+    float *errors;                   /* FLIP of each pixel, 0 if it is not counted; or NULL */
+    bool has_exit;                   /* both images have exit.X, .Y and .Z */
+    struct angle angle;              /* of the layer exit */
+    float *degrees;                  /* of angle_measure(); or NULL */
+    bool has_tir;                    /* both images have the layer tir */
+    uint64_t tir_differs, tir_count; /* pixels of different tir; pixels with an exit in either */
+    struct comparison_layer *layers; /* beauty first, then in the reference's order */
     uint32_t layer_count;
     const char **only_reference, **only_test; /* names of planes, borrowed from the images */
     uint32_t only_reference_count, only_test_count;
 };
 
-/* False: memory is short, and *comparison is {0}. */
+/* Compares the images. Returns false when out of memory; *comparison is then {0}. */
 bool comparison_init(struct comparison *comparison, const struct comparison_params *params);
 
 void comparison_finish(struct comparison *comparison);
 
-/* NULL if there is none of that name. */
+/* Returns the layer of that name, or NULL. */
 const struct comparison_layer *comparison_find(const struct comparison *comparison,
                                                const char *name);
 
 /*
- * The layer that a metric is of, NULL if both pictures do not have it; *value is NaN where nothing
- * of it counts.
+ * Returns the layer that a metric measures, or NULL if an image lacks it. *value is the metric, NaN
+ * if no pixel is counted.
  */
 const struct comparison_layer *comparison_metric(const struct comparison *comparison,
                                                  enum comparison_metric metric, double *value);

@@ -1,4 +1,4 @@
-/* difference.c: how far the numbers of a layer are apart. */
+/* difference.c: differences of the values of a layer. */
 #include "src/metric/difference.h"
 #include <math.h>
 

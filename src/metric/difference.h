@@ -1,4 +1,4 @@
-/* difference.h: how far the numbers of a layer are apart. */
+/* difference.h: differences of the values of a layer in two images. */
 #ifndef FIRN_METRIC_DIFFERENCE_H
 #define FIRN_METRIC_DIFFERENCE_H
 
@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Sums over the planes that were added, {0} at first. */
+/* Sums over the planes that were added; initialise it with {0}. */
 struct difference {
     double absolutes; /* of values clipped to 0 and 1 */
     double squares, relative_squares;
@@ -15,17 +15,17 @@ struct difference {
     uint64_t not_finite; /* pairs in which one is NaN or infinite: they are not in the sums */
 };
 
-/* `counted` (may be NULL: all) tells of each of the texels whether it counts. */
+/* Adds a plane of `count` texels; `counted` selects the texels to add (NULL: all). */
 void difference_add(struct difference *difference, const float *reference, const float *test,
                     const bool *counted, size_t count);
 
-/* Root of the mean square; NaN where nothing counts, as below. */
+/* Returns the root of the mean square. This and the functions below return NaN if count is 0. */
 double difference_rmse(const struct difference *difference);
 
-/* Mean of |test - reference|, both clipped to what a display shows: 0 to 1. */
+/* Returns the mean of |test - reference|, both clipped to a display's range, 0 to 1. */
 double difference_mae(const struct difference *difference);
 
-/* mean((test - reference)^2 / (reference^2 + 0.01)) */
+/* Returns the mean of (test - reference)^2 / (reference^2 + 0.01). */
 double difference_relmse(const struct difference *difference);
 
 #endif

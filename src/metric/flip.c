@@ -6,10 +6,10 @@
 #include "src/metric/flip_filter.h"
 #include "src/metric/quantile.h"
 
-/* What becomes of a picture. */
+/* A processed image. */
 struct side {
-    struct flip_plane color[3];    /* opponent colours at first, then Hunt's */
-    struct flip_plane edge, point; /* how strong they are */
+    struct flip_plane color[3];    /* opponent colours, which are then converted to Hunt's */
+    struct flip_plane edge, point; /* strength of edges and points */
 };
 
 struct work {
@@ -22,10 +22,10 @@ struct work {
     float *memory;
 };
 
-/* How both pictures are shown. */
+/* How both images are displayed. */
 struct shown {
     float scale;
-    bool has_curve; /* else clamped */
+    bool has_curve; /* tone mapped by `curve`, else clamped */
     enum flip_curve curve;
 };
 
@@ -51,7 +51,7 @@ static bool work_init(struct work *work, const struct flip_pair *pair)
     *work = (struct work){ .pair = pair };
     if (plane_size > (SIZE_MAX / sizeof(float) - flip_line_size(pair->width)) / PLANE_COUNT)
         return false;
-    /* zeros, since filters read texels between width and stride */
+    /* Zeroed, because filters read texels between width and stride. */
     work->memory = calloc(PLANE_COUNT * plane_size + flip_line_size(pair->width), sizeof(float));
     if (!work->memory)
         return false;
@@ -80,9 +80,9 @@ static bool work_init(struct work *work, const struct flip_pair *pair)
     return true;
 }
 
-/* ---- a picture ---- */
+/* ---- an image ---- */
 
-/* HDR-FLIP takes what is from 0 to 65536; what is not finite gets its error later. */
+/* HDR-FLIP is defined from 0 to 65536; pixels that are not finite get the error 1 later. */
 static vec3s load(const float *const planes[static 3], size_t i)
 {
     vec3s v;
@@ -124,7 +124,7 @@ static void filter(struct work *work, const struct flip_plane *in, const struct 
     });
 }
 
-/* Of Y: its slope across and down, and how long both together are. */
+/* Computes the length of the gradient of Y for one feature kernel. */
 static void find_feature(struct work *work, const struct flip_plane *y,
                          const struct flip_kernel *kernel, struct flip_plane *strength)
 {
@@ -132,11 +132,11 @@ static void find_feature(struct work *work, const struct flip_plane *y,
     filter(work, y, &work->features.smooth, kernel, &work->second);
     for (size_t i = 0; i < y->stride * y->height; i++) {
         const float a = work->first.texels[i], b = work->second.texels[i];
-        strength->texels[i] = sqrtf(a * a + b * b) / 116.0f; /* of luminance, whose white is 1 */
+        strength->texels[i] = sqrtf(a * a + b * b) / 116.0f; /* scaled to luminance, 1 for white */
     }
 }
 
-/* As far as the eye can see it. */
+/* Filters a channel by its contrast sensitivity. */
 static void blur(struct work *work, struct flip_plane *plane, enum flip_channel channel)
 {
     const struct flip_sensitivity *s = &work->sensitivity[channel];
@@ -190,7 +190,7 @@ static float find_error(const struct work *work, size_t i)
     return powf(flip_color_error(flip_color_distance(a, b)), 1.0f - feature);
 }
 
-/* Raises errors[] to those of pictures shown in one way. */
+/* Sets errors[] to the maximum of themselves and the errors of images displayed in one way. */
 static void raise(struct work *work, const struct shown *shown, float *errors)
 {
     const struct flip_pair *pair = work->pair;
@@ -204,7 +204,7 @@ static void raise(struct work *work, const struct shown *shown, float *errors)
     }
 }
 
-/* Before any is raised. */
+/* Initialises errors[]: 1 for pixels that are not finite, else 0. */
 static void begin(const struct flip_pair *pair, float *errors)
 {
     for (size_t i = 0; i < (size_t)pair->width * pair->height; i++) {
@@ -227,8 +227,8 @@ bool flip_ldr(const struct flip_pair *pair, double exposure, float *errors)
 }
 
 /*
- * Where half of the picture or more is black, the median is that of the rest: the paper has no
- * exposure for it. Black is what half floats cannot hold.
+ * If half of the image or more is black, the median is that of the other pixels, because the paper
+ * defines no exposure for that case. Black is what half floats cannot represent.
  */
 static bool find_exposures(const struct flip_pair *pair, enum flip_curve curve,
                            struct flip_exposures *exposures)

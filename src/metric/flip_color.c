@@ -2,14 +2,14 @@
 #include "src/metric/flip_color.h"
 #include <math.h>
 
-/* XYZ of linear Rec.709, each divided by that of white; rows. */
+/* Rows of the matrix from linear Rec.709 to XYZ divided by that of white. */
 static const float white_from_linear[3][3] = {
     { 0.433895389f, 0.376242373f, 0.189862239f },
     { 0.212636822f, 0.715182982f, 0.072180196f },
     { 0.017752423f, 0.109465629f, 0.872781948f },
 };
 
-/* Its inverse. */
+/* The inverse of white_from_linear. */
 static const float linear_from_white[3][3] = {
     { 3.080341988f, -1.537398969f, -0.542943019f },
     { -0.921178396f, 1.875929984f, 0.045248412f },
@@ -24,7 +24,7 @@ static vec3s multiply(const float matrix[static 3][3], vec3s v)
     return result;
 }
 
-/* L*a*b* of CIE is this of roots; YCxCz is this of the numbers themselves. */
+/* The opponent transform: CIE L*a*b* applies it to cube roots, YCxCz to the values themselves. */
 static vec3s oppose(vec3s v)
 {
     return (vec3s){ { 116.0f * v.y - 16.0f, 500.0f * (v.x - v.y), 200.0f * (v.y - v.z) } };
@@ -71,7 +71,7 @@ float flip_color_distance(vec3s a, vec3s b)
 
 float flip_color_error(float distance)
 {
-    const float most = 41.2760984f; /* of green and blue, to the power of 0.7 */
+    const float most = 41.2760984f; /* distance of green and blue, to the power of 0.7 */
     const float knee = 0.4f * most, error_at_knee = 0.95f;
     const float power = powf(distance, 0.7f);
     if (power < knee)

@@ -10,22 +10,22 @@
 
 #include <cglm/struct.h>
 
-/* From linear colours to Y, Cx, Cz: -16 to 100 of Y. */
+/* Converts linear colours to YCxCz; Y is from -16 to 100. */
 vec3s flip_color_opponent(vec3s linear);
 
-/* And back, without limits. */
+/* Converts YCxCz to linear colours, without clamping. */
 vec3s flip_color_linear(vec3s opponent);
 
-/* What Y is of white, from 0 to 1. */
+/* Converts Y to luminance, from 0 to 1 for white. */
 float flip_color_luminance(float y);
 
-/* From linear colours to L*a*b*, whose a* and b* fade with L* (Hunt). */
+/* Converts linear colours to L*a*b* with Hunt's adjustment, which scales a* and b* by L*. */
 vec3s flip_color_hunt(vec3s linear);
 
-/* HyAB, of what flip_color_hunt() gives. */
+/* Returns the HyAB distance of two colours of flip_color_hunt(). */
 float flip_color_distance(vec3s a, vec3s b);
 
-/* From a distance to an error from 0 to 1, which is that of green and blue. */
+/* Maps a distance to an error from 0 to 1, the distance of green and blue. */
 float flip_color_error(float distance);
 
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Texels that are filtered together: so many that compilers use vectors of any size. */
+/* Texels that are filtered together; enough for vector registers of any size. */
 enum {
     LANES = 16
 };
@@ -23,7 +23,8 @@ static const struct {
     [FLIP_BLUE_YELLOW] = { 2, { 34.1, 13.5 }, { 0.04, 0.025 } },
 };
 
-/* exp(-x^2 / (2 * deviation^2)) of texels, so that they add up to 1. Returns their sum before. */
+/* Makes weights exp(-x^2 / (2 * deviation^2)), x in texels, normalised to a sum of 1. Returns the
+ * sum before. */
 static double make_gaussian(struct flip_kernel *kernel, uint32_t radius, double deviation)
 {
     double values[2 * FLIP_RADIUS_MAX + 1], sum = 0.0;
@@ -41,7 +42,7 @@ static double make_gaussian(struct flip_kernel *kernel, uint32_t radius, double 
 
 void flip_sensitivity_init(struct flip_sensitivity *s, enum flip_channel channel, double ppd)
 {
-    const double widest = 0.04; /* b of any channel: all filters have the same radius */
+    const double widest = 0.04; /* greatest b of all channels: all filters have the same radius */
     const uint32_t radius = (uint32_t)ceil(3.0 * sqrt(widest / 2.0) / pi * ppd);
     double shares[2] = { 0.0 };
     s->count = gaussians[channel].count;
@@ -54,7 +55,7 @@ void flip_sensitivity_init(struct flip_sensitivity *s, enum flip_channel channel
         s->shares[i] = (float)(shares[i] / (shares[0] + shares[1]));
 }
 
-/* Divides what is above 0 by its sum, and what is below by its own. */
+/* Divides positive weights by their sum and negative ones by the absolute value of theirs. */
 static void balance(struct flip_kernel *kernel, const double *values)
 {
     double above = 0.0, below = 0.0;
@@ -94,7 +95,7 @@ size_t flip_line_size(uint32_t width)
     return flip_stride(width) + 2 * (size_t)FLIP_RADIUS_MAX;
 }
 
-/* The row with as much before and after it as the filter reaches. */
+/* Copies a row, extended on both sides by the filter's radius. */
 static void make_line(float *line, const float *row, uint32_t width, uint32_t radius)
 {
     for (uint32_t i = 0; i < radius; i++) {
@@ -122,7 +123,7 @@ static void filter_rows(const struct flip_filter *filter)
     }
 }
 
-/* The rows that the filter of one row reaches. */
+/* Lists the rows within the filter's radius of row y. */
 static void find_rows(const struct flip_plane *plane, uint32_t y, uint32_t radius,
                       const float *rows[static 2 * FLIP_RADIUS_MAX + 1])
 {

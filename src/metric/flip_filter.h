@@ -1,9 +1,9 @@
 /*
- * flip_filter.h: the filters of FLIP, each a sum of products of two lines of weights.
+ * flip_filter.h: the separable filters of FLIP.
  *
  * The paper of flip_color.h, sections 4.1.1 (contrast sensitivity) and 4.2.1 (features). Its
  * filters are square and sums of Gaussians or of their derivatives, so that lines and columns
- * can be filtered one after another. Beyond the border lies the nearest texel.
+ * can be filtered one after another. Texels beyond the border are those of the border.
  */
 #ifndef FIRN_METRIC_FLIP_FILTER_H
 #define FIRN_METRIC_FLIP_FILTER_H
@@ -14,7 +14,7 @@
 
 enum {
     FLIP_RADIUS_MAX = 64,
-    FLIP_PPD_MAX = 400, /* pixels per degree that fit in it; the least is 1 */
+    FLIP_PPD_MAX = 400, /* pixels per degree whose filters fit in that radius; the least is 1 */
 };
 
 /* Weights of the texels from -radius to +radius. */
@@ -37,12 +37,12 @@ struct flip_sensitivity {
     struct flip_kernel kernels[2];
 };
 
-/* ppd: pixels per degree, 1 to FLIP_PPD_MAX. */
+/* Computes the filters of a channel. `ppd` is pixels per degree, 1 to FLIP_PPD_MAX. */
 void flip_sensitivity_init(struct flip_sensitivity *s, enum flip_channel channel, double ppd);
 
 /*
- * What detects edges and points: across it `edge` or `point`, along it `smooth`. Positive weights
- * add up to 1, negative ones to -1.
+ * The detectors of edges and points: `edge` or `point` along one axis, `smooth` along the other
+ * one. Positive weights add up to 1, negative ones to -1.
  */
 struct flip_features {
     struct flip_kernel smooth, edge, point;
@@ -50,25 +50,25 @@ struct flip_features {
 
 void flip_features_init(struct flip_features *features, double ppd);
 
-/* Rows of `stride` texels, of which `width` count. */
+/* A plane whose rows are `stride` texels apart. */
 struct flip_plane {
     uint32_t width, height; /* texels */
     size_t stride;
     float *texels;
 };
 
-/* Texels from row to row for a width, and how many a line for flip_filter() has. */
+/* Return the stride for a width, and the number of floats of flip_filter.line. */
 size_t flip_stride(uint32_t width);
 size_t flip_line_size(uint32_t width);
 
-/* Planes of one size, and what they are filtered with; `out` may be `in`. */
+/* A separable filter and its planes, which have one size; `out` may be `in`. */
 struct flip_filter {
     const struct flip_plane *in;
     const struct flip_kernel *across, *down; /* along a row; along a column */
     struct flip_plane *scratch, *out;
     float *line; /* flip_line_size() floats */
     float share; /* the result is multiplied by it */
-    bool add;    /* to what `out` has */
+    bool add;    /* add the result to `out` */
 };
 
 void flip_filter(const struct flip_filter *filter);

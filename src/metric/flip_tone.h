@@ -1,5 +1,5 @@
 /*
- * flip_tone.h: how HDR-FLIP shows a picture of high dynamic range, exposure by exposure.
+ * flip_tone.h: the tone curves and exposures with which HDR-FLIP displays an image.
  *
  * Andersson, Nilsson, Shirley, Akenine-Moeller: Visualizing Errors in Rendered High Dynamic Range
  * Images. Eurographics 2021: section 3. The curves: K. Narkowicz, ACES filmic tone mapping curve,
@@ -20,24 +20,24 @@ enum flip_curve {
 
 extern const char *const flip_curve_names[FLIP_CURVE_COUNT];
 
-/* Of Rec.709. */
+/* Returns the luminance of a linear Rec.709 colour. */
 float flip_tone_luminance(vec3s linear);
 
-/* From linear colours, not negative, to linear ones from 0 to 1. */
+/* Maps linear colours, which must not be negative, to linear ones from 0 to 1. */
 vec3s flip_tone(enum flip_curve curve, vec3s linear);
 
-/* What the curve takes to `shown`, which is between 0 and 1. */
+/* Returns the value that the curve maps to `shown`, which is between 0 and 1. */
 double flip_tone_inverse(enum flip_curve curve, double shown);
 
-/* Stops, each one doubling the light. */
+/* A range of exposures, in stops. */
 struct flip_exposures {
     double first, last;
-    uint32_t count; /* at least 2, the same distance apart */
+    uint32_t count; /* at least 2, at equal distances */
 };
 
 /*
- * From the greatest luminance and the median one of the reference to the exposures that show them
- * as 0.85. All black: 0 stops.
+ * Returns the range between the exposures that map the greatest luminance and the median luminance
+ * of the reference to 0.85. A black reference has 0 stops.
  */
 struct flip_exposures flip_tone_exposures(enum flip_curve curve, double greatest, double median);
 

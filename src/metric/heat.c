@@ -3,8 +3,8 @@
 #include <math.h>
 
 /*
- * CIE L*C*h of D65: L* = 2 + 95 t, h = 290 + 170 t degrees, C* the least of 75 and 0.88 of what
- * sRGB has there. In between, straight lines.
+ * CIE L*C*h for D65: L* = 2 + 95 t, h = 290 + 170 t degrees, C* the least of 75 and 0.88 of the
+ * greatest chroma in sRGB. Interpolated linearly.
  */
 static const uint8_t colours[17][3] = {
     { 2, 4, 35 },      { 9, 15, 72 },     { 48, 8, 99 },     { 82, 14, 97 },    { 109, 20, 99 },

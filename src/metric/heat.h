@@ -1,12 +1,12 @@
-/* heat.h: errors from 0 to 1 as colours, from black over violet and red to a pale yellow. */
+/* heat.h: a colour map of errors from 0 to 1: black, violet, red, pale yellow. */
 #ifndef FIRN_METRIC_HEAT_H
 #define FIRN_METRIC_HEAT_H
 
 #include <stdint.h>
 
 /*
- * sRGB. L* of CIE rises from 2 to 97 in equal steps, so that a picture of errors reads the same in
- * grey, and the hue turns from blue to yellow on the way of red. Beyond 0 and 1 lie their colours.
+ * Returns an sRGB-encoded colour. CIE L* rises linearly from 2 to 97, so that the map is readable
+ * without colour, and the hue turns from blue over red to yellow. Errors are clamped to 0 and 1.
  */
 void heat_srgb(float error, uint8_t rgb[static 3]);
 

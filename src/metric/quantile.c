@@ -1,4 +1,4 @@
-/* quantile.c: what stands where in a list of numbers. */
+/* quantile.c: quantiles of lists of numbers. */
 #include "src/metric/quantile.h"
 #include <assert.h>
 #include <math.h>
