@@ -1,14 +1,14 @@
-/* canvas.c: words by stb_easy_font, whose letters are made of boxes. */
+/* canvas.c: draws text by stb_easy_font, whose letters are made of boxes. */
 #include "src/ladder/canvas.h"
 #include <stb/stb_easy_font.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-    GLYPHS_SIZE = 32768, /* bytes of boxes: about 120 letters, the others are left out */
+    GLYPHS_SIZE = 32768, /* bytes of boxes: about 120 letters; the rest is left out */
 };
 
-/* As stb_easy_font_print() writes them, four to a box, clockwise from its top left corner. */
+/* The vertices of stb_easy_font_print(), four per box, clockwise from its top left corner. */
 struct corner {
     float x, y, z;
     unsigned char color[4];
@@ -53,7 +53,7 @@ void canvas_write(struct canvas *canvas, uint32_t x, uint32_t y, uint32_t scale,
     size_t length = strlen(text);
     if (length >= sizeof(letters))
         length = sizeof(letters) - 1;
-    memcpy(letters, text, length); /* stb wants letters that it may write to */
+    memcpy(letters, text, length); /* stb's parameter is not const */
     letters[length] = '\0';
     const int count = stb_easy_font_print(0.0f, 0.0f, letters, NULL, bytes, sizeof(bytes));
     for (int i = 0; i < count; i++) {

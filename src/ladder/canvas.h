@@ -1,4 +1,4 @@
-/* canvas.h: a picture to put pictures and words on. */
+/* canvas.h: an image into which pictures and text are drawn. */
 #ifndef FIRN_LADDER_CANVAS_H
 #define FIRN_LADDER_CANVAS_H
 
@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 enum {
-    CANVAS_TEXT_HEIGHT = 12 /* pixels of a line of words of scale 1 */
+    CANVAS_TEXT_HEIGHT = 12 /* height of a line of text at scale 1, pixels */
 };
 
 struct canvas {
@@ -14,15 +14,17 @@ struct canvas {
     uint8_t *rgba;          /* sRGB, rows from the top; opaque */
 };
 
-/* Filled with a grey. False: memory is short. The caller frees canvas->rgba. */
+/* Makes a canvas filled with a grey. Returns false when out of memory. The caller frees
+ * canvas->rgba. */
 bool canvas_init(struct canvas *canvas, uint32_t width, uint32_t height, uint8_t grey);
 
-/* box: left, top, width, height. What lies beyond the edges is left out, as below. */
+/* Fills a box, or copies a picture to (x, y). `box` is left, top, width, height, in pixels. All
+ * drawing is clipped to the canvas. */
 void canvas_fill(struct canvas *canvas, const uint32_t box[static 4], const uint8_t rgb[static 3]);
 void canvas_put(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *picture);
 
-/* Light words, of ASCII, from their top left corner on; every pixel of the font becomes scale x
- * scale of them. */
+/* Draws light ASCII text whose top left corner is (x, y); every pixel of the font becomes a square
+ * of scale x scale pixels. */
 void canvas_write(struct canvas *canvas, uint32_t x, uint32_t y, uint32_t scale, const char *text);
 
 #endif

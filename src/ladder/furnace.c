@@ -1,4 +1,4 @@
-/* furnace.c: what is missing to 1. */
+/* furnace.c: measures the white furnace test. */
 #include "src/ladder/furnace.h"
 #include <math.h>
 
@@ -15,7 +15,7 @@ static struct furnace_row measure(const char *name, const struct image *image,
     uint64_t count = 0;
     for (int c = 0; c < 3; c++) {
         color[c] = image_find(image, colors[c]);
-        rest[c] = image_find(image, rests[c]); /* NULL: of rungs */
+        rest[c] = image_find(image, rests[c]); /* NULL for rungs */
     }
     for (size_t i = 0; i < (size_t)image->width * image->height; i++) {
         bool is_off = false;

@@ -1,9 +1,9 @@
 /*
- * furnace.h: the white furnace: surrounded by radiance 1, whatever takes no light and adds none
- * shows 1.
+ * furnace.h: the white furnace test: in surroundings of radiance 1, an object that neither absorbs
+ * nor emits light must show 1.
  *
- * A surface that mixes what it reflects and what it refracts with weights that add up to 1 gives 1
- * again; what a rung or the reference loses or makes up is what is off.
+ * A surface whose weights of reflection and refraction add up to 1 shows 1; any difference is
+ * energy that a rung or the reference loses or adds.
  */
 #ifndef FIRN_LADDER_FURNACE_H
 #define FIRN_LADDER_FURNACE_H
@@ -11,15 +11,15 @@
 #include <stdio.h>
 #include "src/ladder/ladder.h"
 
-/* How far from 1 a pixel may be. */
+/* Greatest difference from 1 that is accepted in a pixel. */
 extern const double furnace_tolerance;
 
-/* Of R, G and B of the object's pixels. */
+/* Statistics of R, G and B over the object's pixels. */
 struct furnace_row {
     const char *name;
     double least, mean, greatest;
-    double remaining; /* most that the reference has not followed: part of what is missing to 1 */
-    uint64_t off;     /* pixels: it and what remains do not add up to 1, within the tolerance */
+    double remaining; /* greatest weight of rays that the reference terminated, missing to 1 */
+    uint64_t off;     /* pixels in which value and remaining weight do not add up to 1 */
 };
 
 struct furnace {
@@ -28,9 +28,10 @@ struct furnace {
     uint64_t pixel_count;
 };
 
-/* Of a ladder that was drawn in it. Names are borrowed. */
+/* Measures a ladder that was drawn in white surroundings. Names are borrowed. */
 struct furnace furnace_measure(const struct ladder *ladder);
 
+/* Returns whether no row has pixels that are off. */
 bool furnace_holds(const struct furnace *furnace);
 
 void furnace_print(const struct furnace *furnace, FILE *out);

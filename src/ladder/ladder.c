@@ -16,7 +16,7 @@
 static const char *const colors[3] = { "R", "G", "B" };
 static const char *const directions[3] = { "exit.X", "exit.Y", "exit.Z" };
 
-/* What progress is told of. */
+/* The state of the progress callback. */
 struct work {
     ladder_progress_fn *progress;
     void *user;
@@ -34,7 +34,7 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return !work->progress || work->progress(work->user, work->stage, done, all);
 }
 
-/* Bits of the layers that comparisons need. */
+/* Returns the bits of the layers that comparisons need. */
 static uint32_t find_layers(bool of_reference)
 {
     static const char *const names[] = { "exit", "path", "bounces", "tir", "remaining" };
@@ -49,7 +49,7 @@ static uint32_t find_layers(bool of_reference)
 
 /* ---- pictures ---- */
 
-/* As files store it, and the device does: so the numbers are those of firn diff, too. */
+/* Rounds to half, as in files and on the device, so that errors equal those of firn diff. */
 static void round_to_half(const struct image *image)
 {
     for (uint32_t p = 0; p < image->plane_count; p++) {
@@ -118,7 +118,7 @@ static enum status draw(struct ladder_rung *rung, const struct ladder_params *pa
 
 /* ---- errors ---- */
 
-/* Which pixels count. */
+/* The pixels to measure. */
 struct masks {
     bool *object, *straight;
     const bool *truth;
@@ -191,7 +191,7 @@ static double measure_tir(const struct ladder_rung *rung, const struct ladder *l
     return ladder->object_count ? (double)count / (double)ladder->object_count : (double)NAN;
 }
 
-/* Of colours, where `counted` says so. */
+/* Measures the difference of the colours of counted pixels. */
 static struct difference measure_colors(const struct image *a, const struct image *b,
                                         const bool *counted)
 {
@@ -204,7 +204,7 @@ static struct difference measure_colors(const struct image *a, const struct imag
     return difference;
 }
 
-/* NaN without another program's picture. */
+/* Returns the mae against another program's picture; NaN without one. */
 static double measure_truth(const struct image *image, const struct image *truth,
                             const struct masks *masks)
 {
@@ -272,7 +272,7 @@ static enum status draw_rungs(struct ladder *ladder, const struct ladder_params 
     return status;
 }
 
-/* Of a frame of one sample: of more it is the same so many times. */
+/* Measures frames of one sample, since costs are proportional to the samples. */
 static enum status measure_costs(struct ladder *ladder, const struct ladder_params *params,
                                  struct work *work)
 {

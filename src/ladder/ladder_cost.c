@@ -1,4 +1,4 @@
-/* ladder_cost.c: frames against the clock. */
+/* ladder_cost.c: measures frame times of several renderers alternately. */
 #include "src/ladder/ladder_cost.h"
 #include <stdlib.h>
 #include "src/base/clock.h"
@@ -16,7 +16,8 @@ static enum status time_frame(struct renderer *renderer, const struct renderer_s
     return status;
 }
 
-/* samples[i * run_count + run]: of renderer i. Run 0 is drawn twice: the first one warms up. */
+/* Fills samples[i * run_count + run] for renderer i. Run 0 is drawn twice: the first time is the
+ * warm-up. */
 static enum status time_all(struct renderer *const *renderers,
                             const struct ladder_cost_request *request, double *samples,
                             renderer_progress_fn *progress, void *user)

@@ -1,4 +1,4 @@
-/* ladder_page.c: table, plot and contact sheet in one file that needs no other. */
+/* ladder_page.c: writes table, plot and contact sheet as one self-contained HTML file. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +15,7 @@ static const char head[] =
     "svg,img{max-width:100%;height:auto;display:block}\nsvg{max-width:48rem}\n"
     "code{overflow-wrap:anywhere}\n</style>\n";
 
-/* Of a file or a command line, which may hold anything. */
+/* Writes a text with HTML's special characters escaped; names of files may have any characters. */
 static void put_text(const char *text, FILE *out)
 {
     for (; *text; text++) {
@@ -26,7 +26,7 @@ static void put_text(const char *text, FILE *out)
     }
 }
 
-/* RFC 4648 */
+/* Writes data in base64 (RFC 4648). */
 static void put_base64(const uint8_t *data, size_t size, FILE *out)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -1,10 +1,10 @@
-/* ladder_plot.c: error against cost. */
+/* ladder_plot.c: draws the plot of error against cost. */
 #include <math.h>
 #include <stdlib.h>
 #include "src/base/log.h"
 #include "src/ladder/ladder_report.h"
 
-/* Pixels of the drawing. */
+/* Layout of the plot, pixels. */
 enum {
     WIDTH = 760,
     HEIGHT = 460,
@@ -23,8 +23,8 @@ static const char style[] =
     "@media(prefers-color-scheme:dark){svg{background:rgb(22 24 28);color:rgb(221 221 221)}"
     "circle{fill:rgb(109 179 255)}}";
 
-static const double least_error = 1e-4; /* a logarithm wants something */
-static const double room = 1.4;         /* beyond the outermost points, a factor */
+static const double least_error = 1e-4; /* smaller errors are drawn here, for the logarithm */
+static const double room = 1.4;         /* factor between the outermost points and the axes' ends */
 
 /* A logarithmic axis: from `low` at pixel `start` to `high` at pixel `end`. */
 struct axis {
@@ -66,7 +66,7 @@ static void put_tick_up(const struct axis *x, const struct axis *y, double value
             x->start, at, x->end, at, x->start - 8, at + 4, value);
 }
 
-/* At 1, 2 and 5 times powers of ten. */
+/* Draws ticks at 1, 2 and 5 times powers of ten. */
 static void put_ticks(const struct axis *x, const struct axis *y, FILE *out)
 {
     static const double steps[] = { 1.0, 2.0, 5.0 };
@@ -93,13 +93,13 @@ static void put_frame(const struct axis *x, const struct axis *y, const char *ba
             (y->start + y->end) / 2);
 }
 
-/* Where a word begins or, to the left of its point, ends. */
+/* The position of a label: its start or, if it is to the left of its point, its end. */
 struct label {
     double x, y;
     bool to_the_left;
 };
 
-/* Beside its point, below all words that are in its way. */
+/* Places a label beside its point, below all labels that it would overlap. */
 static struct label place_label(const struct axis *x, double across, double up,
                                 const struct label *others, uint32_t count)
 {
@@ -112,7 +112,7 @@ static struct label place_label(const struct axis *x, double across, double up,
         if (!meets)
             continue;
         label.y = others[i].y + LABEL_HEIGHT;
-        i = UINT32_MAX; /* from the first one again */
+        i = UINT32_MAX; /* checks all labels again */
     }
     return label;
 }

@@ -1,4 +1,4 @@
-/* ladder_sheet.c: the contact sheet, and all pictures as layers of one file. */
+/* ladder_sheet.c: writes the contact sheet, and all pictures as layers of one file. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,12 +11,12 @@
 
 enum {
     COLUMNS = 2, /* of cells */
-    MARGIN = 8,  /* pixels, as are: */
-    LABEL = 330, /* of a label in letters of scale 1: a cell is as wide at least */
-    LETTERS = 2, /* scale of the letters, where cells have room for them */
+    MARGIN = 8,  /* pixels */
+    LABEL = 330, /* width of a label at scale 1, the least width of a cell; pixels */
+    LETTERS = 2, /* scale of the letters in cells that are wide enough */
     GREY = 34,
-    TICKS = 5, /* of the legend */
-    TICK_LENGTH = 8,
+    TICKS = 5,       /* of the legend */
+    TICK_LENGTH = 8, /* pixels */
 };
 
 /* ---- the sheet ---- */
@@ -37,7 +37,7 @@ static uint32_t label_height(const struct ladder *ladder)
     return letter_scale(ladder) * CANVAS_TEXT_HEIGHT + 4;
 }
 
-/* Left top corner of a cell. */
+/* Returns the top left corner of a cell. */
 static void place(const struct ladder *ladder, uint32_t index, uint32_t *x, uint32_t *y)
 {
     *x = MARGIN + index % COLUMNS * (cell_width(ladder) + 2 * MARGIN);
@@ -73,7 +73,7 @@ static bool put_errors(struct canvas *canvas, uint32_t x, uint32_t y, const stru
     return true;
 }
 
-/* What the colours of the errors mean, beside the reference. */
+/* Draws the legend of the errors' colours beside the reference. */
 static void put_legend(struct canvas *canvas, uint32_t x, uint32_t y, const struct ladder *ladder)
 {
     const uint32_t height = ladder->height;
@@ -140,7 +140,7 @@ enum status ladder_sheet(const struct ladder_report *report, void **data, size_t
 
 /* ---- layers ---- */
 
-/* Borrowed texels; a plane's are not const, though nothing writes to them. */
+/* Adds a plane with borrowed texels; they are not const in the struct, but are not written to. */
 static void add_plane(struct image *image, const char *layer, const char *name,
                       float *texels) /* NOLINT(readability-non-const-parameter) */
 {

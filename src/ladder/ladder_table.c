@@ -1,4 +1,4 @@
-/* ladder_table.c: numbers, as a table and as JSON. */
+/* ladder_table.c: writes the numbers as a table and as JSON. */
 #include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
@@ -38,7 +38,7 @@ static void print_head(const struct ladder_report *report, FILE *out)
         fprintf(out, "device     %s\n", report->device);
 }
 
-/* ratio: cost beside ladder_base()'s */
+/* `ratio` is the cost relative to ladder_base(). */
 static void print_row(const char *name, const struct ladder_error *e, double ms, double ratio,
                       FILE *out)
 {
@@ -94,7 +94,7 @@ void ladder_table(const struct ladder_report *report, FILE *out)
 
 /* ---- JSON ---- */
 
-/* JSON knows no NaN. */
+/* Numbers that are not finite become null, because JSON lacks them. */
 static bool put_number(json_t *object, const char *key, double number)
 {
     return !json_object_set_new(object, key, isfinite(number) ? json_real(number) : json_null());
@@ -105,7 +105,7 @@ static bool put_count(json_t *object, const char *key, uint64_t count)
     return !json_object_set_new(object, key, json_integer((json_int_t)count));
 }
 
-/* Names of files need not be UTF-8. */
+/* Replaces bytes that are not UTF-8, which names of files may have. */
 static bool put_text(json_t *object, const char *key, const char *text)
 {
     char *clean = NULL;

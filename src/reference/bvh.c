@@ -4,21 +4,21 @@
 #include <string.h>
 #include "src/base/log.h"
 
-/* Embree hands the context of a ray on to the filters. */
+/* Embree passes the context of a ray on to the filters. */
 struct context {
     struct RTCIntersectContext embree;
     const struct bvh_ray *ray;
 };
 
-/* Bytes that a triangle takes while the tree is built: 110 to 130 measured with Embree 3.13, more
- * where it splits large ones. */
+/* Bytes per triangle while the tree is built: 110 to 130 were measured with Embree 3.13, more where
+ * it splits large triangles. */
 enum {
     TRIANGLE_SIZE = 256
 };
 
 /* ---- filters ---- */
 
-/* rtcIntersect1() alone is called, so that it is always one. */
+/* Returns the hit; there is always one, because only rtcIntersect1() is called. */
 static const struct RTCHit *hit_of(const struct RTCFilterFunctionNArguments *args)
 {
     return (const struct RTCHit *)(const void *)args->hit;
@@ -36,7 +36,7 @@ static void filter_object(const struct RTCFilterFunctionNArguments *args)
 
 static struct mesh_vertex blended(const struct bvh_part *part, uint32_t triangle, float u, float v);
 
-/* Only of meshes with cut-out materials. */
+/* Rejects hits in holes; set only for meshes with cut-out materials. */
 static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
 {
     const struct bvh *bvh = args->geometryUserPtr;
@@ -66,7 +66,7 @@ static mat4s pose(const struct bvh *bvh, const struct bvh_part *part, uint32_t m
     return material & MESH_MOVES ? bvh->radiance->globals->world_from_movers : glms_mat4_identity();
 }
 
-/* False when memory is short. */
+/* Adds a part to the scene. Returns false when out of memory. */
 static bool add_part(struct bvh *bvh, RTCDevice device, uint32_t index)
 {
     struct bvh_part *part = &bvh->parts[index];
@@ -98,7 +98,7 @@ static bool add_part(struct bvh *bvh, RTCDevice device, uint32_t index)
     return done;
 }
 
-/* Before anything is allocated: a machine that swaps is of no use. */
+/* Checks the memory before any allocation, so that the machine does not swap. */
 static enum status check_size(const struct bvh *bvh, uint64_t memory)
 {
     uint64_t triangles = 0;
@@ -124,7 +124,7 @@ enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *r
     enum status status = check_size(bvh, memory);
     if (status != STATUS_OK)
         goto fail;
-    rtcGetDeviceError(device); /* forget an earlier one */
+    rtcGetDeviceError(device); /* clears earlier errors */
     bvh->scene = rtcNewScene(device);
     rtcSetSceneFlags(bvh->scene, RTC_SCENE_FLAG_ROBUST); /* no gaps between triangles */
     rtcSetSceneBuildQuality(bvh->scene, RTC_BUILD_QUALITY_HIGH);
@@ -149,9 +149,9 @@ void bvh_finish(struct bvh *bvh)
     *bvh = (struct bvh){ 0 };
 }
 
-/* ---- meeting ---- */
+/* ---- intersection ---- */
 
-/* a + s b, in double */
+/* Adds s b to a sum, in double. */
 static void add_scaled(double sum[static 3], double s, vec3s b)
 {
     for (int k = 0; k < 3; k++)
@@ -163,7 +163,7 @@ static vec3s rounded(const double v[static 3])
     return (vec3s){ { (float)v[0], (float)v[1], (float)v[2] } };
 }
 
-/* As in the mesh but for the position, which is in the world. */
+/* Interpolates the vertices of a triangle; only the position is transformed to the world. */
 static struct mesh_vertex blended(const struct bvh_part *part, uint32_t triangle, float u, float v)
 {
     const uint32_t *corners = &part->mesh->indices[(size_t)triangle * 3];

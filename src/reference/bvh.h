@@ -1,11 +1,11 @@
 /*
- * bvh.h: the scene's triangles at one time, and what a ray meets first, by Embree.
+ * bvh.h: intersects rays with the scene's triangles at one time, by Embree.
  *
- * A ray outside the object meets its front faces alone, and one inside its back faces alone: a
- * surface is never met again at the place where a ray begins, and walls inside do not count. Holes
- * of cut-out materials are no surface.
+ * A ray outside the object intersects only its front faces, and a ray inside only its back faces:
+ * so a ray never intersects the surface on which it begins, and inner walls are ignored. Holes of
+ * cut-out materials are not intersected.
  *
- * Threads: bvh_meet() from any number at once.
+ * Thread-safety: several threads may call bvh_meet() at the same time.
  */
 #ifndef FIRN_REFERENCE_BVH_H
 #define FIRN_REFERENCE_BVH_H
@@ -20,43 +20,43 @@ enum {
     BVH_PART_COUNT,
 };
 
-#define BVH_NOWHERE UINT32_MAX /* bvh_ray.from: of no triangle */
+#define BVH_NOWHERE UINT32_MAX /* bvh_ray.from: the ray begins on no triangle */
 
 struct bvh_ray {
     vec3s origin, dir; /* dir is unit */
-    float near;        /* metres; what is nearer is not met */
-    bool is_inside;    /* of the object */
-    uint32_t from;     /* the object's triangle on which it begins */
+    float near;        /* metres; nearer surfaces are ignored */
+    bool is_inside;    /* the ray begins inside the object */
+    uint32_t from;     /* the object's triangle on which it begins, or BVH_NOWHERE */
 };
 
 struct bvh_hit {
     uint32_t part;              /* BVH_OBJECT ... */
     uint32_t triangle;          /* of the part's mesh */
     float distance;             /* metres */
-    vec3s facet;                /* unit normal of the triangle as it is wound */
-    struct mesh_vertex surface; /* the corners blended, in the world; the normal unit */
+    vec3s facet;                /* unit normal of the triangle, by its winding */
+    struct mesh_vertex surface; /* interpolated vertices in the world; the normal is unit */
 };
 
-/* The scene with its triangles; {0} until bvh_init(). */
+/* The hierarchy of a scene; {0} until bvh_init(). */
 struct bvh {
     RTCScene scene;
     const struct radiance *radiance;
 
     struct bvh_part {
         const struct mesh *mesh;
-        const vec3s *positions; /* in the world; the scene owns them */
+        const vec3s *positions; /* in the world; owned by Embree's scene */
     } parts[BVH_PART_COUNT];
 };
 
 /*
- * `radiance` is borrowed. `memory` is what it may take, in bytes: a scene that would need more is
- * refused before it is built. Logs: STATUS_TRY_AGAIN; *bvh is then {0}.
+ * Builds the hierarchy. `radiance` is borrowed. `memory` is a limit in bytes: a scene that would
+ * need more is refused before it is built. Logs and returns STATUS_TRY_AGAIN; *bvh is then {0}.
  */
 MUST_USE enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *radiance,
                               uint64_t memory);
 void bvh_finish(struct bvh *bvh);
 
-/* False where there is nothing on its way. */
+/* Finds the first intersection of a ray; returns false if there is none. */
 bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *hit);
 
 #endif

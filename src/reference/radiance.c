@@ -1,4 +1,4 @@
-/* radiance.c: sky, environment picture, matt surfaces and their textures. */
+/* radiance.c: radiance of sky, environment image, matt surfaces and their textures. */
 #include "src/reference/radiance.h"
 #include <math.h>
 #include "shaders/background.h"
@@ -14,9 +14,9 @@ struct radiance radiance_of(const struct scene *scene, const struct globals *glo
     return radiance;
 }
 
-/* ---- pictures ---- */
+/* ---- textures ---- */
 
-/* The two texels around a coordinate, and how much of the second. */
+/* The two texels around a coordinate, and the weight of the second one. */
 struct pair {
     uint32_t first, second;
     float share;

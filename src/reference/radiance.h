@@ -1,8 +1,8 @@
 /*
- * radiance.h: what lies around the object, as background.c draws it, ray by ray.
+ * radiance.h: radiance of the object's surroundings along a ray, as background.c draws them.
  *
- * Formulas and constants are those of shaders/sky.h and shaders/background.h. Pictures are looked
- * up between their four nearest texels; nothing but samples smooths them.
+ * Formulas and constants are those of shaders/sky.h and shaders/background.h. Textures are filtered
+ * bilinearly; only the samples of a pixel antialias them.
  */
 #ifndef FIRN_REFERENCE_RADIANCE_H
 #define FIRN_REFERENCE_RADIANCE_H
@@ -12,20 +12,20 @@
 
 struct radiance {
     const struct scene *scene;     /* borrowed */
-    const struct globals *globals; /* the same */
-    float linear[256];             /* of the textures' bytes */
+    const struct globals *globals; /* borrowed */
+    float linear[256];             /* linear values of the textures' bytes */
 };
 
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals);
 
-/* Linear texel of a material's texture; white where it has none. */
+/* Returns the linear texel of a material's texture, or white if it has none. */
 vec4s radiance_texel(const struct radiance *radiance, uint32_t material, vec2s uv);
 
-/* Radiance from infinitely far away; `dir` is unit. */
+/* Returns the radiance of the sky, environment or background colour; `dir` is unit. */
 vec3s radiance_sky(const struct radiance *radiance, vec3s dir);
 
-/* Radiance of the surroundings' surface that a ray along `dir` meets: its vertices blended, its
- * normal (unit, of either side) as it stands in the world. */
+/* Returns the radiance of a surface of the surroundings that a ray along `dir` intersects.
+ * `surface` has the interpolated vertices, with a unit normal of either side in the world. */
 vec3s radiance_surface(const struct radiance *radiance, const struct mesh_vertex *surface,
                        vec3s dir);
 

@@ -1,4 +1,4 @@
-/* reference.c: tiles of a picture, traced by many threads. */
+/* reference.c: traces the tiles of a picture with many threads. */
 #include "src/reference/reference.h"
 #include <math.h>
 #include <pthread.h>
@@ -28,14 +28,14 @@ struct reference {
     char device_name[32];
 };
 
-/* A plane that is filled, and what with. */
+/* A plane of the image, and the value that it receives. */
 struct plane {
     float *texels;
     size_t seen_index;
-    bool mean; /* of the samples; else that at the pixel's centre */
+    bool mean; /* the mean of all samples, else sample 0, the pixel's centre */
 };
 
-/* A picture at work; the threads share it. */
+/* A picture in progress, shared by the threads. */
 struct job {
     const struct reference *reference;
     struct radiance radiance;
@@ -50,7 +50,7 @@ struct job {
     atomic_bool is_stopped;
 };
 
-/* ---- life ---- */
+/* ---- creation ---- */
 
 bool reference_is_built(void)
 {
@@ -143,7 +143,7 @@ static uint32_t least(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* False when there is none left, or it is stopped. */
+/* Traces the next tile. Returns false if there is none left, or the picture is stopped. */
 static bool trace_tile(struct job *job)
 {
     const struct reference_request *request = &job->reference->request;
@@ -176,7 +176,8 @@ static uint32_t thread_count(const struct reference_request *request)
     return least(wanted, THREAD_COUNT_MAX);
 }
 
-/* This thread works too, and tells how far all are. Those that cannot be had are not missed. */
+/* Traces all tiles. The calling thread traces, too, and reports the progress of all threads; if
+ * threads cannot be created, there are fewer. */
 static enum status run(struct job *job, renderer_progress_fn *progress, void *user)
 {
     pthread_t threads[THREAD_COUNT_MAX];
@@ -195,7 +196,7 @@ static enum status run(struct job *job, renderer_progress_fn *progress, void *us
 
 /* ---- a picture ---- */
 
-/* False when memory is short. */
+/* Adds the planes of a layer. Returns false when out of memory. */
 static bool add_layer(struct job *job, struct image *image, const struct frame_layer *layer)
 {
     if (!accumulate_add_planes(image, layer))
@@ -279,7 +280,7 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     return status;
 }
 
-/* The picture as PNG files show it, or NULL. */
+/* Returns the tonemapped picture, or NULL when out of memory. */
 static uint8_t *make_display(const struct job *job, const struct image *image)
 {
     const struct tonemap_params *params =

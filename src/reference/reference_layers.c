@@ -1,4 +1,4 @@
-/* reference_layers.c: the reference as a rung, and its layers. In every build. */
+/* reference_layers.c: the layers of the reference, also in builds without Embree. */
 #include "src/reference/reference_layers.h"
 #include <stdio.h>
 #include <string.h>

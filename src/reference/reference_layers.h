@@ -1,4 +1,4 @@
-/* reference_layers.h: what a traced ray gives, and which planes of a picture take it. */
+/* reference_layers.h: the values of a traced ray, and the planes of a picture that receive them. */
 #ifndef FIRN_REFERENCE_LAYERS_H
 #define FIRN_REFERENCE_LAYERS_H
 
@@ -6,24 +6,26 @@
 #include "src/frame/layers.h"
 #include "src/settings/settings.h"
 
-/* What a ray from the eye sees, all of float; zeros where there is nothing. */
+/* The values of a ray from the eye, all of them floats; 0 without a surface. */
 struct reference_seen {
     vec3s color; /* linear radiance */
     float alpha; /* 1 */
-    float z;     /* distance along the view's axis; GBUFFER_NOTHING: no surface */
+    float z;     /* distance along the view's axis, metres; GBUFFER_NOTHING: no surface */
     vec3s normal, position;
-    vec3s exit;                   /* of light that is refracted wherever it can be: ... */
-    float path, bounces, tir;     /* ... length, total reflections, whether the first meets one */
-    vec3s refraction, reflection; /* radiance of both branches */
-    float fresnel;                /* weight of the reflection (of green, with dispersion) */
-    vec3s remaining;              /* weight of what was not followed to its end */
+    /* Of the path that is refracted wherever that is possible: direction of its exit, length inside
+     * the object in metres, number of total reflections, 1 if its first inner surface has one. */
+    vec3s exit;
+    float path, bounces, tir;
+    vec3s refraction, reflection; /* radiance of both branches at the first surface */
+    float fresnel;                /* weight of the reflection (with dispersion, of green) */
+    vec3s remaining;              /* weight of rays that were terminated */
 };
 
 enum {
     REFERENCE_SEEN_COUNT = sizeof(struct reference_seen) / sizeof(float)
 };
 
-/* Which of the floats a plane takes; REFERENCE_SEEN_COUNT: none. */
+/* Returns the index of the float that a plane receives, or REFERENCE_SEEN_COUNT. */
 size_t reference_layers_find(const char *plane);
 
 /* Whether a layer is one that the reference makes. */

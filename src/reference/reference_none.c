@@ -1,4 +1,4 @@
-/* reference_none.c: in place of reference.c where there is no Embree. */
+/* reference_none.c: replaces reference.c in builds without Embree. */
 #include "src/base/log.h"
 #include "src/reference/reference.h"
 

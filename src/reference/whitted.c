@@ -1,27 +1,27 @@
 /*
- * whitted.c: branches of light.
+ * whitted.c: traces the branches of a ray.
  *
  * Fresnel's equations for unpolarised light (Born and Wolf, Principles of Optics, 1.5.2), Snell's
- * law, Beer and Lambert's law for the way inside. In double where differences of nearly equal
- * numbers are taken.
+ * law, and the law of Beer and Lambert on the path inside. Differences of nearly equal numbers are
+ * computed in double.
  */
 #include "src/reference/whitted.h"
 #include <math.h>
 #include "src/tech/gbuffer.h"
 
-/* What becomes of light at the object's surface. */
+/* Reflection and refraction at the object's surface. */
 struct parting {
-    float fresnel; /* share of the reflected; 1: all of it */
+    float fresnel; /* reflectance; 1: total reflection */
     vec3s reflected, refracted;
 };
 
 struct branch {
     struct bvh_ray ray;
     vec3s weight;
-    uint32_t bounces; /* surfaces it has met */
+    uint32_t bounces; /* surfaces that it has met */
 };
 
-/* Light gathered from branches, and the weight of those cut off. */
+/* The light of all branches, and the weight of those that were terminated. */
 struct sum {
     vec3s light, remaining;
 };
@@ -33,7 +33,7 @@ static double dot(vec3s a, vec3s b)
     return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
 }
 
-/* a d + b n, made unit */
+/* Returns a d + b n, normalised. */
 static vec3s combined(double a, vec3s d, double b, vec3s n)
 {
     double v[3];
@@ -46,7 +46,8 @@ static vec3s combined(double a, vec3s d, double b, vec3s n)
     return (vec3s){ { (float)(v[0] * scale), (float)(v[1] * scale), (float)(v[2] * scale) } };
 }
 
-/* `n` faces the light; eta: index of the side it comes from over that of the other. */
+/* Computes both directions and the reflectance. `n` faces the incident side; `eta` is the index of
+ * the incident side over that of the other. */
 static struct parting part_at(vec3s d, vec3s n, double eta)
 {
     const double ci = fmin(-dot(d, n), 1.0);
@@ -97,7 +98,7 @@ static vec3s absorbed(const struct whitted *whitted, vec3s weight, float length)
     return weight;
 }
 
-/* Puts a branch on the stack, or its weight to the rest. */
+/* Pushes a branch, or adds its weight to `remaining` if it is terminated. */
 static void grow(const struct whitted *whitted, struct branch *stack, uint32_t *count,
                  struct branch branch, struct sum *sum)
 {
@@ -115,7 +116,7 @@ static vec3s surroundings_seen(const struct whitted *whitted, const struct bvh_r
                : radiance_sky(whitted->radiance, ray->dir);
 }
 
-/* Follows a branch and all that grow from it. Depth first: of each two one waits on the stack. */
+/* Traces a branch and its descendants, depth first: one of each two waits on the stack. */
 static void follow(const struct whitted *whitted, struct branch first, uint32_t channel,
                    struct sum *sum)
 {
@@ -153,7 +154,7 @@ static void follow(const struct whitted *whitted, struct branch first, uint32_t 
 
 /* ---- layers ---- */
 
-/* Light that is refracted wherever it can be, from its entry to where it first leaves. */
+/* Traces the path that is refracted wherever that is possible, from its entry to its first exit. */
 static void follow_straight(const struct whitted *whitted, struct bvh_ray ray,
                             struct reference_seen *seen)
 {
@@ -173,10 +174,11 @@ static void follow_straight(const struct whitted *whitted, struct bvh_ray ray,
     seen->exit = ray.dir;
     seen->path = length;
     seen->bounces = (float)bounces;
-    seen->tir = bounces ? 1.0f : 0.0f; /* it leaves where it first can */
+    seen->tir =
+        bounces ? 1.0f : 0.0f; /* without total reflection it leaves at the first inner surface */
 }
 
-/* One channel, or all of them if `channels` is 1, 1, 1. */
+/* Traces one channel, or all of them if `channels` is 1, 1, 1. */
 static void look_at_object(const struct whitted *whitted, const struct bvh_ray *ray,
                            const struct bvh_hit *hit, uint32_t channel, vec3s channels,
                            struct reference_seen *seen)
