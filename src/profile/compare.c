@@ -1,4 +1,4 @@
-/* compare.c: two profiles side by side. */
+/* compare.c: compares two profiles. */
 #include "src/profile/compare.h"
 #include <inttypes.h>
 #include <math.h>
@@ -20,7 +20,7 @@ static const double level = 0.01;
 /* A line of the table; one of both samples may be missing. */
 struct pair {
     char name[PROFILE_TABLE_ROW_NAME_SIZE];
-    double *base, *now; /* ascending; own; NULL: there are none */
+    double *base, *now; /* ascending; owned; NULL: the profile has no such line */
     struct profile_ratio ratio;
     double p; /* adjusted */
 };
@@ -120,7 +120,7 @@ static const struct profile_table_row *find_line(const struct profile_table_rows
     return NULL;
 }
 
-/* What is there now, in its order; then what is gone; then the frame. */
+/* Adds the lines of `now` in their order, then those that only `base` has, then the frame. */
 static bool add_pairs(struct comparison *c, const struct profile_table_rows *base,
                       const struct profile_table_rows *now, bool each)
 {
@@ -172,7 +172,7 @@ static double median_of(const double *samples, const struct profile *p)
     return profile_quantile(samples, p->run_count, 0.5);
 }
 
-/* -1: faster, 0: not beyond the noise, 1: slower */
+/* Returns -1 for faster, 0 for a difference within the noise, 1 for slower. */
 static int judge(const struct pair *pair, const struct comparison *c)
 {
     if (!pair->base || !pair->now || pair->p > level)
@@ -223,7 +223,7 @@ static void print_pair(const struct pair *pair, const struct comparison *c, int 
     fprintf(out, " %8.2g  %s\n", pair->p, verdicts[1 + judge(pair, c)]);
 }
 
-/* With few runs even the greatest difference may be by chance. */
+/* Warns about too few runs, with which no difference can be significant. */
 static void print_least(const struct comparison *c, FILE *out)
 {
     char words[WORDS_SIZE];

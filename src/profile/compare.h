@@ -1,4 +1,4 @@
-/* compare.h: two profiles side by side, and whether they differ by more than the noise. */
+/* compare.h: compares two profiles, and tests which differences exceed the noise. */
 #ifndef FIRN_PROFILE_COMPARE_H
 #define FIRN_PROFILE_COMPARE_H
 
@@ -8,9 +8,10 @@
 
 /*
  * Writes a table of PROFILE_COLUMNS columns: medians, ratio, and a verdict by the Mann-Whitney test
- * at 1 %, after Holm's correction for as many tests. Passes go by their names, and, if `each`, by
- * their repetitions, which are else added up. Says what differs in the conditions: device, size,
- * clock, settings and so on. *is_slower (may be NULL): a pass or the frame is, beyond the noise.
+ * at 1 %, with Holm's correction for the number of tests. Passes are matched by name and, if
+ * `each`, by repetition; otherwise repetitions are added up. Also writes which conditions differ:
+ * device, size, clock, settings and so on. *is_slower (may be NULL) becomes true if a pass or the
+ * frame is slower beyond the noise. Logs and returns STATUS_TRY_AGAIN when out of memory.
  */
 MUST_USE enum status profile_compare(const struct profile *base, const struct profile *now,
                                      bool each, FILE *out, bool *is_slower);

@@ -1,4 +1,4 @@
-/* csv.c: samples as comma-separated values. */
+/* csv.c: writes samples as comma-separated values. */
 #include "src/profile/csv.h"
 #include <inttypes.h>
 #include <locale.h>

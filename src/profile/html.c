@@ -1,4 +1,4 @@
-/* html.c: the page's text with the data in it. */
+/* html.c: inserts the data into the page's text. */
 #include "src/profile/html.h"
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,8 @@ static char *put(char *at, const char *text, size_t size)
     return at + size;
 }
 
-/* In JSON a '<' is always within a string, where it may end the element: "</script>", "<!--". */
+/* Escapes '<', which occurs in JSON only in strings, because "</script>" or "<!--" would end the
+ * element. */
 static char *put_data(char *at, const char *json)
 {
     for (; *json; json++)
@@ -28,7 +29,7 @@ static char *put_data(char *at, const char *json)
     return at;
 }
 
-/* The page with its data in place; NULL if memory is short. */
+/* Returns the page with its data, or NULL when out of memory. */
 static char *fill_page(const char *const data[static PAGE_PART_COUNT - 1], size_t *size)
 {
     *size = page_parts[0].size;

@@ -1,8 +1,9 @@
 /*
- * json.h: a profile as JSON: all that struct profile holds. docs/profile.md names the keys.
+ * json.h: writes and reads profiles as JSON with all of struct profile. docs/profile.md describes
+ * the keys.
  *
- * Numbers have as many digits as it takes: what was read is written again byte by byte. Bytes that
- * are no UTF-8 (a file's name may hold any) are written as '?'.
+ * Numbers have full precision: a profile that was read is written again byte by byte. Bytes that
+ * are not UTF-8, which a file's name may have, are written as '?'.
  */
 #ifndef FIRN_PROFILE_JSON_H
 #define FIRN_PROFILE_JSON_H
@@ -10,14 +11,15 @@
 #include <stddef.h>
 #include "src/profile/profile.h"
 
-/* *text ends in a newline and a 0 that *size does not count; free() it. On failure (memory) it is
- * NULL. To put it into a page, write every '<' as \u003c: strings may hold "</script>". */
+/* Writes a profile to *text, which the caller frees; it ends in a newline and a 0 that *size does
+ * not count. Logs and returns STATUS_TRY_AGAIN when out of memory; *text is then NULL. In a page
+ * every '<' must be written as \u003c, because strings may have "</script>". */
 MUST_USE enum status profile_write_json(const struct profile *profile, char **text, size_t *size);
 
 /*
- * Reads what profile_write_json() wrote; `summary` and `overhead` are derived and not looked at.
- * The file is not trusted: what is missing, of another type, out of range or in another number
- * than it says is STATUS_DATA. On failure *profile is {0}.
+ * Reads a file of profile_write_json(); `summary` and `overhead` are derived and therefore ignored.
+ * The file is not trusted: missing keys, other types, values out of range and wrong counts are a
+ * logged STATUS_DATA. On failure *profile is {0}.
  */
 MUST_USE enum status profile_read_json(const char *path, struct profile *profile);
 

@@ -1,5 +1,5 @@
-/* json_fields.h: which fields of a profile are which keys: one table for writing and for reading.
- * Shared by the files of json.h. */
+/* json_fields.h: the table of a profile's JSON keys, for writing and reading; shared by the files
+ * behind json.h. */
 #ifndef FIRN_PROFILE_JSON_FIELDS_H
 #define FIRN_PROFILE_JSON_FIELDS_H
 
@@ -8,9 +8,8 @@
 
 enum {
     PROFILE_JSON_FORMAT = 1,
-    /* of numbers: */
-    PROFILE_JSON_DIGITS = 17, /* no bit is lost */
-    PROFILE_TRACE_DIGITS = 15 /* microseconds: three decimals up to 11 days */
+    PROFILE_JSON_DIGITS = 17, /* digits of numbers; enough for all bits of a double */
+    PROFILE_TRACE_DIGITS = 15 /* digits of microseconds; three decimals up to 11 days */
 };
 
 enum profile_field_kind {
@@ -34,24 +33,25 @@ struct profile_fields {
     uint32_t count;
 };
 
-/* The scalars and strings of each struct, in the order of the file. */
+/* The numbers and strings of each struct, in the order of the file. */
 extern const struct profile_fields profile_fields, profile_setting_fields, profile_resident_fields,
     profile_row_fields;
 
 extern const char *const profile_kind_names[PROFILE_KIND_COUNT];
 
-/* Adds all of a profile that docs/profile.md names, but `format` and `type`; without samples also
- * without `settings` and `residents`. False when memory is short. */
+/* Adds all keys of docs/profile.md, except for `format` and `type`; without samples also without
+ * `settings` and `residents`. Returns false when out of memory. */
 bool profile_json_add_all(json_t *json, const struct profile *profile, bool with_samples);
 
-/* Puts a new value at a key, or at the end of an array where key is NULL; NULL if one of them is,
- * or memory is short. */
+/* Moves a new value to a key of an object or, if `key` is NULL, to the end of an array, and returns
+ * it. Returns NULL if `json` or `value` is NULL or when out of memory. */
 json_t *profile_json_put(json_t *json, const char *key, json_t *value);
 
-/* UTF-8 in which what is none is '?'. */
+/* Returns a string in which bytes that are not UTF-8 are '?'. */
 json_t *profile_json_string(const char *text);
 
-/* The text of a whole value, with a newline; logs when memory is short. Frees the value, if any. */
+/* Writes a value, with a newline, to *text, which the caller frees, and releases the value, which
+ * may be NULL. If `is_whole` is false or memory is short, logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status profile_json_end(json_t *root, bool is_whole, size_t digits, char **text,
                                       size_t *size);
 

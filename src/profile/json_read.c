@@ -1,4 +1,4 @@
-/* json_read.c: profiles from JSON that is not trusted. */
+/* json_read.c: reads profiles from untrusted JSON. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -10,14 +10,14 @@
 #include "src/profile/json_fields.h"
 
 enum {
-    MAX_FILE_SIZE = 64 * 1024 * 1024, /* jansson takes some 20 times that for it */
+    MAX_FILE_SIZE = 64 * 1024 * 1024, /* jansson needs about 20 times that memory */
     PLACE_SIZE = 64
 };
 
 static const double max_number =
-    1e8; /* 27 hours in ms; so that no sum is infinite, and tables keep their width */
+    1e8; /* 27 hours in ms: no sum is infinite, and tables keep their width */
 
-/* Where the reader is, for messages: "rows[3]", "" at the top. */
+/* The file, and the reader's place in it for messages: "rows[3]", or "" at the top. */
 struct reader {
     const char *path;
     char place[PLACE_SIZE];
@@ -40,7 +40,7 @@ static bool is_number(const json_t *value)
     return json_is_number(value) && fabs(json_number_value(value)) <= max_number;
 }
 
-/* What is wrong with a value for a field, or NULL. */
+/* Returns what is wrong with a value for a field, or NULL. */
 static const char *find_fault(const struct profile_field *field, const json_t *value)
 {
     const json_int_t most = field->kind == PROFILE_FIELD_U32 ? UINT32_MAX : INT64_MAX;
@@ -79,7 +79,8 @@ static bool find_kind(const char *name, enum profile_kind *kind)
     return false;
 }
 
-/* A value of the right type. False: no such kind of row, or no memory. */
+/* Sets a field to a value of the right type. Returns false for an unknown kind of row or when out
+ * of memory. */
 static bool set_value(const struct profile_field *field, const json_t *value, void *object)
 {
     void *at = (char *)object + field->offset;
@@ -128,7 +129,7 @@ static enum status read_fields(const struct reader *reader, const json_t *json,
     return STATUS_OK;
 }
 
-/* An array of `count` numbers; `samples` is where they go. */
+/* Reads an array of `count` numbers into `samples`. */
 static enum status read_samples(const struct reader *reader, const json_t *json, const char *key,
                                 double *samples, uint32_t count)
 {
@@ -146,7 +147,7 @@ static enum status read_samples(const struct reader *reader, const json_t *json,
     return STATUS_OK;
 }
 
-/* An array of objects, and room for as many. */
+/* Finds an array of objects, and allocates as many elements. */
 static enum status read_array(const struct reader *reader, const json_t *root, const char *key,
                               uint32_t *count, void **elements, size_t element_size)
 {
@@ -194,7 +195,7 @@ static enum status read_residents(struct reader *reader, const json_t *root, str
     return status;
 }
 
-/* Before there is room for them: the file holds the rows and samples that it counts. */
+/* Checks before memory is allocated that the file has as many rows and samples as it says. */
 static enum status check_counts(const struct reader *reader, const json_t *root,
                                 const struct profile *p)
 {
@@ -222,7 +223,7 @@ static enum status read_row(const struct reader *reader, const json_t *json,
                             const struct profile *p, uint32_t index)
 {
     struct profile_row *row = &p->rows[index];
-    const struct profile_row expected = *row; /* of those after the passes */
+    const struct profile_row expected = *row; /* name and kind, of rows after the passes */
     enum status status = read_fields(reader, json, &profile_row_fields, row);
     if (status == STATUS_OK)
         status = read_samples(reader, json, "ms", row->ms, p->run_count);
@@ -242,7 +243,7 @@ static enum status read_row(const struct reader *reader, const json_t *json,
                        "is out of order: expected record, submit, unattributed at the end");
 }
 
-/* Rows add up to their frame, but for the last digits. */
+/* Checks that the rows of each run add up to its frame, apart from rounding. */
 static enum status check_sums(const struct reader *reader, const struct profile *p)
 {
     for (uint32_t run = 0; run < p->run_count; run++) {
@@ -286,7 +287,7 @@ static enum status read_rows(struct reader *reader, const json_t *root, struct p
     return status == STATUS_OK ? check_sums(reader, p) : status;
 }
 
-/* Says on its own line what a file is that is no profile of this format. */
+/* Checks the type and format of the file, and logs another one. */
 static enum status check_type(const struct reader *reader, const json_t *root)
 {
     const char *type = json_string_value(json_object_get(root, "type"));

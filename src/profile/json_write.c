@@ -1,4 +1,4 @@
-/* json_write.c: profiles as JSON. */
+/* json_write.c: writes profiles as JSON. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -8,7 +8,7 @@
 #include "src/profile/table_rows.h"
 #include "src/profile/text.h"
 
-/* key, offset and size of a field */
+/* The key, offset and size of a field. */
 #define AT(object, name) #name, offsetof(struct object, name), sizeof(((struct object *)0)->name)
 #define FIELDS(table) \
     { \
@@ -87,7 +87,7 @@ const char *const profile_kind_names[PROFILE_KIND_COUNT] = {
 
 json_t *profile_json_put(json_t *json, const char *key, json_t *value)
 {
-    /* jansson takes NULL for either, and the value even where it fails */
+    /* jansson accepts NULL for either, and releases the value on failure. */
     const int result =
         key ? json_object_set_new(json, key, value) : json_array_append_new(json, value);
     return result == 0 ? value : NULL;

@@ -1,4 +1,4 @@
-/* measure.c: the runs behind a profile. */
+/* measure.c: measures the runs of a profile. */
 #include "src/profile/measure.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,7 +22,7 @@ static double ms(uint64_t ns)
     return (double)ns * 1e-6;
 }
 
-/* ---- what a plan says ---- */
+/* ---- data of the plan ---- */
 
 static uint64_t target_size(const struct rg_plan *plan, const struct rg_plan_pass *pass,
                             const struct rg_plan_target *target)
@@ -102,13 +102,13 @@ static enum status describe_memory(struct profile *p, const struct rg_plan *plan
     return STATUS_OK;
 }
 
-/* ---- what the machine says ---- */
+/* ---- data of the machine ---- */
 
 static void describe_host(char *text, size_t size)
 {
     char line[256];
     char model[192] = "a processor";
-    FILE *file = fopen("/proc/cpuinfo", "r"); /* Linux; elsewhere it has no name */
+    FILE *file = fopen("/proc/cpuinfo", "r"); /* exists on Linux only */
     while (file && fgets(line, sizeof(line), file)) {
         if (sscanf(line, "model name : %191[^\n]", model) == 1)
             break;
@@ -184,7 +184,7 @@ static void keep_counts(struct profile *p, const struct rg_times *times)
     }
 }
 
-/* Which of the two frames comes first changes, so that neither always finds warmer caches. */
+/* The order of the two frames alternates, so that neither always has warmer caches. */
 static enum status run_once(struct measure *m, uint32_t index)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
@@ -208,7 +208,7 @@ static enum status run_once(struct measure *m, uint32_t index)
     return status;
 }
 
-/* A frame like those of the runs. */
+/* Captures one frame, drawn as in the runs. */
 static enum status capture(struct measure *m)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };

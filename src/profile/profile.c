@@ -1,4 +1,4 @@
-/* profile.c: a profile's memory. */
+/* profile.c: allocates and frees a profile. */
 #include "src/profile/profile.h"
 #include <stdio.h>
 #include <stdlib.h>

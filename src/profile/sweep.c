@@ -1,4 +1,4 @@
-/* sweep.c: parameters and their values, and how cost grows. */
+/* sweep.c: parameters and their values, and fits of the costs' growth. */
 #include "src/profile/sweep.h"
 #include <ctype.h>
 #include <math.h>
@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/profile/table_rows.h"
 
-static const double least_share = 0.02; /* of a frame, for a fit */
+static const double least_share = 0.02; /* share of a frame below which a row is not fitted */
 
 static enum status usage(const char *text, const char *what)
 {
@@ -20,7 +20,7 @@ static enum status no_memory(void)
     return log_out_of_memory(NULL);
 }
 
-/* What is wrong with a part of the text of this length, or NULL. */
+/* Returns what is wrong with a name or value of this length, or NULL. */
 static const char *find_fault(size_t length)
 {
     if (length == 0)
@@ -34,7 +34,7 @@ static void copy_part(char to[static PROFILE_NAME_SIZE], const char *from, size_
     to[length] = '\0';
 }
 
-/* All values, of which there are as many as commas and one. */
+/* Splits the values, whose number is that of the commas plus one. */
 static const char *split_values(struct profile_parameter *parameter, const char *text)
 {
     for (uint32_t i = 0; i < parameter->value_count; i++) {
@@ -130,7 +130,7 @@ static bool read_size(const char *text, double *pixels)
 static bool read_number(const char *text, double *number)
 {
     char *end = NULL;
-    if (text[strspn(text, "+-.0123456789eE")]) /* strtod() knows more: "inf", "0x10" */
+    if (text[strspn(text, "+-.0123456789eE")]) /* strtod() accepts more: "inf", "0x10" */
         return false;
     *number = strtod(text, &end);
     return end > text && *end == '\0' && isfinite(*number);
@@ -144,11 +144,11 @@ bool profile_sweep_number(const struct profile_sweep *sweep, uint32_t point, uin
                                                                   : read_number(value, number);
 }
 
-/* Of a sweep of one parameter, all numbers. */
+/* The fits of a sweep of one parameter whose values are numbers. */
 struct fitting {
-    struct profile_table_rows *lines; /* one a point */
-    double *x, *used_x, *y;           /* one a point */
-    struct profile_growth *growths;   /* the frame's first */
+    struct profile_table_rows *lines; /* one per point */
+    double *x, *used_x, *y;           /* one per point */
+    struct profile_growth *growths;   /* the first one is of the frame */
     uint32_t count;
 };
 
@@ -160,7 +160,7 @@ static bool has_growth(const struct fitting *fitting, const char *name)
     return false;
 }
 
-/* Everything that is worth a fit, in the order in which the points have it. */
+/* Lists all rows to fit, in the order of the points' rows. */
 static bool name_growths(struct fitting *fitting, uint32_t point_count)
 {
     size_t room = 1;
@@ -183,7 +183,7 @@ static bool name_growths(struct fitting *fitting, uint32_t point_count)
     return true;
 }
 
-/* The median at a point, or NULL: a point does not have it. */
+/* Returns the median of a row at a point, or NULL if the point lacks the row. */
 static const double *find_median(const struct profile_table_rows *lines, const char *name)
 {
     for (uint32_t i = 0; i < lines->count; i++)
@@ -208,7 +208,7 @@ static void fit_growth(const struct fitting *fitting, uint32_t index, uint32_t p
     growth->fit = profile_fit(fitting->used_x, fitting->y, used);
 }
 
-/* Leaves out what cannot be fitted. */
+/* Fits all rows, and removes those that cannot be fitted. */
 static void fit_all(struct fitting *fitting, uint32_t point_count)
 {
     uint32_t kept = 0;

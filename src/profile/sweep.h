@@ -1,8 +1,8 @@
 /*
- * sweep.h: profiles of a frame as one or several parameters change: the points of the product of
- * their values, a table, JSON, and how cost grows.
+ * sweep.h: profiles of a frame for all combinations of several parameters' values, as a table or
+ * JSON, with fits of the costs' growth.
  *
- * Ownership: a sweep owns all, points' profiles, too; {0} and half-built ones are fine.
+ * Ownership: a sweep owns all its data, including the profiles; {0} and half-built ones are fine.
  */
 #ifndef FIRN_PROFILE_SWEEP_H
 #define FIRN_PROFILE_SWEEP_H
@@ -26,45 +26,48 @@ struct profile_parameter {
 struct profile_sweep {
     struct profile_parameter parameters[PROFILE_SWEEP_PARAMETERS];
     uint32_t parameter_count;
-    struct profile *points; /* one for every combination; the last parameter changes fastest */
+    struct profile *points; /* one for each combination; the last parameter changes fastest */
     uint32_t point_count;
 };
 
 /*
- * Adds a parameter, "name=a,b,c", and makes room for the points, all {0}. The name is that of a
- * setting, or "size", but neither is looked at here. STATUS_USAGE, logged: no name or value, a name
- * twice, too many parameters or points, text too long.
+ * Adds a parameter, "name=a,b,c", and allocates the points, all {0}. The name is that of a setting,
+ * or "size"; name and values are not checked here. Logs and returns STATUS_USAGE if there is no
+ * name or value, a name occurs twice, there are too many parameters or points, or a text is too
+ * long.
  */
 MUST_USE enum status profile_sweep_add(struct profile_sweep *sweep, const char *text);
 void profile_sweep_finish(struct profile_sweep *sweep);
 
-/* What a parameter is set to at a point. */
+/* Returns the value of a parameter at a point. */
 const char *profile_sweep_value(const struct profile_sweep *sweep, uint32_t point,
                                 uint32_t parameter);
 
-/* The same as a number: of a size "WxH" its pixels. False if it is none. */
+/* Converts the value of a parameter at a point to a number; a size "WxH" is its pixels. Returns
+ * false if it is no number. */
 bool profile_sweep_number(const struct profile_sweep *sweep, uint32_t point, uint32_t parameter,
                           double *number);
 
-/* How the median of something grows with the parameter. */
+/* The growth of a median with the parameter. */
 struct profile_growth {
-    char name[PROFILE_NAME_SIZE]; /* "frame", or of rows, whose repetitions are added up */
+    char name[PROFILE_NAME_SIZE]; /* "frame", or the name of rows, with repetitions added up */
     struct profile_fit fit;
 };
 
 /*
- * Of the frame and of everything that is more than 2 % of it at some point, from all points that
- * have it, when all have been measured. *growths is to be freed; it is NULL, and *count 0, where
- * there are several parameters, where a value is no number or where nothing can be fitted.
+ * Fits the frame and all rows that are more than 2 % of it at some point, over all points that have
+ * the row. All points must be measured. The caller frees *growths; it is NULL, and *count 0, if
+ * there are several parameters, a value is no number or nothing can be fitted.
  */
 MUST_USE enum status profile_sweep_fit(const struct profile_sweep *sweep,
                                        struct profile_growth **growths, uint32_t *count);
 
-/* A line for every point: parameters, median and sigma of the frame, the passes that cost most; and
- * the fits. In PROFILE_COLUMNS columns. */
+/* Writes a line for every point, with parameters, median and sigma of the frame and the costliest
+ * passes, and the fits, in PROFILE_COLUMNS columns. */
 MUST_USE enum status profile_sweep_table(const struct profile_sweep *sweep, FILE *out);
 
-/* docs/profile.md says what is in it. As profile_write_json(). */
+/* Writes JSON as docs/profile.md describes it. Ownership and errors are those of
+ * profile_write_json(). */
 MUST_USE enum status profile_write_sweep_json(const struct profile_sweep *sweep, char **text,
                                               size_t *size);
 

@@ -1,4 +1,4 @@
-/* sweep_report.c: a sweep as a table and as JSON. */
+/* sweep_report.c: writes a sweep as a table and as JSON. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "src/profile/text.h"
 
 enum {
-    PARAMETERS_COLUMNS = 42, /* of all together, at most */
+    PARAMETERS_COLUMNS = 42, /* of all parameters together, at most */
     TIMES_COLUMNS = 20,
     COSTLIEST_COUNT = 3,
     SHARE_COLUMNS = 8, /* "  ", name, "  64 %" */
@@ -20,10 +20,10 @@ enum {
 
 struct columns {
     uint32_t parameter[PROFILE_SWEEP_PARAMETERS];
-    uint32_t passes; /* what is left for them */
+    uint32_t passes; /* columns that are left for the passes */
 };
 
-/* Bytes, not characters: too wide rather than too narrow. */
+/* Counts bytes, not characters, so that columns may be too wide but not too narrow. */
 static struct columns make_columns(const struct profile_sweep *sweep)
 {
     struct columns columns = { 0 };
@@ -42,7 +42,7 @@ static struct columns make_columns(const struct profile_sweep *sweep)
     return columns;
 }
 
-/* The passes that cost most, in descending order; returns how many there are. */
+/* Finds the costliest passes, in descending order; returns their number. */
 static uint32_t find_costliest(const struct profile_table_rows *lines,
                                const struct profile_table_row *costliest[static COSTLIEST_COUNT])
 {
@@ -58,7 +58,7 @@ static uint32_t find_costliest(const struct profile_table_rows *lines,
     return count;
 }
 
-/* As many as there is room for, the last one's name shortened. */
+/* Prints as many of the costliest passes as fit, with the last one's name shortened. */
 static void print_costliest(const struct profile_table_rows *lines, uint32_t room, FILE *out)
 {
     const struct profile_table_row *costliest[COSTLIEST_COUNT];

@@ -1,4 +1,4 @@
-/* table.c: a profile as a table. */
+/* table.c: prints a profile as a table. */
 #include "src/profile/table.h"
 #include <inttypes.h>
 #include <math.h>
@@ -56,7 +56,7 @@ static void print_times(const struct profile_table_rows *lines, FILE *out)
     print_summary("frame", &lines->frame, lines->frame.mean > 0 ? 1 : 0, decimals, out);
 }
 
-/* 0 is shown as "-": there was nothing to count. */
+/* Prints a count; 0 is "-". */
 static void print_count(uint64_t count, int columns, FILE *out)
 {
     static const char units[] = { 'M', 'G', 'T', 'P', 'E' };
@@ -122,7 +122,7 @@ static double excess(const struct outlier *outlier)
     return fabs(outlier->line->ms[outlier->run] - outlier->line->summary.median);
 }
 
-/* Keeps the worst in descending order; returns how many have come. */
+/* Inserts an outlier into the worst ones, in descending order; returns the number of outliers. */
 static uint32_t add_outlier(struct outlier *worst, uint32_t count, struct outlier outlier)
 {
     uint32_t at = count < MAX_OUTLIERS ? count : MAX_OUTLIERS;
@@ -148,7 +148,7 @@ static void print_outlier(const struct outlier *outlier, FILE *out)
     profile_print_words(words, 2, out);
 }
 
-/* Those that matter: farther from the median than a hundredth of the frame. */
+/* Prints outliers that are farther from their median than a hundredth of the frame. */
 static void print_outliers(const struct profile_table_rows *lines, uint32_t run_count, FILE *out)
 {
     struct outlier worst[MAX_OUTLIERS];

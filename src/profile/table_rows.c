@@ -1,4 +1,4 @@
-/* table_rows.c: a profile as the lines of a table. */
+/* table_rows.c: makes the lines of a profile's table. */
 #include "src/profile/table_rows.h"
 #include <inttypes.h>
 #include <stdio.h>

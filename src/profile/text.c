@@ -1,4 +1,4 @@
-/* text.c: names in tables and in files. */
+/* text.c: text in tables and in files. */
 #include "src/profile/text.h"
 #include <stdbool.h>
 #include <string.h>
@@ -8,7 +8,8 @@ static bool is_within(unsigned char c, unsigned char low, unsigned char high)
     return c >= low && c <= high;
 }
 
-/* Bytes of the character that a text begins with: table 3-7 of the Unicode Standard. 0: none. */
+/* Returns the bytes of the first character (table 3-7 of the Unicode Standard), or 0 if the text
+ * does not begin with UTF-8. */
 static size_t utf8_size(const char *text)
 {
     static const struct {
@@ -45,13 +46,13 @@ void profile_clean_text(char *text)
     }
 }
 
-/* Writes one character that a text begins with, and returns where the next one is. */
+/* Writes the first character of a text, and returns the rest. */
 static const char *print_character(const char *text, FILE *out)
 {
     const size_t size = utf8_size(text);
     const unsigned char first = (unsigned char)text[0];
     const unsigned char second = (unsigned char)(size > 1 ? text[1] : 0);
-    /* C0, delete and C1 */
+    /* The controls are C0, delete and C1. */
     const bool is_control = first < 0x20 || first == 0x7f || (first == 0xc2 && second < 0xa0);
     if (size == 0 || is_control)
         fputc('?', out);

@@ -1,4 +1,4 @@
-/* text.h: names in tables of a fixed width, and in files that must be UTF-8. */
+/* text.h: prints text in tables of a fixed width, and cleans text for files in UTF-8. */
 #ifndef FIRN_PROFILE_TEXT_H
 #define FIRN_PROFILE_TEXT_H
 
@@ -10,15 +10,16 @@ enum {
     PROFILE_COLUMNS = 100 /* of every table */
 };
 
-/* Replaces bytes that are no UTF-8, in place, by '?'. */
+/* Replaces bytes that are not UTF-8, in place, by '?'. */
 void profile_clean_text(char *text);
 
-/* Writes a text and spaces up to `columns`, one column a character; if it is longer, its middle is
- * "…". Control characters, which could steer a terminal, and what is no UTF-8 become '?'. */
+/* Writes a text padded with spaces to `columns`, one column per character; the middle of a longer
+ * text is replaced by "…". Control characters, which could be commands to a terminal, and bytes
+ * that are not UTF-8 become '?'. */
 void profile_print_name(const char *name, uint32_t columns, FILE *out);
 
-/* Writes lines of at most PROFILE_COLUMNS, broken between words where there are any; those after
- * the first begin with `indent` spaces. The last one ends in a newline, too. */
+/* Writes a text in lines of at most PROFILE_COLUMNS, broken between words if possible; lines after
+ * the first one begin with `indent` spaces. Ends with a newline. */
 void profile_print_words(const char *text, uint32_t indent, FILE *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* timestamp_check.c: a frame of known passes, by two clocks. */
+/* timestamp_check.c: measures a frame of known passes with two clocks. */
 #include "src/profile/timestamp_check.h"
 #include <math.h>
 #include <stdio.h>
@@ -9,13 +9,13 @@
 
 enum {
     SIDE = 250, /* no multiple of a rasteriser's blocks */
-    HEAVY = 16, /* times the light passes */
+    HEAVY = 16, /* work of heavy passes over that of light ones */
     GROUP_COUNT = 256,
-    FRAME_COUNT = 3, /* by each clock, of a try */
+    FRAME_COUNT = 3, /* frames per clock and attempt */
     TRY_COUNT = 20,
     FIRST_ROUNDS = 16,
     MOST_ROUNDS = 1 << 22,
-    ENOUGH_MS = 6, /* of a heavy pass: far more than a submit costs */
+    ENOUGH_MS = 6, /* least time of a heavy pass: much more than the cost of a submit */
 };
 
 struct rg_frame {
@@ -113,7 +113,7 @@ static const struct rg_pass passes[TIMESTAMP_CHECK_PASS_COUNT] = {
     },
 };
 
-/* ---- running them ---- */
+/* ---- running the passes ---- */
 
 struct test {
     struct rg_plan *plan;
@@ -201,11 +201,11 @@ static double pass_ms(const struct test *test, uint32_t pass)
     return (double)(time->end - time->begin) * 1e-6;
 }
 
-/* So much work that a heavy pass takes ENOUGH_MS. */
+/* Increases the work until a heavy pass takes ENOUGH_MS. */
 static VkResult find_rounds(struct test *test)
 {
     test->frame.rounds = FIRST_ROUNDS;
-    VkResult result = draw(test, RG_CLOCK_SUBMITS, false); /* shaders are translated */
+    VkResult result = draw(test, RG_CLOCK_SUBMITS, false); /* the driver compiles the shaders */
     while (result == VK_SUCCESS && test->frame.rounds < MOST_ROUNDS / HEAVY) {
         result = draw(test, RG_CLOCK_SUBMITS, false);
         if (result != VK_SUCCESS || pass_ms(test, 0) >= ENOUGH_MS)
@@ -215,8 +215,8 @@ static VkResult find_rounds(struct test *test)
     return result;
 }
 
-/* The least of some frames by either clock, in turn, and of what is known from the tries before:
- * what else runs on the machine only adds. */
+/* Takes the minimum of several frames by either clock, alternately, and of earlier attempts,
+ * because other load only adds time. */
 static VkResult take_least(struct test *test, struct timestamp_check_times *times, bool is_first)
 {
     const enum rg_clock clocks[] = { RG_CLOCK_SUBMITS, RG_CLOCK_EXACT };
@@ -250,8 +250,8 @@ double timestamp_check_error(const struct timestamp_check_times *times)
     return worst;
 }
 
-/* What else runs on the machine passes, what a driver does wrong stays: so there are more tries
- * until both clocks agree, and mostly the first one does. */
+/* Repeats the test until both clocks agree, at most TRY_COUNT times: other load is temporary,
+ * errors of a driver are not. Usually the first attempt suffices. */
 static VkResult judge(struct test *test, struct profile_clock *clock)
 {
     struct timestamp_check_times times = { 0 };

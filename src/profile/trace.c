@@ -1,4 +1,4 @@
-/* trace.c: a profile as a Chrome trace. Times are nanoseconds here, so that sums are exact. */
+/* trace.c: writes a profile as a Chrome trace. Times are nanoseconds, so that sums are exact. */
 #include "src/profile/trace.h"
 #include <inttypes.h>
 #include <math.h>
@@ -21,11 +21,11 @@ struct event {
 
 struct trace {
     const struct profile *profile;
-    uint64_t *alive; /* bytes in use, one a pass */
+    uint64_t *alive; /* bytes of transient memory in use during each pass */
     struct event *events;
     uint64_t count, room;
-    int64_t queue_end; /* of the last pass */
-    bool is_whole;     /* memory was never short */
+    int64_t queue_end; /* end of the last pass */
+    bool is_whole;     /* no allocation has failed */
 };
 
 static int64_t nanoseconds(double ms)
@@ -65,7 +65,7 @@ static json_t *add_event(struct trace *trace, json_t *json, int64_t begin, int64
     return json;
 }
 
-/* Returns the span's end. */
+/* Adds a span and returns its end. */
 static int64_t add_span(struct trace *trace, const char *name, int track, int64_t begin,
                         int64_t duration)
 {
@@ -78,7 +78,7 @@ static void add_counter(struct trace *trace, const char *name, const char *unit,
                         int64_t begin)
 {
     json_t *json = add_event(trace, make_event("C", name, CPU_TRACK), begin, 0);
-    /* takes the value in any case */
+    /* The call releases the value even on failure. */
     trace->is_whole =
         profile_json_put(json_object_get(json, "args"), unit, value) && trace->is_whole;
 }
@@ -93,7 +93,7 @@ static void name_row(const struct profile_row *row, char name[static PROFILE_TAB
     profile_table_row_name(&(struct profile_table_row){ .row = row, .row_count = 1 }, name);
 }
 
-/* Children never outlast their parents, whatever was measured. Returns when submit is over. */
+/* Adds the host's spans of a run, clamping children to their parents. Returns the end of submit. */
 static int64_t add_host(struct trace *trace, uint32_t run, int64_t begin)
 {
     const struct profile *p = trace->profile;
@@ -111,7 +111,8 @@ static int64_t add_host(struct trace *trace, uint32_t run, int64_t begin)
         at =
             add_span(trace, row->name, CPU_TRACK, at, shorter(nanoseconds(row->ms[run]), end - at));
         int64_t pass_begin = first;
-        for (uint32_t k = 0; k < p->pass_count && i == p->pass_count; k++) { /* `record` */
+        for (uint32_t k = 0; k < p->pass_count && i == p->pass_count;
+             k++) { /* i is the row `record` */
             name_row(&p->rows[k], name);
             const int64_t length = nanoseconds(p->rows[k].record_ms[run]);
             pass_begin =
@@ -142,7 +143,7 @@ static void add_queue(struct trace *trace, uint32_t run, int64_t begin)
         add_counter(trace, "transient memory", "bytes", json_integer(0), trace->queue_end);
 }
 
-/* By time; what contains others comes before them. */
+/* Compares by time; a span is before the spans that it contains. */
 static int compare_events(const void *a, const void *b)
 {
     const struct event *x = a, *y = b;
