@@ -1,9 +1,9 @@
 /*
  * abi.h: lets one header be read by the C compiler and by glslang.
  *
- * Shared structs are written with cglm's value types (vec3s, mat4s), which GLSL reads as its
- * own. GLSL uses scalar block layout; tests/unit/test_shaders.c compares every member's offset
- * with the SPIR-V. vec4s and mat4s are aligned to 16 bytes in C: put them first.
+ * Shared structs have cglm's value types (vec3s, mat4s), which are macros for GLSL's types here.
+ * GLSL uses scalar block layout; tests/unit/test_shaders.c compares every member's offset with the
+ * SPIR-V. vec4s and mat4s are aligned to 16 bytes in C: put them first.
  */
 #ifndef SHADERS_ABI_H
 #define SHADERS_ABI_H

@@ -1,8 +1,8 @@
 /*
  * abi_math.h: lets one function be read by the C compiler and by glslang.
  *
- * Such functions are written in C, with the words of <math.h> and cglm's value types, and begin
- * with ABI_FUNCTION; here GLSL learns these words.
+ * Such functions are written in C, with names of <math.h> and cglm's value types, and begin with
+ * ABI_FUNCTION; this header defines these names for GLSL.
  */
 #ifndef SHADERS_ABI_MATH_H
 #define SHADERS_ABI_MATH_H

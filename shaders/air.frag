@@ -22,7 +22,7 @@ layout(location = 0) out vec4 cover; /* r; a for blending */
 
 void main()
 {
-    vec2 texel = texture(layers, uv).rg; /* before any discard: derivatives */
+    vec2 texel = texture(layers, uv).rg; /* before any discard, for the derivatives */
     if (constant_tiled != 0u)
         texel = texture(layers, uv, frame.lod_bias).rg;
     if (gl_FragCoord.z < texelFetch(ice_front, ivec2(gl_FragCoord.xy), 0).r)

@@ -1,5 +1,5 @@
-/* background.glsl: main() of the surroundings; with BACKGROUND_SHINE in the light that comes
- * through the ice, and in its shadow. */
+/* background.glsl: main() of the surroundings; with BACKGROUND_SHINE, with the ice's caustics and
+ * shadow. */
 #include "background.h"
 #include "lib/constants.glsl"
 #include "lib/globals.glsl"
@@ -23,7 +23,8 @@ layout(location = 0) out vec4 color;
 #ifdef BACKGROUND_SHINE
 #include "lib/ice_shine.glsl"
 
-/* What is unlit shows all its light already, but that which comes through the ice. */
+/* Returns the light on a surface. Unlit surfaces have all light in their colour, except for the
+ * caustics of the ice. */
 vec3 light_on(vec3 n, bool unlit)
 {
     ice_shine shine = ice_shine_at(push.eye + eye_to_point);
@@ -37,7 +38,7 @@ vec3 light_on(vec3 n, bool unlit)
 }
 #endif
 
-/* Matt surfaces of vertex colour times texture; both sides alike. */
+/* Matt surfaces of vertex colour times texture, equal on both sides. */
 void main()
 {
     uint layer = material & MESH_TEXTURE_MASK;

@@ -1,4 +1,4 @@
-/* background.h: what background.c, env_cube.c and background*.{vert,frag} agree on. */
+/* background.h: shared by background.c, env_cube.c and background*.{vert,frag}. */
 #ifndef SHADERS_BACKGROUND_H
 #define SHADERS_BACKGROUND_H
 #include "abi_math.h"
@@ -6,18 +6,19 @@
 #define BACKGROUND_ENVIRONMENT 1 /* equirectangular picture, -Z in the middle */
 #define BACKGROUND_TEXTURES    2 /* base colours of the surroundings, one layer each */
 
-/* One picture of the scene: the view, or a face of a cube. */
+/* Push constants of one view: that of the picture, or a face of a cube. */
 struct background_push {
     mat4s clip_from_world;
     vec3s eye;             /* world, metres */
     float environment_lod; /* mip of the environment picture that fits this picture's pixels */
     vec3s right;           /* from the middle of the picture to its right edge, at distance 1 */
-    vec3s up;              /* to its upper edge */
-    vec3s forward;         /* to its middle */
+    vec3s up;              /* from the middle of the picture to its upper edge, at distance 1 */
+    vec3s forward;         /* from the eye to the middle of the picture, at distance 1 */
     uint32_t inverse;      /* 1: alpha is 1 / distance from the eye, 1 / metre; 0: alpha is 1 */
 };
 
-/* Longitude and latitude of a unit direction: -Z in the middle of the picture, +Y at its top. */
+/* Returns the texture coordinates of a unit direction in an equirectangular picture: -Z is in the
+ * middle, +Y at the top. */
 ABI_FUNCTION vec2s background_uv(vec3s dir)
 {
     float pi = 3.14159265358979f;

@@ -9,7 +9,7 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) out vec3 dir; /* not unit; linear over the picture */
 
-/* One triangle that covers the picture, at depth 0: infinitely far away. */
+/* A triangle that covers the picture at depth 0, infinitely far away. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

@@ -8,7 +8,7 @@
 
 layout(set = 0, binding = BUBBLES_ENV_CUBE) uniform samplerCube env_cube;
 
-layout(location = 0) in vec3 eye_to_point; /* of the square */
+layout(location = 0) in vec3 eye_to_point; /* to a point of the square */
 layout(location = 1) flat in vec3 eye_to_center;
 layout(location = 2) flat in float radius;
 
@@ -18,7 +18,7 @@ void main()
 {
     vec3 e = normalize(eye_to_point);
     float along = dot(eye_to_center, e);
-    vec3 aside = along * e - eye_to_center; /* from the centre to the ray, square to it */
+    vec3 aside = along * e - eye_to_center; /* from the centre to the ray, perpendicular to it */
     float b = length(aside) / radius;
     if (b >= 1.0)
         discard;
@@ -27,7 +27,7 @@ void main()
     if (!ice_clip_keeps(clip.z / clip.w))
         discard;
 
-    float eta = 1.0 / frame.eta; /* from the ice into the air */
+    float eta = 1.0 / frame.eta; /* from ice to air */
     vec3 outward = aside / max(length(aside), 1e-30);
     float share = optics_fresnel(e, (hit - eye_to_center) / radius, eta);
     vec3 reflected = bubble_turn(e, outward, bubble_reflected(b));

@@ -1,5 +1,5 @@
-/* bubbles.h: what bubbles.c, frame_view.c and bubbles.{vert,frag} agree on; 1 and 2 are
- * ice_depth.h's. */
+/* bubbles.h: shared by bubbles.c and bubbles.{vert,frag}; bindings 1 and 2 are those of
+ * ice_depth.h. */
 #ifndef SHADERS_BUBBLES_H
 #define SHADERS_BUBBLES_H
 #include "abi.h"

@@ -1,17 +1,17 @@
 /*
  * bump.glsl: the normal of the ice's uneven surface.
  *
- * The gradient of a height bends a normal the same whichever way a map lies (Mikkelsen 2010, Bump
- * Mapping Unparametrized Surfaces on the GPU), so that three planes' gradients can be added, and no
- * tangents are needed.
+ * The gradient of a height bends a normal independently of the mapping (Mikkelsen 2010, Bump
+ * Mapping Unparametrized Surfaces on the GPU), so that the gradients of three planes can be added,
+ * and no tangents are needed.
  */
 #ifndef BUMP_GLSL
 #define BUMP_GLSL
 #include "bump_map.glsl"
 
-layout(location = REFRACT_BUMP_SLOPE) flat in float bump_slope; /* factor on the map's */
+layout(location = REFRACT_BUMP_SLOPE) flat in float bump_slope; /* factor on the map's slopes */
 
-/* How the height rises, in the world. */
+/* Returns the gradient of the height, in the world, by the three planes. */
 vec3 bump_gradient_on(bump_planes planes)
 {
     vec2 x = planes.texels[0].rg * planes.shares.x;
@@ -20,7 +20,7 @@ vec3 bump_gradient_on(bump_planes planes)
     return bump_turn * vec3(y.y + z.x, z.y + x.x, x.y + y.x);
 }
 
-/* The same by the mesh's uv, of which only the directions count; none where it has no uv. */
+/* Returns the gradient of the height by the directions of the mesh's uv, or 0 without uv. */
 vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 slope)
 {
     vec2 uv = bump_at.xy;
@@ -33,7 +33,8 @@ vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 slope)
                    slope.y * v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-/* Normals that face the eye stay so; those that bumps would turn away are nearly square to e. */
+/* Returns the normal with bumps. It still faces the eye: normals that bumps would turn away become
+ * nearly perpendicular to e. */
 vec3 bump_normal(vec3 e, vec3 point, vec3 normal)
 {
     vec3 gradient;

@@ -1,8 +1,8 @@
-/* bump.h: the map of the ice's uneven surface, for those who read it (bump*.glsl). */
+/* bump.h: the binding of the ice's bump map, shared by C and bump*.glsl. */
 #ifndef SHADERS_BUMP_H
 #define SHADERS_BUMP_H
 
-/* rg: slopes along u and v; b: how smooth it is; a: how thick its crystals stand */
+/* rg: slopes along u and v; b: smoothness; a: thickness of the frost */
 #define BUMP_MAP 14
 
 #endif

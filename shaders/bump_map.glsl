@@ -1,8 +1,8 @@
 /*
- * bump_map.glsl: what the ice's map says of a point of its surface.
+ * bump_map.glsl: looks up the ice's bump map at a point of its surface.
  *
- * It lies on the ice along three planes of the object's space that fade into each other, or by the
- * mesh's uv.
+ * The map is projected along the three axes of the object's space and blended (triplanar mapping),
+ * or mapped by the mesh's uv.
  */
 #ifndef BUMP_MAP_GLSL
 #define BUMP_MAP_GLSL
@@ -11,7 +11,8 @@
 #include "lib/globals.glsl"
 #include "refract.h"
 
-/* From the vertex shader, since lavapipe's fragment shaders fetch uniforms float by float. */
+/* Passed from the vertex shader, because lavapipe's fragment shaders fetch uniforms float by
+ * float. */
 layout(location = REFRACT_BUMP_AT) in vec3 bump_at; /* tiles of the map: object's space, or uv */
 layout(location = REFRACT_BUMP_TURN) flat in mat3 bump_turn; /* from the object's space */
 
@@ -23,19 +24,20 @@ vec4 bump_read(vec2 at)
 }
 
 struct bump_planes {
-    vec4 texels[3]; /* of the planes across x, y and z: yz, zx, xy */
-    vec3 shares;    /* of the planes; their sum is 1 */
+    vec4 texels[3]; /* of the planes perpendicular to x, y and z: yz, zx, xy */
+    vec3 shares;    /* weights of the planes; their sum is 1 */
 };
 
-/* Here, where the world's normal is this. */
+/* Reads the planes at this point, whose normal in the world is `normal`. */
 bump_planes bump_read_planes(vec3 normal)
 {
     vec3 p = bump_at;
     vec3 n = transpose(bump_turn) * normal;
     bump_planes planes;
+    /* Without the offsets the middles of the three planes would be equal. */
     planes.texels[0] = bump_read(p.yz);
-    planes.texels[1] = bump_read(p.zx + vec2(0.37, 0.61)); /* else the three planes' */
-    planes.texels[2] = bump_read(p.xy + vec2(0.71, 0.23)); /* middles look alike */
+    planes.texels[1] = bump_read(p.zx + vec2(0.37, 0.61));
+    planes.texels[2] = bump_read(p.xy + vec2(0.71, 0.23));
     planes.shares = n * n * n * n;
     planes.shares /= planes.shares.x + planes.shares.y + planes.shares.z;
     return planes;
@@ -46,7 +48,7 @@ vec4 bump_read_uv()
     return bump_read(bump_at.xy);
 }
 
-/* How smooth the ice is, and how thick its crystals stand. */
+/* Returns the smoothness of the ice and the thickness of its frost. */
 vec2 bump_mask_on(bump_planes planes)
 {
     return planes.texels[0].ba * planes.shares.x + planes.texels[1].ba * planes.shares.y +

@@ -1,4 +1,4 @@
-/* caustics.glsl: what all methods share: the sun's light through a wave, and the map of it. */
+/* caustics.glsl: functions of all methods: the sun's light through a wave, and the light map. */
 #ifndef CAUSTICS_GLSL
 #define CAUSTICS_GLSL
 #include "caustics.h"
@@ -30,33 +30,33 @@ vec2 map_texel_size()
     return map_region().zw / float(CAUSTICS_SIZE);
 }
 
-/* Place on the floor of a texel's centre. */
+/* Returns the position of a texel's centre on the floor. */
 vec2 map_point(ivec2 texel)
 {
     return map_region().xy + (vec2(texel) + 0.5) * map_texel_size();
 }
 
-/* Texels that light would fill which is spread evenly over a floor as large as the pool. */
+/* Returns the number of texels of the pool's floor. */
 float map_pool_texels()
 {
     vec2 texel = map_texel_size();
     return push.pool.size * push.pool.size / (texel.x * texel.y);
 }
 
-/* Share of the light that enters water at rest. */
+/* Returns the share of the sun's light that enters water at rest. */
 float sun_entering()
 {
     return 1.0 - optics_fresnel(-pool_sun_dir(), up, 1.0 / push.water.ior);
 }
 
-/* Two directions square to a third and to each other. */
+/* Returns two unit vectors that are perpendicular to `dir` and to each other. */
 void square_to(vec3 dir, out vec3 a, out vec3 b)
 {
     a = normalize(cross(dir, abs(dir.z) < 0.9 ? up : vec3(1.0, 0.0, 0.0)));
     b = cross(dir, a);
 }
 
-/* A direction of the sun's disc; `at` within the unit disc. */
+/* Returns the direction to a point of the sun's disc; `at` is in the unit disc. */
 vec3 sun_disc(vec2 at)
 {
     vec3 a, b;
@@ -65,14 +65,15 @@ vec3 sun_disc(vec2 at)
     return normalize(dir + tan(0.5 * radians(push.caustics.sun)) * (at.x * a + at.y * b));
 }
 
-/* Light towards which is `sun`, through the surface at p: xy: where it meets the floor; z: its
- * flux, over what falls from the sun's middle through as much of water at rest. */
+/* Refracts light from the direction `sun` at the point p of the surface. Returns its position on
+ * the floor in xy, and in z its flux, relative to light from the sun's middle through the same area
+ * of water at rest. */
 vec3 land(vec2 p, vec3 sun)
 {
     vec3 wave = wave_at(push.water, p, frame.time);
     vec3 n = wave_normal(wave);
     float c = dot(n, sun);
-    if (c <= 0.0) /* a wave's shady side */
+    if (c <= 0.0) /* on the side of a wave that faces away from the sun */
         return vec3(p, 0.0);
     vec3 t = refract(-sun, n, 1.0 / push.water.ior);
     float entering = 1.0 - optics_fresnel(-sun, n, 1.0 / push.water.ior);

@@ -4,8 +4,8 @@
 
 layout(location = 0) out float raw;
 
-/* One ray up from the floor, along which the sun's light would come through water at rest; looked
- * up in a round map of light around the sun. */
+/* Traces one ray up from the floor, along the path of the sun's light through water at rest, and
+ * looks it up in a round light map around the sun. */
 void main()
 {
     vec3 inside = sun_inside();

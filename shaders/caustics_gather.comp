@@ -5,7 +5,7 @@
 layout(local_size_x = CAUSTICS_GROUP, local_size_y = CAUSTICS_GROUP) in;
 layout(set = 0, binding = CAUSTICS_RAW, r32f) uniform writeonly image2D raw;
 
-/* Where each texel's directions begin: an offset on the unit square. */
+/* Returns a random offset on the unit square for the directions of each texel. */
 vec2 random(uvec2 texel)
 {
     uvec2 v = texel * 1664525u + 1013904223u;
@@ -17,22 +17,22 @@ vec2 random(uvec2 texel)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-/* What comes down along a ray to the floor, if the sun lies behind the surface: the cosine on the
- * floor times what the surface lets through. `dir` goes up. */
+/* Returns the light along a ray from the floor, if it leaves the surface towards the sun: the
+ * cosine at the floor times the transmittance of the surface. `dir` goes up. */
 float gathered(vec2 floor_point, vec3 dir, vec3 sun_dir, float sun_radius)
 {
     vec2 p = floor_point + dir.xy / dir.z * push.pool.depth;
-    for (int i = 0; i < 2; i++) /* nearer to where the ray meets the wave */
+    for (int i = 0; i < 2; i++) /* iterations of the intersection with the wave */
         p = floor_point + dir.xy / dir.z * (push.pool.depth + wave_at(push.water, p, frame.time).z);
     vec3 n = wave_normal(wave_at(push.water, p, frame.time));
-    vec3 leaving = refract(dir, -n, push.water.ior); /* 0: total reflection */
+    vec3 leaving = refract(dir, -n, push.water.ior); /* 0 for total reflection */
     if (!pool_is_open(p, push.pool.size) || dot(dir, n) <= 0.0 ||
         distance(leaving, sun_dir) > sun_radius)
         return 0.0;
     return (1.0 - optics_fresnel(dir, -n, push.water.ior)) * dir.z;
 }
 
-/* Directions fill the cone evenly, by Roberts' R2 sequence. Radiance in water is that in air times
+/* Directions cover the cone evenly, by Roberts' R2 sequence. Radiance in water is that in air times
  * the squared index. */
 void main()
 {

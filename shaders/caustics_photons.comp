@@ -5,7 +5,7 @@
 layout(local_size_x = CAUSTICS_LINE) in;
 layout(set = 0, binding = CAUSTICS_COUNTS, r32ui) uniform uimage2D counts;
 
-/* Four numbers from 0 to 1 for a photon: pcg4d of Jarzynski and Olano 2020. */
+/* Returns four random numbers from 0 to 1 for a photon: pcg4d of Jarzynski and Olano 2020. */
 vec4 random(uint index)
 {
     uvec4 v = uvec4(index, 1u, 2u, 3u) * 1664525u + 1013904223u;
@@ -19,8 +19,8 @@ vec4 random(uint index)
     return vec4(v >> 8u) / 16777216.0;
 }
 
-/* One photon: anywhere through the surface, from anywhere on the sun. Whole numbers are added, so
- * that their order does not matter. */
+/* Traces one photon from a random point of the sun through a random point of the surface. Integers
+ * are added, so that their order does not matter. */
 void main()
 {
     uint index = gl_GlobalInvocationID.x;

@@ -2,12 +2,13 @@
 #extension GL_GOOGLE_include_directive : require
 #include "caustics.glsl"
 
-layout(location = 0) in vec2 p;          /* on the surface */
-layout(location = 1) flat in float flux; /* slivers would extrapolate it */
-layout(location = 0) out float raw;      /* adds */
+layout(location = 0) in vec2 p;          /* position on the surface */
+layout(location = 1) flat in float flux; /* flat, because slivers would extrapolate it */
+layout(location = 0) out float raw;      /* blended by addition */
 
-/* Light is dimmed as its beam widens: the area that a texel has on the surface over its own. The
- * triangle is flat, so that this holds for all of it; turned over it is as bright. */
+/* Light is inversely proportional to the width of its beam: it is the area of a texel on the
+ * surface over its own area, which is constant over the flat triangle and independent of its
+ * orientation. */
 void main()
 {
     vec2 x = dFdx(p);

@@ -6,8 +6,8 @@ layout(set = 0, binding = CAUSTICS_RAW) uniform sampler2D raw;
 
 layout(location = 0) out float light;
 
-/* From the image of the sun's middle on the floor below water at rest to that of another of its
- * points, texels. */
+/* Returns the offset, in texels, of the image of a point of the sun's disc on the floor below water
+ * at rest from the image of its middle. */
 vec2 image_of(vec2 at)
 {
     vec3 middle = sun_inside();
@@ -16,8 +16,8 @@ vec2 image_of(vec2 at)
     return shift * push.pool.depth / map_texel_size();
 }
 
-/* Spreads the light of the sun's middle over its whole image, an ellipse: as below water at rest.
- * Taken from texels that lie `pace` apart if the image is large. */
+/* Blurs the light of the sun's middle by the image of the whole disc below water at rest, an
+ * ellipse. Samples are `pace` texels apart if the image is large. */
 void main()
 {
     ivec2 center = ivec2(gl_FragCoord.xy);

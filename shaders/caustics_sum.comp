@@ -12,7 +12,8 @@ layout(set = 0, binding = CAUSTICS_SUM, scalar) writeonly buffer Sum
 
 shared float sums[CAUSTICS_LINE];
 
-/* One workgroup: each invocation some columns, then halves into halves. */
+/* One workgroup adds up the map: each invocation adds several columns, then a tree of sums
+ * follows. */
 void main()
 {
     uint i = gl_LocalInvocationID.x;

@@ -1,5 +1,5 @@
 /*
- * cracks.glsl: a point of a crack: where it is and its bumpy normal.
+ * cracks.glsl: the position and the bumpy normal of a point of a crack.
  *
  * The roughness is the slope of value noise in the object's space, three octaves.
  */
@@ -15,9 +15,9 @@ layout(location = CRACKS_EYE_TO_POINT) in vec3 eye_to_point;
 layout(location = CRACKS_LIGHTS) flat in vec4 lights[GLOBALS_LIGHT_COUNT];
 layout(location = CRACKS_LOOK) flat in cracks_look look;
 
-const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* what look.surface shows */
+const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* colour with look.surface */
 
-/* In the object's space. */
+/* A point of a crack, in the object's space. */
 struct crack_point {
     vec3 e; /* from the eye to it */
     vec3 n; /* towards the eye */
@@ -35,7 +35,7 @@ float crack_value(uvec3 at)
     return float(crack_hash(at.x ^ crack_hash(at.y ^ crack_hash(at.z))) >> 8) / 8388607.5 - 1.0;
 }
 
-/* The gradient of noise with values from -1 to 1 at whole coordinates. */
+/* Returns the gradient of value noise with values from -1 to 1 at integer coordinates. */
 vec3 crack_slope(vec3 p)
 {
     uvec3 at = uvec3(ivec3(floor(p)));
@@ -63,12 +63,12 @@ crack_point crack_here()
     crack_point c;
     c.e = normalize(eye_to_point);
     c.n = normalize(n - look.bump * (slope - dot(slope, n) * n));
-    if (dot(n, c.e) > 0.0) /* a face has two sides */
+    if (dot(n, c.e) > 0.0) /* cracks are visible from both sides */
         c.n = -c.n;
     return c;
 }
 
-/* Blinn and Phong's: of the lights on the eye's side. */
+/* Returns Blinn and Phong's highlights of the lights on the eye's side. */
 float crack_highlight(crack_point c)
 {
     float sum = 0.0;

@@ -1,4 +1,4 @@
-/* cracks_color.glsl: main() of the highlights; crack_is_inside() is the clipping's. */
+/* cracks_color.glsl: main() of the highlights; the clipping method defines crack_is_inside(). */
 #include "cracks.glsl"
 
 layout(location = 0) out vec4 color; /* premultiplied */

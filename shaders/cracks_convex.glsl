@@ -1,5 +1,6 @@
-/* cracks_convex.glsl: inside is between the nearest front and the farthest back face; what lies
- * behind that the depth test leaves out, or with CRACKS_BEFORE_BACK this does. */
+/* cracks_convex.glsl: a point is inside if it is between the nearest front and the farthest back
+ * face. The depth test rejects points behind the latter; with CRACKS_BEFORE_BACK, this code
+ * does. */
 #include "cracks.h"
 
 layout(set = 0, binding = CRACKS_FRONT) uniform sampler2D front;

@@ -1,4 +1,4 @@
-/* cracks_free.glsl: cracks that were cut before, or are not to be. */
+/* cracks_free.glsl: cracks that need no clipping, or were clipped in advance. */
 bool crack_is_inside()
 {
     return true;

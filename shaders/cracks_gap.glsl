@@ -1,4 +1,5 @@
-/* cracks_gap.glsl: main() of cracks filled with air; crack_is_inside() is the clipping's. */
+/* cracks_gap.glsl: main() of cracks filled with air; the clipping method defines crack_is_inside().
+ */
 #include "cracks.glsl"
 #include "lib/optics.glsl"
 

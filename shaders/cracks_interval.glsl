@@ -1,4 +1,4 @@
-/* cracks_interval.glsl: inside is what lies within one of the pixel's intervals. */
+/* cracks_interval.glsl: a point is inside if it is within one of the pixel's intervals. */
 #include "cracks.h"
 #include "ice_interval.glsl"
 

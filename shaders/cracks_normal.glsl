@@ -1,7 +1,8 @@
-/* cracks_normal.glsl: main() of the normals; crack_is_inside() is the clipping's. */
+/* cracks_normal.glsl: main() of the normals; the clipping method defines crack_is_inside(). */
 #include "cracks.glsl"
 
-layout(location = 0) out vec4 out_normal; /* away from the eye, as the ice's back faces are */
+layout(location = 0) out vec4
+    out_normal; /* points away from the eye, like normals of the ice's back faces */
 
 void main()
 {

@@ -1,8 +1,8 @@
 /*
  * cracks_vert.glsl: main() of the cracks' vertices; CRACKS_CLIP is the matrix.
  *
- * What all pixels share is handed on from here: lavapipe's fragment shaders fetch each float of a
- * uniform for each pixel by itself (Mesa 22.3).
+ * Values that are equal for all pixels are passed from here, because lavapipe's fragment shaders
+ * fetch each float of a uniform separately for each pixel (Mesa 22.3).
  */
 #include "cracks.h"
 #include "lib/pose.glsl"

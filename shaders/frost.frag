@@ -20,7 +20,7 @@ layout(location = REFRACT_NORMAL) in vec3 normal;
 
 layout(location = 0) out vec4 color; /* premultiplied */
 
-/* Light on the surface; from a picture or a colour, what comes from ahead stands for all. */
+/* Returns the light on the surface. A panorama or colour is looked up along the normal alone. */
 vec3 light_on(vec3 n)
 {
     if (constant_background == GLOBALS_SKY)
@@ -28,7 +28,7 @@ vec3 light_on(vec3 n)
     return texture(blurred, n).rgb;
 }
 
-/* Few crystals blur what is behind them; many are white. */
+/* Thin frost blurs the picture behind it; thick frost is white. */
 void main()
 {
     vec3 n = normalize(normal);

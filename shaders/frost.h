@@ -1,11 +1,11 @@
-/* frost.h: what frost.c and frost*.frag agree on. */
+/* frost.h: shared by frost.c and frost*.frag. */
 #ifndef SHADERS_FROST_H
 #define SHADERS_FROST_H
 #include "abi.h"
 
-#define FROST_ENV_CUBE 1 /* radiance around the object; frost_cube.frag */
-#define FROST_CUBE     1 /* the same, blurred; frost.frag */
-#define FROST_EXIT     2 /* the rung's direction in which light leaves */
+#define FROST_ENV_CUBE 1 /* of frost_cube.frag: radiance around the object */
+#define FROST_CUBE     1 /* of frost.frag: blurred radiance around the object */
+#define FROST_EXIT     2 /* of frost.frag: the rung's direction in which light leaves */
 
 #define FROST_CUBE_SIZE 64 /* texels of a face's side */
 
@@ -18,7 +18,7 @@ struct frost_cube_push {
 };
 
 struct frost_push {
-    float amount; /* share of the light that the thickest frost takes */
+    float amount; /* share of the light that the thickest frost scatters */
 };
 
 #endif

@@ -14,10 +14,10 @@ layout(location = 0) out vec4 color;
 
 const uint count = 128u;
 const float golden = 2.39996323; /* radians */
-const float brightest = 16.0;    /* else the sun leaves as many spots as there are samples */
+const float brightest = 16.0;    /* clamps the sun, which would show as a spot for each sample */
 
-/* The mean around a direction of what crystals' slopes scatter into it: a slope of angle d bends
- * light that enters by (n - 1) d. */
+/* Computes the mean radiance that the crystals scatter into a direction: a slope of angle d bends
+ * refracted light by (n - 1) d. */
 void main()
 {
     vec2 ndc = gl_FragCoord.xy / float(FROST_CUBE_SIZE) * 2.0 - 1.0;

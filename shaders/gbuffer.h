@@ -1,9 +1,9 @@
-/* gbuffer.h: what gbuffer.c, gbuffer.vert and readers of gbuffer_position agree on. */
+/* gbuffer.h: shared by gbuffer.c, gbuffer.vert and readers of gbuffer_position. */
 #ifndef SHADERS_GBUFFER_H
 #define SHADERS_GBUFFER_H
 #include "abi.h"
 
-/* gbuffer_position.w where no surface is seen: farther than any surface, yet a number. */
+/* The value of gbuffer_position.w without a surface: finite, but beyond all surfaces. */
 #define GBUFFER_NOTHING 1e10f
 
 struct gbuffer_push {

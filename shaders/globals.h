@@ -1,10 +1,10 @@
-/* globals.h: what every pass of a frame may read; one uniform buffer, written once a frame. */
+/* globals.h: the uniform buffer of a frame, which every pass may read; written once a frame. */
 #ifndef SHADERS_GLOBALS_H
 #define SHADERS_GLOBALS_H
 #include "abi.h"
 #include "surface.h"
 
-#define GLOBALS_BINDING     0 /* in every row that names the buffer */
+#define GLOBALS_BINDING     0 /* in every row that uses the buffer */
 #define GLOBALS_SKY         0 /* CONSTANT_BACKGROUND: the procedural sky */
 #define GLOBALS_COLOR       1 /* one colour everywhere */
 #define GLOBALS_ENVIRONMENT 2 /* the equirectangular picture */
@@ -13,9 +13,9 @@
 
 struct globals {
     mat4s clip_from_world;             /* of the view */
-    mat4s fitted_clip_from_world;      /* the same with depth 0 .. 1 across the object's sphere */
-    mat4s world_from_object;           /* turns the object about its centre */
-    mat4s world_from_movers;           /* turns what moves around it */
+    mat4s fitted_clip_from_world;      /* of the view, depth 0 .. 1 across the object's sphere */
+    mat4s world_from_object;           /* rotates the object about its centre */
+    mat4s world_from_movers;           /* rotates the objects that move around it */
     vec4s lights[GLOBALS_LIGHT_COUNT]; /* world position, metres; w: strength of its highlight */
     vec3s eye;                         /* of the view, world, metres */
     float eta;                         /* refractive index outside / inside, for green */
@@ -23,19 +23,19 @@ struct globals {
     vec3s background_color;            /* linear radiance */
     float sky_strength;                /* factor on the procedural sky and its light */
     vec3s sun_dir;                     /* unit, towards the sun */
-    float sun_strength;      /* irradiance of the sun, square to it, in units of the sky's */
+    float sun_strength;      /* perpendicular irradiance of the sun, in units of the sky's */
     vec3s center;            /* of the object's bounding sphere, world, metres */
-    float radius;            /* of it, metres */
+    float radius;            /* of the object's bounding sphere, metres */
     vec2s fitted;            /* near and far plane of fitted_clip_from_world, metres */
     float time;              /* seconds */
     float bump_strength;     /* factor on the slopes of the ice's bump map */
-    float bump_scale;        /* tiles of it a metre, or a unit of uv */
-    vec3s etas;              /* as eta, for red, green, blue */
-    vec3s absorb;            /* how fast the object takes them, 1 / metre */
+    float bump_scale;        /* tiles of the bump map per metre, or per unit of uv */
+    vec3s etas;              /* refractive index outside / inside, for red, green, blue */
+    vec3s absorb;            /* absorption coefficients of the object, 1 / metre */
     float refract_crossfade; /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
     ABI_STRUCT(surface_params) surface;
     vec3s local_min, local_max; /* of the box around the object, world, metres */
-    float lod_bias; /* of the view's textures: below 0 where it has every nth pixel alone */
+    float lod_bias; /* of textures; below 0 in interleaved tiles, which have every nth pixel */
 };
 
 #endif

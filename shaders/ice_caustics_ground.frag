@@ -6,7 +6,7 @@ layout(set = 0, binding = ICE_CAUSTICS_FRONT) uniform sampler2D front;
 
 layout(location = 0) in vec3 point;
 
-/* Ground is what light can meet behind the ice: no roof above it. */
+/* Ground is all surfaces behind the front of the ice, which excludes roofs above it. */
 void main()
 {
     vec4 clip = ice_light_clip(point);

@@ -5,9 +5,10 @@
 layout(set = 0, binding = ICE_CAUSTICS_COUNTS) uniform usampler2D counts;
 layout(set = 0, binding = ICE_CAUSTICS_NORMAL) uniform sampler2D normal_front;
 
-layout(location = 0) out vec4 map; /* rgb: 1 is what falls here without ice; a: cover of the ice */
+layout(
+    location = 0) out vec4 map; /* rgb: light relative to that without ice; a: cover of the ice */
 
-/* rgb: light; a: cover */
+/* Returns the counted light in rgb and the cover in a. */
 vec4 counted(ivec2 texel)
 {
     ivec2 at = clamp(texel, ivec2(0), ivec2(ICE_CAUSTICS_SIZE - 1));
@@ -19,8 +20,8 @@ vec4 counted(ivec2 texel)
     return found;
 }
 
-/* Photons are spread over the nine texels around where they land, and the shadow's edge with them.
- * Against the area of a photon in the sun's view stands that of a texel. */
+/* Averages the nine texels around a texel, which blurs photons and the shadow's edge, and scales
+ * the counts by the area of a photon in texels. */
 void main()
 {
     const float weights[3] = { 0.25, 0.5, 0.25 };
@@ -32,6 +33,6 @@ void main()
     }
     float photon = float(ICE_CAUSTICS_SIZE) / (float(ICE_CAUSTICS_PHOTONS) * light.reach);
     map.rgb = sum.rgb * (photon * photon / ICE_CAUSTICS_WEIGHT);
-    map.rgb = min(map.rgb, vec3(65504.0)); /* a half's largest, in a focus */
+    map.rgb = min(map.rgb, vec3(65504.0)); /* focused light may exceed the largest half */
     map.a = sum.a;
 }

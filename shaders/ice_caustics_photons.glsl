@@ -1,6 +1,7 @@
 /*
- * ice_caustics_photons.glsl: main() of photons: drawn as the ice's front faces that the sun sees, a
- * texel each; with REFRACT_BUMP through its bumps. Where they land in the map, and what they bring.
+ * ice_caustics_photons.glsl: main() of photons, which draws the ice's front faces in the sun's
+ * view, one photon per texel (with REFRACT_BUMP, with bumps), and writes where photons land in the
+ * map and their energy.
  */
 #define REFRACT_BOUNCE
 #define REFRACT_MARCH push.march
@@ -16,17 +17,17 @@ layout(push_constant, scalar) uniform Push
 
 layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D ground;
 
-/* xy: place in the map; z: share of the photon that gets there */
+/* xy: position in the map; z: share of the photon's energy that arrives */
 layout(location = 0) out vec4 landed_red;
 layout(location = 1) out vec4 landed_green;
 layout(location = 2) out vec4 landed_blue;
 
 const int ground_steps = 24;
 const int ground_halvings = 12;
-const float ground_first = 0.02; /* of the steps, radii of the ice's sphere; each is longer */
-const float ground_last = 64.0;  /* where a ray ends that stays above the map */
+const float ground_first = 0.02; /* length of the first step, radii of the ice's sphere */
+const float ground_last = 64.0;  /* length after which a ray ends that stays above the map */
 
-/* Two numbers from 0 to 1 for a texel: pcg2d of Jarzynski and Olano 2020. */
+/* Returns two random numbers from 0 to 1 for a texel: pcg2d of Jarzynski and Olano 2020. */
 vec2 random(uvec2 v)
 {
     v = v * 1664525u + 1013904223u;
@@ -39,7 +40,7 @@ vec2 random(uvec2 v)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-/* A direction from somewhere on the sun's disc: another for each texel and sample. */
+/* Returns a random direction of light from the sun's disc for each texel and sample. */
 vec3 sun_ray(vec3 e)
 {
     vec2 u = fract(random(uvec2(gl_FragCoord.xy)) + vec2(push.sun_x, push.sun_y));
@@ -50,7 +51,7 @@ vec3 sun_ray(vec3 e)
     return normalize(e + away * (cos(angle) * a + sin(angle) * b));
 }
 
-/* How far along a ray the map's edge is: where one of |x|, |y| comes to w. */
+/* Returns the length of a ray to the map's edge, where |x| or |y| equals w. */
 float map_room(vec4 clip, vec4 way)
 {
     float room = ground_last * frame.radius;
@@ -71,8 +72,8 @@ bool is_below(vec4 clip)
     return depth > 0.0 && clip.z / clip.w <= depth;
 }
 
-/* Where a ray meets the ground, in the map; z: 1, or 0 where it does not. Behind what hides the
- * ground from the sun a ray lands on that. */
+/* Returns in xy where a ray meets the ground in the map, and in z 1, or 0 if it does not. A ray
+ * that passes behind a surface of the depth map lands on that surface. */
 vec3 land(vec3 point, vec3 dir)
 {
     vec4 clip = ice_light_clip(point);

@@ -9,7 +9,7 @@ layout(set = 0, binding = ICE_DEPTH_BACK) uniform sampler2D back;
 
 layout(location = 0) out vec4 layers; /* metres: front, back, thickness */
 
-/* Metres along this pixel's ray for each metre along the view's axis. */
+/* Returns the length of this pixel's ray per length along the view's axis. */
 float slant()
 {
     return length(view_ray(gl_FragCoord.xy / vec2(textureSize(front, 0)) * 2.0 - 1.0));

@@ -1,4 +1,4 @@
-/* ice_depth.h: bindings of those who read ice_depth's images. */
+/* ice_depth.h: bindings of shaders that read ice_depth's images. */
 #ifndef SHADERS_ICE_DEPTH_H
 #define SHADERS_ICE_DEPTH_H
 

@@ -1,9 +1,10 @@
-/* ice_front.glsl: the front faces; with REFRACT_BUMP, bumps bend the normal that shades them. */
+/* ice_front.glsl: main() of the front faces; with REFRACT_BUMP, with bumps in the shading
+ * normal. */
 #include "refract_front.glsl"
 
-layout(location = 0) out vec4 front; /* xyz: outward world normal, unit; w: 1 where there is one */
+layout(location = 0) out vec4 front; /* xyz: outward unit normal, world; w: 1 */
 layout(location = 1) out float depth;
-layout(location = 2) out vec4 shading; /* xyz: outward world normal, unit; w: eq. 4 */
+layout(location = 2) out vec4 shading; /* xyz: outward unit normal, world; w: eq. 4 */
 
 void main()
 {

@@ -1,9 +1,9 @@
 /*
- * ice_interval.glsl: the faces of the ice that a pixel's ray meets, in their order.
+ * ice_interval.glsl: the faces of the ice along a pixel's ray, in their order.
  *
- * A layer is a fitted depth whose lowest bit says which way the face is crossed: 0 in, 1 out. So
- * faces at one depth are still two, in before out, and no parity is needed: a point is inside if
- * more faces were entered than left on the way to it, also where parts of the ice overlap.
+ * A layer is a fitted depth whose lowest bit is 0 where the ray enters through the face and 1 where
+ * it leaves. So two faces at one depth remain distinct, the entering one first. A point is inside
+ * if more faces were entered than left before it, which also holds where parts of the ice overlap.
  */
 #ifndef ICE_INTERVAL_GLSL
 #define ICE_INTERVAL_GLSL
@@ -22,7 +22,7 @@ int ice_interval_step(float layer)
     return (floatBitsToUint(layer) & 1u) == 0u ? 1 : -1;
 }
 
-/* The pixel's face i, of the nearer half of the layers or of the others. */
+/* Returns the pixel's face i, from the nearer or the farther half of the layers. */
 float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -31,7 +31,7 @@ float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
                           : texelFetch(far, ivec3(pixel, i - near_count), 0).r;
 }
 
-/* At an entering face and at a leaving one is inside. */
+/* Returns whether a depth is inside; the depths of the faces themselves are inside. */
 bool ice_interval_contains(sampler2DArray near, sampler2DArray far, float depth)
 {
     int count = 2 * textureSize(near, 0).z;

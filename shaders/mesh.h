@@ -1,4 +1,4 @@
-/* mesh.h: where vertex shaders find the fields of struct mesh_vertex (src/scene/mesh.h). */
+/* mesh.h: locations of the fields of struct mesh_vertex (src/scene/mesh.h) in vertex shaders. */
 #ifndef SHADERS_MESH_H
 #define SHADERS_MESH_H
 
@@ -10,8 +10,8 @@
 
 /* the bits of mesh_vertex.material */
 #define MESH_TEXTURE_MASK 0xffffu  /* texture layer + 1; 0: none */
-#define MESH_UNLIT        0x10000u /* the colour is emitted, not lit */
+#define MESH_UNLIT        0x10000u /* the colour is emitted radiance, not lit */
 #define MESH_CUTOUT       0x20000u /* texels with alpha below one half are holes */
-#define MESH_MOVES        0x40000u /* turns with globals.world_from_movers */
+#define MESH_MOVES        0x40000u /* transformed by globals.world_from_movers */
 
 #endif

@@ -8,7 +8,7 @@ layout(set = 0, binding = OVER_AIR) uniform sampler2D air;
 layout(set = 0, binding = OVER_BUBBLES) uniform sampler2D bubbles;
 layout(set = 0, binding = OVER_CRACKS) uniform sampler2D cracks;
 
-layout(location = 0) flat in vec3 light; /* of the air */
+layout(location = 0) flat in vec3 light; /* light of the air */
 
 layout(location = 0) out vec4 color; /* premultiplied */
 
@@ -31,5 +31,5 @@ void main()
     if ((constant_over & OVER_HAS_CRACKS) != 0u)
         cover(texelFetch(cracks, pixel, 0));
     if ((constant_over & OVER_HAS_HIGHLIGHT) != 0u)
-        color.rgb += highlight; /* adds, and covers nothing */
+        color.rgb += highlight; /* added, without cover */
 }

@@ -7,7 +7,7 @@ layout(set = 0, binding = OVER_ENVIRONMENT) uniform sampler2D environment;
 
 layout(location = 0) flat out vec3 out_light;
 
-/* One triangle that covers the picture. */
+/* A triangle that covers the picture. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

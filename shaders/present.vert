@@ -7,7 +7,7 @@ layout(push_constant, scalar) uniform Push
     present_push push;
 };
 
-/* One triangle that covers the window from an edge on. */
+/* A triangle that covers the window from its edge `left` on. */
 void main()
 {
     float x = gl_VertexIndex == 1 ? push.left + 4.0 : push.left;

@@ -1,9 +1,9 @@
 /*
- * refract.glsl: what the rungs' fragment shaders share; with REFRACT_LAYERS they write layers, else
+ * refract.glsl: shared by the rungs' fragment shaders; with REFRACT_LAYERS they write layers, else
  * the picture (SN eq. 6).
  *
- * A rung is refract_follow(): the way of light through the ice. The rest is here: what it sees
- * where it leaves, what the ice has absorbed, colours that bend differently, what is reflected.
+ * A rung defines refract_follow(), the path of light through the ice. Everything else is here:
+ * lookups of the environment, absorption, dispersion, reflection.
  */
 #ifndef REFRACT_GLSL
 #define REFRACT_GLSL
@@ -16,7 +16,7 @@ struct refract_result {
     refract_way way;
     vec3 refraction; /* radiance by refraction */
     vec3 reflection; /* radiance along the reflected direction */
-    float fresnel;   /* share of the reflection */
+    float fresnel;   /* share of light that is reflected */
 };
 
 #ifdef REFRACT_PER_VERTEX
@@ -32,7 +32,8 @@ vec3 refract_mirrored(vec3 e, vec3 n_f)
 #endif
 }
 
-/* Of a cube with the object's diagonal: of what has no other size, metres. */
+/* Returns the edge of a cube with the object's diagonal, metres: the size of models of the object,
+ * such as a sphere. */
 float refract_width()
 {
     return 2.0 * refract_frame.radius * inversesqrt(3.0);
@@ -52,7 +53,7 @@ float refract_share(vec3 e, vec3 n_f)
     return clamp(fresnel_paper, 0.0, 1.0);
 }
 
-/* Of the layers the way of green is that of all. */
+/* Shades a point. The layers have the path of green. */
 refract_result refract_shade(vec3 e, vec3 n_f)
 {
     refract_result r;

@@ -10,7 +10,8 @@ layout(push_constant, scalar) uniform Push
     refract_blend_params params;
 };
 
-/* One-sided where the mean faces away from the eye, and where there is no back face. */
+/* Pixels in which the mean normal faces away from the eye, or without a back face, are
+ * one-sided. */
 refract_way refract_follow(vec3 e, vec3 n_f, int channel)
 {
     vec4 n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0);

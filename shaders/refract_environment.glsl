@@ -1,11 +1,13 @@
 /*
- * refract_environment.glsl: what is seen from a point near the ice in a direction.
+ * refract_environment.glsl: looks up the environment from a point near the ice in a direction.
  *
- * The cube was drawn from the ice's centre. Without steps only the direction counts, as if all lay
- * infinitely far away. With steps a ray is followed in the distances that the cube holds: each step
- * takes what the cube shows there for a sphere around its centre, and meets it (after Szirmay-Kalos
- * and others 2005, Approximate Ray-Tracing on the GPU with Distance Impostors). Wrong where one
- * thing hides another from the centre only. In a box a ray ends on its sides: lib/local_cube.glsl.
+ * The cube was drawn from the ice's centre. With REFRACT_LOOKUP_INFINITE only the direction is
+ * used, as if everything were infinitely far away. With REFRACT_LOOKUP_DISTANCE a ray is traced
+ * through the distances that the cube stores: each step intersects the ray with a sphere around the
+ * centre whose radius is the distance found by the step before (after Szirmay-Kalos and others
+ * 2005, Approximate Ray-Tracing on the GPU with Distance Impostors). This is wrong where a surface
+ * is hidden only from the centre. With REFRACT_LOOKUP_BOX a ray ends on the box's sides
+ * (lib/local_cube.glsl).
  */
 #ifndef REFRACT_ENVIRONMENT_GLSL
 #define REFRACT_ENVIRONMENT_GLSL
@@ -15,7 +17,7 @@
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
 
-/* Where, from the cube's centre, a ray looks it up. */
+/* Returns the direction in which a ray looks the cube up. */
 vec3 refract_cube_dir(vec3 point, vec3 dir)
 {
     vec3 from_center = point - frame.center;

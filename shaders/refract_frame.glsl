@@ -1,9 +1,9 @@
 /*
- * refract_frame.glsl: what rungs read of `frame`, as `refract_frame`.
+ * refract_frame.glsl: the members of `frame` that rungs read, as `refract_frame`.
  *
- * With REFRACT_SEEN it comes from the vertex shader, the same at all three corners of the picture's
- * triangle: lavapipe's fragment shaders fetch each float of a uniform for each pixel by itself
- * (Mesa 22.3), which its vertex shaders do once.
+ * With REFRACT_SEEN they are passed from the vertex shader, with equal values at all three corners
+ * of the picture's triangle, because lavapipe's fragment shaders fetch each float of a uniform
+ * separately for each pixel (Mesa 22.3).
  */
 #ifndef REFRACT_FRAME_GLSL
 #define REFRACT_FRAME_GLSL

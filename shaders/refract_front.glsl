@@ -1,6 +1,6 @@
 /*
- * refract_front.glsl: the ice's front faces as refract*.vert hands them on, and their normal: with
- * REFRACT_BUMP, that of the uneven surface. With REFRACT_SEEN, all as ice_normal.front shows it.
+ * refract_front.glsl: the inputs of front faces from refract*.vert, and their normal; with
+ * REFRACT_BUMP, with bumps. With REFRACT_SEEN all of this is read from ice_normal.front.
  */
 #ifndef REFRACT_FRONT_GLSL
 #define REFRACT_FRONT_GLSL

@@ -1,8 +1,8 @@
 /*
- * refract_inside.glsl: how far a ray goes inside the ice, as the maps show it, and where it leaves.
+ * refract_inside.glsl: marches a ray inside the ice, in the maps, to the point where it leaves.
  *
- * With REFRACT_BOUNCE a ray can leave through front faces, too. Without, what lies before the front
- * faces counts as inside.
+ * With REFRACT_BOUNCE a ray can leave through front faces, too; without it, points before the front
+ * faces count as inside.
  */
 #ifndef REFRACT_INSIDE_GLSL
 #define REFRACT_INSIDE_GLSL
@@ -25,9 +25,9 @@ layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
 #endif
 #endif
 
-/* What rays are told by uniforms, read once: inside a loop lavapipe reads them for each ray. */
+/* Uniforms of a march, read once, because lavapipe reads uniforms in a loop for each ray. */
 struct march_space {
-    mat4 map_from_world; /* to clip coordinates, but x / w and y / w: refract_depth_at()'s */
+    mat4 map_from_world; /* to clip coordinates; x / w and y / w are those of refract_depth_at() */
     vec2 texel;
     vec3 center; /* of the bounding sphere */
     float radius;
@@ -43,14 +43,15 @@ march_space march_space_of_frame()
     return march_space(m, 1.0 / size, refract_frame.center, refract_frame.radius, REFRACT_MARCH);
 }
 
-/* A ray begins so many radii of the bounding sphere away from its surface: texels are coarse. */
+/* A ray begins this far from its surface, in bounding radii, because texels are coarse. */
 const float march_start = 0.02;
 
 const float march_beside = -1e30; /* room of a point beside the silhouette */
 
 /*
- * How much room a point has before the back faces, x, and behind the front faces, y; below 0
- * outside. In depth as it is stored, times w: along a ray it is linear where the face is flat.
+ * Returns the room of a point: its distance before the back faces, x, and behind the front faces,
+ * y, below 0 outside. The unit is stored depth times w, which is linear along a ray where the face
+ * is flat.
  */
 vec2 march_rooms(march_space space, vec4 at)
 {
@@ -78,7 +79,7 @@ bool march_is_inside(march_space space, vec4 at)
     return march_less(march_rooms(space, at)) >= 0.0;
 }
 
-/* How far a ray goes to the object's bounding sphere. */
+/* Returns the length of a ray to the object's bounding sphere. */
 float march_room(march_space space, vec3 point, vec3 dir)
 {
     vec3 from_center = point - space.center;
@@ -87,17 +88,17 @@ float march_room(march_space space, vec3 point, vec3 dir)
     return sqrt(max(middle * middle - outside, 0.0)) - middle;
 }
 
-/* Two places of a ray, between which it leaves. */
+/* Two points of a ray, between which it leaves. */
 struct march_ends {
     float within, beyond;
     float room_within; /* 0: not known */
     float room_beyond;
-    bool near_front; /* where it is within */
+    bool near_front; /* at `within` */
 };
 
 /*
- * The step that goes outside. Two steps at a time, since the second does not wait for the first:
- * what takes longest here is not to fetch but to know where.
+ * Finds the step that goes outside. Two steps are taken at a time, because they do not depend on
+ * each other: the latency of the address computation dominates here, not the fetch.
  */
 march_ends march_step_outside(march_space space, vec4 from, vec4 way, float first,
                               float step_length)
@@ -128,8 +129,8 @@ march_ends march_step_outside(march_space space, vec4 from, vec4 way, float firs
     return ends;
 }
 
-/* Where the room would be 0 if it were linear, and a little before that; in the middle where it is
- * not known. */
+/* Returns the point a little before that at which linearly interpolated room is 0, or the middle if
+ * the room is not known. */
 float march_divide(march_ends ends, float exact)
 {
     bool known =
@@ -139,13 +140,13 @@ float march_divide(march_ends ends, float exact)
 }
 
 /*
- * How far a ray goes inside, and whether it is nearer the front faces there. The step that goes
- * outside is divided until it is as exact as `halvings` would be: once for a flat face. Each time
- * that this is outside, the room inside counts half (the Illinois method), lest one end stay for
- * ever.
+ * Returns the length of a ray inside, and whether its end is nearer to the front faces. The step
+ * that goes outside is divided until it is as exact as `halvings` would make it: once for a flat
+ * face. Whenever the new point is outside, the room inside is halved (the Illinois method), so that
+ * both ends converge.
  *
- * These loops end at their ends: a vector unit does whole rounds, of which those of the last ray
- * that breaks off are for nothing.
+ * The loops test their condition at the end, because a vector unit executes whole iterations until
+ * its last ray has finished.
  */
 float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
 {
@@ -179,7 +180,8 @@ float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
     return ends.within;
 }
 
-/* The outward normal where a ray leaves: of the nearer face, if the ray can leave through it. */
+/* Returns the outward normal at the end of a ray: of the nearer face, or of the other one if the
+ * ray cannot leave through the nearer face. */
 vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);

@@ -1,8 +1,8 @@
 /*
- * refract_maps.glsl: the ice's faces as depth and normals in the picture, and points among them.
+ * refract_maps.glsl: lookups in the screen-space maps of the ice's faces, depth and normals.
  *
- * Depths are compared as they are stored: near over the distance along the view's axis, 0 for none.
- * Over a plane they are linear in the picture, as distances are not. Along a ray, clip coordinates
+ * Depths are compared as stored: near plane over distance along the view's axis, 0 without a face.
+ * On a plane they are linear in the picture, which distances are not. Along a ray, clip coordinates
  * are linear in its length.
  */
 #ifndef REFRACT_MAPS_GLSL
@@ -22,7 +22,7 @@ vec2 refract_uv(vec4 clip)
     return clip.xy / clip.w * 0.5 + 0.5;
 }
 
-/* Beyond the picture's edge, the one at the edge. */
+/* Returns the texel of a point, clamped to the picture. */
 ivec2 refract_texel(vec4 clip)
 {
     ivec2 size = textureSize(depth_back, 0);
@@ -30,11 +30,11 @@ ivec2 refract_texel(vec4 clip)
 }
 
 /*
- * Between texels that all show a face, linear; else that of the nearest. `at` counts texels from
- * the middle of the first; `texel` is 1 / their number.
+ * Returns the depth at a point: bilinear between texels that all show a face, else that of the
+ * nearest texel. `at` is in texels from the middle of the first one; `texel` is 1 / the map's size.
  *
- * Marches wait for this: so no min(), which asks for NaN on CPUs, and as few sums as can be after
- * each other.
+ * The latency of this function limits marches. Therefore it has no min(), which tests for NaN on
+ * CPUs, and as few dependent additions as possible.
  */
 float refract_depth_at(sampler2D depths, vec2 at, vec2 texel)
 {
@@ -55,7 +55,7 @@ float refract_depth_at_uv(sampler2D depths, vec2 uv)
     return refract_depth_at(depths, uv * size - 0.5, 1.0 / size);
 }
 
-/* Unit; the mean of the nearest texels that show a face, {0} if none does. */
+/* Returns the mean of the nearest texels that show a face, normalised, or 0 if none does. */
 vec3 refract_normal_at(sampler2D normals, vec2 uv)
 {
     vec3 n = texture(normals, uv).xyz;

@@ -1,13 +1,13 @@
 /*
- * refract_march.glsl: rays inside the ice, followed until they leave what the maps show; with
- * REFRACT_BOUNCE on where they are totally reflected.
+ * refract_march.glsl: traces rays inside the ice in the maps until they leave; with REFRACT_BOUNCE
+ * also after total reflections.
  */
 #ifndef REFRACT_MARCH_GLSL
 #define REFRACT_MARCH_GLSL
 #include "refract_inside.glsl"
 #include "refract_way.glsl"
 
-/* `leaving` is the share that the last surface lets through: 0 where light does not get out. */
+/* Traces a ray. `leaving` is the transmittance of its last surface: 0 if light does not leave. */
 refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
 {
     float eta = refract_frame.etas[channel];
@@ -20,7 +20,7 @@ refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
         way.point += t * way.dir;
         way.path += t;
         vec3 n = march_normal(space, way.point, way.dir, near_front);
-        if (dot(n, way.dir) <= 0.0) /* no face to leave through: straight on */
+        if (dot(n, way.dir) <= 0.0) /* no face was found: the ray goes straight on */
             break;
         bool total = optics_refract_k(way.dir, n, 1.0 / eta) < 0.0;
         leaving = 1.0 - optics_fresnel(way.dir, n, 1.0 / eta);

@@ -1,7 +1,7 @@
 /*
- * refract_seen.glsl: the ice's front faces as ice_normal.front shows them, for a triangle that
- * covers the picture: a rasteriser that shades whole blocks of pixels does so once for each block,
- * and not once for each triangle of the ice in it.
+ * refract_seen.glsl: reads the ice's front faces from ice_normal.front, for a triangle that covers
+ * the picture. A rasteriser that shades whole blocks of pixels then shades each block once, instead
+ * of once for each of the ice's triangles in it.
  */
 #ifndef REFRACT_SEEN_GLSL
 #define REFRACT_SEEN_GLSL
@@ -17,7 +17,7 @@ layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
 layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 
 vec3 eye_to_point;
-vec3 normal; /* unit; as bumps bend it */
+vec3 normal; /* unit; with bumps */
 float fresnel_paper;
 
 vec3 refract_front_normal()
@@ -25,7 +25,8 @@ vec3 refract_front_normal()
     return normal;
 }
 
-/* The depth test leaves out what is no ice; of layers, the shader, and what surroundings hide. */
+/* Reads the face of this pixel. For the picture, the depth test rejects pixels without ice; for
+ * layers, this function discards them, and pixels in which surroundings hide the ice. */
 void refract_front_find()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

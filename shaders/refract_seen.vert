@@ -8,7 +8,8 @@
 
 layout(location = REFRACT_VIEW_RAY) out vec3 out_view_ray;
 
-/* One triangle that covers the picture, at depth 0: behind all faces, for a test against them. */
+/* A triangle that covers the picture at depth 0, behind all faces, for a depth test against
+ * them. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

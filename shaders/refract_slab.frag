@@ -3,7 +3,8 @@
 #include "refract.glsl"
 #include "refract_thickness.glsl"
 
-/* Two parallel faces, as far apart as the straight ray says: light leaves as it came, aside. */
+/* Two parallel faces whose distance is that along the straight ray: light leaves in its original
+ * direction, displaced. */
 refract_way refract_follow(vec3 e, vec3 n_f, int channel)
 {
     vec3 inside = optics_refract(e, n_f, frame.etas[channel]);

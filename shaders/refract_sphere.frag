@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "refract.glsl"
 
-/* Of a sphere as wide as the object. It turns light at its back as much as at its front, and never
+/* A sphere as wide as the object. It bends light at its back as much as at its front, and never
  * reflects it totally. */
 refract_way refract_follow(vec3 e, vec3 n_f, int channel)
 {

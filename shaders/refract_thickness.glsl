@@ -1,11 +1,11 @@
-/* refract_thickness.glsl: how thick the ice is behind the front face of this pixel. */
+/* refract_thickness.glsl: the thickness of the ice behind this pixel's front face. */
 #ifndef REFRACT_THICKNESS_GLSL
 #define REFRACT_THICKNESS_GLSL
 #include "refract_front.glsl"
 #include "refract_maps.glsl"
 
-/* Metres along the straight ray. Distances along the view's axis are as near / depth; 0 where there
- * is no back face. */
+/* Returns metres along the straight ray, or 0 without a back face. Distances along the view's axis
+ * are proportional to 1 / depth. */
 float refract_thickness()
 {
     float back = texelFetch(depth_back, ivec2(gl_FragCoord.xy), 0).r;

@@ -1,4 +1,4 @@
-/* refract_vert.glsl: the ice's front faces, with eq. 4 at the vertices. */
+/* refract_vert.glsl: main() of the ice's front faces, with eq. 4 at the vertices. */
 #define SURFACE_VERTEX
 #include "lib/constants.glsl"
 #include "lib/optics.glsl"
@@ -26,7 +26,7 @@ layout(location = REFRACT_REFRACTED) out vec3 out_refracted[3];
 
 void main()
 {
-    /* two passes must agree: the layers are tested against the depth that the picture wrote */
+    /* `precise`, because the layers' depth test compares with the depth of the picture's pass. */
     precise vec3 point = pose_object(position);
     precise vec4 clip = frame.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

@@ -3,8 +3,8 @@
 #include "refract.glsl"
 #include "refract_thickness.glsl"
 
-/* How thick the ice is along the front normal: to the back face that is seen where a sphere would
- * end that fits the object, or not so far where this is beside the ice. */
+/* Returns the thickness along the front normal: the distance to the back face in the pixel in which
+ * a sphere of the object's size would end, or in a nearer pixel if that one shows no ice. */
 float thickness_along(vec3 point, vec3 n_f)
 {
     float guess = refract_width();
@@ -21,7 +21,7 @@ float thickness_along(vec3 point, vec3 n_f)
     return guess;
 }
 
-/* Wyman's eq. 2: the angles' ratio mixes the thickness along the ray and along the normal. */
+/* Wyman's eq. 2: the ratio of the angles interpolates between both thicknesses. */
 refract_way refract_follow(vec3 e, vec3 n_f, int channel)
 {
     float eta = frame.etas[channel];
@@ -34,7 +34,7 @@ refract_way refract_follow(vec3 e, vec3 n_f, int channel)
     float path = mix(thickness_along(point, n_f), straight, ratio);
     point += path * inside;
     vec3 n_b = refract_normal_at(normal_back, refract_uv(refract_clip(point)));
-    if (n_b == vec3(0.0)) /* it ends beside the ice: as if it went straight on */
+    if (n_b == vec3(0.0)) /* the path ends beside the ice: light goes straight on */
         n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0).xyz;
     if (dot(n_b, inside) <= 0.0)
         return refract_way(inside, point, path, 0.0, 0.0);

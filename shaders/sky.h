@@ -1,9 +1,9 @@
 /*
- * sky.h: radiance of the procedural sky in a direction, and the light it gives; both times
+ * sky.h: radiance of the procedural sky in a direction, and its light; callers multiply both by
  * globals.sky_strength.
  *
- * It is no measured one: a gradient from a bright horizon to a deep zenith, a soft sun, and dark
- * ground below.
+ * It is not based on measurements: a gradient from a bright horizon to a deep zenith, a soft sun,
+ * and dark ground below.
  */
 #ifndef SHADERS_SKY_H
 #define SHADERS_SKY_H

@@ -1,8 +1,8 @@
 /*
  * surface.glsl: highlights of the lights on the ice's front.
  *
- * With SURFACE_VERTEX, what a vertex shader hands on: lavapipe's fragment shaders fetch uniforms
- * float by float, and what comes from there is the same for a whole triangle.
+ * With SURFACE_VERTEX, the vertex shader's part, which passes values that are constant over a
+ * triangle, because lavapipe's fragment shaders fetch uniforms float by float.
  */
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
@@ -29,7 +29,7 @@ void surface_hand_on()
     surface_shininess = frame.surface.shininess;
 }
 #else
-/* Radiance towards the eye from a point that is seen along e. */
+/* Returns the radiance of the highlights towards the eye, which sees the point along e. */
 float surface_highlight(vec3 e, vec3 eye_to_point, vec3 n_f)
 {
     float highlight = 0.0;

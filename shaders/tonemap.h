@@ -1,4 +1,4 @@
-/* tonemap.h: what tonemap.c and tonemap.frag agree on. */
+/* tonemap.h: shared by tonemap.c and tonemap.frag. */
 #ifndef SHADERS_TONEMAP_H
 #define SHADERS_TONEMAP_H
 #include "abi_math.h"
@@ -12,7 +12,7 @@ struct tonemap_push {
     float gain; /* exp2(exposure) */
 };
 
-/* Khronos PBR Neutral: base colours up to 0.8 as they are, highlights compressed to white. */
+/* Khronos PBR Neutral: base colours up to 0.8 are unchanged, highlights are compressed to white. */
 ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
 {
     float start = 0.8f - 0.04f;
@@ -34,9 +34,9 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
 }
 
 /*
- * IEC 61966-2-1, of what lies beyond 0 and 1 too. The power is a polynomial of the fourth root, by
- * Remez' algorithm: wrong by 3.5e-5 at most, a hundredth of a byte's step. Three powers take a CPU
- * about as long as all the rest of this pass.
+ * Encodes by IEC 61966-2-1, extended beyond 0 and 1. The power is a polynomial of the fourth root,
+ * fitted by Remez' algorithm, with an error of at most 3.5e-5, a hundredth of the step of a byte.
+ * On a CPU three powers would take about as long as the rest of this pass.
  */
 ABI_FUNCTION float tonemap_srgb(float linear)
 {
@@ -47,7 +47,7 @@ ABI_FUNCTION float tonemap_srgb(float linear)
     return c <= 0.0031308f ? c * 12.92f : high;
 }
 
-/* What a PNG file shows of linear radiance, 0 to 1. */
+/* Returns the encoded colour, 0 to 1, of linear radiance, as in a PNG file. */
 ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, float gain, uint32_t curve)
 {
     vec3s c = ABI_VEC3(fmaxf(radiance.x * gain, 0.0f), fmaxf(radiance.y * gain, 0.0f),

@@ -1,6 +1,6 @@
 /*
- * water.glsl: what an eye above the water sees on it and in it; with WATER_WITH_CAUSTICS the light
- * on the ground is uneven, with WATER_WITH_ICE there is ice on the way to it.
+ * water.glsl: radiance of water for an eye above it; with WATER_WITH_CAUSTICS, with caustics on the
+ * ground; with WATER_WITH_ICE, with ice in the water.
  */
 #ifndef WATER_GLSL
 #define WATER_GLSL
@@ -20,13 +20,13 @@ const vec3 up = vec3(0.0, 0.0, 1.0);
 
 /* ---- the ground: floor and walls ---- */
 
-/* Integral from 0 to x of stripes that cover `share` of each unit. */
+/* Returns the integral from 0 to x of stripes that cover `share` of each unit. */
 float stripes(float x, float share)
 {
     return floor(x) * share + min(fract(x), share);
 }
 
-/* Share of stripes in a pixel of a given width. */
+/* Returns the share of stripes in a pixel of a given width. */
 float stripes_within(float x, float width, float share)
 {
     return (stripes(x + 0.5 * width, share) - stripes(x - 0.5 * width, share)) / width;
@@ -61,7 +61,7 @@ vec3 tiles(vec2 at)
 layout(set = 0, binding = WATER_CAUSTICS) uniform sampler2D caustics;
 #endif
 
-/* The sun's light on level ground, with 1 as much as below water at rest and nothing around it. */
+/* Returns the sun's light on level ground, relative to that below water at rest without walls. */
 float sun_share(vec3 at, vec3 inside)
 {
 #ifdef WATER_WITH_CAUSTICS
@@ -77,8 +77,8 @@ vec3 passed(float path)
     return exp(-path * vec3(push.water.red, push.water.green, push.water.blue));
 }
 
-/* Light that a white surface at a place below water gives back: the sun's, which comes as through
- * water at rest, and the sky's. */
+/* Returns the light that a white surface below water reflects: of the sun, as through water at
+ * rest, and of the sky. */
 vec3 light_below(vec3 at, vec3 n, float share)
 {
     vec3 sun_dir = pool_sun_dir();
@@ -99,7 +99,7 @@ vec3 box_normal(vec3 at, vec3 upper)
     return side.x > side.y ? vec3(-sign(at.x), 0.0, 0.0) : vec3(0.0, -sign(at.y), 0.0);
 }
 
-/* What the rest of the pool is to a ray that goes up: dry walls, then the sky. */
+/* Returns the radiance of dry walls and sky along a ray that goes up. */
 vec3 radiance_above(vec3 from, vec3 r)
 {
     float half_size = 0.5 * push.pool.size;
@@ -111,20 +111,20 @@ vec3 radiance_above(vec3 from, vec3 r)
     return vec3(POOL_STONE) * sky_light(pool_to_world(n));
 }
 
-/* The way of light against its direction, as far as it is known. */
+/* A ray traced from the eye. */
 struct water_ray {
     vec3 from;
-    vec3 dir;   /* unit; down, unless: */
-    bool above; /* it goes up in air */
-    vec3 kept;  /* share of light that gets through what is behind */
+    vec3 dir;   /* unit; goes down in water or, if `above`, up in air */
+    bool above; /* the ray has left the water */
+    vec3 kept;  /* transmittance of the path so far */
 };
 
 struct water_ground {
     vec3 radiance;
-    float caustics; /* sun_share() of the ground that is seen */
+    float caustics; /* sun_share() of the visible ground */
 };
 
-/* What a ray shows in the end: the ground, seen through water, or what is above. */
+/* Returns the radiance at the end of a ray: of the ground through water, or above the water. */
 water_ground look_along(water_ray ray)
 {
     water_ground ground;
@@ -134,7 +134,7 @@ water_ground look_along(water_ray ray)
     float path = pool_exit(ray.from, dir, -upper, vec3(upper.xy, 1e6));
     vec3 at = ray.from + path * dir;
     vec3 n = box_normal(at, upper);
-    at.z = min(at.z, 0.0); /* light comes from above even where a wave's crest is */
+    at.z = min(at.z, 0.0); /* walls above the water at rest, in a crest, are lit as at its height */
     ground.caustics = sun_share(at, pool_sun_inside(push.water.ior));
     vec2 on_tiles = n.z > 0.5 ? at.xy : vec2(n.x != 0.0 ? at.y : at.x, at.z);
     vec3 light = light_below(at, n, ground.caustics);

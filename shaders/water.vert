@@ -13,7 +13,7 @@ layout(location = 0) out vec3 out_point; /* pool coordinates */
 
 void main()
 {
-    /* all passes must agree: layers are tested against the depth that the picture wrote */
+    /* `precise`, because the layers' depth test compares with the depth of the picture's pass. */
     precise vec2 across =
         vec2(strip_corner(uint(gl_VertexIndex), WATER_GRID)) / float(WATER_GRID) - 0.5;
     precise vec2 p = across * push.pool.size;

@@ -7,5 +7,5 @@ void main()
 {
     water_view view = water_look();
     vec3 radiance = optics_compose(view.reflection, view.refraction, view.fresnel);
-    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* a half's largest, where light is focused */
+    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* focused light may exceed the largest half */
 }

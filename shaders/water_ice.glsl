@@ -1,24 +1,23 @@
 /*
- * water_ice.glsl: light through ice that floats in the pool, followed in the ice's maps as
- * refract_bounce.c does, out into water below the surface at rest or into air above it.
+ * water_ice.glsl: traces light through the floating ice in the ice's maps, as in refract_bounce.c,
+ * to the water below the surface at rest or to the air above it.
  *
- * Of green light; colours do not part. Where surfaces mirror, what they mirror is left out but for
- * total reflection.
+ * All colours have the path of green. Partial reflections are left out.
  */
 #define REFRACT_BOUNCE
 #define REFRACT_MARCH refract_march(16u, 8u, 4u)
 #include "refract_inside.glsl"
 
-const uint ice_steps = 24u; /* from the water's surface until a ray is in the ice */
+const uint ice_steps = 24u; /* steps between the water's surface and the ice */
 
-/* Index of the ice over that of what is around it at a height. */
+/* Returns the index of the ice over that of water or air at a height. */
 float ice_ratio(float height)
 {
     return (height < 0.0 ? 1.0 / push.water.ior : 1.0) / frame.eta;
 }
 
-/* A ray that has left the ice, as look_along() wants it. One that goes up in water is mirrored by
- * the surface; one that goes down in air enters the water. Neither meets the ice again. */
+/* Continues a ray that has left the ice, for look_along(). A ray that goes up in water is reflected
+ * by the surface; one that goes down in air enters the water. Neither meets the ice again. */
 water_ray ice_outside(water_ray ray)
 {
     bool in_water = ray.from.z < 0.0;
@@ -37,7 +36,7 @@ water_ray ice_outside(water_ray ray)
     return ray;
 }
 
-/* A ray that is in the ice, to where it leaves. */
+/* Traces a ray from inside the ice to its exit. */
 water_ray ice_through(water_ray ray)
 {
     vec3 point = pool_to_world(ray.from);
@@ -62,7 +61,7 @@ water_ray ice_through(water_ray ray)
     return ice_outside(ray);
 }
 
-/* How far a ray in the water goes until it is in the ice; a negative number: it never is. */
+/* Returns the length of a ray in the water until it meets the ice; negative if it does not. */
 float ice_distance(vec3 point, vec3 dir)
 {
     march_space space = march_space_of_frame();
@@ -93,7 +92,7 @@ float ice_distance(vec3 point, vec3 dir)
     return inside;
 }
 
-/* A ray that has just entered the water: through the ice, if that is in its way. */
+/* Continues a ray that has just entered the water, through the ice if it meets it. */
 water_ray ice_below(water_ray ray)
 {
     vec3 dir = pool_to_world(ray.dir);
@@ -105,13 +104,14 @@ water_ray ice_below(water_ray ray)
     march_space space = march_space_of_frame();
     vec4 at = space.map_from_world * vec4(point, 1.0);
     bool near_front = march_is_near_front(march_rooms(space, at));
-    vec3 n = -march_normal(space, point, -dir, near_front); /* it comes from there */
+    vec3 n = -march_normal(space, point, -dir,
+                           near_front); /* the entry is the exit of the reversed ray */
     ray.kept *= passed(t);
     ray.from = pool_from_world(point);
     if (dot(n, dir) > 0.0) {
         dir = optics_refract(dir, -n, push.water.ior * frame.eta);
         ray.dir = pool_from_world(dir);
-        if (dot(n, dir) < 0.0) /* mirrored: the ice has the lower index */
+        if (dot(n, dir) < 0.0) /* total reflection, since the ice has the lower index */
             return ice_outside(ray);
     }
     return ice_through(ray);

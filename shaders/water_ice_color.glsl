@@ -1,5 +1,5 @@
-/* water_ice_color.glsl: main() of the ice that stands out of the water. What it mirrors is above,
- * or looks as if it were: the water mirrors that once more. */
+/* water_ice_color.glsl: main() of the ice above the water. Reflected rays that go down are
+ * reflected once more by the water. */
 #define WATER_WITH_ICE
 #include "water.glsl"
 
@@ -17,5 +17,5 @@ void main()
     vec3 r = optics_reflect(e, n);
     vec3 reflection = radiance_above(point, vec3(r.xy, abs(r.z)));
     vec3 radiance = optics_compose(reflection, ground.radiance, optics_fresnel(e, n, frame.eta));
-    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* a half's largest */
+    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* the largest half */
 }

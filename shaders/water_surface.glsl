@@ -1,4 +1,4 @@
-/* water_surface.glsl: what the eye sees where it looks at the water's surface. */
+/* water_surface.glsl: radiance of the water's surface. */
 #ifndef WATER_SURFACE_GLSL
 #define WATER_SURFACE_GLSL
 #include "water.glsl"
@@ -8,11 +8,12 @@ layout(location = 0) in vec3 point; /* pool coordinates */
 struct water_view {
     vec3 refraction; /* radiance of the ground seen through the surface */
     vec3 reflection;
-    float fresnel;  /* share of the reflection */
-    float caustics; /* sun_share() of the ground that is seen */
+    float fresnel;  /* share of light that is reflected */
+    float caustics; /* sun_share() of the visible ground */
 };
 
-/* Unit normal of the surface, turned to the eye where the grid shows what faces away. */
+/* Returns the unit normal of the surface, turned to the eye where the grid shows a face that points
+ * away. */
 vec3 water_normal(vec3 e)
 {
     vec3 n = wave_normal(wave_at(push.water, point.xy, frame.time));
@@ -27,7 +28,7 @@ water_view water_look()
     vec3 n = water_normal(e);
     vec3 r = optics_reflect(e, n);
     vec3 t = optics_refract(e, n, 1.0 / push.water.ior);
-    /* neither goes through a second wave */
+    /* Neither ray meets a second wave. */
     r = normalize(vec3(r.xy, max(r.z, 1e-3)));
     t = normalize(vec3(t.xy, min(t.z, -1e-3)));
     water_ray ray = water_ray(point, t, false, vec3(1.0));

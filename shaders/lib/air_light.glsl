@@ -4,7 +4,7 @@
 #include "lib/constants.glsl"
 #include "lib/sky.glsl"
 
-/* Mean radiance of the environment picture, by solid angle. */
+/* Returns the mean radiance of the environment image, weighted by solid angle. */
 vec3 air_mean(sampler2D environment)
 {
     int lod = max(textureQueryLevels(environment) - 4, 0);
@@ -18,7 +18,7 @@ vec3 air_mean(sampler2D environment)
     return sum.rgb / sum.w;
 }
 
-/* What white matter sends out that scatters light so often that it forgets where it came from. */
+/* Returns the radiance of a white medium in which multiple scattering makes light isotropic. */
 vec3 air_light(sampler2D environment)
 {
     if (constant_background == GLOBALS_COLOR)

@@ -1,11 +1,11 @@
 /*
- * bubble.glsl: light that meets a sphere of thinner matter, as a bubble of air in ice is.
+ * bubble.glsl: light that meets a sphere of lower refractive index, such as a bubble of air in ice.
  *
  *   b    impact parameter in the sphere's radii, 0 to 1: the sine of the angle of incidence
  *   eta  refractive index around the sphere over the one inside, above 1
  *
- * Light stays in the plane of its ray and the sphere's centre, and turns away from the centre.
- * Turns are given as cosine and sine.
+ * Light stays in the plane of its ray and the sphere's centre, and turns away from the centre. A
+ * turn is a cosine and a sine.
  */
 #ifndef LIB_BUBBLE_GLSL
 #define LIB_BUBBLE_GLSL
@@ -15,7 +15,8 @@ vec2 bubble_double(vec2 turn)
     return vec2(turn.x * turn.x - turn.y * turn.y, 2.0 * turn.x * turn.y);
 }
 
-/* Of the light that passes: 2 (theta_t - theta_i). For eta b <= 1: beyond that, none does. */
+/* Returns the turn of transmitted light, 2 (theta_t - theta_i). eta b must be at most 1; beyond
+ * that all light is reflected. */
 vec2 bubble_transmitted(float b, float eta)
 {
     vec2 incident = vec2(sqrt(1.0 - b * b), b);
@@ -24,20 +25,20 @@ vec2 bubble_transmitted(float b, float eta)
                               inside.y * incident.x - inside.x * incident.y));
 }
 
-/* Of the light that is reflected: pi - 2 theta_i. */
+/* Returns the turn of reflected light, pi - 2 theta_i. */
 vec2 bubble_reflected(float b)
 {
     return bubble_double(vec2(b, sqrt(1.0 - b * b)));
 }
 
-/* A direction turned towards another, unit and square to it. */
+/* Turns the direction e towards `outward`, which is unit and perpendicular to e. */
 vec3 bubble_turn(vec3 e, vec3 outward, vec2 turn)
 {
     return turn.x * e + turn.y * outward;
 }
 
-/* How much of what lies behind it is replaced by what the light that passes shows: none where that
- * goes straight, all where it leaves along the surface. It is no law of nature: see bubbles.c. */
+/* Returns the opacity of transmitted light over the picture behind: 0 for light that goes straight
+ * on, 1 for light that leaves along the surface. This is an approximation: see bubbles.c. */
 float bubble_cover(float b, float eta)
 {
     return min(eta * eta * b * b, 1.0);

@@ -1,4 +1,5 @@
-/* busy.glsl: arithmetic that no compiler can leave out: each round needs the one before. */
+/* busy.glsl: arithmetic that compilers cannot remove, because each iteration depends on the one
+ * before. */
 
 float busy(float x, uint rounds)
 {

@@ -1,18 +1,18 @@
 /*
- * caustics_map.glsl: where the map of light lies: on the plane of the floor, in pool coordinates.
+ * caustics_map.glsl: the region of the light map on the floor's plane, in pool coordinates.
  *
- * It holds all light that comes through the pool's surface, as if there were no walls: what falls
- * on a wall is looked up behind it, where it would reach the floor. Around that lies a margin for
- * what waves throw aside.
+ * The map has all light that enters through the pool's surface, as if there were no walls: light on
+ * a wall is looked up behind it, where it would reach the floor. A margin around that region is for
+ * light that waves deflect.
  */
 #ifndef LIB_CAUSTICS_MAP_GLSL
 #define LIB_CAUSTICS_MAP_GLSL
 #include "water.h"
 
-const float caustics_map_margin = 0.15; /* of the depth */
+const float caustics_map_margin = 0.15; /* share of the pool's depth */
 
-/* xy: its corner with the lowest coordinates; zw: lengths of its sides, metres. `inside` is the
- * direction of the sun's light below water at rest. */
+/* Returns the region: in xy its corner with the lowest coordinates, in zw the lengths of its sides,
+ * metres. `inside` is the direction of the sun's light below water at rest. */
 vec4 caustics_map_region(pool_params pool, vec3 inside)
 {
     vec2 shift = -inside.xy / inside.z * pool.depth;

@@ -1,4 +1,4 @@
-/* constants.glsl: those of constants.h; without values from outside, what most frames have. */
+/* constants.glsl: the specialization constants of constants.h, with defaults for most frames. */
 #ifndef LIB_CONSTANTS_GLSL
 #define LIB_CONSTANTS_GLSL
 #include "constants.h"

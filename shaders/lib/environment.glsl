@@ -5,7 +5,7 @@
 #include "lib/constants.glsl"
 #include "lib/sky.glsl"
 
-/* Along a unit direction; `lod` is the mip of the picture, if there is one. */
+/* Returns the radiance along a unit direction; `lod` is the mip level of the environment image. */
 vec3 environment_radiance(sampler2D environment, vec3 dir, float lod)
 {
     if (constant_background == GLOBALS_COLOR)

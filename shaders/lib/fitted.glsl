@@ -1,9 +1,9 @@
-/* fitted.glsl: metres from the depth of globals.fitted_clip_from_world. */
+/* fitted.glsl: converts depth by globals.fitted_clip_from_world to metres. */
 #ifndef LIB_FITTED_GLSL
 #define LIB_FITTED_GLSL
 #include "lib/globals.glsl"
 
-/* Distance along the view's axis. */
+/* Returns the distance along the view's axis, metres. */
 float fitted_distance(float depth)
 {
     float near = frame.fitted.x;

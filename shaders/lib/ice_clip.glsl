@@ -1,8 +1,8 @@
 /*
- * ice_clip.glsl: what lies inside the ice.
+ * ice_clip.glsl: clips fragments to the ice.
  *
- * Seipel and Nivfors 2006, section 3.3: kept is what lies between the nearest front face and the
- * farthest back face of its pixel. Targets are of the view's size.
+ * Seipel and Nivfors 2006, section 3.3: fragments are kept between the nearest front face and the
+ * farthest back face of their pixel. Targets have the view's size.
  */
 #ifndef LIB_ICE_CLIP_GLSL
 #define LIB_ICE_CLIP_GLSL
@@ -11,7 +11,7 @@
 layout(set = 0, binding = ICE_DEPTH_FRONT) uniform sampler2D ice_clip_front;
 layout(set = 0, binding = ICE_DEPTH_BACK) uniform sampler2D ice_clip_back;
 
-/* `depth` is by globals.fitted_clip_from_world. */
+/* Returns whether a fragment is kept; `depth` is by globals.fitted_clip_from_world. */
 bool ice_clip_keeps(float depth)
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

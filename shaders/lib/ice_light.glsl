@@ -1,6 +1,6 @@
 /*
- * ice_light.glsl: the sun's view of ground and ice (ice_caustics_light), as `light`. There the
- * depth is near over the distance along the view's axis, 0 for none, as in the picture's.
+ * ice_light.glsl: the sun's view of ground and ice (ice_caustics_light), as `light`. Its depth is
+ * near plane over distance along the view's axis, 0 without a surface, as in the picture.
  */
 #ifndef LIB_ICE_LIGHT_GLSL
 #define LIB_ICE_LIGHT_GLSL
@@ -21,7 +21,8 @@ vec2 ice_light_uv(vec4 clip)
     return clip.xy / clip.w * 0.5 + 0.5;
 }
 
-/* What a picture of the sun's view of the ice shows at a place of the map; 0 beside it. */
+/* Looks up an image of the sun's view of the ice at a position of the map; 0 outside of the
+ * image. */
 vec4 ice_light_ice(sampler2D picture, vec2 uv)
 {
     vec2 at = (uv - 0.5) * light.reach + 0.5;
@@ -29,7 +30,7 @@ vec4 ice_light_ice(sampler2D picture, vec2 uv)
     return beside ? vec4(0.0) : texture(picture, at);
 }
 
-/* Whether a place lies before the ice's front faces. */
+/* Returns whether a position is before the ice's front faces. */
 bool ice_light_is_before(sampler2D front, vec4 clip)
 {
     float depth = ice_light_ice(front, ice_light_uv(clip)).r;

@@ -1,4 +1,4 @@
-/* ice_shine.glsl: the sun's light on what lies around the ice, by the map of ice_caustics.c. */
+/* ice_shine.glsl: the sun's light on the surroundings of the ice, by the map of ice_caustics.c. */
 #ifndef LIB_ICE_SHINE_GLSL
 #define LIB_ICE_SHINE_GLSL
 #include "lib/constants.glsl"
@@ -9,11 +9,12 @@ layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D shine_ground;
 layout(set = 0, binding = ICE_CAUSTICS_FRONT) uniform sampler2D shine_front;
 
 struct ice_shine {
-    vec3 through; /* light that has gone through the ice; 1: as much as the sun's own */
-    float own;    /* share of the sun's own light that the ice does not cover */
+    vec3 through; /* light through the ice, relative to the sun's direct light */
+    float own;    /* share of the sun's direct light that the ice does not cover */
 };
 
-/* Places count as ground which the map's nearest texels show, by a little more than rounding. */
+/* Returns the light at a point. Points behind the farthest of the nearest texels of the ground's
+ * depth, with a tolerance, get none through the ice. */
 ice_shine ice_shine_at(vec3 point)
 {
     const float slack = 0.02 / ICE_CAUSTICS_DISTANCE;

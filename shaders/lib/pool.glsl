@@ -18,20 +18,20 @@ vec3 pool_to_world(vec3 v)
     return vec3(v.x, v.z, -v.y);
 }
 
-/* Towards the sun; where it has set, along the horizon. */
+/* Returns the direction towards the sun; if it has set, along the horizon. */
 vec3 pool_sun_dir()
 {
     vec3 dir = pool_from_world(frame.sun_dir);
     return normalize(vec3(dir.xy, max(dir.z, 0.02)));
 }
 
-/* The way that light takes below water at rest. */
+/* Returns the direction of the sun's light below water at rest. */
 vec3 pool_sun_inside(float ior)
 {
     return refract(-pool_sun_dir(), vec3(0.0, 0.0, 1.0), 1.0 / ior);
 }
 
-/* Where along a ray from within it leaves a box; dir may be 0 along an axis. */
+/* Returns the length of a ray from inside a box to its side; dir may be 0 along an axis. */
 float pool_exit(vec3 from, vec3 dir, vec3 lower, vec3 upper)
 {
     vec3 far = mix(upper, lower, lessThan(dir, vec3(0.0)));
@@ -39,7 +39,7 @@ float pool_exit(vec3 from, vec3 dir, vec3 lower, vec3 upper)
     return max(min(t.x, min(t.y, t.z)), 0.0);
 }
 
-/* Whether light passes the water's surface at a place. */
+/* Returns whether a point is on the water's surface. */
 bool pool_is_open(vec2 p, float size)
 {
     return max(abs(p.x), abs(p.y)) <= 0.5 * size;

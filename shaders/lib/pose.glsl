@@ -1,5 +1,5 @@
-/* pose.glsl: where vertices of the scene's meshes are at this time. Rotations only: normals turn
- * alike. */
+/* pose.glsl: transforms vertices of the scene's meshes to their pose at this time. Poses are
+ * rotations, so normals are transformed alike. */
 #ifndef LIB_POSE_GLSL
 #define LIB_POSE_GLSL
 #include "lib/globals.glsl"

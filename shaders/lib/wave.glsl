@@ -4,15 +4,15 @@
  * In pool coordinates: x and y along the water at rest, z up, metres. With r = |(x, y)|, F_i = F /
  * 2^i and phi_i = S t + x y W / F_i the series is
  *     z = -2 V r sum F_i cos phi_i
- * Its slopes grow with r squared: it is made for r up to about 1.4 units. At r = 0 it has a cone's
- * tip, which is given slope 0. The cosine, for comparison with closed forms, is
+ * Its slopes grow with r squared; it is meant for r up to about 1.4 units. At r = 0 it has a tip,
+ * whose slope is set to 0. The cosine, for comparison with closed forms, is
  *     z = V cos(W x - S t)
  */
 #ifndef LIB_WAVE_GLSL
 #define LIB_WAVE_GLSL
 #include "water.h"
 
-/* xy: slopes dz/dx and dz/dy; z: height. In units of the series. */
+/* Returns the slopes dz/dx and dz/dy in xy and the height in z, in units of the series. */
 vec3 wave_series(water_params w, vec2 p, float time)
 {
     float r = max(length(p), 1e-6);
@@ -35,7 +35,7 @@ vec3 wave_cosine(water_params w, vec2 p, float time)
     return vec3(-w.height * w.frequency * sin(phi), 0.0, w.height * cos(phi));
 }
 
-/* xy: slopes; z: height, metres. */
+/* Returns the slopes in xy and the height, metres, in z. */
 vec3 wave_at(water_params w, vec2 p, float time)
 {
     vec2 q = p / w.scale;
@@ -43,7 +43,7 @@ vec3 wave_at(water_params w, vec2 p, float time)
     return vec3(wave.xy, wave.z * w.scale);
 }
 
-/* Unit, upward. */
+/* Returns the unit normal, which points up. */
 vec3 wave_normal(vec3 wave)
 {
     return normalize(vec3(-wave.xy, 1.0));
