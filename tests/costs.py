@@ -1,4 +1,4 @@
-"""costs.py: what the tests cost, from the logs that meson has left.
+"""costs.py: prints the costs of the tests, from meson's logs.
 
 Usage: costs.py [BUILD...]   BUILD: a build folder; without any, all `build*` in the source tree
 Prints the parts (build folders) with their times, then the tests that took longest in any of them.

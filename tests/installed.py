@@ -1,9 +1,9 @@
-"""installed.py: the libraries of graph/, as a stranger meets them.
+"""installed.py: tests the installed libraries of graph/.
 
 Usage: installed.py ROOT MESON
-Installs them, shared and static, and builds outside the tree what docs/render-graph.md shows, with
-its own commands: the programs print what it says. The libraries show what the headers declare,
-under the names that the version promises, and nothing else.
+Installs them, shared and static, and builds the programs of docs/render-graph.md outside the tree,
+with the page's commands: the programs must print the page's output. The libraries must export the
+headers' declarations and nothing else, and have the SONAME of the version.
 """
 import os
 import pathlib

@@ -1,8 +1,8 @@
-"""style.py: the house rules that a machine can check.
+"""style.py: checks the rules of CONTRIBUTING.md that a machine can check.
 
 Usage: style.py ROOT [LIBRARY...]   LIBRARY: a static library in which nothing may be writable
-       style.py --self-test         feeds something bad to every rule
-Prints one line a fault, "file:line: what is wrong", and exits 1 if there is any.
+       style.py --self-test         gives every rule a violation to find
+Prints one line for each fault, "file:line: what is wrong", and exits with 1 if there is any.
 """
 import ast
 import os

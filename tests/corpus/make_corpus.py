@@ -1,6 +1,6 @@
-"""make_corpus.py: files that are wrong, each in one way. Usage: make_corpus.py FOLDER
+"""make_corpus.py: makes malformed files, each with one fault. Usage: make_corpus.py FOLDER
 
-corpus() lists them: nothing here is taken from elsewhere, and the same bytes come out every time.
+corpus() lists them. All files are made here, and their bytes are always the same.
 """
 import base64
 import json

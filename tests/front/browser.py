@@ -1,7 +1,7 @@
-"""browser.py: a headless Chromium, spoken to in its DevTools protocol through a pair of pipes.
+"""browser.py: controls a headless Chromium by its DevTools protocol through a pair of pipes.
 
-What a page says, asks of the network or throws is kept; keys are pressed as a hand would. When the
-pipes close, because the test has ended in any way, the browser ends, too.
+Messages, network requests and exceptions of a page are recorded; keys are sent as from a keyboard.
+When the pipes close, because the test has ended in any way, the browser exits, too.
 """
 import base64
 import fcntl

@@ -1,8 +1,8 @@
-"""case.py: what the tests of the program `firn` share.
+"""case.py: the base of all tests of the program `firn`.
 
 Usage: TEST.py FIRN [TEST...]   FIRN: the program; TEST: as unittest names them
-Every run gets a folder of its own and an environment with next to nothing in it. Where lavapipe
-is installed it is the device, so that the tests mean the same everywhere.
+Every run has a folder of its own and a minimal environment. If lavapipe is installed, it is the
+device, so that the tests have the same results everywhere.
 """
 import glob
 import os

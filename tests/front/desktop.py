@@ -1,4 +1,4 @@
-"""desktop.py: a screen of its own for tests of windows: Xvfb, a window manager, hands."""
+"""desktop.py: a private screen for tests of windows: Xvfb, a window manager, simulated input."""
 import os
 import pathlib
 import subprocess

@@ -1,5 +1,5 @@
-"""exr_file.py: just enough of the OpenEXR format (version 2, one part) to read what firn writes,
-and to write what it reads."""
+"""exr_file.py: reads and writes the part of the OpenEXR format (version 2, one part) that the tests
+need."""
 import struct
 import zlib
 

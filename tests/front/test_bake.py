@@ -1,4 +1,7 @@
-"""test_bake.py: what surrounds an object, baked by `firn bake`. Usage: see case.py."""
+"""test_bake.py: tests `firn bake`, which draws the surroundings of an object to a file.
+
+Usage: see case.py.
+"""
 import base64
 import json
 import pathlib

@@ -1,4 +1,4 @@
-"""test_cache.py: what one run has compiled and leaves to the next. Usage: see case.py."""
+"""test_cache.py: tests the cache of compiled pipelines between runs. Usage: see case.py."""
 import os
 import sys
 

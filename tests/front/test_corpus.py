@@ -1,7 +1,7 @@
-"""test_corpus.py: files that are wrong, one by one. Usage: see case.py.
+"""test_corpus.py: tests malformed input files. Usage: see case.py.
 
-Each ends in a picture or in one line and exit code 65: no crash, no hang. `--table` prints what
-docs/trust.md says of them.
+Each ends in a picture or in one line and exit code 65, without crash or hang. `--table` prints the
+table of docs/trust.md.
 """
 import collections
 import math

@@ -1,8 +1,8 @@
-"""test_device.py: what firn does when a call of Vulkan fails: every call, one after the other.
+"""test_device.py: tests firn with failing Vulkan calls: every call fails in turn.
 
 Usage: see case.py. FAIL_LAYER in the environment is the folder of fail_layer.json, the manifest of
-tests/support/fail_layer.c. FAIL_SAMPLE=1: of each command only the first, middle and last call, as
-is enough, and slow enough, under sanitizers.
+tests/support/fail_layer.c. FAIL_SAMPLE=1: only the first, middle and last call of each command, for
+slow builds with sanitizers.
 """
 import collections
 import concurrent.futures

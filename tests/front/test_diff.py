@@ -1,4 +1,4 @@
-"""test_diff.py: how far two pictures are apart, `firn diff`. Usage: see case.py."""
+"""test_diff.py: tests `firn diff`, which compares two pictures. Usage: see case.py."""
 import json
 import math
 import pathlib

@@ -1,4 +1,4 @@
-"""test_environment.py: firn wherever it is started: other users, locales, masks, closed files.
+"""test_environment.py: tests firn in unusual environments: users, locales, masks, closed files.
 
 Usage: see case.py.
 """

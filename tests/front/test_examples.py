@@ -1,10 +1,10 @@
 """test_examples.py: every command that the README, the docs and the help show, run small.
 
 Usage: test_examples.py FIRN [--no-window] [--pages=K/N] [TEST...]
-    --no-window: that of `firn view` cannot open; --pages: only each N-th page, from the K-th on
+    --no-window: `firn view` cannot open a window; --pages: every N-th page, beginning with page K
 
-The commands are run as they stand, but for sizes, numbers of runs, of frames and of what is in the
-ice, and pipes.
+The commands are run unchanged, except for smaller sizes, fewer runs, frames and inclusions, and
+without pipes.
 """
 import base64
 import json

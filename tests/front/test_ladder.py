@@ -1,6 +1,6 @@
-"""test_ladder.py: every rung beside the truth, `firn ladder`.
+"""test_ladder.py: tests `firn ladder`, which compares every rung with the reference.
 
-Usage: test_ladder.py FIRN [--without] [TEST...]   --without: that firn has no Embree
+Usage: test_ladder.py FIRN [--without] [TEST...]   --without: firn was built without Embree
 """
 import base64
 import json

@@ -1,8 +1,8 @@
-"""test_memory.py: firn when memory ends, at many places. Usage: see case.py.
+"""test_memory.py: tests firn when memory runs out, at many limits. Usage: see case.py.
 
-What the driver's compiler and Embree's threads do then is to crash, now and then, with words of
-their own or none: firn can only see to it that a file is the older one or the new one, whole, and
-that the next run removes what is left beside it.
+The driver's compiler and Embree's threads may then crash, with or without a message. firn can only
+guarantee that an output file is the older one or the complete new one, and that the next run
+removes a temporary file.
 """
 import concurrent.futures
 import os

@@ -1,4 +1,4 @@
-"""test_output.py: what is left of output files when the disk or the process fails on the way.
+"""test_output.py: tests output files when the disk fails or the process is killed during a write.
 
 Usage: see case.py. FAIL_CALL in the environment is the library of tests/support/fail_call.c.
 """

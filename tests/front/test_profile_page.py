@@ -1,4 +1,4 @@
-"""test_profile_page.py: the page of a profile in a real browser, at work by keyboard alone.
+"""test_profile_page.py: tests the page of a profile in a browser, by keyboard alone.
 
 Usage: test_profile_page.py PRINT_PROFILE_PAGE CHROMIUM [TEST...]
 """

@@ -1,4 +1,7 @@
-"""test_sheet.py: pictures side by side, `firn sheet`. Usage: see case.py."""
+"""test_sheet.py: tests `firn sheet`, which draws several pictures side by side.
+
+Usage: see case.py.
+"""
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean

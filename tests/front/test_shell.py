@@ -1,4 +1,4 @@
-"""test_shell.py: man pages, and what shells offer after `firn`.
+"""test_shell.py: tests the man pages and the completions of shells.
 
 Usage: test_shell.py FIRN FOLDER [TEST...]   FOLDER: that of the build, with man/ and completions/
 """

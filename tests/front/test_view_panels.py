@@ -1,4 +1,4 @@
-"""test_view_panels.py: what lies over the picture in the window. Usage: see case.py."""
+"""test_view_panels.py: tests the panels of the window. Usage: see case.py."""
 import shlex
 import sys
 

@@ -1,4 +1,7 @@
-"""test_view_watch.py: shaders that change while a window shows them. Usage: see case.py."""
+"""test_view_watch.py: tests shaders that are reloaded while a window uses them.
+
+Usage: see case.py.
+"""
 import os
 import pathlib
 import shutil

@@ -1,6 +1,6 @@
 """xdnd.py: drops files onto a window, as a file manager does: the X11 protocol XDND, version 5.
 
-Usage: xdnd.py WINDOW FILE...   WINDOW: its number; exits 1 if the window does not take them
+Usage: xdnd.py WINDOW FILE...   WINDOW: its number; exits with 1 if the window refuses the files
 """
 import ctypes
 import pathlib

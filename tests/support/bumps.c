@@ -1,4 +1,4 @@
-/* bumps.c: maps without a feature. */
+/* bumps.c: bump maps of one constant slope. */
 #include "tests/support/bumps.h"
 
 #include <stdlib.h>

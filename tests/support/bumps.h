@@ -1,5 +1,5 @@
 /*
- * bumps.h: even slopes all over an object, and in closed form what they make of a normal.
+ * bumps.h: bump maps of one constant slope, and the closed form of the normals that they bend.
  */
 #ifndef TESTS_BUMPS_H
 #define TESTS_BUMPS_H

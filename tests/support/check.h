@@ -1,5 +1,5 @@
 /*
- * check.h: what unit tests share besides cmocka.
+ * check.h: assertions that unit tests share, besides those of cmocka.
  */
 #ifndef TESTS_CHECK_H
 #define TESTS_CHECK_H

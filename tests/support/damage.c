@@ -1,4 +1,4 @@
-/* One thing broken in a copy of a good plan. */
+/* damage.c: injects one fault into a copy of a valid plan. */
 #include "tests/support/damage.h"
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /*
- * damage.h: copies of plans with one thing broken, to see whether a checker notices.
+ * damage.h: copies of plans with one injected fault each, to test whether a checker detects it.
  */
 #ifndef TESTS_DAMAGE_H
 #define TESTS_DAMAGE_H

@@ -1,4 +1,4 @@
-/* What touches one cell of memory, before and after something. */
+/* damage_proof.c: finds the accesses to one cell before and after a barrier or store. */
 #include "tests/support/damage_proof.h"
 
 #include <stddef.h>

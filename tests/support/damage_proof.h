@@ -1,9 +1,9 @@
 /*
- * damage_proof.h: whether a plan needs one of its barriers or stores, and what for.
+ * damage_proof.h: decides whether a plan needs one of its barriers or stores, and why.
  *
- * Looks only at what touches one mip, layer and aspect of an image, or a buffer, just before and
- * just after; what it calls needed is needed whatever else the plan does. It does not find all
- * that is needed.
+ * It examines only the accesses just before and just after to one mip, layer and aspect of an
+ * image, or to a buffer. A barrier or store that it finds necessary is necessary in any plan with
+ * these accesses, but it does not find all necessary ones.
  */
 #ifndef TESTS_DAMAGE_PROOF_H
 #define TESTS_DAMAGE_PROOF_H

@@ -1,4 +1,4 @@
-/* dump_plan.c: a plan as no frame would have it: one of everything. */
+/* dump_plan.c: a plan made by hand with one of everything. */
 #include "tests/support/dump_plan.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
 /*
- * dump_plan.h: a plan filled in by hand that has one of everything a dump can say, and faults.
+ * dump_plan.h: plans made by hand with one of everything that dumps can contain, and with faults.
  */
 #ifndef TESTS_DUMP_PLAN_H
 #define TESTS_DUMP_PLAN_H

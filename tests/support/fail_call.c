@@ -1,11 +1,11 @@
 /*
- * fail_call.c: a library that lets one call fail on the way of an output file to the disk, or ends
- * the process before it. To be loaded before the program (LD_PRELOAD).
+ * fail_call.c: a library that makes one call fail while an output file is written, or kills the
+ * process before that call. It is loaded before the program (LD_PRELOAD).
  *
  * FAIL_AT: which of the calls for temporaries, from 1: openat, write, fsync, close, renameat,
  *          unlinkat, and fsync of the folder.
  * FAIL_HOW: "full" (ENOSPC), "broken" (EIO), "short" (a write of one byte, then ENOSPC), "kill".
- * It says on stderr which call it was: "fail_call: write".
+ * It prints the failed call to stderr: "fail_call: write".
  */
 #define _GNU_SOURCE      /* RTLD_NEXT, openat64 */
 #undef _FILE_OFFSET_BITS /* which would make one of openat and openat64 */

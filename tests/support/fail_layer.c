@@ -1,16 +1,16 @@
 /*
- * fail_layer.c: a Vulkan layer that counts calls and lets some of them fail, as a device does that
- * is lost or out of memory. Its name is VK_LAYER_FIRN_fail.
+ * fail_layer.c: a Vulkan layer, VK_LAYER_FIRN_fail, that counts calls and makes some of them fail,
+ * as if the device were lost or out of memory.
  *
- * FAIL_COUNT:  a file that gets "vkCreateImage 34", one line a command, when an instance ends.
+ * FAIL_COUNT:  a file that receives "vkCreateImage 34", a line for each command, when an instance
+ *              is destroyed.
  * FAIL_CALL:   the command that fails, "vkCreateImage".
- * FAIL_AT:     which of its calls, from 1; they are counted anew with every instance.
- * FAIL_RESULT: the VkResult it returns, "-4".
+ * FAIL_AT:     which of its calls fails, from 1; each instance counts from 1.
+ * FAIL_RESULT: the VkResult that it returns, "-4".
  *
- * It says on stderr which call it was: "fail_layer: vkCreateImage 3". A call that fails does
- * nothing, and leaves nonsense in what it should have made, as Vulkan allows. A device that is lost
- * stays lost: whatever can say so does. One instance and one device at a time: there is no second
- * one to be had.
+ * It prints the failed call to stderr: "fail_layer: vkCreateImage 3". A failed call does nothing
+ * and writes invalid handles to its outputs, as Vulkan allows. A lost device stays lost: all later
+ * calls that can report it do so. There can be only one instance and one device at a time.
  */
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /*
- * fake_renderdoc.c: a library that answers as RenderDoc's does, and says on stderr what it was
- * asked for. To be loaded before the program (LD_PRELOAD).
+ * fake_renderdoc.c: a library with RenderDoc's interface, which prints its calls to stderr. It is
+ * loaded before the program (LD_PRELOAD).
  */
 #include <renderdoc_app.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /*
- * feature.h: a small graph for each thing that a graph can do.
+ * feature.h: a small graph for each feature of the render graph.
  *
- * One table serves two tests: tests/gpu runs it and looks at what comes out, and
- * tests/unit/test_plans.c compares its plan with tests/golden/<name>.txt.
+ * Two tests use each table: tests/gpu runs it and checks the results, and tests/unit/test_plans.c
+ * compares its plan with tests/golden/<name>.txt.
  */
 #ifndef TESTS_FEATURE_H
 #define TESTS_FEATURE_H

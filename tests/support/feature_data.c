@@ -1,4 +1,4 @@
-/* feature_data.c: storage, indirect commands, and what comes from outside. */
+/* feature_data.c: storage, indirect commands, and imports. */
 #include "tests/support/feature.h"
 
 static void record_triangles(struct rg_cmd *cmd, const struct rg_frame *frame)

@@ -1,4 +1,4 @@
-/* feature_history.c: what one frame leaves is what the next one finds. */
+/* feature_history.c: persistent resources, whose content is kept from frame to frame. */
 #include "tests/support/feature.h"
 
 /* ---- images ---- */

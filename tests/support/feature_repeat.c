@@ -1,4 +1,4 @@
-/* feature_repeat.c: rows that stand for several passes. */
+/* feature_repeat.c: repeated rows. */
 #include "tests/support/feature.h"
 
 /* ---- per layer ---- */

@@ -1,4 +1,4 @@
-/* feature_when.c: rows that run only in frames that want it. */
+/* feature_when.c: conditional rows. */
 #include "tests/support/feature.h"
 
 #define WANTED .when = painted_when

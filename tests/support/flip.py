@@ -1,6 +1,6 @@
-"""flip.py: FLIP as its papers print it, slowly: square filters, one pixel after another.
+"""flip.py: FLIP as its papers define it: slow square filters, one pixel after another.
 
-An independent judge of src/metric/flip.c, which filters rows and columns in turn and in float.
+An independent check of src/metric/flip.c, which filters rows and columns separately and in float.
 Andersson and others: FLIP: A Difference Evaluator for Alternating Images, HPG 2020; Visualizing
 Errors in Rendered High Dynamic Range Images, Eurographics 2021. A picture is a list of rows of
 (red, green, blue), linear.

@@ -1,4 +1,4 @@
-/* The checker from outside: what the plan must be before it can run, then some frames of it. */
+/* hazard.c: the checker's entry point: validates the plan's structure, then simulates frames. */
 #include "tests/support/hazard.h"
 
 #include <stdarg.h>

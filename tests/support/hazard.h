@@ -1,11 +1,11 @@
 /*
- * hazard.h: an independent judge of compiled plans.
+ * hazard.h: an independent checker of compiled plans.
  *
- * Runs some frames of a plan on a queue of paper, with nothing awaited in between, by the rules of
- * Vulkan 1.3 ("Synchronization and Cache Control", "Memory Aliasing"): which access may race with
- * which, which layout and content every subresource has, what memory is shared. It does so for many
- * ways in which conditions may turn out. What passes should do, how many batches they need and how
- * many bytes are taken at once is derived anew from the tables; nothing here asks the compiler.
+ * It simulates several frames of a plan on a queue, without waits between them, by the rules of
+ * Vulkan 1.3 ("Synchronization and Cache Control", "Memory Aliasing"): which accesses may race,
+ * which layout and content every subresource has, which memory is aliased. It repeats this for many
+ * combinations of conditions. The expected content, the number of batches and the greatest number
+ * of bytes in use are derived from the tables; nothing here uses the compiler's results or code.
  */
 #ifndef TESTS_HAZARD_H
 #define TESTS_HAZARD_H

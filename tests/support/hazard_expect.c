@@ -1,4 +1,4 @@
-/* What passes should find and frames should leave, scenario by scenario, and who needs it. */
+/* hazard_expect.c: the expected content before passes and after frames, in each scenario. */
 #include <string.h>
 
 #include "tests/support/hazard_private.h"

@@ -1,4 +1,4 @@
-/* One frame as the queue would run it: barriers, passes, and what arrives and leaves. */
+/* hazard_frame.c: simulates one frame on a queue: barriers, passes, imports and outputs. */
 #include "tests/support/hazard_private.h"
 
 #include <stdlib.h>

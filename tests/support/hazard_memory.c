@@ -1,4 +1,4 @@
-/* Where resources lie: sizes, usages, alignment, blocks, lifetimes and who shares memory. */
+/* hazard_memory.c: checks memory: sizes, usages, alignment, blocks, lifetimes and aliasing. */
 #include "tests/support/hazard_private.h"
 
 static const char *name_of(const struct hazard_resource *resource)

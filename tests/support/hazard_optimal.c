@@ -1,4 +1,4 @@
-/* What the plan says of bytes and batches, counted again. */
+/* hazard_optimal.c: recomputes the plan's numbers of bytes and batches. */
 #include "tests/support/hazard_private.h"
 
 /* The pass before whose batch a resource takes its memory: its first barrier, or first use. */

@@ -1,12 +1,13 @@
 /*
- * hazard_private.h: what the files of the hazard checker share.
+ * hazard_private.h: declarations shared by the files of the hazard checker.
  *
- * A cell is what barriers can name alone: a mip, layer and aspect of an image, or a buffer.
+ * A cell is the smallest unit of a barrier: a mip, layer and aspect of an image, or a buffer.
  * Time is counted in slots: slot 0 is before the first frame, slot 1 has the initial barriers; in
- * each frame every pass has one, and one more follows for what happens after the frame. A slot's
- * barriers come before its pass.
+ * each frame every pass has a slot, and one more follows for accesses after the frame. A slot's
+ * barriers are executed before its pass.
  *
- * The frames are run once for each scenario: which conditions are true in which frame.
+ * The frames are simulated once for each scenario, which defines the conditions that are true in
+ * each frame.
  */
 #ifndef TESTS_HAZARD_PRIVATE_H
 #define TESTS_HAZARD_PRIVATE_H

@@ -1,4 +1,4 @@
-/* What Vulkan 1.3 says of stages, accesses, layouts and usages, as far as plans use them. */
+/* hazard_rules.c: the rules of Vulkan 1.3 on stages, accesses, layouts and usages of plans. */
 #include "tests/support/hazard_private.h"
 
 #define COPIES   (HAZARD_COPY | HAZARD_BLIT | HAZARD_RESOLVE)

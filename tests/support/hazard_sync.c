@@ -1,4 +1,4 @@
-/* Which accesses are ordered after which, and which writes they see. */
+/* hazard_sync.c: the order of accesses, and the visibility of writes. */
 #include "tests/support/hazard_private.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* What the tables say: every row and repetition, and its accesses. */
+/* hazard_tables.c: lists the accesses of every row and repetition of the tables. */
 #include "tests/support/hazard_private.h"
 
 #include <math.h>

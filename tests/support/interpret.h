@@ -1,10 +1,10 @@
 /*
- * interpret.h: runs tables on arrays of texels, to say what a device has to compute.
+ * interpret.h: interprets tables on arrays of texels, to compute the results expected of a device.
  *
- * Rows run in the order of the table, one repetition after another; nothing is culled, shared or
- * in flight. What a frame finds in transient resources is garbage, so that what is read before it
- * is written does not go unseen. A pass does what random.frag, random.comp or a copy does; all
- * formats but depth are of unsigned integers, so that results are exact.
+ * Rows run in the order of the table, one repetition after another, without culling, aliasing or
+ * frames in flight. Transient resources begin each frame with garbage, so that reads before writes
+ * are detected. A pass does what random.frag, random.comp or a copy does; all formats except depth
+ * have unsigned integers, so that results are exact.
  */
 #ifndef TESTS_INTERPRET_H
 #define TESTS_INTERPRET_H

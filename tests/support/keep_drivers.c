@@ -1,9 +1,9 @@
 /*
  * keep_drivers.c: linked into every program that tests on a device.
  *
- * Loader, driver and layers stay loaded to the end: the leak sanitizer cannot name, and hence not
- * suppress, what a library allocated that is gone by then. Loading them takes longer than what
- * firn does without a device: then they are left alone.
+ * Loader, driver and layers stay loaded to the end, because the leak sanitizer cannot name, and
+ * therefore not suppress, allocations of a library that is unloaded. Programs that use no device do
+ * not load them, since that takes longer than their tests.
  */
 #include <dlfcn.h>
 #include <stdbool.h>

@@ -1,6 +1,6 @@
 /*
- * lavapipe.h: a device for tests, the CPU driver that is everywhere, with validation on. Without
- * driver or validation layer the tests fail: nothing is skipped.
+ * lavapipe.h: opens lavapipe, Mesa's driver for the CPU, with validation, as a device for tests.
+ * Without driver or validation layer the tests fail; none is skipped.
  */
 #ifndef TESTS_LAVAPIPE_H
 #define TESTS_LAVAPIPE_H

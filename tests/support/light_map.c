@@ -1,4 +1,4 @@
-/* light_map.c: runs the rows of a method of caustics, and one that brings the map back. */
+/* light_map.c: runs the rows of a method of caustics, and a row that reads the map back. */
 #include "tests/support/light_map.h"
 
 #include <math.h>

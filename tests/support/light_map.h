@@ -1,4 +1,4 @@
-/* light_map.h: the light on a pool's floor, by one method, run alone. */
+/* light_map.h: computes the light map of a pool's floor by one method. */
 #ifndef TESTS_LIGHT_MAP_H
 #define TESTS_LIGHT_MAP_H
 

@@ -1,4 +1,4 @@
-/* painted.c: rows that draw a rectangle each, and what they leave in the texels. */
+/* painted.c: rows that draw a rectangle each, and the texels expected of them. */
 #include "tests/support/painted.h"
 #include <string.h>
 

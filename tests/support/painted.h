@@ -1,5 +1,5 @@
 /*
- * painted.h: rows that draw a rectangle each, and what they leave in the texels.
+ * painted.h: rows that draw a rectangle each, and the texels expected of them.
  */
 #ifndef TESTS_PAINTED_H
 #define TESTS_PAINTED_H

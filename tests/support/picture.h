@@ -1,8 +1,8 @@
 /*
- * picture.h: scenes made by hand, pictures of them, and the rays that belong to their pixels.
+ * picture.h: scenes made by hand, pictures of them, and the rays of their pixels.
  *
- * Many scenes carry *directions as colours*, (dir + 1) / 2 of the unit direction dir in which a
- * thing is seen: then a picture itself says where every pixel looks.
+ * Many scenes have *directions as colours*, (dir + 1) / 2 for the unit direction dir from the eye,
+ * so that a picture contains the direction in which each pixel looks.
  */
 #ifndef TESTS_PICTURE_H
 #define TESTS_PICTURE_H

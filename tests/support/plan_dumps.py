@@ -1,6 +1,6 @@
-"""plan_dumps.py: what the dumps of one plan have to do with each other.
+"""plan_dumps.py: compares the dumps of one plan with each other.
 
-The JSON form says everything, so the text follows from it, and the page must show what it says.
+The JSON form has all data, so the text is derived from it, and the page must show the same data.
 """
 import decimal
 import xml.etree.ElementTree as ElementTree

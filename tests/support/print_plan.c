@@ -1,5 +1,5 @@
 /*
- * print_plan.c: prints a plan for what reads dumps.
+ * print_plan.c: prints a plan, for tests that read dumps.
  *
  * print-plan FORMAT PLAN   FORMAT: text, dot, json or html
  *                          PLAN: everything, awkward, faults, or the seed of a random graph

@@ -1,5 +1,5 @@
 /*
- * print_profile_page.c: the page of a profile, for tests that look at it.
+ * print_profile_page.c: prints the page of a profile, for tests in a browser.
  *
  * print-profile-page [PROFILE.json [NAME=VALUE,...]...]; without a file, of the profile made by
  * hand. With parameters, of a sweep, too, whose points are that profile again, but the third row

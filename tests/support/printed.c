@@ -1,4 +1,4 @@
-/* printed.c: what a function writes. */
+/* printed.c: captures what a function writes. */
 #include "tests/support/printed.h"
 #include <stdlib.h>
 #include <string.h>

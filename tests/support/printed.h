@@ -1,4 +1,4 @@
-/* printed.h: what a function writes to a file, as text to look into. */
+/* printed.h: captures what a function writes to a FILE as a string. */
 #ifndef TESTS_PRINTED_H
 #define TESTS_PRINTED_H
 

@@ -1,4 +1,4 @@
-/* profile_sample.c: a profile made by hand, with everything in it. */
+/* profile_sample.c: a profile made by hand in which every field is set. */
 #include "tests/support/profile_sample.h"
 #include <stdio.h>
 #include <stdlib.h>

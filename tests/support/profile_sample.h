@@ -1,4 +1,4 @@
-/* profile_sample.h: a profile made by hand, with everything in it. */
+/* profile_sample.h: a profile made by hand in which every field is set. */
 #ifndef TESTS_PROFILE_SAMPLE_H
 #define TESTS_PROFILE_SAMPLE_H
 

@@ -1,4 +1,5 @@
-/* Draws images, buffers, imports and outputs around the passes of random_graph_pass.c. */
+/* random_graph.c: random images, buffers, imports and outputs around random_graph_pass.c's
+ * passes. */
 #include "tests/support/random_graph.h"
 
 #include <stdio.h>

@@ -1,10 +1,10 @@
 /*
- * random_graph.h: tables made up from a seed, valid by construction.
+ * random_graph.h: random tables, valid by construction.
  *
- * The same seed gives the same tables. They use all kinds of passes, loads, ranges, repeats,
- * formats, samples, resolves, conditions, history, imports and outputs, and some passes that no
- * output needs; no pass reads what was never written or uses the same texels twice. Most have a
- * handful of passes, a few hundreds.
+ * Equal seeds give equal tables. They use all kinds of passes, loads, ranges, repeats, formats,
+ * samples, resolves, conditions, history, imports and outputs, and some passes that no output
+ * needs; no pass reads unwritten texels or uses the same texels twice. Most tables have a handful
+ * of passes, a few have hundreds.
  */
 #ifndef TESTS_RANDOM_GRAPH_H
 #define TESTS_RANDOM_GRAPH_H

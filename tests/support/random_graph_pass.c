@@ -1,4 +1,5 @@
-/* Draws passes, keeping book of what has been written, so that each is valid where it stands. */
+/* random_graph_pass.c: random passes; it records which texels are written, so that each is
+ * valid. */
 #include <string.h>
 #include "tests/support/random_graph_private.h"
 

@@ -1,5 +1,5 @@
 /*
- * random_graph_private.h: what the files of the random graphs share.
+ * random_graph_private.h: declarations shared by the files of the random graphs.
  */
 #ifndef TESTS_RANDOM_GRAPH_PRIVATE_H
 #define TESTS_RANDOM_GRAPH_PRIVATE_H

@@ -1,4 +1,4 @@
-/* Draws images and buffers, and rows by way of run_random_row.c and run_random_copy.c. */
+/* run_random.c: random images and buffers; the rows are made by run_random_{row,copy}.c. */
 #include "tests/support/run_random.h"
 
 #include <stdio.h>

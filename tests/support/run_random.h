@@ -1,9 +1,9 @@
 /*
- * run_random.h: tables made up from a seed that a device can run, of formats of integers.
+ * run_random.h: random tables that a device can run, with integer formats.
  *
- * The same seed gives the same tables. They have all kinds of passes, loads, ranges, repeats and
- * buffers, and some passes that no output needs; no imports, no resolves. What they compute is
- * defined to the last bit; interpret.h says what it is.
+ * Equal seeds give equal tables. They have all kinds of passes, loads, ranges, repeats and buffers,
+ * and some passes that no output needs, but no imports and no resolves. Their results are defined
+ * to the last bit; interpret.h computes them.
  */
 #ifndef TESTS_RUN_RANDOM_H
 #define TESTS_RUN_RANDOM_H

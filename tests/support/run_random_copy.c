@@ -1,4 +1,4 @@
-/* Draws transfer passes. */
+/* run_random_copy.c: random transfer passes. */
 #include "tests/support/run_random_private.h"
 
 /* Bytes of what one repetition copies: one mip of some layers. */

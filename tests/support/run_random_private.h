@@ -1,5 +1,5 @@
 /*
- * run_random_private.h: what the files of the random tables that run share.
+ * run_random_private.h: declarations shared by the files behind run_random.h.
  */
 #ifndef TESTS_RUN_RANDOM_PRIVATE_H
 #define TESTS_RUN_RANDOM_PRIVATE_H

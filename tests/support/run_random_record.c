@@ -1,4 +1,4 @@
-/* Records the rows of random tables. */
+/* run_random_record.c: record functions of random tables. */
 #include "tests/support/run_random.h"
 
 static const struct rg_plan_pass *plan_pass(const struct rg_cmd *cmd, const struct rg_frame *frame)

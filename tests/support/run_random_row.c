@@ -1,5 +1,5 @@
-/* Draws passes with shaders, keeping book of what has been filled, so that each is valid where it
- * stands. */
+/* run_random_row.c: random passes with shaders; it records which texels are filled, so that each
+ * pass is valid. */
 #include <string.h>
 #include "tests/gpu/test_shaders.h"
 #include "tests/support/run_random_private.h"

@@ -1,5 +1,5 @@
 /*
- * small_graph.h: rows of tables for tests that compile and never record, and their plans.
+ * small_graph.h: rows of tables for tests that compile but never record, and their plans.
  */
 #ifndef TESTS_SMALL_GRAPH_H
 #define TESTS_SMALL_GRAPH_H

@@ -1,6 +1,6 @@
 /*
- * spirv.h: what tests want to know of a SPIR-V module: its interface and the layout of its
- * structs. (Khronos, "SPIR-V Specification" 1.6, sections 2.3 and 3; the enums below are its.)
+ * spirv.h: reads the interface of a SPIR-V module and the layout of its structs, for tests.
+ * (Khronos, "SPIR-V Specification" 1.6, sections 2.3 and 3, which define the enums below.)
  */
 #ifndef TESTS_SPIRV_H
 #define TESTS_SPIRV_H

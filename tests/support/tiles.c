@@ -1,4 +1,4 @@
-/* tiles.c: triangles by the tiles of a picture that they may show in. */
+/* tiles.c: lists triangles by the tiles of a picture in which they may be visible. */
 #include "tests/support/tiles.h"
 
 #include <stdlib.h>

@@ -1,7 +1,6 @@
 /*
- * tiles.h: rays through a picture's pixels against a mesh, without trying every triangle: only
- * those whose corners' bounds in the picture touch the tile of the pixel. What is left out could
- * not be met, so the answer is that of trying all.
+ * tiles.h: intersects rays through a picture's pixels with a mesh. Only triangles whose bounds in
+ * the picture overlap the pixel's tile are tested; others cannot be hit, so the result is exact.
  */
 #ifndef TESTS_TILES_H
 #define TESTS_TILES_H

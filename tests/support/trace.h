@@ -1,7 +1,7 @@
 /*
- * trace.h: light through a mesh, triangle by triangle, as a rung would have it if it could.
+ * trace.h: traces light through a mesh exactly, by a test of every triangle.
  *
- * Normals are interpolated between vertices, as the rasteriser does. Slow: every triangle is tried.
+ * Normals are interpolated between vertices, as by the rasteriser.
  */
 #ifndef TESTS_TRACE_H
 #define TESTS_TRACE_H

@@ -1,4 +1,4 @@
-/* vec.h: vectors in double, to compute in closed form what a picture must show. */
+/* vec.h: vectors in double, to compute the expected pictures in closed form. */
 #ifndef TESTS_VEC_H
 #define TESTS_VEC_H
 

@@ -1,4 +1,4 @@
-"""rg_dump_forms.py: text, JSON and page say the same of plans by hand and of random ones.
+"""rg_dump_forms.py: tests that text, JSON and page agree for plans made by hand and random ones.
 
 Usage: rg_dump_forms.py PRINT_PLAN
 """

@@ -1,4 +1,4 @@
-"""shared_structs.py: the structs of headers that C and GLSL share, as rows of a C table.
+"""shared_structs.py: writes the structs of headers that C and GLSL share as rows of a C table.
 
 Usage: shared_structs.py FOLDER HEADERS STRUCTS
 Reads all headers of the folder. Writes lines that include those with structs, and the rows:
