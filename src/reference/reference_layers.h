@@ -28,15 +28,15 @@ enum {
 /* Returns the index of the float that a plane receives, or REFERENCE_SEEN_COUNT. */
 size_t reference_layers_find(const char *plane);
 
-/* Whether a layer is one that the reference makes. */
+/* Returns whether the reference has a layer. */
 bool reference_makes(const struct frame_layer *layer);
 
 enum {
-    REFERENCE_NAMES_SIZE = 512 /* room for all of them */
+    REFERENCE_NAMES_SIZE = 512 /* bytes for all names of reference_leaves_out() */
 };
 
-/* Names of what the settings switch on and the reference leaves out, with commas between, into
- * `names`; true if there is any. */
+/* Writes the names of features that the settings switch on and the reference leaves out, separated
+ * by commas, to `names`. Returns whether there are any. */
 bool reference_leaves_out(const struct settings *settings, char *names, size_t size);
 
 #endif
