@@ -302,7 +302,7 @@ static const struct rg_plan_use *find_use(const struct rg_cmd *cmd, const void *
         if (used == resource && (!access || use->use->access == access))
             return use;
     }
-    assert(!"the row names the resource");
+    assert(false); /* the row names the resource */
     return NULL;
 }
 
