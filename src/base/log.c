@@ -3,14 +3,38 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+/* Returns the bytes of the character at `text` if a terminal could take it for a command or be made
+ * to show other text than there is, else 0: C0 controls and DEL, C1 controls (U+0080 to U+009F),
+ * line and paragraph separators, and marks, overrides and isolates of text direction. */
+static size_t control_size(const unsigned char *text)
+{
+    if (text[0] < 0x20 || text[0] == 0x7f)
+        return 1;
+    if (text[0] == 0xc2 && text[1] >= 0x80 && text[1] <= 0x9f)
+        return 2;
+    if (text[0] == 0xd8 && text[1] == 0x9c) /* U+061C */
+        return 2;
+    if (text[0] == 0xe2 && text[1] == 0x80)
+        return text[2] == 0x8e || text[2] == 0x8f || (text[2] >= 0xa8 && text[2] <= 0xae) ? 3 : 0;
+    if (text[0] == 0xe2 && text[1] == 0x81)
+        return text[2] >= 0xa6 && text[2] <= 0xa9 ? 3 : 0; /* U+2066 to U+2069 */
+    return 0;
+}
+
 static void write_line(const char *prefix, const char *format, va_list arguments)
 {
     char line[2048];
     vsnprintf(line, sizeof(line), format, arguments);
-    for (char *c = line; *c; c++) {
-        if ((unsigned char)*c < 0x20 || *c == 0x7f)
-            *c = '?';
+    char *end = line;
+    for (const char *next = line; *next;) {
+        const size_t size = control_size((const unsigned char *)next);
+        *end = *next;
+        if (size)
+            *end = '?';
+        end++;
+        next += size ? size : 1;
     }
+    *end = '\0';
     fprintf(stderr, "firn: %s%s\n", prefix, line);
 }
 

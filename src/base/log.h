@@ -9,7 +9,7 @@
 #include "src/base/status.h"
 
 /* Writes "firn: " and the formatted message and a newline. Control characters of the message
- * (a file name may hold any) are written as '?'. */
+ * and those that change the direction of text (a file name may hold any) are written as '?'. */
 void log_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Writes "firn: warning: " and the formatted message and a newline, as log_error() does. */

@@ -82,6 +82,35 @@ class CommandLine(Case):
             for value in ('0', '-1', '1e9', '', '2x'):
                 self.refuse(USAGE, 'graph', 'sphere', option, value, names=[option, value])
 
+    def test_an_output_is_no_other_file_in_use(self):
+        """Whatever the paths are; found before any file is opened."""
+        (self.folder / 'in.exr').write_bytes(b'not read')
+        (self.folder / 'link.exr').symlink_to('in.exr')
+        (self.folder / 'sub').mkdir()
+        draw = ('render', 'sphere')
+        for words, names in (
+                ((*draw, '-o', 'a.exr', '-o', 'sub/../a.exr'), ['a.exr', '--output']),
+                ((*draw, '-o', 'a.exr', '--json', './a.exr'), ['--output', '--json']),
+                ((*draw, '-o', '-', '--json', '-'), ['--output', '--json']),
+                ((*draw, '--env', 'in.exr', '-o', 'link.exr'), ['link.exr', '--output', '--env']),
+                (('merge', 'in.exr', 'b.exr', '-o', 'in.exr'), ["input 'in.exr'"]),
+                (('diff', 'b.exr', 'in.exr', '-o', 'sub/../in.exr'), ["input 'in.exr'"]),
+                (('profile', 'sphere', '--csv', 'a', '--html', 'a'), ['--csv', '--html']),
+                (('profile', 'sphere', '--baseline', 'in.exr', '--json', 'in.exr'),
+                 ['--json', '--baseline']),
+                (('ladder', '--truth', 'in.exr', '-o', 'in.exr'), ['--output', '--truth'])):
+            self.refuse(USAGE, *words, names=names)
+        self.assertEqual(self.files(), ['in.exr', 'link.exr', 'sub'])
+        self.succeed('profile', 'sphere', *SMALL, '--runs', '1', '--csv', '/dev/null', '--trace',
+                     '/dev/null', '-q')
+
+    def test_names_cannot_command_a_terminal(self):
+        for text in ('\x1b[2J', '\x9b2J', '\u202etxt.exe', '\u2066', '\u200f', '\u061c', '\x7f'):
+            done = self.firn('render', f'sph{text}.glb')
+            self.assertIn('sph?', done.stderr.decode())
+            self.assertNotIn(text[0], done.stderr.decode())
+        self.assertIn('sph\u00e4re.glb', self.firn('render', 'sph\u00e4re.glb').stderr.decode())
+
     def test_too_many(self):
         for *words, option, most in (('render', 'sphere', '-o', 16), ('diff', 'a', 'b', '-o', 16),
                                      ('ladder', 'sphere', '-o', 16),

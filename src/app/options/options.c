@@ -7,6 +7,7 @@
 #include "src/app/layer_picture.h"
 #include "src/app/options/option_diff.h"
 #include "src/app/options/option_farm.h"
+#include "src/app/options/option_files.h"
 #include "src/app/options/option_ladder.h"
 #include "src/app/options/option_picture.h"
 #include "src/app/options/option_profile.h"
@@ -40,6 +41,8 @@ enum {
 /* NOLINTEND(bugprone-macro-parentheses) */
 #define FLAG(field)        AT(bool, field, option_flag)
 #define TEXT(field)        AT(const char *, field, option_text)
+#define INPUT(field)       AT(const char *, field, option_input)
+#define REPORT(field)      AT(const char *, field, option_report)
 #define COUNT(field)       AT(uint32_t, field, option_count)
 #define PICTURE(set)       AT(struct app_picture, picture, set)
 #define SCENE(set)         AT(struct app_scene, picture.scene, set)
@@ -108,7 +111,7 @@ static const struct option options[] = {
       "part K of N of the frame list, to distribute it over machines" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, FLAG(render.resume),
       "skip frames whose files are complete and have the same options" },
-    { "Sequence", "json", 0, "FILE", APP_RENDER, TEXT(render.json),
+    { "Sequence", "json", 0, "FILE", APP_RENDER, REPORT(render.json),
       "report with state, seconds and hash of each frame; - is stdout" },
     { "Farm", "tasks", 0, "N", APP_FARM, COUNT(farm.task_count),
       "number of jobs, 1 to 1000 (one per frame, at most 100)", 1, TASKS_MAX },
@@ -129,17 +132,17 @@ static const struct option options[] = {
       "timer: timestamps, submits (each pass submitted alone) or auto (auto)" },
     { "Runs", "sweep", 0, "NAME=A,B,...", APP_PROFILE, SWEEP,
       "values of a setting, size, ... to profile; repeated: every combination" },
-    { "Runs", "baseline", 0, "FILE", APP_PROFILE, TEXT(profile.baseline),
+    { "Runs", "baseline", 0, "FILE", APP_PROFILE, INPUT(profile.baseline),
       "profile from --json to compare with; exit code 1 if a pass is slower" },
     { "Reports", "each", 0, NULL, APP_PROFILE, FLAG(profile.each),
       "one line per repetition of a pass, such as cube faces" },
-    { "Reports", "json", 0, "FILE", APP_PROFILE, TEXT(profile.json),
+    { "Reports", "json", 0, "FILE", APP_PROFILE, REPORT(profile.json),
       "JSON report with all samples; - is stdout, which then has no table" },
-    { "Reports", "csv", 0, "FILE", APP_PROFILE, TEXT(profile.csv),
+    { "Reports", "csv", 0, "FILE", APP_PROFILE, REPORT(profile.csv),
       "CSV report with one line per run and pass" },
-    { "Reports", "trace", 0, "FILE", APP_PROFILE, TEXT(profile.trace),
+    { "Reports", "trace", 0, "FILE", APP_PROFILE, REPORT(profile.trace),
       "Chrome trace, for Perfetto, Tracy or speedscope" },
-    { "Reports", "html", 0, "FILE", APP_PROFILE, TEXT(profile.html), "HTML page with plots" },
+    { "Reports", "html", 0, "FILE", APP_PROFILE, REPORT(profile.html), "HTML page with plots" },
     { "Reports", "capture", 0, NULL, APP_PROFILE, FLAG(profile.capture),
       "RenderDoc capture of one frame; start firn from RenderDoc" },
     { "Ladder", "rungs", 0, "LIST", APP_LADDER, AT(struct app_ladder, ladder, option_rungs),
@@ -148,7 +151,7 @@ static const struct option options[] = {
       "number of timed frames per rung, 0 to 10000; 0 skips the timing (10)", 0, 10000 },
     { "Ladder", "furnace", 0, NULL, APP_LADDER, FLAG(ladder.furnace),
       "white furnace test; exit code 1 if a rung gains or loses light" },
-    { "Ladder", "truth", 0, "FILE", APP_LADDER, TEXT(ladder.truth),
+    { "Ladder", "truth", 0, "FILE", APP_LADDER, INPUT(ladder.truth),
       "second reference: a picture of the same view by another program" },
     { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, PICTURE(option_refraction),
       "refraction rung: paper, bounce, ...; see firn list rungs (paper)" },
@@ -156,14 +159,14 @@ static const struct option options[] = {
       "material: ice, water, glass, ...; see firn list materials (ice)" },
     { "Picture", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
-    { "Scene", "env", 'e', "FILE", SCENES, TEXT(picture.scene.environment),
+    { "Scene", "env", 'e', "FILE", SCENES, INPUT(picture.scene.environment),
       "environment: equirectangular .exr or .hdr, or firn bake's cube (sky)" },
-    { "Scene", "surroundings", 0, "FILE", SCENES, TEXT(picture.scene.surroundings),
+    { "Scene", "surroundings", 0, "FILE", SCENES, INPUT(picture.scene.surroundings),
       "model file that surrounds the object (the scene's own surroundings)" },
     { "Scene", "background", 0, "R,G,B", SCENES, VECTOR(scene.background, option_background),
       "constant colour instead of the sky, linear, each from 0" },
     { "Scene", "load-seconds", 0, "N", PICTURES, COUNT(picture.scene.decode.seconds),
-      "time limit per file, seconds, 1 to 3600 (10)", 1, 3600, " of seconds" },
+      "limit of CPU time per file, seconds, 1 to 3600 (60)", 1, 3600, " of seconds" },
     { "Scene", "load-memory", 0, "GiB", PICTURES, COUNT(picture.scene.decode.memory_gib),
       "memory limit per file, GiB, 1 to 1024 (4)", 1, 1024, " of GiB" },
     { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, VECTOR(orbit, option_orbit),
@@ -182,7 +185,7 @@ static const struct option options[] = {
       "no cache of compiled pipelines in $XDG_CACHE_HOME/firn" },
     { "Device", "sharing", 0, "HOW", SCENES, AT(enum rg_sharing, picture.sharing, option_sharing),
       "memory aliasing: batches (no extra batches), memory, nothing (batches)" },
-    { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, TEXT(mask.file),
+    { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, INPUT(mask.file),
       "mask, .exr or .png: only pixels with A above 0 are compared (none)" },
     { "Comparison", "mask-channel", 0, "NAME", APP_DIFF | APP_LADDER, TEXT(mask.channel),
       "channel that --mask reads (A)" },
@@ -453,6 +456,29 @@ static enum status settle_layers(struct app_picture *picture)
     return STATUS_OK;
 }
 
+/* No output may be an input or another output. Names of built-in scenes are compared as files. */
+static enum status check_files(const struct app_options *o, enum app_command command)
+{
+    struct option_file files[OPTION_COUNT + APP_OUTPUT_COUNT + APP_POSITIONAL_COUNT + 1];
+    size_t count = 0;
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        const bool is_input = options[i].set == option_input;
+        if (!(options[i].commands & command) || !(is_input || options[i].set == option_report))
+            continue;
+        const char *path = *(const char *const *)((const char *)o + options[i].offset);
+        if (path)
+            files[count++] = (struct option_file){ options[i].name, path, !is_input };
+    }
+    for (uint32_t i = 0; i < o->run.outputs.count; i++)
+        files[count++] = (struct option_file){ command == APP_VIEW ? "screenshot" : "output",
+                                               o->run.outputs.paths[i], true };
+    if (o->picture.scene.name)
+        files[count++] = (struct option_file){ NULL, o->picture.scene.name, false };
+    for (size_t i = 0; i < APP_POSITIONAL_COUNT && o->positionals[i]; i++)
+        files[count++] = (struct option_file){ NULL, o->positionals[i], false };
+    return option_check_files(files, count);
+}
+
 static void set_defaults(struct app_options *o, enum app_command command)
 {
     *o = (struct app_options){
@@ -506,7 +532,8 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     }
     if (!(command & (APP_RENDER | APP_FARM)) && refuse_traced(&o->picture) != STATUS_OK)
         return STATUS_USAGE;
-    return settle_layers(&o->picture);
+    const enum status status = settle_layers(&o->picture);
+    return status == STATUS_OK ? check_files(o, command) : status;
 }
 
 void app_print_render_words(char *const *words, enum app_command command, uint32_t skip, FILE *out)
