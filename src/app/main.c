@@ -1,5 +1,4 @@
 /* main.c: firn <command> [options] [SCENE] */
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include "src/app/app.h"
@@ -112,6 +111,5 @@ int main(int argc, char **argv)
     if (decode_is_wanted(argc, argv))
         return decode_main(argc, argv);
     standard_streams_begin();
-    signal(SIGPIPE, SIG_IGN); /* of a file it is a write error; standard_streams_end() tells */
     return (int)standard_streams_end(run(argc, argv));
 }

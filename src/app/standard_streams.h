@@ -6,7 +6,8 @@
 
 /* Before any file is opened: puts something in the place of each that is closed, so that no file
  * takes its number, and words for people end up in a picture. It can be used no more than what it
- * stands for. */
+ * stands for. From then on, a pipe without a reader and a file beyond `ulimit -f` are write errors
+ * instead of signals. */
 void standard_streams_begin(void);
 
 /* At the end: the status, or STATUS_WRITE (logged) if stdout did not take all that was printed.

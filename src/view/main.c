@@ -1,5 +1,4 @@
 /* main.c: firn-view [options] SCENE; what `firn view` starts. */
-#include <signal.h>
 #include "src/app/standard_streams.h"
 #include "src/scene/import/decode.h"
 #include "src/view/view.h"
@@ -11,7 +10,6 @@ int main(int argc, char **argv)
     if (decode_is_wanted(argc, argv))
         return decode_main(argc, argv);
     standard_streams_begin();
-    signal(SIGPIPE, SIG_IGN); /* of a file it is a write error; standard_streams_end() tells */
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);
     if (status == STATUS_OK && !done)
         status = app_need_scene(&options.picture.scene);

@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DEVICE, Case, environment, main  # noqa: E402
+from case import NO_DEVICE, WRITE, Case, environment, main  # noqa: E402
 
 TRY_AGAIN = 75
 CRASHES = (-signal.SIGSEGV, -signal.SIGABRT, -signal.SIGBUS, -signal.SIGILL, -signal.SIGTRAP)
@@ -23,6 +23,36 @@ MIB = 1 << 20
 
 
 class Memory(Case):
+    def test_limits_of_a_batch_system(self):
+        """A sound model is drawn, or the line says that it is the limit, not the file."""
+        (self.folder / 'tent.obj').write_text('v 0 1 0\nv -1 -1 1\nv 1 -1 1\nv 0 -1 -1\n'
+                                              'f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n')
+        for name, kind, most in (('-v', resource.RLIMIT_AS, 3000000 << 10),
+                                 ('-t', resource.RLIMIT_CPU, 8),
+                                 ('-n', resource.RLIMIT_NOFILE, 31)):
+            done = subprocess.run(
+                [Case.program, 'render', 'tent.obj', '--size', '64x48', '-o', 'a.exr', '-q'],
+                cwd=self.folder, stdin=subprocess.DEVNULL, env=environment({}), timeout=240,
+                capture_output=True, check=False,
+                preexec_fn=lambda limit=(kind, (most, most)): resource.setrlimit(*limit))
+            with self.subTest(name, words=done.stderr):
+                self.assertIn(done.returncode, (0, TRY_AGAIN))
+                self.assertEqual(len(done.stderr.splitlines()), done.returncode != 0)
+
+    def test_files_beyond_a_limit(self):
+        """`ulimit -f` is as a full disk."""
+        for name in ('a.exr', 'a.png'):
+            (self.folder / name).write_bytes(OLDER)
+            done = subprocess.run(
+                [Case.program, 'render', 'sphere', '--size', '256x256', '-o', name, '-q'],
+                cwd=self.folder, stdin=subprocess.DEVNULL, timeout=240, capture_output=True,
+                env=environment({'MESA_SHADER_CACHE_DISABLE': 'true'}), check=False,
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
+            self.assertEqual(done.returncode, WRITE, done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertEqual((self.folder / name).read_bytes(), OLDER)
+        self.assertEqual(self.files(), ['a.exr', 'a.png'])
+
     def run_within(self, arguments, size):
         """Its code, its words, and what it leaves: {name: bytes}."""
         def limit():

@@ -9,7 +9,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
@@ -18,13 +20,16 @@
 enum {
     PIPE_SIZE = 1 << 20, /* bytes, where the system allows it */
     SAID_SIZE = 4096,
+    NO_PROGRAM = 127, /* exit code of the dynamic loader when it cannot load a library */
 };
 
 struct child {
     pid_t process;
     int data, words; /* descriptors of the pipes from its stdout and stderr; -1: closed */
-    double deadline; /* seconds of the monotonic clock */
-    bool is_late;
+    double deadline; /* seconds of the monotonic clock; moves on while the child makes progress */
+    double cpu_seconds; /* that the child had used when the deadline was set */
+    uint32_t idle_seconds;
+    bool is_idle;         /* made no progress until the deadline */
     char said[SAID_SIZE]; /* its stderr so far; ends at '\0' */
     size_t said_size;
     int ended; /* status of waitpid(); valid if has_ended */
@@ -39,6 +44,11 @@ static uint32_t seconds_of(const struct decode_params *params)
 static uint32_t memory_gib_of(const struct decode_params *params)
 {
     return params->memory_gib ? params->memory_gib : DECODE_MEMORY_GIB;
+}
+
+static uint32_t idle_seconds_of(const struct decode_params *params)
+{
+    return params->idle_seconds ? params->idle_seconds : DECODE_IDLE_SECONDS;
 }
 
 /* ---- start ---- */
@@ -74,7 +84,7 @@ static int spawn(pid_t *process, const char *program, char *const *words, int ou
     sigemptyset(&none);
     sigemptyset(&usual);
     sigaddset(&usual, SIGPIPE);
-    sigaddset(&usual, SIGALRM);
+    sigaddset(&usual, SIGXFSZ);
     sigaddset(&usual, SIGXCPU);
     if (posix_spawn_file_actions_init(&files) != 0)
         return ENOMEM;
@@ -109,7 +119,8 @@ static enum status start(struct child *child, const struct decode_params *params
     *child = (struct child){
         .data = -1,
         .words = -1,
-        .deadline = clock_seconds() + seconds_of(params),
+        .deadline = clock_seconds() + idle_seconds_of(params),
+        .idle_seconds = idle_seconds_of(params),
     };
     snprintf(numbers[0], sizeof(numbers[0]), "%d", (int)kind + 1);
     snprintf(numbers[1], sizeof(numbers[1]), "%u", seconds_of(params));
@@ -154,7 +165,24 @@ static void take_words(struct child *child)
     }
 }
 
-/* Waits until data or their end can be read; returns false at the deadline. */
+/* Moves the deadline on if the child has computed since it was set. */
+static bool is_idle(struct child *child)
+{
+    clockid_t clock;
+    struct timespec used;
+    if (clock_seconds() < child->deadline)
+        return false;
+    if (clock_getcpuclockid(child->process, &clock) != 0 || clock_gettime(clock, &used) != 0)
+        return true;
+    const double cpu_seconds = (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
+    if (cpu_seconds <= child->cpu_seconds)
+        return true;
+    child->cpu_seconds = cpu_seconds;
+    child->deadline = clock_seconds() + child->idle_seconds;
+    return false;
+}
+
+/* Waits until data or their end can be read; returns false if the child makes no progress. */
 static bool await(struct child *child)
 {
     while (child->data >= 0 || child->words >= 0) {
@@ -162,11 +190,14 @@ static bool await(struct child *child)
             { .fd = child->data, .events = POLLIN },
             { .fd = child->words, .events = POLLIN },
         };
-        const double left = child->deadline - clock_seconds();
-        child->is_late = child->is_late || left <= 0;
-        if (child->is_late)
+        child->is_idle = child->is_idle || is_idle(child);
+        if (child->is_idle)
             return false;
-        const int count = poll(ends, 2, left > 1000 ? 1000000 : (int)(left * 1000) + 1);
+        const double left = child->deadline - clock_seconds();
+        const int count = poll(ends, 2,
+                               left > 1000 ? 1000000
+                               : left > 0  ? (int)(left * 1e3) + 1
+                                           : 0);
         if (count < 0 && errno != EINTR)
             return false;
         if (count > 0 && ends[1].revents)
@@ -191,6 +222,7 @@ static bool read_data(void *user, void *bytes, size_t size)
         }
         next += count;
         size -= (size_t)count;
+        child->deadline = clock_seconds() + child->idle_seconds;
     }
     return size == 0;
 }
@@ -244,15 +276,42 @@ static int repeat(const struct child *child, int max)
     return count;
 }
 
+/* Returns whether the program was started with a limit below that of the reader. */
+static bool has_own_limit(int resource, uint64_t size)
+{
+    struct rlimit limits;
+    return getrlimit((unsigned)resource, &limits) == 0 && limits.rlim_cur < size;
+}
+
+static enum status say_own_limit(const char *path, const char *what, const char *option)
+{
+    log_error("%s: reading the file exceeded the %s limit that the program was started with: raise "
+              "ulimit %s",
+              path, what, option);
+    return STATUS_TRY_AGAIN;
+}
+
 static enum status say_late(const char *path, const struct decode_params *params)
 {
-    log_error("%s: reading the file exceeded the time limit of %u s (raise it with --load-seconds)",
+    if (has_own_limit(RLIMIT_CPU, seconds_of(params)))
+        return say_own_limit(path, "time", "-t");
+    log_error("%s: reading the file exceeded the limit of %u s of CPU time (raise it with "
+              "--load-seconds)",
               path, seconds_of(params));
+    return STATUS_DATA;
+}
+
+static enum status say_idle(const char *path, const struct child *child)
+{
+    log_error("%s: nothing could be read for %u s: expected a file that does not wait for a writer",
+              path, child->idle_seconds);
     return STATUS_DATA;
 }
 
 static enum status say_greedy(const char *path, const struct decode_params *params)
 {
+    if (has_own_limit(RLIMIT_AS, (uint64_t)memory_gib_of(params) << 30))
+        return say_own_limit(path, "memory", "-v");
     log_error(
         "%s: reading the file exceeded the memory limit of %u GiB (raise it with --load-memory)",
         path, memory_gib_of(params));
@@ -274,8 +333,16 @@ static enum status say_why(const char *path, const struct decode_params *params,
 {
     const int signal = child->has_ended && WIFSIGNALED(child->ended) ? WTERMSIG(child->ended) : 0;
     const int code = child->has_ended && WIFEXITED(child->ended) ? WEXITSTATUS(child->ended) : 0;
-    if (child->is_late || signal == SIGALRM || signal == SIGXCPU)
+    if (child->is_idle)
+        return say_idle(path, child);
+    if (signal == SIGXCPU)
         return say_late(path, params);
+    if (code == NO_PROGRAM || code == STATUS_USAGE) {
+        log_error("%s: the reader process cannot start: raise the limits that the program was "
+                  "started with (ulimit -v, -n)",
+                  path);
+        return STATUS_TRY_AGAIN;
+    }
     if (code == STATUS_TRY_AGAIN || strstr(child->said, "bad_alloc"))
         return say_greedy(path, params);
     if ((code == STATUS_DATA || code == STATUS_NO_INPUT) && repeat(child, 1) == 1)

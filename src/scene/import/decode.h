@@ -6,11 +6,13 @@
  * open files, without descriptors other than the pipes to the parent and without permission to
  * write files, and receives meshes and texels, which it validates again (mesh_pipe.h). The child is
  * spawned, not forked: that is safe in a program with threads, and the child has none of the
- * parent's memory.
+ * parent's memory. Where the program itself runs under smaller limits (RLIMIT_AS, RLIMIT_CPU,
+ * RLIMIT_NOFILE, as batch systems set them), these hold for the child.
  *
  * Thread-safety: any thread, one model at a time (see model.h).
  * Errors:        one line is logged: STATUS_NO_INPUT; STATUS_DATA if the child fails because of the
- *                file; STATUS_TRY_AGAIN if the parent lacks memory or processes.
+ *                file; STATUS_TRY_AGAIN if the parent lacks memory or processes, if the child
+ *                cannot start, or if it reaches a limit that the program was started with.
  */
 #ifndef FIRN_SCENE_IMPORT_DECODE_H
 #define FIRN_SCENE_IMPORT_DECODE_H
@@ -22,14 +24,17 @@
 #define DECODE_WORD "--decode"
 
 enum {
-    DECODE_SECONDS = 10,
+    DECODE_SECONDS = 60,
+    DECODE_IDLE_SECONDS = 30,
     DECODE_MEMORY_GIB = 4,
 };
 
 struct decode_params {
-    const char *program; /* path of a program whose main() calls decode_main() in the child */
-    uint32_t seconds;    /* limit of elapsed time and of CPU time; 0: DECODE_SECONDS */
-    uint32_t memory_gib; /* limit of address space; 0: DECODE_MEMORY_GIB */
+    const char *program;   /* path of a program whose main() calls decode_main() in the child */
+    uint32_t seconds;      /* limit of CPU time; 0: DECODE_SECONDS */
+    uint32_t idle_seconds; /* limit of elapsed time in which the child neither computes nor sends,
+                              since it waits for a FIFO or a file server; 0: DECODE_IDLE_SECONDS */
+    uint32_t memory_gib;   /* limit of address space; 0: DECODE_MEMORY_GIB */
 };
 
 /* Load a file as model_load() and environment_load() do; if `params` is NULL, in this process. */

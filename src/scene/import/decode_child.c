@@ -1,5 +1,6 @@
 /* decode_child.c: the child that reads one file, within limits. */
 #define _GNU_SOURCE /* for prctl.h's and resource.h's names */
+#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,10 +29,27 @@ bool decode_is_wanted(int argc, char **argv)
     return argc > 1 && strcmp(argv[1], DECODE_WORD) == 0;
 }
 
+static rlim_t smaller(rlim_t a, rlim_t b)
+{
+    return a < b ? a : b; /* RLIM_INFINITY is the largest value */
+}
+
+/* Sets a limit; where the caller of the program has set a smaller one, that stays. */
 static bool limit(int resource, uint64_t soft, uint64_t hard)
 {
-    const struct rlimit limits = { (rlim_t)soft, (rlim_t)hard };
+    struct rlimit limits;
+    if (getrlimit((unsigned)resource, &limits) != 0)
+        return false;
+    limits.rlim_max = smaller(limits.rlim_max, (rlim_t)hard);
+    limits.rlim_cur = smaller(smaller(limits.rlim_cur, (rlim_t)soft), limits.rlim_max);
     return setrlimit((unsigned)resource, &limits) == 0;
+}
+
+/* Returns whether the parent, which reads what is written to stdout, has ended. */
+static bool is_orphan(void)
+{
+    struct pollfd out = { .fd = STDOUT_FILENO };
+    return poll(&out, 1, 0) == 1 && out.revents & POLLERR;
 }
 
 static bool parse_number(const char *word, uint32_t max, uint32_t *number)
@@ -50,10 +68,9 @@ bool decode_enter(int argc, char **argv, struct decode_job *job)
         return false;
     *job = (struct decode_job){ .kind = (enum decode_kind)(kind - 1), .path = argv[3] };
 
-    prctl(PR_SET_PDEATHSIG, SIGKILL); /* the child ends with its parent ... */
-    alarm(seconds + 1);               /* ... or soon, if the parent has ended before this call */
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-    bool done = limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_FSIZE, 0, 0) &&
+    bool done = !is_orphan() && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_FSIZE, 0, 0) &&
                 limit(RLIMIT_NOFILE, OPEN_FILE_MAX, OPEN_FILE_MAX) &&
                 limit(RLIMIT_CPU, seconds, seconds + 1);
 #ifndef MAPS_SHADOWS
