@@ -84,21 +84,32 @@ static bool write_all(int file, const char *data, size_t size)
     return true;
 }
 
+/* Returns whether only the user can have written a file or folder, since drivers trust the data. */
+static bool is_own(const struct stat *info)
+{
+    return info->st_uid == geteuid() && !(info->st_mode & (S_IWGRP | S_IWOTH));
+}
+
 /* Returns the undamaged content of the file, hash included, or NULL; the caller frees it. A missing
  * file is no error. */
 static void *read_sound(const struct gpu *gpu, size_t *size)
 {
     char folder[2048];
     char path[2200];
-    struct stat info;
+    struct stat info, folder_info;
     char *data = NULL;
     if (!find_folder(folder, sizeof(folder)) || !find_path(gpu, folder, path, sizeof(path)))
         return NULL;
     const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (file < 0)
         return NULL;
-    if (fstat(file, &info) == 0 && S_ISREG(info.st_mode) && info.st_size > 0 &&
-        info.st_size <= FILE_SIZE_MAX) {
+    const bool is_regular = fstat(file, &info) == 0 && S_ISREG(info.st_mode);
+    if (is_regular && !(is_own(&info) && stat(folder, &folder_info) == 0 && is_own(&folder_info))) {
+        close(file);
+        log_warning("%s: ignored because other users can write it or its folder", path);
+        return NULL;
+    }
+    if (is_regular && info.st_size > 0 && info.st_size <= FILE_SIZE_MAX) {
         *size = (size_t)info.st_size;
         data = malloc(*size);
     }

@@ -27,6 +27,19 @@ class Cache(Case):
             self.assertEqual(self.run_with_cache(*command, '--no-cache'), '')
             self.assertFalse(self.cache.exists())
 
+    def test_what_others_can_write_is_not_read(self):
+        command = COMMANDS[0]
+        self.run_with_cache(*command)
+        file = next(self.cache.iterdir())
+        for path, mode in ((file, 0o620), (file, 0o602), (self.cache, 0o777)):
+            with self.subTest(path=path, mode=oct(mode)):
+                path.chmod(mode)
+                words = self.run_with_cache(*command)
+                self.assertEqual(words, f'firn: warning: {file}: ignored because other users can '
+                                        'write it or its folder\n')
+                self.cache.chmod(0o700)  # the file has been written anew
+                self.assertEqual(self.run_with_cache(*command), '')
+
     def test_a_damaged_file_costs_one_line(self):
         command = COMMANDS[0]
         self.run_with_cache(*command)
