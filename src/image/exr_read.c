@@ -157,10 +157,17 @@ static exr_result_t read_chunk(const struct reader *reader, const exr_chunk_info
     return result;
 }
 
+/* The library gives 0 where the header of a picture of scan lines has the attribute `tiles`. */
+static exr_result_t get_lines(const struct reader *reader, int32_t *lines)
+{
+    const exr_result_t result = exr_get_scanlines_per_chunk(reader->context, 0, lines);
+    return result == EXR_ERR_SUCCESS && *lines < 1 ? EXR_ERR_INVALID_ATTR : result;
+}
+
 static exr_result_t read_lines(const struct reader *reader)
 {
     int32_t lines;
-    exr_result_t result = exr_get_scanlines_per_chunk(reader->context, 0, &lines);
+    exr_result_t result = get_lines(reader, &lines);
 
     for (uint32_t y = 0; y < reader->image->height && result == EXR_ERR_SUCCESS;
          y += (uint32_t)lines) {
@@ -390,7 +397,7 @@ static exr_result_t open_rows(struct exr_file *file)
     if (result == EXR_ERR_SUCCESS && reader->storage != EXR_STORAGE_SCANLINE)
         result = fault(reader, "expected scan lines");
     if (result == EXR_ERR_SUCCESS)
-        result = exr_get_scanlines_per_chunk(reader->context, 0, &lines);
+        result = get_lines(reader, &lines);
     if (result != EXR_ERR_SUCCESS)
         return result;
     file->height = file->rows.height;
