@@ -17,7 +17,7 @@ enum status option_report(const struct option *option, void *at, const char *val
     return option_text(option, at, value);
 }
 
-/* Finds the folder that a file is in; "." for a name without one. Returns false if there is none. */
+/* Finds the folder of a file; "." for a name without one. Returns false if there is none. */
 static bool stat_folder(const char *path, struct stat *info)
 {
     char folder[4096] = ".";
