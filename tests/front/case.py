@@ -12,7 +12,7 @@ import sys
 import tempfile
 import unittest
 
-USAGE, DATA, NO_INPUT, NO_DEVICE, CANT_CREATE, WRITE = 2, 65, 66, 69, 73, 74
+USAGE, DATA, NO_INPUT, NO_DEVICE, CANT_CREATE, WRITE, TRY_AGAIN = 2, 65, 66, 69, 73, 74, 75
 # What takes half of a small picture's time is left out where it does not matter what is in the ice.
 PLAIN = ('--set', 'air.count=0', '--set', 'bump.strength=0')
 SMALL = ('--size', '64x48', *PLAIN)

@@ -91,7 +91,6 @@ class CommandLine(Case):
         for words, names in (
                 ((*draw, '-o', 'a.exr', '-o', 'sub/../a.exr'), ['a.exr', '--output']),
                 ((*draw, '-o', 'a.exr', '--json', './a.exr'), ['--output', '--json']),
-                ((*draw, '-o', '-', '--json', '-'), ['--output', '--json']),
                 ((*draw, '--env', 'in.exr', '-o', 'link.exr'), ['link.exr', '--output', '--env']),
                 (('merge', 'in.exr', 'b.exr', '-o', 'in.exr'), ["input 'in.exr'"]),
                 (('diff', 'b.exr', 'in.exr', '-o', 'sub/../in.exr'), ["input 'in.exr'"]),

@@ -14,9 +14,8 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DEVICE, WRITE, Case, environment, main  # noqa: E402
+from case import NO_DEVICE, TRY_AGAIN, WRITE, Case, environment, main  # noqa: E402
 
-TRY_AGAIN = 75
 CRASHES = (-signal.SIGSEGV, -signal.SIGABRT, -signal.SIGBUS, -signal.SIGILL, -signal.SIGTRAP)
 OLDER = b'what was there before'
 MIB = 1 << 20

@@ -44,7 +44,7 @@ static bool are_one_file(const char *a, const char *b)
 {
     struct stat infos[2];
     if (!strcmp(a, "-") || !strcmp(b, "-"))
-        return !strcmp(a, b);
+        return false; /* commands refuse a second output on stdout themselves */
     const bool has_a = stat(a, &infos[0]) == 0, has_b = stat(b, &infos[1]) == 0;
     if (has_a && has_b)
         return S_ISREG(infos[0].st_mode) && is_same(&infos[0], &infos[1]);

@@ -11,7 +11,7 @@ option_fn option_input, option_report;
 /* A file that a command reads or writes. */
 struct option_file {
     const char *option; /* its name, without dashes; NULL: the file is an argument */
-    const char *path;   /* "-" is stdout */
+    const char *path;   /* "-" is stdout, which is no file here */
     bool is_written;
 };
 
