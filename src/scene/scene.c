@@ -42,7 +42,7 @@ const struct scene_builtin scene_builtins[] = {
     { 0 },
 };
 
-static const struct scene_builtin *find_builtin(const char *name)
+const struct scene_builtin *scene_find_builtin(const char *name)
 {
     for (const struct scene_builtin *b = scene_builtins; b->name; b++) {
         if (!strcmp(b->name, name))
@@ -101,7 +101,7 @@ static enum status check_name(const char *name)
 
 static enum status load_object(struct scene *scene, const struct scene_params *params)
 {
-    const struct scene_builtin *builtin = find_builtin(params->name);
+    const struct scene_builtin *builtin = scene_find_builtin(params->name);
     if (!builtin) {
         const enum status status = check_name(params->name);
         return status == STATUS_OK
@@ -136,7 +136,7 @@ static enum status add_landscape(struct scene *scene, const struct scene_params 
                                                                       : log_out_of_memory("floor");
     if (!generate_landscape(&scene->model.surroundings, triangles))
         return log_out_of_memory("landscape");
-    if (!find_builtin(params->name))
+    if (!scene_find_builtin(params->name))
         fit_landscape(&scene->model.surroundings, scene->box);
     return STATUS_OK;
 }
@@ -250,7 +250,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
     if (!scene->has_pool)
         scene->box = mesh_box(&scene->model.object);
     scene->is_convex = mesh_is_convex(&scene->model.object);
-    const struct scene_builtin *builtin = find_builtin(params->name);
+    const struct scene_builtin *builtin = scene_find_builtin(params->name);
     bool bare = !params->surroundings && !scene->model.surroundings.index_count;
     if (status == STATUS_OK && params->surroundings)
         status = add_surroundings(scene, params);

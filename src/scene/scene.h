@@ -74,6 +74,9 @@ struct scene_builtin {
 
 extern const struct scene_builtin scene_builtins[]; /* ends at a row of zeros */
 
+/* Returns the built-in scene of this name, or NULL. */
+const struct scene_builtin *scene_find_builtin(const char *name);
+
 /* Loads or generates a scene. Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (the ice
  * does not fit in the pool) or STATUS_TRY_AGAIN; *scene is then {0}. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);

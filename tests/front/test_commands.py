@@ -101,7 +101,7 @@ class CommandLine(Case):
             self.refuse(USAGE, *words, names=names)
         self.assertEqual(self.files(), ['in.exr', 'link.exr', 'sub'])
         self.succeed('profile', 'sphere', *SMALL, '--runs', '1', '--csv', '/dev/null', '--trace',
-                     '/dev/null', '-q')
+                     '/dev/null', '--json', 'sphere', '-q')
 
     def test_names_cannot_command_a_terminal(self):
         for text in ('\x1b[2J', '\x9b2J', '\u202etxt.exe', '\u2066', '\u200f', '\u061c', '\x7f'):

@@ -456,7 +456,7 @@ static enum status settle_layers(struct app_picture *picture)
     return STATUS_OK;
 }
 
-/* No output may be an input or another output. Names of built-in scenes are compared as files. */
+/* No output may be an input or another output. */
 static enum status check_files(const struct app_options *o, enum app_command command)
 {
     struct option_file files[OPTION_COUNT + APP_OUTPUT_COUNT + APP_POSITIONAL_COUNT + 1];
@@ -472,7 +472,7 @@ static enum status check_files(const struct app_options *o, enum app_command com
     for (uint32_t i = 0; i < o->run.outputs.count; i++)
         files[count++] = (struct option_file){ command == APP_VIEW ? "screenshot" : "output",
                                                o->run.outputs.paths[i], true };
-    if (o->picture.scene.name)
+    if (o->picture.scene.name && !scene_find_builtin(o->picture.scene.name))
         files[count++] = (struct option_file){ NULL, o->picture.scene.name, false };
     for (size_t i = 0; i < APP_POSITIONAL_COUNT && o->positionals[i]; i++)
         files[count++] = (struct option_file){ NULL, o->positionals[i], false };

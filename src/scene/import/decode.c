@@ -165,7 +165,8 @@ static void take_words(struct child *child)
     }
 }
 
-/* Moves the deadline on if the child has computed since it was set. */
+/* Returns whether the child has made no progress until its deadline. A child that has computed in
+ * the meantime gets a later deadline. */
 static bool is_idle(struct child *child)
 {
     clockid_t clock;
