@@ -10,7 +10,7 @@
 #include "src/gpu/gpu.h"
 #include "src/gpu/gpu_swapchain.h"
 #include "src/metric/comparison.h"
-#include "src/scene/import/decode.h"
+#include "src/reader/reader.h"
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
 
@@ -48,7 +48,7 @@ struct app_scene {
     const char *name; /* SCENE; NULL: it is missing */
     const char *environment, *surroundings, *material;
     struct app_vector background; /* linear */
-    struct decode_params decode;
+    struct reader_params reader;
     struct settings settings;
     bool ior_is_set; /* by --set */
 };

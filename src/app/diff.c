@@ -32,9 +32,10 @@ static enum status check_size(const struct job *job, const struct image *other, 
 static enum status read_pictures(struct job *job)
 {
     const char *const *paths = job->options->positionals;
-    enum status status = input_read(paths[0], &job->reference);
+    const struct reader_params *params = &job->options->picture.scene.reader;
+    enum status status = input_read(paths[0], params, &job->reference);
     if (status == STATUS_OK)
-        status = input_read(paths[1], &job->test);
+        status = input_read(paths[1], params, &job->test);
     return status == STATUS_OK ? check_size(job, &job->test, paths[1]) : status;
 }
 
@@ -42,7 +43,7 @@ static enum status read_mask(struct job *job)
 {
     const struct app_mask *mask = &job->options->mask;
     struct image image = { 0 };
-    enum status status = input_read(mask->file, &image);
+    enum status status = input_read(mask->file, &job->options->picture.scene.reader, &image);
     if (status == STATUS_OK)
         status = check_size(job, &image, mask->file);
     if (status == STATUS_OK)

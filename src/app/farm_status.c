@@ -7,9 +7,7 @@
 #include <unistd.h>
 #include "src/app/output.h"
 #include "src/base/log.h"
-#include "src/base/path.h"
-#include "src/image/exr.h"
-#include "src/image/png.h"
+#include "src/reader/picture_reader.h"
 
 /* A frame is as its worst file. */
 enum state {
@@ -42,17 +40,14 @@ struct look {
 
 /* ---- files ---- */
 
-/* Reads a file to its end; NULL if that cannot be done. What differs from frame to frame is cut. */
-static char *read_settings(const char *path)
+/* The settings that a file was made with, without what differs from frame to frame; NULL if memory
+ * is short. */
+static char *copy_settings(const struct picture_head *head)
 {
     static const char time[] = " motion.time=";
-    static const char name[] = "firn/settings";
-    char *text = NULL;
-    const enum status status = path_ends_in(path, ".png") ? png_inspect(path, name, &text)
-                                                          : exr_inspect(path, name, &text);
-    if (status != STATUS_OK)
-        return NULL;
-    char *at = strstr(text, time);
+    const char *settings = picture_head_text(head, "firn/settings");
+    char *text = strdup(settings ? settings : "");
+    char *at = text ? strstr(text, time) : NULL;
     if (at) {
         const char *end = at + sizeof(time) - 1;
         end += strcspn(end, " ");
@@ -64,15 +59,19 @@ static char *read_settings(const char *path)
 static enum state judge(const struct look *look, const struct output *output, uint32_t i,
                         const char *path)
 {
+    struct picture_head head;
     if (access(path, F_OK) != 0)
         return MISSING;
-    if (output && output_is_current(output, path))
-        return DONE;
-    char *settings = read_settings(path);
-    const bool same = settings && !output && look->newest[i] && !strcmp(settings, look->newest[i]);
-    const enum state state = !settings ? DAMAGED : same ? DONE : STALE;
-    free(settings);
-    return state;
+    if (picture_check(&head, path, &look->picture.scene.reader) != STATUS_OK)
+        return DAMAGED;
+    bool same = output && output_is_current(output, path, &head);
+    if (!output) {
+        char *settings = copy_settings(&head);
+        same = settings && look->newest[i] && !strcmp(settings, look->newest[i]);
+        free(settings);
+    }
+    picture_head_finish(&head);
+    return same ? DONE : STALE;
 }
 
 static enum status look_at_frame(struct look *look, uint32_t index)
@@ -114,11 +113,12 @@ static enum status find_newest(struct look *look, uint32_t i)
             stat(path, &info) == 0 && S_ISREG(info.st_mode) &&
             (info.st_mtim.tv_sec > best.tv_sec ||
              (info.st_mtim.tv_sec == best.tv_sec && info.st_mtim.tv_nsec > best.tv_nsec));
-        char *settings = newer ? read_settings(path) : NULL;
-        if (settings) {
+        struct picture_head head;
+        if (newer && picture_check(&head, path, &look->picture.scene.reader) == STATUS_OK) {
             best = info.st_mtim;
             free(look->newest[i]);
-            look->newest[i] = settings;
+            look->newest[i] = copy_settings(&head);
+            picture_head_finish(&head);
         }
         free(path);
     }

@@ -3,19 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/base/path.h"
-#include "src/image/exr.h"
-#include "src/image/hdr.h"
-#include "src/image/png.h"
+#include "src/reader/picture_reader.h"
 
-enum status input_read(const char *path, struct image *image)
+enum status input_read(const char *path, const struct reader_params *params, struct image *image)
 {
-    if (path_ends_in(path, ".exr"))
-        return exr_read(path, image);
-    if (path_ends_in(path, ".hdr"))
-        return hdr_read(path, image);
-    if (path_ends_in(path, ".png"))
-        return png_read(path, image);
+    if (picture_is_named(path))
+        return picture_read(image, path, params);
     log_error("expected a file name that ends in .exr, .hdr or .png, got '%s'", path);
     return STATUS_USAGE;
 }

@@ -4,9 +4,11 @@
 
 #include "src/base/status.h"
 #include "src/image/image.h"
+#include "src/reader/reader.h"
 
-/* An EXR, HDR or PNG file into *image ({0} before), as their readers say; else STATUS_USAGE. */
-MUST_USE enum status input_read(const char *path, struct image *image);
+/* An EXR, HDR or PNG file into *image ({0} before), as picture_read() says; else STATUS_USAGE. */
+MUST_USE enum status input_read(const char *path, const struct reader_params *params,
+                                struct image *image);
 
 /* Whether both have the same size, else STATUS_DATA; the paths are for the words. */
 MUST_USE enum status input_check_size(const struct image *image, const char *path,

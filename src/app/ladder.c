@@ -80,7 +80,7 @@ static enum status read_truth(struct job *job)
     const struct app_options *o = &job->o;
     const char *path = o->ladder.truth;
     struct image mask = { 0 };
-    enum status status = input_read(path, &job->truth);
+    enum status status = input_read(path, &o->picture.scene.reader, &job->truth);
     if (status != STATUS_OK)
         return status;
     if (job->truth.width != o->picture.width || job->truth.height != o->picture.height) {
@@ -95,7 +95,7 @@ static enum status read_truth(struct job *job)
     }
     if (!o->mask.file)
         return STATUS_OK;
-    status = input_read(o->mask.file, &mask);
+    status = input_read(o->mask.file, &o->picture.scene.reader, &mask);
     if (status == STATUS_OK)
         status = input_check_size(&job->truth, path, &mask, o->mask.file);
     if (status == STATUS_OK)

@@ -108,7 +108,7 @@ static enum status run(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    if (decode_is_wanted(argc, argv))
+    if (reader_is_wanted(argc, argv))
         return decode_main(argc, argv);
     standard_streams_begin();
     return (int)standard_streams_end(run(argc, argv));

@@ -7,14 +7,15 @@
 #include "src/base/tile.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
+#include "src/reader/picture_reader.h"
 
 static const char default_output[] = "merged.exr";
 
 /* A file. */
 struct input {
     const char *path; /* NULL: it is missing */
-    struct exr_file *file;
-    struct image image; /* size and planes, the file's */
+    struct picture_reader *reader;
+    struct picture_head head; /* size, planes and texts, the file's */
 };
 
 struct job {
@@ -45,14 +46,14 @@ static bool read_text(const char *text, struct tiling *tiling, uint32_t *number,
 static bool find_size(const struct input *input, struct tiling *tiling, uint32_t number,
                       bool interleaved)
 {
-    const struct image *image = &input->image;
-    struct exr_place place;
+    const struct image *image = &input->head.image;
+    const struct picture_place place = input->head.place;
     if (interleaved) { /* image.h has the limits of files */
         tiling->width = image->width * tiling->columns;
         tiling->height = image->height * tiling->rows;
         return true;
     }
-    if (!exr_find_place(input->file, &place))
+    if (!input->head.has_place)
         return false;
     tiling->width = place.width;
     tiling->height = place.height;
@@ -68,7 +69,7 @@ static enum status read_number(const struct input *input, struct job *job, uint3
     const struct tiling before = job->tiling;
     struct tiling tiling;
     bool interleaved;
-    if (!read_text(exr_text(input->file, "firn/tile"), &tiling, number, &interleaved) ||
+    if (!read_text(picture_head_text(&input->head, "firn/tile"), &tiling, number, &interleaved) ||
         !find_size(input, &tiling, *number, interleaved)) {
         log_error("%s: expected a tile of a picture, written by firn render --tile", input->path);
         return STATUS_DATA;
@@ -93,14 +94,15 @@ static enum status read_number(const struct input *input, struct job *job, uint3
 
 static bool is_same_text(const struct input *a, const struct input *b, const char *name)
 {
-    const char *x = exr_text(a->file, name), *y = exr_text(b->file, name);
+    const char *x = picture_head_text(&a->head, name);
+    const char *y = picture_head_text(&b->head, name);
     return x && y && !strcmp(x, y);
 }
 
 /* Of the same picture: what --resume compares, and planes. */
 static enum status check_same(const struct input *tile, const struct input *first)
 {
-    const struct image *a = &tile->image, *b = &first->image;
+    const struct image *a = &tile->head.image, *b = &first->head.image;
     bool same = a->plane_count == b->plane_count;
     for (uint32_t p = 0; p < b->plane_count && same; p++)
         same =
@@ -112,11 +114,17 @@ static enum status check_same(const struct input *tile, const struct input *firs
     return STATUS_DATA;
 }
 
-static enum status add_tile(struct job *job, const char *path)
+static void close_tile(struct input *tile)
+{
+    picture_close(tile->reader);
+    picture_head_finish(&tile->head);
+}
+
+static enum status add_tile(struct job *job, const char *path, const struct reader_params *params)
 {
     struct input tile = { .path = path };
     uint32_t number = 0;
-    enum status status = exr_open(&tile.file, path, &tile.image);
+    enum status status = picture_open(&tile.reader, path, params, &tile.head);
     if (status != STATUS_OK)
         return status;
     status = read_number(&tile, job, &number);
@@ -128,7 +136,7 @@ static enum status add_tile(struct job *job, const char *path)
     if (status == STATUS_OK && job->first)
         status = check_same(&tile, job->first);
     if (status != STATUS_OK) {
-        exr_close(tile.file);
+        close_tile(&tile);
         return status;
     }
     job->tiles[number] = tile;
@@ -141,7 +149,7 @@ static enum status open_tiles(struct job *job, const struct app_options *o)
 {
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < APP_POSITIONAL_COUNT && o->positionals[i] && status == STATUS_OK; i++)
-        status = add_tile(job, o->positionals[i]);
+        status = add_tile(job, o->positionals[i], &o->picture.scene.reader);
     const struct tiling *tiling = &job->tiling;
     for (uint32_t i = 0; i < tiling->columns * tiling->rows && status == STATUS_OK; i++) {
         if (job->tiles[i].path)
@@ -151,7 +159,7 @@ static enum status open_tiles(struct job *job, const struct app_options *o)
     }
     if (status != STATUS_OK)
         return status;
-    job->image = job->first->image;
+    job->image = job->first->head.image;
     job->image.width = tiling->width;
     job->image.height = tiling->height;
     if (job->image.width <= IMAGE_MAX_SIDE && job->image.height <= IMAGE_MAX_SIDE)
@@ -181,12 +189,14 @@ static enum status fill_from(const struct job *job, uint32_t index, uint32_t pla
     const struct tiling *tiling = &job->tiling;
     const struct tile tile = tile_at(tiling, index);
     const bool apart = job->interleaved;
-    const float *from = exr_row(input->file, plane, apart ? y / tiling->rows : y - tile.y);
-    if (!from)
-        return STATUS_DATA;
+    const float *from;
+    const enum status status =
+        picture_row(input->reader, plane, apart ? y / tiling->rows : y - tile.y, &from);
+    if (status != STATUS_OK)
+        return status;
     if (!apart)
         memcpy(row + tile.x, from, tile.width * sizeof(*row));
-    for (uint32_t x = 0; x < input->image.width && apart; x++)
+    for (uint32_t x = 0; x < input->head.image.width && apart; x++)
         row[(size_t)x * tiling->columns + index % tiling->columns] = from[x];
     return STATUS_OK;
 }
@@ -211,19 +221,20 @@ static enum status fill_rows(void *user, uint32_t y, struct image *rows)
 static enum status write_picture(struct job *job, const char *path)
 {
     static const char *const names[] = { "firn/version", "firn/settings", "firn/device" };
-    const struct exr_file *first = job->first->file;
+    const struct picture_head *first = &job->first->head;
     struct image_text texts[sizeof(names) / sizeof(names[0])];
-    float camera[16], ndc[16];
-    struct exr_header header = { .texts = texts };
+    struct exr_header header = {
+        .texts = texts,
+        .world_to_camera = first->has_world_to_camera ? first->world_to_camera : NULL,
+        .world_to_ndc = first->has_world_to_ndc ? first->world_to_ndc : NULL,
+    };
     void *data = NULL;
     size_t size = 0;
     for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
-        const char *value = exr_text(first, names[i]);
+        const char *value = picture_head_text(first, names[i]);
         if (value)
             texts[header.text_count++] = (struct image_text){ names[i], value };
     }
-    header.world_to_camera = exr_matrix(first, "worldToCamera", camera) ? camera : NULL;
-    header.world_to_ndc = exr_matrix(first, "worldToNDC", ndc) ? ndc : NULL;
     enum status status = exr_encode_rows(&job->image, &header, fill_rows, job, &data, &size);
     if (status == STATUS_OK)
         status = file_write(path, data, size);
@@ -253,7 +264,7 @@ enum status app_merge(const struct app_options *o)
         fprintf(stderr, "%s: %ux%u of %u tiles\n", strcmp(path, "-") ? path : "stdout",
                 job->image.width, job->image.height, job->tiling.columns * job->tiling.rows);
     for (uint32_t i = 0; i < APP_POSITIONAL_COUNT; i++)
-        exr_close(job->tiles[i].file);
+        close_tile(&job->tiles[i]);
     free(job);
     return status;
 }

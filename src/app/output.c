@@ -143,12 +143,12 @@ static struct tile pixels_of(const struct app_picture *p)
     };
 }
 
-static struct exr_place place_of(const struct app_picture *p)
+static struct picture_place place_of(const struct app_picture *p)
 {
     const struct tile tile = pixels_of(p);
     if (!p->tile || p->interleaved)
-        return (struct exr_place){ 0 };
-    return (struct exr_place){ tile.x, tile.y, p->width, p->height };
+        return (struct picture_place){ 0 };
+    return (struct picture_place){ tile.x, tile.y, p->width, p->height };
 }
 
 /* What is wrong with tiles of the picture's size; NULL: nothing. */
@@ -203,7 +203,8 @@ static void add_layer(struct image *image, const struct frame_layer *layer)
     }
 }
 
-static bool exr_is_current(const struct output *output, const char *path, const struct texts *texts)
+static bool exr_is_current(const struct output *output, const struct picture_head *head,
+                           const struct texts *texts)
 {
     const struct app_picture *p = output->picture;
     struct image_plane planes[PLANE_COUNT_MAX] = { 0 };
@@ -220,14 +221,13 @@ static bool exr_is_current(const struct output *output, const char *path, const 
         if (p->layers & 1u << i)
             add_layer(&image, techniques_layer(i));
     }
-    return exr_matches(path, &image, &header);
+    return exr_matches(head, &image, &header);
 }
 
-bool output_is_current(const struct output *output, const char *path)
+bool output_is_current(const struct output *output, const char *path,
+                       const struct picture_head *head)
 {
     struct texts texts;
-    if (file_is_straight(path) || access(path, R_OK) != 0)
-        return false;
     const bool is_png = path_ends_in(path, ".png");
     fill_texts(&texts, output, is_png, "");
     const struct png_picture picture = {
@@ -236,7 +236,7 @@ bool output_is_current(const struct output *output, const char *path)
         .texts = texts.all,
         .text_count = texts.compared_count,
     };
-    return is_png ? png_matches(path, &picture) : exr_is_current(output, path, &texts);
+    return is_png ? png_matches(head, &picture) : exr_is_current(output, head, &texts);
 }
 
 /* ---- new files ---- */

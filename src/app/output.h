@@ -5,6 +5,7 @@
 #define FIRN_APP_OUTPUT_H
 
 #include "src/app/app.h"
+#include "src/image/picture_head.h"
 #include "src/render/renderer.h"
 
 /* A frame, before and after it is drawn. */
@@ -27,11 +28,12 @@ MUST_USE enum status output_describe(struct output *output);
 void output_finish(struct output *output);
 
 /*
- * Whether the file is there, whole, and what output_write() would write, as far as size, layers,
- * firn/settings and firn/version tell: input files that have changed since go unnoticed, and the
- * device may be another one.
+ * Whether a whole file with this head is what output_encode() would make for `path`, as far as
+ * size, layers, firn/settings and firn/version tell: input files that have changed since go
+ * unnoticed, and the device may be another one.
  */
-bool output_is_current(const struct output *output, const char *path);
+bool output_is_current(const struct output *output, const char *path,
+                       const struct picture_head *head);
 
 /*
  * Whether --tiles and --tile go with the size, the rung and the files. Logs: STATUS_USAGE.

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "src/app/app.h"
 #include "src/app/layer_picture.h"
 #include "src/app/output.h"
@@ -15,6 +16,7 @@
 #include "src/base/path.h"
 #include "src/base/tile.h"
 #include "src/image/file.h"
+#include "src/reader/picture_reader.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
 #include "src/render/cpu_driver.h"
@@ -55,6 +57,18 @@ static void frame_finish(struct frame *frame)
 }
 
 /* Names and describes it, and sees which files have it already. */
+/* Whether --resume may keep a file. One that cannot be read is drawn again; a line says why. */
+static bool is_current(const struct job *job, const struct output *output, const char *path)
+{
+    struct picture_head head;
+    if (file_is_straight(path) || access(path, R_OK) != 0 ||
+        picture_check(&head, path, &job->o.picture.scene.reader) != STATUS_OK)
+        return false;
+    const bool same = output_is_current(output, path, &head);
+    picture_head_finish(&head);
+    return same;
+}
+
 static enum status frame_init(struct frame *frame, const struct job *job, int32_t number)
 {
     *frame = (struct frame){
@@ -74,7 +88,7 @@ static enum status frame_init(struct frame *frame, const struct job *job, int32_
         if (!frame->paths[i])
             status = log_out_of_memory(NULL);
         else if (job->o.render.resume)
-            frame->is_current[i] = output_is_current(&frame->output, frame->paths[i]);
+            frame->is_current[i] = is_current(job, &frame->output, frame->paths[i]);
     }
     return status;
 }

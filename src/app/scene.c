@@ -84,7 +84,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
         .bubbles = { spheres->count, spheres->seed, spheres->size },
         .bump = bump.is_on(&given->settings) || frost.is_on(&given->settings) ? maps : NULL,
         .cracks = { sheets->count, sheets->seed, sheets->clip == CRACKS_CLIP_PRECUT },
-        .decode = &given->decode,
+        .decode = &given->reader,
         .pool = { pool->size, pool->depth, pool->ice },
         .later = true,
     };

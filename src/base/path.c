@@ -1,9 +1,10 @@
 /* path.c: functions on names of files. */
 #include "src/base/path.h"
 #include <string.h>
+#include <strings.h>
 
 bool path_ends_in(const char *path, const char *ending)
 {
     const char *dot = strrchr(path, '.');
-    return dot && !strcmp(dot, ending);
+    return dot && strcasecmp(dot, ending) == 0;
 }

@@ -4,7 +4,8 @@
 
 #include <stdbool.h>
 
-/* Returns whether a name's extension is `ending`, which includes the dot: ".exr". */
+/* Returns whether a name's extension is `ending`, which includes the dot: ".exr". Upper and lower
+ * case are the same. */
 bool path_ends_in(const char *path, const char *ending);
 
 #endif

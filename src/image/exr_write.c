@@ -104,7 +104,7 @@ static exr_result_t declare_attributes(exr_context_t context, const struct exr_h
 
 /* Does the same as exr_initialize_required_attr_simple() if the image is the whole picture. */
 static exr_result_t declare_windows(exr_context_t context, int part, const struct image *image,
-                                    const struct exr_place *place)
+                                    const struct picture_place *place)
 {
     const exr_attr_v2f_t middle = { .x = 0.0f, .y = 0.0f };
     const int32_t x = (int32_t)place->x, y = (int32_t)place->y;
@@ -123,7 +123,7 @@ static exr_result_t declare_windows(exr_context_t context, int part, const struc
 }
 
 static exr_result_t declare_part(exr_context_t context, const struct image *image,
-                                 const struct exr_place *place)
+                                 const struct picture_place *place)
 {
     int part;
     exr_result_t result = exr_add_part(context, NULL, EXR_STORAGE_SCANLINE, &part);

@@ -1,5 +1,6 @@
 /* hdr.c: reads Radiance .hdr files by stb_image, and checks what it does not check. */
 #include "src/image/hdr.h"
+#include <errno.h>
 #include <stb/stb_image.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -84,9 +85,10 @@ static const char *find_fault(struct source *source, int64_t file_size, int *wid
     return NULL;
 }
 
+static const char names[3][2] = { "R", "G", "B" };
+
 static bool fill_image(struct image *image, const float *texels, int width, int height)
 {
-    static const char names[3][2] = { "R", "G", "B" };
     const size_t count = (size_t)width * (size_t)height;
 
     image_init(image, (uint32_t)width, (uint32_t)height);
@@ -102,37 +104,74 @@ static bool fill_image(struct image *image, const float *texels, int width, int 
     return true;
 }
 
-enum status hdr_read(const char *path, struct image *image)
+static enum status refuse(const struct source *source, const char *path, const char *fault)
 {
-    struct source source = { 0 };
-    int64_t file_size;
-    int width = 0, height = 0, channels;
-    float *texels = NULL;
-    const char *fault;
-    enum status status = file_open(path, &source.file, &file_size);
+    if (ferror(source->file)) {
+        log_error("%s: cannot be read: %s", path, strerror(EIO));
+        return STATUS_NO_INPUT;
+    }
+    log_error("%s: %s", path, fault);
+    return STATUS_DATA;
+}
 
+/* Opens a file and checks its header; the caller closes source->file, on failure too. */
+static enum status open_hdr(const char *path, struct source *source, int *width, int *height)
+{
+    int64_t file_size;
+    *source = (struct source){ 0 };
+    const enum status status = file_open(path, &source->file, &file_size);
     if (status != STATUS_OK)
         return status;
-    fault = find_fault(&source, file_size, &width, &height);
-    if (!fault) {
-        source_rewind(&source);
-        texels = stbi_loadf_from_callbacks(&callbacks, &source, &width, &height, &channels, 3);
-        if (source.overrun)
-            fault = "the file is truncated";
-        else if (!texels && strcmp(stbi_failure_reason(), "outofmem") != 0)
-            fault = stbi_failure_reason();
-    }
-    if (ferror(source.file)) {
-        log_error("%s: reading failed", path);
-        status = STATUS_NO_INPUT;
-    } else if (fault) {
-        log_error("%s: %s", path, fault);
-        status = STATUS_DATA;
-    } else if (!texels || !fill_image(image, texels, width, height)) {
-        log_error("%s: out of memory for %d x %d pixels", path, width, height);
-        status = STATUS_TRY_AGAIN;
-    }
+    const char *fault = find_fault(source, file_size, width, height);
+    return fault ? refuse(source, path, fault) : STATUS_OK;
+}
+
+static enum status read_texels(const char *path, struct source *source, struct image *image)
+{
+    int width, height, channels;
+    enum status status = STATUS_OK;
+    source_rewind(source);
+    float *texels = stbi_loadf_from_callbacks(&callbacks, source, &width, &height, &channels, 3);
+    if (source->overrun)
+        status = refuse(source, path, "the file is truncated");
+    else if (!texels && strcmp(stbi_failure_reason(), "outofmem") != 0)
+        status = refuse(source, path, stbi_failure_reason());
+    else if (!texels || !fill_image(image, texels, width, height))
+        status = log_out_of_memory(path);
     stbi_image_free(texels);
-    fclose(source.file);
     return status;
+}
+
+static enum status close_hdr(struct source *source, enum status status)
+{
+    if (source->file)
+        fclose(source->file);
+    return status;
+}
+
+enum status hdr_head(const char *path, struct picture_head *head)
+{
+    struct source source;
+    int width = 0, height = 0;
+    enum status status = open_hdr(path, &source, &width, &height);
+    *head = (struct picture_head){ 0 };
+    if (status == STATUS_OK)
+        image_init(&head->image, (uint32_t)width, (uint32_t)height);
+    for (size_t p = 0; p < 3 && status == STATUS_OK; p++) {
+        if (!picture_head_add_plane(head, names[p], false))
+            status = log_out_of_memory(path);
+    }
+    if (status != STATUS_OK)
+        picture_head_finish(head);
+    return close_hdr(&source, status);
+}
+
+enum status hdr_read(const char *path, struct image *image)
+{
+    struct source source;
+    int width = 0, height = 0;
+    enum status status = open_hdr(path, &source, &width, &height);
+    if (status == STATUS_OK)
+        status = read_texels(path, &source, image);
+    return close_hdr(&source, status);
 }

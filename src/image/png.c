@@ -17,6 +17,8 @@ enum {
     HEAD_SIZE = 8 + CHUNK_SIZE + 13, /* signature and IHDR */
 };
 
+static const uint8_t signature[8] = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
+
 /* ---- chunks ---- */
 
 static void put_u32(uint8_t *at, uint32_t value)
@@ -111,16 +113,6 @@ static uint8_t *make_texts(const struct png_picture *picture, size_t *size)
     return chunks;
 }
 
-static bool has_chunk(const uint8_t *chunks, size_t size, const uint8_t *wanted, size_t wanted_size)
-{
-    for (size_t at = 0, chunk_size; at < size; at += chunk_size) {
-        chunk_size = CHUNK_SIZE + get_u32(chunks + at);
-        if (chunk_size == wanted_size && memcmp(chunks + at, wanted, wanted_size) == 0)
-            return true;
-    }
-    return false;
-}
-
 /* ---- files ---- */
 
 static enum status out_of_memory(const struct png_picture *picture)
@@ -186,100 +178,109 @@ enum status png_encode(const struct png_picture *picture, void **data, size_t *s
     return status;
 }
 
-static void *read_file(const char *path, size_t *size)
+/* Reads a whole file into *bytes, which the caller frees. */
+static enum status read_file(const char *path, uint8_t **bytes, size_t *size)
 {
     FILE *file;
     int64_t file_size;
-    void *data;
+    enum status status = file_open(path, &file, &file_size);
 
-    if (file_open(path, &file, &file_size) != STATUS_OK)
-        return NULL;
+    *bytes = NULL;
+    if (status != STATUS_OK)
+        return status;
     *size = (size_t)file_size;
-    data = malloc(*size + 1);
-    if (data && fread(data, 1, *size, file) != *size) {
-        free(data);
-        data = NULL;
+    *bytes = malloc(*size + 1);
+    if (!*bytes) {
+        status = log_out_of_memory(path);
+    } else if (fread(*bytes, 1, *size, file) != *size) {
+        log_error("%s: cannot be read to its end", path);
+        status = STATUS_NO_INPUT;
     }
     fclose(file);
-    return data;
+    if (status != STATUS_OK) {
+        free(*bytes);
+        *bytes = NULL;
+    }
+    return status;
 }
 
-static void make_head(uint8_t head[static HEAD_SIZE], const struct png_picture *picture)
+/* Adds the text of a chunk, if it is one. Returns false when out of memory. */
+static bool add_text(struct picture_head *head, const uint8_t *chunk)
 {
-    static const uint8_t signature[8] = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
-    static const uint8_t rgb[5] = { 8, 2, 0, 0, 0 };
-    uint8_t *data = begin_chunk(head + sizeof(signature), "IHDR", 13);
-
-    memcpy(head, signature, sizeof(signature));
-    put_u32(data, picture->width);
-    put_u32(data + 4, picture->height);
-    memcpy(data + 8, rgb, sizeof(rgb));
-    end_chunk(head + sizeof(signature));
+    const char *data = (const char *)chunk + 8;
+    const size_t size = get_u32(chunk), gap = is_chunk(chunk, "iTXt") ? 4 : 0;
+    const char *end = memchr(data, '\0', size);
+    const size_t name_size = end ? (size_t)(end - data) + 1 : size + 1;
+    if ((!gap && !is_chunk(chunk, "tEXt")) || name_size + gap > size)
+        return true;
+    return picture_head_add_text(head, data, data + name_size + gap, size - name_size - gap);
 }
 
-bool png_matches(const char *path, const struct png_picture *picture)
+/* Of a file's first chunk. Returns false when out of memory. */
+static bool read_size(struct picture_head *head, const uint8_t *chunk)
 {
-    uint8_t head[HEAD_SIZE];
-    size_t size = 0, texts_size, text_count = 0, at = HEAD_SIZE;
-    bool has_texels = false, has_end = false, same;
-    uint8_t *texts = make_texts(picture, &texts_size);
-    uint8_t *bytes = texts ? read_file(path, &size) : NULL;
+    static const char *const names[] = { "R", "G", "B", "A" };
 
-    make_head(head, picture);
-    same = bytes && size >= HEAD_SIZE && memcmp(bytes, head, HEAD_SIZE) == 0;
-    while (same && !has_end) {
+    enum {
+        COLOR_TYPE_AT = 9,
+        HAS_ALPHA = 4,
+    };
+
+    const uint8_t *data = chunk + 8;
+    const uint32_t plane_count = data[COLOR_TYPE_AT] & HAS_ALPHA ? 4 : 3;
+    bool done = true;
+    image_init(&head->image, get_u32(data), get_u32(data + 4));
+    for (uint32_t p = 0; p < plane_count && done; p++)
+        done = picture_head_add_plane(head, names[p], false);
+    return done;
+}
+
+/* Walks over the chunks; false if one is damaged, or memory is short. */
+static bool read_chunks(struct picture_head *head, const uint8_t *bytes, size_t size,
+                        bool *lacks_memory)
+{
+    bool has_texels = false, has_end = false;
+    size_t at = sizeof(signature);
+    while (at < size && !has_end) {
         const size_t chunk_size = measure_chunk(bytes + at, size - at);
-        same = chunk_size > 0;
-        if (!same)
-            break;
-        text_count += has_chunk(texts, texts_size, bytes + at, chunk_size);
-        has_texels = has_texels || is_chunk(bytes + at, "IDAT");
-        has_end = is_chunk(bytes + at, "IEND");
+        const uint8_t *chunk = bytes + at;
+        const bool is_first = at == sizeof(signature);
+        if (chunk_size == 0 || is_first != (is_chunk(chunk, "IHDR") && get_u32(chunk) == 13))
+            return false;
+        *lacks_memory = !(is_first ? read_size(head, chunk) : add_text(head, chunk));
+        if (*lacks_memory)
+            return false;
+        has_texels = has_texels || is_chunk(chunk, "IDAT");
+        has_end = is_chunk(chunk, "IEND");
         at += chunk_size;
     }
-    free(texts);
-    free(bytes);
-    return same && has_texels && at == size && text_count == picture->text_count;
+    return has_texels && has_end && at == size;
 }
 
-/* Returns the value of a text chunk of this name, malloc'd; NULL if it is another chunk or memory
- * is short. */
-static char *copy_text(const uint8_t *chunk, const char *name)
+enum status png_check(const char *path, struct picture_head *head)
 {
-    const size_t name_size = strlen(name) + 1;
-    const size_t gap = is_chunk(chunk, "iTXt") ? 4 : 0;
-    const size_t data_size = get_u32(chunk);
+    size_t size = 0;
+    uint8_t *bytes;
+    bool lacks_memory = false;
+    enum status status = read_file(path, &bytes, &size);
 
-    if ((!gap && !is_chunk(chunk, "tEXt")) || data_size < name_size + gap ||
-        memcmp(chunk + 8, name, name_size) != 0)
-        return NULL;
-    return strndup((const char *)chunk + 8 + name_size + gap, data_size - name_size - gap);
-}
-
-enum status png_inspect(const char *path, const char *name, char **text)
-{
-    size_t size = 0, at = 8, chunk_size = 1;
-    uint8_t *bytes = read_file(path, &size);
-    bool has_end = false;
-
-    *text = NULL;
-    if (!bytes)
-        return STATUS_NO_INPUT;
-    while (chunk_size > 0 && !has_end && at < size) {
-        chunk_size = measure_chunk(bytes + at, size - at);
-        if (chunk_size > 0 && !*text)
-            *text = copy_text(bytes + at, name);
-        has_end = chunk_size > 0 && is_chunk(bytes + at, "IEND");
-        at += chunk_size;
+    *head = (struct picture_head){ 0 };
+    if (status != STATUS_OK)
+        return status;
+    if (size < sizeof(signature) || memcmp(bytes, signature, sizeof(signature)) != 0 ||
+        !read_chunks(head, bytes, size, &lacks_memory)) {
+        picture_head_finish(head);
+        status = lacks_memory ? log_out_of_memory(path) : STATUS_DATA;
     }
-    const bool is_whole = has_end && at == size && memcmp(bytes + 1, "PNG", 3) == 0;
+    if (status == STATUS_DATA)
+        log_error("%s: not a PNG file, or damaged", path);
     free(bytes);
-    if (is_whole && (*text || (*text = strdup(""))))
-        return STATUS_OK;
-    free(*text);
-    *text = NULL;
-    if (is_whole)
-        return log_out_of_memory(path);
-    log_error("%s: not a PNG file, or damaged", path);
-    return STATUS_DATA;
+    return status;
+}
+
+bool png_matches(const struct picture_head *head, const struct png_picture *picture)
+{
+    struct image_plane planes[3] = { { .name = "R" }, { .name = "G" }, { .name = "B" } };
+    const struct image image = { picture->width, picture->height, 3, planes };
+    return picture_head_matches(head, &image, picture->texts, picture->text_count);
 }

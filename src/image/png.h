@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include "src/base/status.h"
 #include "src/image/image.h"
+#include "src/image/picture_head.h"
 
 struct png_picture {
     const uint8_t *rgba;            /* sRGB-encoded texels, rows from the top */
@@ -31,14 +32,15 @@ MUST_USE enum status png_encode(const struct png_picture *picture, void **data, 
  */
 MUST_USE enum status png_read(const char *path, struct image *image);
 
-/*
- * Returns whether a file is complete and has the format of png_encode(), the picture's size and
- * texts, and right checksums of all chunks. Texels (which may be NULL) are not compared. Logs only
- * if the file is missing or cannot be opened.
- */
-bool png_matches(const char *path, const struct png_picture *picture);
+/* Returns size and planes that png_read() would give, from the file's beginning. */
+MUST_USE enum status png_head(const char *path, struct picture_head *head);
 
-/* Checks a file by the checksums of all chunks, and returns a text as exr_inspect() does. */
-MUST_USE enum status png_inspect(const char *path, const char *name, char **text);
+/* Checks a whole file by the checksums of its chunks, without unpacking its texels, and returns
+ * what it says in *head, which the caller finishes. Errors are those of png_read(). */
+MUST_USE enum status png_check(const char *path, struct picture_head *head);
+
+/* Returns whether a head is that of the picture: its size, colours without alpha, and its texts.
+ * Texels (which may be NULL) are not compared. */
+bool png_matches(const struct picture_head *head, const struct png_picture *picture);
 
 #endif

@@ -18,11 +18,17 @@ static enum status damaged(const char *path, const char *why)
     return STATUS_DATA;
 }
 
+static const char names[4][2] = { "R", "G", "B", "A" };
+
+static uint32_t count_planes(const png_image *png)
+{
+    return png->format & PNG_FORMAT_FLAG_ALPHA ? 4 : 3;
+}
+
 /* Fills the planes channel by channel. Returns false when out of memory. */
 static bool fill_image(struct image *image, const png_image *png, const uint8_t *rgba)
 {
-    static const char names[4][2] = { "R", "G", "B", "A" };
-    const uint32_t plane_count = png->format & PNG_FORMAT_FLAG_ALPHA ? 4 : 3;
+    const uint32_t plane_count = count_planes(png);
     const size_t count = (size_t)png->width * png->height;
     float linear[256];
 
@@ -47,9 +53,6 @@ static enum status read_texels(const char *path, png_image *png, struct image *i
     uint8_t *rgba;
     enum status status = STATUS_OK;
 
-    if (png->width > IMAGE_MAX_SIDE || png->height > IMAGE_MAX_SIDE ||
-        png->height > IMAGE_MAX_TEXELS / png->width)
-        return damaged(path, "size out of range");
     png->format = PNG_FORMAT_RGBA;
     rgba = malloc((size_t)png->width * png->height * 4);
     if (!rgba)
@@ -62,24 +65,59 @@ static enum status read_texels(const char *path, png_image *png, struct image *i
     return status;
 }
 
-enum status png_read(const char *path, struct image *image)
+/* Opens a file and reads its beginning; both are the caller's to end, on failure too. */
+static enum status open_png(const char *path, png_image *png, FILE **file)
 {
-    png_image png = { .version = PNG_IMAGE_VERSION };
-    FILE *file;
     int64_t size;
-    enum status status = file_open(path, &file, &size);
+    enum status status = file_open(path, file, &size);
 
+    *png = (png_image){ .version = PNG_IMAGE_VERSION };
     if (status != STATUS_OK)
         return status;
-    if (!png_image_begin_read_from_stdio(&png, file)) {
-        status = damaged(path, png.message);
-    } else {
-        png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
-        status = read_texels(path, &png, image);
-    }
+    if (!png_image_begin_read_from_stdio(png, *file))
+        return damaged(path, png->message);
+    if (png->width > IMAGE_MAX_SIDE || png->height > IMAGE_MAX_SIDE ||
+        png->height > IMAGE_MAX_TEXELS / png->width)
+        return damaged(path, "size out of range");
+    png->flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+    return STATUS_OK;
+}
+
+static enum status close_png(png_image *png, FILE *file, enum status status)
+{
     if (status == STATUS_DATA && ferror(file))
         status = STATUS_NO_INPUT; /* "read error" is already logged */
-    png_image_free(&png);
-    fclose(file);
+    png_image_free(png);
+    if (file)
+        fclose(file);
     return status;
+}
+
+enum status png_head(const char *path, struct picture_head *head)
+{
+    png_image png;
+    FILE *file;
+    enum status status = open_png(path, &png, &file);
+
+    *head = (struct picture_head){ 0 };
+    if (status == STATUS_OK)
+        image_init(&head->image, png.width, png.height);
+    for (uint32_t p = 0; p < count_planes(&png) && status == STATUS_OK; p++) {
+        if (!picture_head_add_plane(head, names[p], false))
+            status = log_out_of_memory(path);
+    }
+    if (status != STATUS_OK)
+        picture_head_finish(head);
+    return close_png(&png, file, status);
+}
+
+enum status png_read(const char *path, struct image *image)
+{
+    png_image png;
+    FILE *file;
+    enum status status = open_png(path, &png, &file);
+
+    if (status == STATUS_OK)
+        status = read_texels(path, &png, image);
+    return close_png(&png, file, status);
 }

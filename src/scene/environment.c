@@ -3,18 +3,17 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/image/exr.h"
 #include "src/image/half.h"
 #include "src/image/hdr.h"
 
 static enum status read_picture(const char *path, struct image *image)
 {
-    const char *dot = strrchr(path, '.');
-    if (dot && !strcasecmp(dot, ".hdr"))
+    if (path_ends_in(path, ".hdr"))
         return hdr_read(path, image);
-    if (dot && !strcasecmp(dot, ".exr"))
+    if (path_ends_in(path, ".exr"))
         return exr_read(path, image);
     log_error("%s: expected an environment file that ends in .exr or .hdr", path);
     return STATUS_DATA;

@@ -57,7 +57,7 @@ struct scene_params {
     struct generate_bubbles bubbles; /* count 0: none */
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
     struct scene_cracks cracks;
-    const struct decode_params
+    const struct reader_params
         *decode;               /* how a child process reads the files; NULL: this one does */
     struct generate_pool pool; /* of the scene `pool` */
     bool later;                /* leave the bump maps and the textures of air to scene_fill() */

@@ -7,7 +7,7 @@ int main(int argc, char **argv)
 {
     struct app_options options;
     bool done;
-    if (decode_is_wanted(argc, argv))
+    if (reader_is_wanted(argc, argv))
         return decode_main(argc, argv);
     standard_streams_begin();
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);

@@ -167,15 +167,18 @@ class Resume(Frames):
         self.assertEqual(list(self.whole), ['1.exr', '1.png', '2.exr', '2.png'])
 
     def check_redrawn(self, wanted, *arguments, frames='1-2'):
-        """These files and no others are written."""
+        """These files and no others are written. Returns why files could not be kept."""
         before = {name: (self.folder / name).stat().st_ino for name in self.files()}
         lines = self.draw(frames, *self.both, *arguments)
-        said = {name: words for name, words in (line.split(': ') for line in lines)}
+        reasons = [line for line in lines if line.startswith('firn: ')]
+        said = {name: words for name, words in (line.split(': ') for line in lines
+                                                if line not in reasons)}
         self.assertEqual(sorted(said), self.files())
         for name, words in said.items():
             written = before.get(name) != (self.folder / name).stat().st_ino
             self.assertEqual(written, name in wanted, name)
             self.assertEqual(words == 'up to date', name not in wanted, name)
+        return reasons
 
     def check_whole(self):
         for name, data in self.whole.items():
@@ -198,7 +201,9 @@ class Resume(Frames):
             for bad in (data[:-1], data[:len(data) // 2], b'', b'firn/settings'):
                 with self.subTest(name=name, size=len(bad)):
                     (self.folder / name).write_bytes(bad)
-                    self.check_redrawn([name])
+                    reasons = self.check_redrawn([name])
+                    self.assertEqual(len(reasons), 1)
+                    self.assertTrue(reasons[0].startswith(f'firn: {name}: '), reasons)
         self.check_whole()
 
     def test_other_options(self):

@@ -55,9 +55,9 @@ static void check_mesh(const struct mesh *mesh, const struct texture_layers *tex
 
 static void read_model(struct stream *stream)
 {
-    const struct mesh_pipe_source source = { read_stream, stream, SIZE_MAX_OF_ALL };
+    const struct pipe_source source = { read_stream, stream, SIZE_MAX_OF_ALL };
     struct model model;
-    if (mesh_pipe_read_model(&source, &model) != MESH_PIPE_OK) {
+    if (mesh_pipe_read_model(&source, &model) != PIPE_OK) {
         FUZZ_CHECK(!model.object.vertices && !model.object.indices && !model.textures.texels &&
                    !model.surroundings.vertices && !model.surroundings.indices);
         return;
@@ -70,9 +70,9 @@ static void read_model(struct stream *stream)
 
 static void read_environment(struct stream *stream)
 {
-    const struct mesh_pipe_source source = { read_stream, stream, SIZE_MAX_OF_ALL };
+    const struct pipe_source source = { read_stream, stream, SIZE_MAX_OF_ALL };
     struct environment environment;
-    if (mesh_pipe_read_environment(&source, &environment) != MESH_PIPE_OK) {
+    if (mesh_pipe_read_environment(&source, &environment) != PIPE_OK) {
         FUZZ_CHECK(!environment.texels && environment.width == 0 && environment.height == 0);
         return;
     }
@@ -99,7 +99,7 @@ static void make(struct stream *stream, bool is_model)
         .has_ior = true,
     };
     const struct environment environment = { halfs, 2, 1 };
-    const struct mesh_pipe_sink sink = { write_stream, stream };
+    const struct pipe_sink sink = { write_stream, stream };
     FUZZ_CHECK(is_model ? mesh_pipe_write_model(&sink, &model)
                         : mesh_pipe_write_environment(&sink, &environment));
 }

@@ -9,11 +9,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
-#include "src/scene/import/decode.h"
+#include "src/reader/reader.h"
 
 static bool needs_no_device(const char *command)
 {
-    static const char *const commands[] = { "graph", "diff", "merge", "--version", DECODE_WORD };
+    static const char *const commands[] = { "graph", "diff", "merge", "--version", READER_WORD };
     for (size_t i = 0; i < sizeof(commands) / sizeof(commands[0]); i++) {
         if (!strcmp(command, commands[i]))
             return true;

@@ -46,11 +46,11 @@ static void start_write(exr_context_t *context, struct bytes *bytes)
 }
 
 /* One chunk of which every channel's samples lie one after the other, from samples[c]. */
-static void write_chunk(exr_context_t context, const exr_chunk_info_t *chunk,
+static void write_chunk(exr_context_t context, int part, const exr_chunk_info_t *chunk,
                         const void *const *samples, int channel_count)
 {
     exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
-    assert_int_equal(exr_encoding_initialize(context, 0, chunk, &pipeline), 0);
+    assert_int_equal(exr_encoding_initialize(context, part, chunk, &pipeline), 0);
     assert_int_equal(pipeline.channel_count, channel_count);
     for (int c = 0; c < channel_count; c++) {
         exr_coding_channel_info_t *channel = &pipeline.channels[c];
@@ -58,8 +58,8 @@ static void write_chunk(exr_context_t context, const exr_chunk_info_t *chunk,
         channel->user_line_stride = channel->user_pixel_stride * channel->width;
         channel->encode_from_ptr = samples[c];
     }
-    assert_int_equal(exr_encoding_choose_default_routines(context, 0, &pipeline), 0);
-    assert_int_equal(exr_encoding_run(context, 0, &pipeline), 0);
+    assert_int_equal(exr_encoding_choose_default_routines(context, part, &pipeline), 0);
+    assert_int_equal(exr_encoding_run(context, part, &pipeline), 0);
     assert_int_equal(exr_encoding_destroy(context, &pipeline), 0);
 }
 
@@ -108,7 +108,7 @@ static struct bytes write_three_types(exr_compression_t compression, int32_t x, 
         const void *const samples[] = { floats + first, halves + first, integers + first };
         exr_chunk_info_t chunk;
         assert_int_equal(exr_write_scanline_chunk_info(context, 0, y + line, &chunk), 0);
-        write_chunk(context, &chunk, samples, 3);
+        write_chunk(context, 0, &chunk, samples, 3);
     }
     assert_int_equal(exr_finish(&context), 0);
     return bytes;
@@ -131,7 +131,7 @@ static void write_level(exr_context_t context, int level, int32_t side)
             const int row = y * side + t / chunk.width, column = x * side + t % chunk.width;
             tile[t] = (float)(row * width + column);
         }
-        write_chunk(context, &chunk, samples, 1);
+        write_chunk(context, 0, &chunk, samples, 1);
     }
     free(tile);
 }
@@ -206,6 +206,50 @@ static void test_tiles(void **state)
         assert_int_equal(image.height, 21);
         for (int i = 0; i < 37 * 21; i++)
             assert_true(image.planes[0].texels[i] == (float)i);
+        image_finish(&image);
+        free(bytes.data);
+    }
+}
+
+/* Adds a part of one row of two texels; returns its number. */
+static int add_part(exr_context_t context, const char *name, const char *const channels[],
+                    int channel_count)
+{
+    int part;
+    assert_int_equal(exr_add_part(context, name, EXR_STORAGE_SCANLINE, &part), 0);
+    assert_int_equal(exr_initialize_required_attr_simple(context, part, 2, 1, EXR_COMPRESSION_NONE),
+                     0);
+    for (int c = 0; c < channel_count; c++)
+        assert_int_equal(exr_add_channel(context, part, channels[c], EXR_PIXEL_FLOAT, 0, 1, 1), 0);
+    return part;
+}
+
+/* The part with colours is read, wherever it is; without one, the first. */
+static void test_parts(void **state)
+{
+    static const char *const depth[] = { "Z" }, *const colors[] = { "B", "G", "R" };
+    static const float texels[] = { 1, 2, 3, 4, 5, 6 };
+    static const void *const samples[] = { texels, texels + 2, texels + 4 };
+    (void)state;
+    for (int count = 1; count <= 3; count += 2) {
+        exr_context_t context = NULL;
+        struct bytes bytes;
+        struct image image = { 0 };
+        start_write(&context, &bytes);
+        add_part(context, "depth", depth, 1);
+        add_part(context, "colors", colors, count);
+        assert_int_equal(exr_write_header(context), 0);
+        for (int part = 0; part < 2; part++) {
+            exr_chunk_info_t chunk;
+            assert_int_equal(exr_write_scanline_chunk_info(context, part, 0, &chunk), 0);
+            write_chunk(context, part, &chunk, samples, part ? count : 1);
+        }
+        assert_int_equal(exr_finish(&context), 0);
+        assert_int_equal(read_bytes(&bytes, &image), STATUS_OK);
+        assert_non_null(image_find(&image, count == 3 ? "R" : "Z"));
+        assert_int_equal(image.plane_count, count);
+        if (count == 3)
+            assert_true(image_find(&image, "R")[1] == 6.0f);
         image_finish(&image);
         free(bytes.data);
     }
@@ -306,6 +350,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_types_and_windows),
         cmocka_unit_test(test_tiles),
+        cmocka_unit_test(test_parts),
         cmocka_unit_test(test_unsupported),
         cmocka_unit_test(test_short_row),
     };

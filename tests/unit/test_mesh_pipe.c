@@ -86,14 +86,14 @@ static struct stream make_stream(void)
 {
     struct stream stream = { .size = 0 };
     struct model model = make_model();
-    assert_true(mesh_pipe_write_model(&(struct mesh_pipe_sink){ write_stream, &stream }, &model));
+    assert_true(mesh_pipe_write_model(&(struct pipe_sink){ write_stream, &stream }, &model));
     model_finish(&model);
     return stream;
 }
 
-static enum mesh_pipe_fault read_model(struct stream *stream, struct model *model)
+static enum pipe_fault read_model(struct stream *stream, struct model *model)
 {
-    const struct mesh_pipe_source source = { read_stream, stream, STREAM_SIZE };
+    const struct pipe_source source = { read_stream, stream, STREAM_SIZE };
     return mesh_pipe_read_model(&source, model);
 }
 
@@ -111,7 +111,7 @@ static void model_comes_through(void **state)
     (void)state;
     struct stream stream = make_stream();
     struct model wanted = make_model(), model;
-    assert_int_equal(read_model(&stream, &model), MESH_PIPE_OK);
+    assert_int_equal(read_model(&stream, &model), PIPE_OK);
     assert_int_equal(stream.at, stream.size);
     check_mesh(&model.object, &wanted.object);
     check_mesh(&model.surroundings, &wanted.surroundings);
@@ -127,25 +127,25 @@ static void model_comes_through(void **state)
 }
 
 /* With `size` bytes at `at` replaced it is refused so, and nothing is left of it. */
-static void refuse(size_t at, const void *bytes, size_t size, enum mesh_pipe_fault wanted)
+static void refuse(size_t at, const void *bytes, size_t size, enum pipe_fault wanted)
 {
     const struct model nothing = { 0 };
     struct stream stream = make_stream();
     struct model model;
     memset(&model, 0xff, sizeof(model));
     memcpy(stream.bytes + at, bytes, size);
-    const enum mesh_pipe_fault fault = read_model(&stream, &model);
+    const enum pipe_fault fault = read_model(&stream, &model);
     if (fault != wanted)
-        fail_msg("at %zu: %s, not %s", at, mesh_pipe_words(fault), mesh_pipe_words(wanted));
+        fail_msg("at %zu: %s, not %s", at, pipe_words(fault), pipe_words(wanted));
     assert_memory_equal(&model, &nothing, sizeof(model));
 }
 
-static void refuse_word(size_t at, uint32_t word, enum mesh_pipe_fault wanted)
+static void refuse_word(size_t at, uint32_t word, enum pipe_fault wanted)
 {
     refuse(at, &word, sizeof(word), wanted);
 }
 
-static void refuse_number(size_t at, float number, enum mesh_pipe_fault wanted)
+static void refuse_number(size_t at, float number, enum pipe_fault wanted)
 {
     refuse(at, &number, sizeof(number), wanted);
 }
@@ -153,56 +153,56 @@ static void refuse_number(size_t at, float number, enum mesh_pipe_fault wanted)
 static void heads_are_checked(void **state)
 {
     (void)state;
-    refuse_word(0, 0x464c457f, MESH_PIPE_HEAD);
-    refuse_word(FLAGS_AT, 8, MESH_PIPE_CAMERA);
+    refuse_word(0, 0x464c457f, PIPE_HEAD);
+    refuse_word(FLAGS_AT, 8, PIPE_CAMERA);
     for (size_t i = 0; i < 4; i++) {
-        refuse_word(COUNTS_AT + 4 * i, UINT32_MAX, MESH_PIPE_SIZE);
-        refuse_word(COUNTS_AT + 4 * i, 0, MESH_PIPE_SIZE);
-        refuse_word(COUNTS_AT + 4 * i, 1u << 28, MESH_PIPE_SIZE);
+        refuse_word(COUNTS_AT + 4 * i, UINT32_MAX, PIPE_SIZE);
+        refuse_word(COUNTS_AT + 4 * i, 0, PIPE_SIZE);
+        refuse_word(COUNTS_AT + 4 * i, 1u << 28, PIPE_SIZE);
     }
-    refuse_word(COUNTS_AT + 4, 5, MESH_PIPE_SIZE);
-    refuse_word(TEXTURE_SIZE_AT, 3, MESH_PIPE_SIZE);
-    refuse_word(TEXTURE_SIZE_AT, 0, MESH_PIPE_SIZE);
-    refuse_word(TEXTURE_SIZE_AT, 4096, MESH_PIPE_SIZE);
-    refuse_word(TEXTURE_SIZE_AT, 2048, MESH_PIPE_SIZE);
-    refuse_word(TEXTURE_COUNT_AT, 0, MESH_PIPE_SIZE);
-    refuse_word(TEXTURE_COUNT_AT, 4097, MESH_PIPE_SIZE);
+    refuse_word(COUNTS_AT + 4, 5, PIPE_SIZE);
+    refuse_word(TEXTURE_SIZE_AT, 3, PIPE_SIZE);
+    refuse_word(TEXTURE_SIZE_AT, 0, PIPE_SIZE);
+    refuse_word(TEXTURE_SIZE_AT, 4096, PIPE_SIZE);
+    refuse_word(TEXTURE_SIZE_AT, 2048, PIPE_SIZE);
+    refuse_word(TEXTURE_COUNT_AT, 0, PIPE_SIZE);
+    refuse_word(TEXTURE_COUNT_AT, 4097, PIPE_SIZE);
 }
 
 static void cameras_are_checked(void **state)
 {
     (void)state;
     for (size_t i = 0; i < 10; i++) {
-        refuse_number(CAMERA_AT + 4 * i, NAN, MESH_PIPE_CAMERA);
-        refuse_number(CAMERA_AT + 4 * i, INFINITY, MESH_PIPE_CAMERA);
+        refuse_number(CAMERA_AT + 4 * i, NAN, PIPE_CAMERA);
+        refuse_number(CAMERA_AT + 4 * i, INFINITY, PIPE_CAMERA);
     }
-    refuse_number(CAMERA_AT + 36, 180, MESH_PIPE_CAMERA);
-    refuse_number(CAMERA_AT + 36, 0, MESH_PIPE_CAMERA);
-    refuse(CAMERA_AT, &(vec3s){ { 0, 0, 0 } }, sizeof(vec3s), MESH_PIPE_CAMERA);
-    refuse_number(IOR_AT, NAN, MESH_PIPE_CAMERA);
-    refuse_number(IOR_AT, 0.9F, MESH_PIPE_CAMERA);
+    refuse_number(CAMERA_AT + 36, 180, PIPE_CAMERA);
+    refuse_number(CAMERA_AT + 36, 0, PIPE_CAMERA);
+    refuse(CAMERA_AT, &(vec3s){ { 0, 0, 0 } }, sizeof(vec3s), PIPE_CAMERA);
+    refuse_number(IOR_AT, NAN, PIPE_CAMERA);
+    refuse_number(IOR_AT, 0.9F, PIPE_CAMERA);
     for (size_t i = 0; i < 6; i++)
-        refuse_number(BOX_AT + 4 * i, NAN, MESH_PIPE_CAMERA);
-    refuse_number(BOX_AT, 1, MESH_PIPE_CAMERA); /* no wider than nothing */
-    refuse_number(BOX_AT + 12, 2e6F, MESH_PIPE_CAMERA);
+        refuse_number(BOX_AT + 4 * i, NAN, PIPE_CAMERA);
+    refuse_number(BOX_AT, 1, PIPE_CAMERA); /* no wider than nothing */
+    refuse_number(BOX_AT + 12, 2e6F, PIPE_CAMERA);
 }
 
 static void vertices_are_checked(void **state)
 {
     (void)state;
     for (size_t i = 0; i < 11; i++) { /* all but the material */
-        refuse_number(VERTICES_AT + 3 * VERTEX_SIZE + 4 * i, NAN, MESH_PIPE_NUMBER);
-        refuse_number(VERTICES_AT + 3 * VERTEX_SIZE + 4 * i, -INFINITY, MESH_PIPE_NUMBER);
+        refuse_number(VERTICES_AT + 3 * VERTEX_SIZE + 4 * i, NAN, PIPE_NUMBER);
+        refuse_number(VERTICES_AT + 3 * VERTEX_SIZE + 4 * i, -INFINITY, PIPE_NUMBER);
     }
-    refuse_number(VERTICES_AT, 1.1e6F, MESH_PIPE_NUMBER);
-    refuse_number(VERTICES_AT + 12, 3, MESH_PIPE_NUMBER);
-    refuse_word(VERTICES_AT + 44, MESH_UNLIT | 3, MESH_PIPE_MATERIAL); /* of two textures */
-    refuse_word(VERTICES_AT + 44, MESH_UNLIT | MESH_MOVES, MESH_PIPE_MATERIAL);
-    refuse_word(VERTICES_AT + 44, 1u << 31, MESH_PIPE_MATERIAL);
-    refuse_word(VERTICES_AT + 44, 0, MESH_PIPE_MATERIAL); /* not as its triangle's others */
+    refuse_number(VERTICES_AT, 1.1e6F, PIPE_NUMBER);
+    refuse_number(VERTICES_AT + 12, 3, PIPE_NUMBER);
+    refuse_word(VERTICES_AT + 44, MESH_UNLIT | 3, PIPE_MATERIAL); /* of two textures */
+    refuse_word(VERTICES_AT + 44, MESH_UNLIT | MESH_MOVES, PIPE_MATERIAL);
+    refuse_word(VERTICES_AT + 44, 1u << 31, PIPE_MATERIAL);
+    refuse_word(VERTICES_AT + 44, 0, PIPE_MATERIAL); /* not as its triangle's others */
     for (size_t i = 0; i < 6; i++) {
-        refuse_word(INDICES_AT + 4 * i, 4, MESH_PIPE_INDEX);
-        refuse_word(INDICES_AT + 4 * i, UINT32_MAX, MESH_PIPE_INDEX);
+        refuse_word(INDICES_AT + 4 * i, 4, PIPE_INDEX);
+        refuse_word(INDICES_AT + 4 * i, UINT32_MAX, PIPE_INDEX);
     }
 }
 
@@ -214,9 +214,9 @@ static void every_length_but_one_is_short(void **state)
     struct model model;
     for (stream.size = 0; stream.size < size; stream.size++) {
         stream.at = 0;
-        assert_int_equal(read_model(&stream, &model), MESH_PIPE_SHORT);
+        assert_int_equal(read_model(&stream, &model), PIPE_SHORT);
     }
-    refuse_word(size - 4, 0, MESH_PIPE_END);
+    refuse_word(size - 4, 0, PIPE_END);
 }
 
 static void environments(void **state)
@@ -226,28 +226,28 @@ static void environments(void **state)
     static const uint16_t bad[] = { 0x7c00, 0x7e00, 0x8000, 0xbc00 }; /* infinity, NaN, -0, -1 */
     struct environment environment = { .texels = texels, .width = 2, .height = 1 }, found;
     struct stream stream = { .size = 0 };
-    const struct mesh_pipe_source source = { read_stream, &stream, 16 };
-    const struct mesh_pipe_sink sink = { write_stream, &stream };
+    const struct pipe_source source = { read_stream, &stream, 16 };
+    const struct pipe_sink sink = { write_stream, &stream };
     assert_true(mesh_pipe_write_environment(&sink, &environment));
-    assert_int_equal(mesh_pipe_read_environment(&source, &found), MESH_PIPE_OK);
+    assert_int_equal(mesh_pipe_read_environment(&source, &found), PIPE_OK);
     assert_int_equal(found.width, 2);
     assert_int_equal(found.height, 1);
     assert_memory_equal(found.texels, texels, sizeof(texels));
     environment_finish(&found);
     for (size_t i = 0; i < 8 * sizeof(bad) / sizeof(bad[0]); i++) {
         struct stream copy = stream;
-        const struct mesh_pipe_source other = { read_stream, &copy, 16 };
+        const struct pipe_source other = { read_stream, &copy, 16 };
         const size_t at = i % 8;
         copy.at = 0;
         memcpy(copy.bytes + 12 + 2 * at, &bad[i / 8], sizeof(bad[0]));
-        assert_int_equal(mesh_pipe_read_environment(&other, &found), MESH_PIPE_TEXEL);
+        assert_int_equal(mesh_pipe_read_environment(&other, &found), PIPE_TEXEL);
         assert_null(found.texels);
     }
     stream.at = 0;
-    const struct mesh_pipe_source narrow = { read_stream, &stream, 15 };
-    assert_int_equal(mesh_pipe_read_environment(&narrow, &found), MESH_PIPE_SIZE);
+    const struct pipe_source narrow = { read_stream, &stream, 15 };
+    assert_int_equal(mesh_pipe_read_environment(&narrow, &found), PIPE_SIZE);
     stream = make_stream();
-    assert_int_equal(mesh_pipe_read_environment(&source, &found), MESH_PIPE_HEAD);
+    assert_int_equal(mesh_pipe_read_environment(&source, &found), PIPE_HEAD);
 }
 
 /* Six faces, one below the other: alpha is a distance, and no other height will do. */
@@ -257,17 +257,17 @@ static void cubes(void **state)
     uint16_t texels[24] = { 0x3c00, 0x3c00, 0x3c00, 0x1234, 0, 0, 0, 0 };
     struct environment environment = { .texels = texels, .width = 1, .height = 6 }, found;
     struct stream stream = { .size = 0 };
-    const struct mesh_pipe_source source = { read_stream, &stream, sizeof(texels) };
-    const struct mesh_pipe_sink sink = { write_stream, &stream };
+    const struct pipe_source source = { read_stream, &stream, sizeof(texels) };
+    const struct pipe_sink sink = { write_stream, &stream };
     assert_true(mesh_pipe_write_environment(&sink, &environment));
-    assert_int_equal(mesh_pipe_read_environment(&source, &found), MESH_PIPE_OK);
+    assert_int_equal(mesh_pipe_read_environment(&source, &found), PIPE_OK);
     assert_true(found.is_cube);
     assert_memory_equal(found.texels, texels, sizeof(texels));
     environment_finish(&found);
     stream = (struct stream){ .size = 0 };
     environment.height = 5;
     assert_true(mesh_pipe_write_environment(&sink, &environment));
-    assert_int_equal(mesh_pipe_read_environment(&source, &found), MESH_PIPE_SIZE);
+    assert_int_equal(mesh_pipe_read_environment(&source, &found), PIPE_SIZE);
     assert_null(found.texels);
     assert_int_equal(found.height, 0);
 }

@@ -199,6 +199,17 @@ enum status option_material(const struct option *option, void *at, const char *v
                : option_refuse_name(option, OPTION_MATERIALS, value, strlen(value));
 }
 
+enum status option_sandbox(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    if (strcmp(value, "on") != 0 && strcmp(value, "off") != 0)
+        return option_refuse(option, value, "on or off");
+    scene->reader.no_sandbox = value[1] == 'f';
+    if (scene->reader.no_sandbox)
+        log_warning("--sandbox off: a malicious file may do what you may do");
+    return STATUS_OK;
+}
+
 enum status option_set(const struct option *option, void *at, const char *value)
 {
     static const char ior[] = "refract.ior=";

@@ -31,6 +31,7 @@ enum {
 #define FRAMES   (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW | APP_FARM)
 #define PICTURES (FRAMES | APP_LADDER | APP_SHEET)
 #define SCENES   (PICTURES | APP_BAKE)
+#define READERS  (SCENES | APP_DIFF | APP_MERGE)
 #define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
 #define DEVICES  ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
@@ -165,10 +166,6 @@ static const struct option options[] = {
       "model file that surrounds the object (the scene's own surroundings)" },
     { "Scene", "background", 0, "R,G,B", SCENES, VECTOR(scene.background, option_background),
       "constant colour instead of the sky, linear, each from 0" },
-    { "Scene", "load-seconds", 0, "N", PICTURES, COUNT(picture.scene.decode.seconds),
-      "limit of CPU time per file, seconds, 1 to 3600 (60)", 1, 3600, " of seconds" },
-    { "Scene", "load-memory", 0, "GiB", PICTURES, COUNT(picture.scene.decode.memory_gib),
-      "memory limit per file, GiB, 1 to 1024 (4)", 1, 1024, " of GiB" },
     { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, VECTOR(orbit, option_orbit),
       "camera around the target: azimuth, elevation, degrees; distance, metres" },
     { "Camera", "eye", 0, "X,Y,Z", PICTURES, VECTOR(eye, option_place),
@@ -185,6 +182,12 @@ static const struct option options[] = {
       "no cache of compiled pipelines in $XDG_CACHE_HOME/firn" },
     { "Device", "sharing", 0, "HOW", SCENES, AT(enum rg_sharing, picture.sharing, option_sharing),
       "memory aliasing: batches (no extra batches), memory, nothing (batches)" },
+    { "Reading", "load-seconds", 0, "N", READERS, COUNT(picture.scene.reader.seconds),
+      "limit of CPU time per file, seconds, 1 to 3600 (60)", 1, 3600, " of seconds" },
+    { "Reading", "load-memory", 0, "GiB", READERS, COUNT(picture.scene.reader.memory_gib),
+      "memory limit per file, GiB, 1 to 1024 (4)", 1, 1024, " of GiB" },
+    { "Reading", "sandbox", 0, "on|off", READERS, SCENE(option_sandbox),
+      "whether the processes that read files may do nothing else (on)" },
     { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, INPUT(mask.file),
       "mask, .exr or .png: only pixels with A above 0 are compared (none)" },
     { "Comparison", "mask-channel", 0, "NAME", APP_DIFF | APP_LADDER, TEXT(mask.channel),
@@ -484,7 +487,7 @@ static void set_defaults(struct app_options *o, enum app_command command)
     *o = (struct app_options){
         .picture = {
             .scene = {
-                .decode = { .program = "/proc/self/exe" },
+                .reader = { .program = "/proc/self/exe" },
                 .settings = settings_default(),
             },
             .rung = techniques_rung(0),

@@ -8,7 +8,6 @@
 enum {
     MAGIC_MODEL = 0x4d4e5246,
     MAGIC_ENVIRONMENT = 0x454e5246,
-    MAGIC_END = 0x444e4546,
     HAS_CAMERA = 1,
     HAS_IOR = 2,
     HAS_BOX = 4,
@@ -39,41 +38,12 @@ struct environment_head {
 
 _Static_assert(sizeof(struct model_head) == 100, "no padding, so no bytes of this process in it");
 
-const char *mesh_pipe_words(enum mesh_pipe_fault fault)
-{
-    static const char *const words[MESH_PIPE_FAULT_COUNT] = {
-        [MESH_PIPE_OK] = "the expected data",
-        [MESH_PIPE_SHORT] = "less data than announced",
-        [MESH_PIPE_MEMORY] = "more data than fits into memory",
-        [MESH_PIPE_HEAD] = "an unexpected kind of data",
-        [MESH_PIPE_SIZE] = "counts or sizes out of range",
-        [MESH_PIPE_NUMBER] = "a number that is not finite or too large",
-        [MESH_PIPE_INDEX] = "an index beyond the vertices",
-        [MESH_PIPE_MATERIAL] = "a material that does not exist",
-        [MESH_PIPE_CAMERA] = "a camera, a box or an index of refraction out of range",
-        [MESH_PIPE_TEXEL] = "a texel out of range",
-        [MESH_PIPE_END] = "more data than announced",
-    };
-    return words[fault];
-}
-
 /* ---- write ---- */
 
-static bool write_bytes(const struct mesh_pipe_sink *sink, const void *bytes, size_t size)
+static bool write_mesh(const struct pipe_sink *sink, const struct mesh *mesh)
 {
-    return size == 0 || sink->write(sink->user, bytes, size);
-}
-
-static bool write_mesh(const struct mesh_pipe_sink *sink, const struct mesh *mesh)
-{
-    return write_bytes(sink, mesh->vertices, mesh->vertex_count * sizeof(*mesh->vertices)) &&
-           write_bytes(sink, mesh->indices, mesh->index_count * sizeof(*mesh->indices));
-}
-
-static bool write_end(const struct mesh_pipe_sink *sink)
-{
-    const uint32_t end = MAGIC_END;
-    return write_bytes(sink, &end, sizeof(end));
+    return pipe_write(sink, mesh->vertices, mesh->vertex_count * sizeof(*mesh->vertices)) &&
+           pipe_write(sink, mesh->indices, mesh->index_count * sizeof(*mesh->indices));
 }
 
 static size_t texels_size(const struct texture_layers *layers)
@@ -81,7 +51,7 @@ static size_t texels_size(const struct texture_layers *layers)
     return (size_t)layers->size * layers->size * layers->count * TEXEL_SIZE;
 }
 
-bool mesh_pipe_write_model(const struct mesh_pipe_sink *sink, const struct model *model)
+bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *model)
 {
     const struct model_head head = {
         .magic = MAGIC_MODEL,
@@ -95,10 +65,10 @@ bool mesh_pipe_write_model(const struct mesh_pipe_sink *sink, const struct model
         .ior = model->ior,
         .box = model->box,
     };
-    return write_bytes(sink, &head, sizeof(head)) && write_mesh(sink, &model->object) &&
+    return pipe_write(sink, &head, sizeof(head)) && write_mesh(sink, &model->object) &&
            write_mesh(sink, &model->surroundings) &&
-           write_bytes(sink, model->textures.texels, texels_size(&model->textures)) &&
-           write_end(sink);
+           pipe_write(sink, model->textures.texels, texels_size(&model->textures)) &&
+           pipe_write_end(sink);
 }
 
 static size_t environment_size(uint32_t width, uint32_t height)
@@ -106,7 +76,7 @@ static size_t environment_size(uint32_t width, uint32_t height)
     return (size_t)width * height * ENVIRONMENT_TEXEL_SIZE;
 }
 
-bool mesh_pipe_write_environment(const struct mesh_pipe_sink *sink,
+bool mesh_pipe_write_environment(const struct pipe_sink *sink,
                                  const struct environment *environment)
 {
     const struct environment_head head = {
@@ -114,28 +84,13 @@ bool mesh_pipe_write_environment(const struct mesh_pipe_sink *sink,
         .width = environment->width,
         .height = environment->height,
     };
-    return write_bytes(sink, &head, sizeof(head)) &&
-           write_bytes(sink, environment->texels,
-                       environment_size(environment->width, environment->height)) &&
-           write_end(sink);
+    return pipe_write(sink, &head, sizeof(head)) &&
+           pipe_write(sink, environment->texels,
+                      environment_size(environment->width, environment->height)) &&
+           pipe_write_end(sink);
 }
 
 /* ---- read ---- */
-
-static enum mesh_pipe_fault read_bytes(const struct mesh_pipe_source *source, void *bytes,
-                                       size_t size)
-{
-    return size == 0 || source->read(source->user, bytes, size) ? MESH_PIPE_OK : MESH_PIPE_SHORT;
-}
-
-static enum mesh_pipe_fault read_end(const struct mesh_pipe_source *source)
-{
-    uint32_t end = 0;
-    const enum mesh_pipe_fault fault = read_bytes(source, &end, sizeof(end));
-    if (fault != MESH_PIPE_OK)
-        return fault;
-    return end == MAGIC_END ? MESH_PIPE_OK : MESH_PIPE_END;
-}
 
 static bool is_within(vec3s v, float max)
 {
@@ -148,40 +103,40 @@ static bool is_finite(vec3s v)
     return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
 }
 
-static enum mesh_pipe_fault check_vertex(const struct mesh_vertex *vertex, uint32_t texture_count)
+static enum pipe_fault check_vertex(const struct mesh_vertex *vertex, uint32_t texture_count)
 {
     const uint32_t known = MESH_TEXTURE_MASK | MESH_UNLIT | MESH_CUTOUT;
     if (!is_within(vertex->position, MODEL_COORDINATE_MAX) || !is_within(vertex->normal, 2) ||
         !is_finite(vertex->color) || !isfinite(vertex->uv.x) || !isfinite(vertex->uv.y))
-        return MESH_PIPE_NUMBER;
+        return PIPE_NUMBER;
     if (vertex->material & ~known || (vertex->material & MESH_TEXTURE_MASK) > texture_count)
-        return MESH_PIPE_MATERIAL;
-    return MESH_PIPE_OK;
+        return PIPE_MATERIAL;
+    return PIPE_OK;
 }
 
-static enum mesh_pipe_fault check_triangle(const struct mesh *mesh, const uint32_t *corners)
+static enum pipe_fault check_triangle(const struct mesh *mesh, const uint32_t *corners)
 {
     for (int k = 0; k < 3; k++) {
         if (corners[k] >= mesh->vertex_count)
-            return MESH_PIPE_INDEX;
+            return PIPE_INDEX;
         if (mesh->vertices[corners[k]].material != mesh->vertices[corners[0]].material)
-            return MESH_PIPE_MATERIAL;
+            return PIPE_MATERIAL;
     }
-    return MESH_PIPE_OK;
+    return PIPE_OK;
 }
 
-static enum mesh_pipe_fault read_mesh(const struct mesh_pipe_source *source, struct mesh *mesh,
-                                      struct mesh_counts counts, uint32_t texture_count)
+static enum pipe_fault read_mesh(const struct pipe_source *source, struct mesh *mesh,
+                                 struct mesh_counts counts, uint32_t texture_count)
 {
     if (!mesh_init(mesh, counts.vertices, counts.indices))
-        return MESH_PIPE_MEMORY;
-    enum mesh_pipe_fault fault =
-        read_bytes(source, mesh->vertices, counts.vertices * sizeof(*mesh->vertices));
-    if (fault == MESH_PIPE_OK)
-        fault = read_bytes(source, mesh->indices, counts.indices * sizeof(*mesh->indices));
-    for (uint32_t i = 0; fault == MESH_PIPE_OK && i < counts.vertices; i++)
+        return PIPE_MEMORY;
+    enum pipe_fault fault =
+        pipe_read(source, mesh->vertices, counts.vertices * sizeof(*mesh->vertices));
+    if (fault == PIPE_OK)
+        fault = pipe_read(source, mesh->indices, counts.indices * sizeof(*mesh->indices));
+    for (uint32_t i = 0; fault == PIPE_OK && i < counts.vertices; i++)
         fault = check_vertex(&mesh->vertices[i], texture_count);
-    for (uint32_t i = 0; fault == MESH_PIPE_OK && i < counts.indices; i += 3)
+    for (uint32_t i = 0; fault == PIPE_OK && i < counts.indices; i += 3)
         fault = check_triangle(mesh, &mesh->indices[i]);
     return fault;
 }
@@ -199,21 +154,20 @@ static bool is_countable(struct mesh_counts counts)
            counts.indices % 3 == 0 && (counts.vertices > 0) == (counts.indices > 0);
 }
 
-static enum mesh_pipe_fault check_sizes(const struct mesh_pipe_source *source,
-                                        const struct model_head *head)
+static enum pipe_fault check_sizes(const struct pipe_source *source, const struct model_head *head)
 {
     const uint64_t side = head->texture_size;
     if (!is_countable(head->object) || !is_countable(head->surroundings) ||
         head->object.indices + head->surroundings.indices == 0)
-        return MESH_PIPE_SIZE;
+        return PIPE_SIZE;
     if (head->texture_count > MODEL_TEXTURE_MAX || side > MODEL_TEXTURE_SIDE_MAX ||
         (side & (side - 1)) != 0 || (side > 0) != (head->texture_count > 0))
-        return MESH_PIPE_SIZE;
+        return PIPE_SIZE;
     const uint64_t texels = side * side * TEXEL_SIZE * head->texture_count;
     if (texels > MODEL_TEXTURES_SIZE_MAX ||
         texels + mesh_size(head->object) + mesh_size(head->surroundings) > source->size_max)
-        return MESH_PIPE_SIZE;
-    return MESH_PIPE_OK;
+        return PIPE_SIZE;
+    return PIPE_OK;
 }
 
 static bool is_box(const struct box *box)
@@ -240,33 +194,32 @@ static bool has_sound_optics(const struct model_head *head)
            camera->fov_deg < 180;
 }
 
-enum mesh_pipe_fault mesh_pipe_read_model(const struct mesh_pipe_source *source,
-                                          struct model *model)
+enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct model *model)
 {
     struct model_head head;
     *model = (struct model){ 0 };
-    enum mesh_pipe_fault fault = read_bytes(source, &head, sizeof(head));
-    if (fault == MESH_PIPE_OK && head.magic != MAGIC_MODEL)
-        fault = MESH_PIPE_HEAD;
-    if (fault == MESH_PIPE_OK && !has_sound_optics(&head))
-        fault = MESH_PIPE_CAMERA;
-    if (fault == MESH_PIPE_OK)
+    enum pipe_fault fault = pipe_read(source, &head, sizeof(head));
+    if (fault == PIPE_OK && head.magic != MAGIC_MODEL)
+        fault = PIPE_HEAD;
+    if (fault == PIPE_OK && !has_sound_optics(&head))
+        fault = PIPE_CAMERA;
+    if (fault == PIPE_OK)
         fault = check_sizes(source, &head);
-    if (fault == MESH_PIPE_OK)
+    if (fault == PIPE_OK)
         fault = read_mesh(source, &model->object, head.object, head.texture_count);
-    if (fault == MESH_PIPE_OK)
+    if (fault == PIPE_OK)
         fault = read_mesh(source, &model->surroundings, head.surroundings, head.texture_count);
-    if (fault == MESH_PIPE_OK && head.texture_count > 0) {
+    if (fault == PIPE_OK && head.texture_count > 0) {
         model->textures.size = head.texture_size;
         model->textures.count = head.texture_count;
         model->textures.texels = malloc(texels_size(&model->textures));
         fault = model->textures.texels
-                    ? read_bytes(source, model->textures.texels, texels_size(&model->textures))
-                    : MESH_PIPE_MEMORY;
+                    ? pipe_read(source, model->textures.texels, texels_size(&model->textures))
+                    : PIPE_MEMORY;
     }
-    if (fault == MESH_PIPE_OK)
-        fault = read_end(source);
-    if (fault != MESH_PIPE_OK) {
+    if (fault == PIPE_OK)
+        fault = pipe_read_end(source);
+    if (fault != PIPE_OK) {
         model_finish(model);
         return fault;
     }
@@ -279,47 +232,47 @@ enum mesh_pipe_fault mesh_pipe_read_model(const struct mesh_pipe_source *source,
     model->has_box = head.flags & HAS_BOX;
     if (model->has_box)
         model->box = head.box;
-    return MESH_PIPE_OK;
+    return PIPE_OK;
 }
 
-static enum mesh_pipe_fault read_texels(const struct mesh_pipe_source *source,
-                                        struct environment *environment, size_t size)
+static enum pipe_fault read_texels(const struct pipe_source *source,
+                                   struct environment *environment, size_t size)
 {
     environment->texels = malloc(size);
     if (!environment->texels)
-        return MESH_PIPE_MEMORY;
-    enum mesh_pipe_fault fault = read_bytes(source, environment->texels, size);
-    for (size_t i = 0; fault == MESH_PIPE_OK && i < size / sizeof(uint16_t); i += 4) {
+        return PIPE_MEMORY;
+    enum pipe_fault fault = pipe_read(source, environment->texels, size);
+    for (size_t i = 0; fault == PIPE_OK && i < size / sizeof(uint16_t); i += 4) {
         const uint16_t *texel = &environment->texels[i];
         const bool has_alpha = environment->is_cube ? texel[3] <= HALF_MAX : texel[3] == HALF_ONE;
         if (texel[0] > HALF_MAX || texel[1] > HALF_MAX || texel[2] > HALF_MAX || !has_alpha)
-            fault = MESH_PIPE_TEXEL;
+            fault = PIPE_TEXEL;
     }
     return fault;
 }
 
-enum mesh_pipe_fault mesh_pipe_read_environment(const struct mesh_pipe_source *source,
-                                                struct environment *environment)
+enum pipe_fault mesh_pipe_read_environment(const struct pipe_source *source,
+                                           struct environment *environment)
 {
     struct environment_head head;
     *environment = (struct environment){ 0 };
-    enum mesh_pipe_fault fault = read_bytes(source, &head, sizeof(head));
-    if (fault != MESH_PIPE_OK)
+    enum pipe_fault fault = pipe_read(source, &head, sizeof(head));
+    if (fault != PIPE_OK)
         return fault;
     if (head.magic != MAGIC_ENVIRONMENT)
-        return MESH_PIPE_HEAD;
+        return PIPE_HEAD;
     if (head.width < 1 || head.width > IMAGE_MAX_SIDE || head.height < 1 ||
         head.height > IMAGE_MAX_SIDE || head.width > IMAGE_MAX_TEXELS / head.height ||
         environment_size(head.width, head.height) > source->size_max ||
         (head.height > head.width && head.height != 6 * (uint64_t)head.width))
-        return MESH_PIPE_SIZE;
+        return PIPE_SIZE;
     environment->width = head.width;
     environment->height = head.height;
     environment->is_cube = head.height > head.width;
     fault = read_texels(source, environment, environment_size(head.width, head.height));
-    if (fault == MESH_PIPE_OK)
-        fault = read_end(source);
-    if (fault != MESH_PIPE_OK)
+    if (fault == PIPE_OK)
+        fault = pipe_read_end(source);
+    if (fault != PIPE_OK)
         environment_finish(environment);
     return fault;
 }

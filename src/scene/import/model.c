@@ -5,11 +5,11 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/scene/import/model_import.h"
+#include "src/scene/import/model_parser.h"
 
 static enum status check_file(const char *path)
 {
@@ -29,13 +29,6 @@ static enum status check_file(const char *path)
     return STATUS_OK;
 }
 
-static const char *extension_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    const char *dot = strrchr(slash ? slash : path, '.');
-    return dot ? dot : "";
-}
-
 /* assimp leaves out triangles of a glTF file with indices out of range, and reports it only in its
  * log. */
 static void watch_log(const char *message, char *found)
@@ -44,13 +37,12 @@ static void watch_log(const char *message, char *found)
         *found = 1;
 }
 
-static enum status parse(struct model_import *import)
+static enum status parse(struct model_import *import, struct model_parser *parser)
 {
     char has_bad_indices = 0;
     struct aiLogStream watch = { .callback = watch_log, .user = &has_bad_indices };
-    struct aiFileIO files = model_file_io(import);
     aiAttachLogStream(&watch);
-    import->scene = aiImportFileEx(import->path, 0, &files);
+    import->scene = model_parser_read(parser, import->path);
     aiDetachLogStream(&watch);
     if (import->refused[0]) {
         log_error("%s: refers to %s: expected only files within the model's folder", import->path,
@@ -59,7 +51,7 @@ static enum status parse(struct model_import *import)
     }
     if (!import->scene || !import->scene->mRootNode) {
         log_error("%s: %s", import->path,
-                  import->scene ? "the scene is empty" : aiGetErrorString());
+                  import->scene ? "the scene is empty" : model_parser_error(parser));
         return STATUS_DATA;
     }
     if (has_bad_indices) {
@@ -123,8 +115,8 @@ static enum status list_nodes(struct model_import *import)
     return STATUS_OK;
 }
 
-static enum status convert(struct model_import *import, struct model *model,
-                           enum model_part everything_is)
+static enum status convert(struct model_import *import, struct model_parser *parser,
+                           struct model *model, enum model_part everything_is)
 {
     enum status status = list_nodes(import);
     if (status != STATUS_OK)
@@ -134,10 +126,10 @@ static enum status convert(struct model_import *import, struct model *model,
     status = model_mesh_check(import);
     if (status != STATUS_OK)
         return status;
-    /* It works in place and releases the scene on failure. */
-    import->scene = aiApplyPostProcessing(import->scene, aiProcess_Triangulate);
+    import->scene = model_parser_process(parser, aiProcess_Triangulate);
     if (!import->scene) {
-        log_error("%s: triangulation failed: %s", import->path, aiGetErrorString());
+        log_error("%s: the faces cannot be divided into triangles: %s", import->path,
+                  model_parser_error(parser));
         return STATUS_DATA;
     }
     status = model_texture_load(import, &model->textures);
@@ -152,26 +144,22 @@ static enum status convert(struct model_import *import, struct model *model,
 
 enum status model_load(struct model *model, const char *path, enum model_part everything_is)
 {
-    const char *extension = extension_of(path);
-    struct model_import import = {
-        .path = path,
-        .is_gltf = strcasecmp(extension, ".gltf") == 0 || strcasecmp(extension, ".glb") == 0,
-        .is_plain = strcasecmp(extension, ".obj") == 0 || strcasecmp(extension, ".ply") == 0,
-    };
+    struct model_import import = { .path = path };
+    const struct model_format *format;
     *model = (struct model){ 0 };
     enum status status = check_file(path);
+    if (status == STATUS_OK)
+        status = model_format_find(path, &format);
     if (status != STATUS_OK)
         return status;
-    if (*extension == '\0' || !aiIsExtensionSupported(extension)) {
-        log_error("%s: unknown model format; expected .gltf, .glb, .obj or .ply", path);
-        return STATUS_DATA;
-    }
-    status = parse(&import);
+    import.is_gltf = format->is_gltf;
+    struct model_parser *parser = model_parser_new(format->suffix, model_file_open, &import);
+    status = parser ? parse(&import, parser) : log_out_of_memory(path);
     if (status == STATUS_OK)
-        status = convert(&import, model, everything_is);
+        status = convert(&import, parser, model, everything_is);
     if (status != STATUS_OK)
         model_finish(model);
-    aiReleaseImport(import.scene);
+    model_parser_delete(parser);
     free(import.materials);
     free(import.nodes);
     return status;

@@ -1,5 +1,4 @@
-/* model_files.c: which files a model may name, and how assimp opens them. */
-#include <assimp/cfileio.h>
+/* model_files.c: which files a model may name, and how they are opened. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -61,50 +60,6 @@ static char *local_name(const struct model_import *import, const char *path)
     return strdup(strncmp(path, import->path, folder) == 0 ? path + folder : path);
 }
 
-static size_t read_file(struct aiFile *file, char *bytes, size_t size, size_t count)
-{
-    return fread(bytes, size, count, (FILE *)file->UserData);
-}
-
-static size_t write_file(struct aiFile *file, const char *bytes, size_t size, size_t count)
-{
-    (void)file;
-    (void)bytes;
-    (void)size;
-    (void)count;
-    return 0;
-}
-
-static size_t tell_file(struct aiFile *file)
-{
-    const long at = ftell((FILE *)file->UserData);
-    return at < 0 ? 0 : (size_t)at;
-}
-
-static size_t size_file(struct aiFile *file)
-{
-    struct stat info;
-    return fstat(fileno((FILE *)file->UserData), &info) == 0 ? (size_t)info.st_size : 0;
-}
-
-static enum aiReturn seek_file(struct aiFile *file, size_t offset, enum aiOrigin origin)
-{
-    static const int whence[] = {
-        [aiOrigin_SET] = SEEK_SET,
-        [aiOrigin_CUR] = SEEK_CUR,
-        [aiOrigin_END] = SEEK_END,
-    };
-    if ((size_t)origin >= sizeof(whence) / sizeof(whence[0]))
-        return aiReturn_FAILURE;
-    return fseek((FILE *)file->UserData, (long)offset, whence[origin]) == 0 ? aiReturn_SUCCESS
-                                                                            : aiReturn_FAILURE;
-}
-
-static void flush_file(struct aiFile *file)
-{
-    (void)file;
-}
-
 /* Whether the model may name a file; if not, notes it. */
 static bool is_allowed(struct model_import *import, const char *path)
 {
@@ -124,43 +79,9 @@ static bool is_allowed(struct model_import *import, const char *path)
     return is_there;
 }
 
-static struct aiFile *open_file(struct aiFileIO *io, const char *path, const char *mode)
+FILE *model_file_open(void *user, const char *path)
 {
-    struct model_import *import = (struct model_import *)io->UserData;
-    if (mode[0] != 'r' || !is_allowed(import, path))
-        return NULL;
-    struct aiFile *file = malloc(sizeof(*file));
-    FILE *opened = file ? fopen(path, "rb") : NULL;
-    if (!opened) {
-        free(file);
-        return NULL;
-    }
-    *file = (struct aiFile){
-        .ReadProc = read_file,
-        .WriteProc = write_file,
-        .TellProc = tell_file,
-        .FileSizeProc = size_file,
-        .SeekProc = seek_file,
-        .FlushProc = flush_file,
-        .UserData = (aiUserData)opened,
-    };
-    return file;
-}
-
-static void close_file(struct aiFileIO *io, struct aiFile *file)
-{
-    (void)io;
-    if (!file)
-        return;
-    fclose((FILE *)file->UserData);
-    free(file);
-}
-
-struct aiFileIO model_file_io(struct model_import *import)
-{
-    return (struct aiFileIO){
-        .OpenProc = open_file,
-        .CloseProc = close_file,
-        .UserData = (aiUserData)import,
-    };
+    struct model_import *import = user;
+    const bool is_model = strcmp(path, import->path) == 0; /* whatever its name looks like */
+    return is_model || is_allowed(import, path) ? fopen(path, "rb") : NULL;
 }

@@ -6,8 +6,8 @@
 #ifndef FIRN_SCENE_IMPORT_MODEL_IMPORT_H
 #define FIRN_SCENE_IMPORT_MODEL_IMPORT_H
 
-#include <assimp/cfileio.h>
 #include <assimp/scene.h>
+#include <stdio.h>
 #include "src/scene/import/model.h"
 
 enum {
@@ -44,12 +44,22 @@ struct model_import {
     char refused[256]; /* the first named file that is outside the model's folder; "": none */
     bool misses_file;  /* a named file does not exist */
     bool is_gltf;
-    bool is_plain; /* .obj or .ply */
 };
 
-/* Returns assimp's file functions, which open only files in the model's folder and note others in
- * *import, which is borrowed. */
-struct aiFileIO model_file_io(struct model_import *import);
+/* A format, by a suffix in lower case: "glb". */
+struct model_format {
+    const char *suffix;
+    const char *name; /* for messages: "binary glTF" */
+    bool is_gltf;
+};
+
+/* Returns the format of a file's suffix in *format; STATUS_DATA if there is none, or if the file
+ * does not begin as the format does. */
+MUST_USE enum status model_format_find(const char *path, const struct model_format **format);
+
+/* Opens the model, or a file in its folder that it names, and notes others in *user, a struct
+ * model_import; a model_parser_open_fn. */
+FILE *model_file_open(void *user, const char *path);
 
 /*
  * Converts a file's name to a path, in place: glTF has URIs, with %20 for a space; other formats

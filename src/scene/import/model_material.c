@@ -25,7 +25,7 @@ static bool is_made_up(const struct model_import *import, const struct aiMateria
     if (import->is_gltf)
         return false;
     if (aiGetMaterialString(source, "?mat.name", 0, 0, &name) != aiReturn_SUCCESS)
-        return import->is_plain;
+        return !import->is_gltf;
     return strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0;
 }
 

@@ -149,7 +149,7 @@ static struct placement place(const struct model_import *import, const struct ai
     const struct model_material *material = material_of(import, source);
     mat3s linear = glms_mat4_pick3(model_from_mesh);
     bool is_mirrored = glms_mat3_det(linear) < 0;
-    bool is_bare = source->mColors[0] && !source->mNormals && import->is_plain &&
+    bool is_bare = source->mColors[0] && !source->mNormals && !import->is_gltf &&
                    material->is_made_up && material->layer == 0;
     uint32_t texture = 0;
     if (material->layer > 0 && source->mTextureCoords[material->uv_index])

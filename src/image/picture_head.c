@@ -1,0 +1,80 @@
+/* picture_head.c: what the file of a picture says of it, besides its texels. */
+#include "src/image/picture_head.h"
+#include <stdlib.h>
+#include <string.h>
+
+void picture_head_finish(struct picture_head *head)
+{
+    for (uint32_t i = 0; i < head->text_count; i++) {
+        free(head->texts[i].name);
+        free(head->texts[i].value);
+    }
+    image_finish(&head->image);
+    *head = (struct picture_head){ 0 };
+}
+
+bool picture_head_add_plane(struct picture_head *head, const char *name, bool half)
+{
+    struct image *image = &head->image;
+    struct image_plane *planes =
+        realloc(image->planes, (image->plane_count + 1) * sizeof(*image->planes));
+    if (!planes)
+        return false;
+    image->planes = planes;
+    struct image_plane *plane = &planes[image->plane_count++];
+    *plane = (struct image_plane){ .half = half };
+    strncpy(plane->name, name, sizeof(plane->name) - 1);
+    return true;
+}
+
+bool picture_head_add_text(struct picture_head *head, const char *name, const char *value,
+                           size_t value_length)
+{
+    static const char prefix[] = PICTURE_TEXT_PREFIX;
+    if (strncmp(name, prefix, sizeof(prefix) - 1) != 0 || strlen(name) >= IMAGE_NAME_SIZE ||
+        value_length >= PICTURE_TEXT_SIZE_MAX || memchr(value, '\0', value_length) ||
+        head->text_count == PICTURE_TEXT_COUNT_MAX || picture_head_text(head, name))
+        return true;
+    char *new_name = strdup(name), *new_value = strndup(value, value_length);
+    if (!new_name || !new_value) {
+        free(new_name);
+        free(new_value);
+        return false;
+    }
+    head->texts[head->text_count].name = new_name;
+    head->texts[head->text_count++].value = new_value;
+    return true;
+}
+
+const char *picture_head_text(const struct picture_head *head, const char *name)
+{
+    for (uint32_t i = 0; i < head->text_count; i++) {
+        if (strcmp(head->texts[i].name, name) == 0)
+            return head->texts[i].value;
+    }
+    return NULL;
+}
+
+static bool has_plane(const struct image *image, const struct image_plane *wanted)
+{
+    for (uint32_t i = 0; i < image->plane_count; i++) {
+        const struct image_plane *plane = &image->planes[i];
+        if (strcmp(plane->name, wanted->name) == 0)
+            return plane->half == wanted->half;
+    }
+    return false;
+}
+
+bool picture_head_matches(const struct picture_head *head, const struct image *image,
+                          const struct image_text *texts, uint32_t text_count)
+{
+    bool same = head->image.width == image->width && head->image.height == image->height &&
+                head->image.plane_count == image->plane_count;
+    for (uint32_t i = 0; i < image->plane_count && same; i++)
+        same = has_plane(&head->image, &image->planes[i]);
+    for (uint32_t i = 0; i < text_count && same; i++) {
+        const char *value = picture_head_text(head, texts[i].name);
+        same = value && strcmp(value, texts[i].value) == 0;
+    }
+    return same;
+}

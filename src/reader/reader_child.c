@@ -1,0 +1,96 @@
+/* reader_child.c: the limits of a child, and its way to its parent. */
+#define _GNU_SOURCE /* for prctl.h's and resource.h's names */
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include "src/base/log.h"
+#include "src/reader/reader.h"
+#include "src/reader/sandbox.h"
+
+enum {
+    OPEN_FILE_MAX = 32,
+    WORD_COUNT = 7, /* program, READER_WORD, path, kind, seconds, GiB, no sandbox (0 or 1) */
+};
+
+bool reader_is_wanted(int argc, char **argv)
+{
+    return argc > 1 && strcmp(argv[1], READER_WORD) == 0;
+}
+
+static rlim_t smaller(rlim_t a, rlim_t b)
+{
+    return a < b ? a : b; /* RLIM_INFINITY is the largest value */
+}
+
+/* Sets a limit; where the caller of the program has set a smaller one, that stays. */
+static bool limit(int resource, uint64_t soft, uint64_t hard)
+{
+    struct rlimit limits;
+    if (getrlimit((unsigned)resource, &limits) != 0)
+        return false;
+    limits.rlim_max = smaller(limits.rlim_max, (rlim_t)hard);
+    limits.rlim_cur = smaller(smaller(limits.rlim_cur, (rlim_t)soft), limits.rlim_max);
+    return setrlimit((unsigned)resource, &limits) == 0;
+}
+
+/* Returns whether the parent, which reads what is written to stdout, has ended. */
+static bool is_orphan(void)
+{
+    struct pollfd out = { .fd = STDOUT_FILENO };
+    return poll(&out, 1, 0) == 1 && out.revents & POLLERR;
+}
+
+static bool parse_number(const char *word, uint32_t min, uint32_t max, uint32_t *number)
+{
+    char *end;
+    unsigned long value = strtoul(word, &end, 10);
+    *number = (uint32_t)value;
+    return end > word && *end == '\0' && value >= min && value <= max;
+}
+
+bool reader_enter(int argc, char **argv, struct reader_job *job)
+{
+    uint32_t numbers[4];
+    static const uint32_t least[4] = { 1, 1, 1, 0 };
+    static const uint32_t most[4] = { READER_KIND_COUNT, 1u << 20, 1u << 20, 1 };
+    if (argc != WORD_COUNT)
+        return false;
+    for (size_t i = 0; i < 4; i++) {
+        if (!parse_number(argv[3 + i], least[i], most[i], &numbers[i]))
+            return false;
+    }
+    const enum reader_kind kind = (enum reader_kind)(numbers[0] - 1);
+    const uint32_t seconds = numbers[1];
+    *job = (struct reader_job){ .kind = kind, .path = argv[2], .no_sandbox = numbers[3] };
+
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    bool done = !is_orphan() && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_FSIZE, 0, 0) &&
+                limit(RLIMIT_NOFILE, OPEN_FILE_MAX, OPEN_FILE_MAX) &&
+                limit(RLIMIT_CPU, seconds, seconds + 1);
+#ifndef READER_MAPS_SHADOWS
+    const uint64_t size = (uint64_t)numbers[2] << 30;
+    done = done && limit(RLIMIT_AS, size, size);
+#endif
+    if (done && !job->no_sandbox)
+        sandbox_enter(job->path, kind == READER_OBJECT || kind == READER_SURROUNDINGS);
+    return done;
+}
+
+static bool write_all(void *user, const void *bytes, size_t size)
+{
+    (void)user;
+    for (const char *next = bytes; size > 0;) {
+        const ssize_t count = write(STDOUT_FILENO, next, size);
+        if (count <= 0) /* not EINTR, because no signal has a handler */
+            return false;
+        next += count;
+        size -= (size_t)count;
+    }
+    return true;
+}
+
+const struct pipe_sink reader_sink = { .write = write_all };

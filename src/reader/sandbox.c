@@ -1,0 +1,166 @@
+/* sandbox.c: Landlock, seccomp, capabilities. */
+#define _GNU_SOURCE /* O_PATH, O_TMPFILE, syscall() */
+#include "src/reader/sandbox.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/capability.h>
+#include <linux/landlock.h>
+#include <seccomp.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+/* ---- files ---- */
+
+static int landlock_version(void)
+{
+    const long version =
+        syscall(SYS_landlock_create_ruleset, NULL, 0, LANDLOCK_CREATE_RULESET_VERSION);
+    return version > 0 ? (int)version : 0;
+}
+
+/* All rights over files that a version knows; those that are not given to a path are gone. Rights
+ * of versions that came after this table stay, but seccomp forbids what they are about. */
+static uint64_t known_rights(int version)
+{
+    static const int bits[] = { 0, 13, 14, 15, 15, 16 };
+    const int last = (int)(sizeof(bits) / sizeof(bits[0])) - 1;
+    return ((uint64_t)1 << bits[version < last ? version : last]) - 1;
+}
+
+/* Lets files at or below `path` be read. A path that does not exist needs no rule. */
+static void allow_reading(int rules, const char *path)
+{
+    struct landlock_path_beneath_attr rule = {
+        .allowed_access = LANDLOCK_ACCESS_FS_READ_FILE,
+        .parent_fd = open(path, O_PATH | O_CLOEXEC),
+    };
+    if (rule.parent_fd < 0)
+        return;
+    syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
+    close(rule.parent_fd);
+}
+
+static void allow_folder(int rules, const char *path)
+{
+    char folder[4096];
+    const char *slash = strrchr(path, '/');
+    const size_t size = slash ? (size_t)(slash - path) + 1 : 0;
+    if (size >= sizeof(folder))
+        return;
+    snprintf(folder, sizeof(folder), "%.*s", (int)size, path);
+    allow_reading(rules, slash ? folder : ".");
+}
+
+static void close_file_system(const char *path, bool with_folder)
+{
+    const int version = landlock_version();
+    const struct landlock_ruleset_attr handled = { .handled_access_fs = known_rights(version) };
+    if (version == 0)
+        return;
+    const int rules =
+        (int)syscall(SYS_landlock_create_ruleset, &handled, sizeof(handled.handled_access_fs), 0);
+    if (rules < 0)
+        return;
+    allow_reading(rules, path);
+    if (with_folder)
+        allow_folder(rules, path);
+    syscall(SYS_landlock_restrict_self, rules, 0);
+    close(rules);
+}
+
+/* ---- capabilities ---- */
+
+/* Root may read what others own, here as in the parent; but not, for one, trace other processes. */
+static void drop_capabilities(void)
+{
+    struct __user_cap_header_struct header = { .version = _LINUX_CAPABILITY_VERSION_3 };
+    struct __user_cap_data_struct sets[_LINUX_CAPABILITY_U32S_3] = { 0 };
+    if (syscall(SYS_capget, &header, sets) != 0)
+        return;
+    const uint32_t kept = 1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH;
+    sets[0].permitted &= kept;
+    sets[0].effective &= kept;
+    sets[0].inheritable = 0;
+    sets[1] = (struct __user_cap_data_struct){ 0 };
+    syscall(SYS_capset, &header, sets);
+}
+
+/* ---- system calls ---- */
+
+/* Allowed with any arguments: they reach only this process's memory, its open files and clocks. */
+static const int free_calls[] = {
+    SCMP_SYS(access),         SCMP_SYS(brk),          SCMP_SYS(clock_getres),
+    SCMP_SYS(clock_gettime),  SCMP_SYS(close),        SCMP_SYS(exit),
+    SCMP_SYS(exit_group),     SCMP_SYS(faccessat),    SCMP_SYS(faccessat2),
+    SCMP_SYS(fstat),          SCMP_SYS(fstatfs),      SCMP_SYS(futex),
+    SCMP_SYS(getcwd),         SCMP_SYS(getpid),       SCMP_SYS(getrandom),
+    SCMP_SYS(gettid),         SCMP_SYS(gettimeofday), SCMP_SYS(lseek),
+    SCMP_SYS(lstat),          SCMP_SYS(madvise),      SCMP_SYS(mremap),
+    SCMP_SYS(munmap),         SCMP_SYS(newfstatat),   SCMP_SYS(pread64),
+    SCMP_SYS(read),           SCMP_SYS(readv),        SCMP_SYS(rt_sigaction),
+    SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn), SCMP_SYS(sched_getaffinity),
+    SCMP_SYS(sched_yield),    SCMP_SYS(sigaltstack),  SCMP_SYS(stat),
+    SCMP_SYS(statx),          SCMP_SYS(sysinfo),
+};
+
+/* Allowed where one argument, of which the bits of `mask` count, has this value. */
+struct bound_call {
+    int call;
+    unsigned argument;
+    uint64_t mask, value;
+};
+
+static bool add_rules(scmp_filter_ctx filter)
+{
+    const uint64_t to_write = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | (O_TMPFILE & ~O_DIRECTORY);
+    const struct bound_call bound_calls[] = {
+        { SCMP_SYS(open), 1, to_write, O_RDONLY },
+        { SCMP_SYS(openat), 2, to_write, O_RDONLY },
+        { SCMP_SYS(mmap), 2, PROT_EXEC, 0 },
+        { SCMP_SYS(mprotect), 2, PROT_EXEC, 0 },
+        { SCMP_SYS(write), 0, UINT64_MAX, STDOUT_FILENO },
+        { SCMP_SYS(write), 0, UINT64_MAX, STDERR_FILENO },
+        { SCMP_SYS(writev), 0, UINT64_MAX, STDERR_FILENO },
+        { SCMP_SYS(fcntl), 1, UINT64_MAX, F_GETFL },
+        { SCMP_SYS(tgkill), 0, UINT64_MAX, (uint64_t)getpid() }, /* abort() */
+    };
+    bool done = true;
+    for (size_t i = 0; i < sizeof(free_calls) / sizeof(free_calls[0]); i++)
+        done = done && seccomp_rule_add(filter, SCMP_ACT_ALLOW, free_calls[i], 0) == 0;
+    for (size_t i = 0; i < sizeof(bound_calls) / sizeof(bound_calls[0]); i++) {
+        const struct bound_call *b = &bound_calls[i];
+        const struct scmp_arg_cmp compare = { b->argument, SCMP_CMP_MASKED_EQ, b->mask, b->value };
+        done = done && seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, b->call, 1, &compare) == 0;
+    }
+    return done;
+}
+
+static void filter_calls(void)
+{
+    scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EPERM));
+    if (filter && add_rules(filter))
+        seccomp_load(filter);
+    seccomp_release(filter);
+}
+
+void sandbox_enter(const char *path, bool with_folder)
+{
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    close_file_system(path, with_folder);
+    drop_capabilities();
+    filter_calls();
+}
+
+struct sandbox_parts sandbox_find(void)
+{
+    return (struct sandbox_parts){
+        .landlock = landlock_version(),
+        .seccomp = prctl(PR_GET_SECCOMP, 0, 0, 0, 0) >= 0,
+    };
+}

@@ -1,0 +1,103 @@
+/* model_format.c: which format a model file has, by its suffix and its first bytes. */
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+#include "src/base/log.h"
+#include "src/base/path.h"
+#include "src/scene/import/model_import.h"
+
+enum {
+    HEAD_SIZE = 4096, /* bytes that are looked at */
+};
+
+/* Returns the first byte that is no blank, without a mark of UTF-8. */
+static const char *skip_blanks(const char *text)
+{
+    if (strncmp(text, "\xef\xbb\xbf", 3) == 0)
+        text += 3;
+    return text + strspn(text, " \t\r\n");
+}
+
+static bool is_glb(const char *head, size_t size)
+{
+    return size >= 12 && memcmp(head, "glTF", 4) == 0;
+}
+
+static bool is_gltf(const char *head, size_t size)
+{
+    (void)size;
+    return *skip_blanks(head) == '{';
+}
+
+static bool is_ply(const char *head, size_t size)
+{
+    (void)size;
+    return strncmp(head, "ply", 3) == 0 && (head[3] == '\n' || head[3] == '\r');
+}
+
+/* Whether a text begins with a comment or a statement of OBJ. */
+static bool is_obj(const char *head, size_t size)
+{
+    static const char *const statements[] = {
+        "v",    "vt",         "vn",        "vp",     "f",      "l",      "p",        "o",
+        "g",    "s",          "mg",        "mtllib", "usemtl", "usemap", "maplib",   "cstype",
+        "deg",  "bmat",       "step",      "curv",   "curv2",  "surf",   "parm",     "trim",
+        "hole", "scrv",       "sp",        "end",    "con",    "bevel",  "c_interp", "d_interp",
+        "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "call",   "csh",
+    };
+    const char *word = skip_blanks(head);
+    const size_t length = strcspn(word, " \t\r\n");
+    if (memchr(head, '\0', size))
+        return false;
+    if (*word == '#' || *word == '\0')
+        return true;
+    for (size_t i = 0; i < sizeof(statements) / sizeof(statements[0]); i++) {
+        if (strlen(statements[i]) == length && strncmp(word, statements[i], length) == 0)
+            return true;
+    }
+    return false;
+}
+
+static const struct format {
+    struct model_format format;
+    bool (*has_head)(const char *head, size_t size); /* `head` ends with '\0' */
+} formats[] = {
+    { { "gltf", "glTF", .is_gltf = true }, is_gltf },
+    { { "glb", "binary glTF", .is_gltf = true }, is_glb },
+    { { "obj", "OBJ" }, is_obj },
+    { { "ply", "PLY" }, is_ply },
+};
+
+static enum status check_head(const char *path, const struct format *format)
+{
+    char head[HEAD_SIZE + 1];
+    FILE *file = fopen(path, "rb");
+    const size_t size = file ? fread(head, 1, HEAD_SIZE, file) : 0;
+    const bool failed = !file || ferror(file);
+    if (file)
+        fclose(file);
+    if (failed) {
+        log_error("%s: cannot be read", path);
+        return STATUS_NO_INPUT;
+    }
+    head[size] = '\0';
+    if (format->has_head(head, size))
+        return STATUS_OK;
+    log_error("%s: the file does not begin as %s does: export it again, or rename it", path,
+              format->format.name);
+    return STATUS_DATA;
+}
+
+enum status model_format_find(const char *path, const struct model_format **format)
+{
+    for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); i++) {
+        char end[8];
+        snprintf(end, sizeof(end), ".%s", formats[i].format.suffix);
+        if (!path_ends_in(path, end))
+            continue;
+        *format = &formats[i].format;
+        return check_head(path, &formats[i]);
+    }
+    log_error("%s: unknown model format; expected .gltf, .glb, .obj or .ply", path);
+    return STATUS_DATA;
+}
