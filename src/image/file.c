@@ -141,15 +141,26 @@ static void remove_temporary(const struct target *target, struct temporary *temp
     close(temporary->file);
 }
 
-/* Creates and locks a temporary. Between these steps another process may take it for an abandoned
+/* Returns the mode of the file that will be replaced, or -1 if there is none. */
+static int find_mode(const struct target *target)
+{
+    struct stat older;
+    if (fstatat(target->folder, target->name, &older, 0) != 0 || !S_ISREG(older.st_mode))
+        return -1;
+    return (int)(older.st_mode & 0777);
+}
+
+/* Creates and locks a temporary, which nobody may read who may not read the older file, of mode
+ * `older` (-1: there is none). Between these steps another process may take it for an abandoned
  * one and remove it; then another name is tried. */
-static bool open_temporary(const struct target *target, struct temporary *temporary)
+static bool open_temporary(const struct target *target, int older, struct temporary *temporary)
 {
     const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
+    const mode_t mode = older < 0 ? 0666 : (mode_t)(older & 0666) | 0600;
     for (int attempt = 0; attempt < ATTEMPTS_MAX; attempt++) {
         if (!name_temporary(target->name, temporary->name))
             return false;
-        temporary->file = openat(target->folder, temporary->name, flags, 0666);
+        temporary->file = openat(target->folder, temporary->name, flags, mode);
         if (temporary->file < 0 && errno != EEXIST)
             return false;
         if (temporary->file < 0)
@@ -259,12 +270,16 @@ static enum status replace(const struct target *target, const char *path, const 
                            size_t size)
 {
     struct temporary temporary;
+    const int older = find_mode(target);
     bool ok;
 
-    if (!open_temporary(target, &temporary))
+    if (!open_temporary(target, older, &temporary))
         return cannot_create(path, strerror(errno));
     remove_stale(target, &temporary);
-    ok = write_all(temporary.file, data, size) && fsync(temporary.file) == 0;
+    ok = write_all(temporary.file, data, size);
+    if (ok && older >= 0)
+        (void)fchmod(temporary.file, (mode_t)older); /* some file systems have no modes */
+    ok = ok && fsync(temporary.file) == 0;
     if (ok && !is_still_named(target->folder, temporary.name, temporary.file)) {
         log_error("%s: cannot be written: another program has replaced its temporary file", path);
         close(temporary.file);

@@ -376,6 +376,13 @@ static void test_file_mode(void **state)
     umask(mask);
     assert_int_equal(stat("a", &info), 0);
     assert_int_equal(info.st_mode & 0777, 0640);
+    for (mode_t mode = 0400; mode <= 0666; mode += 0266) { /* whoever may write the folder */
+        assert_int_equal(chmod("a", mode), 0);
+        assert_int_equal(file_write("a", "y", 1), STATUS_OK);
+        check_content("a", "y");
+        assert_int_equal(stat("a", &info), 0);
+        assert_int_equal(info.st_mode & 0777, mode);
+    }
 }
 
 static void test_file_absolute_path(void **state)
