@@ -129,7 +129,7 @@ static enum status add_tile(struct job *job, const char *path, const struct read
         return status;
     status = read_number(&tile, job, &number);
     if (status == STATUS_OK && job->tiles[number].path) {
-        log_error("duplicate tile: %s has the same tile number as %s", path,
+        log_error("%s: expected each tile once, got tile %u again, which is %s", path, number + 1,
                   job->tiles[number].path);
         status = STATUS_DATA;
     }
@@ -154,7 +154,8 @@ static enum status open_tiles(struct job *job, const struct app_options *o)
     for (uint32_t i = 0; i < tiling->columns * tiling->rows && status == STATUS_OK; i++) {
         if (job->tiles[i].path)
             continue;
-        log_error("missing tile: number %u of %ux%u", i + 1, tiling->columns, tiling->rows);
+        log_error("%s: expected all tiles of the picture, but tile %u of %ux%u is missing",
+                  job->first->path, i + 1, tiling->columns, tiling->rows);
         status = STATUS_NO_INPUT;
     }
     if (status != STATUS_OK)

@@ -133,6 +133,9 @@ VkResult gpu_instance_create(struct gpu *gpu, bool validate)
         return vkCreateDebugUtilsMessengerEXT(gpu->instance, &info, NULL, &gpu->messenger);
     }
     if (validate)
-        log_warning("no %s: --validate has no effect; install vulkan-validationlayers", layer);
+        log_warning(
+            "--validate: expected the layer %s, which is not installed: nothing is validated; "
+            "install vulkan-validationlayers",
+            layer);
     return VK_SUCCESS;
 }

@@ -35,12 +35,14 @@ bool picture_head_add_text(struct picture_head *head, const char *name, const ch
         value_length >= PICTURE_TEXT_SIZE_MAX || memchr(value, '\0', value_length) ||
         head->text_count == PICTURE_TEXT_COUNT_MAX || picture_head_text(head, name))
         return true;
-    char *new_name = strdup(name), *new_value = strndup(value, value_length);
+    char *new_name = strdup(name), *new_value = malloc(value_length + 1);
     if (!new_name || !new_value) {
         free(new_name);
         free(new_value);
         return false;
     }
+    memcpy(new_value, value, value_length);
+    new_value[value_length] = '\0';
     head->texts[head->text_count].name = new_name;
     head->texts[head->text_count++].value = new_value;
     return true;

@@ -1,4 +1,5 @@
 /* json_read.c: reads profiles from untrusted JSON. */
+#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -332,7 +333,7 @@ static enum status load(const char *path, json_t **root)
     }
     *root = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
     if (ferror(file)) {
-        log_error("%s: reading failed", path);
+        log_error("%s: cannot be read: %s", path, strerror(EIO));
         status = STATUS_NO_INPUT;
     } else if (!*root) {
         log_error("%s:%d: invalid JSON: %s", path, error.line, error.text);

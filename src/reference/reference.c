@@ -69,7 +69,8 @@ enum status reference_create(struct reference **reference, const struct referenc
     if (!r->device) {
         const bool is_old = rtcGetDeviceError(NULL) == RTC_ERROR_UNSUPPORTED_CPU;
         log_error("--refraction reference: %s",
-                  is_old ? "this CPU is not supported by Embree" : "out of memory for Embree");
+                  is_old ? "expected a CPU with SSE4.2, which Embree needs; use another rung"
+                         : "out of memory");
         free(r);
         return is_old ? STATUS_NO_DEVICE : STATUS_TRY_AGAIN;
     }

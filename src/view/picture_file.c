@@ -71,7 +71,8 @@ static enum status write_side(struct picture *p, const struct side *side, const 
     const int length =
         snprintf(name, sizeof(name), "%.*s%s%s", stem, path, side->suffix, path + stem);
     if (length < 0 || length >= PATH_SIZE) {
-        log_error("%s: the file name is too long", path);
+        log_error("%s: expected a path of at most %d bytes with '%s' added to it", path,
+                  PATH_SIZE - 1, side->suffix);
         return STATUS_CANT_CREATE;
     }
     return write_file(p, &side->output, name, &side->result, stop);

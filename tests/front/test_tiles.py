@@ -144,7 +144,7 @@ class Merge(Tiled):
     def test_what_is_wrong(self):
         self.refuse_merge(USAGE, names=['tiles'])
         self.refuse_merge(NO_INPUT, 'gone.exr', names=['gone.exr'])
-        self.refuse_merge(NO_INPUT, 'tile.1.exr', names=['number 2 of 2x1'])
+        self.refuse_merge(NO_INPUT, 'tile.1.exr', names=['tile 2 of 2x1'])
         self.refuse_merge(DATA, *self.names, 'tile.1.exr', names=['tile.1.exr'])
         self.refuse(CANT_CREATE, 'merge', *self.names, '-o', 'gone/a.exr', names=['gone/a.exr'])
         self.refuse(USAGE, 'merge', *self.names, '-o', 'a.png', names=['a.png'])

@@ -23,7 +23,7 @@ static enum status check_file(const char *path)
         return STATUS_NO_INPUT;
     }
     if (info.st_size == 0) {
-        log_error("%s: the file is empty", path);
+        log_error("%s: expected a model, got an empty file", path);
         return STATUS_DATA;
     }
     return STATUS_OK;

@@ -298,7 +298,7 @@ enum status model_mesh_build(const struct model_import *import, struct model *mo
         part->index_count = 0;
     }
     if (index_count == 0) {
-        log_error("%s: contains no triangles", import->path);
+        log_error("%s: expected a model with triangles, got none; export its faces", import->path);
         return STATUS_DATA;
     }
     status = fill(&build);

@@ -50,7 +50,7 @@ static enum status read_file(const struct model_import *import, const struct sou
     if (stat(source->file, &info) != 0 || !S_ISREG(info.st_mode))
         return fault(import, source, "file not found");
     if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
-        return fault(import, source, "the file is empty or larger than 256 MiB");
+        return fault(import, source, "expected a file of 1 byte to 256 MiB");
     size_t size = (size_t)info.st_size;
     FILE *file = fopen(source->file, "rb");
     if (!file)
