@@ -5,9 +5,9 @@
  * digits), with every write checked, then fsynced, renamed and closed: a reader finds the complete
  * older file or the complete new one. A failure leaves the older file and no temporary. A file that
  * is replaced keeps its mode; the temporary is never open to more people. The writer holds a lock
- * (flock) on its temporary. The next write of the same file removes temporaries that are not locked,
- * which killed processes have left. On file systems without locks, temporaries are removed that have
- * not been written for an hour.
+ * (flock) on its temporary. The next write of the same file removes temporaries that are not
+ * locked, which killed processes have left. On file systems without locks, temporaries are removed
+ * that have not been written for an hour.
  */
 #ifndef FIRN_IMAGE_FILE_H
 #define FIRN_IMAGE_FILE_H
