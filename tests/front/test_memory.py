@@ -21,6 +21,13 @@ OLDER = b'what was there before'
 MIB = 1 << 20
 
 
+def limit_to(kind, most):
+    """The limit, or the one under which the test itself runs, if that is less."""
+    hard = resource.getrlimit(kind)[1]
+    most = most if hard == resource.RLIM_INFINITY else min(most, hard)
+    resource.setrlimit(kind, (most, most))
+
+
 class Memory(Case):
     def test_limits_of_a_batch_system(self):
         """A sound model is drawn, or the line says that it is the limit, not the file."""
@@ -33,7 +40,7 @@ class Memory(Case):
                 [Case.program, 'render', 'tent.obj', '--size', '64x48', '-o', 'a.exr', '-q'],
                 cwd=self.folder, stdin=subprocess.DEVNULL, env=environment({}), timeout=240,
                 capture_output=True, check=False,
-                preexec_fn=lambda limit=(kind, (most, most)): resource.setrlimit(*limit))
+                preexec_fn=lambda limit=(kind, most): limit_to(*limit))
             with self.subTest(name, words=done.stderr):
                 self.assertIn(done.returncode, (0, TRY_AGAIN))
                 self.assertEqual(len(done.stderr.splitlines()), done.returncode != 0)
@@ -55,8 +62,8 @@ class Memory(Case):
     def run_within(self, arguments, size):
         """Its code, its words, and what it leaves: {name: bytes}."""
         def limit():
-            resource.setrlimit(resource.RLIMIT_AS, (size * MIB, size * MIB))
-            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+            limit_to(resource.RLIMIT_AS, size * MIB)
+            limit_to(resource.RLIMIT_CORE, 0)
         with tempfile.TemporaryDirectory(prefix='firn ') as folder:
             (pathlib.Path(folder) / 'a.exr').write_bytes(OLDER)
             command = [Case.program, *arguments]

@@ -7,6 +7,7 @@ import json
 import pathlib
 import random
 import re
+import resource
 import statistics
 import subprocess
 import sys
@@ -509,6 +510,9 @@ def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     program, chromium = sys.argv.pop(1), sys.argv.pop(1)
+    if resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY:
+        print('skipped: Chromium needs terabytes of addresses, which `ulimit -v` forbids')
+        sys.exit(77)
     unittest.main()
 
 
