@@ -31,7 +31,7 @@ static bool read_text(const char *text, struct tiling *tiling, uint32_t *number,
 {
     unsigned columns, rows, at;
     int length = 0;
-    if (!text || sscanf(text, "%u of %ux%u%n", &at, &columns, &rows, &length) != 3 || !columns ||
+    if (!text || sscanf(text, "%3u of %3ux%3u%n", &at, &columns, &rows, &length) != 3 || !columns ||
         !rows || columns > APP_POSITIONAL_COUNT || rows > APP_POSITIONAL_COUNT ||
         columns * rows > APP_POSITIONAL_COUNT || at < 1 || at > columns * rows)
         return false;
