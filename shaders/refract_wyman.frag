@@ -29,7 +29,8 @@ refract_way refract_follow(vec3 e, vec3 n_f, int channel)
     vec3 inside = optics_refract(e, n_f, eta);
     float ci = clamp(-dot(n_f, e), 0.0, 1.0);
     float si = sqrt(1.0 - ci * ci);
-    float ratio = si > 1e-3 ? asin(eta * si) / asin(si) : eta;
+    /* eta exceeds 1 if the index of refraction is below that of air */
+    float ratio = si > 1e-3 ? asin(min(eta * si, 1.0)) / asin(si) : eta;
     float straight = refract_thickness();
     float path = mix(thickness_along(point, n_f), straight, ratio);
     point += path * inside;
