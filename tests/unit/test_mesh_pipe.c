@@ -55,7 +55,7 @@ static struct mesh make_square(uint32_t material)
         mesh.vertices[i] = (struct mesh_vertex){
             .position = { { (float)(i % 2), (float)(i > 1), 0 } },
             .normal = { { 0, 0, 1 } },
-            .color = { { 0.25F, 0.5F, 4 } },
+            .color = { { 0.25F, 0.5F, material & MESH_UNLIT ? 4 : 1 } },
             .uv = { { 3, -1 } },
             .material = material,
         };
@@ -198,8 +198,12 @@ static void vertices_are_checked(void **state)
     refuse_number(VERTICES_AT + 12, 3, PIPE_NUMBER);
     refuse_word(VERTICES_AT + 44, MESH_UNLIT | 3, PIPE_MATERIAL); /* of two textures */
     refuse_word(VERTICES_AT + 44, MESH_UNLIT | MESH_MOVES, PIPE_MATERIAL);
-    refuse_word(VERTICES_AT + 44, 1u << 31, PIPE_MATERIAL);
-    refuse_word(VERTICES_AT + 44, 0, PIPE_MATERIAL); /* not as its triangle's others */
+    refuse_word(VERTICES_AT + 44, MESH_UNLIT | 1u << 31, PIPE_MATERIAL);
+    /* not as its triangle's others */
+    refuse_word(VERTICES_AT + 44, MESH_UNLIT | MESH_CUTOUT, PIPE_MATERIAL);
+    refuse_word(VERTICES_AT + 44, 0, PIPE_NUMBER); /* lit, but its colour is 4 */
+    refuse_number(VERTICES_AT + 24, 65505, PIPE_NUMBER);
+    refuse_number(VERTICES_AT + 24, -1e-3F, PIPE_NUMBER);
     for (size_t i = 0; i < 6; i++) {
         refuse_word(INDICES_AT + 4 * i, 4, PIPE_INDEX);
         refuse_word(INDICES_AT + 4 * i, UINT32_MAX, PIPE_INDEX);

@@ -98,16 +98,18 @@ static bool is_within(vec3s v, float max)
     return fabsf(v.x) <= max && fabsf(v.y) <= max && fabsf(v.z) <= max;
 }
 
-static bool is_finite(vec3s v)
+/* The light that a surface reflects or, if it is unlit, emits: passes rely on these limits. */
+static bool is_color(vec3s c, bool is_unlit)
 {
-    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
+    return c.x >= 0 && c.y >= 0 && c.z >= 0 && is_within(c, is_unlit ? MODEL_RADIANCE_MAX : 1);
 }
 
 static enum pipe_fault check_vertex(const struct mesh_vertex *vertex, uint32_t texture_count)
 {
     const uint32_t known = MESH_TEXTURE_MASK | MESH_UNLIT | MESH_CUTOUT;
     if (!is_within(vertex->position, MODEL_COORDINATE_MAX) || !is_within(vertex->normal, 2) ||
-        !is_finite(vertex->color) || !isfinite(vertex->uv.x) || !isfinite(vertex->uv.y))
+        !is_color(vertex->color, vertex->material & MESH_UNLIT) || !isfinite(vertex->uv.x) ||
+        !isfinite(vertex->uv.y))
         return PIPE_NUMBER;
     if (vertex->material & ~known || (vertex->material & MESH_TEXTURE_MASK) > texture_count)
         return PIPE_MATERIAL;

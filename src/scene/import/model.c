@@ -157,6 +157,8 @@ enum status model_load(struct model *model, const char *path, enum model_part ev
     status = parser ? parse(&import, parser) : log_out_of_memory(path);
     if (status == STATUS_OK)
         status = convert(&import, parser, model, everything_is);
+    if (status == STATUS_OK)
+        model_color_warn(&import);
     if (status != STATUS_OK)
         model_finish(model);
     model_parser_delete(parser);

@@ -11,8 +11,9 @@
  * colours and base colour textures become mesh_vertex.color, .uv and .material;
  * KHR_materials_unlit, and in .obj and .ply files vertex colours without normals or materials, mean
  * MESH_UNLIT; glTF's alphaMode MASK means MESH_CUTOUT. Vertex colours and .mtl's Kd are taken as
- * linear, texture colours as sRGB. KHR_texture_transform and a texture's wrap modes are ignored.
- * Files that a model names must be within its folder. decode.h reads untrusted models.
+ * linear, texture colours as sRGB. Colours are clamped to 0 to 1, unlit vertex colours, which are
+ * radiances, to 0 to 65504; a warning says so. KHR_texture_transform and a texture's wrap modes are
+ * ignored. Files that a model names must be within its folder. decode.h reads untrusted models.
  *
  * A node's extras in a glTF file may name a box, { "firn": { "box": [[x,y,z],[x,y,z]] } }, its
  * least corner first, in metres of the file's space, independent of the node's transform. The first

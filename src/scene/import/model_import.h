@@ -17,6 +17,7 @@ enum {
     MODEL_TEXTURE_MAX = 4096,
     MODEL_TEXTURE_SIDE_MAX = 2048,       /* texels */
     MODEL_TEXTURES_SIZE_MAX = 512 << 20, /* bytes of all textures */
+    MODEL_RADIANCE_MAX = 65504,          /* of unlit colours: the largest half; others: 1 */
 };
 
 struct model_material {
@@ -42,7 +43,9 @@ struct model_import {
     struct model_node *nodes;         /* parents first */
     uint32_t node_count;
     char refused[256]; /* the first named file that is outside the model's folder; "": none */
-    bool misses_file;  /* a named file does not exist */
+    uint32_t clamped_materials; /* whose colour model_color_clamp() has changed */
+    uint32_t clamped_vertices;
+    bool misses_file; /* a named file does not exist */
     bool is_gltf;
 };
 
@@ -72,11 +75,18 @@ MUST_USE bool model_file_clean(char *name, bool is_uri);
 MUST_USE enum status model_mesh_check(const struct model_import *import);
 
 /* Fills in the two meshes, has_ior and ior. The faces must be triangles, lines or points. */
-MUST_USE enum status model_mesh_build(const struct model_import *import, struct model *model,
+MUST_USE enum status model_mesh_build(struct model_import *import, struct model *model,
                                       enum model_part everything_is);
 
 /* Makes the normals that are {0} and merges equal vertices. Returns false when out of memory. */
 MUST_USE bool model_join_vertices(struct mesh *mesh);
+
+/* Clamps a finite colour to 0 to 1 or, if it is unlit, MODEL_RADIANCE_MAX; returns whether that
+ * changes it. One that is not finite stays. */
+bool model_color_clamp(vec3s *color, bool is_unlit);
+
+/* Logs a warning if colours of the file were clamped. For files that are accepted. */
+void model_color_warn(const struct model_import *import);
 
 /* Fills import->materials, except for the layers. Returns false when out of memory. */
 MUST_USE bool model_material_read(struct model_import *import);

@@ -1,8 +1,10 @@
 /* model_material.c: reads the materials of a model file. */
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/log.h"
 #include "src/scene/import/model_import.h"
 
 static bool read_float(const struct aiMaterial *source, const char *key, float *value)
@@ -35,6 +37,29 @@ static vec3s read_color(const struct aiMaterial *source)
     if (aiGetMaterialColor(source, AI_MATKEY_BASE_COLOR, &color) != aiReturn_SUCCESS)
         aiGetMaterialColor(source, AI_MATKEY_COLOR_DIFFUSE, &color);
     return (vec3s){ { color.r, color.g, color.b } };
+}
+
+bool model_color_clamp(vec3s *color, bool is_unlit)
+{
+    const float max = is_unlit ? (float)MODEL_RADIANCE_MAX : 1;
+    bool is_clamped = false;
+    for (int k = 0; k < 3; k++) {
+        const float value = color->raw[k];
+        if (!isfinite(value) || (value >= 0 && value <= max))
+            continue;
+        color->raw[k] = value > max ? max : 0;
+        is_clamped = true;
+    }
+    return is_clamped;
+}
+
+void model_color_warn(const struct model_import *import)
+{
+    if (import->clamped_materials > 0 || import->clamped_vertices > 0)
+        log_warning("%s: colours are clamped to 0 to 1, unlit vertex colours to 0 to %d: of %u "
+                    "materials and %u vertices",
+                    import->path, MODEL_RADIANCE_MAX, import->clamped_materials,
+                    import->clamped_vertices);
 }
 
 static void read_gltf(const struct aiMaterial *source, struct model_material *material)
@@ -77,6 +102,7 @@ bool model_material_read(struct model_import *import)
         struct model_material *material = &import->materials[i];
         material->is_made_up = is_made_up(import, source);
         material->color = material->is_made_up ? glms_vec3_one() : read_color(source);
+        import->clamped_materials += model_color_clamp(&material->color, false);
         struct aiString name;
         material->is_textured = model_material_texture(source, &name, &material->uv_index);
         if (!material->is_textured)

@@ -11,6 +11,7 @@ enum {
 struct part {
     struct mesh *mesh;
     uint64_t vertex_count, index_count; /* so far */
+    uint32_t clamped_count;             /* vertices whose colour was clamped */
 };
 
 struct build {
@@ -170,7 +171,9 @@ static vec3s vec3_from(struct aiVector3D v)
     return (vec3s){ { v.x, v.y, v.z } };
 }
 
-static bool fill_vertex(struct mesh_vertex *vertex, const struct placement *place, uint32_t i)
+/* Adds 1 to *clamped if it clamps the colour. Returns false if the position is too far away. */
+static bool fill_vertex(struct mesh_vertex *vertex, const struct placement *place, uint32_t i,
+                        uint32_t *clamped)
 {
     const struct aiMesh *source = place->source;
     vec3s position = glms_mat4_mulv3(place->model_from_mesh, vec3_from(source->mVertices[i]), 1);
@@ -190,6 +193,7 @@ static bool fill_vertex(struct mesh_vertex *vertex, const struct placement *plac
     if (source->mColors[0]) {
         struct aiColor4D color = source->mColors[0][i];
         vertex->color = glms_vec3_mul(place->color, (vec3s){ { color.r, color.g, color.b } });
+        *clamped += model_color_clamp(&vertex->color, place->material & MESH_UNLIT);
     }
     const struct aiVector3D *uvs = source->mTextureCoords[place->uv_index];
     if (uvs) /* assimp's (0, 0) is the bottom left in every format */
@@ -204,7 +208,7 @@ static enum status append(struct part *part, const struct model_import *import, 
     const struct aiMesh *source = place->source;
     uint32_t base = (uint32_t)part->vertex_count;
     for (uint32_t i = 0; i < source->mNumVertices; i++) {
-        if (!fill_vertex(&part->mesh->vertices[base + i], place, i))
+        if (!fill_vertex(&part->mesh->vertices[base + i], place, i, &part->clamped_count))
             return bad_vertex(import, mesh_index, i, "the position is beyond 1000000 units");
     }
     part->vertex_count += source->mNumVertices;
@@ -275,7 +279,7 @@ static enum status fill(struct build *build)
     return STATUS_OK;
 }
 
-enum status model_mesh_build(const struct model_import *import, struct model *model,
+enum status model_mesh_build(struct model_import *import, struct model *model,
                              enum model_part everything_is)
 {
     struct build build = {
@@ -304,6 +308,8 @@ enum status model_mesh_build(const struct model_import *import, struct model *mo
     status = fill(&build);
     if (status != STATUS_OK)
         return status;
+    for (int i = 0; i < PART_COUNT; i++)
+        import->clamped_vertices += build.parts[i].clamped_count;
     if (!model_join_vertices(&model->object) || !model_join_vertices(&model->surroundings))
         return log_out_of_memory(import->path);
     return STATUS_OK;

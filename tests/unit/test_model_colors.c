@@ -1,0 +1,88 @@
+/* test_model_colors.c: colours of model files that no surface can have. */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+#include "src/scene/import/model.h"
+#include "tests/support/check.h"
+#include "tests/support/folder.h"
+
+static const char obj[] = "colors.obj", mtl[] = "colors.mtl";
+
+static void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* Loads a triangle with a colour of each vertex and of its material; either may be "". Returns its
+ * first vertex, and in *line what was said. */
+static struct mesh_vertex load(const char *vertex_color, const char *factor, char line[static 512])
+{
+    char text[512];
+    snprintf(text, sizeof(text), "%sv 0 0 0 %s\nv 1 0 0 %s\nv 0 1 0 %s\nf 1 2 3\n",
+             factor[0] ? "mtllib colors.mtl\nusemtl a\n" : "", vertex_color, vertex_color,
+             vertex_color);
+    write_text(obj, text);
+    snprintf(text, sizeof(text), "newmtl a\nKd %s\n", factor);
+    write_text(mtl, text);
+    fflush(stderr);
+    const int kept = dup(STDERR_FILENO);
+    FILE *caught = tmpfile();
+    assert_true(kept >= 0 && caught);
+    dup2(fileno(caught), STDERR_FILENO);
+    struct model model;
+    const enum status status = model_load(&model, obj, MODEL_OBJECT);
+    dup2(kept, STDERR_FILENO);
+    close(kept);
+    rewind(caught);
+    line[fread(line, 1, 511, caught)] = '\0';
+    fclose(caught);
+    assert_int_equal(status, STATUS_OK);
+    const struct mesh_vertex vertex = model.object.vertices[0];
+    model_finish(&model);
+    return vertex;
+}
+
+static void check(const char *vertex_color, const char *factor, vec3s wanted, const char *warning)
+{
+    char line[512];
+    const struct mesh_vertex vertex = load(vertex_color, factor, line);
+    for (int k = 0; k < 3; k++)
+        CHECK_NEAR(vertex.color.raw[k], wanted.raw[k], 1e-6);
+    const size_t length = strlen(line);
+    if (warning[0])
+        assert_true(length > 0 && strstr(line, warning) && strchr(line, '\n') == line + length - 1);
+    else
+        assert_string_equal(line, "");
+}
+
+static void factors_are_shares(void **state)
+{
+    (void)state;
+    check("", "0.5 1 0", (vec3s){ { 0.5F, 1, 0 } }, "");
+    check("", "3e38 1.5 -2", (vec3s){ { 1, 1, 0 } }, "of 1 materials and 0 vertices");
+    check("0.5 0.5 0.5", "3e38 1 1", (vec3s){ { 0.5F, 0.5F, 0.5F } }, "of 1 materials");
+    check("3e38 -1 0.25", "0.5 0.5 0.5", (vec3s){ { 1, 0, 0.125F } },
+          "of 0 materials and 3 vertices");
+    check("2 0 0", "0.5 1 1", (vec3s){ { 1, 0, 0 } }, "");
+}
+
+static void unlit_colors_are_radiances(void **state)
+{
+    (void)state;
+    check("4 0.5 65504", "", (vec3s){ { 4, 0.5F, 65504 } }, "");
+    check("3e38 65505 -1", "", (vec3s){ { 65504, 65504, 0 } }, "of 0 materials and 3 vertices");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(factors_are_shares, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(unlit_colors_are_radiances, folder_enter, folder_leave),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
