@@ -4,19 +4,24 @@ Each ends in a picture or in one line and exit code 65, without crash or hang. `
 table of docs/trust.md.
 """
 import collections
+import concurrent.futures
 import math
+import os
 import pathlib
+import re
 import resource
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'corpus'))
+from builders import ACCEPTED, DRAWN, EITHER, REFUSED  # noqa: E402
 from case import DATA, PLAIN, TRY_AGAIN, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
-from make_corpus import DRAWN, KINDS, REFUSED, corpus, write  # noqa: E402
+from make_corpus import (  # noqa: E402
+    BASELINE, DIFF, ENVIRONMENT, MERGE, MODEL, SURROUNDINGS, corpus, write)
 
-PANORAMAS = ('.exr', '.hdr')
 HASTY = ('--load-seconds', '1', *PLAIN)  # some would take an hour
+TINY = ('--size', '16x12', *PLAIN, '-q', '-o', 'a.exr')
 # With a limit of memory on this process, it may be that one, and no longer the file's fault.
 CODES = (DATA,) if resource.getrlimit(resource.RLIMIT_AS)[0] < 0 else (DATA, TRY_AGAIN)
 TEXT = pathlib.Path(__file__).parents[2] / 'docs' / 'trust.md'
@@ -24,41 +29,93 @@ TEXT = pathlib.Path(__file__).parents[2] / 'docs' / 'trust.md'
 
 def row(kind, entries):
     count = collections.Counter(entry.wanted for entry in entries)
-    return (f'| {kind} | {len(entries)} | {count[DRAWN]} | {count[REFUSED]} | '
-            f'{len(entries) - count[DRAWN] - count[REFUSED]} |')
+    return (f'| {kind} | {len(entries)} | {count[DRAWN] + count[ACCEPTED]} | {count[REFUSED]} | '
+            f'{count[EITHER]} |')
 
 
 def table():
-    """Files of each kind: all, drawn, refused, either."""
-    by_kind = {kind: [entry for entry in corpus() if entry.kind == kind] for kind in KINDS}
-    rows = [row(kind, entries) for kind, entries in by_kind.items()]
-    return '\n'.join((*rows, row('together', list(corpus()))))
+    """Files of each kind: all, accepted, refused, either."""
+    kinds = collections.defaultdict(list)
+    for entry in corpus():
+        kinds[entry.kind].append(entry)
+    rows = [row(kind, entries) for kind, entries in kinds.items()]
+    return '\n'.join((*rows, row('together', corpus())))
+
+
+def command(entry, path):
+    """The cheapest one that reads the file, or draws what it accepts."""
+    if entry.use == DIFF:
+        return 'diff', path, path
+    if entry.use == MERGE:
+        return 'merge', path, '-q', '-o', 'a.exr'
+    if entry.use == BASELINE:
+        return 'profile', 'sphere', '--baseline', path
+    words = {MODEL: (path,), SURROUNDINGS: ('sphere', '--surroundings', path),
+             ENVIRONMENT: ('sphere', '--env', path)}[entry.use]
+    return ('render', *words, *TINY) if entry.wanted == DRAWN else ('graph', *words, *HASTY)
 
 
 class Corpus(Case):
-    def run_on(self, number, entry):
-        path = write(entry, self.folder / str(number) / 'in')
-        scene = ('sphere', '--env', path) if path.suffix in PANORAMAS else (path,)
-        if entry.wanted != DRAWN:
-            return self.firn('graph', *scene, *HASTY)
-        done = self.firn('render', *scene, '--size', '16x12', *PLAIN, '-q', '-o', 'a.exr')
-        if done.returncode == 0:
-            picture = Exr((self.folder / 'a.exr').read_bytes())
-            values = picture.read_planes(['R', 'G', 'B']).values()
-            self.assertTrue(all(math.isfinite(value) for plane in values for value in plane))
-        return done
+    def run_each(self, commands):
+        """Pairs (file, what became of it); commands are functions of a file and its path."""
+        def run(numbered):
+            number, (entry, words) = numbered
+            folder = self.folder / str(number)
+            return entry, self.firn(*words(entry, write(entry, folder / 'in')), cwd=folder), folder
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            yield from pool.map(run, enumerate(commands))
+
+    def check_numbers(self, folder):
+        picture = Exr((folder / 'a.exr').read_bytes())
+        planes = picture.read_planes(['R', 'G', 'B']).values()
+        self.assertTrue(all(map(math.isfinite, sum(planes, []))))
+
+    def check(self, done, wanted):
+        """The code, and one line if the file was refused."""
+        words = done.stderr.decode()
+        codes = {REFUSED: CODES, EITHER: (0, *CODES)}.get(wanted, (0,))
+        self.assertIn(done.returncode, codes, words)
+        warnings = re.findall(r'(?m)^firn: warning: .*\n', words)
+        self.assertEqual(len(words.splitlines()) - len(warnings), done.returncode != 0, words)
+        if done.returncode:
+            self.assertRegex(words, r'\Afirn: .{20,}\n\Z')
+            self.assertFalse(done.stdout)
 
     def test_each(self):
-        for number, entry in enumerate(corpus()):
+        for entry, done, folder in self.run_each([(entry, command) for entry in corpus()]):
             with self.subTest(kind=entry.kind, name=entry.name):
-                done = self.run_on(number, entry)
-                words = done.stderr.decode()
-                self.assertIn(done.returncode, {DRAWN: (0,), REFUSED: CODES}.get(
-                    entry.wanted, (0, *CODES)), words)
-                self.assertEqual(len(words.splitlines()), done.returncode != 0, words)
-                if words:
-                    self.assertRegex(words, r'\Afirn: .{20,}\n\Z')
-                    self.assertFalse(done.stdout)
+                self.check(done, entry.wanted)
+                if entry.wanted == DRAWN:
+                    self.check_numbers(folder)
+
+    def test_panoramas_are_pictures(self):
+        """For firn diff, and files of EXR for firn merge, which refuses what is no tile."""
+        panoramas = [entry for entry in corpus() if entry.use == ENVIRONMENT]
+        whole = [(entry, lambda _, path: ('diff', path, path)) for entry in panoramas]
+        tiles = [(entry, lambda _, path: ('merge', path, '-q')) for entry in panoramas
+                 if entry.name.endswith('.exr')]
+        for entry, done, _ in self.run_each(whole + tiles):
+            with self.subTest(kind=entry.kind, name=entry.name, words=done.args[1]):
+                self.check(done, REFUSED if done.args[1] == 'merge' else EITHER)
+
+    def test_the_truth_of_a_ladder(self):
+        names = 'bomb.png', 'bomb-cut.png', 'deep-first.exr', 'old-runs.hdr'
+        found = [entry for entry in corpus() if entry.name in names]
+        self.assertEqual(len(found), len(names))
+        for entry in found:
+            path = write(entry, self.folder / 'in')
+            self.refuse(DATA, 'ladder', '--truth', path, names=[path.name])
+
+    def test_files_to_resume_from(self):
+        """Whatever is there is no frame, and drawn anew."""
+        names = 'attribute-large.exr', 'largest.exr', 'levels.exr', 'texts.png'
+        found = [entry for entry in corpus() if entry.name in names]
+        self.assertEqual(len(found), len(names))
+        for entry in found:
+            with self.subTest(name=entry.name):
+                path = write(entry, self.folder)
+                self.succeed('render', 'sphere', *TINY[:-1], path, '--resume')
+                self.assertNotEqual(path.read_bytes(), entry.content)
 
     def test_what_a_model_names_stays_in_its_folder(self):
         for number, entry in enumerate(corpus()):
