@@ -11,7 +11,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 import models  # noqa: E402
 import models_more  # noqa: E402
 import pictures  # noqa: E402
-from builders import EITHER, Entry  # noqa: E402
+from builders import Entry  # noqa: E402
 
 # What a file is given to: by what it is, or by its suffix.
 MODEL, SURROUNDINGS, ENVIRONMENT = 'model', 'surroundings', 'environment'
@@ -46,10 +46,8 @@ KINDS = {
     'profiles (`profile --baseline`)': pictures.profiles,
 }
 
-# What the suffix says is not what the first bytes say. Where readers are chosen by the suffix
-# alone, another format's parser may accept it; True: such files are refused.
+# What the suffix says is not what the first bytes say.
 OTHER_FORMATS = 'content of another format'
-OTHER_FORMATS_ARE_REFUSED = False
 
 
 def use_of(kind, name):
@@ -64,8 +62,7 @@ def corpus():
                for kind, make in KINDS.items() for values in make()]
     for name, content, wanted in itertools.chain(models_more.other_formats(),
                                                  pictures.other_formats()):
-        entries.append(Entry(OTHER_FORMATS, use_of('', name), name, content,
-                             wanted if OTHER_FORMATS_ARE_REFUSED else EITHER))
+        entries.append(Entry(OTHER_FORMATS, use_of('', name), name, content, wanted))
     return tuple(entries)
 
 
