@@ -1,6 +1,7 @@
 /* png_read.c: reads PNG files by libpng's simplified interface. */
 #include <png.h>
 #include <stdlib.h>
+#include <string.h>
 #include "src/base/log.h"
 #include "src/image/file.h"
 #include "src/image/png.h"
@@ -10,6 +11,30 @@ static enum status out_of_memory(const char *path, const png_image *png)
 {
     log_error("%s: out of memory for %u x %u pixels", path, png->width, png->height);
     return STATUS_TRY_AGAIN;
+}
+
+/* Returns whether no chunk claims to end after the file. libpng allocates and clears the memory of
+ * a chunk before it reads it: 2 GiB for a few bytes that claim so many. */
+static bool has_whole_chunks(FILE *file, int64_t size)
+{
+    uint8_t head[8]; /* length, type */
+    int64_t at = sizeof(head);
+    bool has_ended = false;
+    while (!has_ended && at <= size && fseeko(file, (off_t)at, SEEK_SET) == 0 &&
+           fread(head, sizeof(head), 1, file) == 1) {
+        at += 12 + (int64_t)png_get_uint_32(head);
+        has_ended = memcmp(head + 4, "IEND", 4) == 0;
+    }
+    rewind(file);
+    return at <= size;
+}
+
+static bool is_png(FILE *file)
+{
+    uint8_t signature[8];
+    const bool is_read = fread(signature, sizeof(signature), 1, file) == 1;
+    rewind(file);
+    return is_read && png_sig_cmp(signature, 0, sizeof(signature)) == 0;
 }
 
 static enum status damaged(const char *path, const char *why)
@@ -74,6 +99,8 @@ static enum status open_png(const char *path, png_image *png, FILE **file)
     *png = (png_image){ .version = PNG_IMAGE_VERSION };
     if (status != STATUS_OK)
         return status;
+    if (is_png(*file) && !has_whole_chunks(*file, size))
+        return damaged(path, "a chunk is longer than the file");
     if (!png_image_begin_read_from_stdio(png, *file))
         return damaged(path, png->message);
     if (png->width > IMAGE_MAX_SIDE || png->height > IMAGE_MAX_SIDE ||

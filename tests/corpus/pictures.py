@@ -114,6 +114,7 @@ def chunks():
     yield 'bomb-text.png', png_of(head, (b'zTXt', b'a\0\0' + zeros), texels, end), EITHER
     yield 'bomb-profile.png', png_of(head, (b'iCCP', b'a\0\0' + zeros), texels, end), EITHER
     yield 'texts.png', png_of(head, *[(b'tEXt', b'a\0b')] * 20000, texels, end), EITHER
+    yield ('bomb-chunk.png', png_of(head) + b'\x7f\xff\xff\xf0tEXt' + b'\0' * 16, REFUSED)
     yield 'head-twice.png', png_of(head, head, texels, end), REFUSED
     yield 'head-none.png', png_of(texels, end), REFUSED
     yield 'no-texels.png', png_of(head, end), REFUSED

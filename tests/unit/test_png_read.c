@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 #include "src/image/png.h"
 #include "tests/support/check.h"
@@ -202,6 +203,24 @@ static void test_too_large(void **state)
     free(grey);
 }
 
+/* libpng would clear 2 GiB of memory for it. */
+static void test_chunk_longer_than_the_file(void **state)
+{
+    static const uint8_t chunk[24] = { 0x7f, 0xff, 0xff, 0xf0, 't', 'E', 'X', 't' };
+    uint8_t rgb[3 * COUNT] = { 1 }, bytes[1024];
+    struct image image;
+    struct rusage usage;
+
+    (void)state;
+    make_file(PNG_FORMAT_RGB, rgb);
+    load(bytes, sizeof(bytes));
+    memcpy(bytes + 33, chunk, sizeof(chunk)); /* after the header */
+    save(bytes, 33 + sizeof(chunk));
+    assert_int_equal(read_file(&image), STATUS_DATA);
+    assert_int_equal(getrusage(RUSAGE_SELF, &usage), 0);
+    assert_true(usage.ru_maxrss < 1 << 20); /* KiB */
+}
+
 static void test_missing(void **state)
 {
     struct image image = { 0 };
@@ -218,7 +237,7 @@ int main(void)
         cmocka_unit_test(test_colors),    cmocka_unit_test(test_alpha),
         cmocka_unit_test(test_grey),      cmocka_unit_test(test_linear_file),
         cmocka_unit_test(test_too_large), cmocka_unit_test(test_cut_short_and_damaged),
-        cmocka_unit_test(test_missing),
+        cmocka_unit_test(test_missing),   cmocka_unit_test(test_chunk_longer_than_the_file),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
 }
