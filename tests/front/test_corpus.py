@@ -1,7 +1,7 @@
 """test_corpus.py: tests malformed input files. Usage: see case.py.
 
 Each ends in a picture or in one line and exit code 65, without crash or hang. `--table` prints the
-table of docs/trust.md.
+table of docs/trust.md. FIRN_SCENES in the environment is the number of random scenes (12).
 """
 import collections
 import concurrent.futures
@@ -15,12 +15,14 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'corpus'))
 from builders import ACCEPTED, DRAWN, EITHER, REFUSED  # noqa: E402
-from case import DATA, PLAIN, TRY_AGAIN, Case, main  # noqa: E402
+from case import DATA, PLAIN, SMALL, TRY_AGAIN, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from make_corpus import (  # noqa: E402
     BASELINE, DIFF, ENVIRONMENT, MERGE, MODEL, SURROUNDINGS, corpus, write)
+from scenes import scene  # noqa: E402
 
 HASTY = ('--load-seconds', '1', *PLAIN)  # some would take an hour
+SCENES = int(os.environ.get('FIRN_SCENES', '12'))  # random ones
 TINY = ('--size', '16x12', *PLAIN, '-q', '-o', 'a.exr')
 # With a limit of memory on this process, it may be that one, and no longer the file's fault.
 CODES = (DATA,) if resource.getrlimit(resource.RLIMIT_AS)[0] < 0 else (DATA, TRY_AGAIN)
@@ -86,6 +88,21 @@ class Corpus(Case):
             with self.subTest(kind=entry.kind, name=entry.name):
                 self.check(done, entry.wanted)
                 if entry.wanted == DRAWN:
+                    self.check_numbers(folder)
+
+    def test_pixels_of_extreme_scenes_are_numbers(self):
+        def draw(seed):
+            words, files = scene(seed)
+            folder = self.folder / str(seed)
+            folder.mkdir()
+            for name, content in files.items():
+                (folder / name).write_bytes(content)
+            return seed, folder, self.firn('render', *words, *SMALL, '-q', '-o', 'a.exr', '-o',
+                                           'a.png', cwd=folder)
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            for seed, folder, done in pool.map(draw, range(SCENES)):
+                with self.subTest(seed=seed, words=scene(seed)[0]):
+                    self.check(done, DRAWN)
                     self.check_numbers(folder)
 
     def test_panoramas_are_pictures(self):
