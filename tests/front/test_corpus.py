@@ -26,6 +26,8 @@ SCENES = int(os.environ.get('FIRN_SCENES', '12'))  # random ones
 TINY = ('--size', '16x12', *PLAIN, '-q', '-o', 'a.exr')
 # With a limit of memory on this process, it may be that one, and no longer the file's fault.
 CODES = (DATA,) if resource.getrlimit(resource.RLIMIT_AS)[0] < 0 else (DATA, TRY_AGAIN)
+# A sanitizer makes a program start four times as long.
+STEP = 4 if os.environ.get('FAIL_SAMPLE') == '1' else 1
 TEXT = pathlib.Path(__file__).parents[2] / 'docs' / 'trust.md'
 
 
@@ -60,6 +62,7 @@ def command(entry, path):
 class Corpus(Case):
     def run_each(self, commands):
         """Pairs (file, what became of it); commands are functions of a file and its path."""
+        commands = commands[::STEP]
         def run(numbered):
             number, (entry, words) = numbered
             folder = self.folder / str(number)
@@ -100,7 +103,7 @@ class Corpus(Case):
             return seed, folder, self.firn('render', *words, *SMALL, '-q', '-o', 'a.exr', '-o',
                                            'a.png', cwd=folder)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            for seed, folder, done in pool.map(draw, range(SCENES)):
+            for seed, folder, done in pool.map(draw, range(0, SCENES, STEP)):
                 with self.subTest(seed=seed, words=scene(seed)[0]):
                     self.check(done, DRAWN)
                     self.check_numbers(folder)
@@ -116,7 +119,7 @@ class Corpus(Case):
                 self.check(done, REFUSED if done.args[1] == 'merge' else EITHER)
 
     def test_the_truth_of_a_ladder(self):
-        names = 'bomb.png', 'bomb-cut.png', 'deep-first.exr', 'old-runs.hdr'
+        names = 'bomb.png', 'bomb-cut.png', 'old-runs.hdr'
         found = [entry for entry in corpus() if entry.name in names]
         self.assertEqual(len(found), len(names))
         for entry in found:
