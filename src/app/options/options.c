@@ -187,7 +187,7 @@ static const struct option options[] = {
     { "Reading", "load-memory", 0, "GiB", READERS, COUNT(picture.scene.reader.memory_gib),
       "memory limit per file, GiB, 1 to 1024 (4)", 1, 1024, " of GiB" },
     { "Reading", "sandbox", 0, "on|off", READERS, SCENE(option_sandbox),
-      "whether the processes that read files may do nothing else (on)" },
+      "sandbox of the processes that read files; off is for debugging (on)" },
     { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, INPUT(mask.file),
       "mask, .exr or .png: only pixels with A above 0 are compared (none)" },
     { "Comparison", "mask-channel", 0, "NAME", APP_DIFF | APP_LADDER, TEXT(mask.channel),
