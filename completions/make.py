@@ -18,7 +18,7 @@ WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbo
          'overlay': ('on', 'off')}
 FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'html', 'mask',
          'truth', 'screenshot', 'watch'}
-CATEGORIES = (*LISTS, 'devices')
+CATEGORIES = (*LISTS, 'devices', 'sandbox')
 
 
 class Facts:

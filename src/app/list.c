@@ -1,10 +1,11 @@
-/* list.c: firn list: scenes, rungs, materials, layers, settings, devices. */
+/* list.c: firn list: scenes, rungs, materials, layers, settings, devices, sandbox. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
+#include "src/reader/sandbox.h"
 #include "src/reference/reference.h"
 #include "src/scene/material.h"
 #include "src/tech/refract_reference.h"
@@ -82,12 +83,29 @@ static enum status list_devices(void)
     return status;
 }
 
+static enum status list_sandbox(void)
+{
+    const struct sandbox_parts parts = sandbox_find();
+    if (parts.landlock)
+        printf(
+            "  %-14s version %d: a reader opens its file, or the folder of a model, and no other\n",
+            "Landlock", parts.landlock);
+    else
+        printf("  %-14s not in this kernel: a reader can open any file that you can read\n",
+               "Landlock");
+    printf("  %-14s %s\n", "seccomp",
+           parts.seccomp ? "a reader starts no process, opens no socket, writes no file"
+                         : "not in this kernel: a reader can start processes and open sockets");
+    return STATUS_OK;
+}
+
 static const struct {
     const char *name;
     enum status (*print)(void);
 } lists[] = {
-    { "scenes", list_scenes }, { "rungs", list_rungs },       { "materials", list_materials },
-    { "layers", list_layers }, { "settings", list_settings }, { "devices", list_devices },
+    { "scenes", list_scenes },   { "rungs", list_rungs },       { "materials", list_materials },
+    { "layers", list_layers },   { "settings", list_settings }, { "devices", list_devices },
+    { "sandbox", list_sandbox },
 };
 
 enum status app_list(const struct app_options *o)
@@ -102,8 +120,10 @@ enum status app_list(const struct app_options *o)
         status = lists[i].print();
     }
     if (!found) {
-        log_error("list: expected scenes, rungs, materials, layers, settings or devices, got '%s'",
-                  o->positionals[0]);
+        log_error(
+            "list: expected scenes, rungs, materials, layers, settings, devices or sandbox, got "
+            "'%s'",
+            o->positionals[0]);
         return STATUS_USAGE;
     }
     return status;

@@ -27,7 +27,7 @@ static const struct {
     { "farm", APP_FARM, app_farm, "render a sequence on many machines, by Slurm or GNU parallel" },
     { "merge", APP_MERGE, app_merge, "join the tiles of a picture" },
     { "list", APP_LIST, app_list,
-      "print the scenes, rungs, materials, layers, settings and devices" },
+      "print the scenes, rungs, materials, layers, settings, devices and sandbox" },
 };
 
 enum {

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <linux/capability.h>
 #include <linux/landlock.h>
+#include <linux/seccomp.h>
 #include <seccomp.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -161,6 +162,7 @@ struct sandbox_parts sandbox_find(void)
 {
     return (struct sandbox_parts){
         .landlock = landlock_version(),
-        .seccomp = prctl(PR_GET_SECCOMP, 0, 0, 0, 0) >= 0,
+        /* A kernel that has filters looks for the one at NULL. */
+        .seccomp = prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, NULL) != 0 && errno == EFAULT,
     };
 }

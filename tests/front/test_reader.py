@@ -77,6 +77,8 @@ class Reader(Case):
         words = self.succeed('graph', 'tent.obj', '--sandbox', 'off').stderr.decode()
         self.assertRegex(words, r'\Afirn: warning: --sandbox off: .*\n\Z')
         self.refuse(2, 'graph', 'tent.obj', '--sandbox', 'some', names=['on or off'])
+        listed = self.succeed('list', 'sandbox').stdout.decode()
+        self.assertEqual('Landlock       version' in listed, has_landlock())
 
     def test_what_a_model_may_name(self):
         """Its folder, and not what a link there leads to."""

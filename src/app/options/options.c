@@ -275,7 +275,7 @@ static const char *const usages[] = {
         "firn farm slurm|parallel|status [options] SCENE: render a sequence on many machines",
     [APP_MERGE] = "firn merge [options] TILE...: join the tiles of a picture",
     [APP_LIST] =
-        "firn list [scenes|rungs|materials|layers|settings|devices]: print the available names",
+        "firn list [scenes|rungs|materials|layers|settings|devices|sandbox]: print what there is",
 };
 
 /* Its value comes with '=' or not at all. */
