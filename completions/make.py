@@ -15,7 +15,7 @@ NAMED = {'refraction': 'rungs', 'split': 'rungs', 'material': 'materials', 'show
 LISTED = {'rungs': 'rungs', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbox', 'immediate'),
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),
-         'overlay': ('on', 'off')}
+         'overlay': ('on', 'off'), 'sandbox': ('on', 'off')}
 FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'html', 'mask',
          'truth', 'screenshot', 'watch'}
 CATEGORIES = (*LISTS, 'devices', 'sandbox')
