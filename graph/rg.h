@@ -11,8 +11,8 @@
  * Zero:          is the default of every field; its comment says what zero means.
  * Ownership:     tables belong to the caller and must outlive the plan. A plan belongs to the
  *                caller of rg_compile(), who destroys it.
- * Errors:        faults of tables are data (struct rg_fault), and all of them are found at once.
- *                Nothing is printed.
+ * Errors:        faults of tables are data (struct rg_fault), and all of them are found at once,
+ *                unless a whole table is missing. Nothing is printed.
  * Thread-safety: rg_compile() may run in several threads. A plan never changes after it and may be
  *                read from many threads.
  */
@@ -39,6 +39,9 @@ enum {
     RG_COLOR_COUNT = 8,       /* colour targets of a pass, at most; every desktop device has them */
     RG_ALL_MIPS = UINT16_MAX, /* value of rg_image.mips: the whole chain, down to 1x1 */
     RG_MAX_PUSH = 128,        /* bytes of push constants, at most; every device has them */
+    RG_MAX_ATTRIBUTES = 16,   /* attributes of a vertex, at most; every device has them */
+    RG_MAX_STRIDE = 2048,     /* bytes of a vertex, at most; every device has them */
+    RG_MAX_ROWS = 1 << 24,    /* entries of any other table, at most */
 };
 
 #define RG_NONE UINT32_MAX /* an index that refers to nothing */
@@ -149,7 +152,8 @@ struct rg_sampler {
 
 /* The content of the one texel that a use samples where nothing provides its image. */
 struct rg_fallback {
-    float color[4]; /* linear, as of VkClearColorValue. Depth takes the first; integers truncate */
+    float color[4]; /* linear, as of VkClearColorValue. Depth takes the first; integers truncate.
+                       Finite, and in the range of the format's numbers */
 };
 
 /* One resource that a pass reads or writes besides its targets. */
@@ -167,14 +171,14 @@ struct rg_use {
                                            provides it. NULL: such a use is a fault */
     VkPipelineStageFlags2 stages; /* shader stages that access it; 0: fragment or compute, and for
                                      RG_UNIFORM the vertex stage too */
-    struct rg_range range;        /* of an image; {0} means all of it */
+    struct rg_range range;        /* of an image; {0} means all of it. Of a buffer {0} */
 };
 
 /* An attachment of a raster pass. */
 struct rg_target {
     const struct rg_image *image; /* NULL: no target */
     enum rg_load load;            /* content at the start of the pass */
-    VkClearValue clear;           /* value for RG_LOAD_CLEAR */
+    VkClearValue clear;           /* value for RG_LOAD_CLEAR; a depth is from 0 to 1 */
     uint32_t mip, layer;          /* where to draw; of a repeated row the first one. An image with a
                                       single layer (mip) serves every repetition */
     enum rg_blend blend;          /* of a colour target */
@@ -193,9 +197,10 @@ struct rg_shader {
 
 /* The layout of the vertex buffer at binding 0. */
 struct rg_vertex_layout {
-    uint32_t stride;                                     /* bytes from vertex to vertex */
-    uint32_t attribute_count;                            /* elements of: */
-    const VkVertexInputAttributeDescription *attributes; /* borrowed */
+    uint32_t stride;          /* bytes from vertex to vertex, at most RG_MAX_STRIDE */
+    uint32_t attribute_count; /* elements of: */
+    const VkVertexInputAttributeDescription *attributes; /* borrowed; each of another location below
+                                                            RG_MAX_ATTRIBUTES, of binding 0 */
 };
 
 struct rg_cmd;   /* the pass being recorded; rg_cmd.h has the functions to draw with */
@@ -229,13 +234,13 @@ struct rg_pass {
     const struct rg_shader *vert, *frag; /* of a raster pass; without frag it only writes depth */
     const struct rg_shader *comp;        /* of a compute pass */
     const struct rg_vertex_layout *vertices; /* NULL: the vertex shader needs no vertex buffer */
-    VkPrimitiveTopology topology;            /* 0 (points) means TRIANGLE_LIST */
-    VkCullModeFlags cull;                    /* faces that are not drawn; 0 means none */
-    VkFrontFace front;                       /* winding of front faces; 0 means counter-clockwise */
-    uint32_t push_size;   /* bytes of push constants, for all stages: a multiple of 4 */
-    rg_record_fn *record; /* required */
-    rg_when_fn *when;     /* the condition; NULL: the pass runs in every frame */
-    bool depth_read_only; /* the depth target is tested and not written */
+    VkPrimitiveTopology topology; /* 0 (points) means TRIANGLE_LIST; up to TRIANGLE_FAN */
+    VkCullModeFlags cull;         /* faces that are not drawn; 0 means none */
+    VkFrontFace front;            /* winding of front faces; 0 means counter-clockwise */
+    uint32_t push_size;           /* bytes of push constants, for all stages: a multiple of 4 */
+    rg_record_fn *record;         /* required */
+    rg_when_fn *when;             /* the condition; NULL: the pass runs in every frame */
+    bool depth_read_only;         /* the depth target is tested and not written */
 };
 
 /* Passes that belong together, in the order in which they run. */
@@ -274,7 +279,7 @@ struct rg_import {
     const struct rg_image *image;   /* exactly one of this */
     const struct rg_buffer *buffer; /* and this is given */
     enum rg_access access;          /* the state in which it arrives */
-    VkExtent2D extent;              /* texels of the image that comes; 0: as declared */
+    VkExtent2D extent;              /* texels of the image that comes; 0x0: as declared */
     uint32_t layers, mips;          /* of the image that comes; 0: as declared */
     VkDeviceSize size;              /* bytes of the buffer that comes; 0: as declared */
 };
@@ -289,7 +294,7 @@ struct rg_output {
 /* The memory that a resource needs, as of VkMemoryRequirements. */
 struct rg_memory_requirements {
     VkDeviceSize size, alignment; /* bytes; the alignment is a power of two, 0 means 1 */
-    uint32_t type_bits;           /* bit i: memory type i may be used */
+    uint32_t type_bits;           /* bit i: memory type i may be used; not 0 */
 };
 
 /*
@@ -307,7 +312,8 @@ struct rg_device {
     VkFormatFeatureFlags (*format_features)(const void *user, VkFormat format);
     /* Returns which numbers of samples such an image may have. */
     VkSampleCountFlags (*sample_counts)(const void *user, const VkImageCreateInfo *info);
-    uint32_t max_image_size, max_layers; /* texels on a side, and layers; 0 means no limit */
+    uint32_t max_image_size, max_layers; /* texels on a side, and layers; 0 means no limit. The
+                                            compiler's own are 65536 and 16384 */
 };
 
 /*
@@ -327,7 +333,8 @@ struct rg_compile_params {
     const struct rg_technique *const *techniques; /* in the order in which they run */
     size_t technique_count;
     VkExtent2D view;       /* texels; required */
-    VkExtent2D max_region; /* texels: the largest one for rg_exec_set_region(); 0 means the view */
+    VkExtent2D max_region; /* texels: the largest one for rg_exec_set_region(), no larger than the
+                              view; 0x0 means the view */
     const struct rg_output *outputs; /* what the frame is for; passes that none needs are culled */
     size_t output_count;             /* 0 is a fault */
     const struct rg_import *imports;
@@ -367,8 +374,10 @@ enum rg_error {
     RG_ERROR_REPEAT,             /* a repeated row without an image to count */
     RG_ERROR_LISTED_TWICE,       /* an import or output listed twice */
     RG_ERROR_SAMPLES,            /* numbers of samples, or a resolve, that Vulkan does not have */
-    RG_ERROR_PERSISTENT,         /* a persistent resource in host memory */
-    RG_ERROR_VALUE,              /* a number where an enum has no such constant */
+    RG_ERROR_PERSISTENT,         /* a persistent or imported resource in host memory */
+    RG_ERROR_VALUE,  /* a number that a field cannot have, as 9 where an enum ends at 2 */
+    RG_ERROR_TABLE,  /* a table that is NULL, or longer than any may be */
+    RG_ERROR_DEVICE, /* a device whose answer cannot be true */
     RG_ERROR_COUNT,
 };
 
@@ -496,7 +505,8 @@ struct rg_plan {
 
 /*
  * Compiles the techniques of `params`, in their order. Returns a plan, which the caller destroys;
- * check its fault_count first. Returns NULL only when memory is short. Thread-safe.
+ * check its fault_count first. Returns NULL only when memory is short. Whatever numbers the tables
+ * hold, and whichever of their pointers are NULL, there is a plan or a fault. Thread-safe.
  */
 RG_API struct rg_plan *rg_compile(const struct rg_compile_params *params);
 
@@ -534,7 +544,7 @@ struct rg_access_info {
     bool writes_content;
 };
 
-/* Returns the words of an access, which is below RG_ACCESS_COUNT. Static data. */
+/* Returns the words of an access; those of RG_ACCESS_NONE of any other number. Static data. */
 RG_API const struct rg_access_info *rg_access_info(enum rg_access access);
 
 /* What the graph knows of a format. */
@@ -543,6 +553,7 @@ struct rg_format_info {
     const char *name;           /* without VK_FORMAT_ */
     uint32_t size;              /* bytes per texel */
     VkImageAspectFlags aspects; /* colour, or depth and stencil */
+    bool is_uint, is_sint;      /* whole numbers, which cannot be filtered, blended or averaged */
 };
 
 /* Returns what is known of a format; NULL if it is unknown to the graph. Static data. */

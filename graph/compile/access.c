@@ -70,7 +70,7 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
 
 const struct rg_access_info *rg_access_info(enum rg_access access)
 {
-    return &rg_access_table[access];
+    return &rg_access_table[(unsigned)access < RG_ACCESS_COUNT ? access : RG_ACCESS_NONE];
 }
 
 /* The lowest of three bits (vertex, fragment, compute) of what shaders do, or the bit of what one

@@ -1,60 +1,63 @@
 /* check.c: what is wrong with params, images and buffers. */
 #include "graph/compile/compiler.h"
 
-/* An import or an output. */
-struct boundary {
-    const struct rg_image *image;
-    const struct rg_buffer *buffer;
-    enum rg_access access;
-};
-
-/* Whether it can be in the state that its access says. */
-static bool fits(const struct boundary *b)
+/* Whether an import or output can be in the state that its access says. */
+static bool fits(const struct rg_image *image, enum rg_access access)
 {
-    const struct rg_access_info *info = &rg_access_table[b->access];
-    if (b->buffer)
-        return info->buffer_usage || b->access == RG_HOST_READ;
-    const struct rg_format_info *format = rg_format_info(b->image->format);
+    const struct rg_access_info *info = &rg_access_table[access];
+    if (!image)
+        return info->buffer_usage || access == RG_HOST_READ;
+    const struct rg_format_info *format = rg_format_info(image->format);
     bool depth = format && !(format->aspects & VK_IMAGE_ASPECT_COLOR_BIT);
-    if (b->access == RG_DEPTH || b->access == RG_DEPTH_READ)
+    if (access == RG_DEPTH || access == RG_DEPTH_READ)
         return depth;
-    return info->layout != VK_IMAGE_LAYOUT_UNDEFINED && b->access != RG_RESOLVE &&
-           (b->access != RG_COLOR || !depth);
+    return info->layout != VK_IMAGE_LAYOUT_UNDEFINED && access != RG_RESOLVE &&
+           (access != RG_COLOR || !depth);
 }
 
-/* Says with `incomplete` that it does not name one resource and an access, with `misfit` that the
- * access does not fit. */
-static void check_boundary(struct compiler *c, const struct boundary *b, bool may_be_none,
-                           const char *incomplete, const char *misfit)
+bool rg_check_boundary(struct compiler *c, const struct rg_image *image,
+                       const struct rg_buffer *buffer, enum rg_access access, bool arrives)
 {
-    if (!b->image == !b->buffer || (unsigned)b->access >= RG_ACCESS_COUNT ||
-        (!b->access && !may_be_none))
-        rg_fault_of(c, RG_ERROR_NOT_ONE_RESOURCE, NULL, incomplete);
-    else if (b->access && ((may_be_none && b->access == RG_HOST_READ) || !fits(b)))
-        rg_fault_of(c, RG_ERROR_ACCESS, b->image ? b->image->name : b->buffer->name, misfit);
+    bool one = !image != !buffer;
+    if (!one || (unsigned)access >= RG_ACCESS_COUNT || (!access && !arrives))
+        rg_fault_of(c, RG_ERROR_NOT_ONE_RESOURCE, NULL,
+                    "an import or output names one image or one buffer, and an access");
+    else if (access && ((arrives && access == RG_HOST_READ) || !fits(image, access)))
+        rg_fault_of(c, RG_ERROR_ACCESS, image ? image->name : buffer->name,
+                    "an import cannot arrive, or an output be left, in this state");
+    return one;
 }
 
-void rg_check_params(struct compiler *c)
+bool rg_check_params(struct compiler *c)
 {
     const struct rg_compile_params *params = c->params;
-    rg_fault_if(c, !params->view.width || !params->view.height, RG_ERROR_NO_SIZE, NULL,
-                "give the view a size");
+    const VkExtent2D view = params->view;
+    const VkExtent2D region = params->max_region;
+    size_t row_count = 8; /* some more */
+    RG_CHECK_TABLE(c, params, techniques, technique_count, RG_MAX_ROWS, NULL);
+    RG_CHECK_TABLE(c, params, outputs, output_count, RG_MAX_ROWS, NULL);
+    RG_CHECK_TABLE(c, params, imports, import_count, RG_MAX_ROWS, NULL);
+    for (size_t i = 0; i < params->technique_count && !c->fault_count; i++) {
+        c->technique = params->techniques[i];
+        rg_fault_if(c, !c->technique, RG_ERROR_TABLE, NULL,
+                    "techniques: expected addresses, got NULL");
+        if (!c->technique)
+            break;
+        RG_CHECK_TABLE(c, c->technique, passes, pass_count, RG_MAX_ROWS, NULL);
+        row_count += c->technique->pass_count;
+    }
+    bool readable = !c->fault_count;
+    c->technique = NULL;
+    c->row_count = row_count < UINT32_MAX / 64 ? (uint32_t)row_count : UINT32_MAX / 64;
+    rg_fault_if(c, !view.width || !view.height, RG_ERROR_NO_SIZE, NULL, "give the view a size");
+    rg_fault_if(c, !region.width != !region.height, RG_ERROR_NO_SIZE, NULL,
+                "max_region: expected two sides, or 0x0 for the view's");
+    rg_fault_if(c, region.width > view.width || region.height > view.height, RG_ERROR_TOO_LARGE,
+                NULL, "max_region: expected no more than the view");
     rg_fault_if(c, !params->output_count, RG_ERROR_NO_OUTPUT, NULL,
                 "without an output every pass is culled");
-    rg_fault_if(c, (unsigned)params->sharing > RG_SHARE_NOTHING, RG_ERROR_VALUE, NULL,
-                "sharing is one of enum rg_sharing");
-    for (size_t i = 0; i < params->import_count; i++) {
-        const struct rg_import *import = &params->imports[i];
-        check_boundary(c, &(struct boundary){ import->image, import->buffer, import->access }, true,
-                       "an import names one image or one buffer, and an access",
-                       "an import cannot arrive in this state");
-    }
-    for (size_t i = 0; i < params->output_count; i++) {
-        const struct rg_output *output = &params->outputs[i];
-        check_boundary(c, &(struct boundary){ output->image, output->buffer, output->access },
-                       false, "an output names one image or one buffer, and an access",
-                       "an output cannot be left in this state");
-    }
+    RG_CHECK_ENUM(c, params, sharing, RG_SHARE_NOTHING, NULL, "enum rg_sharing");
+    return readable;
 }
 
 void rg_check_output_memory(struct compiler *c, const struct resource *r)
@@ -111,7 +114,7 @@ static const char *buffer_trouble(const struct resource *r, enum rg_error *error
     if (r->size == RG_SIZE_OVERFLOW)
         return "make it smaller: no memory holds it";
     *error = RG_ERROR_PERSISTENT;
-    if (r->persistent && r->buffer->memory != RG_MEMORY_DEVICE)
+    if ((r->persistent || r->import != RG_NONE) && r->buffer->memory != RG_MEMORY_DEVICE)
         return "only RG_MEMORY_DEVICE keeps its content; the CPU has its own";
     return NULL;
 }

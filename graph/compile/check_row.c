@@ -1,10 +1,27 @@
 /* check_row.c: what is wrong with a row by itself, whatever the other rows do. */
-#include <stdlib.h>
+#include <float.h>
 #include "graph/compile/compiler.h"
 
 static const char *use_name(const struct rg_use *use)
 {
     return use->image ? use->image->name : use->buffer ? use->buffer->name : NULL;
+}
+
+/* Whether the format has the colour of a fallback. */
+static bool fits_format(const struct rg_use *use)
+{
+    const struct rg_format_info *format = rg_format_info(use->image->format);
+    bool is_depth = !(format->aspects & VK_IMAGE_ASPECT_COLOR_BIT);
+    float most = is_depth          ? 1.0f
+                 : format->is_uint ? 4294967040.0f
+                 : format->is_sint ? 2147483520.0f
+                                   : FLT_MAX;
+    float least = is_depth || format->is_uint ? 0.0f : -most;
+    for (uint32_t i = 0; i < (is_depth ? 1 : 4); i++) {
+        if (!(use->fallback->color[i] >= least && use->fallback->color[i] <= most)) /* NaN */
+            return false;
+    }
+    return true;
 }
 
 static void check_use(struct compiler *c, const struct rg_pass *pass, const struct rg_use *use)
@@ -22,31 +39,29 @@ static void check_use(struct compiler *c, const struct rg_pass *pass, const stru
                 "a pass can only sample it, or draw to it; resolve it first");
     rg_fault_if(c, several && use->access == RG_SAMPLED && use->sampler, RG_ERROR_SAMPLES, name,
                 "texelFetch reads its samples: name no sampler");
-}
-
-static int compare_bindings(const void *a, const void *b)
-{
-    const struct rg_use *x = *(const struct rg_use *const *)a;
-    const struct rg_use *y = *(const struct rg_use *const *)b;
-    if (x->binding != y->binding)
-        return x->binding < y->binding ? -1 : 1;
-    return x < y ? -1 : x > y;
+    rg_fault_if(c, use->sampler && !(use->sampler->anisotropy >= 0.0f), RG_ERROR_VALUE, name,
+                "sampler: expected an anisotropy of 0 or more");
+    rg_fault_if(c, use->fallback && use->image && !trouble && !fits_format(use), RG_ERROR_VALUE,
+                name, "fallback: expected finite numbers that the format can hold");
+    const struct rg_range *r = &use->range;
+    rg_fault_if(c, use->buffer && (r->aspect | r->mip | r->mip_count | r->layer | r->layer_count),
+                RG_ERROR_RANGE, name, "range: expected {0}, since a pass uses all of a buffer");
 }
 
 /* Of rows whose bindings do not rise. */
-static void check_bindings(struct compiler *c, const struct rg_pass *pass, uint32_t use_count)
+static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32_t use_count)
 {
-    uint32_t count = 0;
-    const struct rg_use **sorted = ARENA_ARRAY(c->arena, const struct rg_use *, use_count);
-    for (uint32_t i = 0; i < use_count && sorted; i++) {
-        if (rg_is_good_use(&pass->uses[i]) && rg_is_shader_access(pass->uses[i].access))
-            sorted[count++] = &pass->uses[i];
+    if (!c->bindings)
+        c->bindings = ARENA_ZEROED(c->arena, uint32_t, (UINT16_MAX + 1) / 32);
+    for (uint32_t i = 0; i < use_count && c->bindings; i++) {
+        bool bound = rg_is_good_use(&uses[i]) && rg_is_shader_access(uses[i].access);
+        uint32_t bit = bound ? 1u << uses[i].binding % 32 : 0;
+        rg_fault_if(c, c->bindings[uses[i].binding / 32] & bit, RG_ERROR_DUPLICATE_BINDING,
+                    use_name(&uses[i]), "give each use of the row a binding of its own");
+        c->bindings[uses[i].binding / 32] |= bit;
     }
-    if (count)
-        qsort(sorted, count, sizeof(*sorted), compare_bindings); /* NOLINT: pointers are sorted */
-    for (uint32_t i = 1; i < count; i++)
-        rg_fault_if(c, sorted[i]->binding == sorted[i - 1]->binding, RG_ERROR_DUPLICATE_BINDING,
-                    use_name(sorted[i]), "give each use of the row a binding of its own");
+    for (uint32_t i = 0; i < use_count && c->bindings; i++)
+        c->bindings[uses[i].binding / 32] = 0;
 }
 
 static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
@@ -67,14 +82,14 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
         next_binding = use->binding + 1u;
     }
     if (!rising)
-        check_bindings(c, pass, use_count);
+        check_bindings(c, pass->uses, use_count);
     rg_fault_if(c, !writes, RG_ERROR_WRITES_NOTHING, NULL,
                 "a pass without a result is never needed");
 }
 
 static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
-    bool any = color_count || pass->depth.image;
+    bool any = pass->depth.image || color_count || rg_color_room(pass) < pass->color_count;
     rg_fault_if(c, pass->kind != RG_RASTER && any, RG_ERROR_ACCESS, NULL,
                 "only a raster pass has targets");
     rg_fault_if(c, pass->kind == RG_RASTER && !any, RG_ERROR_NO_TARGET, NULL,
@@ -88,31 +103,69 @@ static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32
     }
 }
 
-static const char *value_trouble(const struct rg_pass *pass, uint32_t color_count)
+static void check_target_fields(struct compiler *c, const struct rg_target *target)
 {
-    if ((unsigned)pass->kind > RG_TRANSFER)
-        return "a kind is one of enum rg_kind";
-    if ((unsigned)pass->repeat > RG_PER_MIP)
-        return "a repeat is one of enum rg_repeat";
-    if (pass->color_count > (pass->color ? RG_COLOR_COUNT : 0))
-        return "color_count is that of .color (RG_TARGETS), at most 8";
-    for (uint32_t i = 0; pass->color && i < color_count; i++) {
-        if ((unsigned)pass->color[i].load > RG_LOAD_DISCARD ||
-            (unsigned)pass->color[i].blend > RG_BLEND_ADD)
-            return "a target's load and blend are of enum rg_load and rg_blend";
+    RG_CHECK_ENUM(c, target, load, RG_LOAD_DISCARD, target->image->name, "enum rg_load");
+    RG_CHECK_ENUM(c, target, blend, RG_BLEND_ADD, target->image->name, "enum rg_blend");
+}
+
+static void check_vertices(struct compiler *c, const struct rg_vertex_layout *v)
+{
+    bool fits = v->stride <= RG_MAX_STRIDE;
+    uint32_t locations = 0; /* bits */
+    RG_CHECK_TABLE(c, v, attributes, attribute_count, RG_MAX_ATTRIBUTES, NULL);
+    if (rg_is_no_table(v->attributes, v->attribute_count, RG_MAX_ATTRIBUTES))
+        return;
+    for (uint32_t i = 0; i < v->attribute_count; i++) {
+        const VkVertexInputAttributeDescription *a = &v->attributes[i];
+        fits = fits && !a->binding && a->offset < RG_MAX_STRIDE &&
+               a->location < RG_MAX_ATTRIBUTES && !(locations >> a->location & 1) &&
+               a->format - 1u < VK_FORMAT_E5B9G9R9_UFLOAT_PACK32; /* the last without blocks */
+        locations |= 1u << (a->location & 31);
     }
-    if (pass->depth.image && (unsigned)pass->depth.load > RG_LOAD_DISCARD)
-        return "a target's load is one of enum rg_load";
-    return NULL;
+    rg_fault_if(c, !fits, RG_ERROR_VALUE, NULL,
+                "vertices: expected a stride up to 2048, and attributes of binding 0 with a colour "
+                "format, an offset below 2048 and a location below 16 of their own");
+}
+
+static void check_shader(struct compiler *c, const struct rg_shader *shader)
+{
+    if (shader)
+        RG_CHECK_TABLE(c, shader, words, word_count, RG_MAX_ROWS, shader->name);
+}
+
+static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
+{
+    const struct rg_target *depth = &pass->depth;
+    RG_CHECK_ENUM(c, pass, kind, RG_TRANSFER, NULL, "enum rg_kind");
+    RG_CHECK_ENUM(c, pass, repeat, RG_PER_MIP, NULL, "enum rg_repeat");
+    RG_CHECK_ENUM(c, pass, depth_compare, VK_COMPARE_OP_ALWAYS, NULL, "VkCompareOp");
+    RG_CHECK_ENUM(c, pass, topology, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN, NULL,
+                  "VkPrimitiveTopology, up to TRIANGLE_FAN");
+    RG_CHECK_ENUM(c, pass, cull, VK_CULL_MODE_FRONT_AND_BACK, NULL, "VkCullModeFlagBits");
+    RG_CHECK_ENUM(c, pass, front, VK_FRONT_FACE_CLOCKWISE, NULL, "VkFrontFace");
+    RG_CHECK_TABLE(c, pass, color, color_count, RG_COLOR_COUNT, NULL);
+    for (uint32_t i = 0; i < color_count; i++)
+        check_target_fields(c, &pass->color[i]);
+    if (depth->image) {
+        float clear = depth->clear.depthStencil.depth;
+        check_target_fields(c, depth);
+        rg_fault_if(c, depth->load == RG_LOAD_CLEAR && !(clear >= 0.0f && clear <= 1.0f),
+                    RG_ERROR_VALUE, depth->image->name, "clear: expected a depth from 0 to 1");
+    }
+    check_shader(c, pass->vert);
+    check_shader(c, pass->frag);
+    check_shader(c, pass->comp);
+    if (pass->vertices)
+        check_vertices(c, pass->vertices);
 }
 
 void rg_check_row(struct compiler *c, const struct rg_pass *pass)
 {
     uint32_t color_count = rg_color_count(pass);
-    const char *trouble = value_trouble(pass, color_count);
     bool draws = pass->vert && (pass->frag || !color_count);
+    check_fields(c, pass, color_count);
     rg_fault_if(c, !pass->record, RG_ERROR_NO_RECORD, NULL, "name its record function");
-    rg_fault_if(c, trouble, RG_ERROR_VALUE, NULL, trouble);
     rg_fault_if(c, pass->kind == RG_RASTER && !draws, RG_ERROR_NO_SHADER, NULL,
                 "a raster pass needs .vert, and .frag unless it has depth alone");
     rg_fault_if(c, pass->kind == RG_COMPUTE && !pass->comp, RG_ERROR_NO_SHADER, NULL,

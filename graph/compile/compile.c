@@ -10,10 +10,6 @@ struct owned_plan {
 /* Makes room for about as much as the tables hold, so that little is copied as it grows. */
 static void expect(struct compiler *c)
 {
-    size_t row_count = 0;
-    for (size_t t = 0; t < c->params->technique_count; t++)
-        row_count += c->params->techniques[t]->pass_count;
-    c->row_count = (row_count < UINT32_MAX / 64 ? (uint32_t)row_count : UINT32_MAX / 64) + 8;
     c->resource_names.of_texts = c->pass_names.of_texts = true;
     rg_map_expect(c->arena, &c->by_address, c->row_count * 2);
     rg_map_expect(c->arena, &c->resource_names, c->row_count * 2);
@@ -29,10 +25,11 @@ static bool failed(const struct compiler *c)
 static void run(struct compiler *c)
 {
     bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
+    if (!rg_check_params(c))
+        return;
     expect(c);
     if (c->arena->failed)
         return;
-    rg_check_params(c);
     rg_add_boundary(c);
     rg_expand(c);
     if (failed(c))
@@ -55,9 +52,17 @@ static void run(struct compiler *c)
         rg_find_owners(c);
 }
 
+static uint32_t limit(uint32_t of_device, uint32_t most)
+{
+    return of_device && of_device < most ? of_device : most;
+}
+
 struct rg_plan *rg_compile(const struct rg_compile_params *params)
 {
+    static const struct rg_compile_params none = { 0 };
     struct arena arena;
+    bool given = params != NULL;
+    params = given ? params : &none;
     rg_arena_init(&arena, params->memory, params->memory_size);
     struct owned_plan *owned = ARENA_ZEROED(&arena, struct owned_plan, 1);
     if (!owned)
@@ -68,12 +73,14 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
         .plan = &owned->plan,
         .arena = &arena,
         .row = RG_NONE,
-        .max_image_size = device && device->max_image_size ? device->max_image_size : 1u << 16,
-        .max_layers = device && device->max_layers ? device->max_layers : 1u << 11,
+        .max_image_size = limit(device ? device->max_image_size : 0, 1u << 16),
+        .max_layers = limit(device ? device->max_layers : 0, 1u << 14),
     };
     owned->plan.view = params->view;
     owned->plan.max_region = params->max_region.width ? params->max_region : params->view;
-    run(&c);
+    rg_fault_if(&c, !given, RG_ERROR_TABLE, NULL, "rg_compile(): expected params, got NULL");
+    if (given)
+        run(&c);
     owned->arena = arena;
     if (arena.failed) {
         rg_plan_destroy(&owned->plan);

@@ -116,7 +116,7 @@ struct compiler {
     const struct rg_compile_params *params;
     struct rg_plan *plan;
     struct arena *arena;
-    uint32_t max_image_size, max_layers; /* the device's, or Vulkan's where it has no limit */
+    uint32_t max_image_size, max_layers; /* the device's, or the compiler's own */
     uint32_t row_count;          /* of all techniques, about: how large arrays are at first */
     struct resource **resources; /* imports and outputs come first */
     uint32_t resource_count, resource_room;
@@ -132,6 +132,7 @@ struct compiler {
     uint32_t row;
     uint32_t row_first_fault;
     uint32_t target_samples; /* of its pass at work; 0: no target yet */
+    uint32_t *bindings;      /* bits, all 0 unless the bindings of the row are being checked */
 
     struct pass *passes;
     struct rg_plan_pass *plan_passes; /* as many; in the end the plan's alone */
@@ -142,6 +143,7 @@ struct compiler {
     struct pack_item *items;       /* in the order of first use; those of one block adjoin */
     struct previous_owner *owners; /* by resource.item; NULL: not known yet */
     uint32_t item_count;
+    VkDeviceSize memory_needed; /* bytes of all resources so far, and of their alignments */
 
     /* The plan's arrays, while they are written. */
     struct rg_plan_image *images;
@@ -174,6 +176,22 @@ static inline void rg_fault_if(struct compiler *c, bool wrong, enum rg_error err
     if (wrong)
         rg_fault(c, error, resource, hint);
 }
+
+/* Does so if a field is above the last constant of its enum. */
+#define RG_CHECK_ENUM(c, of, field, last, resource, type) \
+    rg_fault_if((c), (unsigned)(of)->field > (unsigned)(last), RG_ERROR_VALUE, (resource), \
+                #field ": expected a constant of " type)
+
+/* Whether a table is NULL in spite of its count, or its count cannot be true. */
+static inline bool rg_is_no_table(const void *table, size_t count, size_t most)
+{
+    return count && (!table || count > most);
+}
+
+/* Adds a fault if a field is such a table. */
+#define RG_CHECK_TABLE(c, of, table, count, most, resource) \
+    rg_fault_if((c), rg_is_no_table((of)->table, (of)->count, (most)), RG_ERROR_TABLE, (resource), \
+                #table ": expected " #count " entries, at most " #most)
 
 /* ---- access.c ---- */
 
@@ -285,7 +303,13 @@ static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
 
 /* ---- check.c, check_row.c ---- */
 
-void rg_check_params(struct compiler *c);
+/* Counts the rows. Returns whether all tables can be read. */
+bool rg_check_params(struct compiler *c);
+
+/* Checks an import, which `arrives`, or an output. Returns whether it names one resource. */
+bool rg_check_boundary(struct compiler *c, const struct rg_image *image,
+                       const struct rg_buffer *buffer, enum rg_access access, bool arrives);
+
 void rg_check_resource(struct compiler *c, struct resource *r);
 void rg_check_output_memory(struct compiler *c, const struct resource *r);
 
@@ -312,9 +336,7 @@ static inline bool rg_is_good_use(const struct rg_use *use)
 /* Returns how many entries of .color may be read, whatever the row says. */
 static inline uint32_t rg_color_room(const struct rg_pass *pass)
 {
-    if (!pass->color)
-        return 0;
-    return pass->color_count < RG_COLOR_COUNT ? pass->color_count : RG_COLOR_COUNT;
+    return rg_is_no_table(pass->color, pass->color_count, RG_COLOR_COUNT) ? 0 : pass->color_count;
 }
 
 /* Returns the number of colour targets: they end at the first entry without an image. */

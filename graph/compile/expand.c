@@ -21,10 +21,12 @@ static bool is_filled(const struct compiler *c, const struct cell *cell)
                 pass_at_work(c)->pass->when);
 }
 
-/* Whether the pass accesses the cell already, in a way that the access contradicts. */
-static bool is_conflict(const struct compiler *c, const struct cell *cell, const struct access *a)
+/* Whether the pass, whose accesses begin at `first`, accesses the cell already, in a way that the
+ * access contradicts. */
+static bool is_conflict(const struct compiler *c, uint32_t first, const struct cell *cell,
+                        const struct access *a)
 {
-    if (cell->last_access <= c->passes[c->pass_count].first_access)
+    if (cell->last_access <= first)
         return false;
     const struct access *before = &c->accesses[cell->last_access - 1];
     return ((a->flags | before->flags) & ACCESS_WRITES) || a->layout != before->layout;
@@ -57,6 +59,7 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
     const char *name = a->resource->name;
     VkImageAspectFlags aspects = a->range.aspectMask;
     bool conditional = pass_at_work(c)->pass->when;
+    uint32_t first = c->passes[c->pass_count].first_access;
     bool conflict = false;
     bool unfilled = false;
     if (conditional)
@@ -69,7 +72,7 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
                 "a shader sees one aspect: name depth or stencil");
     for (struct cell_walk w = rg_cells(a->resource, &a->range); w.cell; rg_next_cell(&w)) {
         bool filled = is_filled(c, w.cell);
-        conflict = conflict || is_conflict(c, w.cell, a);
+        conflict = conflict || is_conflict(c, first, w.cell, a);
         unfilled = unfilled || ((a->flags & ACCESS_READS) && !filled);
         if (a->flags & ACCESS_WRITES && !conditional)
             w.cell->filled = CELL_FILLED;
@@ -240,7 +243,7 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     if (row->depth.image)
         add_target(c, &row->depth);
     for (const struct rg_use *use = row->uses; use && rg_is_use(use); use++) {
-        if (rg_is_good_use(use) && !rg_use_fallback(c, use))
+        if (rg_is_good_use(use) && !(use->fallback && rg_use_fallback(c, use)))
             add_use(c, use);
     }
     pass->access_count = c->access_count - pass->first_access;

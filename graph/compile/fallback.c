@@ -36,7 +36,7 @@ static void find_provided(struct compiler *c)
 
 bool rg_use_fallback(struct compiler *c, const struct rg_use *use)
 {
-    if (!use->fallback || use->access != RG_SAMPLED || !use->image)
+    if (use->access != RG_SAMPLED || !use->image)
         return false;
     if (!c->provided.slots)
         find_provided(c);

@@ -27,8 +27,10 @@ static const char *const messages[RG_ERROR_COUNT] = {
     [RG_ERROR_REPEAT] = "has nothing to be repeated for",
     [RG_ERROR_LISTED_TWICE] = "is listed twice",
     [RG_ERROR_SAMPLES] = "cannot have or resolve samples so",
-    [RG_ERROR_PERSISTENT] = "cannot be persistent",
+    [RG_ERROR_PERSISTENT] = "cannot be persistent or imported",
     [RG_ERROR_VALUE] = "has a value that does not exist",
+    [RG_ERROR_TABLE] = "has a table that is NULL or too long",
+    [RG_ERROR_DEVICE] = "got an impossible answer from the device",
 };
 
 static const char *or_else(const char *text, const char *instead)

@@ -144,10 +144,11 @@ static struct rg_memory_requirements buffer_memory(const struct compiler *c,
     return device->buffer_memory(device->user, &info);
 }
 
-/* Of an item, or of a resource that shares its memory with nothing. Returns the size. */
-static VkDeviceSize need_memory(struct compiler *c, struct resource *r,
-                                const struct rg_memory_requirements *needs)
+/* Of an item, or of a resource that shares its memory with nothing. */
+static void need_memory(struct compiler *c, struct resource *r,
+                        const struct rg_memory_requirements *needs)
 {
+    c->memory_needed += needs->size + needs->alignment;
     if (r->item == RG_NONE)
         c->plan->memory_persistent += needs->size;
     else
@@ -159,7 +160,12 @@ static VkDeviceSize need_memory(struct compiler *c, struct resource *r,
             .type_bits = needs->type_bits,
             .resource = r,
         };
-    return needs->size;
+    if (!needs->size || !needs->type_bits || needs->alignment & (needs->alignment - 1))
+        rg_fault_of(c, RG_ERROR_DEVICE, r->name,
+                    "memory: expected a size, a memory type and an alignment by a power of two");
+    else if ((needs->size | needs->alignment | c->memory_needed) >> 62) /* no sum overflows then */
+        rg_fault_of(c, RG_ERROR_TOO_LARGE, r->name,
+                    "make it smaller: no memory holds it and all before it");
 }
 
 static void list_image(struct compiler *c, struct resource *r)
@@ -185,7 +191,8 @@ static void list_image(struct compiler *c, struct resource *r)
         return;
     check_samples(c, image);
     const struct rg_memory_requirements needs = image_memory(c, image);
-    image->size = need_memory(c, r, &needs);
+    image->size = needs.size;
+    need_memory(c, r, &needs);
 }
 
 static void list_buffer(struct compiler *c, struct resource *r)
@@ -205,7 +212,8 @@ static void list_buffer(struct compiler *c, struct resource *r)
     if (buffer->imported || r->buffer->memory != RG_MEMORY_DEVICE)
         return;
     const struct rg_memory_requirements needs = buffer_memory(c, buffer);
-    buffer->memory_size = need_memory(c, r, &needs);
+    buffer->memory_size = needs.size;
+    need_memory(c, r, &needs);
 }
 
 void rg_list_resources(struct compiler *c)

@@ -138,6 +138,9 @@ static void add_import(struct compiler *c, const struct rg_import *import)
 {
     const void *address =
         import->image ? (const void *)import->image : (const void *)import->buffer;
+    rg_fault_if(c, !import->extent.width != !import->extent.height, RG_ERROR_NO_SIZE,
+                import->image ? import->image->name : import->buffer->name,
+                "extent: expected two sides of the import, or 0x0 as declared");
     void **value = rg_map_value(c->arena, &c->by_address, address);
     if (value && *value)
         rg_fault_of(c, RG_ERROR_LISTED_TWICE, ((struct resource *)*value)->name,
@@ -163,11 +166,13 @@ void rg_add_boundary(struct compiler *c)
 {
     const struct rg_compile_params *params = c->params;
     for (size_t i = 0; i < params->import_count; i++) {
-        if (!params->imports[i].image != !params->imports[i].buffer)
-            add_import(c, &params->imports[i]);
+        const struct rg_import *import = &params->imports[i];
+        if (rg_check_boundary(c, import->image, import->buffer, import->access, true))
+            add_import(c, import);
     }
     for (size_t i = 0; i < params->output_count && !c->arena->failed; i++) {
-        if (!params->outputs[i].image != !params->outputs[i].buffer)
+        const struct rg_output *output = &params->outputs[i];
+        if (rg_check_boundary(c, output->image, output->buffer, output->access, false))
             add_output(c, (uint32_t)i);
     }
     c->boundary_count = c->resource_count;

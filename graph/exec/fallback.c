@@ -4,7 +4,6 @@
  * It has the format, and the kind of view, of the image that nothing provides. It is cleared before
  * the first frame and only sampled from then on.
  */
-#include <string.h>
 #include "graph/exec/exec.h"
 
 static bool is_cube(const struct rg_use *use)
@@ -71,12 +70,12 @@ VkResult rg_exec_make_fallbacks(struct rg_exec *exec)
 static VkClearColorValue color_of(const struct rg_use *use)
 {
     const float *color = use->fallback->color;
-    const char *format = rg_format_info(use->image->format)->name;
+    const struct rg_format_info *format = rg_format_info(use->image->format);
     VkClearColorValue value;
     for (uint32_t i = 0; i < 4; i++) {
-        if (strstr(format, "_UINT"))
+        if (format->is_uint)
             value.uint32[i] = (uint32_t)color[i];
-        else if (strstr(format, "_SINT"))
+        else if (format->is_sint)
             value.int32[i] = (int32_t)color[i];
         else
             value.float32[i] = color[i];

@@ -1,6 +1,5 @@
 /* record.c: records barriers, targets and labels of passes; the functions of rg_cmd.h. */
 #include <assert.h>
-#include <string.h>
 #include "graph/exec/exec.h"
 #include "graph/rg_cmd.h"
 
@@ -63,12 +62,11 @@ void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32
 
 /* ---- targets ---- */
 
-/* Integer formats cannot be averaged; their names tell them. */
 static VkResolveModeFlagBits resolve_mode(const struct rg_plan_image *image)
 {
-    const char *name = rg_format_info(image->image->format)->name;
-    bool integer = strstr(name, "_UINT") || strstr(name, "_SINT");
-    return integer ? VK_RESOLVE_MODE_SAMPLE_ZERO_BIT : VK_RESOLVE_MODE_AVERAGE_BIT;
+    const struct rg_format_info *format = rg_format_info(image->image->format);
+    return format->is_uint || format->is_sint ? VK_RESOLVE_MODE_SAMPLE_ZERO_BIT
+                                              : VK_RESOLVE_MODE_AVERAGE_BIT;
 }
 
 /* A warm-up draws nothing into its targets, so it neither loads nor stores them. */

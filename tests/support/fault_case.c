@@ -41,7 +41,7 @@ struct rg_plan *fault_case_compile(const struct fault_case *fc)
     bool second_output = fc->outputs[1].image;
     bool import = fc->imports[0].image || fc->imports[0].buffer || fc->imports[0].access;
     bool second_import = fc->imports[1].image;
-    return rg_compile(&(struct rg_compile_params){
+    struct rg_compile_params params = {
         .techniques = techniques,
         .technique_count = 2,
         .view = { FAULT_CASE_VIEW, fc->no_view ? 0 : FAULT_CASE_VIEW },
@@ -54,7 +54,10 @@ struct rg_plan *fault_case_compile(const struct fault_case *fc)
                         : import      ? 1
                                       : 0,
         .device = fc->device,
-    });
+    };
+    if (fc->edit)
+        fc->edit(&params);
+    return rg_compile(&params);
 }
 
 bool fault_case_same_text(const char *a, const char *b)
@@ -82,6 +85,10 @@ static bool is_expected(const struct fault_case *fc, const struct rg_fault *faul
     const char *technique = fc->row ? "bad" : NULL;
     const char *pass = fc->row ? fc->rows[fc->row_count - 1].name : NULL;
     uint32_t row = fc->row ? fc->row_count - 1 : RG_NONE;
+    char text[512];
+    rg_fault_text(fault, text, sizeof(text));
+    if (fc->text)
+        return fault->error == fc->error && !strcmp(text, fc->text);
     return fault->error == fc->error && fault_case_same_text(fault->technique, technique) &&
            fault_case_same_text(fault->pass, pass) &&
            fault_case_same_text(fault->resource, fc->resource) && fault->row == row;
@@ -94,7 +101,9 @@ static void check_case(const struct fault_case *fc)
     bool good = plan->fault_count == 1 && is_expected(fc, &plan->faults[0]);
     if (!good) {
         print_error("error %d of %s expected, found:\n", (int)fc->error,
-                    fc->resource ? fc->resource : "nothing");
+                    fc->text       ? fc->text
+                    : fc->resource ? fc->resource
+                                   : "nothing");
         rg_dump(plan, stderr);
     }
     assert_true(good);

@@ -36,6 +36,8 @@ struct fault_case {
     struct rg_import imports[2];
     const struct rg_device *device;
     bool no_output, no_view, nameless_technique;
+    void (*edit)(struct rg_compile_params *params); /* breaks them; NULL: as they are */
+    const char *text; /* the line expected, instead of the names; NULL: they are compared */
 };
 
 /* A fault in the only row, of a resource (NULL: none). */
