@@ -3,7 +3,8 @@
  * they say, rg_compile() finds faults or makes a plan that stands before the checker.
  *
  * The first byte chooses the graph; after it, six bytes change one field. Pointers stay NULL or
- * valid: of other rows, so that things are shared, used twice or missing.
+ * valid: of other rows, so that things are shared, used twice or missing. A count exceeds its table
+ * only where it is too large for any, or where the table is NULL.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -30,30 +31,81 @@ enum kind {
     U16,
     U32, /* an enum, too */
     U64,
+    SIZE,
     FLOAT,
     STAGES,
     IMAGE,
     BUFFER,
     NAME,
-    SHADER,
+    CHOICE, /* one of field.choices */
     RECORD,
     WHEN,
-    VERTICES,
-    SAMPLER,
-    FALLBACK,
     USES_OF,
     TARGETS_OF,
+    MISSING, /* NULL */
+};
+
+enum {
+    CHOICES = 8
 };
 
 struct field {
     enum kind kind;
     size_t offset;
+    const void *const *choices; /* CHOICES of them */
 };
 
 #define FIELD(of, kind, name) \
     { \
-        kind, offsetof(struct of, name) \
+        kind, offsetof(struct of, name), NULL \
     }
+#define CHOSEN(of, name, choices) \
+    { \
+        CHOICE, offsetof(struct of, name), choices \
+    }
+
+/* ---- what pointers of rows may point to ---- */
+
+static const uint32_t words[] = { 0x07230203 };
+static const struct rg_shader shader = { .name = "fuzzed" };
+static const struct rg_shader short_shader = { "short", words, 1 };
+static const struct rg_shader wordless = { "wordless", NULL, 7 };
+static const struct rg_shader endless = { "endless", words, SIZE_MAX };
+static const void *const shaders[CHOICES] = { NULL,    &shader,       &shader,   &shader,
+                                              &shader, &short_shader, &wordless, &endless };
+
+static const VkVertexInputAttributeDescription attributes[] = {
+    { 0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0 },
+    { 1, 0, VK_FORMAT_R32G32_SFLOAT, 12 },
+    { UINT32_MAX, 7, (VkFormat)INT32_MAX, UINT32_MAX },
+};
+static const struct rg_vertex_layout bare = { .stride = 12 };
+static const struct rg_vertex_layout pair = { 20, 2, attributes };
+static const struct rg_vertex_layout wild = { 20, 3, attributes };
+static const struct rg_vertex_layout far_apart = { UINT32_MAX, 2, attributes };
+static const struct rg_vertex_layout missing = { 20, 2, NULL };
+static const struct rg_vertex_layout too_many = { 20, UINT32_MAX, attributes };
+static const void *const layouts[CHOICES] = { NULL,  &bare,      &pair,    &pair,
+                                              &wild, &far_apart, &missing, &too_many };
+
+static const struct rg_sampler nearest = { 0 };
+static const struct rg_sampler linear = { .linear = true, .mips = true };
+static const struct rg_sampler sharp = { .linear = true, .anisotropy = 16 };
+static const struct rg_sampler sharpest = { .anisotropy = INFINITY };
+static const struct rg_sampler blunt = { .anisotropy = -1 };
+static const struct rg_sampler no_number = { .anisotropy = NAN };
+static const void *const samplers[CHOICES] = { NULL,   &nearest,  &linear, &linear,
+                                               &sharp, &sharpest, &blunt,  &no_number };
+
+static const struct rg_fallback white = { { 1, 1, 1, 1 } };
+static const struct rg_fallback bright = { { 0, 1e30F, 0, 1 } };
+static const struct rg_fallback negative = { { 0, 0, -1, 1 } };
+static const struct rg_fallback infinite = { { -INFINITY } };
+static const struct rg_fallback no_color = { { 0, 0, 0, NAN } };
+static const void *const fallbacks[CHOICES] = { NULL,    &white,    &white,    &white,
+                                                &bright, &negative, &infinite, &no_color };
+
+/* ---- fields ---- */
 
 static const struct field image_fields[] = {
     FIELD(rg_image, NAME, name),   FIELD(rg_image, U32, format),      FIELD(rg_image, U32, width),
@@ -79,8 +131,8 @@ static const struct field use_fields[] = {
     FIELD(rg_use, U32, range.layer),
     FIELD(rg_use, U32, range.layer_count),
     FIELD(rg_use, BOOL, range.each),
-    FIELD(rg_use, SAMPLER, sampler),
-    FIELD(rg_use, FALLBACK, fallback),
+    CHOSEN(rg_use, sampler, samplers),
+    CHOSEN(rg_use, fallback, fallbacks),
     FIELD(rg_use, STAGES, stages),
     FIELD(rg_use, BOOL, partial),
 };
@@ -90,14 +142,15 @@ static const struct field target_fields[] = {
     FIELD(rg_target, U32, mip),         FIELD(rg_target, U32, layer),
     FIELD(rg_target, U32, blend),       FIELD(rg_target, IMAGE, resolve),
     FIELD(rg_target, U32, resolve_mip), FIELD(rg_target, U32, resolve_layer),
+    FIELD(rg_target, FLOAT, clear),
 };
 
 static const struct field pass_fields[] = {
     FIELD(rg_pass, NAME, name),         FIELD(rg_pass, U32, kind),
     FIELD(rg_pass, U32, repeat),        FIELD(rg_pass, BOOL, depth_read_only),
     FIELD(rg_pass, U32, depth_compare), FIELD(rg_pass, USES_OF, uses),
-    FIELD(rg_pass, SHADER, vert),       FIELD(rg_pass, SHADER, frag),
-    FIELD(rg_pass, SHADER, comp),       FIELD(rg_pass, VERTICES, vertices),
+    CHOSEN(rg_pass, vert, shaders),     CHOSEN(rg_pass, frag, shaders),
+    CHOSEN(rg_pass, comp, shaders),     CHOSEN(rg_pass, vertices, layouts),
     FIELD(rg_pass, U32, topology),      FIELD(rg_pass, U32, cull),
     FIELD(rg_pass, U32, front),         FIELD(rg_pass, U32, push_size),
     FIELD(rg_pass, RECORD, record),     FIELD(rg_pass, WHEN, when),
@@ -121,6 +174,37 @@ static const struct field params_fields[] = {
     FIELD(rg_compile_params, U32, view.width),
     FIELD(rg_compile_params, U32, view.height),
     FIELD(rg_compile_params, U32, sharing),
+    FIELD(rg_compile_params, U32, max_region.width),
+    FIELD(rg_compile_params, U32, max_region.height),
+    FIELD(rg_compile_params, MISSING, techniques),
+    FIELD(rg_compile_params, MISSING, outputs),
+    FIELD(rg_compile_params, MISSING, imports),
+};
+
+static const struct field technique_fields[] = {
+    FIELD(rg_technique, NAME, name),
+    FIELD(rg_technique, MISSING, passes),
+    FIELD(rg_technique, SIZE, pass_count),
+};
+
+static const struct field device_fields[] = {
+    FIELD(rg_device, MISSING, image_memory),
+    FIELD(rg_device, MISSING, buffer_memory),
+    FIELD(rg_device, MISSING, format_features),
+    FIELD(rg_device, MISSING, sample_counts),
+};
+
+/* What a device answers instead of the truth. */
+struct answer {
+    struct rg_memory_requirements needs;
+    VkFlags flags; /* features of formats, and numbers of samples */
+};
+
+static const struct field answer_fields[] = {
+    FIELD(answer, U64, needs.size),
+    FIELD(answer, U64, needs.alignment),
+    FIELD(answer, U32, needs.type_bits),
+    FIELD(answer, U32, flags),
 };
 
 static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -135,10 +219,29 @@ static bool when(const struct rg_frame *frame, uint32_t repetition)
     return frame != NULL;
 }
 
-static const struct rg_shader shader = { .name = "fuzzed" };
-static const struct rg_vertex_layout vertices = { .stride = 12 };
-static const struct rg_sampler sampler = { .linear = true };
-static const struct rg_fallback fallback = { { 1, 1, 1, 1 } };
+static struct rg_memory_requirements image_answer(const void *user, const VkImageCreateInfo *info)
+{
+    (void)info;
+    return ((const struct answer *)user)->needs;
+}
+
+static struct rg_memory_requirements buffer_answer(const void *user, const VkBufferCreateInfo *info)
+{
+    (void)info;
+    return ((const struct answer *)user)->needs;
+}
+
+static VkFormatFeatureFlags format_answer(const void *user, VkFormat format)
+{
+    (void)format;
+    return ((const struct answer *)user)->flags;
+}
+
+static VkSampleCountFlags sample_answer(const void *user, const VkImageCreateInfo *info)
+{
+    (void)info;
+    return ((const struct answer *)user)->flags;
+}
 
 /* A number: mostly small, sometimes a power of two or beside one. */
 static uint64_t number(const uint8_t *value)
@@ -214,6 +317,9 @@ static void change(struct random_tables *t, void *row, const struct field *field
     case U64:
         SET(uint64_t, number(value));
         break;
+    case SIZE: /* the tables of passes are one behind the other */
+        SET(size_t, number(value) > RG_MAX_ROWS ? number(value) : number(value) % 4);
+        break;
     case FLOAT:
         SET(float, fraction(value));
         break;
@@ -229,23 +335,17 @@ static void change(struct random_tables *t, void *row, const struct field *field
     case NAME:
         SET(const char *, name(t, value));
         break;
-    case SHADER:
-        SET(const struct rg_shader *, none ? NULL : &shader);
+    case CHOICE:
+        SET(const void *, field->choices[value[1] % CHOICES]);
+        break;
+    case MISSING:
+        SET(const void *, NULL);
         break;
     case RECORD:
         SET(rg_record_fn *, none ? NULL : record);
         break;
     case WHEN:
         SET(rg_when_fn *, none ? NULL : when);
-        break;
-    case VERTICES:
-        SET(const struct rg_vertex_layout *, none ? NULL : &vertices);
-        break;
-    case SAMPLER:
-        SET(const struct rg_sampler *, none ? NULL : &sampler);
-        break;
-    case FALLBACK:
-        SET(const struct rg_fallback *, none ? NULL : &fallback);
         break;
     case USES_OF:
         SET(const struct rg_use *, none ? NULL : t->uses[value[1] % t->pass_count]);
@@ -277,28 +377,58 @@ static void change_pass(struct random_tables *t, const uint8_t *edit)
     }
 }
 
+/* At most `room`, or more than any table has. */
+static size_t count(const uint8_t *edit, size_t room)
+{
+    return edit[3] < 250 ? edit[2] % (room + 1) : (size_t)RG_MAX_ROWS + edit[3] - 249;
+}
+
 /* An import or output more, or less, or another one. */
 static void change_counts(struct random_tables *t, struct rg_compile_params *params,
                           const uint8_t *edit)
 {
-    switch (edit[1] & 3) {
+    switch (edit[1] & 7) {
     case 0:
-        params->import_count = edit[2] % (RESOURCES + 1);
+        params->import_count = count(edit, RESOURCES);
         break;
     case 1:
-        params->output_count = edit[2] % (RESOURCES + 1);
+        params->output_count = count(edit, RESOURCES);
         break;
     case 2:
         t->techniques[edit[2] % TECHNIQUES] = t->techniques[edit[3] % TECHNIQUES];
         break;
+    case 3:
+        t->technique_list[edit[2] % TECHNIQUES] = NULL;
+        break;
+    case 4:
+        CHANGE(&t->techniques[edit[2] % TECHNIQUES], technique_fields);
+        break;
     default:
-        params->technique_count = edit[2] % (TECHNIQUES + 1);
+        params->technique_count = count(edit, TECHNIQUES);
         break;
     }
 }
 
+/* Another answer to all questions of a kind, or to none. */
+static void change_device(struct random_tables *t, struct answer *answer, const uint8_t *edit)
+{
+    struct rg_device *device = &t->device;
+    device->user = answer;
+    CHANGE(answer, answer_fields);
+    if (edit[1] & 1)
+        device->image_memory = image_answer;
+    if (edit[1] & 2)
+        device->buffer_memory = buffer_answer;
+    if (edit[1] & 4)
+        device->format_features = format_answer;
+    if (edit[1] & 8)
+        device->sample_counts = sample_answer;
+    if (edit[1] & 16)
+        CHANGE(device, device_fields);
+}
+
 static void change_tables(struct random_tables *t, struct rg_compile_params *params,
-                          const uint8_t *edit)
+                          struct answer *answer, const uint8_t *edit)
 {
     uint32_t index = edit[1];
     switch (edit[0] & 15) {
@@ -319,6 +449,9 @@ static void change_tables(struct random_tables *t, struct rg_compile_params *par
         break;
     case 5:
         change_counts(t, params, edit);
+        break;
+    case 6:
+        change_device(t, answer, edit);
         break;
     default:
         change_pass(t, edit);
@@ -356,6 +489,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         abort();
     struct random_tables *t = graph.tables;
     struct rg_compile_params *params = &graph.params;
+    struct answer answer = { { 1024, 64, 1 }, UINT32_MAX };
     /* without limits, sizes may be what no memory holds */
     t->device.max_image_size = MAX_SIZE;
     t->device.max_layers = MAX_LAYERS;
@@ -365,8 +499,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         t->techniques[i].passes = t->techniques[i].passes ? t->techniques[i].passes : t->passes;
     }
     for (size_t at = 1, i = 0; i < MOST_EDITS && at + EDIT_SIZE <= size; i++, at += EDIT_SIZE)
-        change_tables(t, params, data + at);
-    struct rg_plan *plan = rg_compile(params);
+        change_tables(t, params, &answer, data + at);
+    struct rg_plan *plan = rg_compile(size ? params : NULL);
     if (!plan)
         abort();
     check(plan, params);

@@ -43,7 +43,7 @@ static struct rg_memory_requirements image_need(const struct hazard *h,
         .tiling = VK_IMAGE_TILING_OPTIMAL,
         .usage = planned->usage,
     };
-    if (device)
+    if (device && device->image_memory)
         return device->image_memory(device->user, &info);
     struct rg_memory_requirements need = { .alignment = 256, .type_bits = 1 };
     for (uint32_t mip = 0; mip < resource->mips; mip++) {
@@ -64,7 +64,7 @@ static struct rg_memory_requirements buffer_need(const struct hazard *h,
         .size = planned->size,
         .usage = planned->usage,
     };
-    if (device)
+    if (device && device->buffer_memory)
         return device->buffer_memory(device->user, &info);
     return (
         struct rg_memory_requirements){ .size = planned->size, .alignment = 256, .type_bits = 1 };
@@ -79,6 +79,7 @@ static void check_place(struct hazard *h, const struct hazard_resource *resource
     struct rg_memory_requirements need = { 0 };
     if (!resource->import)
         need = resource->image ? image_need(h, resource) : buffer_need(h, resource);
+    VkDeviceSize alignment = need.alignment ? need.alignment : 1;
     if (place.size < need.size && (resource->persistent || belongs_in_block(resource)))
         hazard_find(h, "'%s' has too little memory", name);
     if (!belongs_in_block(resource)) {
@@ -95,7 +96,7 @@ static void check_place(struct hazard *h, const struct hazard_resource *resource
         hazard_find(h, "'%s' lies in a block of the other kind", name);
     if (place.size > block->size || place.offset > block->size - place.size)
         hazard_find(h, "'%s' ends beyond its block", name);
-    if (place.offset % need.alignment != 0 || block->alignment % need.alignment != 0)
+    if (place.offset % alignment != 0 || block->alignment % alignment != 0)
         hazard_find(h, "'%s' is misaligned", name);
     if (!block->type_bits || (block->type_bits & ~need.type_bits))
         hazard_find(h, "'%s' cannot lie in its block's memory types", name);
