@@ -83,8 +83,32 @@ static VkResult make_all(struct rg_exec *exec)
     return result;
 }
 
+/* Returns what no executor can be made of; NULL: nothing. */
+static const char *params_trouble(const struct rg_exec_params *p)
+{
+    const VkSpecializationInfo *k = p->constants;
+    if (!p->plan || p->plan->fault_count || !p->get_proc_addr)
+        return "params without a plan free of faults, or without get_proc_addr";
+    if (p->import_count && !p->imports)
+        return "params with an import_count and no imports";
+    for (size_t i = 0; i < p->import_count; i++) {
+        if (p->imports[i].image_count && !p->imports[i].images)
+            return "params with an import that has an image_count and no images";
+    }
+    if (k && ((k->mapEntryCount && !k->pMapEntries) || (k->dataSize && !k->pData)))
+        return "params with constants whose entries or data are NULL";
+    for (uint32_t i = 0; k && i < k->mapEntryCount; i++) {
+        const VkSpecializationMapEntry *entry = &k->pMapEntries[i];
+        if (entry->size > k->dataSize || entry->offset > k->dataSize - entry->size)
+            return "params with a constant that ends beyond its data";
+    }
+    return NULL;
+}
+
 struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result)
 {
+    static const struct rg_exec_params none = { 0 };
+    params = params ? params : &none;
     struct rg_exec start = {
         .params = *params,
         .plan = params->plan,
@@ -94,10 +118,14 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
     start.slot = start.slot_count - 1;
     if (params->warm_up_only)
         start.params.import_count = 0;
-    const char *missing = rg_functions_find(&start.vk, params->get_proc_addr, params->instance);
-    VkResult outcome = missing ? rg_exec_check(&start, VK_ERROR_INCOMPATIBLE_DRIVER,
-                                               "vkGetInstanceProcAddr", missing)
-                               : VK_SUCCESS;
+    const char *wrong = params_trouble(&start.params);
+    const char *missing =
+        wrong ? NULL : rg_functions_find(&start.vk, params->get_proc_addr, params->instance);
+    VkResult outcome = wrong     ? VK_ERROR_INITIALIZATION_FAILED
+                       : missing ? VK_ERROR_INCOMPATIBLE_DRIVER
+                                 : VK_SUCCESS;
+    rg_exec_check(&start, outcome, wrong ? "rg_exec_create" : "vkGetInstanceProcAddr",
+                  wrong ? wrong : missing);
     struct rg_exec *exec = outcome == VK_SUCCESS ? calloc(1, sizeof(*exec)) : NULL;
     if (exec) {
         *exec = start;

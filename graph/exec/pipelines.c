@@ -42,7 +42,9 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
         .pName = "main",
         .pSpecializationInfo = params->constants,
     };
-    VkResult result = exec->vk.CreateShaderModule(exec->device, &module, NULL, &info->module);
+    VkResult result = code->words
+                          ? exec->vk.CreateShaderModule(exec->device, &module, NULL, &info->module)
+                          : VK_ERROR_INITIALIZATION_FAILED;
     if (result != VK_SUCCESS)
         info->module = VK_NULL_HANDLE; /* Vulkan leaves it undefined */
     return rg_exec_check(exec, result, "vkCreateShaderModule", shader->name);

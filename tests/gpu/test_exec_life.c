@@ -395,6 +395,29 @@ static void missing_import_is_refused(void **state)
     }
 }
 
+static void shader_without_words_is_refused(void **state)
+{
+    static const struct rg_shader empty = { .name = "empty" };
+    const struct rg_pass unwritten[] = {
+        {
+            .name = "draw",
+            .color = RG_TARGETS({ &drawn, RG_LOAD_DISCARD }),
+            .uses = RG_USES(FEATURE_SEED),
+            .vert = &empty,
+            .frag = &empty,
+            .record = record_rectangle,
+        },
+        RUN_READ("read", drawn, drawn_out),
+    };
+    struct run run;
+    run_compile(&run, *state,
+                &(struct run_params){ .technique = RG_TECHNIQUE("draw", unwritten),
+                                      .outputs = { &drawn_out } });
+    assert_int_equal(run_create(&run, run.plan), VK_ERROR_INITIALIZATION_FAILED);
+    assert_string_equal(run.line, "VkResult -3 from vkCreateShaderModule of empty");
+    run_close(&run);
+}
+
 static void strangers_have_nothing(void **state)
 {
     struct run run;
@@ -508,11 +531,12 @@ static void other_memory_is_flushed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(frames_allocate_nothing),      ON_DEVICE(every_allocation_may_fail),
-        ON_DEVICE(every_vulkan_call_may_fail),   ON_DEVICE(plan_without_device_is_refused),
-        ON_DEVICE(missing_function_is_refused),  ON_DEVICE(debug_utils_may_be_missing),
-        ON_DEVICE(missing_import_is_refused),    ON_DEVICE(strangers_have_nothing),
-        ON_DEVICE(targets_are_not_kept_in_vain), ON_DEVICE(other_memory_is_flushed),
+        ON_DEVICE(frames_allocate_nothing),     ON_DEVICE(every_allocation_may_fail),
+        ON_DEVICE(every_vulkan_call_may_fail),  ON_DEVICE(plan_without_device_is_refused),
+        ON_DEVICE(missing_function_is_refused), ON_DEVICE(debug_utils_may_be_missing),
+        ON_DEVICE(missing_import_is_refused),   ON_DEVICE(shader_without_words_is_refused),
+        ON_DEVICE(strangers_have_nothing),      ON_DEVICE(targets_are_not_kept_in_vain),
+        ON_DEVICE(other_memory_is_flushed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,11 @@
 /* Fields that hold what they cannot: NULL tables, wild counts, numbers of no constant, sizes that
  * no memory has. Each gets one line that names the field. */
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "graph/rg.h"
+#include "graph/rg_exec.h"
 #include "tests/support/check.h"
 #include "tests/support/fault_case.h"
 
@@ -312,12 +315,74 @@ static void test_limits(void **state)
     rg_plan_destroy(plan);
 }
 
+/* ---- executors ---- */
+
+static PFN_vkVoidFunction find_nothing(VkInstance instance, const char *name)
+{
+    (void)instance;
+    (void)name;
+    return NULL;
+}
+
+static void note(void *user, const char *what, VkResult result)
+{
+    snprintf(user, 128, "%s: %d", what, (int)result);
+}
+
+/* Nothing of Vulkan is called; what is missing is told. */
+static void test_executors(void **state)
+{
+    (void)state;
+    static const struct rg_plan faulty = { .fault_count = 1 };
+    static const struct rg_plan good = { 0 };
+    static const VkSpecializationMapEntry entry = { 0, 4, 4 };
+    const VkSpecializationInfo constants[] = {
+        { 1, NULL, 4, "1234" },
+        { 1, &entry, 4, NULL },
+        { 1, &entry, 7, "1234567" },
+    };
+
+    const struct {
+        struct rg_exec_params params;
+        const char *text;
+    } cases[] = {
+        { { .get_proc_addr = find_nothing }, "params without a plan free of faults" },
+        { { .plan = &faulty, .get_proc_addr = find_nothing }, "params without a plan free" },
+        { { .plan = &good }, "or without get_proc_addr" },
+        { { .plan = &good, .get_proc_addr = find_nothing, .import_count = 1 }, "no imports" },
+        { { .plan = &good,
+            .get_proc_addr = find_nothing,
+            .imports = &(const struct rg_exec_import){ .image_count = 2 },
+            .import_count = 1 },
+          "no images" },
+        { { .plan = &good, .get_proc_addr = find_nothing, .constants = &constants[0] },
+          "entries or data are NULL" },
+        { { .plan = &good, .get_proc_addr = find_nothing, .constants = &constants[1] },
+          "entries or data are NULL" },
+        { { .plan = &good, .get_proc_addr = find_nothing, .constants = &constants[2] },
+          "ends beyond its data" },
+    };
+
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+        char text[128] = "";
+        struct rg_exec_params params = cases[i].params;
+        VkResult result;
+        params.log = note;
+        params.user = text;
+        assert_null(rg_exec_create(&params, &result));
+        assert_int_equal(result, VK_ERROR_INITIALIZATION_FAILED);
+        assert_non_null(strstr(text, cases[i].text));
+    }
+    assert_null(rg_exec_create(NULL, NULL));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_case),
         cmocka_unit_test(test_no_params),
         cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_executors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
