@@ -110,6 +110,7 @@ def chunks():
     # the header says 4 GiB, 1 GiB
     yield 'bomb.png', png_of(png_head(65536, 65536, 1, 0), (b'IDAT', zeros), end), REFUSED
     yield 'bomb-cut.png', png_of(png_head(16384, 16384), (b'IDAT', zeros[:1000]), end), REFUSED
+    yield 'vast.png', png(60000, 60000, b'\0'), REFUSED
     yield 'bomb-more.png', png_of(head, (b'IDAT', zeros), end), EITHER
     yield 'bomb-text.png', png_of(head, (b'zTXt', b'a\0\0' + zeros), texels, end), EITHER
     yield 'bomb-profile.png', png_of(head, (b'iCCP', b'a\0\0' + zeros), texels, end), EITHER
