@@ -2,11 +2,12 @@
  * Bytes become what a reader of files sends back: as they are, or put into a sound stream here and
  * there. Whatever they are, a model that is taken is one that every pass may draw.
  */
-#include <math.h>
 #include <string.h>
 
+#include "src/reader/picture_reader.h"
 #include "src/scene/import/mesh_pipe.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/fuzz_scene.h"
 
 enum {
     STREAM_SIZE = 4096,
@@ -39,32 +40,15 @@ static bool write_stream(void *user, const void *bytes, size_t size)
     return true;
 }
 
-static void check_mesh(const struct mesh *mesh, const struct texture_layers *textures)
-{
-    FUZZ_CHECK(mesh->index_count % 3 == 0);
-    for (uint32_t i = 0; i < mesh->index_count; i++)
-        FUZZ_CHECK(mesh->indices[i] < mesh->vertex_count);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        const struct mesh_vertex *vertex = &mesh->vertices[i];
-        for (int k = 0; k < 3; k++)
-            FUZZ_CHECK(isfinite(vertex->position.raw[k]) && isfinite(vertex->normal.raw[k]) &&
-                       isfinite(vertex->color.raw[k]));
-        FUZZ_CHECK((vertex->material & MESH_TEXTURE_MASK) <= textures->count);
-    }
-}
-
 static void read_model(struct stream *stream)
 {
     const struct pipe_source source = { read_stream, stream, SIZE_MAX_OF_ALL };
     struct model model;
     if (mesh_pipe_read_model(&source, &model) != PIPE_OK) {
-        FUZZ_CHECK(!model.object.vertices && !model.object.indices && !model.textures.texels &&
-                   !model.surroundings.vertices && !model.surroundings.indices);
+        fuzz_check_no_model(&model);
         return;
     }
-    FUZZ_CHECK(model.object.index_count + model.surroundings.index_count > 0);
-    check_mesh(&model.object, &model.textures);
-    check_mesh(&model.surroundings, &model.textures);
+    fuzz_check_model(&model);
     model_finish(&model);
 }
 
@@ -73,13 +57,35 @@ static void read_environment(struct stream *stream)
     const struct pipe_source source = { read_stream, stream, SIZE_MAX_OF_ALL };
     struct environment environment;
     if (mesh_pipe_read_environment(&source, &environment) != PIPE_OK) {
-        FUZZ_CHECK(!environment.texels && environment.width == 0 && environment.height == 0);
+        fuzz_check_no_environment(&environment);
         return;
     }
-    FUZZ_CHECK(environment.width > 0 && environment.height > 0);
-    for (size_t i = 0; i < (size_t)environment.width * environment.height * 4; i++)
-        FUZZ_CHECK(environment.texels[i] <= 0x7bff);
+    fuzz_check_environment(&environment);
     environment_finish(&environment);
+}
+
+static void read_head(struct stream *stream)
+{
+    const struct pipe_source source = { read_stream, stream, SIZE_MAX_OF_ALL };
+    struct picture_head head;
+    const bool is_whole = picture_pipe_read_head(&source, &head) == PIPE_OK;
+    FUZZ_CHECK(is_whole == (head.image.planes != NULL));
+    for (uint32_t p = 0; p < head.image.plane_count; p++)
+        FUZZ_CHECK(memchr(head.image.planes[p].name, 0, IMAGE_NAME_SIZE));
+    FUZZ_CHECK(!head.has_place || head.place.x + head.image.width <= head.place.width);
+    picture_head_finish(&head);
+}
+
+/* A head of a picture with two planes, a place and a text. */
+static void make_head(struct stream *stream)
+{
+    struct picture_head head = { .has_place = true, .place = { 1, 2, 8, 8 } };
+    image_init(&head.image, 4, 4);
+    FUZZ_CHECK(picture_head_add_plane(&head, "R", true) &&
+               picture_head_add_plane(&head, "Z", false) &&
+               picture_head_add_text(&head, "firn/tile", "1 of 2x2", 8));
+    FUZZ_CHECK(picture_pipe_write_head(&(struct pipe_sink){ write_stream, stream }, &head));
+    picture_head_finish(&head);
 }
 
 /* A sound one: two triangles, a camera, two textures; or a panorama of 2 x 1. */
@@ -118,15 +124,20 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct stream stream = { .size = 0 };
     if (size == 0)
         return 0;
-    const bool is_model = data[0] & 1;
+    const bool is_model = data[0] & 1, is_head = data[0] & 4;
     if (data[0] & 2) {
         stream.size = size - 1 < STREAM_SIZE ? size - 1 : STREAM_SIZE;
         memcpy(stream.bytes, data + 1, stream.size);
     } else {
-        make(&stream, is_model);
+        if (is_head)
+            make_head(&stream);
+        else
+            make(&stream, is_model);
         edit(&stream, data + 1, size - 1);
     }
-    if (is_model)
+    if (is_head)
+        read_head(&stream);
+    else if (is_model)
         read_model(&stream);
     else
         read_environment(&stream);

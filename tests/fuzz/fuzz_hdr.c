@@ -1,0 +1,17 @@
+/* Bytes become a Radiance HDR file, which is read as a picture and as a panorama. */
+#include "src/image/hdr.h"
+#include "tests/fuzz/fuzz_file.h"
+#include "tests/fuzz/fuzz_image.h"
+#include "tests/fuzz/fuzz_scene.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    char path[FUZZ_PATH_SIZE];
+    struct image image = { 0 };
+    fuzz_file_write(path, "a.hdr", data, size);
+    const enum status status = hdr_read(path, &image);
+    fuzz_check_image(&image, status);
+    image_finish(&image);
+    FUZZ_CHECK(fuzz_load_environment(path) != STATUS_OK || status == STATUS_OK);
+    return 0;
+}

@@ -1,0 +1,56 @@
+/*
+ * Bytes become the file of a profile. What is accepted can be printed and compared, and what is
+ * written of it is read and written again byte by byte.
+ */
+#include <string.h>
+#include "src/profile/compare.h"
+#include "src/profile/json.h"
+#include "src/profile/table.h"
+#include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/fuzz_file.h"
+
+static char *write_text(const struct profile *profile)
+{
+    char *text;
+    size_t size;
+    FUZZ_CHECK(profile_write_json(profile, &text, &size) == STATUS_OK);
+    FUZZ_CHECK(size == strlen(text));
+    return text;
+}
+
+static void print(const struct profile *profile)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    bool is_slower = true;
+    FUZZ_CHECK(out != NULL);
+    FUZZ_CHECK(profile_table(profile, false, out) == STATUS_OK);
+    FUZZ_CHECK(profile_compare(profile, profile, true, out, &is_slower) == STATUS_OK);
+    FUZZ_CHECK(!is_slower); /* than itself */
+    FUZZ_CHECK(fclose(out) == 0);
+    free(text);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    char path[FUZZ_PATH_SIZE];
+    struct profile profile;
+    fuzz_file_write(path, "a.json", data, size);
+    const enum status status = profile_read_json(path, &profile);
+    FUZZ_CHECK(status == STATUS_OK || status == STATUS_DATA);
+    FUZZ_CHECK(status == STATUS_OK || (!profile.rows && !profile.settings && !profile.command));
+    if (status != STATUS_OK)
+        return 0;
+    char *first = write_text(&profile);
+    print(&profile);
+    profile_finish(&profile);
+    fuzz_file_write(path, "a.json", (const uint8_t *)first, strlen(first));
+    FUZZ_CHECK(profile_read_json(path, &profile) == STATUS_OK);
+    char *second = write_text(&profile);
+    FUZZ_CHECK(!strcmp(first, second));
+    profile_finish(&profile);
+    free(first);
+    free(second);
+    return 0;
+}

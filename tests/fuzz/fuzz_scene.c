@@ -1,0 +1,60 @@
+/* fuzz_scene.c: what a model or a panorama that was accepted must be, for every pass draws it. */
+#include "tests/fuzz/fuzz_scene.h"
+#include <math.h>
+#include "tests/fuzz/fuzz.h"
+
+enum {
+    HALF_MAX = 0x7bff /* bits of the largest finite half; negative ones have more */
+};
+
+static void check_mesh(const struct mesh *mesh, const struct texture_layers *textures)
+{
+    FUZZ_CHECK(mesh->index_count % 3 == 0);
+    for (uint32_t i = 0; i < mesh->index_count; i++)
+        FUZZ_CHECK(mesh->indices[i] < mesh->vertex_count);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const struct mesh_vertex *vertex = &mesh->vertices[i];
+        for (int k = 0; k < 3; k++)
+            FUZZ_CHECK(isfinite(vertex->position.raw[k]) && isfinite(vertex->normal.raw[k]) &&
+                       vertex->color.raw[k] >= 0 &&
+                       vertex->color.raw[k] <= (vertex->material & MESH_UNLIT ? 65504 : 1));
+        FUZZ_CHECK((vertex->material & MESH_TEXTURE_MASK) <= textures->count);
+    }
+}
+
+void fuzz_check_model(const struct model *model)
+{
+    FUZZ_CHECK(model->object.index_count + model->surroundings.index_count > 0);
+    check_mesh(&model->object, &model->textures);
+    check_mesh(&model->surroundings, &model->textures);
+}
+
+void fuzz_check_no_model(const struct model *model)
+{
+    FUZZ_CHECK(!model->object.vertices && !model->object.indices && !model->textures.texels &&
+               !model->surroundings.vertices && !model->surroundings.indices);
+}
+
+void fuzz_check_environment(const struct environment *environment)
+{
+    FUZZ_CHECK(environment->width > 0 && environment->height > 0);
+    for (size_t i = 0; i < (size_t)environment->width * environment->height * 4; i++)
+        FUZZ_CHECK(environment->texels[i] <= HALF_MAX);
+}
+
+void fuzz_check_no_environment(const struct environment *environment)
+{
+    FUZZ_CHECK(!environment->texels && environment->width == 0 && environment->height == 0);
+}
+
+enum status fuzz_load_environment(const char *path)
+{
+    struct environment environment;
+    const enum status status = environment_load(&environment, path);
+    if (status == STATUS_OK)
+        fuzz_check_environment(&environment);
+    else
+        fuzz_check_no_environment(&environment);
+    environment_finish(&environment);
+    return status;
+}
