@@ -166,6 +166,8 @@ void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
  */
 MUST_USE enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height);
 MUST_USE enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side); /* side of a face */
+/* The same of a scene's picture, whose `depth` is its number of layers (STATUS_DATA). */
+MUST_USE enum status gpu_fit_texels(const struct gpu *gpu, const char *name, VkExtent3D size);
 MUST_USE enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view,
                                     VkDeviceSize device_size, VkDeviceSize host_size);
 void gpu_image_destroy(struct gpu *gpu, struct gpu_image *image);

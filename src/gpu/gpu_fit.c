@@ -38,6 +38,21 @@ enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side)
     return STATUS_USAGE;
 }
 
+enum status gpu_fit_texels(const struct gpu *gpu, const char *name, VkExtent3D size)
+{
+    const VkPhysicalDeviceLimits *limits = &gpu->properties.limits;
+    const uint32_t side_max = limits->maxImageDimension2D;
+    if (size.width > side_max || size.height > side_max)
+        log_error("%s has %u x %u texels: %s supports at most %u x %u; use a smaller picture", name,
+                  size.width, size.height, gpu->properties.deviceName, side_max, side_max);
+    else if (size.depth > limits->maxImageArrayLayers)
+        log_error("%s has %u layers: %s supports at most %u; use fewer pictures", name, size.depth,
+                  gpu->properties.deviceName, limits->maxImageArrayLayers);
+    else
+        return STATUS_OK;
+    return STATUS_DATA;
+}
+
 /* The largest heap with memory of this kind; UINT32_MAX if there is none. */
 static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
                           VkMemoryPropertyFlags kind)

@@ -125,6 +125,8 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     take_params(r, params);
     r->face_size = frame_env_cube.width;
     enum status status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
+    if (status == STATUS_OK)
+        status = uploaded_scene_check(params->gpu, params->scene);
     const double start = clock_ms();
     if (status == STATUS_OK)
         status = frame_exec_compile(&r->picture, &r->params, renderer_picture_request(&r->params));
@@ -485,6 +487,8 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
     strip.height = params->width;
     take_params(&r, &strip);
     enum status status = gpu_fit_cube(params->gpu, params->width);
+    if (status == STATUS_OK)
+        status = uploaded_scene_check(params->gpu, params->scene);
     if (status == STATUS_OK)
         status = upload(&r);
     if (status == STATUS_OK)

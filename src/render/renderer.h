@@ -9,7 +9,8 @@
  * Thread-safety: one thread at a time per gpu.
  * Ownership: gpu, scene (and `uploaded`) and settings are borrowed and must outlive the renderer.
  * Errors:    logged once where found; STATUS_NO_DEVICE, STATUS_TRY_AGAIN or STATUS_FAILED, and
- *            STATUS_USAGE for a picture beyond the device's limits.
+ *            STATUS_USAGE for a picture beyond the device's limits, STATUS_DATA for a scene's
+ *            panorama or textures beyond them.
  */
 #ifndef FIRN_RENDER_RENDERER_H
 #define FIRN_RENDER_RENDERER_H

@@ -43,6 +43,19 @@ static size_t size_of(const struct technique_texels *texels, size_t texel_size)
     return (size_t)texels->width * texels->height * layers * texel_size;
 }
 
+enum status uploaded_scene_check(const struct gpu *gpu, const struct scene *scene)
+{
+    const struct technique_import *import;
+    enum status status = STATUS_OK;
+    for (size_t i = 0; status == STATUS_OK && (import = techniques_import(i)); i++) {
+        const struct technique_texels texels = import->find(scene);
+        if (texels.texels)
+            status = gpu_fit_texels(gpu, import->image->name,
+                                    (VkExtent3D){ texels.width, texels.height, texels.layers });
+    }
+    return status;
+}
+
 static enum status upload_image(struct uploaded_image *to, struct gpu *gpu,
                                 const struct technique_import *import, const struct scene *scene)
 {

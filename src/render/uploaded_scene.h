@@ -24,6 +24,10 @@ struct uploaded_scene {
     size_t image_count;
 };
 
+/* Checks before any allocation that the device supports the sizes of the scene's pictures. If not,
+ * logs and returns STATUS_DATA. */
+MUST_USE enum status uploaded_scene_check(const struct gpu *gpu, const struct scene *scene);
+
 /* Uploads a scene. Logs errors; on failure *on_gpu is {0}. */
 MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                          const struct scene *scene);

@@ -14,6 +14,7 @@ static struct gpu make_gpu(VkPhysicalDeviceType type)
             .deviceName = "made up",
             .limits = {
                 .maxImageDimension2D = 4096,
+                .maxImageArrayLayers = 16,
                 .maxImageDimensionCube = 512,
                 .maxFramebufferWidth = 2048,
                 .maxFramebufferHeight = 8192,
@@ -42,6 +43,17 @@ static void sizes(void **state)
     assert_int_equal(gpu_fit_size(&gpu, UINT32_MAX, 2), STATUS_USAGE);
     assert_int_equal(gpu_fit_cube(&gpu, 512), STATUS_OK);
     assert_int_equal(gpu_fit_cube(&gpu, 513), STATUS_USAGE);
+}
+
+static void texels(void **state)
+{
+    (void)state;
+    const struct gpu gpu = make_gpu(VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU);
+    const VkExtent3D wide = { 4097, 1, 0 }, high = { 1, 4097, 0 }, deep = { 1, 1, 17 };
+    assert_int_equal(gpu_fit_texels(&gpu, "a", (VkExtent3D){ 4096, 4096, 16 }), STATUS_OK);
+    assert_int_equal(gpu_fit_texels(&gpu, "a", wide), STATUS_DATA);
+    assert_int_equal(gpu_fit_texels(&gpu, "a", high), STATUS_DATA);
+    assert_int_equal(gpu_fit_texels(&gpu, "a", deep), STATUS_DATA);
 }
 
 static void heaps(void **state)
@@ -89,10 +101,8 @@ static void unknown_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sizes),
-        cmocka_unit_test(heaps),
-        cmocka_unit_test(processors),
-        cmocka_unit_test(unknown_errors),
+        cmocka_unit_test(sizes),      cmocka_unit_test(texels),         cmocka_unit_test(heaps),
+        cmocka_unit_test(processors), cmocka_unit_test(unknown_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
