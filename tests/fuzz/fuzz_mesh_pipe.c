@@ -8,41 +8,17 @@
 #include "src/scene/import/mesh_pipe.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/fuzz_scene.h"
+#include "tests/support/pipe_stream.h"
 
 enum {
-    STREAM_SIZE = 4096,
     SIZE_MAX_OF_ALL = 1 << 20,
     EDIT_SIZE = 6, /* where (2), what (4) */
     MOST_EDITS = 4,
 };
 
-struct stream {
-    uint8_t bytes[STREAM_SIZE];
-    size_t size, at;
-};
-
-static bool read_stream(void *user, void *bytes, size_t size)
+static void read_model(struct pipe_stream *stream)
 {
-    struct stream *stream = user;
-    if (size > stream->size - stream->at)
-        return false;
-    memcpy(bytes, stream->bytes + stream->at, size);
-    stream->at += size;
-    return true;
-}
-
-static bool write_stream(void *user, const void *bytes, size_t size)
-{
-    struct stream *stream = user;
-    FUZZ_CHECK(size <= STREAM_SIZE - stream->size);
-    memcpy(stream->bytes + stream->size, bytes, size);
-    stream->size += size;
-    return true;
-}
-
-static void read_model(struct stream *stream)
-{
-    const struct pipe_source source = { read_stream, stream, SIZE_MAX_OF_ALL };
+    const struct pipe_source source = { pipe_stream_read, stream, SIZE_MAX_OF_ALL };
     struct model model;
     if (mesh_pipe_read_model(&source, &model) != PIPE_OK) {
         fuzz_check_no_model(&model);
@@ -52,9 +28,9 @@ static void read_model(struct stream *stream)
     model_finish(&model);
 }
 
-static void read_environment(struct stream *stream)
+static void read_environment(struct pipe_stream *stream)
 {
-    const struct pipe_source source = { read_stream, stream, SIZE_MAX_OF_ALL };
+    const struct pipe_source source = { pipe_stream_read, stream, SIZE_MAX_OF_ALL };
     struct environment environment;
     if (mesh_pipe_read_environment(&source, &environment) != PIPE_OK) {
         fuzz_check_no_environment(&environment);
@@ -64,9 +40,9 @@ static void read_environment(struct stream *stream)
     environment_finish(&environment);
 }
 
-static void read_head(struct stream *stream)
+static void read_head(struct pipe_stream *stream)
 {
-    const struct pipe_source source = { read_stream, stream, SIZE_MAX_OF_ALL };
+    const struct pipe_source source = { pipe_stream_read, stream, SIZE_MAX_OF_ALL };
     struct picture_head head;
     const bool is_whole = picture_pipe_read_head(&source, &head) == PIPE_OK;
     FUZZ_CHECK(is_whole == (head.image.planes != NULL));
@@ -77,19 +53,19 @@ static void read_head(struct stream *stream)
 }
 
 /* A head of a picture with two planes, a place and a text. */
-static void make_head(struct stream *stream)
+static void make_head(struct pipe_stream *stream)
 {
     struct picture_head head = { .has_place = true, .place = { 1, 2, 8, 8 } };
     image_init(&head.image, 4, 4);
     FUZZ_CHECK(picture_head_add_plane(&head, "R", true) &&
                picture_head_add_plane(&head, "Z", false) &&
                picture_head_add_text(&head, "firn/tile", "1 of 2x2", 8));
-    FUZZ_CHECK(picture_pipe_write_head(&(struct pipe_sink){ write_stream, stream }, &head));
+    FUZZ_CHECK(picture_pipe_write_head(&(struct pipe_sink){ pipe_stream_write, stream }, &head));
     picture_head_finish(&head);
 }
 
 /* A sound one: two triangles, a camera, two textures; or a panorama of 2 x 1. */
-static void make(struct stream *stream, bool is_model)
+static void make(struct pipe_stream *stream, bool is_model)
 {
     struct mesh_vertex vertices[4] = { 0 };
     uint32_t indices[6] = { 0, 1, 2, 2, 3, 0 };
@@ -105,12 +81,12 @@ static void make(struct stream *stream, bool is_model)
         .has_ior = true,
     };
     const struct environment environment = { halfs, 2, 1 };
-    const struct pipe_sink sink = { write_stream, stream };
+    const struct pipe_sink sink = { pipe_stream_write, stream };
     FUZZ_CHECK(is_model ? mesh_pipe_write_model(&sink, &model)
                         : mesh_pipe_write_environment(&sink, &environment));
 }
 
-static void edit(struct stream *stream, const uint8_t *data, size_t size)
+static void edit(struct pipe_stream *stream, const uint8_t *data, size_t size)
 {
     for (size_t i = 0; i < MOST_EDITS && size >= (i + 1) * EDIT_SIZE; i++) {
         const uint8_t *what = data + i * EDIT_SIZE;
@@ -121,12 +97,12 @@ static void edit(struct stream *stream, const uint8_t *data, size_t size)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    struct stream stream = { .size = 0 };
+    struct pipe_stream stream = { .size = 0 };
     if (size == 0)
         return 0;
     const bool is_model = data[0] & 1, is_head = data[0] & 4;
     if (data[0] & 2) {
-        stream.size = size - 1 < STREAM_SIZE ? size - 1 : STREAM_SIZE;
+        stream.size = size - 1 < PIPE_STREAM_SIZE ? size - 1 : PIPE_STREAM_SIZE;
         memcpy(stream.bytes, data + 1, stream.size);
     } else {
         if (is_head)

@@ -4,9 +4,9 @@
 #include <string.h>
 #include "src/scene/import/mesh_pipe.h"
 #include "tests/support/check.h"
+#include "tests/support/pipe_stream.h"
 
 enum {
-    STREAM_SIZE = 4096,
     /* where things are in the stream of make_model() */
     FLAGS_AT = 4,
     COUNTS_AT = 8, /* vertices, indices; of the surroundings, too */
@@ -19,31 +19,6 @@ enum {
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
 };
-
-struct stream {
-    unsigned char bytes[STREAM_SIZE];
-    size_t size, at;
-};
-
-static bool write_stream(void *user, const void *bytes, size_t size)
-{
-    struct stream *stream = user;
-    if (size > STREAM_SIZE - stream->size)
-        return false;
-    memcpy(stream->bytes + stream->size, bytes, size);
-    stream->size += size;
-    return true;
-}
-
-static bool read_stream(void *user, void *bytes, size_t size)
-{
-    struct stream *stream = user;
-    if (size > stream->size - stream->at)
-        return false;
-    memcpy(bytes, stream->bytes + stream->at, size);
-    stream->at += size;
-    return true;
-}
 
 static struct mesh make_square(uint32_t material)
 {
@@ -82,18 +57,18 @@ static struct model make_model(void)
     return model;
 }
 
-static struct stream make_stream(void)
+static struct pipe_stream make_stream(void)
 {
-    struct stream stream = { .size = 0 };
+    struct pipe_stream stream = { .size = 0 };
     struct model model = make_model();
-    assert_true(mesh_pipe_write_model(&(struct pipe_sink){ write_stream, &stream }, &model));
+    assert_true(mesh_pipe_write_model(&(struct pipe_sink){ pipe_stream_write, &stream }, &model));
     model_finish(&model);
     return stream;
 }
 
-static enum pipe_fault read_model(struct stream *stream, struct model *model)
+static enum pipe_fault read_model(struct pipe_stream *stream, struct model *model)
 {
-    const struct pipe_source source = { read_stream, stream, STREAM_SIZE };
+    const struct pipe_source source = { pipe_stream_read, stream, PIPE_STREAM_SIZE };
     return mesh_pipe_read_model(&source, model);
 }
 
@@ -109,7 +84,7 @@ static void check_mesh(const struct mesh *mesh, const struct mesh *wanted)
 static void model_comes_through(void **state)
 {
     (void)state;
-    struct stream stream = make_stream();
+    struct pipe_stream stream = make_stream();
     struct model wanted = make_model(), model;
     assert_int_equal(read_model(&stream, &model), PIPE_OK);
     assert_int_equal(stream.at, stream.size);
@@ -130,7 +105,7 @@ static void model_comes_through(void **state)
 static void refuse(size_t at, const void *bytes, size_t size, enum pipe_fault wanted)
 {
     const struct model nothing = { 0 };
-    struct stream stream = make_stream();
+    struct pipe_stream stream = make_stream();
     struct model model;
     memset(&model, 0xff, sizeof(model));
     memcpy(stream.bytes + at, bytes, size);
@@ -213,7 +188,7 @@ static void vertices_are_checked(void **state)
 static void every_length_but_one_is_short(void **state)
 {
     (void)state;
-    struct stream stream = make_stream();
+    struct pipe_stream stream = make_stream();
     const size_t size = stream.size;
     struct model model;
     for (stream.size = 0; stream.size < size; stream.size++) {
@@ -229,9 +204,9 @@ static void environments(void **state)
     uint16_t texels[8] = { 0, 0x7bff, 1, 0x3c00, 0x3800, 0, 0, 0x3c00 };
     static const uint16_t bad[] = { 0x7c00, 0x7e00, 0x8000, 0xbc00 }; /* infinity, NaN, -0, -1 */
     struct environment environment = { .texels = texels, .width = 2, .height = 1 }, found;
-    struct stream stream = { .size = 0 };
-    const struct pipe_source source = { read_stream, &stream, 16 };
-    const struct pipe_sink sink = { write_stream, &stream };
+    struct pipe_stream stream = { .size = 0 };
+    const struct pipe_source source = { pipe_stream_read, &stream, 16 };
+    const struct pipe_sink sink = { pipe_stream_write, &stream };
     assert_true(mesh_pipe_write_environment(&sink, &environment));
     assert_int_equal(mesh_pipe_read_environment(&source, &found), PIPE_OK);
     assert_int_equal(found.width, 2);
@@ -239,8 +214,8 @@ static void environments(void **state)
     assert_memory_equal(found.texels, texels, sizeof(texels));
     environment_finish(&found);
     for (size_t i = 0; i < 8 * sizeof(bad) / sizeof(bad[0]); i++) {
-        struct stream copy = stream;
-        const struct pipe_source other = { read_stream, &copy, 16 };
+        struct pipe_stream copy = stream;
+        const struct pipe_source other = { pipe_stream_read, &copy, 16 };
         const size_t at = i % 8;
         copy.at = 0;
         memcpy(copy.bytes + 12 + 2 * at, &bad[i / 8], sizeof(bad[0]));
@@ -248,7 +223,7 @@ static void environments(void **state)
         assert_null(found.texels);
     }
     stream.at = 0;
-    const struct pipe_source narrow = { read_stream, &stream, 15 };
+    const struct pipe_source narrow = { pipe_stream_read, &stream, 15 };
     assert_int_equal(mesh_pipe_read_environment(&narrow, &found), PIPE_SIZE);
     stream = make_stream();
     assert_int_equal(mesh_pipe_read_environment(&source, &found), PIPE_HEAD);
@@ -260,15 +235,15 @@ static void cubes(void **state)
     (void)state;
     uint16_t texels[24] = { 0x3c00, 0x3c00, 0x3c00, 0x1234, 0, 0, 0, 0 };
     struct environment environment = { .texels = texels, .width = 1, .height = 6 }, found;
-    struct stream stream = { .size = 0 };
-    const struct pipe_source source = { read_stream, &stream, sizeof(texels) };
-    const struct pipe_sink sink = { write_stream, &stream };
+    struct pipe_stream stream = { .size = 0 };
+    const struct pipe_source source = { pipe_stream_read, &stream, sizeof(texels) };
+    const struct pipe_sink sink = { pipe_stream_write, &stream };
     assert_true(mesh_pipe_write_environment(&sink, &environment));
     assert_int_equal(mesh_pipe_read_environment(&source, &found), PIPE_OK);
     assert_true(found.is_cube);
     assert_memory_equal(found.texels, texels, sizeof(texels));
     environment_finish(&found);
-    stream = (struct stream){ .size = 0 };
+    stream = (struct pipe_stream){ .size = 0 };
     environment.height = 5;
     assert_true(mesh_pipe_write_environment(&sink, &environment));
     assert_int_equal(mesh_pipe_read_environment(&source, &found), PIPE_SIZE);

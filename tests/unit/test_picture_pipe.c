@@ -1,12 +1,10 @@
 /* test_picture_pipe.c: the head of a picture comes through the same, and nothing else does. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "src/reader/picture_reader.h"
 #include "tests/support/check.h"
+#include "tests/support/pipe_stream.h"
 
 enum {
-    STREAM_SIZE = 4096,
     WIDTH_AT = 8, /* bytes from the beginning */
     PLANE_COUNT_AT = 16,
     PLACE_AT = 24,
@@ -15,30 +13,6 @@ enum {
     PLANE_SIZE = 68,
     TEXT_AT = PLANES_AT + 2 * PLANE_SIZE,
 };
-
-struct stream {
-    char bytes[STREAM_SIZE];
-    size_t size, at;
-};
-
-static bool write_stream(void *user, const void *bytes, size_t size)
-{
-    struct stream *stream = user;
-    assert_true(stream->size + size <= STREAM_SIZE);
-    memcpy(stream->bytes + stream->size, bytes, size);
-    stream->size += size;
-    return true;
-}
-
-static bool read_stream(void *user, void *bytes, size_t size)
-{
-    struct stream *stream = user;
-    if (size > stream->size - stream->at)
-        return false;
-    memcpy(bytes, stream->bytes + stream->at, size);
-    stream->at += size;
-    return true;
-}
 
 /* A head of two planes, a place, one matrix and one text. */
 static struct picture_head make_head(void)
@@ -56,26 +30,27 @@ static struct picture_head make_head(void)
     return head;
 }
 
-static struct stream write_head(void)
+static struct pipe_stream write_head(void)
 {
     struct picture_head head = make_head();
-    struct stream stream = { .size = 0 };
-    assert_true(picture_pipe_write_head(&(struct pipe_sink){ write_stream, &stream }, &head));
+    struct pipe_stream stream = { .size = 0 };
+    assert_true(picture_pipe_write_head(&(struct pipe_sink){ pipe_stream_write, &stream }, &head));
     picture_head_finish(&head);
     return stream;
 }
 
-static enum pipe_fault read_head(struct stream *stream, struct picture_head *head)
+static enum pipe_fault read_head(struct pipe_stream *stream, struct picture_head *head)
 {
     stream->at = 0;
-    return picture_pipe_read_head(&(struct pipe_source){ read_stream, stream, STREAM_SIZE }, head);
+    return picture_pipe_read_head(
+        &(struct pipe_source){ pipe_stream_read, stream, PIPE_STREAM_SIZE }, head);
 }
 
 static void heads_come_back(void **state)
 {
     (void)state;
     struct picture_head head, wanted = make_head();
-    struct stream stream = write_head();
+    struct pipe_stream stream = write_head();
     assert_int_equal(read_head(&stream, &head), PIPE_OK);
     assert_int_equal(stream.at, stream.size);
     assert_true(picture_head_matches(&head, &wanted.image, NULL, 0));
@@ -92,7 +67,7 @@ static void short_ones_are_refused(void **state)
 {
     (void)state;
     for (size_t size = write_head().size; size-- > 0;) {
-        struct stream stream = write_head();
+        struct pipe_stream stream = write_head();
         struct picture_head head;
         stream.size = size;
         assert_int_equal(read_head(&stream, &head), PIPE_SHORT);
@@ -102,7 +77,7 @@ static void short_ones_are_refused(void **state)
 
 static void refuse(size_t at, uint32_t word, enum pipe_fault wanted)
 {
-    struct stream stream = write_head();
+    struct pipe_stream stream = write_head();
     struct picture_head head;
     memcpy(stream.bytes + at, &word, sizeof(word));
     const enum pipe_fault fault = read_head(&stream, &head);
@@ -139,7 +114,7 @@ static void unended_names_are_refused(void **state)
 {
     (void)state;
     for (size_t i = 0; i < 2; i++) {
-        struct stream stream = write_head();
+        struct pipe_stream stream = write_head();
         struct picture_head head;
         memset(stream.bytes + (i ? TEXT_AT : PLANES_AT), 'x', IMAGE_NAME_SIZE);
         assert_int_equal(read_head(&stream, &head), PIPE_TEXT);
