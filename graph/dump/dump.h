@@ -68,9 +68,6 @@ struct rg_dump_resource {
 /* Returns the resource of an index: images come first, then buffers. */
 struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t index);
 
-/* Returns how many barriers a frame records. */
-uint32_t rg_dump_barrier_count(const struct rg_plan *plan);
-
 /* ---- text.c: lines of text, each with its newline ---- */
 
 void rg_dump_pass_name(const struct rg_dump *d, const struct rg_pass *pass, uint32_t repetition);

@@ -97,7 +97,7 @@ static void print_summary(const struct rg_dump *d)
     const struct rg_plan *plan = d->plan;
     rg_put(d, "<h1>Plan for %ux%u</h1>\n<p id=\"summary\">", plan->view.width, plan->view.height);
     rg_put(d, "%u passes, %u culled; %u barriers in %u batches; ", plan->pass_count,
-           plan->culled_count, rg_dump_barrier_count(plan), plan->batch_count);
+           plan->culled_count, plan->barrier_count, plan->batch_count);
     rg_put(d, "transient memory: used %b, without aliasing %b, bound %b", plan->memory_used,
            plan->memory_without_aliasing, plan->memory_bound);
     if (plan->memory_least != plan->memory_bound)

@@ -222,7 +222,7 @@ static void print_members(const struct rg_dump *d)
     rg_put(d, ",\n  \"memory\": {\"used\": %z, \"without_aliasing\": %z, \"bound\": %z",
            plan->memory_used, plan->memory_without_aliasing, plan->memory_bound);
     rg_put(d, ", \"least\": %z, \"persistent\": %z}", plan->memory_least, plan->memory_persistent);
-    rg_put(d, ",\n  \"barrier_count\": %u,\n  \"batch_count\": %u", rg_dump_barrier_count(plan),
+    rg_put(d, ",\n  \"barrier_count\": %u,\n  \"batch_count\": %u", plan->barrier_count,
            plan->batch_count);
     array_member(d, "images", print_image, 0, plan->image_count);
     array_member(d, "buffers", print_buffer, 0, plan->buffer_count);

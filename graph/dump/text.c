@@ -70,7 +70,7 @@ static void print_memory(const struct rg_dump *d)
         rg_put(d, ", least %z if batches did not count", plan->memory_least);
     if (plan->memory_persistent)
         rg_put(d, "\npersistent memory: %z", plan->memory_persistent);
-    rg_put(d, "\nbarriers: %u in %u batches\n", rg_dump_barrier_count(plan), plan->batch_count);
+    rg_put(d, "\nbarriers: %u in %u batches\n", plan->barrier_count, plan->batch_count);
 }
 
 static void print_scope(FILE *out, VkPipelineStageFlags2 stages, VkAccessFlags2 accesses)

@@ -121,14 +121,6 @@ uint32_t rg_dump_binding(const struct rg_plan_use *use)
     return type == VK_DESCRIPTOR_TYPE_MAX_ENUM ? RG_NONE : use->use->binding;
 }
 
-uint32_t rg_dump_barrier_count(const struct rg_plan *plan)
-{
-    uint32_t count = plan->final_barrier_count;
-    for (uint32_t i = 0; i < plan->pass_count; i++)
-        count += plan->passes[i].barrier_count;
-    return count;
-}
-
 struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t index)
 {
     if (index < plan->image_count) {

@@ -232,7 +232,7 @@ static void init_plan(struct rg_plan *plan)
         .pass_count = DUMP_PLAN_PASSES,
         .image_count = DUMP_PLAN_IMAGES,
         .buffer_count = DUMP_PLAN_BUFFERS,
-        .barrier_count = sizeof(barriers) / sizeof(barriers[0]),
+        .barrier_count = sizeof(barriers) / sizeof(barriers[0]) - 1, /* one is initial */
         .use_count = sizeof(plan_uses) / sizeof(plan_uses[0]),
         .block_count = sizeof(blocks) / sizeof(blocks[0]),
         .culled_count = 2,
