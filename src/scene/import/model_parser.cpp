@@ -16,25 +16,25 @@ extern "C" {
 namespace
 {
 
-class Stream : public Assimp::DefaultIOStream
+class model_stream : public Assimp::DefaultIOStream
 {
   public:
-    Stream(FILE *file, const std::string &path) : DefaultIOStream(file, path)
+    model_stream(FILE *file, const std::string &path) : DefaultIOStream(file, path)
     {
     }
 };
 
 /* Opens what the caller's function allows, for reading. */
-class Files : public Assimp::IOSystem
+class model_files : public Assimp::IOSystem
 {
   public:
-    Files(model_parser_open_fn *open, void *user) : open_(open), user_(user)
+    model_files(model_parser_open_fn *function, void *argument) : open(function), user(argument)
     {
     }
 
     bool Exists(const char *path) const override
     {
-        FILE *file = open_(user_, path);
+        FILE *file = open(user, path);
         if (file)
             fclose(file);
         return file != nullptr;
@@ -47,8 +47,8 @@ class Files : public Assimp::IOSystem
 
     Assimp::IOStream *Open(const char *path, const char *mode) override
     {
-        FILE *file = mode[0] == 'r' ? open_(user_, path) : nullptr;
-        return file ? new Stream(file, path) : nullptr;
+        FILE *file = mode[0] == 'r' ? open(user, path) : nullptr;
+        return file ? new model_stream(file, path) : nullptr;
     }
 
     void Close(Assimp::IOStream *stream) override
@@ -57,8 +57,8 @@ class Files : public Assimp::IOSystem
     }
 
   private:
-    model_parser_open_fn *open_;
-    void *user_;
+    model_parser_open_fn *open;
+    void *user;
 };
 
 /* Whether a list, "gltf glb", has a word. */
@@ -95,7 +95,7 @@ struct model_parser *model_parser_new(const char *suffix, model_parser_open_fn *
     try {
         model_parser *parser = new model_parser;
         keep_only(parser->importer, suffix);
-        parser->importer.SetIOHandler(new Files(open, user));
+        parser->importer.SetIOHandler(new model_files(open, user));
         return parser;
     } catch (const std::bad_alloc &) {
         return nullptr;
