@@ -215,6 +215,9 @@ enum status app_merge(const struct app_options *options);
  */
 MUST_USE enum status app_set(struct app_picture *picture, const char *name, const char *value);
 
+/* Names the file that a command writes where none is named. */
+void app_name_output(struct app_options *o, enum app_command command);
+
 /* Whether it has a name. Logs: STATUS_USAGE. */
 MUST_USE enum status app_need_scene(const struct app_scene *given);
 

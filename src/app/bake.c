@@ -10,8 +10,6 @@
 #include "src/settings/scene_settings.h"
 #include "src/version.h"
 
-static const char default_output[] = "env.exr";
-
 struct job {
     struct app_options o;
     struct scene scene;
@@ -98,8 +96,6 @@ static enum status load(struct job *job)
 static enum status run(struct job *job)
 {
     struct app_outputs *outputs = &job->o.run.outputs;
-    if (!outputs->count)
-        outputs->paths[outputs->count++] = default_output;
     enum status status = app_need_scene(&job->o.picture.scene);
     if (status == STATUS_OK)
         status = file_check(outputs->paths[0]);

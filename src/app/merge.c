@@ -9,8 +9,6 @@
 #include "src/image/file.h"
 #include "src/reader/picture_reader.h"
 
-static const char default_output[] = "merged.exr";
-
 /* A file. */
 struct input {
     const char *path; /* NULL: it is missing */
@@ -245,7 +243,7 @@ static enum status write_picture(struct job *job, const char *path)
 
 enum status app_merge(const struct app_options *o)
 {
-    const char *path = o->run.outputs.count ? o->run.outputs.paths[0] : default_output;
+    const char *path = o->run.outputs.paths[0];
     struct job *job = calloc(1, sizeof(*job));
     enum status status = STATUS_OK;
     if (!job) {

@@ -65,8 +65,7 @@ static enum status parse_names(struct sequence *sequence, struct app_options *o)
     enum status status = STATUS_OK;
     bool stdout_taken = o->render.json && !strcmp(o->render.json, "-");
     bool has_png = false;
-    if (!outputs->count)
-        outputs->paths[outputs->count++] = o->render.frames ? "firn.####.exr" : "firn.exr";
+    app_name_output(o, APP_RENDER);
     for (uint32_t i = 0; i < outputs->count && status == STATUS_OK; i++) {
         const bool is_stdout = !strcmp(outputs->paths[i], "-");
         if (is_stdout && stdout_taken) {

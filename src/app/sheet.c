@@ -15,8 +15,6 @@
 #include "src/settings/scene_settings.h"
 #include "src/version.h"
 
-static const char default_output[] = "sheet.png";
-
 enum {
     COLUMNS = 4, /* of values of one parameter */
     PICTURES_MAX = 64,
@@ -57,8 +55,6 @@ static enum status check(struct job *job)
 {
     struct app_options *o = &job->o;
     struct app_outputs *outputs = &o->run.outputs;
-    if (!outputs->count)
-        outputs->paths[outputs->count++] = default_output;
     enum status status = app_need_scene(&o->picture.scene);
     if (status == STATUS_OK)
         status = file_check(outputs->paths[0]);

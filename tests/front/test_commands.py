@@ -93,6 +93,8 @@ class CommandLine(Case):
                 ((*draw, '-o', 'a.exr', '--json', './a.exr'), ['--output', '--json']),
                 ((*draw, '--env', 'in.exr', '-o', 'link.exr'), ['link.exr', '--output', '--env']),
                 (('merge', 'in.exr', 'b.exr', '-o', 'in.exr'), ["input 'in.exr'"]),
+                (('merge', 'merged.exr', 'b.exr'), ["input 'merged.exr'"]),
+                (('bake', 'sphere', '--env', 'env.exr'), ['env.exr']),
                 (('diff', 'b.exr', 'in.exr', '-o', 'sub/../in.exr'), ["input 'in.exr'"]),
                 (('profile', 'sphere', '--csv', 'a', '--html', 'a'), ['--csv', '--html']),
                 (('profile', 'sphere', '--baseline', 'in.exr', '--json', 'in.exr'),

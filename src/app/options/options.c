@@ -459,6 +459,24 @@ static enum status settle_layers(struct app_picture *picture)
     return STATUS_OK;
 }
 
+void app_name_output(struct app_options *o, enum app_command command)
+{
+    const struct {
+        unsigned commands;
+        const char *name;
+    } defaults[] = {
+        { APP_RENDER | APP_FARM, o->render.frames ? "firn.####.exr" : "firn.exr" },
+        { APP_BAKE, "env.exr" },
+        { APP_MERGE, "merged.exr" },
+        { APP_SHEET, "sheet.png" },
+    };
+
+    for (size_t i = 0; i < sizeof(defaults) / sizeof(defaults[0]); i++) {
+        if (defaults[i].commands & command && !o->run.outputs.count)
+            o->run.outputs.paths[o->run.outputs.count++] = defaults[i].name;
+    }
+}
+
 /* No output may be an input or another output. */
 static enum status check_files(const struct app_options *o, enum app_command command)
 {
@@ -535,6 +553,8 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     }
     if (!(command & (APP_RENDER | APP_FARM)) && refuse_traced(&o->picture) != STATUS_OK)
         return STATUS_USAGE;
+    if (command != APP_FARM) /* its words tell whether it has outputs */
+        app_name_output(o, command);
     const enum status status = settle_layers(&o->picture);
     return status == STATUS_OK ? check_files(o, command) : status;
 }
