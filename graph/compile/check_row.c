@@ -89,7 +89,7 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
 
 static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
-    bool any = pass->depth.image || color_count || rg_color_room(pass) < pass->color_count;
+    bool any = color_count || pass->depth.image || rg_color_room(pass) < pass->color_count;
     rg_fault_if(c, pass->kind != RG_RASTER && any, RG_ERROR_ACCESS, NULL,
                 "only a raster pass has targets");
     rg_fault_if(c, pass->kind == RG_RASTER && !any, RG_ERROR_NO_TARGET, NULL,
@@ -144,7 +144,8 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
                   "VkPrimitiveTopology, up to TRIANGLE_FAN");
     RG_CHECK_ENUM(c, pass, cull, VK_CULL_MODE_FRONT_AND_BACK, NULL, "VkCullModeFlagBits");
     RG_CHECK_ENUM(c, pass, front, VK_FRONT_FACE_CLOCKWISE, NULL, "VkFrontFace");
-    RG_CHECK_TABLE(c, pass, color, color_count, RG_COLOR_COUNT, NULL);
+    if (!color_count)
+        RG_CHECK_TABLE(c, pass, color, color_count, RG_COLOR_COUNT, NULL);
     for (uint32_t i = 0; i < color_count; i++)
         check_target_fields(c, &pass->color[i]);
     if (depth->image) {

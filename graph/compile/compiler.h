@@ -163,11 +163,13 @@ struct compiler {
 /* ---- fault.c ---- */
 
 /* Adds a fault of the row at work, unless the row has the same one already. `resource`: its name;
- * NULL if it is none's. */
-void rg_fault(struct compiler *c, enum rg_error error, const char *resource, const char *hint);
+ * NULL if it is none's. Cold, so that calls are out of the way of tables without faults. */
+__attribute__((cold)) void rg_fault(struct compiler *c, enum rg_error error, const char *resource,
+                                    const char *hint);
 
 /* Adds a fault that belongs to no row. */
-void rg_fault_of(struct compiler *c, enum rg_error error, const char *resource, const char *hint);
+__attribute__((cold)) void rg_fault_of(struct compiler *c, enum rg_error error,
+                                       const char *resource, const char *hint);
 
 /* Does so if something is wrong. */
 static inline void rg_fault_if(struct compiler *c, bool wrong, enum rg_error error,

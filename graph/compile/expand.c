@@ -255,12 +255,12 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
  * a first one that is not there becomes a fault of ranges. 0: there is no such image. */
 static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
 {
+    if (pass->repeat == RG_ONCE)
+        return 1;
     const struct rg_target *target = rg_color_count(pass) ? pass->color : &pass->depth;
     const struct rg_image *image = target->image;
     uint32_t mip = target->mip;
     uint32_t layer = target->layer;
-    if (pass->repeat == RG_ONCE)
-        return 1;
     for (const struct rg_use *use = pass->uses; use && rg_is_use(use) && !image; use++) {
         if (rg_is_good_use(use) && rg_access_table[use->access].writes_content) {
             image = use->image;
