@@ -88,7 +88,7 @@ struct reader_job {
 bool reader_is_wanted(int argc, char **argv);
 
 /* Applies the limits and the sandbox and returns the job in *job. Returns false if the arguments
- * are invalid, or a limit cannot be set. */
+ * are invalid, or a limit or the sandbox cannot be set. */
 MUST_USE bool reader_enter(int argc, char **argv, struct reader_job *job);
 
 /* Writes to the parent. */

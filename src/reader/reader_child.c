@@ -75,9 +75,8 @@ bool reader_enter(int argc, char **argv, struct reader_job *job)
     const uint64_t size = (uint64_t)numbers[2] << 30;
     done = done && limit(RLIMIT_AS, size, size);
 #endif
-    if (done && !job->no_sandbox)
-        sandbox_enter(job->path, kind == READER_OBJECT || kind == READER_SURROUNDINGS);
-    return done;
+    const bool with_folder = kind == READER_OBJECT || kind == READER_SURROUNDINGS;
+    return done && (job->no_sandbox || sandbox_enter(job->path, with_folder));
 }
 
 static bool write_all(void *user, const void *bytes, size_t size)

@@ -58,21 +58,22 @@ static void allow_folder(int rules, const char *path)
     allow_reading(rules, slash ? folder : ".");
 }
 
-static void close_file_system(const char *path, bool with_folder)
+static bool close_file_system(const char *path, bool with_folder)
 {
     const int version = landlock_version();
     const struct landlock_ruleset_attr handled = { .handled_access_fs = known_rights(version) };
     if (version == 0)
-        return;
+        return true;
     const int rules =
         (int)syscall(SYS_landlock_create_ruleset, &handled, sizeof(handled.handled_access_fs), 0);
     if (rules < 0)
-        return;
+        return false;
     allow_reading(rules, path);
     if (with_folder)
         allow_folder(rules, path);
-    syscall(SYS_landlock_restrict_self, rules, 0);
+    const bool done = syscall(SYS_landlock_restrict_self, rules, 0) == 0;
     close(rules);
+    return done;
 }
 
 /* ---- capabilities ---- */
@@ -142,27 +143,34 @@ static bool add_rules(scmp_filter_ctx filter)
     return done;
 }
 
-static void filter_calls(void)
+/* A kernel that has filters looks for the one at NULL. */
+static bool has_seccomp(void)
 {
-    scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EPERM));
-    if (filter && add_rules(filter))
-        seccomp_load(filter);
-    seccomp_release(filter);
+    return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, NULL) != 0 && errno == EFAULT;
 }
 
-void sandbox_enter(const char *path, bool with_folder)
+static bool filter_calls(void)
 {
-    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-    close_file_system(path, with_folder);
+    if (!has_seccomp())
+        return true;
+    scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EPERM));
+    const bool done = filter && add_rules(filter) && seccomp_load(filter) == 0;
+    seccomp_release(filter);
+    return done;
+}
+
+bool sandbox_enter(const char *path, bool with_folder)
+{
+    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || !close_file_system(path, with_folder))
+        return false;
     drop_capabilities();
-    filter_calls();
+    return filter_calls();
 }
 
 struct sandbox_parts sandbox_find(void)
 {
     return (struct sandbox_parts){
         .landlock = landlock_version(),
-        /* A kernel that has filters looks for the one at NULL. */
-        .seccomp = prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, NULL) != 0 && errno == EFAULT,
+        .seccomp = has_seccomp(),
     };
 }

@@ -16,9 +16,10 @@
 /*
  * Holds for this thread and all that it could start, and for good. Of the file system, `path` stays
  * readable, and where `with_folder` is true, all in its folder and those below, without what links
- * there lead to elsewhere. Descriptors that are open stay usable.
+ * there lead to elsewhere. Descriptors that are open stay usable. Returns false if a part that the
+ * kernel has cannot be applied.
  */
-void sandbox_enter(const char *path, bool with_folder);
+MUST_USE bool sandbox_enter(const char *path, bool with_folder);
 
 /* What of the sandbox this kernel has. */
 struct sandbox_parts {
