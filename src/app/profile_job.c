@@ -26,11 +26,12 @@ static enum status open_device(struct profile_job *job)
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK)
-        status = timestamp_check_run(&job->gpu, &job->clock);
+        status = timestamp_check_run(&job->gpu, o->clock, &job->clock);
     if (status != STATUS_OK || o->clock == RG_CLOCK_NONE || o->clock == job->clock.clock)
         return status;
     job->clock.clock = o->clock;
-    log_warning("--clock: %s", job->clock.reason);
+    if (o->clock != RG_CLOCK_SUBMITS)
+        log_warning("--clock: %s", job->clock.reason);
     return status;
 }
 

@@ -38,7 +38,10 @@ double timestamp_check_error(const struct timestamp_check_times *times);
 #define TIMESTAMP_CHECK_TOLERANCE 0.1
 
 /* Runs the test, which takes a fifth of a second on two idle cores and a few seconds on a busy
- * machine, and fills *clock. A device without timestamps is no failure. */
-MUST_USE enum status timestamp_check_run(struct gpu *gpu, struct profile_clock *clock);
+ * machine, and fills *clock. `chosen` is the clock that will be used (RG_CLOCK_NONE: *clock's):
+ * for submits, which are right on every device, the test is not repeated. A device without
+ * timestamps is no failure. */
+MUST_USE enum status timestamp_check_run(struct gpu *gpu, enum rg_clock chosen,
+                                         struct profile_clock *clock);
 
 #endif

@@ -6,7 +6,8 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from case import SMALL, Case, main  # noqa: E402
 
 COMMANDS = (('render', 'sphere', *SMALL, '-o', 'a.png', '-q'),
-            ('profile', 'sphere', *SMALL, '--runs', '2', '--warmup', '1', '--json', 'a.json', '-q'))
+            ('profile', 'sphere', *SMALL, '--runs', '2', '--warmup', '1', '--clock', 'submits',
+             '--json', 'a.json', '-q'))
 
 
 class Cache(Case):

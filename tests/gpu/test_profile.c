@@ -44,7 +44,7 @@ static void billing_another_pass_is_an_error(void **state)
 static void a_clock_is_found(void **state)
 {
     struct profile_clock clock;
-    assert_int_equal(timestamp_check_run(*state, &clock), STATUS_OK);
+    assert_int_equal(timestamp_check_run(*state, RG_CLOCK_NONE, &clock), STATUS_OK);
     assert_true(clock.clock == RG_CLOCK_EXACT || clock.clock == RG_CLOCK_SUBMITS);
     assert_true(strlen(clock.reason) > 0);
     assert_true(clock.submit_cost > 0);

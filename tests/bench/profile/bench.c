@@ -129,7 +129,7 @@ int main(void)
     struct least times[RG_CLOCK_COUNT] = { alone, alone, alone, alone };
     double off = (double)INFINITY;
     if (gpu_create(&gpu, &(struct gpu_params){ 0 }) != STATUS_OK ||
-        timestamp_check_run(&gpu, &chosen) != STATUS_OK)
+        timestamp_check_run(&gpu, RG_CLOCK_NONE, &chosen) != STATUS_OK)
         return EXIT_FAILURE;
     open_graph(&frame, &gpu, both, 2);
     open_graph(&heavy, &gpu, &both[0], 1);
