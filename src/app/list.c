@@ -34,7 +34,7 @@ static enum status list_rungs(void)
 
 static enum status list_materials(void)
 {
-    for (const struct material *m = materials; m->name; m++)
+    for (const struct material_preset *m = material_presets; m->name; m++)
         printf("  %-14s %-7g %s\n", m->name, (double)m->ior, m->help);
     return STATUS_OK;
 }

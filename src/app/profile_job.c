@@ -72,7 +72,8 @@ static bool describe_settings(struct profile *p, const struct settings *settings
 static void describe_material(struct profile *p, const struct app_scene *given)
 {
     const double ior = settings_get(&given->settings, settings_find("refract.ior"));
-    const struct material *named = given->material ? material_find(given->material) : &materials[0];
+    const struct material_preset *named =
+        given->material ? material_preset_find(given->material) : &material_presets[0];
     for (; named->name && fabs((double)named->ior - ior) > 1e-6; named++)
         continue;
     if (named->name)

@@ -17,16 +17,19 @@
 static const float default_fov_deg = 45.0f;
 
 /* --set over --material over the model's own index over the default. */
-static void settle_ior(struct app_scene *given, const struct model *model)
+static void settle_ior(struct app_scene *given, struct scene *scene)
 {
+    const struct model *model = &scene->model;
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
     if (given->ior_is_set)
         return;
     if (given->material)
-        settings_put(&given->settings, ior, (double)material_find(given->material)->ior);
-    else if (model->has_ior)
+        settings_put(&given->settings, ior, (double)material_preset_find(given->material)->ior);
+    else if (model->has_ior) {
         settings_put(&given->settings, ior, (double)model->ior);
+        scene->settled_ior = model->ior;
+    }
 }
 
 /* No box is no error: a window's user may be about to say one. */
@@ -123,7 +126,7 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
         return STATUS_USAGE;
     enum status status = scene_load(scene, &params);
     if (status == STATUS_OK) {
-        settle_ior(given, &scene->model);
+        settle_ior(given, scene);
         check_box(given, scene);
     }
     return status;

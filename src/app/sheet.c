@@ -42,8 +42,8 @@ static enum status sweep_materials(struct job *job)
     FILE *out = open_memstream(&job->materials, &size);
     if (!out)
         return log_out_of_memory(NULL);
-    for (const struct material *m = materials; m->name; m++)
-        fprintf(out, "%s%s", m == materials ? "material=" : ",", m->name);
+    for (const struct material_preset *m = material_presets; m->name; m++)
+        fprintf(out, "%s%s", m == material_presets ? "material=" : ",", m->name);
     const bool failed = ferror(out) != 0;
     if (fclose(out) || failed)
         return log_out_of_memory(NULL);

@@ -1,12 +1,63 @@
 /*
- * material.c: the table of materials.
+ * material.c: glTF's default material, and the table of presets.
  *
  * Indices: Fernando and Kilgard 2003, The Cg Tutorial, table 7-1; ice: Seipel and Nivfors 2006.
  */
 #include "src/scene/material.h"
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-const struct material materials[] = {
+struct material material_make(const char *name)
+{
+    struct material material = {
+        .base_color = glms_vec3_one(),
+        .roughness = 1.0f,
+        .ior = 1.5f,
+        .attenuation_color = glms_vec3_one(),
+    };
+    snprintf(material.name, sizeof(material.name), "%s", name);
+    return material;
+}
+
+static bool clamp(float *value, float min, float max, float initial)
+{
+    const float is = *value;
+    *value = isnan(is) ? initial : fminf(fmaxf(is, min), max);
+    return !(is == *value);
+}
+
+bool material_clamp(struct material *m)
+{
+    const float color_max = m->flags & MATERIAL_IS_UNLIT ? 65504.0f : 1.0f;
+    bool is_changed = false;
+    if (isinf(m->attenuation_distance)) /* glTF's default: clear */
+        m->attenuation_distance = 0.0f;
+    for (int k = 0; k < 3; k++) {
+        is_changed |= clamp(&m->base_color.raw[k], 0.0f, color_max, 1.0f);
+        is_changed |= clamp(&m->attenuation_color.raw[k], 0.0f, 1.0f, 1.0f);
+    }
+    is_changed |= clamp(&m->roughness, 0.0f, 1.0f, 1.0f);
+    is_changed |= clamp(&m->transmission, 0.0f, 1.0f, 0.0f);
+    is_changed |= clamp(&m->thickness, 0.0f, 1e6f, 0.0f);
+    is_changed |= clamp(&m->ior, 1.0f, 4.0f, 1.5f);
+    is_changed |= clamp(&m->dispersion, 0.0f, 10.0f, 0.0f);
+    is_changed |= clamp(&m->attenuation_distance, 0.0f, FLT_MAX, 0.0f);
+    return is_changed;
+}
+
+vec3s material_absorption(const struct material *m)
+{
+    const float color_min = 1e-12f; /* black after the distance: all but nothing is left */
+    vec3s absorption = glms_vec3_zero();
+    for (int k = 0; k < 3 && m->attenuation_distance > 0.0f; k++)
+        absorption.raw[k] =
+            -logf(fmaxf(m->attenuation_color.raw[k], color_min)) / m->attenuation_distance;
+    return absorption;
+}
+
+const struct material_preset material_presets[] = {
     { "ice", 1.3091f, "frozen water" },
     { "water", 1.333f, "water at 20 degrees Celsius" },
     { "glass", 1.5f, "window glass" },
@@ -17,9 +68,9 @@ const struct material materials[] = {
     { 0 },
 };
 
-const struct material *material_find(const char *name)
+const struct material_preset *material_preset_find(const char *name)
 {
-    for (const struct material *m = materials; m->name; m++) {
+    for (const struct material_preset *m = material_presets; m->name; m++) {
         if (!strcmp(m->name, name))
             return m;
     }

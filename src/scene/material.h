@@ -1,16 +1,64 @@
-/* material.h: transparent materials by name. */
+/* material.h: what a surface, and the medium behind it, are made of; transparent media by name. */
 #ifndef FIRN_SCENE_MATERIAL_H
 #define FIRN_SCENE_MATERIAL_H
 
+#include <cglm/struct.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+enum {
+    MATERIAL_NAME_SIZE = 64, /* bytes of a name, with its end; longer ones are cut */
+};
+
+/* The bits of material.flags. */
+enum {
+    MATERIAL_IS_BARE = 1,      /* of a file without materials, or built in: settings decide */
+    MATERIAL_HAS_IOR = 2,      /* the file gives the index; else it is the format's default */
+    MATERIAL_HAS_PRIORITY = 4, /* the file gives the priority */
+    MATERIAL_IS_CUTOUT = 8,    /* alpha below one half is a hole */
+    MATERIAL_IS_UNLIT = 16,    /* the base colour is emitted radiance */
+    MATERIAL_FLAGS = 31,
+};
+
+/*
+ * A material in the terms of glTF 2.0 and its extensions KHR_materials_transmission, _volume, _ior
+ * and _dispersion. A transmissive material bounds a medium: inside, light of each channel is left
+ * by attenuation_color ^ (length / attenuation_distance).
+ */
 struct material {
+    char name[MATERIAL_NAME_SIZE];
+    uint32_t flags;
+    vec3s base_color;           /* linear; tints light that passes a transmissive surface */
+    float roughness;            /* 0 to 1; the width of the GGX distribution is its square */
+    float transmission;         /* share of the light that is not reflected and passes; 0: opaque */
+    float thickness;            /* 0: a thin wall, with the same medium on both sides */
+    float ior;                  /* refractive index, 1 to 4 */
+    float dispersion;           /* 20 / Abbe number, 0 to 10 */
+    vec3s attenuation_color;    /* 0 to 1 */
+    float attenuation_distance; /* metres; 0: the medium is clear */
+    int32_t priority;           /* where media overlap, the greatest one is there */
+};
+
+/* Returns glTF's default material, white and opaque, with a name. */
+struct material material_make(const char *name);
+
+/* Brings all values into their ranges; those that are no numbers become the defaults. Returns
+ * whether that changes any. */
+bool material_clamp(struct material *material);
+
+/* Returns the coefficients of Beer and Lambert's law for red, green and blue light, 1 / metre. */
+vec3s material_absorption(const struct material *material);
+
+/* A transparent medium, as --material names it. */
+struct material_preset {
     const char *name;
     float ior; /* refractive index */
     const char *help;
 };
 
-extern const struct material materials[]; /* ends at a row of zeros */
+extern const struct material_preset material_presets[]; /* ends at a row of zeros */
 
-/* Returns the material of that name, or NULL. */
-const struct material *material_find(const char *name);
+/* Returns the preset of that name, or NULL. */
+const struct material_preset *material_preset_find(const char *name);
 
 #endif

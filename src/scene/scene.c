@@ -99,6 +99,23 @@ static enum status check_name(const char *name)
     return STATUS_NO_INPUT;
 }
 
+/* Makes the mesh of the object one whose material the settings decide. */
+static enum status add_bare_object(struct model *model)
+{
+    model->objects = calloc(1, sizeof(*model->objects));
+    model->materials = calloc(1, sizeof(*model->materials));
+    if (!model->objects || !model->materials)
+        return log_out_of_memory("object");
+    model->objects[0].index_count = model->object.index_count;
+    model->materials[0] = material_make("ice");
+    model->materials[0].flags = MATERIAL_IS_BARE;
+    model->materials[0].transmission = 1.0f;
+    model->materials[0].roughness = 0.0f;
+    model->object_count = 1;
+    model->material_count = 1;
+    return STATUS_OK;
+}
+
 static enum status load_object(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
@@ -113,7 +130,7 @@ static enum status load_object(struct scene *scene, const struct scene_params *p
     uint32_t triangles = params->object_triangles ? params->object_triangles : builtin->triangles;
     if (!builtin->generate(&scene->model.object, triangles))
         return log_out_of_memory(builtin->name);
-    return STATUS_OK;
+    return add_bare_object(&scene->model);
 }
 
 /* The landscape is made for objects about 3.2 m across; it is scaled to fit others. */
@@ -247,6 +264,9 @@ enum status scene_load(struct scene *scene, const struct scene_params *params)
     enum status status = load_object(scene, params);
     if (status == STATUS_OK)
         status = load_background(scene, params);
+    if (status == STATUS_OK)
+        status = object_rank_all(scene->model.objects, scene->model.object_count,
+                                 &scene->model.object, scene->model.materials);
     if (!scene->has_pool)
         scene->box = mesh_box(&scene->model.object);
     scene->is_convex = mesh_is_convex(&scene->model.object);

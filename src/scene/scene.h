@@ -19,7 +19,7 @@ enum scene_background {
 };
 
 struct scene {
-    struct model model;
+    struct model model; /* its objects have ranks */
     enum scene_background background;
     vec3s background_color; /* SCENE_COLOR; linear radiance */
     struct environment environment;
@@ -33,6 +33,7 @@ struct scene {
     struct mesh air;         /* planes of air in the object's space; may be empty */
     struct air_layers air_layers; /* textures of the planes of air */
     struct bubbles bubbles;       /* in the object's space */
+    float settled_ior;            /* the value of refract.ior that comes from the model; 0: none */
     bool has_pool;                /* the scene is a pool, with the object, if any, in it */
     bool is_convex;               /* the object is known to be convex: mesh_is_convex() */
 };

@@ -64,15 +64,21 @@ static void make_head(struct pipe_stream *stream)
     picture_head_finish(&head);
 }
 
-/* A sound one: two triangles, a camera, two textures; or a panorama of 2 x 1. */
+/* A sound one: two objects of a triangle, a camera, two textures; or a panorama of 2 x 1. */
 static void make(struct pipe_stream *stream, bool is_model)
 {
     struct mesh_vertex vertices[4] = { 0 };
     uint32_t indices[6] = { 0, 1, 2, 2, 3, 0 };
     uint8_t texels[32] = { 0 };
     uint16_t halfs[8] = { 0, 1, 2, 0x3c00, 0x7bff, 0, 0, 0x3c00 };
+    struct object objects[2] = { { .index_count = 3 }, { .first_index = 3, .index_count = 3 } };
+    struct material material = material_make("glass");
     const struct model model = {
         .object = { vertices, indices, 4, 6 },
+        .objects = objects,
+        .object_count = 2,
+        .materials = &material,
+        .material_count = 1,
         .surroundings = { vertices, indices, 4, 6 },
         .textures = { texels, 2, 2 },
         .camera = { .eye = { { 0, 0, 2 } }, .fov_deg = 45 },

@@ -27,12 +27,24 @@ void fuzz_check_model(const struct model *model)
     FUZZ_CHECK(model->object.index_count + model->surroundings.index_count > 0);
     check_mesh(&model->object, &model->textures);
     check_mesh(&model->surroundings, &model->textures);
+    uint32_t end = 0;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        FUZZ_CHECK(object->first_index == end && object->material < model->material_count);
+        end += object->index_count;
+    }
+    FUZZ_CHECK(end == model->object.index_count);
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        struct material material = model->materials[i];
+        FUZZ_CHECK(!material_clamp(&material));
+    }
 }
 
 void fuzz_check_no_model(const struct model *model)
 {
     FUZZ_CHECK(!model->object.vertices && !model->object.indices && !model->textures.texels &&
-               !model->surroundings.vertices && !model->surroundings.indices);
+               !model->surroundings.vertices && !model->surroundings.indices && !model->objects &&
+               !model->materials);
 }
 
 void fuzz_check_environment(const struct environment *environment)

@@ -90,7 +90,15 @@ static void send(float x, uint32_t index, const char *end)
 {
     struct mesh_vertex vertices[3] = { { .position = { { x, 0, 0 } } } };
     uint32_t indices[3] = { 0, 1, index };
-    const struct model model = { .object = { vertices, indices, 3, 3 } };
+    struct object object = { .index_count = 3 };
+    struct material material = material_make("ice");
+    const struct model model = {
+        .object = { vertices, indices, 3, 3 },
+        .objects = &object,
+        .object_count = 1,
+        .materials = &material,
+        .material_count = 1,
+    };
     fputs(end, stderr);
     if (!mesh_pipe_write_model(&(struct pipe_sink){ write_out, NULL }, &model))
         _exit(STATUS_WRITE);

@@ -10,14 +10,19 @@ enum {
     /* where things are in the stream of make_model() */
     FLAGS_AT = 4,
     COUNTS_AT = 8, /* vertices, indices; of the surroundings, too */
-    TEXTURE_SIZE_AT = 24,
-    TEXTURE_COUNT_AT = 28,
-    CAMERA_AT = 32, /* eye, target, up, angle */
-    IOR_AT = 72,
-    BOX_AT = 76,
-    VERTICES_AT = 100,
+    OBJECT_COUNT_AT = 24,
+    MATERIAL_COUNT_AT = 28,
+    TEXTURE_SIZE_AT = 32,
+    TEXTURE_COUNT_AT = 36,
+    CAMERA_AT = 40, /* eye, target, up, angle */
+    IOR_AT = 80,
+    BOX_AT = 84,
+    VERTICES_AT = 108,
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
+    MESH_SIZE = 4 * VERTEX_SIZE + 6 * 4,
+    OBJECTS_AT = VERTICES_AT + 2 * MESH_SIZE,
+    MATERIALS_AT = OBJECTS_AT + 2 * (int)sizeof(struct object),
 };
 
 static struct mesh make_square(uint32_t material)
@@ -38,6 +43,19 @@ static struct mesh make_square(uint32_t material)
     return mesh;
 }
 
+static void add_objects(struct model *model)
+{
+    model->objects = calloc(2, sizeof(*model->objects));
+    model->materials = calloc(2, sizeof(*model->materials));
+    assert_true(model->objects && model->materials);
+    model->object_count = 2;
+    model->material_count = 2;
+    for (uint32_t i = 0; i < 2; i++) {
+        model->objects[i] = (struct object){ "half", 3 * i, 3, .material = 1 - i };
+        model->materials[i] = material_make("glass");
+    }
+}
+
 static struct model make_model(void)
 {
     struct model model = {
@@ -51,6 +69,7 @@ static struct model make_model(void)
         .has_box = true,
         .has_ior = true,
     };
+    add_objects(&model);
     assert_non_null(model.textures.texels);
     for (uint8_t i = 0; i < 32; i++)
         model.textures.texels[i] = i;
@@ -93,6 +112,10 @@ static void model_comes_through(void **state)
     assert_int_equal(model.textures.size, 2);
     assert_int_equal(model.textures.count, 2);
     assert_memory_equal(model.textures.texels, wanted.textures.texels, 32);
+    assert_int_equal(model.object_count, 2);
+    assert_int_equal(model.material_count, 2);
+    assert_memory_equal(model.objects, wanted.objects, 2 * sizeof(struct object));
+    assert_memory_equal(model.materials, wanted.materials, 2 * sizeof(struct material));
     assert_memory_equal(&model.camera, &wanted.camera, sizeof(wanted.camera));
     CHECK_NEAR(model.ior, 1.5, 1e-6);
     assert_memory_equal(&model.box, &wanted.box, sizeof(wanted.box));
@@ -185,6 +208,46 @@ static void vertices_are_checked(void **state)
     }
 }
 
+static void objects_are_checked(void **state)
+{
+    const size_t size = sizeof(struct object);
+    char endless[MATERIAL_NAME_SIZE];
+    (void)state;
+    memset(endless, 'x', sizeof(endless));
+    refuse_word(OBJECT_COUNT_AT, UINT32_MAX, PIPE_SIZE);
+    refuse_word(OBJECT_COUNT_AT, 3, PIPE_SIZE); /* of two triangles */
+    refuse_word(MATERIAL_COUNT_AT, UINT32_MAX, PIPE_SIZE);
+    refuse(OBJECTS_AT, endless, sizeof(endless), PIPE_MATERIAL);
+    refuse_word(OBJECTS_AT + offsetof(struct object, material), 2, PIPE_MATERIAL);
+    refuse_word(OBJECTS_AT + offsetof(struct object, rank), 1, PIPE_MATERIAL);
+    refuse_word(OBJECTS_AT + offsetof(struct object, first_index), 3, PIPE_INDEX);
+    refuse_word(OBJECTS_AT + offsetof(struct object, index_count), 6, PIPE_INDEX);
+    refuse_word(OBJECTS_AT + offsetof(struct object, index_count), 0, PIPE_INDEX);
+    refuse_word(OBJECTS_AT + size + offsetof(struct object, index_count), 6, PIPE_INDEX);
+}
+
+static void materials_are_checked(void **state)
+{
+    static const size_t numbers[] = {
+        offsetof(struct material, base_color),
+        offsetof(struct material, roughness),
+        offsetof(struct material, transmission),
+        offsetof(struct material, thickness),
+        offsetof(struct material, ior),
+        offsetof(struct material, dispersion),
+        offsetof(struct material, attenuation_color),
+        offsetof(struct material, attenuation_distance),
+    };
+    static const float bad[] = { NAN, INFINITY, -1 };
+    (void)state;
+    for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++) {
+        for (size_t k = 0; k < sizeof(bad) / sizeof(bad[0]); k++)
+            refuse_number(MATERIALS_AT + numbers[i], bad[k], PIPE_MATERIAL);
+    }
+    refuse_word(MATERIALS_AT + offsetof(struct material, flags), MATERIAL_FLAGS + 1, PIPE_MATERIAL);
+    refuse_number(MATERIALS_AT + offsetof(struct material, ior), 4.1F, PIPE_MATERIAL);
+}
+
 static void every_length_but_one_is_short(void **state)
 {
     (void)state;
@@ -258,6 +321,8 @@ int main(void)
         cmocka_unit_test(heads_are_checked),
         cmocka_unit_test(cameras_are_checked),
         cmocka_unit_test(vertices_are_checked),
+        cmocka_unit_test(objects_are_checked),
+        cmocka_unit_test(materials_are_checked),
         cmocka_unit_test(environments),
         cmocka_unit_test(cubes),
         cmocka_unit_test(every_length_but_one_is_short),

@@ -194,7 +194,7 @@ enum status option_material(const struct option *option, void *at, const char *v
 {
     struct app_scene *scene = at;
     scene->material = value;
-    return material_find(value)
+    return material_preset_find(value)
                ? STATUS_OK
                : option_refuse_name(option, OPTION_MATERIALS, value, strlen(value));
 }

@@ -32,7 +32,8 @@ static void offer_names(struct suggest *suggest, enum option_names names)
         suggest_offer(suggest, techniques_rung(i)->rung.name);
     if (has_reference)
         suggest_offer(suggest, refract_reference.rung.name);
-    for (const struct material *m = materials; names == OPTION_MATERIALS && m->name; m++)
+    for (const struct material_preset *m = material_presets; names == OPTION_MATERIALS && m->name;
+         m++)
         suggest_offer(suggest, m->name);
     for (size_t i = 0; names == OPTION_LAYERS && techniques_layer(i); i++)
         suggest_offer(suggest, techniques_layer(i)->name);

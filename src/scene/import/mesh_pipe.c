@@ -1,7 +1,9 @@
 /* mesh_pipe.c: the format is a head with all counts, the arrays in its order, a final word. */
 #include "src/scene/import/mesh_pipe.h"
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "src/image/image.h"
 #include "src/scene/import/model_import.h"
 
@@ -25,6 +27,7 @@ struct model_head {
     uint32_t magic;
     uint32_t flags;
     struct mesh_counts object, surroundings;
+    uint32_t object_count, material_count;
     uint32_t texture_size, texture_count;
     struct camera camera;
     float ior;
@@ -36,7 +39,9 @@ struct environment_head {
     uint32_t width, height;
 };
 
-_Static_assert(sizeof(struct model_head) == 100, "no padding, so no bytes of this process in it");
+_Static_assert(sizeof(struct material) == 120, "no padding");
+_Static_assert(sizeof(struct object) == 80, "no padding");
+_Static_assert(sizeof(struct model_head) == 108, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */
 
@@ -59,6 +64,8 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
                  (model->has_box ? HAS_BOX : 0u),
         .object = { model->object.vertex_count, model->object.index_count },
         .surroundings = { model->surroundings.vertex_count, model->surroundings.index_count },
+        .object_count = model->object_count,
+        .material_count = model->material_count,
         .texture_size = model->textures.size,
         .texture_count = model->textures.count,
         .camera = model->camera,
@@ -67,6 +74,8 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
     };
     return pipe_write(sink, &head, sizeof(head)) && write_mesh(sink, &model->object) &&
            write_mesh(sink, &model->surroundings) &&
+           pipe_write(sink, model->objects, model->object_count * sizeof(*model->objects)) &&
+           pipe_write(sink, model->materials, model->material_count * sizeof(*model->materials)) &&
            pipe_write(sink, model->textures.texels, texels_size(&model->textures)) &&
            pipe_write_end(sink);
 }
@@ -162,14 +171,71 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
     if (!is_countable(head->object) || !is_countable(head->surroundings) ||
         head->object.indices + head->surroundings.indices == 0)
         return PIPE_SIZE;
+    if (head->object_count > head->object.indices / 3 || head->material_count > MODEL_NODE_MAX)
+        return PIPE_SIZE;
     if (head->texture_count > MODEL_TEXTURE_MAX || side > MODEL_TEXTURE_SIDE_MAX ||
         (side & (side - 1)) != 0 || (side > 0) != (head->texture_count > 0))
         return PIPE_SIZE;
     const uint64_t texels = side * side * TEXEL_SIZE * head->texture_count;
     if (texels > MODEL_TEXTURES_SIZE_MAX ||
-        texels + mesh_size(head->object) + mesh_size(head->surroundings) > source->size_max)
+        texels + mesh_size(head->object) + mesh_size(head->surroundings) +
+                head->object_count * (uint64_t)sizeof(struct object) +
+                head->material_count * (uint64_t)sizeof(struct material) >
+            source->size_max)
         return PIPE_SIZE;
     return PIPE_OK;
+}
+
+static bool is_from(float value, float min, float max)
+{
+    return value >= min && value <= max;
+}
+
+static bool is_material(const struct material *m)
+{
+    return memchr(m->name, 0, sizeof(m->name)) && !(m->flags & ~(uint32_t)MATERIAL_FLAGS) &&
+           is_color(m->base_color, m->flags & MATERIAL_IS_UNLIT) &&
+           is_color(m->attenuation_color, false) && is_from(m->roughness, 0, 1) &&
+           is_from(m->transmission, 0, 1) && is_from(m->thickness, 0, MODEL_COORDINATE_MAX) &&
+           is_from(m->ior, 1, 4) && is_from(m->dispersion, 0, 10) &&
+           is_from(m->attenuation_distance, 0, FLT_MAX);
+}
+
+/* Objects follow each other, and cover the whole mesh. */
+static enum pipe_fault check_objects(const struct model *model)
+{
+    uint64_t end = 0;
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        if (!is_material(&model->materials[i]))
+            return PIPE_MATERIAL;
+    }
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        if (!memchr(object->name, 0, sizeof(object->name)) || object->rank != 0 ||
+            object->material >= model->material_count)
+            return PIPE_MATERIAL;
+        if (object->first_index != end || object->index_count == 0 || object->index_count % 3 != 0)
+            return PIPE_INDEX;
+        end += object->index_count;
+    }
+    return end == model->object.index_count ? PIPE_OK : PIPE_INDEX;
+}
+
+static enum pipe_fault read_objects(const struct pipe_source *source, const struct model_head *head,
+                                    struct model *model)
+{
+    const size_t objects_size = head->object_count * sizeof(*model->objects);
+    const size_t materials_size = head->material_count * sizeof(*model->materials);
+    model->objects = malloc(objects_size + 1);
+    model->materials = malloc(materials_size + 1);
+    if (!model->objects || !model->materials)
+        return PIPE_MEMORY;
+    model->object_count = head->object_count;
+    model->material_count = head->material_count;
+    enum pipe_fault fault = pipe_read(source, model->objects, objects_size);
+    if (fault == PIPE_OK)
+        fault = pipe_read(source, model->materials, materials_size);
+    return fault == PIPE_OK ? check_objects(model) : fault;
 }
 
 static bool is_box(const struct box *box)
@@ -211,6 +277,8 @@ enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct mo
         fault = read_mesh(source, &model->object, head.object, head.texture_count);
     if (fault == PIPE_OK)
         fault = read_mesh(source, &model->surroundings, head.surroundings, head.texture_count);
+    if (fault == PIPE_OK)
+        fault = read_objects(source, &head, model);
     if (fault == PIPE_OK && head.texture_count > 0) {
         model->textures.size = head.texture_size;
         model->textures.count = head.texture_count;

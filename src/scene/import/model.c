@@ -205,6 +205,8 @@ void model_finish(struct model *model)
 {
     mesh_finish(&model->object);
     mesh_finish(&model->surroundings);
+    free(model->objects);
+    free(model->materials);
     free(model->textures.texels);
     *model = (struct model){ 0 };
 }

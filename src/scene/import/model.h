@@ -2,9 +2,10 @@
  * model.h: loads model files.
  *
  * Reads .gltf .glb .obj .ply, and other formats of assimp. All meshes are merged with their
- * transforms into two: the refractive object and its surroundings. In a glTF file with a mesh whose
- * material has KHR_materials_transmission (factor > 0) such meshes are the object and all others
- * the surroundings; in any other file `everything_is` decides. Coordinates are those of the file.
+ * transforms into two: the refractive objects and their surroundings. In a glTF file with a mesh
+ * whose material has KHR_materials_transmission (factor > 0) such meshes are the objects and all
+ * others the surroundings; in any other file `everything_is` decides. Coordinates are those of the
+ * file. Each instance of a mesh in a node is an object; a file without materials has one alone.
  * Points and lines are left out; polygons are triangulated; identical vertices are merged.
  *
  * Normals are taken from the file, and smooth ones are made where missing. Vertex colours, base
@@ -34,7 +35,7 @@
 
 #include "src/base/status.h"
 #include "src/scene/camera.h"
-#include "src/scene/mesh.h"
+#include "src/scene/object.h"
 
 /*
  * Square 8-bit sRGB textures of one size, RGBA, rows from the top, one after another: at most 4096,
@@ -46,8 +47,12 @@ struct texture_layers {
 };
 
 struct model {
-    struct mesh object;
+    struct mesh object; /* of all refractive objects, one after another */
     struct mesh surroundings;
+    struct object *objects; /* parts of `object`; their ranks are not set */
+    uint32_t object_count;
+    struct material *materials; /* of the objects */
+    uint32_t material_count;
     struct texture_layers textures; /* of both meshes */
     struct camera camera; /* valid if has_camera; its target is at the object's distance */
     float ior;            /* KHR_materials_ior of the object; valid if has_ior */

@@ -21,11 +21,12 @@ enum {
 };
 
 struct model_material {
-    vec3s color;       /* base colour factor, linear */
-    uint32_t flags;    /* MESH_UNLIT, MESH_CUTOUT */
-    uint32_t layer;    /* texture layer + 1; 0: none */
-    uint32_t uv_index; /* set of texture coordinates */
-    float ior;         /* 0: not given */
+    struct material material; /* what the file says of it */
+    vec3s color;              /* base colour factor, linear */
+    uint32_t flags;           /* MESH_UNLIT, MESH_CUTOUT */
+    uint32_t layer;           /* texture layer + 1; 0: none */
+    uint32_t uv_index;        /* set of texture coordinates */
+    float ior;                /* 0: not given */
     bool is_textured;
     bool is_transmissive;
     bool is_made_up; /* made by assimp for a file without materials */

@@ -62,6 +62,29 @@ void model_color_warn(const struct model_import *import)
                     import->clamped_vertices);
 }
 
+/* What the extensions of transmission, volume and index say. */
+static void read_medium(const struct aiMaterial *source, struct model_material *material,
+                        float transmission)
+{
+    struct material *medium = &material->material;
+    struct aiColor4D tint = { 1, 1, 1, 1 };
+    struct aiString name = { 0 };
+    aiGetMaterialString(source, "?mat.name", 0, 0, &name);
+    *medium = material_make(name.data);
+    medium->transmission = transmission;
+    if (material->ior >= 1) {
+        medium->ior = material->ior;
+        medium->flags |= MATERIAL_HAS_IOR;
+    }
+    read_float(source, "$mat.roughnessFactor", &medium->roughness);
+    read_float(source, "$mat.volume.thicknessFactor", &medium->thickness);
+    read_float(source, "$mat.volume.attenuationDistance", &medium->attenuation_distance);
+    aiGetMaterialColor(source, "$mat.volume.attenuationColor", 0, 0, &tint);
+    medium->attenuation_color = (vec3s){ { tint.r, tint.g, tint.b } };
+    medium->base_color = material->color;
+    material_clamp(medium);
+}
+
 static void read_gltf(const struct aiMaterial *source, struct model_material *material)
 {
     int shading = 0;
@@ -77,6 +100,7 @@ static void read_gltf(const struct aiMaterial *source, struct model_material *ma
         material->is_transmissive = transmission > 0;
     /* Present only with KHR_materials_ior; without it, glTF's default of 1.5 is not used. */
     read_float(source, "$mat.refracti", &material->ior);
+    read_medium(source, material, transmission);
 }
 
 bool model_material_texture(const struct aiMaterial *material, struct aiString *name,

@@ -1,5 +1,6 @@
 /* model_mesh.c: merges the meshes of a model file, one instance for each node. */
 #include <math.h>
+#include <stdlib.h>
 #include "src/base/log.h"
 #include "src/scene/import/model_import.h"
 
@@ -16,6 +17,7 @@ struct part {
 
 struct build {
     const struct model_import *import;
+    struct model *model;
     struct part parts[PART_COUNT];
     enum model_part everything_is;
     bool is_split; /* transmission decides the part of each mesh */
@@ -120,8 +122,13 @@ static bool has_transmission(const struct model_import *import)
 static enum status read_ior(const struct model_import *import,
                             const struct model_material *material, struct model *model)
 {
-    if (material->ior == 0 || model->has_ior)
+    if (model->has_ior)
         return STATUS_OK;
+    if (material->ior == 0) {
+        model->ior = material->material.ior;
+        model->has_ior = material->is_transmissive;
+        return STATUS_OK;
+    }
     if (!(material->ior >= 1 && material->ior <= 4)) {
         log_error("%s: expected an index of refraction from 1 to 4, got %g", import->path,
                   (double)material->ior);
@@ -260,6 +267,27 @@ static enum status count(struct build *build, struct model *model)
     return STATUS_OK;
 }
 
+/* Adds the object of a node whose triangles begin where the part ends. */
+static enum status add_object(struct build *build, const struct aiNode *node,
+                              const struct aiMesh *mesh)
+{
+    struct model *model = build->model;
+    const uint32_t first = (uint32_t)build->parts[MODEL_OBJECT].index_count;
+    struct object *grown =
+        realloc(model->objects, (model->object_count + (size_t)1) * sizeof(*grown));
+    if (!grown)
+        return log_out_of_memory(build->import->path);
+    model->objects = grown;
+    model->objects[model->object_count++] = (struct object){
+        .first_index = first,
+        .index_count = 3 * triangle_count(mesh),
+        .material = mesh->mMaterialIndex,
+    };
+    snprintf(grown[model->object_count - 1].name, MATERIAL_NAME_SIZE, "%.*s",
+             MATERIAL_NAME_SIZE - 1, node->mName.data);
+    return STATUS_OK;
+}
+
 static enum status fill(struct build *build)
 {
     const struct model_import *import = build->import;
@@ -271,11 +299,45 @@ static enum status fill(struct build *build)
             if (triangle_count(mesh) == 0)
                 continue;
             struct placement placement = place(import, mesh, node->model_from_node);
-            enum status status = append(part_of(build, mesh), import, index, &placement);
+            struct part *part = part_of(build, mesh);
+            enum status status = STATUS_OK;
+            if (build->is_split && part == &build->parts[MODEL_OBJECT])
+                status = add_object(build, node->node, mesh);
+            if (status == STATUS_OK)
+                status = append(part, import, index, &placement);
             if (status != STATUS_OK)
                 return status;
         }
     }
+    return STATUS_OK;
+}
+
+/* The materials of the objects: those of the file, or one for all that it calls an object. */
+static enum status list_materials(struct build *build)
+{
+    const struct model_import *import = build->import;
+    struct model *model = build->model;
+    const uint32_t count =
+        build->is_split ? import->scene->mNumMaterials : model->object.index_count > 0;
+    if (!count)
+        return STATUS_OK;
+    model->materials = calloc(count, sizeof(*model->materials));
+    if (!model->materials)
+        return log_out_of_memory(import->path);
+    model->material_count = count;
+    for (uint32_t i = 0; build->is_split && i < count; i++)
+        model->materials[i] = import->materials[i].material;
+    if (build->is_split)
+        return STATUS_OK;
+    model->materials[0] = material_make("ice");
+    model->materials[0].flags = MATERIAL_IS_BARE;
+    model->materials[0].transmission = 1;
+    model->materials[0].roughness = 0;
+    model->objects = calloc(1, sizeof(*model->objects));
+    if (!model->objects)
+        return log_out_of_memory(import->path);
+    model->objects[0].index_count = model->object.index_count;
+    model->object_count = 1;
     return STATUS_OK;
 }
 
@@ -284,6 +346,7 @@ enum status model_mesh_build(struct model_import *import, struct model *model,
 {
     struct build build = {
         .import = import,
+        .model = model,
         .everything_is = everything_is,
         .is_split = has_transmission(import),
         .parts[MODEL_OBJECT].mesh = &model->object,
@@ -306,6 +369,8 @@ enum status model_mesh_build(struct model_import *import, struct model *model,
         return STATUS_DATA;
     }
     status = fill(&build);
+    if (status == STATUS_OK)
+        status = list_materials(&build);
     if (status != STATUS_OK)
         return status;
     for (int i = 0; i < PART_COUNT; i++)

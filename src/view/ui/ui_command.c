@@ -99,7 +99,7 @@ static void print_ior(FILE *out, const struct ui_command *c)
     const double ior = settings_get(&c->picture->scene.settings, row);
     if (!differ(ior, model->has_ior ? (double)model->ior : settings_get(&defaults, row)))
         return;
-    for (const struct material *m = materials; m->name; m++) {
+    for (const struct material_preset *m = material_presets; m->name; m++) {
         if (!differ((double)m->ior, ior)) {
             print_name(out, "material", m->name);
             return;

@@ -61,16 +61,16 @@ static void material_list(struct ui_wish *wish)
     const char *names[MATERIAL_MAX + 1];
     uint32_t count = 0;
     uint32_t chosen = UINT32_MAX;
-    for (; materials[count].name && count < MATERIAL_MAX; count++) {
-        const double difference = (double)materials[count].ior - is;
-        names[count] = materials[count].name;
+    for (; material_presets[count].name && count < MATERIAL_MAX; count++) {
+        const double difference = (double)material_presets[count].ior - is;
+        names[count] = material_presets[count].name;
         if (chosen == UINT32_MAX && !(difference < 0.0 || difference > 0.0))
             chosen = count;
     }
     names[count] = "other";
     chosen = chosen == UINT32_MAX ? count : chosen;
     if (imgui_list("material", names, count + 1, &chosen) && chosen < count) {
-        settings_put(&wish->settings, ior, (double)materials[chosen].ior);
+        settings_put(&wish->settings, ior, (double)material_presets[chosen].ior);
         wish->changed = true;
     }
     imgui_tip("material of the object: sets refract.ior");

@@ -1,0 +1,67 @@
+/* media.c: indices and absorption of a scene's objects. */
+#include "src/frame/media.h"
+#include "src/tech/absorb.h"
+#include "src/tech/refract.h"
+
+/* KHR_materials_dispersion: the index of red is n - h and of blue n + h, where h = (n - 1) 0.025
+ * dispersion. */
+static void spread(float ior[static 3], float middle, float dispersion)
+{
+    const float half = (middle - 1.0f) * 0.025f * dispersion;
+    ior[0] = middle - half;
+    ior[1] = middle;
+    ior[2] = middle + half;
+}
+
+static struct frame_medium bare(const struct refract_params *refract, vec3s absorption)
+{
+    struct frame_medium medium = { .absorption = absorption, .tint = glms_vec3_one(), .rank = 1 };
+    spread(medium.ior, refract->ior, refract->dispersion);
+    return medium;
+}
+
+static struct frame_medium medium_of(const struct material *material, bool has_own_ior,
+                                     const struct refract_params *refract, vec3s absorption)
+{
+    struct frame_medium medium = {
+        .absorption = material_absorption(material),
+        .tint = material->base_color,
+        .roughness = material->roughness,
+        .shine = 1.0f - material->transmission,
+        .is_thin = !(material->thickness > 0.0f),
+    };
+    if (absorption.x > 0.0f || absorption.y > 0.0f || absorption.z > 0.0f)
+        medium.absorption = absorption;
+    spread(medium.ior, has_own_ior ? material->ior : refract->ior,
+           refract->dispersion > 0.0f ? refract->dispersion : material->dispersion);
+    return medium;
+}
+
+uint32_t frame_media_count(const struct scene *scene)
+{
+    return (scene->model.object_count ? scene->model.object_count : 1) + 1;
+}
+
+void frame_media(struct frame_medium *media, const struct scene *scene,
+                 const struct settings *settings)
+{
+    const struct model *model = &scene->model;
+    const struct refract_params *refract = settings_of(settings, &refract_settings);
+    const struct absorb_params *absorb = settings_of(settings, &absorb_settings);
+    const vec3s absorption = { { absorb->red, absorb->green, absorb->blue } };
+    const uint32_t count = frame_media_count(scene) - 1;
+    bool is_bare = true;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct material *material =
+            model->object_count ? &model->materials[model->objects[i].material] : NULL;
+        is_bare = !material || material->flags & MATERIAL_IS_BARE;
+        media[i] =
+            is_bare ? bare(refract, absorption)
+                    : medium_of(material, refract->ior == scene->settled_ior, refract, absorption);
+        if (material)
+            media[i].rank = model->objects[i].rank;
+    }
+    /* glTF's outside is empty; the paper's is air. */
+    media[count] = (struct frame_medium){ .tint = glms_vec3_one() };
+    spread(media[count].ior, is_bare ? REFRACT_IOR_AIR : 1.0f, 0.0f);
+}

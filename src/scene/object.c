@@ -1,0 +1,127 @@
+/* object.c: the order of media where objects overlap. */
+#include "src/scene/object.h"
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/solid.h"
+
+/* An object while it is ranked. */
+struct contender {
+    uint32_t object;
+    int64_t priority; /* INT64_MIN: none is stated */
+    uint32_t depth;   /* number of shells around it */
+};
+
+/* Returns a mesh that borrows all vertices and the object's triangles. */
+static struct mesh part_of(const struct mesh *mesh, const struct object *object)
+{
+    return (struct mesh){
+        .vertices = mesh->vertices,
+        .indices = &mesh->indices[object->first_index],
+        .vertex_count = mesh->vertex_count,
+        .index_count = object->index_count,
+    };
+}
+
+static struct box box_of(const struct mesh *part)
+{
+    struct box box = { 0 };
+    for (uint32_t i = 0; i < part->index_count; i++) {
+        const vec3s p = part->vertices[part->indices[i]].position;
+        box.min = i ? glms_vec3_minv(box.min, p) : p;
+        box.max = i ? glms_vec3_maxv(box.max, p) : p;
+    }
+    return box;
+}
+
+static bool is_within(const struct box *inner, const struct box *outer)
+{
+    for (int k = 0; k < 3; k++) {
+        if (inner->min.raw[k] < outer->min.raw[k] || inner->max.raw[k] > outer->max.raw[k])
+            return false;
+    }
+    return true;
+}
+
+/* Whether all corners of a part are inside the shell. */
+static bool encloses(const struct solid *shell, const struct mesh *part)
+{
+    for (uint32_t i = 0; i < part->index_count; i++) {
+        if (!solid_contains(shell, part->vertices[part->indices[i]].position))
+            return false;
+    }
+    return true;
+}
+
+/* Adds 1 to the depth of each object within the shell of object `k`. Returns false when out of
+ * memory. */
+static bool find_enclosed(struct contender *contenders, const struct box *boxes,
+                          const struct object *objects, uint32_t count, const struct mesh *mesh,
+                          uint32_t k)
+{
+    const struct mesh shell = part_of(mesh, &objects[k]);
+    struct solid solid = { 0 };
+    bool is_made = false;
+    for (uint32_t i = 0; i < count; i++) {
+        if (i == k || !is_within(&boxes[i], &boxes[k]))
+            continue;
+        if (!is_made && !solid_init(&solid, &shell))
+            return false;
+        is_made = true;
+        const struct mesh part = part_of(mesh, &objects[i]);
+        contenders[i].depth += encloses(&solid, &part);
+    }
+    solid_finish(&solid);
+    return true;
+}
+
+static int by_priority(const void *a, const void *b)
+{
+    const struct contender *x = a;
+    const struct contender *y = b;
+    if (x->priority != y->priority)
+        return x->priority < y->priority ? -1 : 1;
+    if (x->depth != y->depth)
+        return x->depth < y->depth ? -1 : 1;
+    return x->object < y->object ? -1 : 1;
+}
+
+enum status object_rank_all(struct object *objects, uint32_t count, const struct mesh *mesh,
+                            const struct material *materials)
+{
+    struct contender *contenders = calloc(count + (size_t)1, sizeof(*contenders));
+    struct box *boxes = calloc(count + (size_t)1, sizeof(*boxes));
+    bool done = contenders && boxes;
+    for (uint32_t i = 0; done && i < count; i++) {
+        const struct material *material = &materials[objects[i].material];
+        const struct mesh part = part_of(mesh, &objects[i]);
+        const bool is_stated = material->flags & MATERIAL_HAS_PRIORITY;
+        contenders[i].object = i;
+        contenders[i].priority = is_stated ? material->priority : INT64_MIN;
+        boxes[i] = box_of(&part);
+    }
+    for (uint32_t i = 0; done && count > 1 && i < count; i++)
+        done = find_enclosed(contenders, boxes, objects, count, mesh, i);
+    if (done) {
+        qsort(contenders, count, sizeof(*contenders), by_priority);
+        for (uint32_t i = 0; i < count; i++)
+            objects[contenders[i].object].rank = i + 1;
+    }
+    free(contenders);
+    free(boxes);
+    return done ? STATUS_OK : log_out_of_memory("objects");
+}
+
+const struct object *object_of_index(const struct object *objects, uint32_t count, uint32_t index)
+{
+    uint32_t low = 0;
+    uint32_t high = count;
+    while (high - low > 1) {
+        const uint32_t middle = low + (high - low) / 2;
+        if (objects[middle].first_index <= index)
+            low = middle;
+        else
+            high = middle;
+    }
+    return &objects[low];
+}

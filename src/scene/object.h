@@ -1,0 +1,32 @@
+/* object.h: the refractive objects of a scene, and which medium is where they overlap. */
+#ifndef FIRN_SCENE_OBJECT_H
+#define FIRN_SCENE_OBJECT_H
+
+#include "src/base/status.h"
+#include "src/scene/material.h"
+#include "src/scene/mesh.h"
+
+/*
+ * A shell that bounds a medium: a node of a model file with a transmissive material. Its triangles
+ * are a range of the mesh of all objects.
+ */
+struct object {
+    char name[MATERIAL_NAME_SIZE]; /* of the node; "" if it has none */
+    uint32_t first_index, index_count;
+    uint32_t material; /* index into the materials */
+    uint32_t rank;     /* where shells overlap, the medium of the greatest rank is there; no two
+                          objects have the same, and none has 0, the outside's */
+};
+
+/*
+ * Gives the objects their ranks: a stated priority beats none, and a greater one a lesser one; of
+ * others, a shell that lies inside another one beats it; otherwise, the later object does. Logs and
+ * returns STATUS_TRY_AGAIN when out of memory.
+ */
+MUST_USE enum status object_rank_all(struct object *objects, uint32_t count,
+                                     const struct mesh *mesh, const struct material *materials);
+
+/* Returns the object of a triangle, whose first index is `index`. */
+const struct object *object_of_index(const struct object *objects, uint32_t count, uint32_t index);
+
+#endif
