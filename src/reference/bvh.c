@@ -24,13 +24,29 @@ static const struct RTCHit *hit_of(const struct RTCFilterFunctionNArguments *arg
     return (const struct RTCHit *)(const void *)args->hit;
 }
 
+/* Returns the index of the object of a triangle. */
+static uint32_t object_of(const struct bvh *bvh, uint32_t triangle)
+{
+    const struct model *model = &bvh->radiance->scene->model;
+    if (model->object_count < 2)
+        return 0;
+    return (uint32_t)(object_of_index(model->objects, model->object_count, triangle * 3) -
+                      model->objects);
+}
+
 static void filter_object(const struct RTCFilterFunctionNArguments *args)
 {
+    const struct bvh *bvh = args->geometryUserPtr;
     const struct bvh_ray *ray = ((const struct context *)(const void *)args->context)->ray;
     const struct RTCHit *hit = hit_of(args);
+    if (ray->from == BVH_NOWHERE)
+        return;
     const vec3s facet = { { hit->Ng_x, hit->Ng_y, hit->Ng_z } };
     const bool is_back = glms_vec3_dot(facet, ray->dir) > 0.0f;
-    if (is_back != ray->is_inside || hit->primID == ray->from)
+    const float distance = ((const struct RTCRay *)(const void *)args->ray)->tfar;
+    if (hit->primID == ray->from ||
+        (is_back != ray->is_inside && (ray->is_astray || distance < bvh->hair) &&
+         object_of(bvh, hit->primID) == ray->object))
         args->valid[0] = 0;
 }
 
@@ -118,6 +134,7 @@ enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *r
 {
     *bvh = (struct bvh){
         .radiance = radiance,
+        .hair = 1e-4f * radiance->globals->radius,
         .parts[BVH_OBJECT].mesh = &radiance->scene->model.object,
         .parts[BVH_SURROUNDINGS].mesh = &radiance->scene->model.surroundings,
     };
@@ -216,6 +233,7 @@ bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *
     *hit = (struct bvh_hit){
         .part = rayhit.hit.geomID,
         .triangle = rayhit.hit.primID,
+        .object = part == &bvh->parts[BVH_OBJECT] ? object_of(bvh, rayhit.hit.primID) : 0,
         .distance = rayhit.ray.tfar,
         .facet = facet_normal(part, rayhit.hit.primID),
         .surface = blended(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v),

@@ -1,9 +1,9 @@
 /*
  * bvh.h: intersects rays with the scene's triangles at one time, by Embree.
  *
- * A ray outside the object intersects only its front faces, and a ray inside only its back faces:
- * so a ray never intersects the surface on which it begins, and inner walls are ignored. Holes of
- * cut-out materials are not intersected.
+ * A ray that begins on an object's surface does not intersect the triangle on which it begins, nor,
+ * very near or if it is astray, faces of that object that it could only see from the other side.
+ * Holes of cut-out materials are not intersected.
  *
  * Thread-safety: several threads may call bvh_meet() at the same time.
  */
@@ -25,13 +25,17 @@ enum {
 struct bvh_ray {
     vec3s origin, dir; /* dir is unit */
     float near;        /* metres; nearer surfaces are ignored */
-    bool is_inside;    /* the ray begins inside the object */
-    uint32_t from;     /* the object's triangle on which it begins, or BVH_NOWHERE */
+    bool is_inside;    /* the ray begins inside the object on whose surface it begins */
+    bool is_astray;    /* its direction is on the other side of the triangle, which only the
+                          interpolated normal allows */
+    uint32_t from;     /* the objects' triangle on which it begins, or BVH_NOWHERE */
+    uint32_t object;   /* of that triangle */
 };
 
 struct bvh_hit {
     uint32_t part;              /* BVH_OBJECT ... */
     uint32_t triangle;          /* of the part's mesh */
+    uint32_t object;            /* of BVH_OBJECT: index into the scene's objects; else 0 */
     float distance;             /* metres */
     vec3s facet;                /* unit normal of the triangle, by its winding */
     struct mesh_vertex surface; /* interpolated vertices in the world; the normal is unit */
@@ -41,6 +45,7 @@ struct bvh_hit {
 struct bvh {
     RTCScene scene;
     const struct radiance *radiance;
+    float hair; /* metres: how near a ray's origin may be to a face by rounding alone */
 
     struct bvh_part {
         const struct mesh *mesh;

@@ -11,6 +11,7 @@
 #include "shaders/tonemap.h"
 #include "src/base/log.h"
 #include "src/frame/view.h"
+#include "src/reference/microfacet.h"
 #include "src/reference/reference_layers.h"
 #include "src/reference/whitted.h"
 #include "src/render/accumulate.h"
@@ -42,6 +43,7 @@ struct job {
     struct globals globals;
     struct background_push push;
     struct bvh bvh;
+    struct media media;
     struct whitted whitted;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
@@ -122,7 +124,10 @@ static void trace_pixel(const struct job *job, uint32_t x, uint32_t y)
     float first[REFERENCE_SEEN_COUNT];
     for (uint32_t s = 0; s < samples; s++) {
         const struct bvh_ray ray = ray_of(job, x, y, accumulate_jitter(s));
-        const struct reference_seen seen = whitted_trace(&job->whitted, &ray, job->globals.forward);
+        struct whitted whitted = job->whitted;
+        whitted.sample = s;
+        const struct reference_seen seen =
+            whitted_trace(&whitted, &ray, job->globals.forward, microfacet_hash(x, y));
         float values[REFERENCE_SEEN_COUNT];
         memcpy(values, &seen, sizeof(values));
         for (size_t i = 0; i < REFERENCE_SEEN_COUNT; i++)
@@ -241,18 +246,14 @@ static uint64_t memory_of(const struct reference_request *request)
 
 static struct whitted tree_of(const struct job *job)
 {
-    const struct globals *globals = &job->globals;
     const struct reference_params *params =
         settings_of(job->reference->request.settings, &reference_settings);
-    struct whitted whitted = {
+    return (struct whitted){
         .bvh = &job->bvh,
         .radiance = &job->radiance,
-        .is_dispersive = globals->etas.x != globals->etas.z,
-        .absorb = globals->absorb,
+        .media = &job->media,
         .params = *params,
     };
-    memcpy(whitted.eta, globals->etas.raw, sizeof(whitted.eta));
-    return whitted;
 }
 
 static enum status trace(struct job *job, const struct renderer_shot *shot,
@@ -273,10 +274,15 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     job->whitted = tree_of(job);
     job->tile_columns = (request->width + TILE - 1) / TILE;
     job->tile_count = job->tile_columns * ((request->height + TILE - 1) / TILE);
+    if (!media_init(&job->media, request->scene, request->settings))
+        return log_out_of_memory("objects");
     enum status status =
         bvh_init(&job->bvh, job->reference->device, &job->radiance, memory_of(request));
-    if (status == STATUS_OK)
+    if (status == STATUS_OK) {
+        whitted_immerse(&job->whitted, job->push.eye, &job->whitted.eye_inside);
         status = run(job, progress, user);
+    }
+    media_finish(&job->media);
     bvh_finish(&job->bvh);
     return status;
 }

@@ -2,24 +2,44 @@
  * whitted.c: traces the branches of a ray.
  *
  * Fresnel's equations for unpolarised light (Born and Wolf, Principles of Optics, 1.5.2), Snell's
- * law, and the law of Beer and Lambert on the path inside. Differences of nearly equal numbers are
+ * law, and the law of Beer and Lambert on paths inside. Differences of nearly equal numbers are
  * computed in double.
  */
 #include "src/reference/whitted.h"
 #include <math.h>
+#include "src/reference/microfacet.h"
 #include "src/tech/gbuffer.h"
 
-/* Reflection and refraction at the object's surface. */
+/* Reflection and refraction at an object's surface. */
 struct parting {
     float fresnel; /* reflectance; 1: total reflection */
     vec3s reflected, refracted;
+    float reflected_share, refracted_share; /* of the light in these directions: what a rough
+                                               surface does not mask */
 };
 
 struct branch {
     struct bvh_ray ray;
+    struct media_set inside; /* the objects that the ray is in */
     vec3s weight;
     uint32_t bounces; /* surfaces that it has met */
+    uint32_t seed;    /* of the random numbers at its next surface */
 };
+
+/* A ray's meeting with an object. */
+struct meeting {
+    struct bvh_hit hit;
+    struct media_crossing crossing;
+    uint32_t channel; /* colour of the light, for dispersion */
+    uint32_t seed;
+};
+
+enum {
+    CROSSINGS_MAX = 4096 /* of a ray that looks for the objects around the eye */
+};
+
+/* Rougher surfaces are not smooth. */
+#define ROUGHNESS_MIN 1e-3f
 
 /* The light of all branches, and the weight of those that were terminated. */
 struct sum {
@@ -52,7 +72,12 @@ static struct parting part_at(vec3s d, vec3s n, double eta)
 {
     const double ci = fmin(-dot(d, n), 1.0);
     const double sin2 = eta * eta * (1.0 - ci * ci);
-    struct parting parting = { .fresnel = 1.0f, .reflected = combined(1.0, d, 2.0 * ci, n) };
+    struct parting parting = {
+        .fresnel = 1.0f,
+        .reflected = combined(1.0, d, 2.0 * ci, n),
+        .reflected_share = 1.0f,
+        .refracted_share = 1.0f,
+    };
     if (sin2 >= 1.0)
         return parting;
     const double ct = sqrt(1.0 - sin2);
@@ -63,39 +88,125 @@ static struct parting part_at(vec3s d, vec3s n, double eta)
     return parting;
 }
 
-static struct parting part(const struct whitted *whitted, const struct bvh_ray *ray,
-                           const struct bvh_hit *hit, uint32_t channel)
+/* A wall so thin that light leaves it where it has entered, after reflections inside of it. */
+static struct parting part_thin(vec3s d, vec3s n, double eta)
 {
-    const float side = ray->is_inside ? -1.0f : 1.0f;
-    const double outside = (double)whitted->eta[channel];
-    const double eta = ray->is_inside ? 1.0 / outside : outside;
-    const vec3s facet = glms_vec3_scale(hit->facet, side);
-    vec3s n = glms_vec3_scale(hit->surface.normal, side);
-    if (whitted->params.normals == REFERENCE_NORMALS_FLAT || !(dot(ray->dir, n) < 0.0))
-        n = facet;
-    struct parting parting = part_at(ray->dir, n, eta);
-    if (ray->is_inside && dot(parting.reflected, facet) <= 0.0)
-        parting.reflected = part_at(ray->dir, facet, eta).reflected;
+    struct parting parting = part_at(d, n, eta);
+    parting.fresnel = 2.0f * parting.fresnel / (1.0f + parting.fresnel);
+    parting.refracted = d;
     return parting;
 }
 
-static struct bvh_ray leave(const struct bvh_hit *hit, vec3s dir, bool is_inside)
+static const struct frame_medium *medium(const struct whitted *whitted, uint32_t index)
 {
-    return (struct bvh_ray){
-        .origin = hit->surface.position,
-        .dir = dir,
-        .is_inside = is_inside,
-        .from = hit->triangle,
-    };
+    return &whitted->media->all[index];
+}
+
+/* Parts the light of a ray at a smooth surface or, with the normal of one microfacet, a rough one. */
+static struct parting part(const struct whitted *whitted, vec3s dir, const struct meeting *meeting)
+{
+    const struct bvh_hit *hit = &meeting->hit;
+    const struct frame_medium *surface = medium(whitted, hit->object);
+    const uint32_t before = meeting->crossing.before;
+    const float side = meeting->crossing.is_entering ? 1.0f : -1.0f;
+    const uint32_t after = surface->is_thin ? hit->object : meeting->crossing.after;
+    const double eta = (double)medium(whitted, before)->ior[meeting->channel] /
+                       (double)medium(whitted, after)->ior[meeting->channel];
+    const vec3s facet = glms_vec3_scale(hit->facet, side);
+    vec3s n = glms_vec3_scale(hit->surface.normal, side);
+    if (whitted->params.normals == REFERENCE_NORMALS_FLAT || !(dot(dir, n) < 0.0))
+        n = facet;
+    const bool is_rough = surface->roughness > ROUGHNESS_MIN;
+    const vec3s m = is_rough ? microfacet_sample(n, dir, surface->roughness,
+                                                 microfacet_point(whitted->sample, meeting->seed))
+                             : n;
+    struct parting parting = surface->is_thin ? part_thin(dir, m, eta) : part_at(dir, m, eta);
+    if (is_rough) {
+        parting.reflected_share = dot(parting.reflected, n) > 0.0
+                                      ? microfacet_masking(n, parting.reflected, surface->roughness)
+                                      : 0.0f;
+        parting.refracted_share = parting.fresnel < 1.0f && dot(parting.refracted, n) < 0.0
+                                      ? microfacet_masking(n, parting.refracted, surface->roughness)
+                                      : 0.0f;
+    } else if (!meeting->crossing.is_entering && dot(parting.reflected, facet) <= 0.0) {
+        parting.reflected = part_at(dir, facet, eta).reflected;
+    }
+    return parting;
 }
 
 /* ---- the tree ---- */
 
-static vec3s absorbed(const struct whitted *whitted, vec3s weight, float length)
+static vec3s absorbed(const struct whitted *whitted, const struct branch *b, float length)
 {
+    const vec3s absorption =
+        medium(whitted, media_top(whitted->media, &b->inside, MEDIA_NOTHING))->absorption;
+    vec3s weight = b->weight;
     for (int k = 0; k < 3; k++)
-        weight.raw[k] *= expf(-whitted->absorb.raw[k] * length);
+        weight.raw[k] *= absorption.raw[k] > 0.0f ? expf(-absorption.raw[k] * length) : 1.0f;
     return weight;
+}
+
+/* Returns the crossing of a ray that has met an object. A thin wall has no medium of its own. */
+static struct media_crossing crossing_at(const struct whitted *whitted,
+                                         const struct media_set *inside, vec3s dir,
+                                         const struct bvh_hit *hit)
+{
+    struct media_crossing crossing =
+        media_cross(whitted->media, inside, hit->object, dot(hit->facet, dir) < 0.0);
+    if (medium(whitted, hit->object)->is_thin) {
+        crossing.before = media_top(whitted->media, inside, hit->object);
+        crossing.after = crossing.before;
+    }
+    return crossing;
+}
+
+/* Returns the branch that goes on at a surface, on the other side of it or on the same. */
+static struct branch leave(const struct whitted *whitted, const struct branch *b,
+                           const struct meeting *meeting, vec3s dir, bool is_through)
+{
+    const struct bvh_hit *hit = &meeting->hit;
+    const bool is_entering = meeting->crossing.is_entering;
+    struct branch next = {
+        .ray = {
+            .origin = hit->surface.position,
+            .dir = dir,
+            .is_inside = is_through ? is_entering : !is_entering,
+            .is_astray = is_through == is_entering ? dot(dir, hit->facet) >= 0.0
+                                                   : dot(dir, hit->facet) <= 0.0,
+            .from = hit->triangle,
+            .object = hit->object,
+        },
+        .inside = b->inside,
+        .bounces = b->bounces + 1,
+        .seed = microfacet_hash(b->seed, is_through),
+    };
+    if (!medium(whitted, hit->object)->is_thin)
+        media_set_put(&next.inside, hit->object, next.ray.is_inside);
+    return next;
+}
+
+/*
+ * Finds the next surface that parts the light of a branch, or a surface around the objects. What
+ * lies between two equal media is no surface. The branch then ends there, with the weight that is
+ * left. Returns false if there is none.
+ */
+static bool advance(const struct whitted *whitted, struct branch *b, struct meeting *meeting)
+{
+    while (b->bounces < whitted->params.bounces && bvh_meet(whitted->bvh, &b->ray, &meeting->hit)) {
+        const struct bvh_hit *hit = &meeting->hit;
+        b->weight = absorbed(whitted, b, hit->distance);
+        if (hit->part == BVH_SURROUNDINGS)
+            return true;
+        meeting->crossing = crossing_at(whitted, &b->inside, b->ray.dir, hit);
+        meeting->seed = b->seed;
+        if (medium(whitted, hit->object)->is_thin ||
+            meeting->crossing.before != meeting->crossing.after)
+            return true;
+        const vec3s weight = b->weight;
+        *b = leave(whitted, b, meeting, b->ray.dir, true);
+        b->weight = weight;
+    }
+    return false;
 }
 
 /* Pushes a branch, or adds its weight to `remaining` if it is terminated. */
@@ -116,6 +227,40 @@ static vec3s surroundings_seen(const struct whitted *whitted, const struct bvh_r
                : radiance_sky(whitted->radiance, ray->dir);
 }
 
+/* The two branches of light that meets a surface. */
+struct fork {
+    struct parting parting;
+    struct branch reflected, refracted;
+};
+
+static struct fork fork_at(const struct whitted *whitted, const struct branch *b,
+                           const struct meeting *meeting)
+{
+    const struct frame_medium *surface = medium(whitted, meeting->hit.object);
+    struct fork fork = { .parting = part(whitted, b->ray.dir, meeting) };
+    const struct parting *p = &fork.parting;
+    fork.reflected = leave(whitted, b, meeting, p->reflected, false);
+    fork.reflected.weight = glms_vec3_scale(b->weight, p->fresnel * p->reflected_share);
+    fork.refracted = leave(whitted, b, meeting, p->refracted, true);
+    fork.refracted.weight =
+        glms_vec3_scale(glms_vec3_mul(b->weight, surface->tint),
+                        (1.0f - p->fresnel) * p->refracted_share * (1.0f - surface->shine));
+    return fork;
+}
+
+/* Adds what an object's surface itself shows where it is not wholly transmissive. */
+static void add_shine(const struct whitted *whitted, const struct branch *b,
+                      const struct meeting *meeting, float fresnel, struct sum *sum)
+{
+    const struct frame_medium *surface = medium(whitted, meeting->hit.object);
+    if (!(surface->shine > 0.0f))
+        return;
+    const vec3s light = glms_vec3_mul(
+        surface->tint, radiance_surface(whitted->radiance, &meeting->hit.surface, b->ray.dir));
+    sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light),
+                                   surface->shine * (1.0f - fresnel), sum->light);
+}
+
 /* Traces a branch and its descendants, depth first: one of each two waits on the stack. */
 static void follow(const struct whitted *whitted, struct branch first, uint32_t channel,
                    struct sum *sum)
@@ -124,112 +269,136 @@ static void follow(const struct whitted *whitted, struct branch first, uint32_t 
     uint32_t count = 0;
     grow(whitted, stack, &count, first, sum);
     while (count) {
-        const struct branch b = stack[--count];
-        struct bvh_hit hit;
-        const bool is_met = bvh_meet(whitted->bvh, &b.ray, &hit);
-        const vec3s weight =
-            is_met && b.ray.is_inside ? absorbed(whitted, b.weight, hit.distance) : b.weight;
-        if (!is_met || hit.part == BVH_SURROUNDINGS) {
-            const vec3s light = surroundings_seen(whitted, &b.ray, is_met ? &hit : NULL);
-            sum->light = glms_vec3_add(sum->light, glms_vec3_mul(weight, light));
+        struct branch b = stack[--count];
+        struct meeting meeting = { .channel = channel };
+        const bool is_met = advance(whitted, &b, &meeting);
+        if (!is_met && b.bounces >= whitted->params.bounces) {
+            sum->remaining = glms_vec3_add(sum->remaining, b.weight);
             continue;
         }
-        const struct parting parting = part(whitted, &b.ray, &hit, channel);
-        grow(whitted, stack, &count,
-             (struct branch){
-                 .ray = leave(&hit, parting.refracted, !b.ray.is_inside),
-                 .weight = glms_vec3_scale(weight, 1.0f - parting.fresnel),
-                 .bounces = b.bounces + 1,
-             },
-             sum);
-        grow(whitted, stack, &count,
-             (struct branch){
-                 .ray = leave(&hit, parting.reflected, b.ray.is_inside),
-                 .weight = glms_vec3_scale(weight, parting.fresnel),
-                 .bounces = b.bounces + 1,
-             },
-             sum);
+        if (!is_met || meeting.hit.part == BVH_SURROUNDINGS) {
+            const vec3s light = surroundings_seen(whitted, &b.ray, is_met ? &meeting.hit : NULL);
+            sum->light = glms_vec3_add(sum->light, glms_vec3_mul(b.weight, light));
+            continue;
+        }
+        const struct fork fork = fork_at(whitted, &b, &meeting);
+        add_shine(whitted, &b, &meeting, fork.parting.fresnel, sum);
+        grow(whitted, stack, &count, fork.refracted, sum);
+        grow(whitted, stack, &count, fork.reflected, sum);
     }
 }
 
 /* ---- layers ---- */
 
 /* Traces the path that is refracted wherever that is possible, from its entry to its first exit. */
-static void follow_straight(const struct whitted *whitted, struct bvh_ray ray,
+static void follow_straight(const struct whitted *whitted, struct branch b,
                             struct reference_seen *seen)
 {
-    struct bvh_hit hit;
     float length = 0.0f;
     uint32_t bounces = 0;
-    while (ray.is_inside && bounces < whitted->params.bounces &&
-           bvh_meet(whitted->bvh, &ray, &hit)) {
-        length += hit.distance;
-        if (hit.part == BVH_SURROUNDINGS)
+    struct meeting meeting = { .channel = 1 };
+    while (media_top(whitted->media, &b.inside, MEDIA_NOTHING) != whitted->media->outside &&
+           b.bounces < whitted->params.bounces) {
+        const vec3s from = b.ray.origin;
+        if (!advance(whitted, &b, &meeting))
             break;
-        const struct parting parting = part(whitted, &ray, &hit, 1);
-        const bool is_total = parting.fresnel >= 1.0f;
+        length += glms_vec3_distance(from, meeting.hit.surface.position);
+        if (meeting.hit.part == BVH_SURROUNDINGS)
+            break;
+        const struct fork fork = fork_at(whitted, &b, &meeting);
+        const bool is_total = fork.parting.fresnel >= 1.0f;
         bounces += is_total;
-        ray = leave(&hit, is_total ? parting.reflected : parting.refracted, is_total);
+        b = is_total ? fork.reflected : fork.refracted;
     }
-    seen->exit = ray.dir;
+    seen->exit = b.ray.dir;
     seen->path = length;
     seen->bounces = (float)bounces;
     seen->tir =
         bounces ? 1.0f : 0.0f; /* without total reflection it leaves at the first inner surface */
 }
 
-/* Traces one channel, or all of them if `channels` is 1, 1, 1. */
-static void look_at_object(const struct whitted *whitted, const struct bvh_ray *ray,
-                           const struct bvh_hit *hit, uint32_t channel, vec3s channels,
+/* Traces one channel, or all of them if `channels` is 1, 1, 1, from the first surface on. */
+static void look_at_object(const struct whitted *whitted, const struct branch *eye,
+                           const struct meeting *met, uint32_t channel, vec3s channels,
                            struct reference_seen *seen)
 {
-    const struct parting parting = part(whitted, ray, hit, channel);
-    const float shares[2] = { parting.fresnel, 1.0f - parting.fresnel };
-    const struct bvh_ray rays[2] = {
-        leave(hit, parting.reflected, false),
-        leave(hit, parting.refracted, true),
-    };
+    struct meeting meeting = *met;
+    meeting.channel = channel;
+    const struct fork fork = fork_at(whitted, eye, &meeting);
+    const struct branch *const branches[2] = { &fork.reflected, &fork.refracted };
+    const float shares[2] = { fork.parting.fresnel, 1.0f - fork.parting.fresnel };
     vec3s *const seen_light[2] = { &seen->reflection, &seen->refraction };
+    struct sum shine = { 0 };
+    add_shine(whitted, eye, &meeting, fork.parting.fresnel, &shine);
+    seen->color = glms_vec3_muladd(shine.light, channels, seen->color);
     for (int i = 0; i < 2; i++) {
         struct sum sum = { 0 };
+        struct branch branch = *branches[i];
         if (!(shares[i] > 0.0f))
             continue;
-        follow(whitted,
-               (struct branch){ rays[i], .weight = glms_vec3_scale(channels, shares[i]),
-                                .bounces = 1 },
-               channel, &sum);
+        branch.weight = glms_vec3_mul(branch.weight, channels);
+        follow(whitted, branch, channel, &sum);
         seen->color = glms_vec3_add(seen->color, sum.light);
         seen->remaining = glms_vec3_add(seen->remaining, sum.remaining);
         *seen_light[i] = glms_vec3_muladds(sum.light, 1.0f / shares[i], *seen_light[i]);
     }
 }
 
+void whitted_immerse(const struct whitted *whitted, vec3s point, struct media_set *inside)
+{
+    struct media_set entered = { 0 };
+    struct bvh_hit hit;
+    struct bvh_ray ray = { .origin = point,
+                           .dir = { { 0.36f, 0.8f, 0.48f } },
+                           .from = BVH_NOWHERE };
+    *inside = (struct media_set){ 0 };
+    for (uint32_t i = 0; i < CROSSINGS_MAX && bvh_meet(whitted->bvh, &ray, &hit); i++) {
+        const bool is_entering = dot(hit.facet, ray.dir) < 0.0;
+        if (hit.part == BVH_OBJECT && is_entering)
+            media_set_put(&entered, hit.object, true);
+        else if (hit.part == BVH_OBJECT && !media_set_has(&entered, hit.object))
+            media_set_put(inside, hit.object, true);
+        else if (hit.part == BVH_OBJECT)
+            media_set_put(&entered, hit.object, false);
+        ray.origin = hit.surface.position;
+        ray.near = whitted->bvh->hair;
+    }
+}
+
 struct reference_seen whitted_trace(const struct whitted *whitted, const struct bvh_ray *ray,
-                                    vec3s forward)
+                                    vec3s forward, uint32_t seed)
 {
     struct reference_seen seen = { .alpha = 1.0f, .z = GBUFFER_NOTHING };
-    struct bvh_hit hit;
-    const bool is_met = bvh_meet(whitted->bvh, ray, &hit);
+    struct branch eye = {
+        .ray = *ray,
+        .inside = whitted->eye_inside,
+        .weight = glms_vec3_one(),
+        .seed = seed,
+    };
+    struct meeting meeting = { .channel = 1 };
+    const bool is_met = advance(whitted, &eye, &meeting);
+    const struct bvh_hit *hit = &meeting.hit;
     if (is_met) {
-        seen.z = hit.distance * glms_vec3_dot(ray->dir, forward);
-        seen.normal = hit.surface.normal;
-        seen.position = hit.surface.position;
+        seen.z = glms_vec3_dot(glms_vec3_sub(hit->surface.position, ray->origin), forward);
+        seen.normal = hit->surface.normal;
+        seen.position = hit->surface.position;
     }
-    if (!is_met || hit.part == BVH_SURROUNDINGS) {
-        seen.color = surroundings_seen(whitted, ray, is_met ? &hit : NULL);
+    if (!is_met || hit->part == BVH_SURROUNDINGS) {
+        const vec3s light = surroundings_seen(whitted, &eye.ray, is_met ? hit : NULL);
+        seen.color = glms_vec3_mul(eye.weight, light);
         return seen;
     }
-    const struct parting straight = part(whitted, ray, &hit, 1);
-    seen.fresnel = straight.fresnel;
-    follow_straight(whitted, leave(&hit, straight.refracted, true), &seen);
+    const struct fork straight = fork_at(whitted, &eye, &meeting);
+    seen.fresnel = straight.parting.fresnel;
+    follow_straight(whitted, straight.refracted, &seen);
     for (uint32_t c = 0; c < WHITTED_CHANNEL_COUNT; c++) {
         vec3s channels = glms_vec3_one();
-        if (whitted->is_dispersive) {
+        if (whitted->media->is_dispersive) {
             channels = glms_vec3_zero();
             channels.raw[c] = 1.0f;
         }
-        if (c == 0 || whitted->is_dispersive)
-            look_at_object(whitted, ray, &hit, c, channels, &seen);
+        if (c == 0 || whitted->media->is_dispersive)
+            look_at_object(whitted, &eye, &meeting, c, channels, &seen);
     }
     return seen;
 }

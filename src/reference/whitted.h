@@ -1,19 +1,21 @@
 /*
- * whitted.h: recursive ray tracing through the object (Whitted).
+ * whitted.h: recursive ray tracing through a scene's objects (Whitted).
  *
- * At a smooth surface light is reflected and refracted by Fresnel's equations and Snell's law. Both
- * branches are traced until their weight is below reference.cutoff or they have met
- * reference.bounces surfaces. No random numbers are used.
+ * At a smooth surface light is reflected and refracted by Fresnel's equations and Snell's law, with
+ * the indices of the media on both sides (media.h); at a rough one, a sample of a pixel meets one
+ * microfacet (microfacet.h). Both branches are traced until their weight is below reference.cutoff
+ * or they have met reference.bounces surfaces. Pictures of smooth objects use no random numbers.
  *
- * Limits: the object must be closed, without inner walls, and the camera must be outside. With
- * interpolated normals a direction may be on the wrong side of a triangle: refracted light then
- * continues in that direction, as from the smooth surface; light that is reflected inside is
- * reflected by the triangle's own normal.
+ * Limits: with interpolated normals a direction may be on the wrong side of a triangle: light then
+ * continues in that direction, as from the smooth surface, and does not meet the object from the
+ * side on which it is not; only light that is reflected inside is reflected by the triangle's own
+ * normal instead.
  */
 #ifndef FIRN_REFERENCE_WHITTED_H
 #define FIRN_REFERENCE_WHITTED_H
 
 #include "src/reference/bvh.h"
+#include "src/reference/media.h"
 #include "src/reference/reference_layers.h"
 #include "src/tech/refract_reference.h"
 
@@ -24,14 +26,17 @@ enum {
 struct whitted {
     const struct bvh *bvh;
     const struct radiance *radiance;
-    float eta[WHITTED_CHANNEL_COUNT]; /* refractive index outside over inside */
-    bool is_dispersive;               /* the channels' indices differ */
-    vec3s absorb;                     /* 1 / metre */
+    const struct media *media;
+    struct media_set eye_inside; /* whitted_immerse() of the eye */
+    uint32_t sample;             /* of a pixel; its random numbers are those of this index */
     struct reference_params params;
 };
 
-/* Traces a ray, which must begin outside the object; `forward` is the view's axis, unit. */
+/* Finds the objects that a point is inside, by the surfaces between it and infinity. */
+void whitted_immerse(const struct whitted *whitted, vec3s point, struct media_set *inside);
+
+/* Traces a ray from the eye. `forward` is the view's axis, unit; `seed` is the pixel's. */
 struct reference_seen whitted_trace(const struct whitted *whitted, const struct bvh_ray *ray,
-                                    vec3s forward);
+                                    vec3s forward, uint32_t seed);
 
 #endif

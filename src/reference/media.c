@@ -1,0 +1,66 @@
+/* media.c: sets of nested objects. */
+#include "src/reference/media.h"
+#include <stdlib.h>
+
+bool media_init(struct media *media, const struct scene *scene, const struct settings *settings)
+{
+    const uint32_t count = frame_media_count(scene);
+    *media = (struct media){ .outside = count - 1 };
+    media->all = count <= UINT16_MAX ? calloc(count, sizeof(*media->all)) : NULL;
+    if (!media->all)
+        return false;
+    frame_media(media->all, scene, settings);
+    for (uint32_t i = 0; i < count; i++)
+        media->is_dispersive |= media->all[i].ior[0] != media->all[i].ior[2];
+    return true;
+}
+
+void media_finish(struct media *media)
+{
+    free(media->all);
+    *media = (struct media){ 0 };
+}
+
+uint32_t media_top(const struct media *media, const struct media_set *set, uint32_t except)
+{
+    uint32_t top = media->outside;
+    for (uint32_t i = 0; i < set->count; i++) {
+        const uint32_t object = set->objects[i];
+        if (object != except && media->all[object].rank > media->all[top].rank)
+            top = object;
+    }
+    return top;
+}
+
+/* Returns the object's place in the set, or the number of its objects. */
+static uint32_t find(const struct media_set *set, uint32_t object)
+{
+    uint32_t i = 0;
+    while (i < set->count && set->objects[i] != object)
+        i++;
+    return i;
+}
+
+bool media_set_has(const struct media_set *set, uint32_t object)
+{
+    return find(set, object) < set->count;
+}
+
+void media_set_put(struct media_set *set, uint32_t object, bool is_inside)
+{
+    const uint32_t i = find(set, object);
+    if (is_inside && i == set->count && i < MEDIA_NESTED_MAX)
+        set->objects[set->count++] = (uint16_t)object;
+    else if (!is_inside && i < set->count)
+        set->objects[i] = set->objects[--set->count];
+}
+
+struct media_crossing media_cross(const struct media *media, const struct media_set *set,
+                                  uint32_t object, bool is_entering)
+{
+    const uint32_t without = media_top(media, set, object);
+    const bool is_top = media->all[object].rank > media->all[without].rank;
+    const uint32_t with = is_top ? object : without;
+    return is_entering ? (struct media_crossing){ without, with, true }
+                       : (struct media_crossing){ with, without, false };
+}

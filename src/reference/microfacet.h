@@ -1,0 +1,29 @@
+/*
+ * microfacet.h: rough surfaces of dielectrics, by one microfacet for each sample of a pixel.
+ *
+ * Distribution: GGX with a width of roughness squared, of which visible normals are sampled (Heitz
+ * 2018, Sampling the GGX Distribution of Visible Normals). Light is reflected and refracted at the
+ * microfacet (Walter and others 2007), once: what is shadowed or masked is lost, so rough surfaces
+ * are darker than they should be.
+ */
+#ifndef FIRN_REFERENCE_MICROFACET_H
+#define FIRN_REFERENCE_MICROFACET_H
+
+#include <cglm/struct.h>
+#include <stdint.h>
+
+/* Returns the microfacet's normal for light from the direction -dir, where dot(dir, n) < 0. */
+vec3s microfacet_sample(vec3s n, vec3s dir, float roughness, vec2s at);
+
+/* Returns the share of light along `out` that no other part of the surface is in the way of; n is
+ * the surface's normal on either side. */
+float microfacet_masking(vec3s n, vec3s out, float roughness);
+
+/* Returns point `index` of a sequence in the unit square that fills it evenly, scrambled by `seed`
+ * (Burley 2020, Practical Hash-based Owen Scrambling). Sequences of two seeds are independent. */
+vec2s microfacet_point(uint32_t index, uint32_t seed);
+
+/* Returns a number that both numbers scramble well. */
+uint32_t microfacet_hash(uint32_t a, uint32_t b);
+
+#endif
