@@ -102,7 +102,21 @@ static const struct frame_medium *medium(const struct whitted *whitted, uint32_t
     return &whitted->media->all[index];
 }
 
-/* Parts the light of a ray at a smooth surface or, with the normal of one microfacet, a rough one. */
+/* Takes away from what a microfacet reflects and refracts the light that others are in the way of,
+ * and that which a wrong side gets. The whole surface decides how much is reflected. */
+static void mask(struct parting *parting, vec3s dir, vec3s n, double eta,
+                 const struct frame_medium *surface)
+{
+    const bool is_refracted = parting->fresnel < 1.0f && dot(parting->refracted, n) < 0.0;
+    const bool is_reflected = dot(parting->reflected, n) > 0.0;
+    parting->fresnel = (surface->is_thin ? part_thin : part_at)(dir, n, eta).fresnel;
+    parting->reflected_share =
+        is_reflected ? microfacet_masking(n, parting->reflected, surface->roughness) : 0.0f;
+    parting->refracted_share =
+        is_refracted ? microfacet_masking(n, parting->refracted, surface->roughness) : 0.0f;
+}
+
+/* Parts the light of a ray at a smooth surface or, at one of its microfacets, a rough one. */
 static struct parting part(const struct whitted *whitted, vec3s dir, const struct meeting *meeting)
 {
     const struct bvh_hit *hit = &meeting->hit;
@@ -121,16 +135,10 @@ static struct parting part(const struct whitted *whitted, vec3s dir, const struc
                                                  microfacet_point(whitted->sample, meeting->seed))
                              : n;
     struct parting parting = surface->is_thin ? part_thin(dir, m, eta) : part_at(dir, m, eta);
-    if (is_rough) {
-        parting.reflected_share = dot(parting.reflected, n) > 0.0
-                                      ? microfacet_masking(n, parting.reflected, surface->roughness)
-                                      : 0.0f;
-        parting.refracted_share = parting.fresnel < 1.0f && dot(parting.refracted, n) < 0.0
-                                      ? microfacet_masking(n, parting.refracted, surface->roughness)
-                                      : 0.0f;
-    } else if (!meeting->crossing.is_entering && dot(parting.reflected, facet) <= 0.0) {
+    if (is_rough)
+        mask(&parting, dir, n, eta, surface);
+    else if (!meeting->crossing.is_entering && dot(parting.reflected, facet) <= 0.0)
         parting.reflected = part_at(dir, facet, eta).reflected;
-    }
     return parting;
 }
 

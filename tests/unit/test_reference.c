@@ -5,116 +5,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "src/reference/reference.h"
-#include "src/reference/reference_layers.h"
 #include "src/scene/generate/generate.h"
 #include "tests/support/check.h"
 #include "tests/support/picture.h"
+#include "tests/support/seen.h"
 
-static const double pi = 3.141592653589793;
 static const double air = 1.0003;
 static const double ice = 1.3091;
-
-/* What one ray gives. */
-struct seen {
-    struct vec color, exit, refraction, reflection, remaining, normal, position;
-    double fresnel, path, bounces, tir, z;
-};
-
-static struct settings settings_of_all(const char *const *assignments)
-{
-    struct settings settings = settings_default();
-    for (; *assignments; assignments++)
-        assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
-    return settings;
-}
-
-#define SETTINGS(...) settings_of_all((const char *const[]){ __VA_ARGS__, NULL })
-
-static uint32_t all_layers(void)
-{
-    uint32_t layers = 0;
-    for (uint32_t i = 0; techniques_layer(i); i++)
-        layers |= reference_makes(techniques_layer(i)) ? 1u << i : 0;
-    return layers;
-}
-
-static struct render_result trace(const struct reference_request *request,
-                                  const struct renderer_shot *shot)
-{
-    struct reference *reference;
-    struct render_result result = { 0 };
-    assert_int_equal(reference_create(&reference, request), STATUS_OK);
-    assert_int_equal(reference_render(reference, shot, &result, NULL, NULL), STATUS_OK);
-    reference_destroy(reference);
-    return result;
-}
-
-static double value(const struct image *image, const char *plane)
-{
-    const float *texels = image_find(image, plane);
-    assert_non_null(texels);
-    return (double)texels[0];
-}
-
-static struct seen look(const struct scene *scene, const struct settings *settings, struct vec eye,
-                        struct vec dir)
-{
-    const struct vec target = vec_add(eye, 1, dir);
-    const struct reference_request request = {
-        .scene = scene,
-        .settings = settings,
-        .width = 1,
-        .height = 1,
-        .layers = all_layers(),
-        .linear = true,
-        .threads = 1,
-    };
-    const struct renderer_shot shot = {
-        .camera = {
-            .eye = { { (float)eye.x, (float)eye.y, (float)eye.z } },
-            .target = { { (float)target.x, (float)target.y, (float)target.z } },
-            .fov_deg = 1,
-        },
-    };
-    struct render_result result = trace(&request, &shot);
-    const struct image *image = &result.image;
-    const struct seen seen = {
-        .color = picture_at(picture_layer(image, ""), 0),
-        .exit = picture_at(picture_layer(image, "exit"), 0),
-        .refraction = picture_at(picture_layer(image, "refraction"), 0),
-        .reflection = picture_at(picture_layer(image, "reflection"), 0),
-        .remaining = picture_at(picture_layer(image, "remaining"), 0),
-        .normal = picture_at(picture_layer(image, "N"), 0),
-        .position = picture_at(picture_layer(image, "P"), 0),
-        .fresnel = value(image, "fresnel.Z"),
-        .path = value(image, "path.Z"),
-        .bounces = value(image, "bounces.Z"),
-        .tir = value(image, "tir.Z"),
-        .z = value(image, "Z"),
-    };
-    render_result_finish(&result);
-    return seen;
-}
-
-/* ---- what the laws say ---- */
-
-/* Light at an angle of incidence, from n1 to n2. */
-static double fresnel(double angle, double n1, double n2)
-{
-    const double ci = cos(angle);
-    const double s = n1 / n2 * sin(angle);
-    const double ct = sqrt(1 - s * s);
-    const double rs = (n1 * ci - n2 * ct) / (n1 * ci + n2 * ct);
-    const double rp = (n2 * ci - n1 * ct) / (n2 * ci + n1 * ct);
-    return (rs * rs + rp * rp) / 2;
-}
-
-/* Turned about +Y from -Z toward +X. */
-static struct vec direction(double angle)
-{
-    return (struct vec){ sin(angle), 0, -cos(angle) };
-}
 
 /* ---- sphere ---- */
 
@@ -137,7 +34,7 @@ static struct scene sphere_scene(void)
 static struct seen look_at_sphere(const struct scene *scene, const struct settings *settings,
                                   double impact)
 {
-    return look(scene, settings, (struct vec){ impact, 0, 4 }, direction(0));
+    return seen_look(scene, settings, (struct vec){ impact, 0, 4 }, seen_direction(0));
 }
 
 static void test_sphere(void **state)
@@ -150,8 +47,8 @@ static void test_sphere(void **state)
         const double in = asin(b);
         const double inside = asin(b * air / ice);
         const struct seen seen = look_at_sphere(&scene, &settings, b);
-        assert_true(vec_angle_deg(seen.exit, direction(-2 * (in - inside))) < 0.01);
-        CHECK_NEAR(seen.fresnel, fresnel(asin(seen.normal.x), air, ice), 1e-5);
+        assert_true(vec_angle_deg(seen.exit, seen_direction(-2 * (in - inside))) < 0.01);
+        CHECK_NEAR(seen.fresnel, seen_fresnel(asin(seen.normal.x), air, ice), 1e-5);
         CHECK_NEAR(seen.path, 2 * cos(inside), 1e-4);
         CHECK_NEAR(seen.bounces, 0, 0);
         CHECK_NEAR(seen.tir, 0, 0);
@@ -170,7 +67,7 @@ static struct settings settings_of_bounces(int bounces)
 }
 
 /* What leaves after each of the first reflections inside, by letting light meet one surface more:
- * it weighs (1 - F)^2 F^k and has turned by 2 (i - t) + k (pi - 2 t). */
+ * it weighs (1 - F)^2 F^k and has turned by 2 (i - t) + k (SEEN_PI - 2 t). */
 static void test_reflections_inside(void **state)
 {
     struct scene scene = sphere_scene();
@@ -181,15 +78,15 @@ static void test_reflections_inside(void **state)
         const double inside = asin(impacts[i] * air / ice);
         struct settings settings = settings_of_bounces(2);
         struct seen last = look_at_sphere(&scene, &settings, impacts[i]);
-        const double f = fresnel(asin(last.normal.x), air, ice);
+        const double f = seen_fresnel(asin(last.normal.x), air, ice);
         CHECK_NEAR(last.remaining.x, 1 - f, 1e-5);
         for (int k = 0; k < 4; k++) {
             const double weight = (1 - f) * (1 - f) * pow(f, k);
-            const double turn = 2 * (in - inside) + k * (pi - 2 * inside);
+            const double turn = 2 * (in - inside) + k * (SEEN_PI - 2 * inside);
             settings = settings_of_bounces(3 + k);
             const struct seen seen = look_at_sphere(&scene, &settings, impacts[i]);
             const struct vec light = vec_add(seen.color, -1, last.color);
-            const struct vec want = picture_direction_color(direction(-turn));
+            const struct vec want = picture_direction_color(seen_direction(-turn));
             assert_true(vec_difference(light, vec_scale(want, weight)) < 1e-3 * weight + 1e-6);
             CHECK_NEAR(last.remaining.x - seen.remaining.x, weight, 1e-5);
             last = seen;
@@ -283,14 +180,15 @@ static void test_slab(void **state)
     for (uint32_t i = 0; i < quad->vertex_count; i++)
         quad->vertices[i].color.x = quad->vertices[i].position.x / 100;
     for (size_t i = 0; i < ANGLE_COUNT; i++) {
-        const double in = angles_deg[i] * pi / 180;
+        const double in = angles_deg[i] * SEEN_PI / 180;
         const double inside = asin(sin(in) * air / ice);
         const double shift = thickness * sin(in - inside) / cos(inside);
         const double straight = (3 - wall) * tan(in);
-        const struct seen seen = look(&scene, &settings, (struct vec){ 0, 0, 3 }, direction(in));
-        assert_true(vec_angle_deg(seen.exit, direction(in)) < 0.01);
+        const struct seen seen =
+            seen_look(&scene, &settings, (struct vec){ 0, 0, 3 }, seen_direction(in));
+        assert_true(vec_angle_deg(seen.exit, seen_direction(in)) < 0.01);
         CHECK_NEAR(seen.path, thickness / cos(inside), 1e-4);
-        const double f = fresnel(in, air, ice);
+        const double f = seen_fresnel(in, air, ice);
         CHECK_NEAR(seen.refraction.x / (1 - f) * 100, straight - shift / cos(in), 1e-3);
     }
     scene_finish(&scene);
@@ -312,8 +210,9 @@ static void test_absorption(void **state)
                                  .color = { { 1, 1, 1 } },
                                  .material = MESH_UNLIT,
                              });
-    const struct seen seen = look(&scene, &settings, (struct vec){ 0, 0, 3 }, direction(0));
-    const double passed = 1 - fresnel(0, air, ice);
+    const struct seen seen =
+        seen_look(&scene, &settings, (struct vec){ 0, 0, 3 }, seen_direction(0));
+    const double passed = 1 - seen_fresnel(0, air, ice);
     const double got[3] = { seen.refraction.x, seen.refraction.y, seen.refraction.z };
     const double left[3] = { seen.remaining.x, seen.remaining.y, seen.remaining.z };
     for (int c = 0; c < 3; c++) {
@@ -332,14 +231,15 @@ static void test_dispersion(void **state)
     struct scene scene = slab_scene(2);
     (void)state;
     scene.background_color = glms_vec3_one();
-    const struct seen seen = look(&scene, &settings, (struct vec){ 0, 0, 3 }, direction(1));
+    const struct seen seen =
+        seen_look(&scene, &settings, (struct vec){ 0, 0, 3 }, seen_direction(1));
     const double got[3] = { seen.color.x, seen.color.y, seen.color.z };
     const double left[3] = { seen.remaining.x, seen.remaining.y, seen.remaining.z };
     for (int c = 0; c < 3; c++) {
-        CHECK_NEAR(got[c], fresnel(1, air, indices[c]), 1e-5);
-        CHECK_NEAR(left[c], 1 - fresnel(1, air, indices[c]), 1e-5);
+        CHECK_NEAR(got[c], seen_fresnel(1, air, indices[c]), 1e-5);
+        CHECK_NEAR(left[c], 1 - seen_fresnel(1, air, indices[c]), 1e-5);
     }
-    CHECK_NEAR(seen.fresnel, fresnel(1, air, 1.5), 1e-5);
+    CHECK_NEAR(seen.fresnel, seen_fresnel(1, air, 1.5), 1e-5);
     CHECK_NEAR(seen.reflection.x, 1, 1e-5);
     scene_finish(&scene);
 }
@@ -348,20 +248,20 @@ static void test_dispersion(void **state)
 static void test_prism(void **state)
 {
     static const double incidences_deg[] = { 20, 30, 40, 55, 75 };
-    const double apex = 50 * pi / 180;
+    const double apex = 50 * SEEN_PI / 180;
     const struct vec points[3] = { { 0, 0, 0 }, { 20, 0, 0 }, { 20, 0, -20 * tan(apex) } };
     const struct settings settings = settings_default();
     struct scene scene = prism_scene(points, 3);
     (void)state;
     for (size_t i = 0; i < 5; i++) {
-        const double in = incidences_deg[i] * pi / 180;
+        const double in = incidences_deg[i] * SEEN_PI / 180;
         const double first = asin(sin(in) * air / ice);
         const double second = apex - first;
         const double out = asin(sin(second) * ice / air);
         const struct vec entry = { 10, 0, 0 };
-        const struct vec dir = direction(-in); /* toward the apex */
-        const struct seen seen = look(&scene, &settings, vec_add(entry, -2, dir), dir);
-        assert_true(vec_angle_deg(seen.exit, direction(out - apex)) < 0.01);
+        const struct vec dir = seen_direction(-in); /* toward the apex */
+        const struct seen seen = seen_look(&scene, &settings, vec_add(entry, -2, dir), dir);
+        assert_true(vec_angle_deg(seen.exit, seen_direction(out - apex)) < 0.01);
         CHECK_NEAR(seen.tir, 0, 0);
     }
     scene_finish(&scene);
@@ -374,8 +274,9 @@ static void test_total_reflection(void **state)
     const struct settings settings = SETTINGS("refract.ior=1.5");
     struct scene scene = prism_scene(points, 3);
     (void)state;
-    const struct seen seen = look(&scene, &settings, (struct vec){ 2, 0, 3 }, direction(0));
-    assert_true(vec_angle_deg(seen.exit, direction(pi)) < 0.01);
+    const struct seen seen =
+        seen_look(&scene, &settings, (struct vec){ 2, 0, 3 }, seen_direction(0));
+    assert_true(vec_angle_deg(seen.exit, seen_direction(SEEN_PI)) < 0.01);
     CHECK_NEAR(seen.path, 20, 1e-4);
     CHECK_NEAR(seen.bounces, 2, 0);
     CHECK_NEAR(seen.tir, 1, 0);
@@ -388,7 +289,7 @@ static void tilt_wall(struct scene *scene, uint32_t wall, double degrees)
 {
     for (uint32_t k = 0; k < 4; k++) {
         vec3s *n = &scene->model.object.vertices[4 * wall + k].normal;
-        *n = glms_vec3_rotate(*n, (float)(degrees * pi / 180), (vec3s){ { 0, 1, 0 } });
+        *n = glms_vec3_rotate(*n, (float)(degrees * SEEN_PI / 180), (vec3s){ { 0, 1, 0 } });
     }
 }
 
@@ -400,8 +301,9 @@ static void test_reflected_to_the_wrong_side(void **state)
     struct scene scene = prism_scene(points, 3);
     (void)state;
     tilt_wall(&scene, 1, -25);
-    const struct seen seen = look(&scene, &settings, (struct vec){ 2, 0, 3 }, direction(0));
-    assert_true(vec_angle_deg(seen.exit, direction(pi)) < 0.01);
+    const struct seen seen =
+        seen_look(&scene, &settings, (struct vec){ 2, 0, 3 }, seen_direction(0));
+    assert_true(vec_angle_deg(seen.exit, seen_direction(SEEN_PI)) < 0.01);
     CHECK_NEAR(seen.path, 20, 1e-4);
     CHECK_NEAR(seen.bounces, 2, 0);
     scene_finish(&scene);
@@ -417,22 +319,22 @@ static void test_tilted_front(void **state)
     (void)state;
     scene.background_color = glms_vec3_one();
     tilt_wall(&scene, 0, 8);
-    const double in = 80 * pi / 180;
+    const double in = 80 * SEEN_PI / 180;
     const struct vec entry = { 5, 3, 0 }; /* on no edge */
-    const struct vec eye = vec_add(entry, -3, direction(in));
-    struct seen seen = look(&scene, &tilted, eye, direction(in));
+    const struct vec eye = vec_add(entry, -3, seen_direction(in));
+    struct seen seen = seen_look(&scene, &tilted, eye, seen_direction(in));
     CHECK_NEAR(seen.reflection.x, 1, 1e-5);
-    CHECK_NEAR(seen.fresnel, fresnel(88 * pi / 180, air, ice), 1e-5);
-    seen = look(&scene, &flat, eye, direction(in));
-    CHECK_NEAR(seen.fresnel, fresnel(in, air, ice), 1e-5);
-    assert_true(vec_angle_deg(seen.exit, direction(in)) < 0.01);
+    CHECK_NEAR(seen.fresnel, seen_fresnel(88 * SEEN_PI / 180, air, ice), 1e-5);
+    seen = seen_look(&scene, &flat, eye, seen_direction(in));
+    CHECK_NEAR(seen.fresnel, seen_fresnel(in, air, ice), 1e-5);
+    assert_true(vec_angle_deg(seen.exit, seen_direction(in)) < 0.01);
     scene_finish(&scene);
 }
 
 /* ---- white furnace ---- */
 
 /* In light of 1 from everywhere all is 1, and what is cut off is accounted for: at most `most_left`
- * of the picture. Trapped light, at few pixels, is not even dimmed. */
+ * of the picture. Trapped light, at few SEEN_PIxels, is not even dimmed. */
 static void check_furnace(bool (*generate)(struct mesh *, uint32_t), uint32_t triangles,
                           struct settings settings, double most_left)
 {
@@ -445,13 +347,13 @@ static void check_furnace(bool (*generate)(struct mesh *, uint32_t), uint32_t tr
         .width = 96,
         .height = 72,
         .samples = 2,
-        .layers = all_layers(),
+        .layers = seen_layers(),
         .linear = true,
     };
     const struct renderer_shot shot = {
         .camera = camera_orbit(30, 20, 3, box_center(scene.box), 45),
     };
-    struct render_result result = trace(&request, &shot);
+    struct render_result result = seen_trace(&request, &shot);
     const struct picture_layer color = picture_layer(&result.image, "");
     const struct picture_layer rest = picture_layer(&result.image, "remaining");
     double left = 0;
