@@ -21,6 +21,7 @@
 #define CONSTANT_TILED           10 /* 1: globals.lod_bias is applied */
 #define CONSTANT_ICE_SHADOW      11 /* 1: the ice casts a shadow (ice_caustics.c) */
 #define CONSTANT_OVER            12 /* OVER_HAS_AIR ... */
-#define CONSTANT_COUNT           13
+#define CONSTANT_OBJECTS         13 /* 1: other objects may have been drawn before */
+#define CONSTANT_COUNT           14
 
 #endif

@@ -34,6 +34,7 @@ struct globals {
     vec3s absorb;            /* absorption coefficients of the object, 1 / metre */
     float refract_crossfade; /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
     ABI_STRUCT(surface_params) surface;
+    vec3s cube_center;          /* from which the environment cube was drawn, world, metres */
     vec3s local_min, local_max; /* of the box around the object, world, metres */
     float lod_bias; /* of textures; below 0 in interleaved tiles, which have every nth pixel */
 };

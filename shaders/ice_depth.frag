@@ -20,9 +20,8 @@ void main()
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth_front = texelFetch(front, pixel, 0).r;
     float depth_back = texelFetch(back, pixel, 0).r;
-    layers = vec4(0.0);
     if (depth_back == 0.0)
-        return;
+        discard;
     layers.x = depth_front == 1.0 ? 0.0 : fitted_distance(depth_front);
     layers.y = fitted_distance(depth_back);
     layers.z = max(layers.y - layers.x, 0.0) * slant();

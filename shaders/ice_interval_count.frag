@@ -10,4 +10,6 @@ layout(location = 0) out float count;
 void main()
 {
     count = float(ice_interval_count(near, far));
+    if (count == 0.0)
+        discard;
 }

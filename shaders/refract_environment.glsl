@@ -1,7 +1,7 @@
 /*
  * refract_environment.glsl: looks up the environment from a point near the ice in a direction.
  *
- * The cube was drawn from the ice's centre. With REFRACT_LOOKUP_INFINITE only the direction is
+ * The cube was drawn from the objects' centre. With REFRACT_LOOKUP_INFINITE only the direction is
  * used, as if everything were infinitely far away. With REFRACT_LOOKUP_DISTANCE a ray is traced
  * through the distances that the cube stores: each step intersects the ray with a sphere around the
  * centre whose radius is the distance found by the step before (after Szirmay-Kalos and others
@@ -20,7 +20,7 @@ layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 
 /* Returns the direction in which a ray looks the cube up. */
 vec3 refract_cube_dir(vec3 point, vec3 dir)
 {
-    vec3 from_center = point - frame.center;
+    vec3 from_center = point - frame.cube_center;
     float middle = dot(from_center, dir);
     float room = dot(from_center, from_center) - middle * middle;
     vec3 found = dir;
@@ -37,7 +37,7 @@ vec3 refract_environment(vec3 point, vec3 dir)
 {
     vec3 found = dir;
     if (constant_refract_lookup == REFRACT_LOOKUP_BOX)
-        found = local_cube_dir(point, dir, frame.local_min, frame.local_max, frame.center);
+        found = local_cube_dir(point, dir, frame.local_min, frame.local_max, frame.cube_center);
     else if (constant_refract_lookup == REFRACT_LOOKUP_DISTANCE)
         found = refract_cube_dir(point, normalize(dir));
     return texture(env_cube, found).rgb;

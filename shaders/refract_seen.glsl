@@ -5,6 +5,7 @@
  */
 #ifndef REFRACT_SEEN_GLSL
 #define REFRACT_SEEN_GLSL
+#include "lib/constants.glsl"
 #include "lib/view_ray.glsl"
 #include "refract.h"
 
@@ -25,8 +26,9 @@ vec3 refract_front_normal()
     return normal;
 }
 
-/* Reads the face of this pixel. For the picture, the depth test rejects pixels without ice; for
- * layers, this function discards them, and pixels in which surroundings hide the ice. */
+/* Reads the face of this pixel. For the picture, the depth test rejects pixels without ice, and
+ * this function those in which only other objects are; for layers it discards both, and pixels in
+ * which surroundings hide the ice. */
 void refract_front_find()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -37,6 +39,9 @@ void refract_front_find()
     fresnel_paper = texel.w;
 #ifdef REFRACT_LAYERS
     if (depth == 0.0 || depth < texelFetch(depth_scene, pixel, 0).r)
+        discard;
+#else
+    if (constant_objects == 1u && depth == 0.0)
         discard;
 #endif
 }

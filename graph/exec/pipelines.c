@@ -207,12 +207,25 @@ static bool same_target(const struct rg_exec *exec, const struct rg_plan_target 
     return images[a->image].image->format == images[b->image].image->format;
 }
 
-/* Whether two rows can share a pipeline. Rows with the same uses have compatible set layouts. */
+/* Whether uses bind the same kinds of descriptors, so that their set layouts are compatible. */
+static bool bind_alike(const struct rg_use *a, const struct rg_use *b)
+{
+    if (a == b || !a || !b)
+        return a == b;
+    while (a->access && a->access == b->access && a->binding == b->binding &&
+           a->stages == b->stages && !a->image == !b->image) {
+        a++;
+        b++;
+    }
+    return a->access == b->access && !a->access;
+}
+
+/* Whether two rows can share a pipeline. */
 static bool draw_alike(const struct rg_exec *exec, const struct rg_plan_pass *a,
                        const struct rg_plan_pass *b)
 {
     const struct rg_pass *x = a->pass, *y = b->pass;
-    bool same = x->vert == y->vert && x->frag == y->frag && x->uses == y->uses &&
+    bool same = x->vert == y->vert && x->frag == y->frag && bind_alike(x->uses, y->uses) &&
                 x->vertices == y->vertices && x->topology == y->topology && x->cull == y->cull &&
                 x->front == y->front && x->depth_compare == y->depth_compare &&
                 x->depth_read_only == y->depth_read_only && x->push_size == y->push_size &&

@@ -15,6 +15,7 @@ layout(constant_id = CONSTANT_REFRACT_STEPS) const uint constant_refract_steps =
 layout(constant_id = CONSTANT_TONEMAP_CURVE) const uint constant_tonemap_curve = 0u;
 layout(constant_id = CONSTANT_TILED) const uint constant_tiled = 0u;
 layout(constant_id = CONSTANT_ICE_SHADOW) const uint constant_ice_shadow = 1u;
+layout(constant_id = CONSTANT_OBJECTS) const uint constant_objects = 0u;
 layout(constant_id = CONSTANT_OVER) const uint constant_over = 0u;
 
 #endif

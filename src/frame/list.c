@@ -1,9 +1,19 @@
-/* list.c: collects the rows of all techniques, phase by phase. */
+/*
+ * list.c: collects the rows of all techniques, phase by phase.
+ *
+ * Several refractive objects are drawn one after another, the farthest first, by copies of the rows
+ * of a single one: each copy has uniform data of its own, and draws into the same maps, which the
+ * object before needs no more. What other rows read, above all the picture and its depth, is kept
+ * from object to object.
+ */
 #include "src/frame/list.h"
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "src/base/log.h"
 #include "src/scene/scene.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/frame.h"
 #include "src/tech/pool.h"
 #include "src/tech/techniques.h"
 
@@ -48,14 +58,186 @@ static bool add_phase(struct frame_list *list, const struct technique_choice *ch
     return !list->builder.failed;
 }
 
+/* ---- several objects ---- */
+
+/* Returns the uniform buffer of the object at a place. */
+static const struct rg_buffer *globals_at(struct frame_list *list, uint32_t place)
+{
+    char number[16];
+    snprintf(number, sizeof(number), "%u", place);
+    for (size_t i = 0; i < list->object_count; i++) {
+        if (list->objects[i].place == place)
+            return list->objects[i].globals;
+    }
+    struct rg_buffer *buffer = row_builder_alloc(&list->builder, sizeof(*buffer));
+    if (!buffer)
+        return NULL;
+    *buffer = frame_globals;
+    buffer->name = row_builder_name(&list->builder, frame_globals.name, number);
+    return buffer;
+}
+
+/* Returns the uses of a row with another uniform buffer. */
+static const struct rg_use *uses_with(struct row_builder *builder, const struct rg_use *uses,
+                                      const struct rg_buffer *globals)
+{
+    struct rg_use *own = row_builder_own_uses(builder, uses);
+    for (struct rg_use *use = own; use && use->access; use++) {
+        if (use->buffer == &frame_globals)
+            use->buffer = globals;
+    }
+    return own;
+}
+
+/* Gives the parts from `first` on to the object at a place: their rows become copies that have its
+ * uniform buffer, and names with a suffix where the table's own are taken. */
+static bool own_parts(struct frame_list *list, size_t first, uint32_t place, bool again)
+{
+    struct frame_list_object object = { globals_at(list, place), .place = place };
+    char suffix[24];
+    snprintf(suffix, sizeof(suffix), again ? "%u.layers" : "%u", place);
+    for (size_t i = first; i < list->count; i++)
+        object.row_count += list->parts[i].pass_count;
+    object.rows = row_builder_alloc(&list->builder, (object.row_count + 1) * sizeof(*object.rows));
+    if (!object.rows || !object.globals)
+        return false;
+    size_t count = 0;
+    for (size_t i = first; i < list->count; i++) {
+        struct rg_technique *part = &list->parts[i];
+        struct rg_pass *rows = &object.rows[count];
+        memcpy(rows, part->passes, part->pass_count * sizeof(*rows));
+        part->passes = rows;
+        count += part->pass_count;
+    }
+    for (size_t r = 0; r < count; r++) {
+        struct rg_pass *row = &object.rows[r];
+        if (place || again)
+            row->name = row_builder_name(&list->builder, row->name, suffix);
+        row->uses = uses_with(&list->builder, row->uses, object.globals);
+    }
+    list->objects[list->object_count++] = object;
+    return !list->builder.failed;
+}
+
+/* Adds the rows of each object: of its picture or, again, of its layers. */
+static bool add_objects(struct frame_list *list, const struct technique_choice *choice, bool again)
+{
+    struct technique_choice own = *choice;
+    bool done = true;
+    own.keeps_depth = again;
+    for (uint32_t place = 0; place < choice->object_count && done; place++) {
+        const size_t first = list->count;
+        done = add_phase(list, &own, PHASE_DEPTHS) && add_phase(list, &own, PHASE_NORMALS) &&
+               add_phase(list, &own, again ? PHASE_LAYERS : PHASE_REFRACTION) &&
+               own_parts(list, first, place, again);
+    }
+    return done;
+}
+
+/* Returns the object whose row it is, or NULL. */
+static const struct frame_list_object *owner(const struct frame_list *list,
+                                             const struct rg_pass *row)
+{
+    for (size_t i = 0; i < list->object_count; i++) {
+        const struct frame_list_object *object = &list->objects[i];
+        if (row >= object->rows && row < object->rows + object->row_count)
+            return object;
+    }
+    return NULL;
+}
+
+static bool touches(const struct rg_pass *row, const struct rg_image *image)
+{
+    bool found = row->depth.image == image;
+    for (uint32_t i = 0; i < row->color_count; i++)
+        found = found || row->color[i].image == image;
+    for (const struct rg_use *use = row->uses; use && use->access; use++)
+        found = found || use->image == image;
+    return found;
+}
+
+static bool reads(const struct frame_list_object *object, const struct rg_image *image)
+{
+    for (size_t r = 0; r < object->row_count; r++) {
+        for (const struct rg_use *use = object->rows[r].uses; use && use->access; use++) {
+            if (use->image == image)
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Whether an image is of all objects, and no map of the one that is being drawn: the picture, its
+ * depth, a layer, or what other rows have a use for and the object's own do not read. */
+static bool is_common(const struct frame_list *list, const struct frame_list_object *object,
+                      const struct rg_image *image)
+{
+    const struct frame_layer *layer;
+    if (image == &frame_color || image == &frame_depth)
+        return true;
+    for (size_t i = 0; (layer = techniques_layer(i)); i++) {
+        if (layer->image == image)
+            return true;
+    }
+    for (size_t i = 0; i < list->count && !reads(object, image); i++) {
+        const struct rg_technique *part = &list->parts[i];
+        for (size_t p = 0; p < part->pass_count && !owner(list, part->passes); p++) {
+            if (touches(&part->passes[p], image))
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Makes a row keep what is common. */
+static void keep_in_row(struct frame_list *list, const struct frame_list_object *object,
+                        struct rg_pass *row)
+{
+    struct rg_target *color = row_builder_targets(&list->builder, row->color, row->color_count);
+    for (uint32_t c = 0; color && c < row->color_count; c++) {
+        if (is_common(list, object, color[c].image))
+            color[c].load = RG_LOAD_KEEP;
+    }
+    row->color = color;
+    if (row->depth.image && is_common(list, object, row->depth.image))
+        row->depth.load = RG_LOAD_KEEP;
+}
+
+/* Makes the rows of all objects but the first keep what is common. */
+static bool keep_common(struct frame_list *list)
+{
+    for (size_t i = 0; i < list->object_count; i++) {
+        const struct frame_list_object *object = &list->objects[i];
+        for (size_t r = 0; object->place && r < object->row_count; r++)
+            keep_in_row(list, object, &object->rows[r]);
+    }
+    return !list->builder.failed;
+}
+
+static bool add_all(struct frame_list *list, const struct technique_choice *choice)
+{
+    const bool are_many = choice->object_count > 1 && choice->rung;
+    bool done = true;
+    for (int i = 0; i < PHASE_COUNT && done; i++) {
+        const enum technique_phase phase = (enum technique_phase)i;
+        const bool is_own =
+            phase == PHASE_DEPTHS || phase == PHASE_NORMALS || phase == PHASE_REFRACTION;
+        if (are_many && (phase == PHASE_DEPTHS || phase == PHASE_LAYERS))
+            done = add_objects(list, choice, phase == PHASE_LAYERS);
+        else if (!are_many || !is_own)
+            done = add_phase(list, choice, phase);
+    }
+    return done && keep_common(list);
+}
+
 enum status frame_list_init(struct frame_list *list, const struct technique_choice *choice)
 {
-    bool done = true;
+    const size_t object_count = choice->object_count > 1 ? 2 * (size_t)choice->object_count : 1;
     *list = (struct frame_list){ 0 };
-    list->parts = calloc(techniques_count * TECHNIQUE_PART_COUNT + 1, sizeof(*list->parts));
-    for (int phase = 0; phase < PHASE_COUNT && list->parts; phase++)
-        done = add_phase(list, choice, (enum technique_phase)phase) && done;
-    if (list->parts && done)
+    list->parts =
+        calloc(techniques_count * TECHNIQUE_PART_COUNT * object_count + 1, sizeof(*list->parts));
+    list->objects = calloc(object_count, sizeof(*list->objects));
+    if (list->parts && list->objects && add_all(list, choice))
         return STATUS_OK;
     frame_list_finish(list);
     return log_out_of_memory(NULL);
@@ -65,6 +247,7 @@ void frame_list_finish(struct frame_list *list)
 {
     row_builder_finish(&list->builder);
     free(list->parts);
+    free(list->objects);
     *list = (struct frame_list){ 0 };
 }
 

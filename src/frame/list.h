@@ -6,10 +6,20 @@
 #include "src/tech/row_builder.h"
 #include "src/tech/technique.h"
 
-/* The parts point to memory of the builder, so they live as long as the list. */
+/* Rows that draw one of several objects: in each frame another one, since the farthest is first. */
+struct frame_list_object {
+    const struct rg_buffer *globals; /* replaces frame_globals in the rows */
+    struct rg_pass *rows;
+    size_t row_count;
+    uint32_t place; /* of the object among all, ordered by distance, farthest first */
+};
+
+/* The parts and objects point to memory of the builder, so they live as long as the list. */
 struct frame_list {
     struct rg_technique *parts; /* in the order of drawing; owned by the list */
     size_t count;
+    struct frame_list_object *objects; /* two for each object; empty for a single one */
+    size_t object_count;
     struct row_builder builder;
 };
 

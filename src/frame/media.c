@@ -42,26 +42,31 @@ uint32_t frame_media_count(const struct scene *scene)
     return (scene->model.object_count ? scene->model.object_count : 1) + 1;
 }
 
-void frame_media(struct frame_medium *media, const struct scene *scene,
-                 const struct settings *settings)
+bool frame_media_are_bare(const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    return !model->object_count ||
+           model->materials[model->objects[0].material].flags & MATERIAL_IS_BARE;
+}
+
+struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
+                                    uint32_t index)
 {
     const struct model *model = &scene->model;
     const struct refract_params *refract = settings_of(settings, &refract_settings);
     const struct absorb_params *absorb = settings_of(settings, &absorb_settings);
     const vec3s absorption = { { absorb->red, absorb->green, absorb->blue } };
-    const uint32_t count = frame_media_count(scene) - 1;
-    bool is_bare = true;
-    for (uint32_t i = 0; i < count; i++) {
-        const struct material *material =
-            model->object_count ? &model->materials[model->objects[i].material] : NULL;
-        is_bare = !material || material->flags & MATERIAL_IS_BARE;
-        media[i] =
-            is_bare ? bare(refract, absorption)
-                    : medium_of(material, refract->ior == scene->settled_ior, refract, absorption);
-        if (material)
-            media[i].rank = model->objects[i].rank;
+    const bool is_bare = frame_media_are_bare(scene);
+    struct frame_medium medium = { .tint = glms_vec3_one() };
+    if (index + 1 == frame_media_count(scene)) {
+        /* glTF's outside is empty; the paper's is air. */
+        spread(medium.ior, is_bare ? REFRACT_IOR_AIR : 1.0f, 0.0f);
+    } else if (is_bare) {
+        medium = bare(refract, absorption);
+    } else {
+        medium = medium_of(&model->materials[model->objects[index].material],
+                           refract->ior == scene->settled_ior, refract, absorption);
+        medium.rank = model->objects[index].rank;
     }
-    /* glTF's outside is empty; the paper's is air. */
-    media[count] = (struct frame_medium){ .tint = glms_vec3_one() };
-    spread(media[count].ior, is_bare ? REFRACT_IOR_AIR : 1.0f, 0.0f);
+    return medium;
 }

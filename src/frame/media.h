@@ -16,13 +16,16 @@ struct frame_medium {
 };
 
 /*
- * Fills in the medium of each object, and then that of the outside: `media` has room for
- * frame_media_count() of them. refract.ior overrides the index of every object if it is not the
- * value that the scene had when it was loaded (scene->settled_ior); absorb.* and refract.dispersion
- * do if they are not 0; a bare object has the settings' values.
+ * Returns medium `index`: of an object, or, for the last index, of the outside. refract.ior
+ * overrides the index of every object if it is not the value that the scene had when it was loaded
+ * (scene->settled_ior); absorb.* and refract.dispersion do if they are not 0; a bare object has the
+ * settings' values.
  */
-void frame_media(struct frame_medium *media, const struct scene *scene,
-                 const struct settings *settings);
+struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
+                                    uint32_t index);
+
+/* Returns whether settings decide the materials of the scene's objects. */
+bool frame_media_are_bare(const struct scene *scene);
 
 /* Returns the number of media, the outside among them: at least 2, because a scene whose objects
  * nobody has listed counts as one bare object. */

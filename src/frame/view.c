@@ -1,6 +1,7 @@
 /* view.c: computes the uniform data of a frame from camera, time and scene. */
 #include "src/frame/view.h"
 #include <math.h>
+#include "src/frame/media.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
 
@@ -125,12 +126,11 @@ VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *g
     return reach;
 }
 
-VkRect2D frame_view_object_area(const struct frame_view *view, const struct globals *globals,
-                                VkExtent2D size, float room)
+VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals *globals,
+                             struct box box, VkExtent2D size, float room)
 {
     const vec3s more = glms_vec3_fill(room * globals->radius);
-    const struct box box = { .min = glms_vec3_sub(view->scene->box.min, more),
-                             .max = glms_vec3_add(view->scene->box.max, more) };
+    box = (struct box){ glms_vec3_sub(box.min, more), glms_vec3_add(box.max, more) };
     const mat4s clip_from_object =
         glms_mat4_mul(globals->clip_from_world, globals->world_from_object);
     const float near = scene_near_plane(view->scene);
@@ -187,6 +187,40 @@ static void place_lights(const struct frame_view *view, struct globals *g)
     }
 }
 
+/* What a medium decides, if a material says more of it than the settings. */
+static void take_medium(const struct frame_view *view, uint32_t object, struct globals *g)
+{
+    const struct scene *scene = view->scene;
+    if (frame_media_are_bare(scene))
+        return;
+    const struct frame_medium medium = frame_medium_at(scene, view->settings, object);
+    const struct frame_medium outside =
+        frame_medium_at(scene, view->settings, frame_media_count(scene) - 1);
+    for (int c = 0; c < 3; c++)
+        g->etas.raw[c] = outside.ior[c] / medium.ior[c];
+    g->eta = g->etas.y;
+    g->absorb = medium.absorption;
+}
+
+/* The depths that the maps of an object's faces have. */
+static void fit_depth(const struct frame_view *view, struct globals *g)
+{
+    g->fitted_clip_from_world = frame_view_fit(&view->camera, g->clip_from_world, g->center,
+                                               fmaxf(g->radius, 1e-6f), &g->fitted);
+}
+
+struct globals frame_view_object_globals(const struct frame_view *view, const struct globals *all,
+                                         uint32_t object)
+{
+    const struct box box = view->scene->model.objects[object].box;
+    struct globals g = *all;
+    g.center = glms_mat4_mulv3(g.world_from_object, box_center(box), 1.0f);
+    g.radius = box_diagonal(box) / 2.0f;
+    fit_depth(view, &g);
+    take_medium(view, object, &g);
+    return g;
+}
+
 struct globals frame_view_globals(const struct frame_view *view, const struct background_push *push)
 {
     const struct sky_params *sky = settings_of(view->settings, &sky_settings);
@@ -206,17 +240,18 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .sun_dir = direction(radians(sky->sun_azimuth), radians(sky->sun_elevation)),
         .sun_strength = sky->sun_strength,
         .center = center,
+        .cube_center = center,
         .radius = box_diagonal(box) / 2.0f,
         .time = view->time,
         .lod_bias = view->lod_bias,
     };
-    g.fitted_clip_from_world = frame_view_fit(&view->camera, push->clip_from_world, center,
-                                              fmaxf(g.radius, 1e-6f), &g.fitted);
+    fit_depth(view, &g);
     place_lights(view, &g);
     for (const struct technique *const *technique = techniques; *technique; technique++) {
         if ((*technique)->write_globals)
             (*technique)->write_globals(view, &g);
     }
+    take_medium(view, 0, &g);
     return g;
 }
 
@@ -224,6 +259,16 @@ static bool has_lit(const struct mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (!(mesh->vertices[i].material & MESH_UNLIT))
+            return true;
+    }
+    return false;
+}
+
+static bool is_dispersive(const struct scene *scene, const struct settings *settings)
+{
+    for (uint32_t i = 0; i < frame_media_count(scene); i++) {
+        const struct frame_medium medium = frame_medium_at(scene, settings, i);
+        if (medium.ior[0] != medium.ior[2])
             return true;
     }
     return false;
@@ -243,10 +288,13 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [CONSTANT_TEXTURED] = scene->model.textures.count > 0,
         [CONSTANT_LIT] = has_lit(&scene->model.surroundings),
         [CONSTANT_LIGHTS] = light->count,
+        [CONSTANT_OBJECTS] = scene->model.object_count > 1,
     } };
     for (const struct technique *const *technique = techniques; *technique; technique++) {
         if ((*technique)->write_constants)
             (*technique)->write_constants(settings, constants.values);
     }
+    if (is_dispersive(scene, settings))
+        constants.values[CONSTANT_REFRACT_COLORS] = 3;
     return constants;
 }

@@ -18,11 +18,12 @@ struct background_push frame_view_push(const struct frame_view *view);
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
                           float radii);
 
-/* Returns the pixels of an image of `size` that may show the object's box, which turns with the
- * object and is enlarged by `room` radii on all sides, with a margin of a pixel; the whole image if
- * a corner of the box is before the near plane. `globals` is frame_view_globals(). */
-VkRect2D frame_view_object_area(const struct frame_view *view, const struct globals *globals,
-                                VkExtent2D size, float room);
+/* Returns the pixels of an image of `size` that may show a box, of one object or of all, which
+ * turns with the objects and is enlarged by `room` radii on all sides, with a margin of a pixel;
+ * the whole image if a corner of the box is before the near plane. `globals` is that of the object,
+ * or frame_view_globals(). */
+VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals *globals,
+                             struct box box, VkExtent2D size, float room);
 
 /* Returns the push constants for face 0 to 5 of the environment cube, in Vulkan's order. */
 struct background_push frame_view_face(const struct frame_view *view, uint32_t face);
@@ -30,6 +31,10 @@ struct background_push frame_view_face(const struct frame_view *view, uint32_t f
 /* Returns the uniform data of a frame. `push` is frame_view_push(). */
 struct globals frame_view_globals(const struct frame_view *view,
                                   const struct background_push *push);
+
+/* Returns the uniform data of the rows that draw one object; `all` is frame_view_globals(). */
+struct globals frame_view_object_globals(const struct frame_view *view, const struct globals *all,
+                                         uint32_t object);
 
 /* Specialization constants, which depend on scene and settings but not on camera and time. */
 struct frame_constants {

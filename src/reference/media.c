@@ -9,9 +9,10 @@ bool media_init(struct media *media, const struct scene *scene, const struct set
     media->all = count <= UINT16_MAX ? calloc(count, sizeof(*media->all)) : NULL;
     if (!media->all)
         return false;
-    frame_media(media->all, scene, settings);
-    for (uint32_t i = 0; i < count; i++)
+    for (uint32_t i = 0; i < count; i++) {
+        media->all[i] = frame_medium_at(scene, settings, i);
         media->is_dispersive |= media->all[i].ior[0] != media->all[i].ior[2];
+    }
     return true;
 }
 

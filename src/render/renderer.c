@@ -14,6 +14,7 @@
 #include "src/image/half.h"
 #include "src/render/accumulate.h"
 #include "src/render/frame_exec.h"
+#include "src/render/frame_objects.h"
 #include "src/render/request.h"
 #include "src/render/uploaded_scene.h"
 #include "src/render/warm_up.h"
@@ -31,6 +32,7 @@ struct renderer {
     struct rg_mesh *meshes;             /* of the techniques, in their order */
     struct frame_exec capture;          /* draws the environment cube, if it is not dynamic */
     struct frame_exec picture;          /* draws a sample */
+    struct frame_objects objects;       /* of the picture's frames */
     struct frame_exec resolve;          /* tonemaps the mean of many samples */
     struct warm_up *warm_up;            /* compiles for the first picture; may be NULL */
     bool captured;                      /* `capture` has drawn the environment cube */
@@ -135,6 +137,8 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
         r->warm_up = warm_up_begin(&r->picture, &r->params);
     const double compiled = clock_ms();
     if (status == STATUS_OK)
+        status = frame_objects_init(&r->objects, &r->picture.frame.list, params->scene);
+    if (status == STATUS_OK)
         status = frame_cube_init(&r->cube, params->scene);
     if (status == STATUS_OK)
         status = upload(r);
@@ -163,6 +167,7 @@ void renderer_destroy(struct renderer *renderer)
     frame_exec_destroy(&renderer->resolve);
     frame_exec_destroy(&renderer->picture);
     frame_exec_destroy(&renderer->capture);
+    frame_objects_finish(&renderer->objects);
     frame_cube_finish(&renderer->cube);
     uploaded_scene_finish(&renderer->own, renderer->params.gpu);
     free(renderer->meshes);
@@ -196,7 +201,7 @@ static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *v
     const bool is_all =
         !rung || rung->rung.reach > 0.0f || r->params.layers || view->scene->has_pool;
     return is_all ? (VkRect2D){ .extent = size }
-                  : frame_view_object_area(view, globals, size, 0.05f);
+                  : frame_view_box_area(view, globals, view->scene->box, size, 0.05f);
 }
 
 /* Limits the next frame to a tile, and to the pixels that the rays of the tile may look up. */
@@ -235,6 +240,8 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
         .scene = r->params.scene,
         .object = uploaded_scene_mesh(&s->object),
         .surroundings = uploaded_scene_mesh(&s->surroundings),
+        .objects = frame_exec == &r->picture ? r->objects.all : NULL,
+        .object_count = frame_exec == &r->picture ? r->objects.count : 0,
         .meshes = r->meshes,
         .view = frame_view_push(&view),
         .jitter = jitter,
@@ -243,7 +250,7 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
     for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
         frame.faces[face] = frame_view_face(&view, face);
     const VkExtent2D size = frame_exec->frame.plan->view;
-    frame.object_area = frame_view_object_area(&view, &globals, size, 0.0f);
+    frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
     frame.lookup_area = lookup_area(r, &view, &globals, size);
     frame.faces_due = FRAME_CUBE_ALL;
     if (frame_exec == &r->picture)
@@ -251,8 +258,11 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
     VkResult result = rg_exec_begin(frame_exec->exec, slot);
     if (result == VK_SUCCESS) {
         write_uploads(&view, &globals, frame_exec->exec, *slot);
-        if (frame_exec == &r->picture)
+        if (frame_exec == &r->picture) {
+            frame_objects_place(&r->objects, frame_exec, *slot, &view, &globals,
+                                r->params.rung && r->params.rung->rung.reach > 0.0f);
             limit(r, &view, &globals);
+        }
         result = rg_exec_submit(frame_exec->exec, &frame);
     }
     if (frame_exec == &r->picture && result == VK_SUCCESS)

@@ -55,15 +55,14 @@ static bool encloses(const struct solid *shell, const struct mesh *part)
 
 /* Adds 1 to the depth of each object within the shell of object `k`. Returns false when out of
  * memory. */
-static bool find_enclosed(struct contender *contenders, const struct box *boxes,
-                          const struct object *objects, uint32_t count, const struct mesh *mesh,
-                          uint32_t k)
+static bool find_enclosed(struct contender *contenders, const struct object *objects,
+                          uint32_t count, const struct mesh *mesh, uint32_t k)
 {
     const struct mesh shell = part_of(mesh, &objects[k]);
     struct solid solid = { 0 };
     bool is_made = false;
     for (uint32_t i = 0; i < count; i++) {
-        if (i == k || !is_within(&boxes[i], &boxes[k]))
+        if (i == k || !is_within(&objects[i].box, &objects[k].box))
             continue;
         if (!is_made && !solid_init(&solid, &shell))
             return false;
@@ -90,25 +89,23 @@ enum status object_rank_all(struct object *objects, uint32_t count, const struct
                             const struct material *materials)
 {
     struct contender *contenders = calloc(count + (size_t)1, sizeof(*contenders));
-    struct box *boxes = calloc(count + (size_t)1, sizeof(*boxes));
-    bool done = contenders && boxes;
+    bool done = contenders != NULL;
     for (uint32_t i = 0; done && i < count; i++) {
         const struct material *material = &materials[objects[i].material];
         const struct mesh part = part_of(mesh, &objects[i]);
         const bool is_stated = material->flags & MATERIAL_HAS_PRIORITY;
         contenders[i].object = i;
         contenders[i].priority = is_stated ? material->priority : INT64_MIN;
-        boxes[i] = box_of(&part);
+        objects[i].box = box_of(&part);
     }
     for (uint32_t i = 0; done && count > 1 && i < count; i++)
-        done = find_enclosed(contenders, boxes, objects, count, mesh, i);
+        done = find_enclosed(contenders, objects, count, mesh, i);
     if (done) {
         qsort(contenders, count, sizeof(*contenders), by_priority);
         for (uint32_t i = 0; i < count; i++)
             objects[contenders[i].object].rank = i + 1;
     }
     free(contenders);
-    free(boxes);
     return done ? STATUS_OK : log_out_of_memory("objects");
 }
 

@@ -14,14 +14,15 @@ struct object {
     char name[MATERIAL_NAME_SIZE]; /* of the node; "" if it has none */
     uint32_t first_index, index_count;
     uint32_t material; /* index into the materials */
+    struct box box;    /* of its triangles; set with the rank */
     uint32_t rank;     /* where shells overlap, the medium of the greatest rank is there; no two
                           objects have the same, and none has 0, the outside's */
 };
 
 /*
- * Gives the objects their ranks: a stated priority beats none, and a greater one a lesser one; of
- * others, a shell that lies inside another one beats it; otherwise, the later object does. Logs and
- * returns STATUS_TRY_AGAIN when out of memory.
+ * Gives the objects their boxes and ranks: a stated priority beats none, and a greater one a lesser
+ * one; of others, a shell that lies inside another one beats it; otherwise, the later object does.
+ * Logs and returns STATUS_TRY_AGAIN when out of memory.
  */
 MUST_USE enum status object_rank_all(struct object *objects, uint32_t count,
                                      const struct mesh *mesh, const struct material *materials);

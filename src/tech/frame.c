@@ -111,9 +111,31 @@ const struct rg_sampler frame_texture_sampler = {
     .anisotropy = FRAME_ANISOTROPY,
 };
 
+/* Returns the object that the row draws; NULL if it is not one of several. */
+static const struct frame_object *object_of(const struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct rg_pass *row = rg_cmd_pass(cmd);
+    for (size_t i = 0; i < frame->object_count; i++) {
+        const struct frame_object *object = &frame->objects[i];
+        if (row >= object->rows && row < object->rows + object->row_count)
+            return object;
+    }
+    return NULL;
+}
+
+VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct frame_object *object = object_of(cmd, frame);
+    return object ? object->area : frame->object_area;
+}
+
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    rg_cmd_draw_mesh(cmd, &frame->object);
+    const struct frame_object *object = object_of(cmd, frame);
+    if (object)
+        rg_cmd_draw_mesh_part(cmd, &frame->object, object->first_index, object->index_count);
+    else
+        rg_cmd_draw_mesh(cmd, &frame->object);
 }
 
 void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -124,7 +146,8 @@ void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    rg_cmd_scissor(cmd, frame->lookup_area);
+    const struct frame_object *object = object_of(cmd, frame);
+    rg_cmd_scissor(cmd, object ? object->lookup_area : frame->lookup_area);
     rg_cmd_draw(cmd, 3);
 }
 

@@ -29,6 +29,14 @@ struct frame_view {
                                picture; else 0 */
 };
 
+/* The rows that draw one of several refractive objects, and which one in this frame. */
+struct frame_object {
+    const struct rg_pass *rows;
+    size_t row_count;
+    uint32_t first_index, index_count; /* its triangles in the mesh of all objects */
+    VkRect2D area, lookup_area;        /* as those of struct rg_frame */
+};
+
 /*
  * What a record function may read: the struct that graph/rg.h leaves to the program. The renderer
  * fills it once a frame.
@@ -36,7 +44,9 @@ struct frame_view {
 struct rg_frame {
     const struct settings *settings;
     const struct scene *scene;
-    struct rg_mesh object;        /* the refractive object */
+    struct rg_mesh object;              /* all refractive objects */
+    const struct frame_object *objects; /* empty if there is one object, or none */
+    size_t object_count;
     struct rg_mesh surroundings;  /* may be empty */
     const struct rg_mesh *meshes; /* of the techniques, for frame_draw_mesh() */
     VkRect2D object_area;         /* pixels of the view that contain the whole object */
@@ -96,8 +106,11 @@ extern const struct rg_sampler frame_linear;              /* clamped, one mip */
 extern const struct rg_sampler frame_environment_sampler; /* wraps around, all mips */
 extern const struct rg_sampler frame_texture_sampler;     /* repeats, all mips, anisotropic */
 
-/* Record functions of rows without push constants: they draw the object, a triangle that covers the
- * picture (screen.vert), and that triangle within lookup_area. */
+/* The pixels of the view that contain the row's object. */
+VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *frame);
+
+/* Record functions of rows without push constants: they draw the row's object, a triangle that
+ * covers the picture (screen.vert), and that triangle within lookup_area. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame);

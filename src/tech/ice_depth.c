@@ -51,7 +51,7 @@ static const struct rg_pass passes[] = {
     },
     {
         .name = "ice_depth.layers",
-        .color = RG_TARGETS({ &ice_depth_layers, RG_LOAD_DISCARD }),
+        .color = RG_TARGETS({ &ice_depth_layers, RG_LOAD_CLEAR }),
         .uses = RG_USES(FRAME_USE_GLOBALS,
                         { .image = &ice_depth_front,
                           .access = RG_SAMPLED,

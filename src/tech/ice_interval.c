@@ -48,7 +48,7 @@ static const struct rg_pass peel = {
 
 static const struct rg_pass count = {
     .name = "ice_interval.count",
-    .color = RG_TARGETS({ &ice_interval_count, RG_LOAD_DISCARD }),
+    .color = RG_TARGETS({ &ice_interval_count, RG_LOAD_CLEAR }),
     .vert = &screen_vert,
     .frag = &ice_interval_count_frag,
     .record = frame_draw_screen,

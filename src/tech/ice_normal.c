@@ -41,7 +41,7 @@ const struct rg_image ice_normal_front_depth = {
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
-/* Replaces frame_depth in a pool. */
+/* Replaces frame_depth where that is kept. */
 static const struct rg_image front_test = {
     .name = "ice_normal.front_test",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -94,6 +94,14 @@ static const struct rg_pass passes[] = {
     },
 };
 
+/* Whether frame_depth is not for the front faces: it has a finished picture, or that of other
+ * objects, of which rungs that draw faces are the ones to add to it. */
+static bool keeps_depth(const struct technique_choice *choice)
+{
+    const bool are_many = choice->object_count > 1;
+    return choice->has_pool || choice->keeps_depth || (are_many && !choice->rung->rung.by_pixel);
+}
+
 /* In a pool the rows are drawn after the background, keep its depth, and show no bumps. */
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
@@ -106,7 +114,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     rows[FRONT_ROW].vert = bumped ? &refract_bump_vert : &refract_vert;
     rows[FRONT_ROW].frag = bumped ? &ice_front_bump_frag : &ice_front_frag;
     rows[FRONT_ROW].uses = bumped ? bumped_uses : smooth_uses;
-    if (choice->has_pool)
+    if (keeps_depth(choice))
         rows[FRONT_ROW].depth.image = &front_test;
     return (struct rg_technique){ "ice_normal", rows, count };
 }

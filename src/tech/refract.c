@@ -116,8 +116,8 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     const struct refract_rung *rung = technique->rung.rows;
     const bool bumped = shows_bumps(choice);
     const struct rg_use *const uses[] = {
-        rung->by_pixel ? pixel_uses : face_uses,
-        rung->by_pixel && is_layers ? scene_uses : NULL,
+        technique->rung.by_pixel ? pixel_uses : face_uses,
+        technique->rung.by_pixel && is_layers ? scene_uses : NULL,
         rung->uses,
         bumped ? bump_uses : NULL,
     };
@@ -126,7 +126,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
         return (struct rg_technique){ 0 };
     row->name = row_builder_name(builder, technique->name, is_layers ? "layers" : "color");
     row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
-    if (rung->by_pixel)
+    if (technique->rung.by_pixel)
         row->vert = &refract_seen_vert;
     else
         draw_faces(row, rung, bumped);
@@ -142,14 +142,14 @@ static struct rg_technique make_row(const struct technique_choice *choice,
 struct rg_technique refract_color_rows(const struct technique_choice *choice,
                                        struct row_builder *builder)
 {
-    const bool by_pixel = choice->rung->rung.rows->by_pixel;
+    const bool by_pixel = choice->rung->rung.by_pixel;
     return make_row(choice, builder, by_pixel ? &pixel_color_row : &color_row, false);
 }
 
 struct rg_technique refract_layer_rows(const struct technique_choice *choice,
                                        struct row_builder *builder)
 {
-    const bool by_pixel = choice->rung->rung.rows->by_pixel;
+    const bool by_pixel = choice->rung->rung.by_pixel;
     return make_row(choice, builder, by_pixel ? &pixel_layer_row : &layer_row, true);
 }
 

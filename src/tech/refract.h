@@ -42,9 +42,6 @@ struct refract_rung {
     const struct rg_use *uses; /* besides frame_globals and the bump map; ends at {0} */
     uint32_t push_size;        /* bytes of push constants; 0: none */
     rg_record_fn *record;      /* NULL: frame_draw_object() */
-    /* Shades the pixels in which ice_normal.front shows the object, with or without bumps, instead
-     * of drawing its front faces (shaders/refract_seen.glsl): for rungs with costly fragments. */
-    bool by_pixel;
 };
 
 /* A rung's parts of a frame. The picture's row is drawn before the background, so that the depth

@@ -51,7 +51,7 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_push(cmd, settings_of(frame->settings, &refract_blend_settings),
                 sizeof(struct refract_blend_params));
-    rg_cmd_draw_mesh(cmd, &frame->object);
+    frame_draw_object(cmd, frame);
 }
 
 const struct technique refract_blend = {

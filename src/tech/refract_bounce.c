@@ -32,14 +32,13 @@ static const struct refract_rung rung = {
     .uses = uses,
     .push_size = sizeof(struct refract_march),
     .record = record_screen,
-    .by_pixel = true,
 };
 
 static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_push(cmd, settings_of(frame->settings, &refract_bounce_settings),
                 sizeof(struct refract_march));
-    rg_cmd_scissor(cmd, frame->object_area);
+    rg_cmd_scissor(cmd, frame_object_area(cmd, frame));
     rg_cmd_draw(cmd, 3);
 }
 
@@ -79,5 +78,5 @@ const struct technique refract_bounce = {
     .help = "two refractions and the total reflections between them, searched among all faces",
     .settings = { &refract_bounce_settings },
     .parts = REFRACT_PARTS,
-    .rung = { .name = "bounce", .rows = &rung },
+    .rung = { .name = "bounce", .rows = &rung, .by_pixel = true },
 };

@@ -61,7 +61,7 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_push(cmd, settings_of(frame->settings, &refract_search_settings),
                 sizeof(struct refract_march));
-    rg_cmd_draw_mesh(cmd, &frame->object);
+    frame_draw_object(cmd, frame);
 }
 
 const struct technique refract_search = {

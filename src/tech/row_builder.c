@@ -95,6 +95,17 @@ const struct rg_use *row_builder_uses(struct row_builder *builder,
     return uses;
 }
 
+struct rg_target *row_builder_targets(struct row_builder *builder, const struct rg_target *targets,
+                                      uint32_t count)
+{
+    return count ? copy(builder, targets, count * sizeof(*targets)) : NULL;
+}
+
+struct rg_use *row_builder_own_uses(struct row_builder *builder, const struct rg_use *uses)
+{
+    return uses ? copy(builder, uses, (count_uses(uses) + 1) * sizeof(*uses)) : NULL;
+}
+
 void row_builder_finish(struct row_builder *builder)
 {
     while (builder->blocks) {

@@ -28,6 +28,11 @@ const char *row_builder_name(struct row_builder *builder, const char *prefix, co
 /* Returns a table of one target, for rows with one colour target. */
 const struct rg_target *row_builder_target(struct row_builder *builder, struct rg_target target);
 
+/* Return writable copies of a row's targets, and of its uses; a row may have none of them. */
+struct rg_target *row_builder_targets(struct row_builder *builder, const struct rg_target *targets,
+                                      uint32_t count);
+struct rg_use *row_builder_own_uses(struct row_builder *builder, const struct rg_use *uses);
+
 /* Returns the concatenation of `count` lists of uses, each of which ends at {0} or is NULL. */
 const struct rg_use *row_builder_uses(struct row_builder *builder,
                                       const struct rg_use *const *lists, size_t count);

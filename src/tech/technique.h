@@ -33,10 +33,12 @@ struct technique_choice {
     const struct settings *settings;
     enum technique_purpose purpose;
     const struct technique
-        *rung;      /* NULL is allowed in a pool and for other purposes than pictures */
-    bool is_convex; /* the object is known to be convex */
-    bool has_pool;  /* the scene is a pool of water */
-    bool has_cube;  /* the scene has an environment cube of its own */
+        *rung;             /* NULL is allowed in a pool and for other purposes than pictures */
+    bool is_convex;        /* the object is known to be convex */
+    bool has_pool;         /* the scene is a pool of water */
+    bool has_cube;         /* the scene has an environment cube of its own */
+    bool keeps_depth;      /* the objects are drawn again, over the finished picture */
+    uint32_t object_count; /* refractive objects, each drawn by rows of its own; 0 means 1 */
 };
 
 /* When in a frame a part of a technique is drawn. Within a phase the parts are drawn in the order
@@ -82,6 +84,9 @@ struct technique_rung {
     const char *name;                /* NULL: the technique is no rung */
     const struct refract_rung *rows; /* src/tech/refract.h; NULL: the rung is traced, not drawn */
     float reach; /* radius within which it looks up faces, in bounding radii; 0 means 1 */
+    /* Shades the pixels in which ice_normal.front shows the object, with or without bumps, instead
+     * of drawing its front faces (shaders/refract_seen.glsl): for rungs with costly fragments. */
+    bool by_pixel;
 };
 
 /* A buffer that the host fills in every frame whose plan has it. */

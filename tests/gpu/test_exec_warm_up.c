@@ -159,6 +159,7 @@ static const struct rg_pass rows[] = {
         .color = RG_TARGETS({ &kept, RG_LOAD_KEEP }),
         .uses = RG_USES({ .image = &absent, .access = RG_SAMPLED, .binding = PAINT_SOURCE,
                           .fallback = &white }),
+        .front = VK_FRONT_FACE_CLOCKWISE, /* so that it does not draw as `see` does */
         PAINTED_BY(record_rectangle, &fetch_frag),
     },
     [NOT_DRAWN] = {

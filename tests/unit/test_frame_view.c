@@ -167,7 +167,7 @@ static void test_reach_without_a_sphere(void **state)
 static void check_object_area(const struct frame_view *view, const struct globals *globals,
                               VkExtent2D size)
 {
-    const VkRect2D area = frame_view_object_area(view, globals, size, 0.0f);
+    const VkRect2D area = frame_view_box_area(view, globals, view->scene->box, size, 0.0f);
     const struct box *box = &view->scene->box;
     float ends[4] = { 1e9f, 1e9f, -1e9f, -1e9f };
     for (int i = 0; i < 8; i++) {
@@ -229,7 +229,8 @@ static void test_object_area_around_the_eye(void **state)
         .world_from_object = glms_mat4_identity(),
         .radius = 1.7f,
     };
-    const VkRect2D area = frame_view_object_area(&view, &globals, (VkExtent2D){ 32, 48 }, 0.0f);
+    const VkRect2D area =
+        frame_view_box_area(&view, &globals, view.scene->box, (VkExtent2D){ 32, 48 }, 0.0f);
     assert_int_equal(area.offset.x, 0);
     assert_int_equal(area.offset.y, 0);
     assert_int_equal(area.extent.width, 32);

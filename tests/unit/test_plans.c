@@ -30,6 +30,7 @@ struct golden {
     bool layers;                   /* all of them */
     bool static_cube;              /* that comes from outside */
     bool pool;                     /* the scene is one */
+    uint32_t objects;              /* how many it has; 0: one */
     const char *setting;           /* that is changed; NULL: none */
     const struct feature *feature; /* instead of a list */
     const char *program, *folder;
@@ -43,6 +44,7 @@ static const struct golden goldens[] = {
     { .name = "plan_one_sided", .rung = "one-sided" },
     { .name = "plan_one_sided_layers", .rung = "one-sided", .layers = true },
     { .name = "plan_bounce", .rung = "bounce" },
+    { .name = "plan_objects_layers", .rung = "bounce", .objects = 2, .layers = true },
     { .name = "plan_pool", .rung = "paper", .pool = true },
     { .name = "plan_pool_layers", .rung = "paper", .pool = true, .layers = true },
     { .name = "plan_shine_layers",
@@ -79,6 +81,7 @@ static struct frame_request request_of(const struct golden *golden, struct setti
             .purpose = purposes[golden->list],
             .rung = golden->rung ? techniques_find_rung(golden->rung) : NULL,
             .has_pool = golden->pool,
+            .object_count = golden->objects,
         },
         .view = { 1024, 768 },
         .layers = golden->layers ? UINT32_MAX : 0,
@@ -229,7 +232,7 @@ static void check_surface(const char *const *assignments, bool lights, bool fros
         assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
     const struct technique *rung;
     for (size_t r = 0; (rung = techniques_rung(r)); r++) {
-        if (!rung->rung.rows->bump_frag && !rung->rung.rows->by_pixel)
+        if (!rung->rung.rows->bump_frag && !rung->rung.by_pixel)
             continue;
         struct settings defaults;
         struct frame_request request =

@@ -40,7 +40,7 @@ struct environment_head {
 };
 
 _Static_assert(sizeof(struct material) == 120, "no padding");
-_Static_assert(sizeof(struct object) == 80, "no padding");
+_Static_assert(sizeof(struct object) == 104, "no padding");
 _Static_assert(sizeof(struct model_head) == 108, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */

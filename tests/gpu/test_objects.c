@@ -1,0 +1,167 @@
+/*
+ * Several refractive objects in one picture: each looks as it does alone, the nearest hides the
+ * others in whatever order the file has them, and layers show the one that is seen.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "src/scene/generate/generate.h"
+#include "src/tech/refract.h"
+#include "src/tech/techniques.h"
+#include "tests/support/check.h"
+#include "tests/support/lavapipe.h"
+#include "tests/support/picture.h"
+
+enum {
+    WIDTH = 80,
+    HEIGHT = 48,
+    TRIANGLES = 960,
+};
+
+struct ball {
+    vec3s center;
+    float radius, ior;
+};
+
+static const struct ball left = { { { -1.4F, 0, 0 } }, 0.9F, 1.3F };
+static const struct ball right = { { { 1.4F, 0.1F, 0 } }, 0.7F, 2 };
+static const struct ball behind = { { { -0.6F, 0.3F, -3 } }, 1.2F, 1.6F };
+
+static void add_ball(struct scene *scene, const struct ball *ball)
+{
+    struct model *model = &scene->model;
+    struct mesh mesh;
+    assert_true(generate_sphere(&mesh, TRIANGLES));
+    for (uint32_t i = 0; i < mesh.vertex_count; i++) {
+        vec3s *p = &mesh.vertices[i].position;
+        *p = glms_vec3_muladds(*p, ball->radius, ball->center);
+    }
+    const uint32_t i = model->object_count++;
+    model->objects[i] = (struct object){
+        .first_index = model->object.index_count,
+        .index_count = mesh.index_count,
+        .material = i,
+    };
+    model->materials[i] = material_make("glass");
+    model->materials[i].transmission = 1;
+    model->materials[i].roughness = 0;
+    model->materials[i].thickness = 1;
+    model->materials[i].ior = ball->ior;
+    model->material_count = i + 1;
+    assert_true(mesh_append(&model->object, &mesh));
+    mesh_finish(&mesh);
+}
+
+static struct scene scene_of(const struct ball *const *balls, uint32_t count)
+{
+    const struct settings settings = settings_default();
+    const struct refract_params *refract = settings_of(&settings, &refract_settings);
+    struct scene scene = { .settled_ior = refract->ior };
+    scene.model.objects = calloc(count, sizeof(struct object));
+    scene.model.materials = calloc(count, sizeof(struct material));
+    assert_true(scene.model.objects && scene.model.materials);
+    for (uint32_t i = 0; i < count; i++)
+        add_ball(&scene, balls[i]);
+    assert_int_equal(
+        object_rank_all(scene.model.objects, count, &scene.model.object, scene.model.materials),
+        STATUS_OK);
+    scene.box = mesh_box(&scene.model.object);
+    picture_use_directions(&scene, 256);
+    return scene;
+}
+
+static struct render_result draw(struct gpu *gpu, const char *rung, uint32_t layers,
+                                 const struct ball *const *balls, uint32_t count)
+{
+    struct scene scene = scene_of(balls, count);
+    struct render_result result = picture_render(gpu, &(struct picture_request){
+                                                          .scene = &scene,
+                                                          .rung = rung,
+                                                          .camera = {
+                                                              .eye = { { 0, 0, 6 } },
+                                                              .fov_deg = 40,
+                                                          },
+                                                          .width = WIDTH,
+                                                          .height = HEIGHT,
+                                                          .layers = layers,
+                                                      });
+    scene_finish(&scene);
+    return result;
+}
+
+#define DRAW(gpu, rung, layers, ...) \
+    draw(gpu, rung, layers, (const struct ball *const[]){ __VA_ARGS__ }, \
+         sizeof((const struct ball *const[]){ __VA_ARGS__ }) / sizeof(struct ball *))
+
+/* Each half is that of a picture of one ball, in all layers that the rung has; but where the rung
+ * looks faces up far from the object, the back faces are those of the object drawn last. */
+static void check_halves(const char *rung, const struct image *both, const struct image *one,
+                         const struct image *other)
+{
+    const bool looks_far = techniques_find_rung(rung)->rung.reach > 0;
+    for (uint32_t p = 0; p < both->plane_count; p++) {
+        const char *name = both->planes[p].name;
+        const float *texels = image_find(both, name);
+        if (looks_far && !strncmp(name, "back.N", 6))
+            continue;
+        const float *halves[2] = { image_find(one, name), image_find(other, name) };
+        for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
+            const float wanted = halves[i % WIDTH >= WIDTH / 2][i];
+            if (!(fabsf(texels[i] - wanted) <= 4e-3F * (1 + fabsf(wanted))))
+                fail_msg("%s at %zu, %zu: %g, alone %g", name, i % WIDTH, i / WIDTH,
+                         (double)texels[i], (double)wanted);
+        }
+    }
+}
+
+static void each_looks_as_it_does_alone(void **state)
+{
+    static const char *const rungs[] = { "paper", "wyman", "bounce" };
+    for (size_t i = 0; i < sizeof(rungs) / sizeof(rungs[0]); i++) {
+        const uint32_t layers = PICTURE_ALL_LAYERS;
+        struct render_result both = DRAW(*state, rungs[i], layers, &left, &right);
+        struct render_result one = DRAW(*state, rungs[i], layers, &left);
+        struct render_result other = DRAW(*state, rungs[i], layers, &right);
+        check_halves(rungs[i], &both.image, &one.image, &other.image);
+        render_result_finish(&both);
+        render_result_finish(&one);
+        render_result_finish(&other);
+    }
+}
+
+static void the_nearest_is_seen(void **state)
+{
+    const uint32_t layers = picture_layer_bit("exit") | picture_layer_bit("thickness");
+    struct render_result a = DRAW(*state, "bounce", layers, &left, &behind, &right);
+    struct render_result b = DRAW(*state, "bounce", layers, &right, &behind, &left);
+    struct render_result alone = DRAW(*state, "bounce", layers, &left);
+    const float *thickness = image_find(&alone.image, "thickness.Z");
+    for (uint32_t p = 0; p < a.image.plane_count; p++) {
+        const char *name = a.image.planes[p].name;
+        const float *first = image_find(&a.image, name);
+        const float *second = image_find(&b.image, name);
+        const float *left_alone = image_find(&alone.image, name);
+        size_t seen = 0;
+        assert_memory_equal(first, second, sizeof(float) * WIDTH * HEIGHT);
+        for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
+            if (!(thickness[i] > 0.1F))
+                continue;
+            CHECK_NEAR((double)first[i], (double)left_alone[i],
+                       2e-3 * (1 + fabs((double)left_alone[i])));
+            seen++;
+        }
+        assert_true(seen > 100);
+    }
+    render_result_finish(&a);
+    render_result_finish(&b);
+    render_result_finish(&alone);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        ON_DEVICE(each_looks_as_it_does_alone),
+        ON_DEVICE(the_nearest_is_seen),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
