@@ -50,7 +50,8 @@ struct app_scene {
     struct app_vector background; /* linear */
     struct reader_params reader;
     struct settings settings;
-    bool ior_is_set; /* by --set */
+    struct settings_rows chosen; /* by --set, or in a window */
+    bool plain;                  /* without what only ice has, and without highlights */
 };
 
 /* A picture of it, and how that is made. */

@@ -1,6 +1,8 @@
 /* scene.c: what the options say of scene, camera and renderer. */
 #include "src/app/app.h"
+#include <string.h>
 #include "src/base/log.h"
+#include "src/frame/media.h"
 #include "src/frame/view.h"
 #include "src/render/renderer.h"
 #include "src/scene/material.h"
@@ -13,6 +15,8 @@
 #include "src/tech/local_box.h"
 #include "src/tech/pool.h"
 #include "src/tech/refract.h"
+#include "src/tech/surface.h"
+#include "src/tech/techniques.h"
 
 static const float default_fov_deg = 45.0f;
 
@@ -22,13 +26,45 @@ static void settle_ior(struct app_scene *given, struct scene *scene)
     const struct model *model = &scene->model;
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
-    if (given->ior_is_set)
+    if (settings_rows_have(&given->chosen, ior))
         return;
     if (given->material)
         settings_put(&given->settings, ior, (double)material_preset_find(given->material)->ior);
     else if (model->has_ior) {
         settings_put(&given->settings, ior, (double)model->ior);
         scene->settled_ior = model->ior;
+    }
+}
+
+static void switch_off(struct app_scene *given, const struct technique *technique)
+{
+    const struct setting *row = &technique->settings[0]->rows[0];
+    if (!settings_rows_have(&given->chosen, row))
+        settings_put(&given->settings, row, 0);
+}
+
+/* Takes off what is not asked for: cracks and the like of whatever is no ice. */
+static void undress(struct app_scene *given, const struct scene *scene)
+{
+    const bool is_ice = given->material ? !strcmp(given->material, material_presets[0].name)
+                                        : frame_media_are_bare(scene);
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if ((*t)->is_of_ice && (given->plain || !is_ice))
+            switch_off(given, *t);
+    }
+    if (given->plain)
+        switch_off(given, &surface);
+}
+
+/* What the inclusions are made of belongs to one object. */
+static void check_inclusions(struct app_scene *given, const struct scene *scene)
+{
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if (scene->model.object_count < 2 || !(*t)->is_of_ice || !(*t)->is_on(&given->settings))
+            continue;
+        log_warning("%s: left out, because the scene has %u refractive objects",
+                    (*t)->title ? (*t)->title : (*t)->name, scene->model.object_count);
+        settings_put(&given->settings, &(*t)->settings[0]->rows[0], 0);
     }
 }
 
@@ -61,6 +97,19 @@ enum status app_check_rung(const struct app_picture *picture, const struct scene
         "--refraction %s: not available for the scene '%s', which has water; choose another rung",
         picture->rung->rung.name, picture->scene.name);
     return STATUS_USAGE;
+}
+
+struct settling {
+    struct app_scene *given;
+    struct bump_maps_params *maps;
+};
+
+static void settle(void *user, const struct scene *scene, struct scene_params *params)
+{
+    const struct settling *settling = user;
+    undress(settling->given, scene);
+    check_inclusions(settling->given, scene);
+    *params = app_describe_scene(settling->given, settling->maps);
 }
 
 struct scene_params app_describe_scene(const struct app_scene *given, struct bump_maps_params *maps)
@@ -120,7 +169,10 @@ enum status app_load_scene(struct scene *scene, struct app_scene *given)
 enum status app_begin_scene(struct scene *scene, struct app_scene *given)
 {
     struct bump_maps_params maps;
-    const struct scene_params params = app_describe_scene(given, &maps);
+    struct scene_params params = app_describe_scene(given, &maps);
+    struct settling settling = { given, &maps };
+    params.settle = settle;
+    params.user = &settling;
     *scene = (struct scene){ 0 };
     if (app_need_scene(given) != STATUS_OK)
         return STATUS_USAGE;

@@ -258,10 +258,14 @@ static enum status fill_object(struct scene *scene, const struct scene_params *p
     return status;
 }
 
-enum status scene_load(struct scene *scene, const struct scene_params *params)
+enum status scene_load(struct scene *scene, const struct scene_params *given)
 {
+    struct scene_params own = *given;
+    const struct scene_params *params = &own;
     *scene = (struct scene){ 0 };
     enum status status = load_object(scene, params);
+    if (status == STATUS_OK && own.settle)
+        own.settle(own.user, scene, &own);
     if (status == STATUS_OK)
         status = load_background(scene, params);
     if (status == STATUS_OK)

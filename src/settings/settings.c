@@ -119,6 +119,30 @@ double settings_get(const struct settings *settings, const struct setting *row)
     return count;
 }
 
+static size_t field_of(const struct setting *row)
+{
+    return row_offset(row) / sizeof(float); /* every field has this size */
+}
+
+void settings_rows_add(struct settings_rows *rows, const struct setting *row)
+{
+    rows->bits[field_of(row) / 64] |= UINT64_C(1) << field_of(row) % 64;
+}
+
+bool settings_rows_have(const struct settings_rows *rows, const struct setting *row)
+{
+    return rows->bits[field_of(row) / 64] >> field_of(row) % 64 & 1;
+}
+
+void settings_rows_add_assigned(struct settings_rows *rows, const char *assignment)
+{
+    char name[64];
+    snprintf(name, sizeof(name), "%.*s", (int)strcspn(assignment, "="), assignment);
+    const struct setting *row = settings_find(name);
+    if (row)
+        settings_rows_add(rows, row);
+}
+
 enum setting_effect settings_changed(const struct settings *before, const struct settings *after)
 {
     enum setting_effect most = SETTING_AFFECTS_NOTHING;

@@ -52,6 +52,17 @@ double settings_get(const struct settings *settings, const struct setting *row);
 /* The most that the changes from `before` to `after` affect. */
 enum setting_effect settings_changed(const struct settings *before, const struct settings *after);
 
+/* Rows that somebody has chosen the values of: a bit for each. */
+struct settings_rows {
+    uint64_t bits[SETTINGS_SIZE / sizeof(float) / 64];
+};
+
+void settings_rows_add(struct settings_rows *rows, const struct setting *row);
+bool settings_rows_have(const struct settings_rows *rows, const struct setting *row);
+
+/* Adds the row of "name=value", if there is one. */
+void settings_rows_add_assigned(struct settings_rows *rows, const char *assignment);
+
 /* A row's value as --set takes it: "0.33", "on", "neutral". */
 void settings_print(const struct settings *settings, const struct setting *row, FILE *out);
 

@@ -123,5 +123,6 @@ const struct technique frost = {
     .help = "frost on the ice's surface",
     .settings = { &frost_settings },
     .is_on = is_on,
+    .is_of_ice = true,
     .parts = { { PHASE_FINISH, .graph = RG_TECHNIQUE("frost", passes) } },
 };

@@ -212,10 +212,9 @@ enum status option_sandbox(const struct option *option, void *at, const char *va
 
 enum status option_set(const struct option *option, void *at, const char *value)
 {
-    static const char ior[] = "refract.ior=";
     struct app_scene *scene = at;
     (void)option;
-    scene->ior_is_set = scene->ior_is_set || !strncmp(value, ior, sizeof(ior) - 1);
+    settings_rows_add_assigned(&scene->chosen, value);
     return settings_set(&scene->settings, value);
 }
 

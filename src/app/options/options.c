@@ -158,6 +158,8 @@ static const struct option options[] = {
       "refraction rung: paper, bounce, ...; see firn list rungs (paper)" },
     { "Picture", "material", 'm', "NAME", PICTURES, SCENE(option_material),
       "material: ice, water, glass, ...; see firn list materials (ice)" },
+    { "Picture", "plain", 0, NULL, PICTURES, FLAG(picture.scene.plain),
+      "no cracks, air, bubbles, bumps, frost and highlights but those of --set" },
     { "Picture", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
     { "Scene", "env", 'e', "FILE", SCENES, INPUT(picture.scene.environment),

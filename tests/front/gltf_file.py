@@ -1,0 +1,39 @@
+"""gltf_file.py: small glTF files of boxes, for tests."""
+import base64
+import json
+import struct
+
+CORNERS = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+# Two triangles a side, counter-clockwise seen from outside.
+SIDES = (0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4,
+         1, 5, 7, 1, 7, 3)
+
+
+def glass(ior=1.5, **more):
+    """A material of a solid."""
+    extensions = {'KHR_materials_transmission': {'transmissionFactor': 1},
+                  'KHR_materials_volume': {'thicknessFactor': 1},
+                  'KHR_materials_ior': {'ior': ior}}
+    return {'pbrMetallicRoughness': {'roughnessFactor': 0}, 'extensions': extensions, **more}
+
+
+def boxes(*parts):
+    """The text of a file with a box, from -1 to 1, for each (material, place, scale)."""
+    data = struct.pack('<24f', *sum(CORNERS, ())) + struct.pack('<36H', *SIDES)
+    uri = 'data:application/octet-stream;base64,' + base64.b64encode(data).decode()
+    return json.dumps({
+        'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': list(range(len(parts)))}],
+        'nodes': [{'mesh': i, 'name': f'box {i}', 'translation': place, 'scale': [scale] * 3}
+                  for i, (_, place, scale) in enumerate(parts)],
+        'meshes': [{'primitives': [{'attributes': {'POSITION': 0}, 'indices': 1, 'material': i}]}
+                   for i in range(len(parts))],
+        'materials': [material for material, _, _ in parts],
+        'extensionsUsed': sorted({name for material, _, _ in parts
+                                  for name in material.get('extensions', {})}),
+        'accessors': [
+            {'bufferView': 0, 'componentType': 5126, 'count': 8, 'type': 'VEC3',
+             'min': [-1, -1, -1], 'max': [1, 1, 1]},
+            {'bufferView': 1, 'componentType': 5123, 'count': 36, 'type': 'SCALAR'}],
+        'bufferViews': [{'buffer': 0, 'byteLength': 96},
+                        {'buffer': 0, 'byteOffset': 96, 'byteLength': 72}],
+        'buffers': [{'byteLength': len(data), 'uri': uri}]})

@@ -1,0 +1,82 @@
+"""test_scenes.py: scenes of model files: their objects, and what these are dressed with. Usage: see
+case.py."""
+import re
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import NO_DRIVER, Case, main  # noqa: E402
+from exr_file import Exr  # noqa: E402
+from gltf_file import boxes, glass  # noqa: E402
+
+# What only ice has by default.
+DRESSING = ('cracks', 'air', 'bubbles')
+SMALL = ('--size', '32x24', '-q')
+
+
+class Scenes(Case):
+    def setUp(self):
+        super().setUp()
+        for name, parts in (('one', [(glass(), [0, 0, 0], 1)]),
+                            ('two', [(glass(), [-1.5, 0, 0], 1), (glass(2), [1.5, 0, 0], 1)])):
+            (self.folder / f'{name}.gltf').write_text(boxes(*parts))
+
+    def passes(self, *words):
+        """The names of the passes, and what is said."""
+        done = self.succeed('graph', *words, env=NO_DRIVER)
+        return re.findall(r'(?m)^pass \d+ (\S+)', done.stdout.decode()), done.stderr.decode()
+
+    def techniques(self, *words):
+        return {name.split('.')[0] for name in self.passes(*words)[0]}
+
+    def check_dressed(self, is_dressed, *words):
+        with self.subTest(words):
+            found = self.techniques(*words)
+            for name in DRESSING:
+                self.assertEqual(name in found, is_dressed, name)
+
+    def test_only_ice_has_cracks(self):
+        self.check_dressed(True, 'sphere')
+        self.check_dressed(False, 'sphere', '--material', 'glass')
+        self.check_dressed(False, 'sphere', '--plain')
+        self.check_dressed(False, 'one.gltf')
+        self.check_dressed(True, 'one.gltf', '--material', 'ice')
+        self.check_dressed(False, 'two.gltf')
+
+    def test_what_is_asked_for_is_there(self):
+        for words in (('one.gltf', '--set', 'cracks.count=3'),
+                      ('sphere', '--plain', '--set', 'cracks.count=3'),
+                      ('sphere', '--set', 'cracks.count=3', '--plain', '--material', 'glass')):
+            found = self.techniques(*words)
+            self.assertIn('cracks', found)
+            self.assertNotIn('bubbles', found)
+            self.assertEqual(self.passes(*words)[1], '')
+
+    def test_cracks_are_of_one_object(self):
+        words = ('two.gltf', '--set', 'cracks.count=3', '--set', 'frost.amount=1')
+        self.assertFalse({'cracks', 'frost'} & self.techniques(*words))
+        said = self.passes(*words)[1]
+        self.assertRegex(said, r'\Afirn: warning: .*cracks.* 2 .*\nfirn: warning: .*frost.*\n\Z')
+
+    def test_each_object_has_rows(self):
+        passes, _ = self.passes('two.gltf', '-r', 'bounce')
+        self.assertEqual([name for name in passes if name.startswith('refract')],
+                         ['refract_bounce.color', 'refract_bounce.color.1'])
+
+    def test_indices_are_the_materials(self):
+        """And --set overrides all of them."""
+        pictures = []
+        for more in ((), ('--set', 'refract.ior=1.5'), ('--set', 'refract.ior=2')):
+            self.succeed('render', 'two.gltf', *SMALL, *more, '-r', 'reference', '-o', 'a.exr',
+                         '--aov', 'fresnel', env=NO_DRIVER)
+            pictures.append(Exr((self.folder / 'a.exr').read_bytes()))
+        own, low, high = (picture.read_planes(['fresnel.Z'])['fresnel.Z'] for picture in pictures)
+        width = pictures[0].size[0]
+        halves = [sum(a != b for i, (a, b) in enumerate(zip(own, other))
+                      if (i % width < width // 2) == is_left)
+                  for other, is_left in ((low, True), (high, False), (low, False), (high, True))]
+        self.assertEqual(halves[:2], [0, 0])
+        self.assertGreater(min(halves[2:]), 20)
+
+
+if __name__ == '__main__':
+    main()
