@@ -1,6 +1,7 @@
 /* scene.c: what the options say of scene, camera and renderer. */
-#include "src/app/app.h"
+#include <stdio.h>
 #include <string.h>
+#include "src/app/app.h"
 #include "src/base/log.h"
 #include "src/frame/media.h"
 #include "src/frame/view.h"
@@ -88,9 +89,51 @@ enum status app_need_scene(const struct app_scene *given)
     return STATUS_USAGE;
 }
 
+static bool is_rough(const struct material *material)
+{
+    return material->roughness > 0.0f;
+}
+
+static bool is_thin(const struct material *material)
+{
+    return !(material->thickness > 0.0f);
+}
+
+static bool is_tinted(const struct material *material)
+{
+    return !glms_vec3_eqv(material->base_color, glms_vec3_one()) || material->transmission < 1.0f;
+}
+
+/* Names what only the reference makes of a scene's own materials. */
+static void warn_of_rung(const struct app_picture *picture, const struct scene *scene)
+{
+    static const struct {
+        const char *name;
+        bool (*is_there)(const struct material *material);
+    } kinds[] = { { "rough", is_rough }, { "thin-walled", is_thin }, { "tinted", is_tinted } };
+    const struct model *model = &scene->model;
+    char words[128] = "";
+    if (!picture->rung->rung.rows || frame_media_are_bare(scene))
+        return;
+    for (size_t k = 0; k < sizeof(kinds) / sizeof(kinds[0]); k++) {
+        uint32_t count = 0;
+        for (uint32_t i = 0; i < model->object_count; i++)
+            count += kinds[k].is_there(&model->materials[model->objects[i].material]);
+        const size_t used = strlen(words);
+        if (count)
+            snprintf(&words[used], sizeof(words) - used, "%s%u %s", used ? ", " : "", count,
+                     kinds[k].name);
+    }
+    if (words[0])
+        log_warning("%s: drawn as smooth clear solids: of %u objects %s; --refraction reference "
+                    "draws what they are",
+                    picture->scene.name, model->object_count, words);
+}
+
 /* The rungs that are drawn leave the water alone; the tracer, which is no technique, knows none. */
 enum status app_check_rung(const struct app_picture *picture, const struct scene *scene)
 {
+    warn_of_rung(picture, scene);
     if (!scene->has_pool || picture->rung->rung.rows)
         return STATUS_OK;
     log_error(

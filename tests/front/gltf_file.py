@@ -9,12 +9,13 @@ SIDES = (0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6,
          1, 5, 7, 1, 7, 3)
 
 
-def glass(ior=1.5, **more):
+def glass(ior=1.5, roughness=0, thickness=1, color=(1, 1, 1), **more):
     """A material of a solid."""
     extensions = {'KHR_materials_transmission': {'transmissionFactor': 1},
-                  'KHR_materials_volume': {'thicknessFactor': 1},
+                  'KHR_materials_volume': {'thicknessFactor': thickness},
                   'KHR_materials_ior': {'ior': ior}}
-    return {'pbrMetallicRoughness': {'roughnessFactor': 0}, 'extensions': extensions, **more}
+    surface = {'roughnessFactor': roughness, 'baseColorFactor': [*color, 1]}
+    return {'pbrMetallicRoughness': surface, 'extensions': extensions, **more}
 
 
 def boxes(*parts):

@@ -62,6 +62,17 @@ class Scenes(Case):
         self.assertEqual([name for name in passes if name.startswith('refract')],
                          ['refract_bounce.color', 'refract_bounce.color.1'])
 
+    def test_what_a_rung_leaves_out_is_said(self):
+        parts = [(glass(), [0, 0, 0], 1), (glass(roughness=0.3), [3, 0, 0], 1),
+                 (glass(thickness=0, color=[1, 0, 0]), [6, 0, 0], 1)]
+        (self.folder / 'three.gltf').write_text(boxes(*parts))
+        words = ('render', 'three.gltf', *SMALL, '-o', 'a.exr')
+        said = self.succeed(*words).stderr.decode()
+        self.assertRegex(said, r'\Afirn: warning: three.gltf: .* of 3 objects 1 rough, '
+                               r'1 thin-walled, 1 tinted; .*reference.*\n\Z')
+        self.assertEqual(self.succeed(*words, '-r', 'reference', env=NO_DRIVER).stderr, b'')
+        self.assertEqual(self.succeed('render', 'two.gltf', *SMALL, '-o', 'a.exr').stderr, b'')
+
     def test_indices_are_the_materials(self):
         """And --set overrides all of them."""
         pictures = []
