@@ -1,0 +1,22 @@
+"""make.py: makes all files of assets/ anew; the same version of zlib makes the same bytes.
+
+Usage: make.py FOLDER [NAME...]   NAME: drink, amber, hollow or studio; default: all of them
+"""
+import importlib
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+FILES = {'amber': 'amber.glb', 'drink': 'drink.glb', 'hollow': 'hollow.glb', 'studio': 'studio.exr'}
+
+
+def main(folder, *names):
+    for name in names or FILES:
+        data = importlib.import_module(name).make()
+        (pathlib.Path(folder) / FILES[name]).write_bytes(data)
+
+
+if __name__ == '__main__':
+    if len(sys.argv) < 2 or not set(sys.argv[2:]) <= set(FILES):
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

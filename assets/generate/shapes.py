@@ -1,0 +1,373 @@
+"""shapes.py: meshes of closed surfaces, in metres, with outward normals; and noise."""
+import math
+import random
+from itertools import product
+
+
+def add(a, b):
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def sub(a, b):
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def scale(a, s):
+    return (a[0] * s, a[1] * s, a[2] * s)
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def unit(a):
+    length = math.sqrt(dot(a, a))
+    return scale(a, 1 / length) if length else (0.0, 1.0, 0.0)
+
+
+def smoothstep(low, high, x):
+    t = min(max((x - low) / (high - low), 0), 1)
+    return t * t * (3 - 2 * t)
+
+
+def mix(a, b, t):
+    return tuple(x + (y - x) * t for x, y in zip(a, b))
+
+
+class Mesh:
+    """Points with normals and, if the lists are not empty, texture coordinates and colours."""
+
+    def __init__(self, points, faces, normals=None, uvs=()):
+        self.points, self.faces, self.uvs, self.colors = points, faces, list(uvs), []
+        self.normals = normals or smooth_normals(points, faces)
+
+    def join(self, other):
+        """This mesh and another one, as one."""
+        first = len(self.points)
+        self.points += other.points
+        self.normals += other.normals
+        self.uvs += other.uvs
+        self.colors += other.colors
+        self.faces += [(a + first, b + first, c + first) for a, b, c in other.faces]
+        return self
+
+    def inside_out(self):
+        self.faces = [(a, c, b) for a, b, c in self.faces]
+        self.normals = [scale(n, -1) for n in self.normals]
+        return self
+
+    def placed(self, turn, at):
+        """Turned by a matrix, a tuple of rows, then moved."""
+        self.points = [add(tuple(dot(row, p) for row in turn), at) for p in self.points]
+        self.normals = [tuple(dot(row, n) for row in turn) for n in self.normals]
+        return self
+
+    def painted(self, color_of):
+        """Colours are color_of(point, normal)."""
+        self.colors = [color_of(p, n) for p, n in zip(self.points, self.normals)]
+        return self
+
+
+def smooth_normals(points, faces):
+    """Means of the faces' normals, weighted by area."""
+    sums = [(0.0, 0.0, 0.0)] * len(points)
+    for face in faces:
+        a, b, c = (points[i] for i in face)
+        normal = cross(sub(b, a), sub(c, a))
+        for i in face:
+            sums[i] = add(sums[i], normal)
+    return [unit(n) for n in sums]
+
+
+def turned(yaw_deg, pitch_deg=0, roll_deg=0):
+    """A matrix: first about z, then about x, then about y."""
+    (cy, sy), (cx, sx), (cz, sz) = ((math.cos(math.radians(a)), math.sin(math.radians(a)))
+                                    for a in (yaw_deg, pitch_deg, roll_deg))
+    return ((cy * cz + sy * sx * sz, -cy * sz + sy * sx * cz, sy * cx),
+            (cx * sz, cx * cz, -sx),
+            (-sy * cz + cy * sx * sz, sy * sz + cy * sx * cz, cy * cx))
+
+
+# ---- noise ----
+
+def lattice(x, y, z, seed):
+    """A number from 0 to 1 for integers."""
+    h = (x * 73856093 ^ y * 19349663 ^ z * 83492791 ^ seed * 2654435761) & 0xffffffff
+    h = (h ^ h >> 15) * 0x2c1b3c6d & 0xffffffff
+    h = (h ^ h >> 12) * 0x297a2d39 & 0xffffffff
+    return (h ^ h >> 15) / 0xffffffff
+
+
+def noise(p, seed=0):
+    """Smooth, from -1 to 1, with features of size 1."""
+    cell = [math.floor(v) for v in p]
+    t = [v - c for v, c in zip(p, cell)]
+    t = [v * v * v * (v * (v * 6 - 15) + 10) for v in t]
+    total = 0.0
+    for i, j, k in product((0, 1), repeat=3):
+        weight = ((t[0] if i else 1 - t[0]) * (t[1] if j else 1 - t[1]) *
+                  (t[2] if k else 1 - t[2]))
+        total += weight * lattice(cell[0] + i, cell[1] + j, cell[2] + k, seed)
+    return 2 * total - 1
+
+
+def hollows(p, seed=0):
+    """Round hollows between sharp ridges, as melting ice has: from -1 to about 0."""
+    cell = [math.floor(v) for v in p]
+    nearest = 9.0
+    for i, j, k in product((-1, 0, 1), repeat=3):
+        x, y, z = cell[0] + i, cell[1] + j, cell[2] + k
+        d = (x + lattice(x, y, z, seed) - p[0], y + lattice(x, y, z, seed + 1) - p[1],
+             z + lattice(x, y, z, seed + 2) - p[2])
+        nearest = min(nearest, dot(d, d))
+    return min(nearest, 1) - 1
+
+
+# ---- surfaces ----
+
+def rounded(corners, steps=8):
+    """
+    A profile through corners (radius, height, fillet): points and normals (r, y, nr, ny) with what
+    is solid on the left.
+    """
+    out = []
+    for i, (r, y, fillet) in enumerate(corners):
+        if i in (0, len(corners) - 1) or not fillet:
+            out.append((r, y, None))
+            continue
+        ends = []
+        for other in (corners[i - 1], corners[i + 1]):
+            d = (other[0] - r, other[1] - y)
+            length = math.hypot(*d)
+            ends.append((d[0] / length, d[1] / length))
+        (ax, ay), (bx, by) = ends
+        half = math.acos(min(max(ax * bx + ay * by, -1), 1)) / 2
+        reach = fillet / math.tan(half)
+        mx, my = ax + bx, ay + by
+        far = fillet / math.sin(half) / math.hypot(mx, my)
+        center = (r + mx * far, y + my * far)
+        left = ax * by - ay * bx < 0  # a convex corner of the solid
+        start = math.atan2(y + ay * reach - center[1], r + ax * reach - center[0])
+        sweep = math.pi - 2 * half
+        for k in range(steps + 1):
+            angle = start + (sweep if left else -sweep) * k / steps
+            c, s = math.cos(angle), math.sin(angle)
+            sign = 1 if left else -1
+            out.append((center[0] + fillet * c, center[1] + fillet * s, (sign * c, sign * s)))
+    return with_normals(out)
+
+
+def with_normals(points):
+    """Fills in normals that are None from a point's neighbours."""
+    result = []
+    for i, (r, y, normal) in enumerate(points):
+        if normal is None:
+            a, b = points[max(i - 1, 0)], points[min(i + 1, len(points) - 1)]
+            d = (b[0] - a[0], b[1] - a[1])
+            length = math.hypot(*d)
+            normal = (d[1] / length, -d[0] / length)
+            if r == 0:
+                normal = (0.0, 1.0 if normal[1] > 0 else -1.0)
+        result.append((r, y, *normal))
+    return result
+
+
+def lathe(profile, segments):
+    """Turns a profile (radius, height, normal) about the y axis; it ends on the axis."""
+    points, normals, faces = [], [], []
+    angles = [2 * math.pi * i / segments for i in range(segments)]
+    circle = [(math.cos(a), math.sin(a)) for a in angles]
+    rings = []
+    for r, y, nr, ny in profile:
+        ring = len(points)
+        count = segments if r > 0 else 1
+        rings.append((ring, count))
+        for c, s in circle[:count]:
+            points.append((r * c, y, -r * s))
+            normals.append((nr * c, ny, -nr * s))
+    for (a, na), (b, nb) in zip(rings, rings[1:]):
+        for i in range(segments):
+            j = (i + 1) % segments
+            if na > 1:
+                faces.append((a + i, a + j, b + (j if nb > 1 else 0)))
+            if nb > 1:
+                faces.append((a + (i if na > 1 else 0), b + j, b + i))
+    return Mesh(points, faces, normals)
+
+
+def cube_grid(n, ease=0.0):
+    """Points on a cube of half width 1 and its faces; `ease` 1 crowds them at the edges."""
+    steps = [2 * i / n - 1 for i in range(n + 1)]
+    steps = [(1 - ease) * s + ease * math.sin(s * math.pi / 2) for s in steps]
+    index, points, faces = {}, [], []
+    for axis, sign in product(range(3), (-1, 1)):
+        grid = []
+        for i, j in product(range(n + 1), repeat=2):
+            p = [0.0] * 3
+            p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3] = sign, steps[i], steps[j]
+            p = tuple(p)
+            if p not in index:
+                index[p] = len(points)
+                points.append(p)
+            grid.append(index[p])
+        for i, j in product(range(n), repeat=2):
+            a, b = grid[i * (n + 1) + j], grid[(i + 1) * (n + 1) + j]
+            c, d = grid[(i + 1) * (n + 1) + j + 1], grid[i * (n + 1) + j + 1]
+            quad = (a, b, c, d) if sign > 0 else (a, d, c, b)
+            faces += [(quad[0], quad[1], quad[2]), (quad[0], quad[2], quad[3])]
+    return points, faces
+
+
+def sphere(radius, n):
+    points, faces = cube_grid(n)
+    points = [tuple(math.tan(v * math.pi / 4) for v in p) for p in points]
+    normals = [unit(p) for p in points]
+    return Mesh([scale(p, radius) for p in normals], faces, normals)
+
+
+def ice(half, n, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03):
+    """A block that has begun to melt: rounded, uneven, with shallow hollows."""
+    points, faces = cube_grid(n, ease=0.6)
+    out = []
+    for p in points:
+        r = sum(abs(v) ** exponent for v in p) ** (-1 / exponent)
+        q = [v * r * h for v, h in zip(p, half)]
+        d = unit(q)
+        q = scale(q, 1 + bulge * noise(scale(d, 1.3), seed))
+        depth = waves * (hollows(scale(q, 1 / cell), seed + 7) +
+                         0.35 * hollows(scale(q, 2.1 / cell), seed + 11))
+        out.append(add(q, scale(d, depth)))
+    return Mesh(out, faces)
+
+
+def tube(path, radius_of, segments, caps=True):
+    """A tube along points; radius_of(share of the way)."""
+    points, faces = [], []
+    side = None
+    for i, p in enumerate(path):
+        ahead = unit(sub(path[min(i + 1, len(path) - 1)], path[max(i - 1, 0)]))
+        if side is None:
+            side = cross(ahead, (0, 0, 1) if abs(ahead[2]) < 0.9 else (1, 0, 0))
+        side = unit(sub(side, scale(ahead, dot(side, ahead))))
+        up = cross(ahead, side)
+        r = radius_of(i / (len(path) - 1))
+        for k in range(segments):
+            a = 2 * math.pi * k / segments
+            points.append(add(p, add(scale(side, r * math.cos(a)), scale(up, r * math.sin(a)))))
+    for i in range(len(path) - 1):
+        for k in range(segments):
+            a, b = i * segments + k, i * segments + (k + 1) % segments
+            faces += [(a, b, b + segments), (a, b + segments, a + segments)]
+    if caps:
+        for ring, flip in ((0, True), ((len(path) - 1) * segments, False)):
+            points.append(path[-1 if ring else 0])
+            for k in range(segments):
+                a, b = ring + k, ring + (k + 1) % segments
+                faces.append((len(points) - 1, b, a) if flip else (len(points) - 1, a, b))
+    return Mesh(points, faces)
+
+
+def ring(path, radius, segments):
+    """A tube along points of a closed curve."""
+    n = len(path)
+    mesh = tube([*path, path[0], path[1]], lambda _: radius, segments, caps=False)
+    # The last ring of points lies on the second one, turned: its place is nearest to each point.
+    first = mesh.points[:segments]
+    last = mesh.points[n * segments:(n + 1) * segments]
+    shift = min(range(segments), key=lambda s: sum(
+        math.dist(last[k], first[(k + s) % segments]) for k in range(segments)))
+    faces = []
+    for face in mesh.faces:
+        if max(face) < (n + 1) * segments:
+            faces.append(tuple(i if i < n * segments else (i - n * segments + shift) % segments
+                               for i in face))
+    return Mesh(mesh.points[:n * segments], faces)
+
+
+def bead(at, along, radius, length, n=8):
+    """An egg of air, half `length` long, pointed towards `along`."""
+    profile = []
+    for i in range(n // 2 + 2):
+        a = math.pi * i / (n // 2 + 1) - math.pi / 2
+        width = radius * math.cos(a) * (1 - 0.25 * math.sin(a)) if 0 < i < n // 2 + 1 else 0.0
+        profile.append((width, length * math.sin(a), None))
+    mesh = lathe(with_normals(profile), n)
+    up = unit(along)
+    side = unit(cross(up, (0, 0, 1) if abs(up[2]) < 0.9 else (1, 0, 0)))
+    front = cross(side, up)
+    return mesh.placed(tuple(zip(side, up, front)), at)
+
+
+def worms(center, half, count, seed):
+    """Eggs of air in the core of a block of ice; all point to its centre, the large ones far out."""
+    pick = random.Random(seed)
+    beads = []
+    for _ in range(count):
+        d = unit([pick.gauss(0, 1) for _ in range(3)])
+        share = 0.12 + 0.5 * pick.random() ** 0.7
+        at = tuple(c + v * h * share for c, v, h in zip(center, d, half))
+        radius = 0.00016 + 0.0004 * pick.random() ** 3
+        along = add(scale(d, -1), tuple(pick.uniform(-0.25, 0.25) for _ in range(3)))
+        beads.append((at, along, radius, radius * pick.uniform(1.3, 5)))
+    return beads
+
+
+def beads_mesh(beads):
+    mesh = Mesh([], [], [])
+    for row in beads:
+        mesh.join(bead(*row))
+    return mesh
+
+
+def crack(radius, seed, gap=0.00006, bend=9.0, rings=6, segments=30):
+    """A bent sheet of air, lobed, thin towards its rim, square to the y axis."""
+    pick = random.Random(seed)
+    turn, lobes = pick.uniform(0, 6), pick.uniform(0, 6)
+
+    def point(share, k, side):
+        a = 2 * math.pi * k / segments
+        r = radius * share * (1 + 0.2 * math.cos(a - turn) + 0.1 * math.cos(3 * a - lobes))
+        return (r * math.cos(a), bend * r * r + side * gap / 2 * math.sqrt(1 - share * share),
+                -r * math.sin(a))
+
+    points = [point(1, k, 0) for k in range(segments)]
+    signs, faces = [1] * segments, []
+    for side in (1, -1):
+        outside, quads = 0, []
+        for i in range(rings - 1, 0, -1):
+            inside = len(points)
+            points += [point(i / rings, k, side) for k in range(segments)]
+            for k in range(segments):
+                n = (k + 1) % segments
+                quads += [(outside + k, outside + n, inside + n),
+                          (outside + k, inside + n, inside + k)]
+            outside = inside
+        points.append(point(0, 0, side))
+        quads += [(outside + k, outside + (k + 1) % segments, len(points) - 1)
+                  for k in range(segments)]
+        faces += quads if side > 0 else [(a, c, b) for a, b, c in quads]
+        signs += [side] * (len(points) - len(signs))
+    # Each side is a smooth sheet: the thin rim is no part of its normal.
+    return Mesh(points, faces, [unit((-2 * bend * x * s, s, -2 * bend * z * s))
+                                for s, (x, _, z) in zip(signs, points)])
+
+
+def sheet(corner, across, along, columns, rows):
+    """A grid with texture coordinates from 0 to 1; its front is where across x along points."""
+    normal = unit(cross(across, along))
+    points, uvs, faces = [], [], []
+    for j in range(rows + 1):
+        for i in range(columns + 1):
+            u, v = i / columns, j / rows
+            points.append(add(corner, add(scale(across, u), scale(along, v))))
+            uvs.append((u, v))
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i
+            b, c, d = a + 1, a + columns + 2, a + columns + 1
+            faces += [(a, b, c), (a, c, d)]
+    return Mesh(points, faces, [normal] * len(points), uvs)

@@ -1,0 +1,159 @@
+"""surroundings.py: what stands around the glass: tables, walls, and the light painted on them."""
+import math
+
+from files import png, unlit
+from shapes import Mesh, lattice, mix, noise, scale, sheet, smoothstep
+
+
+def ramp(colors, count=64):
+    """Colours between the given ones, at equal distances."""
+    out = []
+    for i in range(count):
+        t = i / (count - 1) * (len(colors) - 1)
+        k = min(int(t), len(colors) - 2)
+        out.append(mix(colors[k], colors[k + 1], t - k))
+    return out
+
+
+def row_noise(count, cells, seed):
+    """Smooth noise of one row of texels, from 0 to 1, that goes on at its end."""
+    knots = [lattice(i, 0, 0, seed) for i in range(cells)]
+    out = []
+    for i in range(count):
+        x = i * cells / count
+        k = int(x)
+        t = x - k
+        t = t * t * (3 - 2 * t)
+        out.append(knots[k % cells] + (knots[(k + 1) % cells] - knots[k % cells]) * t)
+    return out
+
+
+def wood(seed, width=192, height=512):
+    """
+    A board, the grain along u: years as uneven lines that darken slowly and end sharply, fibres as
+    long thin streaks.
+    """
+    bend = [4.2 * a + 1.1 * b for a, b in zip(row_noise(width, 3, seed),
+                                               row_noise(width, 9, seed + 1))]
+    fibres = [row_noise(width, 5 + k % 7, seed + 10 + k) for k in range(97)]
+    rows = []
+    for y in range(height):
+        v = y / height
+        tone = 9 * lattice(y, 1, 0, seed)
+        a, b = fibres[(y * 7) % 97], fibres[(y // 3 * 5 + 11) % 97]
+        # The years lie close at the board's edges and far apart along its middle.
+        base = 40 * (v - 0.5) * (0.35 + abs(v - 0.5)) + 60
+        edge = min(y, height - 1 - y)  # the joint between two boards
+        pull = 1.6 - 2.2 * abs(v - 0.5)
+        row = bytearray()
+        for x in range(width):
+            year = base + bend[x] * pull
+            whole = int(year)
+            t = year - whole
+            late = t ** 3 if t < 0.86 else (1 - t) * 4.5
+            value = 16 + 19 * late * (0.5 + ((whole * 37) % 11) / 11) + tone + 9 * a[x] + 10 * b[x]
+            row.append(63 if edge < 2 else int(min(max(value, 0), 63)))
+        rows.append(row)
+    return png(rows, ramp([(.72, .58, .43), (.59, .45, .31), (.44, .31, .20), (.22, .15, .10)]))
+
+
+def slate(seed, side=256):
+    """Dark split stone; its borders do not show where it repeats."""
+    rows = [bytearray(side) for _ in range(side)]
+    layers = [[row_noise(side, cells, seed + cells * 31 + k) for k in range(cells)]
+              for cells in (4, 9, 23, 64)]
+    for y in range(side):
+        total = [0.0] * side
+        for layer, weight in zip(layers, (22, 17, 13, 12)):
+            at = y * len(layer) / side
+            k = int(at)
+            t = smoothstep(0, 1, at - k)
+            a, b = layer[k], layer[(k + 1) % len(layer)]
+            total = [s + weight * (p + (q - p) * t) for s, p, q in zip(total, a, b)]
+        rows[y][:] = bytes(int(min(max(value - 6 + 7 * lattice(x, y, 2, seed), 0), 63))
+                           for x, value in enumerate(total))
+    return png(rows, ramp([(.16, .165, .175), (.27, .28, .295), (.38, .39, .41), (.54, .54, .53)]))
+
+
+def tiles(seed, side=256):
+    """Four tiles, light and dark in turn, with a joint between them."""
+    half = side // 2
+    rows = []
+    for y in range(side):
+        row = bytearray()
+        for x in range(side):
+            edge = min(x % half, y % half, half - 1 - x % half, half - 1 - y % half)
+            if edge < 2:
+                row.append(0)
+                continue
+            dark = (x < half) != (y < half)
+            row.append((8 if dark else 40) + int(6 * lattice(x // 2, y // 2, dark, seed)) +
+                       int(9 * lattice(x // 9, y, 3, seed)))
+        rows.append(row)
+    return png(rows, ramp([(.15, .14, .13), (.17, .27, .31), (.30, .42, .45), (.78, .75, .69),
+                           (.93, .91, .86)]))
+
+
+def boards(count, width, length, light, columns=26, rows=6):
+    """Boards side by side along x, level at height 0; light(x, z) is multiplied in."""
+    table = Mesh([], [], [])
+    for i in range(count):
+        z = (i - count / 2) * width
+        # From left to right, and towards the eye: the front is on top.
+        board = sheet((-length / 2, 0, z + width), (length, 0, 0), (0, 0, -width),
+                      columns, rows)
+        shift, flip = lattice(i, 5, 0, 3), i % 2
+        board.uvs = [(u * length / 0.26 + shift, 1 - v if flip else v) for u, v in board.uvs]
+        table.join(board)
+    return table.painted(lambda p, n: (light(p[0], p[2]),) * 3)
+
+
+def floor(half, tile, light, steps=30):
+    """A level square at height 0 under a texture that repeats after `tile`."""
+    mesh = sheet((-half, 0, half), (2 * half, 0, 0), (0, 0, -2 * half), steps, steps)
+    mesh.uvs = [(x / tile, z / tile) for x, _, z in mesh.points]
+    return mesh.painted(lambda p, n: (light(p[0], p[2]),) * 3)
+
+
+def shade(centers, dark, reach):
+    """Light on a table, from 0 to 1: darker under and around discs (x, z, radius)."""
+    def light(x, z):
+        value = 1.0
+        for cx, cz, radius in centers:
+            d = math.hypot(x - cx, z - cz) - radius
+            value *= 1 - dark * (1.0 if d < 0 else math.exp(-d / reach))
+        return value
+    return light
+
+
+def wall(z, half, bottom, top, colors, spot):
+    """An upright wall that faces the eye, brightest at `spot` (x, y, reach)."""
+    dark, bright = colors
+    mesh = sheet((-half, bottom, z), (2 * half, 0, 0), (0, top - bottom, 0), 32, 24)
+    mesh.uvs = []
+
+    def color(p, _):
+        d = math.hypot((p[0] - spot[0]) / spot[2], (p[1] - spot[1]) / spot[2])
+        return mix(dark, bright, math.exp(-d * d))
+    return mesh.painted(color)
+
+
+def painter(albedo, key=(0.5, 0.75, 0.45), fill=0.42):
+    """Colours of a matt thing under one large soft light and the light of all around."""
+    length = math.hypot(*key)
+    key = scale(key, 1 / length)
+
+    def color(p, n):
+        lit = max(n[0] * key[0] + n[1] * key[1] + n[2] * key[2] + 0.25, 0) / 1.25
+        share = fill * (0.75 + 0.25 * n[1]) + (1 - fill) * lit
+        base = albedo(p, n) if callable(albedo) else albedo
+        return tuple(min(c * share, 1) for c in base)
+    return color
+
+
+def speckle(color, size, strength, seed):
+    """A colour that is uneven in spots of a size."""
+    return lambda p, n: scale(color, 1 + strength * noise(scale(p, 1 / size), seed))
+
+
+PAINTED = unlit('painted')  # its vertex colours are all there is
