@@ -10,8 +10,10 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'man'))
 from help import COMMANDS, LISTS, Command, choices, names  # noqa: E402
 
-# Options whose values are names of `firn list`; of the second kind, with commas between.
-NAMED = {'refraction': 'rungs', 'split': 'rungs', 'material': 'materials', 'show': 'layers'}
+# Options whose values are names of `firn list`; of the second kind, with commas between. Those in
+# FILES may be files, too.
+NAMED = {'refraction': 'rungs', 'split': 'rungs', 'material': 'materials', 'show': 'layers',
+         'env': 'environments'}
 LISTED = {'rungs': 'rungs', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbox', 'immediate'),
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),
@@ -25,7 +27,8 @@ class Facts:
     def __init__(self, firn):
         self.commands = [Command(firn, name) for name in COMMANDS]
         self.lists = {kind: names(firn, kind) for kind in LISTS}
-        self.lists['scenes'].pop('FILE')
+        for kind in ('scenes', 'environments'):
+            self.lists[kind].pop('FILE')
 
     def settings(self):
         """Every NAME=, and NAME=VALUE where values are words."""
@@ -49,6 +52,16 @@ class Facts:
             return list(CATEGORIES)
         kinds = ['slurm', 'parallel', 'status'] if command.name == 'farm' else []
         return None if command.name in ('diff', 'merge') else kinds + list(self.lists['scenes'])
+
+
+def bash_words(facts, option):
+    """What is offered after an option; "-": files."""
+    values = facts.values(option)
+    if option.name == 'set':
+        values = sorted({value.split('=')[0] + '=' for value in values})
+    if option.name not in FILES:
+        return ' '.join(values)
+    return ' '.join([*values, '$(compgen -f -- "$cur")']) if values else '-'
 
 
 def bash(facts):
@@ -101,11 +114,7 @@ complete -o filenames -F _firn firn
             if not option.value or option.is_optional:
                 continue
             keys = f'--{option.name}' + (f' | -{option.letter}' if option.letter else '')
-            values = facts.values(option)
-            if option.name == 'set':
-                values = sorted({value.split('=')[0] + '=' for value in values})
-            offered = ' '.join(values) or ('-' if option.name in FILES else '')
-            cases += f'        {keys}) words="{offered}" ;;\n'
+            cases += f'        {keys}) words="{bash_words(facts, option)}" ;;\n'
         files = '' if command.name == 'list' else ' $(compgen -f -- "$cur")'
         cases += f'        *) words="{rest}{files}" ;;\n        esac\n        ;;\n'
     valued = ' '.join(value for value in facts.settings() if not value.endswith('='))
@@ -143,6 +152,8 @@ def zsh(facts):
                     option.name in FILES) else ' '
                 if option.name in LISTED:
                     offered = f'_sequence compadd - {" ".join(values)}'
+                if values and option.name in FILES:
+                    offered = '{compadd -- ' + ' '.join(values) + '; _files}'
                 name = option.value.split('|')[0].replace(':', '')
                 action = f':{"" if not option.is_optional else ":"}{name}:{offered}'
             mark = '=' if option.value and not option.is_optional else (
@@ -184,7 +195,7 @@ def fish(facts):
             text += f' -s {option.letter}' if option.letter else ''
             values = facts.values(option)
             if option.value and not option.is_optional:
-                text += ' -x' if values else ' -r' if option.name in FILES else ' -x'
+                text += ' -r' if option.name in FILES else ' -x'
             if values:
                 text += f' -a {quoted(" ".join(values))}'
             text += f' -d {quoted(option.help)}\n'

@@ -4,7 +4,7 @@ import subprocess
 
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet',
             'farm', 'merge', 'list')
-LISTS = ('scenes', 'rungs', 'materials', 'layers', 'settings')
+LISTS = ('scenes', 'environments', 'rungs', 'materials', 'layers', 'settings')
 
 
 def say(firn, *words):

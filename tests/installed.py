@@ -1,9 +1,10 @@
-"""installed.py: tests the installed libraries of graph/.
+"""installed.py: tests the installed libraries of graph/, and what the installed program finds.
 
-Usage: installed.py ROOT MESON
-Installs them, shared and static, and builds the programs of docs/render-graph.md outside the tree,
-with the page's commands: the programs must print the page's output. The libraries must export the
-headers' declarations and nothing else, and have the SONAME of the version.
+Usage: installed.py ROOT MESON BUILD   BUILD: a folder in which everything is built
+Installs the libraries, shared and static, and builds the programs of docs/render-graph.md outside
+the tree, with the page's commands: the programs must print the page's output. The libraries must
+export the headers' declarations and nothing else, and have the SONAME of the version. Installed to
+a folder that is not its prefix, the program must find its assets.
 """
 import os
 import pathlib
@@ -134,7 +135,20 @@ def check_cplusplus(prefix, environment):
     compile_and_run(command, prefix / 'other.cpp', CPLUSPLUS, environment)
 
 
-def main(root, meson):
+def check_assets(meson, build):
+    with tempfile.TemporaryDirectory() as folder:
+        done = subprocess.run([meson, 'install', '--no-rebuild', '-C', build, '--destdir', folder],
+                              capture_output=True, text=True)
+        if done.returncode:
+            sys.exit(f'meson install failed:\n{done.stdout}{done.stderr}')
+        program, = pathlib.Path(folder).rglob('bin/firn')
+        environment = {name: value for name, value in os.environ.items() if name != 'FIRN_ASSETS'}
+        for scene in ('drink', 'amber', 'hollow'):
+            output([program, 'graph', scene, '--env', 'studio'], env=environment)
+
+
+def main(root, meson, build):
+    check_assets(meson, build)
     page = (pathlib.Path(root) / 'docs' / 'render-graph.md').read_text(encoding='utf-8')
     with tempfile.TemporaryDirectory() as folder:
         prefix = pathlib.Path(folder)

@@ -106,7 +106,8 @@ def band(center, radius, thick):
     def brass(_, n):
         shine = max(n[0] * -0.3 + n[1] * 0.7 + n[2] * 0.64, 0) ** 14
         sky = smoothstep(-0.3, 0.9, n[1])
-        return add(mix((0.24, 0.13, 0.035), (0.92, 0.66, 0.24), sky), scale((0.6, 0.55, 0.4), shine))
+        tone = mix((0.24, 0.13, 0.035), (0.92, 0.66, 0.24), sky)
+        return add(tone, scale((0.6, 0.55, 0.4), shine))
     return mesh.painted(around.painter(brass, fill=0.6))
 
 
@@ -139,7 +140,8 @@ def cracks():
 def make():
     model = Model()
     stone = unlit('slate', model.texture(around.slate(8)))
-    shadow = around.shade([(-0.017, 0.003, 0.016), (0.017, -0.003, 0.016), (0, 0, 0.02)], 0.22, 0.011)
+    feet = [(-0.017, 0.003, 0.016), (0.017, -0.003, 0.016), (0, 0, 0.02)]
+    shadow = around.shade(feet, 0.22, 0.011)
     model.add('table', around.floor(0.5, 0.16, lambda x, z: 0.92 * shadow(x, z), 44), stone)
     model.add('wall', around.wall(-0.4, 0.8, -0.1, 0.75, ((0.03, 0.035, 0.045), (0.62, 0.7, 0.78)),
                                   (0.08, 0.16, 0.26)), around.PAINTED)

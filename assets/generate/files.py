@@ -99,7 +99,8 @@ class Model:
             attributes['TEXCOORD_0'] = self.floats(mesh.uvs, 5)
         if mesh.colors:
             attributes['COLOR_0'] = self.floats(mesh.colors, 4)
-        primitive = {'attributes': attributes, 'indices': self.indices(mesh.faces, len(mesh.points)),
+        indices = self.indices(mesh.faces, len(mesh.points))
+        primitive = {'attributes': attributes, 'indices': indices,
                      'material': self.materials.index(material)}
         self.json['meshes'].append({'name': name, 'primitives': [primitive]})
         self.json['nodes'].append({'name': name, 'mesh': len(self.json['meshes']) - 1})
@@ -137,7 +138,7 @@ def png(rows, palette):
 
 
 def exr(rows):
-    """Half floats R G B; a row is three lists of values; rows from the top; ZIP, 16 rows a block."""
+    """Half floats R G B, packed; a row is three lists of values; rows from the top."""
     width, height = len(rows[0][0]), len(rows)
 
     def attribute(name, kind, data):

@@ -30,7 +30,8 @@ def knot():
     for i in range(steps):
         t = 2 * math.pi * i / steps
         r = 2 + math.cos(3 * t)
-        path.append(scale((r * math.cos(2 * t), 1.25 * math.sin(3 * t), -r * math.sin(2 * t)), 0.0046))
+        p = (r * math.cos(2 * t), 1.25 * math.sin(3 * t), -r * math.sin(2 * t))
+        path.append(scale(p, 0.0046))
     mesh = ring(path, 0.0036, 18)
     turns = [i // 18 / steps for i in range(len(mesh.points))]
     mesh.placed(turned(25, 58, 8), add(BALL, (0, -0.0003, 0)))

@@ -303,7 +303,7 @@ def bead(at, along, radius, length, n=8):
 
 
 def worms(center, half, count, seed):
-    """Eggs of air in the core of a block of ice; all point to its centre, the large ones far out."""
+    """Eggs of air in the core of a block of ice, each pointed to its centre."""
     pick = random.Random(seed)
     beads = []
     for _ in range(count):

@@ -1,4 +1,4 @@
-/* list.c: firn list: scenes, rungs, materials, layers, settings, devices, sandbox. */
+/* list.c: firn list: scenes, environments, rungs, materials, layers, settings, devices, sandbox. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,8 +7,17 @@
 #include "src/gpu/gpu.h"
 #include "src/reader/sandbox.h"
 #include "src/reference/reference.h"
+#include "src/scene/asset.h"
 #include "src/scene/material.h"
 #include "src/tech/refract_reference.h"
+
+static void print_assets(enum asset_kind kind)
+{
+    for (const struct asset *a = assets; a->name; a++) {
+        if (a->kind == kind)
+            printf("  %-14s %s\n", a->name, a->help);
+    }
+}
 
 static enum status list_scenes(void)
 {
@@ -18,7 +27,15 @@ static enum status list_scenes(void)
             printf(", %u triangles", b->triangles);
         printf("\n");
     }
+    print_assets(ASSET_SCENE);
     printf("  %-14s %s\n", "FILE", "model file: .gltf, .glb, .obj, .ply");
+    return STATUS_OK;
+}
+
+static enum status list_environments(void)
+{
+    print_assets(ASSET_ENVIRONMENT);
+    printf("  %-14s %s\n", "FILE", "equirectangular .exr or .hdr, or firn bake's cube");
     return STATUS_OK;
 }
 
@@ -103,9 +120,10 @@ static const struct {
     const char *name;
     enum status (*print)(void);
 } lists[] = {
-    { "scenes", list_scenes },   { "rungs", list_rungs },       { "materials", list_materials },
-    { "layers", list_layers },   { "settings", list_settings }, { "devices", list_devices },
-    { "sandbox", list_sandbox },
+    { "scenes", list_scenes },   { "environments", list_environments },
+    { "rungs", list_rungs },     { "materials", list_materials },
+    { "layers", list_layers },   { "settings", list_settings },
+    { "devices", list_devices }, { "sandbox", list_sandbox },
 };
 
 enum status app_list(const struct app_options *o)
@@ -121,8 +139,8 @@ enum status app_list(const struct app_options *o)
     }
     if (!found) {
         log_error(
-            "list: expected scenes, rungs, materials, layers, settings, devices or sandbox, got "
-            "'%s'",
+            "list: expected scenes, environments, rungs, materials, layers, settings, devices or "
+            "sandbox, got '%s'",
             o->positionals[0]);
         return STATUS_USAGE;
     }

@@ -84,8 +84,7 @@ enum status app_need_scene(const struct app_scene *given)
 {
     if (given->name)
         return STATUS_OK;
-    log_error("SCENE is missing: expected ice-cube, sphere, teapot, room, pool or a model file "
-              "(see --help)");
+    log_error("SCENE is missing: expected a name of firn list scenes or a model file (see --help)");
     return STATUS_USAGE;
 }
 

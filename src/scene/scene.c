@@ -1,4 +1,4 @@
-/* scene.c: built-in scenes, model files, and their surroundings. */
+/* scene.c: built-in scenes, assets, model files, and their surroundings. */
 #include "src/scene/scene.h"
 #include <errno.h>
 #include <stdlib.h>
@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/base/suggest.h"
+#include "src/scene/asset.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/solid.h"
 
@@ -51,6 +52,11 @@ const struct scene_builtin *scene_find_builtin(const char *name)
     return NULL;
 }
 
+bool scene_is_known(const char *name)
+{
+    return scene_find_builtin(name) || asset_find(name, ASSET_SCENE);
+}
+
 /* The ice must fit in the pool at any angle about the vertical axis, with water below it. */
 static enum status add_floe(struct scene *scene, const struct scene_params *params)
 {
@@ -86,17 +92,47 @@ static enum status make_pool(struct scene *scene, const struct scene_params *par
     return pool->ice > 0.0f ? add_floe(scene, params) : STATUS_OK;
 }
 
-static enum status check_name(const char *name)
+/* Suggests a name if there is no file of this one. */
+static enum status check_file(const char *path, enum asset_kind kind)
 {
+    const bool is_scene = kind == ASSET_SCENE;
     char hint[SUGGEST_HINT_SIZE];
-    struct suggest suggest = { .word = name };
-    if (access(name, F_OK) == 0 || errno != ENOENT)
+    struct suggest suggest = { .word = path };
+    if (access(path, F_OK) == 0 || errno != ENOENT)
         return STATUS_OK; /* opening the file logs the error */
-    for (const struct scene_builtin *b = scene_builtins; b->name; b++)
+    for (const struct scene_builtin *b = scene_builtins; is_scene && b->name; b++)
         suggest_offer(&suggest, b->name);
-    log_error("'%s' is neither a built-in scene nor a file%s (firn list scenes)", name,
-              suggest_hint(&suggest, hint));
+    for (const struct asset *a = assets; a->name; a++) {
+        if (a->kind == kind)
+            suggest_offer(&suggest, a->name);
+    }
+    log_error("'%s' is neither a built-in %s nor a file%s (firn list %s)", path,
+              is_scene ? "scene" : "environment", suggest_hint(&suggest, hint),
+              is_scene ? "scenes" : "environments");
     return STATUS_NO_INPUT;
+}
+
+/* Finds the file that a name or a path means, for the caller to free. */
+static enum status locate(const char *name, enum asset_kind kind, char **path)
+{
+    const struct asset *asset = asset_find(name, kind);
+    *path = NULL;
+    if (asset)
+        return asset_locate(asset, path);
+    const enum status status = check_file(name, kind);
+    if (status == STATUS_OK)
+        *path = strdup(name);
+    return status == STATUS_OK && !*path ? log_out_of_memory(name) : status;
+}
+
+static enum status load_file(struct model *model, const struct scene_params *params)
+{
+    char *path;
+    enum status status = locate(params->name, ASSET_SCENE, &path);
+    if (status == STATUS_OK)
+        status = decode_model(model, path, MODEL_OBJECT, params->decode);
+    free(path);
+    return status;
 }
 
 /* Makes the mesh of the object one whose material the settings decide. */
@@ -119,12 +155,8 @@ static enum status add_bare_object(struct model *model)
 static enum status load_object(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
-    if (!builtin) {
-        const enum status status = check_name(params->name);
-        return status == STATUS_OK
-                   ? decode_model(&scene->model, params->name, MODEL_OBJECT, params->decode)
-                   : status;
-    }
+    if (!builtin)
+        return load_file(&scene->model, params);
     if (!builtin->generate)
         return make_pool(scene, params);
     uint32_t triangles = params->object_triangles ? params->object_triangles : builtin->triangles;
@@ -184,8 +216,11 @@ static enum status load_background(struct scene *scene, const struct scene_param
     if (!params->environment)
         return STATUS_OK;
     struct environment environment;
-    const enum status status =
-        decode_environment(&environment, params->environment, params->decode);
+    char *path;
+    enum status status = locate(params->environment, ASSET_ENVIRONMENT, &path);
+    if (status == STATUS_OK)
+        status = decode_environment(&environment, path, params->decode);
+    free(path);
     if (status != STATUS_OK)
         return status;
     if (environment.is_cube) {

@@ -46,16 +46,16 @@ struct scene_cracks {
 };
 
 struct scene_params {
-    const char *name;                /* of a built-in scene, or a model file */
-    const char *surroundings;        /* model file; NULL: the landscape, if the sky is there too */
-    const char *environment;         /* image file of the background or of a cube; NULL: none */
-    const vec3s *background;         /* colour; NULL: the sky */
-    uint32_t object_triangles;       /* of a built-in object; 0: its default */
-    uint32_t landscape_triangles;    /* 0: default */
-    bool flat;                       /* a level floor instead of the landscape */
-    uint32_t mover_count;            /* objects that move around the object */
-    struct generate_air air;         /* count 0: none */
-    struct generate_bubbles bubbles; /* count 0: none */
+    const char *name;          /* of a built-in scene or an asset, or a model file */
+    const char *surroundings;  /* model file; NULL: the landscape, if the sky is there too */
+    const char *environment;   /* asset, or image file of the background or of a cube; NULL: none */
+    const vec3s *background;   /* colour; NULL: the sky */
+    uint32_t object_triangles; /* of a built-in object; 0: its default */
+    uint32_t landscape_triangles;        /* 0: default */
+    bool flat;                           /* a level floor instead of the landscape */
+    uint32_t mover_count;                /* objects that move around the object */
+    struct generate_air air;             /* count 0: none */
+    struct generate_bubbles bubbles;     /* count 0: none */
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
     struct scene_cracks cracks;
     const struct reader_params
@@ -81,6 +81,9 @@ extern const struct scene_builtin scene_builtins[]; /* ends at a row of zeros */
 
 /* Returns the built-in scene of this name, or NULL. */
 const struct scene_builtin *scene_find_builtin(const char *name);
+
+/* Returns whether the name is that of a built-in scene or an asset, so not of a file. */
+bool scene_is_known(const char *name);
 
 /* Loads or generates a scene. Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (the ice
  * does not fit in the pool) or STATUS_TRY_AGAIN; *scene is then {0}. */

@@ -163,7 +163,7 @@ static const struct option options[] = {
     { "Picture", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
     { "Scene", "env", 'e', "FILE", SCENES, INPUT(picture.scene.environment),
-      "environment: equirectangular .exr or .hdr, or firn bake's cube (sky)" },
+      "environment: name (firn list environments), .exr, .hdr or firn bake's cube (sky)" },
     { "Scene", "surroundings", 0, "FILE", SCENES, INPUT(picture.scene.surroundings),
       "model file that surrounds the object (the scene's own surroundings)" },
     { "Scene", "background", 0, "R,G,B", SCENES, VECTOR(scene.background, option_background),
@@ -276,8 +276,9 @@ static const char *const usages[] = {
     [APP_FARM] =
         "firn farm slurm|parallel|status [options] SCENE: render a sequence on many machines",
     [APP_MERGE] = "firn merge [options] TILE...: join the tiles of a picture",
-    [APP_LIST] =
-        "firn list [scenes|rungs|materials|layers|settings|devices|sandbox]: print what there is",
+    [APP_LIST] = ("firn list "
+                  "[scenes|environments|rungs|materials|layers|settings|devices|sandbox]: print "
+                  "what there is"),
 };
 
 /* Its value comes with '=' or not at all. */
@@ -291,8 +292,7 @@ void app_help(enum app_command command)
     const char *group = "";
     printf("%s\n\nExamples:\n%s", usages[command], examples[command]);
     if (command & SCENES)
-        printf("\nSCENE is ice-cube, sphere, teapot, room, pool, or a model file (.gltf .glb .obj "
-               ".ply).\n");
+        printf("\nSCENE is a name (firn list scenes) or a model file (.gltf .glb .obj .ply).\n");
     if (command == APP_PROFILE)
         printf("firn profile paper repeats the measurements of the paper.\n");
     if (command == APP_BAKE)
@@ -495,7 +495,7 @@ static enum status check_files(const struct app_options *o, enum app_command com
     for (uint32_t i = 0; i < o->run.outputs.count; i++)
         files[count++] = (struct option_file){ command == APP_VIEW ? "screenshot" : "output",
                                                o->run.outputs.paths[i], true };
-    if (o->picture.scene.name && !scene_find_builtin(o->picture.scene.name))
+    if (o->picture.scene.name && !scene_is_known(o->picture.scene.name))
         files[count++] = (struct option_file){ NULL, o->picture.scene.name, false };
     for (size_t i = 0; i < APP_POSITIONAL_COUNT && o->positionals[i]; i++)
         files[count++] = (struct option_file){ NULL, o->positionals[i], false };

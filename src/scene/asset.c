@@ -1,0 +1,90 @@
+/* asset.c: the table of assets, and the folders that may have their files. */
+#include "src/scene/asset.h"
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "src/base/log.h"
+
+const struct asset assets[] = {
+    {
+        .name = "drink",
+        .file = "drink.glb",
+        .kind = ASSET_SCENE,
+        .help = "tumbler of water with three ice cubes and a straw",
+    },
+    {
+        .name = "amber",
+        .file = "amber.glb",
+        .kind = ASSET_SCENE,
+        .help = "cherries, a leaf and a ring in a block of ice",
+    },
+    {
+        .name = "hollow",
+        .file = "hollow.glb",
+        .kind = ASSET_SCENE,
+        .help = "coloured knot in the cavity of a glass ball",
+    },
+    {
+        .name = "studio",
+        .file = "studio.exr",
+        .kind = ASSET_ENVIRONMENT,
+        .help = "dark studio with soft boxes",
+    },
+    { 0 },
+};
+
+const struct asset *asset_find(const char *name, enum asset_kind kind)
+{
+    for (const struct asset *a = assets; a->name; a++) {
+        if (a->kind == kind && !strcmp(a->name, name))
+            return a;
+    }
+    return NULL;
+}
+
+/* Writes the folder of this program, with a slash at its end; "" if it is not known. */
+static void find_program_folder(char *folder, size_t size)
+{
+    const ssize_t length = readlink("/proc/self/exe", folder, size - 1);
+    folder[length > 0 ? length : 0] = '\0';
+    char *slash = strrchr(folder, '/');
+    folder[slash ? slash + 1 - folder : 0] = '\0';
+}
+
+/* Returns "A" "B" "/" "FILE" if there is such a file, else NULL; *lacks_memory may become true. */
+static char *try_folder(const char *a, const char *b, const char *file, bool *lacks_memory)
+{
+    const size_t size = strlen(a) + strlen(b) + strlen(file) + 2;
+    char *path = malloc(size);
+    if (!path) {
+        *lacks_memory = true;
+        return NULL;
+    }
+    snprintf(path, size, "%s%s/%s", a, b, file);
+    if (access(path, F_OK) == 0)
+        return path;
+    free(path);
+    return NULL;
+}
+
+enum status asset_locate(const struct asset *asset, char **path)
+{
+    static const char *const beside[] = { "../share/firn", "assets" };
+    const char *stated = getenv("FIRN_ASSETS");
+    char program[4096];
+    bool lacks_memory = false;
+    find_program_folder(program, sizeof(program));
+    *path = stated && stated[0] ? try_folder(stated, "", asset->file, &lacks_memory) : NULL;
+    for (size_t i = 0; program[0] && !*path && i < sizeof(beside) / sizeof(beside[0]); i++)
+        *path = try_folder(program, beside[i], asset->file, &lacks_memory);
+    if (*path)
+        return STATUS_OK;
+    if (lacks_memory)
+        return log_out_of_memory(asset->name);
+    log_error("'%s': %s is neither in $FIRN_ASSETS nor in %s%s; set FIRN_ASSETS to the folder of "
+              "firn's assets",
+              asset->name, asset->file, program, beside[0]);
+    return STATUS_NO_INPUT;
+}

@@ -1,0 +1,35 @@
+/*
+ * asset.h: model files and panoramas that come with the program, by name.
+ *
+ * A file of theirs is looked for in $FIRN_ASSETS, then in ../share/firn from the program's folder,
+ * where it is installed, then in assets in the program's folder, where a build puts it.
+ */
+#ifndef FIRN_SCENE_ASSET_H
+#define FIRN_SCENE_ASSET_H
+
+#include "src/base/status.h"
+
+enum asset_kind {
+    ASSET_SCENE,
+    ASSET_ENVIRONMENT,
+};
+
+struct asset {
+    const char *name; /* without a dot or a slash, so that "./NAME" is always a file */
+    const char *file; /* its name in the folder of assets */
+    enum asset_kind kind;
+    const char *help;
+};
+
+extern const struct asset assets[]; /* ends at a row of zeros */
+
+/* Returns the asset of this name and kind, or NULL. */
+const struct asset *asset_find(const char *name, enum asset_kind kind);
+
+/*
+ * Finds an asset's file. The caller frees *path, which is NULL on failure. Logs and returns
+ * STATUS_NO_INPUT if no folder has the file, or STATUS_TRY_AGAIN when out of memory.
+ */
+MUST_USE enum status asset_locate(const struct asset *asset, char **path);
+
+#endif

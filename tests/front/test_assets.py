@@ -1,0 +1,137 @@
+"""test_assets.py: models and panoramas that come with firn, and where it finds them.
+
+Usage: see case.py. With --without after FIRN: of a build that cannot trace.
+"""
+import collections
+import importlib
+import json
+import pathlib
+import shutil
+import struct
+import sys
+import unittest
+import zlib
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import DATA, NO_DRIVER, NO_INPUT, PLAIN, Case, main  # noqa: E402
+
+ASSETS = pathlib.Path(__file__).parents[2] / 'assets'
+sys.path.append(str(ASSETS / 'generate'))
+SCENES = ('drink', 'amber', 'hollow')
+FILES = sorted(path.name for path in ASSETS.iterdir() if path.suffix in ('.glb', '.exr'))
+TRACED = ['--refraction', 'reference']
+
+
+class Generators(Case):
+    @unittest.skipIf('ng' in zlib.ZLIB_RUNTIME_VERSION, 'zlib-ng packs other bytes')
+    def test_they_make_the_files(self):
+        importlib.import_module('make').main(self.folder)
+        self.assertEqual(self.files(), FILES)
+        for name in FILES:
+            with self.subTest(name):
+                self.assertTrue((self.folder / name).read_bytes() == (ASSETS / name).read_bytes(),
+                                'python3 assets/generate/make.py assets makes other bytes')
+
+    def test_a_line_of_where_each_is_from(self):
+        text = (ASSETS / 'README.md').read_text(encoding='utf-8')
+        for name in FILES:
+            self.assertRegex(text, rf'(?m)^\| `{name}` \| .* \| made by `generate/\w+\.py` ')
+
+
+class Shells(Case):
+    """Of refractive things: closed, so that there is an inside."""
+
+    def meshes(self, name):
+        """Material, points and corners of each mesh."""
+        data = (ASSETS / f'{name}.glb').read_bytes()
+        length, = struct.unpack_from('<I', data, 12)
+        model, first = json.loads(data[20:20 + length]), 28 + length
+
+        def values(index, code, width):
+            accessor = model['accessors'][index]
+            at = first + model['bufferViews'][accessor['bufferView']]['byteOffset']
+            return struct.unpack_from(f'<{accessor["count"] * width}{code}', data, at)
+
+        for mesh in model['meshes']:
+            primitive = mesh['primitives'][0]
+            points = values(primitive['attributes']['POSITION'], 'f', 3)
+            yield (model['materials'][primitive['material']], points,
+                   values(primitive['indices'], 'H', 1))
+
+    def test_closed_with_a_priority(self):
+        for name in SCENES:
+            for material, points, corners in self.meshes(name):
+                if 'KHR_materials_transmission' not in material['extensions']:
+                    continue
+                medium = material['extensions']['KHR_materials_volume']
+                with self.subTest(scene=name, material=material['name']):
+                    self.assertGreater(medium['thicknessFactor'], 0)
+                    self.assertEqual({'water': 1, 'ice': 2, 'glass': 3, 'air': 4}[material['name']],
+                                     material['extras']['priority'])
+                    sides = collections.Counter()
+                    for a, b, c in zip(*[iter(corners)] * 3):
+                        sides.update(((a, b), (b, c), (c, a)))
+                    self.assertEqual(set(sides.values()), {1})
+                    self.assertEqual([side for side in sides if side[::-1] not in sides], [])
+                    # In metres: a thing that a hand can hold.
+                    self.assertTrue(0.01 < max(points) - min(points) < 0.15)
+
+
+class Names(Case):
+    def test_every_scene_loads(self):
+        for name in SCENES:
+            self.succeed('graph', name, env=NO_DRIVER)
+
+    def test_listed(self):
+        scenes = self.succeed('list', 'scenes').stdout.decode()
+        for name in SCENES:
+            self.assertRegex(scenes, rf'(?m)^  {name} +\w')
+        self.assertRegex(self.succeed('list', 'environments').stdout.decode(), r'(?m)^  studio +\w')
+
+    def test_a_picture(self):
+        small = ('render', 'hollow', '--size', '32x24', *PLAIN, *TRACED)
+        pictures = set()
+        for k, more in enumerate(([], ['--env', 'studio'])):
+            self.succeed(*small, *more, '-o', f'{k}.png')
+            pictures.add((self.folder / f'{k}.png').read_bytes())
+        self.assertEqual(len(pictures), 2)
+
+    def test_names_that_are_close(self):
+        self.refuse(NO_INPUT, 'graph', 'drnk', names=["did you mean 'drink'?"])
+        self.refuse(NO_INPUT, 'graph', 'sphere', '--env', 'studoi',
+                    names=["did you mean 'studio'?"])
+        self.refuse(NO_INPUT, 'graph', 'studio', names=["'studio' is neither a built-in scene"])
+
+    def test_a_path_is_a_file(self):
+        (self.folder / 'drink').write_bytes(b'no model')
+        self.refuse(DATA, 'graph', './drink', names=['./drink'])
+        self.succeed('graph', 'drink', env=NO_DRIVER)
+
+
+class Folders(Case):
+    def test_the_stated_one_is_first(self):
+        stated = {'FIRN_ASSETS': self.folder}
+        (self.folder / 'drink.glb').write_bytes(b'glTF\x02\0\0\0' + bytes(range(256)))
+        self.refuse(DATA, 'graph', 'drink', env=stated, names=[f'{self.folder}/drink.glb'])
+        self.succeed('graph', 'hollow', env=stated)  # what is not in it is looked for elsewhere
+
+    def test_beside_an_installed_program(self):
+        """Wherever its prefix is moved to."""
+        program = self.folder / 'bin' / 'firn'
+        program.parent.mkdir()
+        shutil.copy(Case.program, program)
+        built, Case.program = Case.program, str(program)
+        try:
+            self.refuse(NO_INPUT, 'graph', 'drink', names=["'drink'", 'FIRN_ASSETS'])
+            (self.folder / 'share').mkdir()
+            (self.folder / 'share' / 'firn').symlink_to(ASSETS)
+            self.succeed('graph', 'drink', '--env', 'studio')
+        finally:
+            Case.program = built
+
+
+if __name__ == '__main__':
+    if '--without' in sys.argv:
+        sys.argv.remove('--without')
+        TRACED = []
+    main()
