@@ -12,6 +12,11 @@
 #include "src/tech/refract_reference.h"
 #include "src/tech/techniques.h"
 
+bool option_is_optional(const struct option *option)
+{
+    return option->value && option->value[0] == '[';
+}
+
 enum status option_refuse(const struct option *option, const char *value, const char *expected)
 {
     log_error("--%s: expected %s, got '%s'", option->name, expected, value);

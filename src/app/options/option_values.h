@@ -7,6 +7,9 @@
 /* Of a bool, a string that is taken as it is, and a uint32_t from option->min to max. */
 option_fn option_flag, option_text, option_count;
 
+/* Whether its value comes with '=' or not at all. */
+bool option_is_optional(const struct option *option);
+
 /* Logs "--option: expected EXPECTED, got 'value'". STATUS_USAGE. */
 enum status option_refuse(const struct option *option, const char *value, const char *expected);
 

@@ -1,0 +1,10 @@
+/* option_help.h: what --help prints. */
+#ifndef FIRN_APP_OPTIONS_OPTION_HELP_H
+#define FIRN_APP_OPTIONS_OPTION_HELP_H
+
+#include "src/app/options/option.h"
+
+/* Prints the help of a command on stdout: its usage, examples and rows of the table of options. */
+void option_help(enum app_command command, const struct option *options, size_t count);
+
+#endif
