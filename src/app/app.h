@@ -11,6 +11,7 @@
 #include "src/gpu/gpu_swapchain.h"
 #include "src/metric/comparison.h"
 #include "src/reader/reader.h"
+#include "src/render/pixel_filter.h"
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
 
@@ -60,6 +61,7 @@ struct app_picture {
     const struct technique *rung;
     const struct technique *split; /* on the right of a window; NULL: it is not split */
     uint32_t width, height, samples;
+    enum pixel_filter filter;
     uint32_t columns, rows;         /* of tiles that it is drawn in; 0: it is not */
     uint32_t tile;                  /* the one to draw, from 1; 0: all of them */
     bool interleaved;               /* tiles are so: renderer.h */

@@ -128,6 +128,7 @@ static enum status measure(struct job *job)
         .width = p->width,
         .height = p->height,
         .samples = p->samples,
+        .filter = p->filter,
         .rungs = o->ladder.rungs,
         .run_count = o->ladder.run_count,
         .truth = job->truth.plane_count ? &job->truth : NULL,

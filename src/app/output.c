@@ -70,6 +70,8 @@ static bool describe(const struct output *output, const struct frame_layer *show
     if (out) {
         fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", p->scene.name,
                 p->rung->rung.name, p->width, p->height, p->samples);
+        if (p->filter == PIXEL_FILTER_POINT)
+            fputs(" pixel-filter=point", out);
         if (p->interleaved) /* other tiles change nothing */
             fprintf(out, " interleaved=%ux%u", p->columns, p->rows);
         if (p->split)

@@ -200,6 +200,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
         .width = params->width,
         .height = params->height,
         .samples = params->samples,
+        .filter = params->filter,
         .layers = params->layers,
         .linear = params->linear,
         .display = params->display,

@@ -69,6 +69,7 @@ static enum status trace(struct ladder *ladder, const struct ladder_params *para
         .width = params->width,
         .height = params->height,
         .samples = params->samples,
+        .filter = params->filter,
         .layers = find_layers(true),
         .linear = true,
         .display = true,
@@ -98,6 +99,7 @@ static struct renderer_params renderer_params_of(const struct ladder_params *par
         .width = params->width,
         .height = params->height,
         .samples = params->samples,
+        .filter = params->filter,
         .sharing = params->sharing,
     };
 }

@@ -54,6 +54,7 @@ struct ladder_params {
     const struct settings *settings;
     struct renderer_shot shot;
     uint32_t width, height, samples;
+    enum pixel_filter filter;
     uint32_t rungs;            /* bit i: techniques_rung(i); 0: all */
     const struct image *truth; /* R, G, B of this size, by another program; NULL: none */
     const bool *truth_counted; /* pixels of it to measure; NULL: the object's */

@@ -119,11 +119,12 @@ static struct bvh_ray ray_of(const struct job *job, uint32_t x, uint32_t y, vec2
 static void trace_pixel(const struct job *job, uint32_t x, uint32_t y)
 {
     const uint32_t samples = job->reference->request.samples;
+    const enum pixel_filter filter = job->reference->request.filter;
     const size_t pixel = (size_t)y * job->reference->request.width + x;
     double sums[REFERENCE_SEEN_COUNT] = { 0 };
     float first[REFERENCE_SEEN_COUNT];
     for (uint32_t s = 0; s < samples; s++) {
-        const struct bvh_ray ray = ray_of(job, x, y, accumulate_jitter(s));
+        const struct bvh_ray ray = ray_of(job, x, y, accumulate_offset(filter, s));
         struct whitted whitted = job->whitted;
         whitted.sample = s;
         const struct reference_seen seen =

@@ -30,11 +30,12 @@ struct reference_request {
     const struct settings *settings;
     uint32_t width, height; /* pixels */
     uint32_t samples;       /* per pixel; 0 means 1 */
-    uint32_t layers;        /* bit i: techniques_layer(i), for which reference_makes() is true */
-    bool linear;            /* return the beauty in render_result.image */
-    bool display;           /* return the tonemapped picture in render_result.rgba */
-    uint32_t threads;       /* 0: one for each core */
-    uint64_t memory;        /* limit of the triangles' bytes; 0: the machine's memory */
+    enum pixel_filter filter;
+    uint32_t layers;  /* bit i: techniques_layer(i), for which reference_makes() is true */
+    bool linear;      /* return the beauty in render_result.image */
+    bool display;     /* return the tonemapped picture in render_result.rgba */
+    uint32_t threads; /* 0: one for each core */
+    uint64_t memory;  /* limit of the triangles' bytes; 0: the machine's memory */
 };
 
 struct reference;

@@ -86,3 +86,8 @@ vec2s accumulate_jitter(uint32_t sample)
     }
     return jitter;
 }
+
+vec2s accumulate_offset(enum pixel_filter filter, uint32_t sample)
+{
+    return filter == PIXEL_FILTER_POINT ? (vec2s){ { 0.0f, 0.0f } } : accumulate_jitter(sample);
+}

@@ -8,6 +8,7 @@
 #include "src/base/status.h"
 #include "src/frame/layers.h"
 #include "src/image/image.h"
+#include "src/render/pixel_filter.h"
 
 /* Adds the planes of a layer, filled with 0, to an image. Returns false when out of memory. */
 bool accumulate_add_planes(struct image *image, const struct frame_layer *layer);
@@ -27,5 +28,8 @@ void accumulate_mean(struct image *image, const struct frame_layer *layer, uint3
  * centre; the others follow Roberts' R2 sequence, which covers the pixel evenly at any count.
  */
 vec2s accumulate_jitter(uint32_t sample);
+
+/* Returns the offset at which a filter has a sample of a pixel. */
+vec2s accumulate_offset(enum pixel_filter filter, uint32_t sample);
 
 #endif

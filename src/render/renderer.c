@@ -218,7 +218,7 @@ static void limit(const struct renderer *r, const struct frame_view *view,
 }
 
 static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_exec,
-                                  const struct renderer_shot *shot, vec2s jitter, uint32_t *slot)
+                                  const struct renderer_shot *shot, uint32_t sample, uint32_t *slot)
 {
     const struct uploaded_scene *s = r->scene;
     const struct frame_view view = {
@@ -228,7 +228,8 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
         .time = shot->time,
         .width = r->width,
         .height = r->height,
-        .jitter = jitter,
+        .jitter = accumulate_offset(r->params.filter, sample),
+        .light_jitter = accumulate_jitter(sample),
         .tile = tile_offset(&r->params, shot->tile),
         .lod_bias = renderer_is_interleaved(&r->params)
                         ? -0.5f * log2f((float)(r->params.columns * r->params.rows))
@@ -244,7 +245,7 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
         .object_count = frame_exec == &r->picture ? r->objects.count : 0,
         .meshes = r->meshes,
         .view = frame_view_push(&view),
-        .jitter = jitter,
+        .light_jitter = view.light_jitter,
     };
     const struct globals globals = frame_view_globals(&view, &frame.view);
     for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
@@ -309,7 +310,7 @@ static enum status capture_cube(struct renderer *r, const struct renderer_shot *
     uint32_t slot;
     if (!r->capture.exec || r->captured)
         return STATUS_OK;
-    enum status status = run_frame_exec(r, &r->capture, &first, accumulate_jitter(0), &slot);
+    enum status status = run_frame_exec(r, &r->capture, &first, 0, &slot);
     r->captured = status == STATUS_OK;
     return status;
 }
@@ -319,7 +320,7 @@ enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
     enum status status = capture_cube(r, shot);
     r->cube.in_turn = true;
     if (status == STATUS_OK)
-        status = run_frame_exec(r, &r->picture, shot, accumulate_jitter(0), &r->last_slot);
+        status = run_frame_exec(r, &r->picture, shot, 0, &r->last_slot);
     return status;
 }
 
@@ -362,7 +363,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
         uint32_t slot_before = r->last_slot;
         if (i < r->params.samples)
-            status = run_frame_exec(r, &r->picture, shot, accumulate_jitter(i), &r->last_slot);
+            status = run_frame_exec(r, &r->picture, shot, i, &r->last_slot);
         if (i == 0 || status != STATUS_OK)
             continue;
         status = fetch_sample(r, image, i - 1, slot_before);
@@ -504,7 +505,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
     if (status == STATUS_OK)
         status = frame_exec_create(&r.capture, &r, renderer_bake_request(&r.params));
     if (status == STATUS_OK)
-        status = run_frame_exec(&r, &r.capture, &shot, accumulate_jitter(0), &slot);
+        status = run_frame_exec(&r, &r.capture, &shot, 0, &slot);
     if (status == STATUS_OK)
         status = gpu_status(rg_exec_wait(r.capture.exec, slot));
     if (status == STATUS_OK)

@@ -4,6 +4,7 @@
 
 #include "graph/rg_exec.h"
 #include "src/gpu/gpu.h"
+#include "src/render/pixel_filter.h"
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
 
@@ -15,10 +16,11 @@ struct renderer_params {
     const struct uploaded_scene *uploaded; /* the scene on the device; NULL: it is uploaded */
     const struct settings *settings;
     const struct technique *rung;
-    uint32_t width, height;  /* pixels */
-    uint32_t columns, rows;  /* of tiles; each shot draws one tile; 0 means 1 */
-    bool interleaved;        /* tiles are interleaved: see renderer_shot */
-    uint32_t samples;        /* per pixel; 0 means 1 */
+    uint32_t width, height; /* pixels */
+    uint32_t columns, rows; /* of tiles; each shot draws one tile; 0 means 1 */
+    bool interleaved;       /* tiles are interleaved: see renderer_shot */
+    uint32_t samples;       /* per pixel; 0 means 1 */
+    enum pixel_filter filter;
     uint32_t layers;         /* bit i: techniques_layer(i), if the settings switch it on */
     bool linear;             /* return the beauty in render_result.image */
     bool display;            /* return the tonemapped picture in render_result.rgba */

@@ -22,6 +22,7 @@ struct frame_view {
     float time;             /* seconds */
     uint32_t width, height; /* pixels */
     vec2s jitter;           /* of the sample, pixels */
+    vec2s light_jitter;     /* of the sample's photons, each in [-0.5, 0.5) */
     uint32_t face_size;     /* of the cube around the object, texels */
     vec2s tile;             /* of an interleaved tile: offset of its pixels, in pixels of the
                                picture, from the middle of each block of all tiles' pixels */
@@ -52,7 +53,7 @@ struct rg_frame {
     VkRect2D object_area;         /* pixels of the view that contain the whole object */
     VkRect2D lookup_area;         /* pixels of the view in which shaders look up its faces */
     struct background_push view;
-    vec2s jitter;                      /* of the sample, pixels */
+    vec2s light_jitter;                /* as in struct frame_view */
     struct background_push faces[6];   /* of the cube around the object, Vulkan's order */
     uint32_t faces_due;                /* a bit for each face that is drawn */
     const struct window_frame *window; /* src/view/present.h; NULL: there is no window */

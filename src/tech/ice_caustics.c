@@ -221,8 +221,8 @@ static void record_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
     const struct caustics_params *pool = settings_of(frame->settings, &caustics_settings);
     const struct ice_caustics_push push = {
         .march = *march,
-        .sun_x = frame->jitter.x,
-        .sun_y = frame->jitter.y,
+        .sun_x = frame->light_jitter.x,
+        .sun_y = frame->light_jitter.y,
         .sun = pool->sun,
     };
     rg_cmd_push(cmd, &push, sizeof(push));
@@ -350,7 +350,7 @@ void ice_caustics_write_globals(void *memory, const struct frame_view *view,
     sun->forward = glms_vec3_negate(globals->sun_dir);
     sun->clip_from_world =
         camera_clip_from_world(&camera, ICE_CAUSTICS_PHOTONS, ICE_CAUSTICS_PHOTONS,
-                               scene_near_plane(view->scene), view->jitter);
+                               scene_near_plane(view->scene), view->light_jitter);
 }
 
 /* The map's view is the sun's view of the ice with a wider angle. */

@@ -86,6 +86,8 @@ static void test_defaults_are_not_said(void **state)
     check("sphere", "firn render sphere --size 320x240 -o firn.png");
     check("sphere --orbit 10,20,3 --fov 30 --samples 4",
           "firn render sphere --size 320x240 --samples 4 --orbit 10,20,3 --fov 30 -o firn.png");
+    check("sphere --samples 4 --pixel-filter point",
+          "firn render sphere --size 320x240 --samples 4 --pixel-filter point -o firn.png");
     check("sphere --refraction one-sided --set cracks.count=7",
           "firn render sphere --size 320x240 --refraction one-sided --set cracks.count=7 "
           "-o firn.png");

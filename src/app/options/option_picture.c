@@ -163,6 +163,20 @@ enum status option_show(const struct option *option, void *at, const char *value
                          : option_refuse_name(option, OPTION_LAYERS, value, strlen(value));
 }
 
+enum status option_pixel_filter(const struct option *option, void *at, const char *value)
+{
+    static const char *const names[PIXEL_FILTER_COUNT] = {
+        [PIXEL_FILTER_BOX] = "box",
+        [PIXEL_FILTER_POINT] = "point",
+    };
+    enum pixel_filter *filter = at;
+    const int i = option_find_word(names, PIXEL_FILTER_COUNT, value);
+    if (i < 0)
+        return option_refuse(option, value, "box or point");
+    *filter = (enum pixel_filter)i;
+    return STATUS_OK;
+}
+
 enum status option_sharing(const struct option *option, void *at, const char *value)
 {
     static const char *const names[] = {

@@ -8,6 +8,7 @@ option_fn option_material, option_sandbox, option_set; /* of struct app_scene */
 option_fn option_refraction, option_size, option_bake_size, option_tiles, option_tile, option_aov,
     option_show, option_fov;                                      /* of struct app_picture */
 option_fn option_background, option_orbit, option_place;          /* of struct app_vector */
+option_fn option_pixel_filter;                                    /* of enum pixel_filter */
 option_fn option_sharing;                                         /* of enum rg_sharing */
 option_fn option_format;                                          /* of enum app_format */
 option_fn option_output, option_bake_output, option_sheet_output; /* of struct app_outputs */

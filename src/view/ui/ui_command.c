@@ -136,6 +136,8 @@ static void print(FILE *out, const struct ui_command *c)
     fprintf(out, " --size %ux%u", p->width, p->height);
     if (p->samples > 1)
         fprintf(out, " --samples %u", p->samples);
+    if (p->filter == PIXEL_FILTER_POINT)
+        print_name(out, "pixel-filter", "point");
     if (p->rung != techniques_rung(0))
         print_name(out, "refraction", p->rung->rung.name);
     print_ior(out, c);
