@@ -17,9 +17,9 @@ NAMED = {'refraction': 'rungs', 'split': 'rungs', 'material': 'materials', 'show
 LISTED = {'rungs': 'rungs', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbox', 'immediate'),
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),
-         'overlay': ('on', 'off'), 'sandbox': ('on', 'off')}
+         'overlay': ('on', 'off'), 'sandbox': ('on', 'off'), 'pixel-filter': ('box', 'point')}
 FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'html', 'mask',
-         'truth', 'screenshot', 'watch'}
+         'truth', 'screenshot', 'watch', 'preset'}
 CATEGORIES = (*LISTS, 'devices', 'sandbox')
 
 

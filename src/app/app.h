@@ -22,12 +22,13 @@ enum {
     APP_SBATCH_COUNT = 16,      /* --sbatch */
 };
 
-/* How firn graph prints a plan. */
+/* How a command prints what it prints. */
 enum app_format {
     APP_FORMAT_TEXT,
     APP_FORMAT_DOT,
     APP_FORMAT_JSON,
     APP_FORMAT_HTML,
+    APP_FORMAT_PRESET,
     APP_FORMAT_COUNT,
 };
 
@@ -51,8 +52,9 @@ struct app_scene {
     struct app_vector background; /* linear */
     struct reader_params reader;
     struct settings settings;
-    struct settings_rows chosen; /* by --set, or in a window */
-    bool plain;                  /* without what only ice has, and without highlights */
+    const char *preset;                                                 /* file; NULL: none */
+    bool is_set[SETTINGS_FIELD_COUNT], is_preset[SETTINGS_FIELD_COUNT]; /* by --set, --preset */
+    bool plain; /* without what only ice has, and without highlights */
 };
 
 /* A picture of it, and how that is made. */

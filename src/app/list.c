@@ -10,6 +10,7 @@
 #include "src/scene/asset.h"
 #include "src/scene/material.h"
 #include "src/tech/refract_reference.h"
+#include "src/version.h"
 
 static void print_assets(enum asset_kind kind)
 {
@@ -65,6 +66,36 @@ static enum status list_layers(void)
     return STATUS_OK;
 }
 
+/* "0 to 16 metres" or "one of fifo, mailbox", after a separator; nothing of a switch. */
+static void print_range(const struct setting *row, const char *separator)
+{
+    if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
+        printf("%s%.7g to %.7g%s%s", separator, row->min, row->max, row->unit ? " " : "",
+               row->unit ? row->unit : "");
+    for (size_t c = 0; row->choices && row->choices[c]; c++)
+        printf("%s%s", c ? ", " : separator, row->choices[c]);
+}
+
+/* A file for --preset that changes nothing. */
+static enum status print_preset(void)
+{
+    const struct settings defaults = settings_default();
+    const struct setting_group *group;
+    printf("# All settings of firn %s, with their defaults. Without its '#' a line changes one.\n",
+           FIRN_VERSION);
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            printf("\n# %s", row->help);
+            print_range(row, row->choices ? "; one of " : "; ");
+            printf("%s\n#%s=", row->type == SETTING_SWITCH ? "; on or off" : "", row->name);
+            settings_print(&defaults, row, stdout);
+            printf("\n");
+        }
+    }
+    return STATUS_OK;
+}
+
 static enum status list_settings(void)
 {
     const struct settings defaults = settings_default();
@@ -74,11 +105,7 @@ static enum status list_settings(void)
             const struct setting *row = &group->rows[r];
             printf("  %-22s %s; default ", row->name, row->help);
             settings_print(&defaults, row, stdout);
-            if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
-                printf(", %.7g to %.7g%s%s", row->min, row->max, row->unit ? " " : "",
-                       row->unit ? row->unit : "");
-            for (size_t c = 0; row->choices && row->choices[c]; c++)
-                printf("%s%s", c ? ", " : ", one of ", row->choices[c]);
+            print_range(row, row->choices ? ", one of " : ", ");
             printf("\n");
         }
     }
@@ -129,6 +156,12 @@ static const struct {
 enum status app_list(const struct app_options *o)
 {
     bool found = false;
+    if (o->run.format == APP_FORMAT_PRESET) {
+        if (o->positionals[0] && !strcmp(o->positionals[0], "settings"))
+            return print_preset();
+        log_error("--preset: expected firn list settings --preset");
+        return STATUS_USAGE;
+    }
     enum status status = STATUS_OK;
     for (size_t i = 0; i < sizeof(lists) / sizeof(lists[0]) && status == STATUS_OK; i++) {
         if (o->positionals[0] && strcmp(o->positionals[0], lists[i].name) != 0)

@@ -21,17 +21,18 @@
 
 static const float default_fov_deg = 45.0f;
 
-/* --set over --material over the model's own index over the default. */
+/* --set over --material over --preset over the model's own index over the default. */
 static void settle_ior(struct app_scene *given, struct scene *scene)
 {
     const struct model *model = &scene->model;
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
-    if (settings_rows_have(&given->chosen, ior))
+    const size_t index = settings_index(ior);
+    if (given->is_set[index])
         return;
     if (given->material)
         settings_put(&given->settings, ior, (double)material_preset_find(given->material)->ior);
-    else if (model->has_ior) {
+    else if (model->has_ior && !given->is_preset[index]) {
         settings_put(&given->settings, ior, (double)model->ior);
         scene->settled_ior = model->ior;
     }
@@ -40,7 +41,8 @@ static void settle_ior(struct app_scene *given, struct scene *scene)
 static void switch_off(struct app_scene *given, const struct technique *technique)
 {
     const struct setting *row = &technique->settings[0]->rows[0];
-    if (!settings_rows_have(&given->chosen, row))
+    const size_t index = settings_index(row);
+    if (!given->is_set[index] && !given->is_preset[index])
         settings_put(&given->settings, row, 0);
 }
 

@@ -46,6 +46,7 @@ enum reader_kind {
     READER_ENVIRONMENT,
     READER_PICTURE,       /* sends its rows */
     READER_PICTURE_CHECK, /* reads it to its end, but sends only its header */
+    READER_PRESET,
     READER_KIND_COUNT,
 };
 

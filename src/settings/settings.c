@@ -119,30 +119,6 @@ double settings_get(const struct settings *settings, const struct setting *row)
     return count;
 }
 
-static size_t field_of(const struct setting *row)
-{
-    return row_offset(row) / sizeof(float); /* every field has this size */
-}
-
-void settings_rows_add(struct settings_rows *rows, const struct setting *row)
-{
-    rows->bits[field_of(row) / 64] |= UINT64_C(1) << field_of(row) % 64;
-}
-
-bool settings_rows_have(const struct settings_rows *rows, const struct setting *row)
-{
-    return rows->bits[field_of(row) / 64] >> field_of(row) % 64 & 1;
-}
-
-void settings_rows_add_assigned(struct settings_rows *rows, const char *assignment)
-{
-    char name[64];
-    snprintf(name, sizeof(name), "%.*s", (int)strcspn(assignment, "="), assignment);
-    const struct setting *row = settings_find(name);
-    if (row)
-        settings_rows_add(rows, row);
-}
-
 enum setting_effect settings_changed(const struct settings *before, const struct settings *after)
 {
     enum setting_effect most = SETTING_AFFECTS_NOTHING;
@@ -183,84 +159,127 @@ const struct setting *settings_find(const char *name)
 }
 
 enum {
-    NAME_SIZE = 64
+    NAME_SIZE = 64,
+    PLACE_SIZE = 512, /* bytes of where an assignment is */
 };
 
-static void refuse_name(const char *name)
+/* An assignment on its way into settings. */
+struct assignment {
+    struct settings *settings;
+    const struct setting *row;
+    const struct settings_source *source; /* NULL: --set */
+};
+
+/* "--set NAME", "FILE:LINE: NAME" or "FILE: NAME"; without a name, if it is empty. */
+static const char *place(const struct settings_source *source, const char *name,
+                         char text[static PLACE_SIZE])
+{
+    if (!source)
+        snprintf(text, PLACE_SIZE, "--set%s%s", name[0] ? " " : "", name);
+    else if (source->line)
+        snprintf(text, PLACE_SIZE, "%s:%u%s%s", source->path, source->line, name[0] ? ": " : "",
+                 name);
+    else
+        snprintf(text, PLACE_SIZE, "%s%s%s", source->path, name[0] ? ": " : "", name);
+    return text;
+}
+
+static enum status refusal(const struct settings_source *source)
+{
+    return source ? STATUS_DATA : STATUS_USAGE;
+}
+
+static enum status refuse_name(const struct settings_source *source, const char *name)
 {
     struct suggest suggest = { .word = name };
-    char hint[SUGGEST_HINT_SIZE];
+    char hint[SUGGEST_HINT_SIZE], where[PLACE_SIZE];
     for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
         for (size_t r = 0; r < walk.group->row_count; r++)
             suggest_offer(&suggest, walk.group->rows[r].name);
     }
-    log_error("--set: unknown setting '%s'%s (firn list settings)", name,
+    log_error("%s: unknown setting '%s'%s (firn list settings)", place(source, "", where), name,
               suggest_hint(&suggest, hint));
+    return refusal(source);
 }
 
-static enum status refuse(const struct setting *row, const char *value)
+static enum status refuse(const struct assignment *a, const char *value)
 {
-    char choices[256] = "";
+    const struct setting *row = a->row;
+    char choices[256] = "", where[PLACE_SIZE];
     size_t used = 0;
     for (size_t i = 0; row->choices && row->choices[i] && used < sizeof(choices); i++)
         used += (size_t)snprintf(&choices[used], sizeof(choices) - used, "%s%s", i ? ", " : "",
                                  row->choices[i]);
+    place(a->source, row->name, where);
     if (row->type == SETTING_CHOICE)
-        log_error("--set %s: expected one of %s, got '%s'", row->name, choices, value);
+        log_error("%s: expected one of %s, got '%s'", where, choices, value);
     else if (row->type == SETTING_SWITCH)
-        log_error("--set %s: expected on or off, got '%s'", row->name, value);
+        log_error("%s: expected on or off, got '%s'", where, value);
     else
-        log_error("--set %s: expected a %s from %g to %g, got '%s'", row->name,
+        log_error("%s: expected a %s from %g to %g, got '%s'", where,
                   row->type == SETTING_COUNT ? "whole number" : "number", row->min, row->max,
                   value);
-    return STATUS_USAGE;
+    return refusal(a->source);
 }
 
-static enum status set_number(struct settings *settings, const struct setting *row,
-                              const char *text)
+static enum status set_number(const struct assignment *a, const char *text)
 {
+    const struct setting *row = a->row;
     char *end;
     double value = strtod(text, &end);
     if (end == text || *end || isspace((unsigned char)*text) || !isfinite(value) ||
         value < row->min || value > row->max)
-        return refuse(row, text);
+        return refuse(a, text);
     if (row->type == SETTING_COUNT && floor(value) < value)
-        return refuse(row, text);
-    settings_put(settings, row, value);
+        return refuse(a, text);
+    settings_put(a->settings, row, value);
     return STATUS_OK;
 }
 
-static enum status set_word(struct settings *settings, const struct setting *row, const char *text)
+static enum status set_word(const struct assignment *a, const char *text)
 {
     static const char *const switches[] = { "off", "on", NULL };
-    const char *const *words = row->type == SETTING_SWITCH ? switches : row->choices;
+    const char *const *words = a->row->type == SETTING_SWITCH ? switches : a->row->choices;
     for (uint32_t i = 0; words[i]; i++) {
         if (!strcmp(words[i], text)) {
-            settings_put(settings, row, i);
+            settings_put(a->settings, a->row, i);
             return STATUS_OK;
         }
     }
-    return refuse(row, text);
+    return refuse(a, text);
+}
+
+enum status settings_assign(struct settings *settings, const char *assignment,
+                            const struct settings_source *source, const struct setting **row)
+{
+    const char *equals = strchr(assignment, '=');
+    size_t length = equals ? (size_t)(equals - assignment) : 0;
+    char name[NAME_SIZE] = "", where[PLACE_SIZE];
+    *row = NULL;
+    if (!equals || !length) {
+        log_error("%s: expected NAME=VALUE, got '%s'", place(source, "", where), assignment);
+        return refusal(source);
+    }
+    memcpy(name, assignment, length < NAME_SIZE ? length : NAME_SIZE - 1);
+    const struct assignment a = { settings, settings_find(name), source };
+    if (!a.row || length >= NAME_SIZE)
+        return refuse_name(source, name);
+    const bool is_number = a.row->type == SETTING_FLOAT || a.row->type == SETTING_COUNT;
+    const enum status status = is_number ? set_number(&a, equals + 1) : set_word(&a, equals + 1);
+    if (status == STATUS_OK)
+        *row = a.row;
+    return status;
 }
 
 enum status settings_set(struct settings *settings, const char *assignment)
 {
-    const char *equals = strchr(assignment, '=');
-    size_t length = equals ? (size_t)(equals - assignment) : 0;
-    char name[NAME_SIZE] = "";
-    if (!equals || !length) {
-        log_error("--set: expected NAME=VALUE, got '%s'", assignment);
-        return STATUS_USAGE;
-    }
-    memcpy(name, assignment, length < NAME_SIZE ? length : NAME_SIZE - 1);
-    const struct setting *row = settings_find(name);
-    if (!row || length >= NAME_SIZE) {
-        refuse_name(name);
-        return STATUS_USAGE;
-    }
-    if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
-        return set_number(settings, row, equals + 1);
-    return set_word(settings, row, equals + 1);
+    const struct setting *row;
+    return settings_assign(settings, assignment, NULL, &row);
+}
+
+size_t settings_index(const struct setting *row)
+{
+    return row_offset(row) / sizeof(float);
 }
 
 /* 9 digits are always enough */

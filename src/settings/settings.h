@@ -45,23 +45,33 @@ const struct setting *settings_find(const char *name);
  */
 MUST_USE enum status settings_set(struct settings *settings, const char *assignment);
 
+/* Where an assignment is, for messages. */
+struct settings_source {
+    const char *path; /* of a file */
+    uint32_t line;    /* of a text file, from 1; 0: none */
+};
+
+/*
+ * The same for an assignment of a file, which is STATUS_DATA if it is wrong. *row is its row, or
+ * NULL then. If `source` is NULL, it is the value of --set.
+ */
+MUST_USE enum status settings_assign(struct settings *settings, const char *assignment,
+                                     const struct settings_source *source,
+                                     const struct setting **row);
+
+enum {
+    SETTINGS_FIELD_COUNT = SETTINGS_SIZE / sizeof(float)
+};
+
+/* Returns a number below SETTINGS_FIELD_COUNT that no other row has. */
+size_t settings_index(const struct setting *row);
+
 /* The same for a value known to be in range. */
 void settings_put(struct settings *settings, const struct setting *row, double value);
 double settings_get(const struct settings *settings, const struct setting *row);
 
 /* The most that the changes from `before` to `after` affect. */
 enum setting_effect settings_changed(const struct settings *before, const struct settings *after);
-
-/* Rows that somebody has chosen the values of: a bit for each. */
-struct settings_rows {
-    uint64_t bits[SETTINGS_SIZE / sizeof(float) / 64];
-};
-
-void settings_rows_add(struct settings_rows *rows, const struct setting *row);
-bool settings_rows_have(const struct settings_rows *rows, const struct setting *row);
-
-/* Adds the row of "name=value", if there is one. */
-void settings_rows_add_assigned(struct settings_rows *rows, const char *assignment);
 
 /* A row's value as --set takes it: "0.33", "on", "neutral". */
 void settings_print(const struct settings *settings, const struct setting *row, FILE *out);

@@ -224,7 +224,7 @@ enum status picture_change(struct picture **picture, const struct settings *sett
     *remade = false;
     wanted.scene.settings = *settings;
     wanted.rung = rung;
-    memset(&wanted.scene.chosen, 0xff, sizeof(wanted.scene.chosen)); /* all is in the settings */
+    memset(wanted.scene.is_set, true, sizeof(wanted.scene.is_set)); /* all is in the settings */
     if (settings_changed(&before.scene.settings, settings) == SETTING_AFFECTS_SCENE) {
         *remade = true;
         return replace(picture, &wanted, true);

@@ -11,12 +11,14 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 import models  # noqa: E402
 import models_more  # noqa: E402
 import pictures  # noqa: E402
+import presets  # noqa: E402
 from builders import Entry  # noqa: E402
 
 # What a file is given to: by what it is, or by its suffix.
 MODEL, SURROUNDINGS, ENVIRONMENT = 'model', 'surroundings', 'environment'
-DIFF, MERGE, BASELINE = 'diff', 'merge', 'baseline'
-BY_SUFFIX = {'exr': ENVIRONMENT, 'hdr': ENVIRONMENT, 'png': DIFF, 'json': BASELINE}
+DIFF, MERGE, BASELINE, PRESET = 'diff', 'merge', 'baseline', 'preset'
+BY_SUFFIX = {'exr': ENVIRONMENT, 'hdr': ENVIRONMENT, 'png': DIFF, 'json': BASELINE,
+             'txt': PRESET}
 
 KINDS = {
     'cut short': models.truncated,
@@ -44,6 +46,7 @@ KINDS = {
     'PNG: bombs, chunks (`diff`)': pictures.chunks,
     'tiles (`merge`)': pictures.tiles,
     'profiles (`profile --baseline`)': pictures.profiles,
+    'settings (`graph --preset`)': presets.presets,
 }
 
 # What the suffix says is not what the first bytes say.

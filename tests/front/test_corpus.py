@@ -18,7 +18,7 @@ from builders import ACCEPTED, DRAWN, EITHER, REFUSED  # noqa: E402
 from case import DATA, PLAIN, SMALL, TRY_AGAIN, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from make_corpus import (  # noqa: E402
-    BASELINE, DIFF, ENVIRONMENT, MERGE, MODEL, SURROUNDINGS, corpus, write)
+    BASELINE, DIFF, ENVIRONMENT, MERGE, MODEL, PRESET, SURROUNDINGS, corpus, write)
 from scenes import scene  # noqa: E402
 
 HASTY = ('--load-seconds', '1', *PLAIN)  # some would take an hour
@@ -54,6 +54,8 @@ def command(entry, path):
         return 'merge', path, '-q', '-o', 'a.exr'
     if entry.use == BASELINE:
         return 'profile', 'sphere', '--baseline', path
+    if entry.use == PRESET:
+        return 'graph', 'sphere', '--preset', path
     words = {MODEL: (path,), SURROUNDINGS: ('sphere', '--surroundings', path),
              ENVIRONMENT: ('sphere', '--env', path)}[entry.use]
     return ('render', *words, *TINY) if entry.wanted == DRAWN else ('graph', *words, *HASTY)

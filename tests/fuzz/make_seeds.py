@@ -14,8 +14,8 @@ from pictures import profile, tile  # noqa: E402
 
 SIZE_MAX = 4096  # bytes
 SLOW = 'nodes: 100 000 deep, in circles', 'huge counts'
-READERS = {'exr': 'exr', 'hdr': 'hdr', 'png': 'png', 'json': 'profile_json', 'glb': 'model',
-           'gltf': 'model', 'obj': 'model', 'ply': 'model'}
+READERS = {'exr': 'exr', 'hdr': 'hdr', 'png': 'png', 'json': 'profile_json', 'txt': 'preset',
+           'glb': 'model', 'gltf': 'model', 'obj': 'model', 'ply': 'model'}
 TEXTS = {
     'camera': ('eye 1,2,3\ntarget 0,0,0\nfov 45\nsize 64x48', 'orbit 10,-20,5e3\ntarget 1,1,1'),
     'frame_range': ('1-9x2,-4--2,20',),

@@ -61,10 +61,8 @@ enum status option_chunk(const struct option *option, void *at, const char *valu
 enum status option_format(const struct option *option, void *at, const char *value)
 {
     static const char *const names[APP_FORMAT_COUNT] = {
-        [APP_FORMAT_TEXT] = "",
-        [APP_FORMAT_DOT] = "dot",
-        [APP_FORMAT_JSON] = "json",
-        [APP_FORMAT_HTML] = "html",
+        [APP_FORMAT_TEXT] = "",     [APP_FORMAT_DOT] = "dot",       [APP_FORMAT_JSON] = "json",
+        [APP_FORMAT_HTML] = "html", [APP_FORMAT_PRESET] = "preset",
     };
     enum app_format *format = at;
     const enum app_format wanted =
@@ -227,9 +225,12 @@ enum status option_sandbox(const struct option *option, void *at, const char *va
 enum status option_set(const struct option *option, void *at, const char *value)
 {
     struct app_scene *scene = at;
+    const struct setting *row;
     (void)option;
-    settings_rows_add_assigned(&scene->chosen, value);
-    return settings_set(&scene->settings, value);
+    const enum status status = settings_assign(&scene->settings, value, NULL, &row);
+    if (status == STATUS_OK)
+        scene->is_set[settings_index(row)] = true;
+    return status;
 }
 
 enum status option_background(const struct option *option, void *at, const char *value)

@@ -11,6 +11,7 @@
 #include "src/app/options/option_help.h"
 #include "src/app/options/option_ladder.h"
 #include "src/app/options/option_picture.h"
+#include "src/app/options/option_preset.h"
 #include "src/app/options/option_profile.h"
 #include "src/app/options/option_values.h"
 #include "src/app/options/option_view.h"
@@ -164,6 +165,8 @@ static const struct option options[] = {
       "material: ice, water, glass, ...; see firn list materials (ice)" },
     { "Picture", "plain", 0, NULL, PICTURES, FLAG(picture.scene.plain),
       "no cracks, air, bubbles, bumps, frost and highlights but those of --set" },
+    { "Picture", "preset", 0, "FILE", SCENES, INPUT(picture.scene.preset),
+      "settings: lines NAME=VALUE, or an .exr or .png of firn; --set wins" },
     { "Picture", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
     { "Scene", "env", 'e', "FILE", SCENES, INPUT(picture.scene.environment),
@@ -213,6 +216,8 @@ static const struct option options[] = {
       "HTML page of passes and memory instead of text" },
     { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM, FORMAT,
       "JSON with all data instead of text" },
+    { "Format", "preset", 0, NULL, APP_LIST, FORMAT,
+      "settings as a file for --preset, in which all lines are comments" },
     { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, FLAG(run.quiet), "no progress output" },
 };
 
@@ -453,8 +458,10 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
         return STATUS_USAGE;
     if (command != APP_FARM) /* its words tell whether it has outputs */
         app_name_output(o, command);
-    const enum status status = settle_layers(&o->picture);
-    return status == STATUS_OK ? check_files(o, command) : status;
+    enum status status = settle_layers(&o->picture);
+    if (status == STATUS_OK)
+        status = check_files(o, command);
+    return status == STATUS_OK ? option_preset_read(&o->picture.scene) : status;
 }
 
 void app_print_render_words(char *const *words, enum app_command command, uint32_t skip, FILE *out)
@@ -489,6 +496,8 @@ enum status app_set(struct app_picture *picture, const char *name, const char *v
     _Static_assert(offsetof(struct app_options, picture) == 0, "offsets are those in a picture");
     if (option && option->offset < sizeof(*picture) && strcmp(name, "set") != 0) {
         const enum status status = option->set(option, (char *)picture + option->offset, value);
+        if (status == STATUS_OK && !strcmp(name, "preset"))
+            return option_preset_read(&picture->scene);
         return status == STATUS_OK ? refuse_traced(picture) : status;
     }
     snprintf(assignment, sizeof(assignment), "%s=%s", name, value);

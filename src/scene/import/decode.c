@@ -3,6 +3,7 @@
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/reader/picture_reader.h"
+#include "src/reader/preset.h"
 #include "src/scene/import/mesh_pipe.h"
 
 enum status decode_model(struct model *model, const char *path, enum model_part everything_is,
@@ -70,6 +71,8 @@ static enum status send_file(const struct reader_job *job)
         return picture_send(job->path, &reader_sink);
     case READER_PICTURE_CHECK:
         return picture_send_check(job->path, &reader_sink);
+    case READER_PRESET:
+        return preset_send(job->path, &reader_sink);
     case READER_KIND_COUNT:
         break;
     }
