@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/app/list_json.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
 #include "src/reader/sandbox.h"
@@ -153,29 +154,40 @@ static const struct {
     { "devices", list_devices }, { "sandbox", list_sandbox },
 };
 
+enum {
+    LIST_COUNT = sizeof(lists) / sizeof(lists[0])
+};
+
+static enum status check_topic(const char *topic)
+{
+    for (size_t i = 0; i < LIST_COUNT; i++) {
+        if (!topic || !strcmp(topic, lists[i].name))
+            return STATUS_OK;
+    }
+    log_error("list: expected scenes, environments, rungs, materials, layers, settings, devices or "
+              "sandbox, got '%s'",
+              topic);
+    return STATUS_USAGE;
+}
+
 enum status app_list(const struct app_options *o)
 {
-    bool found = false;
-    if (o->run.format == APP_FORMAT_PRESET) {
-        if (o->positionals[0] && !strcmp(o->positionals[0], "settings"))
-            return print_preset();
+    const char *topic = o->positionals[0];
+    const bool is_preset = o->run.format == APP_FORMAT_PRESET;
+    enum status status = check_topic(topic);
+    if (status == STATUS_OK && is_preset && (!topic || strcmp(topic, "settings") != 0)) {
         log_error("--preset: expected firn list settings --preset");
         return STATUS_USAGE;
     }
-    enum status status = STATUS_OK;
-    for (size_t i = 0; i < sizeof(lists) / sizeof(lists[0]) && status == STATUS_OK; i++) {
-        if (o->positionals[0] && strcmp(o->positionals[0], lists[i].name) != 0)
+    if (status == STATUS_OK && is_preset)
+        return print_preset();
+    if (status == STATUS_OK && o->run.format == APP_FORMAT_JSON)
+        return list_json(topic);
+    for (size_t i = 0; i < LIST_COUNT && status == STATUS_OK; i++) {
+        if (topic && strcmp(topic, lists[i].name) != 0)
             continue;
-        found = true;
         printf("%s:\n", lists[i].name);
         status = lists[i].print();
-    }
-    if (!found) {
-        log_error(
-            "list: expected scenes, environments, rungs, materials, layers, settings, devices or "
-            "sandbox, got '%s'",
-            o->positionals[0]);
-        return STATUS_USAGE;
     }
     return status;
 }

@@ -175,6 +175,30 @@ class CommandLine(Case):
                      'refract_paper.a'):
             self.assertRegex(text, rf'(?m)(^|\s){re.escape(name)}(\s|$)')
 
+    def test_list_as_json(self):
+        whole = json.loads(self.succeed('list', '--json', env=NO_DRIVER).stdout)
+        self.assertEqual(whole.pop('devices'), [])
+        text = self.succeed('list', env=NO_DRIVER).stdout.decode()
+        for topic, entries in whole.items():
+            if topic == 'sandbox':
+                continue
+            found = re.search(rf'(?ms)^{topic}:\n(.*?)(^\S|\Z)', text)[1].splitlines()
+            self.assertEqual([entry['name'] for entry in entries],
+                             [line.split()[0] for line in found])
+            self.assertEqual([line for entry, line in zip(entries, found)
+                              if entry['help'] not in line], [])
+            self.assertEqual(json.loads(self.succeed('list', topic, '--json').stdout),
+                             {topic: entries})
+        rows = {row['name']: row for row in whole['settings']}
+        self.assertEqual(rows['refract.ior'], {**rows['refract.ior'], 'type': 'number',
+                                               'default': 1.3091, 'min': 1, 'max': 4})
+        self.assertEqual(rows['landscape.flat']['default'], False)
+        self.assertEqual(rows['tonemap.curve']['choices'][:2], ['neutral', 'clip'])
+        self.assertEqual(whole['materials'][0]['ior'], 1.3091)
+        self.assertIsInstance(whole['sandbox']['landlock'], int)
+        self.refuse(USAGE, 'list', 'scnes', '--json', names=['scnes'])
+        self.refuse(USAGE, 'list', '--json', '--preset', names=['--json', '--preset'])
+
     def test_list_to_a_full_disk(self):
         with open('/dev/full', 'wb') as full:
             self.assertEqual(self.firn('list', stdout=full).returncode, WRITE)

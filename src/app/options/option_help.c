@@ -47,6 +47,7 @@ static const char *const examples[] = {
                    "  firn merge tile.*.exr -o still.exr\n"),
     [APP_LIST] = ("  firn list\n"
                   "  firn list settings\n"
+                  "  firn list settings --json\n"
                   "  firn list settings --preset > look.txt\n"),
 };
 

@@ -216,6 +216,7 @@ static const struct option options[] = {
       "HTML page of passes and memory instead of text" },
     { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM, FORMAT,
       "JSON with all data instead of text" },
+    { "Format", "json", 0, NULL, APP_LIST, FORMAT, "JSON instead of text: a key for each list" },
     { "Format", "preset", 0, NULL, APP_LIST, FORMAT,
       "settings as a file for --preset, in which all lines are comments" },
     { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, FLAG(run.quiet), "no progress output" },

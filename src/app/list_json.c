@@ -1,0 +1,210 @@
+/* list_json.c: what firn list prints, as JSON. */
+#include "src/app/list_json.h"
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/gpu/gpu.h"
+#include "src/reader/sandbox.h"
+#include "src/reference/reference.h"
+#include "src/scene/material.h"
+#include "src/scene/scene.h"
+#include "src/tech/refract_reference.h"
+
+/* NULL stands for lack of memory; functions of jansson pass it on. */
+
+enum {
+    DIGITS = 9 /* of numbers: enough for all bits of a float */
+};
+
+/* Moves a value to the end of an array; on failure frees both and returns NULL. */
+static json_t *append(json_t *array, json_t *value)
+{
+    if (array && value && json_array_append_new(array, value) == 0)
+        return array;
+    if (!array)
+        json_decref(value);
+    json_decref(array);
+    return NULL;
+}
+
+/* A float as the number that was written for it: 1.31, not 1.30999994. */
+static double shortest(float value)
+{
+    char text[32];
+    for (int digits = 6; digits <= DIGITS; digits++) {
+        snprintf(text, sizeof(text), "%.*g", digits, (double)value);
+        if ((float)strtod(text, NULL) == value)
+            break;
+    }
+    return strtod(text, NULL);
+}
+
+static json_t *scenes(void)
+{
+    json_t *all = json_array();
+    for (const struct scene_builtin *b = scene_builtins; b->name && all; b++)
+        all = append(all, json_pack("{s:s, s:s, s:i}", "name", b->name, "help", b->help,
+                                    "triangles", (int)b->triangles));
+    return append(all, json_pack("{s:s, s:s}", "name", "FILE", "help",
+                                 "model file: .gltf, .glb, .obj, .ply"));
+}
+
+static json_t *rung_of(const struct technique *rung, bool is_available)
+{
+    return json_pack("{s:s, s:s, s:b}", "name", rung->rung.name, "help", rung->help, "available",
+                     (int)is_available);
+}
+
+static json_t *rungs(void)
+{
+    json_t *all = json_array();
+    for (size_t r = 0; techniques_rung(r) && all; r++)
+        all = append(all, rung_of(techniques_rung(r), true));
+    return append(all, rung_of(&refract_reference, reference_is_built()));
+}
+
+static json_t *materials(void)
+{
+    json_t *all = json_array();
+    for (const struct material_preset *m = material_presets; m->name && all; m++)
+        all = append(all, json_pack("{s:s, s:f, s:s}", "name", m->name, "ior", shortest(m->ior),
+                                    "help", m->help));
+    return all;
+}
+
+static json_t *layers(void)
+{
+    json_t *all = json_array();
+    const struct frame_layer *layer;
+    for (size_t i = 0; (layer = techniques_layer(i)) && all; i++)
+        all = append(all, json_pack("{s:s, s:s, s:b}", "name", layer->name, "help", layer->help,
+                                    "reference_only", (int)!layer->image));
+    return all;
+}
+
+/* ---- settings ---- */
+
+/* A whole number, a number, a bool or a word, by the row's type. */
+static json_t *value_of(const struct setting *row, double value)
+{
+    switch (row->type) {
+    case SETTING_FLOAT:
+        return json_real(shortest((float)value));
+    case SETTING_COUNT:
+        return json_integer((json_int_t)value);
+    case SETTING_SWITCH:
+        return json_boolean(value > 0.0);
+    case SETTING_CHOICE:
+        return json_string(row->choices[(size_t)value]);
+    }
+    return NULL;
+}
+
+static json_t *choices_of(const struct setting *row)
+{
+    json_t *all = json_array();
+    for (size_t c = 0; row->choices && row->choices[c] && all; c++)
+        all = append(all, json_string(row->choices[c]));
+    return all;
+}
+
+static json_t *setting_of(const struct setting *row)
+{
+    static const char *const types[] = {
+        [SETTING_FLOAT] = "number",
+        [SETTING_COUNT] = "count",
+        [SETTING_SWITCH] = "switch",
+        [SETTING_CHOICE] = "choice",
+    };
+    const bool has_range = row->type == SETTING_FLOAT || row->type == SETTING_COUNT;
+    return json_pack("{s:s, s:s, s:s, s:o, s:o*, s:o*, s:s*, s:o*}", "name", row->name, "help",
+                     row->help, "type", types[row->type], "default", value_of(row, row->initial),
+                     "min", has_range ? value_of(row, row->min) : NULL, "max",
+                     has_range ? value_of(row, row->max) : NULL, "unit", row->unit, "choices",
+                     row->type == SETTING_CHOICE ? choices_of(row) : NULL);
+}
+
+static json_t *settings(void)
+{
+    json_t *all = json_array();
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)) && all; g++) {
+        for (size_t r = 0; r < group->row_count && all; r++)
+            all = append(all, setting_of(&group->rows[r]));
+    }
+    return all;
+}
+
+/* ---- the machine ---- */
+
+static enum status devices(json_t **all)
+{
+    struct gpu_device *found = NULL;
+    uint32_t count = 0;
+    const enum status status = gpu_list(&found, &count);
+    *all = status == STATUS_OK ? json_array() : NULL;
+    for (uint32_t i = 0; i < count && *all; i++) {
+        const struct gpu_device *device = &found[i];
+        *all = append(*all, json_pack("{s:i, s:s, s:s, s:s, s:b, s:s*}", "number", (int)i, "name",
+                                      device->name, "kind", device->kind, "vulkan",
+                                      device->version, "usable", device->refused[0] == '\0',
+                                      "refused", device->refused[0] ? device->refused : NULL));
+    }
+    free(found);
+    return status == STATUS_OK && !*all ? log_out_of_memory(NULL) : status;
+}
+
+static json_t *sandbox(void)
+{
+    const struct sandbox_parts parts = sandbox_find();
+    return json_pack("{s:i, s:b}", "landlock", parts.landlock, "seccomp", (int)parts.seccomp);
+}
+
+/* ---- all of it ---- */
+
+static const struct {
+    const char *name;
+    json_t *(*make)(void); /* NULL: the devices */
+} lists[] = {
+    { "scenes", scenes },     { "rungs", rungs },  { "materials", materials }, { "layers", layers },
+    { "settings", settings }, { "devices", NULL }, { "sandbox", sandbox },
+};
+
+enum {
+    LIST_COUNT = sizeof(lists) / sizeof(lists[0])
+};
+
+static enum status add_list(json_t *root, size_t i)
+{
+    json_t *list = NULL;
+    enum status status = STATUS_OK;
+    if (lists[i].make)
+        list = lists[i].make();
+    else
+        status = devices(&list);
+    if (status == STATUS_OK && json_object_set_new(root, lists[i].name, list) != 0)
+        status = log_out_of_memory(NULL);
+    return status;
+}
+
+enum status list_json(const char *topic)
+{
+    json_t *root = json_object();
+    enum status status = root ? STATUS_OK : log_out_of_memory(NULL);
+    for (size_t i = 0; i < LIST_COUNT && status == STATUS_OK; i++) {
+        if (!topic || !strcmp(topic, lists[i].name))
+            status = add_list(root, i);
+    }
+    char *text = status == STATUS_OK
+                     ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS))
+                     : NULL;
+    if (status == STATUS_OK && !text)
+        status = log_out_of_memory(NULL);
+    if (text)
+        puts(text);
+    free(text);
+    json_decref(root);
+    return status;
+}
