@@ -44,6 +44,8 @@ class Facts:
             return list(self.lists[LISTED[option.name]])
         if option.name == 'set':
             return list(self.settings())
+        if option.name == 'tone-curve':
+            return choices(self.lists['settings']['tonemap.curve'])
         return list(WORDS.get(option.name, ()))
 
     def positionals(self, command):

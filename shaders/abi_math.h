@@ -18,6 +18,7 @@
 #define exp2f          exp2
 #define fmaxf          max
 #define fminf          min
+#define log2f          log2
 #define powf           pow
 #define sqrtf          sqrt
 #define glm_clamp      clamp

@@ -2,7 +2,8 @@
  * tonemap.c: exposure, highlight compression, sRGB encoding; for PNG and windows only.
  *
  * Curve "neutral": Khronos PBR Neutral (Khronos Group 2024), which preserves base colours. Curve
- * "clip": only the encoding, for measurements.
+ * "agx": for scenes with the sun in sight (Sobotka 2022). Curves "aces" and "hable": as other
+ * programs have them (Hill 2016; Hable 2010). Curve "clip": only the encoding, for measurements.
  */
 #include "src/tech/tonemap.h"
 #include <math.h>
@@ -37,9 +38,8 @@ static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 }
 
 static const char *const curves[] = {
-    [TONEMAP_NEUTRAL] = "neutral",
-    [TONEMAP_CLIP] = "clip",
-    NULL,
+    [TONEMAP_NEUTRAL] = "neutral", [TONEMAP_CLIP] = "clip",   [TONEMAP_AGX] = "agx",
+    [TONEMAP_ACES] = "aces",       [TONEMAP_HABLE] = "hable", NULL,
 };
 
 static const struct setting rows[] = {
@@ -57,7 +57,7 @@ static const struct setting rows[] = {
         .type = SETTING_CHOICE,
         .offset = offsetof(struct tonemap_params, curve),
         .initial = TONEMAP_NEUTRAL,
-        .max = TONEMAP_CLIP,
+        .max = TONEMAP_LAST,
         .choices = curves,
         .affects = SETTING_AFFECTS_PLAN,
         .help = "tone curve of highlights in PNG pictures",

@@ -39,6 +39,20 @@ class PixelFilter(Pixels):
                         names=['--pixel-filter', name, 'box or point'])
 
 
+class ToneCurve(Pixels):
+    def test_each_differs_and_is_recorded(self):
+        words = ('render', *TINY, '-o', 'a.png', '-o', 'a.exr')
+        pictures, linear = set(), set()
+        for curve in ('neutral', 'clip', 'agx', 'aces', 'hable'):
+            self.succeed(*words, '--tone-curve', curve)
+            picture = Exr((self.folder / 'a.exr').read_bytes())
+            self.assertIn(f' tonemap.curve={curve} ', picture.text('firn/settings') + ' ')
+            pictures.add((self.folder / 'a.png').read_bytes())
+            linear.add(picture.pixels)
+        self.assertEqual((len(pictures), len(linear)), (5, 1))
+        self.refuse(USAGE, *words, '--tone-curve', 'filmic', names=['--tone-curve', 'agx'])
+
+
 if __name__ == '__main__':
     if not HAS_REFERENCE:
         sys.argv.remove('--without')

@@ -315,7 +315,7 @@ static void test_values_that_are_none(void **state)
         snprintf(assignment, sizeof(assignment), "%s=%s", row_of(SETTING_SWITCH)->name, words[i]);
         check_refused(assignment, "expected on or off, got '");
         snprintf(assignment, sizeof(assignment), "tonemap.curve=%s", words[i]);
-        check_refused(assignment, "expected one of neutral, clip, got '");
+        check_refused(assignment, "expected one of neutral, clip, agx, aces, hable, got '");
     }
 }
 

@@ -10,6 +10,7 @@
 #include "src/reference/reference.h"
 #include "src/scene/material.h"
 #include "src/tech/refract_reference.h"
+#include "src/tech/tonemap.h"
 
 /* ---- files ---- */
 
@@ -231,6 +232,20 @@ enum status option_set(const struct option *option, void *at, const char *value)
     if (status == STATUS_OK)
         scene->is_set[settings_index(row)] = true;
     return status;
+}
+
+/* Short for --set tonemap.curve. */
+enum status option_tone_curve(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    const struct setting *row =
+        settings_row(&tonemap_settings, offsetof(struct tonemap_params, curve));
+    const int i = option_find_word(row->choices, (int)row->max + 1, value);
+    if (i < 0)
+        return option_refuse(option, value, "neutral, agx, aces, hable or clip");
+    settings_put(&scene->settings, row, i);
+    scene->is_set[settings_index(row)] = true;
+    return STATUS_OK;
 }
 
 enum status option_background(const struct option *option, void *at, const char *value)

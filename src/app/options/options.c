@@ -165,6 +165,8 @@ static const struct option options[] = {
       "material: ice, water, glass, ...; see firn list materials (ice)" },
     { "Picture", "plain", 0, NULL, PICTURES, FLAG(picture.scene.plain),
       "no cracks, air, bubbles, bumps, frost and highlights but those of --set" },
+    { "Picture", "tone-curve", 0, "CURVE", PICTURES, SCENE(option_tone_curve),
+      "tone curve of PNG files: neutral, agx, aces, hable or clip (neutral)" },
     { "Picture", "preset", 0, "FILE", SCENES, INPUT(picture.scene.preset),
       "settings: lines NAME=VALUE, or an .exr or .png of firn; --set wins" },
     { "Picture", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
