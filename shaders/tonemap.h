@@ -110,8 +110,8 @@ ABI_FUNCTION float tonemap_srgb(float linear)
     return c <= 0.0031308f ? c * 12.92f : high;
 }
 
-/* Returns the encoded colour, 0 to 1, of linear radiance, as in a PNG file. */
-ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, float gain, uint32_t curve)
+/* Returns the colour of linear radiance, before it is clamped and encoded. */
+ABI_FUNCTION vec3s tonemap_apply(vec3s radiance, float gain, uint32_t curve)
 {
     vec3s c = ABI_VEC3(fmaxf(radiance.x * gain, 0.0f), fmaxf(radiance.y * gain, 0.0f),
                        fmaxf(radiance.z * gain, 0.0f));
@@ -123,6 +123,13 @@ ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, float gain, uint32_t curve)
         c = tonemap_aces(c);
     else if (curve == TONEMAP_HABLE)
         c = tonemap_hable(c);
+    return c;
+}
+
+/* Returns the encoded colour, 0 to 1, of linear radiance, as in a PNG file. */
+ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, float gain, uint32_t curve)
+{
+    vec3s c = tonemap_apply(radiance, gain, curve);
     return ABI_VEC3(tonemap_srgb(c.x), tonemap_srgb(c.y), tonemap_srgb(c.z));
 }
 

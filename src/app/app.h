@@ -69,6 +69,7 @@ struct app_picture {
     bool interleaved;               /* tiles are so: renderer.h */
     bool all_layers;                /* that the rung makes; app_parse() puts them into: */
     uint32_t layers;                /* bit i: techniques_layer(i) */
+    uint32_t png_bits;              /* of a channel; 0 means 8 */
     const struct frame_layer *show; /* what PNG files show; NULL: the tonemapped picture */
     struct app_vector eye, target;
     struct app_vector orbit; /* azimuth, elevation (degrees), distance */

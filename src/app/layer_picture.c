@@ -1,10 +1,12 @@
-/* layer_picture.c: planes of floats to 8-bit pixels. */
+/* layer_picture.c: planes of floats to pixels of 8 or 16 bits. */
 #include "src/app/layer_picture.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "shaders/tonemap.h"
 #include "src/base/log.h"
+#include "src/image/srgb.h"
+#include "src/tech/tonemap.h"
 
 /* Planes of a layer, and what they are stretched between. */
 struct source {
@@ -35,6 +37,11 @@ uint32_t layer_picture_bit(const struct frame_layer *layer)
 static uint8_t quantise(float x)
 {
     return (uint8_t)(fminf(fmaxf(x, 0.0f), 1.0f) * 255.0f + 0.5f); /* NaN: 0 */
+}
+
+static uint16_t quantise_16(float x)
+{
+    return (uint16_t)(fminf(fmaxf(x, 0.0f), 1.0f) * 65535.0f + 0.5f);
 }
 
 static bool has_value(const struct source *source, size_t i)
@@ -91,23 +98,71 @@ static float shade(const struct source *source, enum frame_shown shown, uint32_t
     return tonemap_srgb(x);
 }
 
+static struct source open_source(const struct image *image, const struct frame_layer *layer)
+{
+    struct source source = { .count = layer->planes[1] ? 3 : 1 };
+    for (uint32_t p = 0; p < source.count; p++)
+        source.planes[p] = image_find(image, layer->planes[p]);
+    find_range(&source, (size_t)image->width * image->height);
+    return source;
+}
+
 uint8_t *layer_picture_rgba(const struct image *image, const struct frame_layer *layer)
 {
     const size_t pixels = (size_t)image->width * image->height;
     uint8_t *rgba = calloc(pixels, 4);
-    struct source source = { .count = layer->planes[1] ? 3 : 1 };
     if (!rgba) {
         log_error("out of memory");
         return NULL;
     }
-    for (uint32_t p = 0; p < source.count; p++)
-        source.planes[p] = image_find(image, layer->planes[p]);
-    find_range(&source, pixels);
+    const struct source source = open_source(image, layer);
     for (size_t i = 0; i < pixels; i++) {
         const bool has = layer->shown == FRAME_SHOWN_COLOR || has_value(&source, i);
         for (uint32_t c = 0; c < 3 && has; c++)
             rgba[i * 4 + c] = quantise(shade(&source, layer->shown, c % source.count, i));
         rgba[i * 4 + 3] = 255;
     }
+    return rgba;
+}
+
+uint16_t *layer_picture_rgba_16(const struct image *image, const struct frame_layer *layer)
+{
+    const size_t pixels = (size_t)image->width * image->height;
+    uint16_t *rgba = calloc(pixels, 4 * sizeof(*rgba));
+    if (!rgba) {
+        log_error("out of memory");
+        return NULL;
+    }
+    const struct source source = open_source(image, layer);
+    for (size_t i = 0; i < pixels; i++) {
+        const bool is_color = layer->shown == FRAME_SHOWN_COLOR;
+        for (uint32_t c = 0; c < 3 && (is_color || has_value(&source, i)); c++) {
+            const uint32_t p = c % source.count;
+            rgba[i * 4 + c] = quantise_16(is_color ? srgb_encode(source.planes[p][i])
+                                                   : shade(&source, layer->shown, p, i));
+        }
+        rgba[i * 4 + 3] = UINT16_MAX;
+    }
+    return rgba;
+}
+
+uint16_t *layer_picture_beauty_16(const struct image *image, const struct settings *settings)
+{
+    const struct tonemap_params *params = settings_of(settings, &tonemap_settings);
+    const float gain = exp2f(params->exposure);
+    const size_t pixels = (size_t)image->width * image->height;
+    uint16_t *rgba = calloc(pixels, 4 * sizeof(*rgba));
+    const float *planes[3];
+    for (size_t c = 0; c < 3; c++)
+        planes[c] = image_find(image, frame_beauty.planes[c]);
+    for (size_t i = 0; i < pixels && rgba; i++) {
+        const vec3s radiance = { { planes[0][i], planes[1][i], planes[2][i] } };
+        const vec3s shown = tonemap_apply(radiance, gain, params->curve);
+        for (size_t c = 0; c < 3; c++)
+            rgba[i * 4 + c] = quantise_16(srgb_encode(shown.raw[c]));
+        rgba[i * 4 + 3] = UINT16_MAX;
+    }
+    if (!rgba)
+        log_error("out of memory");
     return rgba;
 }

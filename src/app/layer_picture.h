@@ -18,8 +18,12 @@ const struct frame_layer *layer_picture_find(const char *name);
 /* Bit i of renderer_params.layers for techniques_layer(i); 0 for NULL. */
 uint32_t layer_picture_bit(const struct frame_layer *layer);
 
-/* width * height * 4 bytes, as png_picture.rgba; NULL when memory is short, logged. The caller
- * frees them. The image has the layer's planes. */
+/* width * height * 4 values, as png_picture.rgba and png_picture.rgba_16; NULL when memory is
+ * short, which is logged. The caller frees them. The image has the layer's planes. */
 uint8_t *layer_picture_rgba(const struct image *image, const struct frame_layer *layer);
+uint16_t *layer_picture_rgba_16(const struct image *image, const struct frame_layer *layer);
+
+/* The same of the beauty, tonemapped as the settings say. */
+uint16_t *layer_picture_beauty_16(const struct image *image, const struct settings *settings);
 
 #endif

@@ -57,9 +57,10 @@ static void print_cube_time(FILE *out, const struct settings *settings, const st
         fprintf(out, " cube_time=%.9g", (double)motion->time);
 }
 
-static bool describe(const struct output *output, const struct frame_layer *show, char **text)
+static bool describe(const struct output *output, bool is_png, char **text)
 {
     const struct app_picture *p = output->picture;
+    const struct frame_layer *show = is_png ? p->show : NULL;
     const struct camera *camera = &output->shot.camera;
     struct settings settings = frame_settings(&p->scene.settings, output->scene);
     size_t size;
@@ -78,6 +79,8 @@ static bool describe(const struct output *output, const struct frame_layer *show
             fprintf(out, " split=%s", p->split->rung.name);
         if (show)
             fprintf(out, " show=%s", show->name);
+        if (is_png && p->png_bits == 16)
+            fputs(" png-bits=16", out);
         if (p->scene.environment)
             fprintf(out, " env=%s", p->scene.environment);
         if (p->scene.surroundings)
@@ -97,8 +100,8 @@ static bool describe(const struct output *output, const struct frame_layer *show
 
 enum status output_describe(struct output *output)
 {
-    bool ok = describe(output, NULL, &output->settings) &&
-              describe(output, output->picture->show, &output->png_settings);
+    bool ok =
+        describe(output, false, &output->settings) && describe(output, true, &output->png_settings);
     if (!ok)
         log_error("out of memory");
     return ok ? STATUS_OK : STATUS_TRY_AGAIN;
@@ -293,6 +296,7 @@ enum status output_encode(const struct output *output, const char *path,
         .height = pixels_of(output->picture).height,
         .texts = texts.all,
         .text_count = texts.count,
+        .rgba_16 = result->rgba_16,
     };
     return is_png ? png_encode(&picture, data, size)
                   : encode_exr(output, result, &texts, data, size);

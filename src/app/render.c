@@ -34,6 +34,7 @@ struct job {
     struct gpu gpu;
     struct renderer *renderer;      /* it or ... */
     struct reference *reference;    /* ... it draws; NULL until a frame needs it */
+    bool makes_16;                  /* PNG files have 16 bits a channel */
     uint32_t tile_done, tile_count; /* of the frame at work */
     struct progress progress;
 };
@@ -185,11 +186,16 @@ static enum status draw(struct job *job, struct frame *frame)
     progress_show(&job->progress, 0, job->o.picture.samples);
     enum status status = draw_picture(job, shot, result);
     progress_clear(&job->progress);
-    if (status == STATUS_OK && show) {
+    if (status != STATUS_OK)
+        return status;
+    if (job->makes_16 && show)
+        result->rgba_16 = layer_picture_rgba_16(&result->image, show);
+    else if (job->makes_16)
+        result->rgba_16 = layer_picture_beauty_16(&result->image, &job->o.picture.scene.settings);
+    else if (show)
         result->rgba = layer_picture_rgba(&result->image, show);
-        status = result->rgba ? STATUS_OK : STATUS_TRY_AGAIN;
-    }
-    return status;
+    const bool is_made = job->makes_16 ? result->rgba_16 != NULL : !show || result->rgba;
+    return is_made ? STATUS_OK : STATUS_TRY_AGAIN;
 }
 
 static enum status open_reference(struct job *job, const struct renderer_params *params)
@@ -253,16 +259,19 @@ static enum status open_renderer(struct job *job)
     params.samples = p->samples;
     params.warm_up = true;
     for (uint32_t i = 0; i < outputs->count; i++) {
-        if (path_ends_in(outputs->paths[i], ".png"))
-            params.display = !p->show;
-        else
+        if (!path_ends_in(outputs->paths[i], ".png"))
             params.linear = true;
+        else if (p->png_bits == 16)
+            job->makes_16 = true;
+        else
+            params.display = !p->show;
     }
     if (params.linear)
         params.layers = p->layers;
     else if (p->layers)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
     params.layers |= layer_picture_bit(p->show);
+    params.linear = params.linear || (job->makes_16 && !p->show);
     if (p->rung == &refract_reference)
         return open_reference(job, &params);
     enum status status = open_device(job);

@@ -121,6 +121,48 @@ static enum status out_of_memory(const struct png_picture *picture)
     return STATUS_TRY_AGAIN;
 }
 
+/* libpng takes 16 bits a channel as linear, and writes a gAMA chunk that says so. Replaces that
+ * first chunk by the sRGB chunk of 8-bit pictures. */
+static void declare_srgb(uint8_t *bytes, size_t *size)
+{
+    uint8_t *chunk = bytes + HEAD_SIZE;
+    const size_t old_size = CHUNK_SIZE + get_u32(chunk);
+    assert(is_chunk(chunk, "gAMA"));
+    begin_chunk(chunk, "sRGB", 1)[0] = 0; /* perceptual */
+    uint8_t *rest = end_chunk(chunk);
+    memmove(rest, chunk + old_size, *size - HEAD_SIZE - old_size);
+    *size -= (size_t)(chunk + old_size - rest);
+}
+
+static enum status encode_texels_16(const struct png_picture *picture, uint8_t *bytes, size_t *size)
+{
+    const size_t texel_count = (size_t)picture->width * picture->height;
+    png_image png = {
+        .version = PNG_IMAGE_VERSION,
+        .width = picture->width,
+        .height = picture->height,
+        .format = PNG_FORMAT_LINEAR_RGB,
+        .flags = PNG_IMAGE_FLAG_COLORSPACE_NOT_sRGB, /* no cHRM chunk */
+    };
+    png_alloc_size_t bytes_size = *size;
+    uint16_t *rgb = malloc(texel_count * 3 * sizeof(*rgb));
+
+    if (!rgb)
+        return out_of_memory(picture);
+    for (size_t i = 0; i < texel_count; i++) {
+        for (size_t c = 0; c < 3; c++)
+            rgb[3 * i + c] = picture->rgba_16[4 * i + c];
+    }
+    const bool ok = png_image_write_to_memory(&png, bytes, &bytes_size, 0, rgb, 0, NULL);
+    if (!ok)
+        log_error("a PNG picture could not be encoded: %s", png.message);
+    free(rgb);
+    *size = bytes_size;
+    if (ok)
+        declare_srgb(bytes, size);
+    return ok ? STATUS_OK : STATUS_FAILED;
+}
+
 /* Encodes the picture without texts into `bytes`, which has room for it. */
 static enum status encode_texels(const struct png_picture *picture, uint8_t *bytes, size_t *size)
 {
@@ -161,11 +203,20 @@ enum status png_encode(const struct png_picture *picture, void **data, size_t *s
         log_error("a PNG picture cannot have %u x %u pixels", width, height);
         return STATUS_FAILED;
     }
-    const png_image png = { .width = width, .height = height, .format = PNG_FORMAT_RGB };
+    const png_image png = {
+        .width = width,
+        .height = height,
+        .format = picture->rgba_16 ? PNG_FORMAT_LINEAR_RGB : PNG_FORMAT_RGB,
+    };
     size_t bytes_size = PNG_IMAGE_PNG_SIZE_MAX(png);
     uint8_t *texts = make_texts(picture, &texts_size);
     uint8_t *bytes = texts ? malloc(bytes_size + texts_size) : NULL;
-    status = bytes ? encode_texels(picture, bytes, &bytes_size) : out_of_memory(picture);
+    if (!bytes)
+        status = out_of_memory(picture);
+    else if (picture->rgba_16)
+        status = encode_texels_16(picture, bytes, &bytes_size);
+    else
+        status = encode_texels(picture, bytes, &bytes_size);
     if (status == STATUS_OK) {
         memmove(bytes + HEAD_SIZE + texts_size, bytes + HEAD_SIZE, bytes_size - HEAD_SIZE);
         memcpy(bytes + HEAD_SIZE, texts, texts_size);

@@ -1,4 +1,4 @@
-/* png.h: reads and writes PNG files by libpng: 8-bit sRGB, for displays. */
+/* png.h: reads and writes PNG files by libpng: sRGB of 8 or 16 bits, for displays. */
 #ifndef FIRN_IMAGE_PNG_H
 #define FIRN_IMAGE_PNG_H
 
@@ -14,6 +14,7 @@ struct png_picture {
     uint32_t width, height;         /* pixels */
     const struct image_text *texts; /* may be NULL if text_count is 0 */
     uint32_t text_count;
+    const uint16_t *rgba_16; /* texels of 16 bits, in place of rgba; NULL: 8 bits */
 };
 
 /*

@@ -4,5 +4,6 @@
 
 /* Returns the linear value, 0 to 1, of an encoded one, 0 to 1 (IEC 61966-2-1). */
 float srgb_decode(float encoded);
+float srgb_encode(float linear); /* the inverse; beyond 0 and 1 it is clamped */
 
 #endif

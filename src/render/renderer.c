@@ -520,5 +520,6 @@ void render_result_finish(struct render_result *result)
 {
     image_finish(&result->image);
     free(result->rgba);
+    free(result->rgba_16);
     *result = (struct render_result){ 0 };
 }

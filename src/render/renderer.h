@@ -27,6 +27,7 @@ struct renderer;
 
 struct render_result {
     struct image image; /* linear: beauty and layers */
+    uint16_t *rgba_16;  /* as rgba, of 16 bits; NULL: the renderer makes none */
     uint8_t *rgba;      /* sRGB-encoded, width * height * 4 bytes; NULL if not asked for */
 };
 

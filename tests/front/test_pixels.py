@@ -6,6 +6,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
 from case import PLAIN, USAGE, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
+from png_file import Png  # noqa: E402
 
 TINY = ('sphere', '--size', '32x24', *PLAIN, '-q')
 HAS_REFERENCE = '--without' not in sys.argv
@@ -51,6 +52,35 @@ class ToneCurve(Pixels):
             linear.add(picture.pixels)
         self.assertEqual((len(pictures), len(linear)), (5, 1))
         self.refuse(USAGE, *words, '--tone-curve', 'filmic', names=['--tone-curve', 'agx'])
+
+
+class PngBits(Pixels):
+    def draw_png(self, *arguments):
+        self.succeed('render', *TINY, *arguments, '-o', 'a.png')
+        return Png((self.folder / 'a.png').read_bytes())
+
+    def test_16_bits_are_finer(self):
+        more = [(), ('--samples', '2'), ('--tiles', '2x1'), ('--show', 'N'),
+                ('--tone-curve', 'agx')]
+        for words in more + [('-r', 'reference')] * HAS_REFERENCE:
+            with self.subTest(words=words):
+                coarse = self.draw_png(*words)
+                fine = self.draw_png('--png-bits', '16', *words)
+                self.assertEqual((coarse.bits, fine.bits, fine.channels), (8, 16, 3))
+                self.assertEqual((fine.chunks['sRGB'], fine.chunks.get('gAMA')), (b'\0', None))
+                self.assertLess(max(abs(a - b / 257) for a, b in
+                                    zip(coarse.values, fine.values, strict=True)), 0.6)
+                self.assertGreater(sum(value % 257 != 0 for value in fine.values), 100)
+
+    def test_only_16_is_recorded(self):
+        self.succeed('render', *TINY, '--png-bits', '16', '-o', 'a.exr', '-o', 'a.png')
+        self.assertNotIn('png-bits', Exr((self.folder / 'a.exr').read_bytes()).text(
+            'firn/settings'))
+        again = ('--resume', '-o', 'a.png')
+        for bits, count in (('16', 1), ('8', 0), ('8', 1)):
+            words = ('render', *TINY[:-1], '--png-bits', bits, *again)
+            self.assertEqual(self.succeed(*words).stderr.count(b'up to date'), count)
+        self.refuse(USAGE, 'render', *TINY, '--png-bits', '12', names=['--png-bits', '8 or 16'])
 
 
 if __name__ == '__main__':

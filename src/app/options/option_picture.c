@@ -162,6 +162,16 @@ enum status option_show(const struct option *option, void *at, const char *value
                          : option_refuse_name(option, OPTION_LAYERS, value, strlen(value));
 }
 
+enum status option_png_bits(const struct option *option, void *at, const char *value)
+{
+    struct app_picture *picture = at;
+    const bool is_16 = strcmp(value, "16") == 0;
+    if (!is_16 && strcmp(value, "8") != 0)
+        return option_refuse(option, value, "8 or 16");
+    picture->png_bits = is_16 ? 16 : 8;
+    return STATUS_OK;
+}
+
 enum status option_pixel_filter(const struct option *option, void *at, const char *value)
 {
     static const char *const names[PIXEL_FILTER_COUNT] = {

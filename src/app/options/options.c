@@ -95,6 +95,8 @@ static const struct option options[] = {
       "interleaved tiles: pictures beyond the device's limit, output differs" },
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, PICTURE(option_show),
       "layer that PNG files show instead of the picture: firn list layers" },
+    { "Output", "png-bits", 0, "8|16", APP_RENDER | APP_FARM, PICTURE(option_png_bits),
+      "bits per channel of PNG files, without dithering (8)" },
     { "Window", "frames", 0, "N", APP_VIEW, COUNT(view.frame_count),
       "number of frames until the window closes, 1 to 1000000000 (no limit)", 1, 1000000000 },
     { "Window", "time-step", 0, "SECONDS", APP_VIEW, AT(double, view.time_step, option_time_step),
