@@ -8,6 +8,7 @@
 #include "src/gpu/gpu.h"
 #include "src/reader/sandbox.h"
 #include "src/reference/reference.h"
+#include "src/scene/asset.h"
 #include "src/scene/material.h"
 #include "src/scene/scene.h"
 #include "src/tech/refract_reference.h"
@@ -41,14 +42,32 @@ static double shortest(float value)
     return strtod(text, NULL);
 }
 
+/* Appends the assets of a kind. */
+static json_t *append_assets(json_t *all, enum asset_kind kind)
+{
+    for (const struct asset *a = assets; a->name && all; a++) {
+        if (a->kind == kind)
+            all = append(all, json_pack("{s:s, s:s}", "name", a->name, "help", a->help));
+    }
+    return all;
+}
+
 static json_t *scenes(void)
 {
     json_t *all = json_array();
     for (const struct scene_builtin *b = scene_builtins; b->name && all; b++)
         all = append(all, json_pack("{s:s, s:s, s:i}", "name", b->name, "help", b->help,
                                     "triangles", (int)b->triangles));
+    all = append_assets(all, ASSET_SCENE);
     return append(all, json_pack("{s:s, s:s}", "name", "FILE", "help",
                                  "model file: .gltf, .glb, .obj, .ply"));
+}
+
+static json_t *environments(void)
+{
+    return append(append_assets(json_array(), ASSET_ENVIRONMENT),
+                  json_pack("{s:s, s:s}", "name", "FILE", "help",
+                            "equirectangular .exr or .hdr, or firn bake's cube"));
 }
 
 static json_t *rung_of(const struct technique *rung, bool is_available)
@@ -148,9 +167,9 @@ static enum status devices(json_t **all)
     for (uint32_t i = 0; i < count && *all; i++) {
         const struct gpu_device *device = &found[i];
         *all = append(*all, json_pack("{s:i, s:s, s:s, s:s, s:b, s:s*}", "number", (int)i, "name",
-                                      device->name, "kind", device->kind, "vulkan",
-                                      device->version, "usable", device->refused[0] == '\0',
-                                      "refused", device->refused[0] ? device->refused : NULL));
+                                      device->name, "kind", device->kind, "vulkan", device->version,
+                                      "usable", device->refused[0] == '\0', "refused",
+                                      device->refused[0] ? device->refused : NULL));
     }
     free(found);
     return status == STATUS_OK && !*all ? log_out_of_memory(NULL) : status;
@@ -168,8 +187,10 @@ static const struct {
     const char *name;
     json_t *(*make)(void); /* NULL: the devices */
 } lists[] = {
-    { "scenes", scenes },     { "rungs", rungs },  { "materials", materials }, { "layers", layers },
-    { "settings", settings }, { "devices", NULL }, { "sandbox", sandbox },
+    { "scenes", scenes }, { "environments", environments },
+    { "rungs", rungs },   { "materials", materials },
+    { "layers", layers }, { "settings", settings },
+    { "devices", NULL },  { "sandbox", sandbox },
 };
 
 enum {
@@ -197,9 +218,8 @@ enum status list_json(const char *topic)
         if (!topic || !strcmp(topic, lists[i].name))
             status = add_list(root, i);
     }
-    char *text = status == STATUS_OK
-                     ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS))
-                     : NULL;
+    char *text =
+        status == STATUS_OK ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS)) : NULL;
     if (status == STATUS_OK && !text)
         status = log_out_of_memory(NULL);
     if (text)
