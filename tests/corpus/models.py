@@ -40,7 +40,7 @@ def lengths():
     yield 'json-long.glb', glb(json_size=0x7fffffff), REFUSED
     yield 'json-all.glb', glb(json_size=0xffffffff), REFUSED
     yield 'binary-long.glb', glb(data_size=0xfffffff0), REFUSED
-    yield 'buffer-long.glb', glb(at('buffers', 0, 'byteLength', 1 << 40)), DRAWN
+    yield 'buffer-long.glb', glb(at('buffers', 0, 'byteLength', 1 << 40)), REFUSED
     yield 'buffer-negative.glb', glb(at('buffers', 0, 'byteLength', -1)), EITHER
     yield 'buffer-none.glb', glb(data=b''), REFUSED
     yield 'view-beyond.glb', glb(at('bufferViews', 0, 'byteOffset', len(buffer) - 4)), REFUSED
@@ -102,7 +102,7 @@ def numbers():
 
 
 def trees():
-    yield 'deep.glb', nodes(100000, lambda i: [i + 1] if i < 99999 else []), REFUSED
+    yield 'deep.glb', nodes(100000, lambda i: [i + 1] if i < 99999 else []), DRAWN
     yield 'cycle.glb', nodes(3, lambda i: [(i + 1) % 3]), REFUSED
     yield 'own-child.glb', nodes(1, lambda i: [0]), REFUSED
     yield 'doubling.glb', nodes(41, lambda i: [i + 1] * 2 if i < 40 else []), REFUSED

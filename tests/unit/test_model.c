@@ -54,6 +54,7 @@ static const char json_head[] =
 #define WITH(material) \
     "{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1,'TEXCOORD_0':2},'indices':4," \
     "'material':" material "}]}"
+#define PICTURE  "'textures':[{'source':0}],'images':[{'bufferView':5,'mimeType':'image/png'}]"
 #define ONE_NODE "'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}]"
 
 static char folder[] = "/tmp/firn-model-XXXXXX";
@@ -261,7 +262,8 @@ static void transmission_splits(void **state)
     }
     struct model model = load_glb(ONE_NODE ",'meshes':[" WITH("0") "],'materials':[" GLASS("") "]");
     assert_int_equal(model.object.index_count, 6);
-    assert_false(model.has_ior);
+    assert_true(model.has_ior);
+    CHECK_NEAR(model.ior, 1.5, 0);
     model_finish(&model);
 }
 
@@ -273,8 +275,7 @@ static void gltf_materials(void **state)
                  "{'attributes':{'POSITION':0,'NORMAL':1,'COLOR_0':3,'TEXCOORD_0':2},'indices':4,"
                  "'material':0}]}],'materials':[{'extensions':{'KHR_materials_unlit':{}},"
                  "'alphaMode':'MASK','pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,1],"
-                 "'baseColorTexture':{'index':0}}}],"
-                 "'textures':[{'source':0}],'images':[{'bufferView':5,'mimeType':'image/png'}]");
+                 "'baseColorTexture':{'index':0}}}]," PICTURE);
     assert_int_equal(model.object.vertices[0].material, 1 | MESH_UNLIT | MESH_CUTOUT);
     check_vec3(model.object.vertices[0].color, 0.25F, 0.25F, 1);
     model_finish(&model);
@@ -312,6 +313,8 @@ static void vertex_colors(void **state)
 
 #define TEXTURED(count) "'pbrMetallicRoughness':{'baseColorTexture':{'index':" count "}}"
 
+#define PAINTED ONE_NODE ",'meshes':[" WITH("0") "],'materials':[{" TEXTURED("0") "}]," PICTURE
+
 /* Whether the square's top shows red and its bottom green, in the vertex's own layer. */
 static void check_orientation(const struct model *model, const struct mesh *mesh)
 {
@@ -339,13 +342,11 @@ static void write_tga(const char *name, uint8_t side, bool is_red_over_green)
 static void textures(void **state)
 {
     (void)state;
-    struct model glb = load_glb(
-        "'scenes':[{'nodes':[0,1]}],'nodes':[{'mesh':0},{'mesh':1,'translation':[9,0,0]}],"
-        "'meshes':[" WITH("0") "," WITH("1") "],"
-                                             "'materials':[{" TEXTURED("0") "},{" TEXTURED(
-                                                 "0") "}],"
-                                                      "'textures':[{'source':0}],'images':[{'"
-                                                      "bufferView':5,'mimeType':'image/png'}]");
+    struct model glb =
+        load_glb("'scenes':[{'nodes':[0,1]}],'nodes':[{'mesh':0},{'mesh':1,'translation':[9,0,0]}],"
+                 "'meshes':[" WITH("0") "," WITH("1") "],"
+                                                      "'materials':[{" TEXTURED("0") "},{" TEXTURED(
+                                                          "0") "}]," PICTURE);
     assert_int_equal(glb.textures.count, 1); /* though used twice */
     assert_int_equal(glb.textures.size, 2);
     check_orientation(&glb, &glb.object);
@@ -379,9 +380,8 @@ static void textures(void **state)
 static void smaller_joins_larger(void **state)
 {
     (void)state;
-    struct model small = load_glb(ONE_NODE ",'meshes':[" WITH("0") "],'materials':[{" TEXTURED(
-        "0") "}],"
-             "'textures':[{'source':0}],'images':[{'bufferView':5,'mimeType':'image/png'}]");
+    struct model small =
+        load_glb(ONE_NODE ",'meshes':[" WITH("0") "],'materials':[{" TEXTURED("0") "}]," PICTURE);
     write_tga("big picture.tga", 8, true);
     /* a glTF file names it by a URI */
     struct model large =
@@ -504,7 +504,7 @@ static void bad_numbers(void **state)
     check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 1: the normal");
     square = unit_square;
     square.uvs[3][0] = INFINITY;
-    check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 3: the texture");
+    check_error(write_glb("e.glb", PAINTED, &square), STATUS_DATA, "vertex 3: the texture");
     square = unit_square;
     square.positions[3][2] = -2e6F;
     check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "vertex 3: the position");
@@ -519,7 +519,7 @@ static void bad_numbers(void **state)
                                     "property float y\nproperty float z\nelement face 1\n"
                                     "property list uchar int vertex_indices\nend_header\n"
                                     "0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n"),
-                STATUS_DATA, "it does not exist");
+                STATUS_DATA, "does not exist");
     check_error(
         write_glb("e.glb",
                   "'extensionsUsed':['KHR_materials_transmission','KHR_materials_ior']," ONE_NODE
@@ -558,7 +558,7 @@ static void bad_textures(void **state)
         { "'uri':'http://localhost/a.png'", "within" },
         { "'uri':'nowhere.png'", "nowhere.png: file not found" },
         { "'uri':'garbage.png'", "garbage.png: not a supported picture" },
-        { "'bufferView':4,'mimeType':'image/png'", "*0: not a supported picture" },
+        { "'bufferView':4,'mimeType':'image/png'", "images[0]: not a supported picture" },
         { "'uri':'cut.png'", "cut.png" },
     };
 

@@ -1,7 +1,7 @@
 /*
  * model.h: loads model files.
  *
- * Reads .gltf .glb .obj .ply, and other formats of assimp. All meshes are merged with their
+ * Reads .gltf and .glb (gltf.h), and .obj and .ply through assimp. All meshes are merged with their
  * transforms into two: the refractive objects and their surroundings. In a glTF file with a mesh
  * whose material has KHR_materials_transmission (factor > 0) such meshes are the objects and all
  * others the surroundings; in any other file `everything_is` decides. Coordinates are those of the
@@ -13,21 +13,22 @@
  * KHR_materials_unlit, and in .obj and .ply files vertex colours without normals or materials, mean
  * MESH_UNLIT; glTF's alphaMode MASK means MESH_CUTOUT. Vertex colours and .mtl's Kd are taken as
  * linear, texture colours as sRGB. Colours are clamped to 0 to 1, unlit vertex colours, which are
- * radiances, to 0 to 65504; a warning says so. KHR_texture_transform and a texture's wrap modes are
- * ignored. Files that a model names must be within its folder. decode.h reads untrusted models.
+ * radiances, to 0 to 65504; a warning says so. KHR_texture_transform is part of .uv. Warnings name
+ * what of a glTF file is not drawn, and its extensions that are not supported. Files that a model
+ * names must be within its folder. decode.h reads untrusted models.
  *
  * A node's extras in a glTF file may name a box, { "firn": { "box": [[x,y,z],[x,y,z]] } }, its
  * least corner first, in metres of the file's space, independent of the node's transform. The first
  * such node counts.
  *
  * Ownership: a model owns its arrays; model_finish() frees them; a {0} model is fine.
- * Threads:   one model_load() at a time in a process, because assimp's log is global
+ * Threads:   any
  * Errors:    one line is logged, with the file's name and the place, and *model is {0}:
  *            STATUS_NO_INPUT  missing or unreadable
- *            STATUS_DATA      unknown format, syntax error, empty, no triangles, a number that is
- *                             not finite, a coordinate beyond 1e6, an index too large, an index
- *                             of refraction not within 1 to 4, a damaged or missing texture, an
- *                             invalid box
+ *            STATUS_DATA      unknown format, a required extension that is not supported, syntax
+ *                             error, empty, no triangles, a number that is not finite, a coordinate
+ *                             beyond 1e6, an index too large, an index of refraction not within 1
+ *                             to 4, a damaged or missing texture, an invalid box
  *            STATUS_TRY_AGAIN out of memory
  */
 #ifndef FIRN_SCENE_IMPORT_MODEL_H
@@ -51,7 +52,7 @@ struct model {
     struct mesh surroundings;
     struct object *objects; /* parts of `object`; their ranks are not set */
     uint32_t object_count;
-    struct material *materials; /* of the objects */
+    struct material *materials; /* of the file, or files; objects refer to them */
     uint32_t material_count;
     struct texture_layers textures; /* of both meshes */
     struct camera camera; /* valid if has_camera; its target is at the object's distance */

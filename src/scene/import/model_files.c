@@ -52,6 +52,19 @@ bool model_file_clean(char *name, bool is_uri)
     return !is_elsewhere && !leads_outside(name);
 }
 
+char *model_file_join(const char *model, const char *name)
+{
+    const char *slash = strrchr(model, '/');
+    const size_t folder = slash ? (size_t)(slash - model) + 1 : 0;
+    const size_t length = strlen(name);
+    char *path = malloc(folder + length + 1);
+    if (path) {
+        memcpy(path, model, folder);
+        memcpy(path + folder, name, length + 1);
+    }
+    return path;
+}
+
 /* Returns the path of a file relative to the model's folder; the caller frees it. */
 static char *local_name(const struct model_import *import, const char *path)
 {
@@ -69,7 +82,7 @@ static bool is_allowed(struct model_import *import, const char *path)
         return false;
     /* For a missing file assimp tries again, with a slash or the folder before the name. */
     const bool again = import->misses_file && name[0] == '/';
-    const bool is_inside = !again && model_file_clean(name, import->is_gltf);
+    const bool is_inside = !again && model_file_clean(name, false);
     if (!again && !is_inside && import->refused[0] == '\0')
         snprintf(import->refused, sizeof(import->refused), "%s", path);
     free(name);

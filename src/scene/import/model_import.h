@@ -6,7 +6,6 @@
 #ifndef FIRN_SCENE_IMPORT_MODEL_IMPORT_H
 #define FIRN_SCENE_IMPORT_MODEL_IMPORT_H
 
-#include <assimp/scene.h>
 #include <stdio.h>
 #include "src/scene/import/model.h"
 
@@ -18,36 +17,15 @@ enum {
     MODEL_TEXTURE_SIDE_MAX = 2048,       /* texels */
     MODEL_TEXTURES_SIZE_MAX = 512 << 20, /* bytes of all textures */
     MODEL_RADIANCE_MAX = 65504,          /* of unlit colours: the largest half; others: 1 */
-};
-
-struct model_material {
-    struct material material; /* what the file says of it */
-    vec3s color;              /* base colour factor, linear */
-    uint32_t flags;           /* MESH_UNLIT, MESH_CUTOUT */
-    uint32_t layer;           /* texture layer + 1; 0: none */
-    uint32_t uv_index;        /* set of texture coordinates */
-    float ior;                /* 0: not given */
-    bool is_textured;
-    bool is_transmissive;
-    bool is_made_up; /* made by assimp for a file without materials */
-};
-
-struct model_node {
-    const struct aiNode *node;
-    mat4s model_from_node;
+    MODEL_PART_COUNT = 2,                /* of enum model_part */
 };
 
 struct model_import {
     const char *path;
-    const struct aiScene *scene;
-    struct model_material *materials; /* scene->mNumMaterials of them */
-    struct model_node *nodes;         /* parents first */
-    uint32_t node_count;
     char refused[256]; /* the first named file that is outside the model's folder; "": none */
     uint32_t clamped_materials; /* whose colour model_color_clamp() has changed */
     uint32_t clamped_vertices;
     bool misses_file; /* a named file does not exist */
-    bool is_gltf;
 };
 
 /* A format, by a suffix in lower case: "glb". */
@@ -61,6 +39,14 @@ struct model_format {
  * does not begin as the format does. */
 MUST_USE enum status model_format_find(const char *path, const struct model_format **format);
 
+/* Read a file of glTF; of another format, by assimp. */
+MUST_USE enum status model_load_gltf(struct model_import *import, struct model *model,
+                                     enum model_part everything_is);
+MUST_USE enum status model_load_assimp(struct model_import *import, const char *suffix,
+                                       struct model *model, enum model_part everything_is);
+
+/* ---- files ---- */
+
 /* Opens the model, or a file in its folder that it names, and notes others in *user, a struct
  * model_import; a model_parser_open_fn. */
 FILE *model_file_open(void *user, const char *path);
@@ -72,12 +58,72 @@ FILE *model_file_open(void *user, const char *path);
  */
 MUST_USE bool model_file_clean(char *name, bool is_uri);
 
-/* Checks all numbers and indices of the file before assimp processes them. */
-MUST_USE enum status model_mesh_check(const struct model_import *import);
+/* Returns the path of a file in the model's folder; the caller frees it. NULL: out of memory. */
+char *model_file_join(const char *model, const char *name);
 
-/* Fills in the two meshes, has_ior and ior. The faces must be triangles, lines or points. */
-MUST_USE enum status model_mesh_build(struct model_import *import, struct model *model,
-                                      enum model_part everything_is);
+/* ---- textures ---- */
+
+/* A picture that becomes a layer: encoded bytes, or if they are NULL, a file. */
+struct model_picture {
+    const char *name; /* for messages */
+    const uint8_t *bytes;
+    size_t size;
+    char *file;
+};
+
+/* Loads pictures as layers of one size. */
+MUST_USE enum status model_picture_load(const char *path, const struct model_picture *pictures,
+                                        uint32_t count, struct texture_layers *layers);
+
+/* Copies the textures of both, resampled to the larger size; the caller frees both->texels. On
+ * failure *both is {0}. */
+MUST_USE enum status model_picture_merge(struct texture_layers *both,
+                                         const struct texture_layers *first,
+                                         const struct texture_layers *second);
+
+/* ---- meshes ---- */
+
+/* Triangles of one material, in the space of their node. All is borrowed. */
+struct model_shape {
+    const char *name;       /* for messages: "mesh 0" */
+    const float *positions; /* 3 of each vertex */
+    const float *normals;   /* 3; NULL: they are made */
+    const float *colors;    /* 4, linear; may be NULL */
+    const float *uvs;       /* the first 2 of uv_stride; may be NULL */
+    uint32_t uv_stride;
+    bool is_flipped; /* v = 0 is the bottom of the texture */
+    const uint32_t *indices;
+    uint32_t vertex_count, index_count;
+    vec3s color;       /* times the vertices' */
+    uint32_t material; /* mesh_vertex.material */
+};
+
+/* The two meshes of a model while they are filled. */
+struct model_build {
+    struct model_import *import;
+    struct model *model;
+    struct mesh *meshes[MODEL_PART_COUNT];
+    uint64_t vertex_count[MODEL_PART_COUNT], index_count[MODEL_PART_COUNT];
+};
+
+/* Checks that the numbers of a shape are finite, and its indices in range. */
+MUST_USE enum status model_shape_check(const struct model_import *import,
+                                       const struct model_shape *shape);
+
+void model_build_init(struct model_build *build, struct model_import *import, struct model *model);
+
+/* Counts what model_build_add() will add; then the meshes are allocated; then all is added in the
+ * same order; then equal vertices are merged. */
+MUST_USE enum status model_build_count(struct model_build *build, enum model_part part,
+                                       uint64_t vertex_count, uint64_t index_count);
+MUST_USE enum status model_build_allocate(struct model_build *build);
+MUST_USE enum status model_build_add(struct model_build *build, enum model_part part,
+                                     const struct model_shape *shape, mat4s model_from_shape);
+MUST_USE enum status model_build_end(struct model_build *build);
+
+/* Lists the materials of a file of which all is an object or surroundings: the object's is the last
+ * one, left to the settings. */
+MUST_USE enum status model_build_bare_object(struct model_build *build);
 
 /* Makes the normals that are {0} and merges equal vertices. Returns false when out of memory. */
 MUST_USE bool model_join_vertices(struct mesh *mesh);
@@ -88,28 +134,5 @@ bool model_color_clamp(vec3s *color, bool is_unlit);
 
 /* Logs a warning if colours of the file were clamped. For files that are accepted. */
 void model_color_warn(const struct model_import *import);
-
-/* Fills import->materials, except for the layers. Returns false when out of memory. */
-MUST_USE bool model_material_read(struct model_import *import);
-
-/* Returns the name of the base colour texture and its set of coordinates; false if there is
- * none. */
-bool model_material_texture(const struct aiMaterial *material, struct aiString *name,
-                            uint32_t *uv_index);
-
-/* Loads the textures of materials whose meshes have texture coordinates, and sets their layers. */
-MUST_USE enum status model_texture_load(struct model_import *import, struct texture_layers *layers);
-
-/* Copies the textures of both, resampled to the larger size; the caller frees both->texels. On
- * failure *both is {0}. */
-MUST_USE enum status model_texture_merge(struct texture_layers *both,
-                                         const struct texture_layers *first,
-                                         const struct texture_layers *second);
-
-/* Reads the first perspective camera into *model, whose object must be filled in. */
-MUST_USE enum status model_camera_read(const struct model_import *import, struct model *model);
-
-/* Reads the box of the first node that names one into *model. */
-MUST_USE enum status model_box_read(const struct model_import *import, struct model *model);
 
 #endif

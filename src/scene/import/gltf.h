@@ -1,0 +1,205 @@
+/*
+ * gltf.h: shared by the files that read glTF 2.0 (.gltf, .glb), gltf_*.c: the state meanwhile.
+ *
+ * The JSON is parsed by jansson. Its values are reached through struct gltf_object, which knows
+ * where in the file it is, and by functions that check type and range. The first fault is logged,
+ * as "FILE: materials[3]: expected ...", and kept in gltf.status; functions after a fault return
+ * their fallbacks, so that callers need to look at the status only before they rely on a value.
+ */
+#ifndef FIRN_SCENE_IMPORT_GLTF_H
+#define FIRN_SCENE_IMPORT_GLTF_H
+
+#include <jansson.h>
+#include "src/scene/import/model_import.h"
+
+enum {
+    GLTF_PLACE_SIZE = 96,
+};
+
+/* An index of nothing. */
+static const uint32_t gltf_none = UINT32_MAX;
+
+/* Bytes that are borrowed unless `owned` is set. */
+struct gltf_bytes {
+    const uint8_t *bytes; /* may be NULL */
+    uint8_t *owned;
+    size_t size;
+};
+
+/* Triangles of one material, all arrays owned. */
+struct gltf_primitive {
+    uint32_t material; /* index into gltf.materials */
+    uint32_t vertex_count, index_count;
+    uint32_t *indices;
+    float *positions;
+    float *normals; /* NULL: none, as in those below */
+    float *colors;  /* 4 of each vertex */
+    float *uvs;     /* of the base colour, transformed; 2 */
+};
+
+struct gltf_mesh {
+    struct gltf_primitive *primitives;
+    uint32_t count;
+    bool is_used;
+};
+
+struct gltf_node {
+    char name[MATERIAL_NAME_SIZE];
+    vec3s translation, scale;
+    versors rotation;
+    mat4s matrix; /* valid if has_matrix; else the three above are */
+    bool has_matrix;
+    bool is_listed;
+    uint32_t parent; /* position in gltf.order, or gltf_none */
+    uint32_t mesh, camera;
+    mat4s model_from_node;
+    mat4s *instances; /* node_from_instance, instance_count of them; owned */
+    uint32_t instance_count;
+};
+
+struct gltf_material {
+    struct material material;
+    uint32_t mesh_flags; /* MESH_UNLIT, MESH_CUTOUT */
+    uint32_t image;      /* of the base colour, or gltf_none */
+    uint32_t uv_set;     /* of the base colour */
+    vec3s uv_rows[2];    /* transform of the base colour's coordinates (u, v, 1) */
+    uint32_t layer;      /* texture layer + 1; 0: none */
+    float ior;           /* as the file has it; 0: not given */
+};
+
+/* What a file has, and this program reads but does not draw. */
+enum gltf_undrawn {
+    GLTF_METAL,
+    GLTF_NORMAL,
+    GLTF_OCCLUSION,
+    GLTF_EMISSION,
+    GLTF_BLEND,
+    GLTF_CUTOFF,
+    GLTF_SPECULAR,
+    GLTF_TRANSMISSION_TEXTURE,
+    GLTF_VOLUME_TEXTURE,
+    GLTF_PICTURELESS,
+    GLTF_WRAP,
+    GLTF_LIGHTS,
+    GLTF_ORTHOGRAPHIC,
+    GLTF_ANIMATION,
+    GLTF_SKIN,
+    GLTF_MORPH,
+    GLTF_POINTS,
+    GLTF_UNDRAWN_COUNT,
+};
+
+struct gltf {
+    const char *path;
+    struct model_import *import;
+    enum status status; /* of the first fault */
+    uint8_t *file;      /* all bytes */
+    json_t *root;
+    struct gltf_bytes binary;   /* the second part of a .glb */
+    struct gltf_bytes *buffers; /* as many as there are */
+    struct gltf_bytes *views;   /* those that had to be decompressed; others are {0} */
+    struct gltf_node *nodes;
+    uint32_t node_count;
+    uint32_t *order; /* nodes of the scene, parents first */
+    uint32_t order_count;
+    struct gltf_mesh *meshes;
+    uint32_t mesh_count;
+    struct gltf_material *materials; /* one more than the file has, the default */
+    uint32_t material_count;
+    uint32_t undrawn;       /* bits of enum gltf_undrawn */
+    uint32_t clamped_count; /* materials with numbers out of range */
+};
+
+/* ---- JSON ---- */
+
+/* An object of the file. Of one that is not there, all members are absent. */
+struct gltf_object {
+    struct gltf *gltf;
+    const json_t *json; /* NULL: it is not there */
+    char place[GLTF_PLACE_SIZE];
+};
+
+/* Logs "FILE: PLACE: ..." unless there was a fault before, and returns STATUS_DATA. */
+enum status gltf_fault(const struct gltf_object *object, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Notes that memory is short. */
+enum status gltf_no_memory(struct gltf *gltf);
+
+struct gltf_object gltf_top(struct gltf *gltf);
+/* Returns an element of an array of the top, "nodes". */
+struct gltf_object gltf_element(struct gltf *gltf, const char *list, uint32_t index);
+struct gltf_object gltf_member(const struct gltf_object *object, const char *key);
+struct gltf_object gltf_extension(const struct gltf_object *object, const char *name);
+struct gltf_object gltf_item(const struct gltf_object *object, const char *key, uint32_t index);
+
+/* Returns the number of elements of a member that is an array, or 0 if it is absent. */
+uint32_t gltf_length(const struct gltf_object *object, const char *key);
+uint32_t gltf_list_length(struct gltf *gltf, const char *list);
+
+/* Return a member's value, or the fallback if it is absent. */
+float gltf_number(const struct gltf_object *object, const char *key, float fallback);
+bool gltf_flag(const struct gltf_object *object, const char *key);
+uint64_t gltf_count(const struct gltf_object *object, const char *key, uint64_t fallback);
+const char *gltf_string(const struct gltf_object *object, const char *key, const char *fallback);
+
+/* Returns an index into an array of the top, or gltf_none if it is absent. */
+uint32_t gltf_index(const struct gltf_object *object, const char *key, const char *list);
+/* The same for an element of a member that is an array. */
+uint32_t gltf_index_at(const struct gltf_object *object, const char *key, uint32_t index,
+                       const char *list);
+
+/* Copies a member that is an array of `count` numbers. Returns false if it is absent or wrong. */
+bool gltf_floats(const struct gltf_object *object, const char *key, float *numbers, uint32_t count);
+
+/* ---- bytes ---- */
+
+/* Opens the file and its buffers, and checks the version. */
+MUST_USE enum status gltf_open(struct gltf *gltf);
+void gltf_close(struct gltf *gltf);
+
+/* Reads the bytes of a URI. "data:" is decoded, and others are files in the model's folder. */
+enum status gltf_read_uri(const struct gltf_object *object, const char *uri,
+                          struct gltf_bytes *bytes);
+
+/* Returns the bytes of a buffer view; *stride is 0 if there is none. After a fault they are {0}. */
+struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride);
+
+/* ---- accessors ---- */
+
+/* Numbers that an accessor describes; `values` is owned. */
+struct gltf_array {
+    float *values;
+    uint32_t count, width; /* elements; numbers of each */
+};
+
+/* Reads an accessor as floats; normalised integers become -1 to 1. After a fault returns false, and
+ * *array is {0}. */
+MUST_USE bool gltf_read_floats(struct gltf *gltf, uint32_t accessor, struct gltf_array *array);
+
+/* Reads an accessor of scalars as unsigned integers, which the caller frees; NULL after a fault. */
+uint32_t *gltf_read_indices(struct gltf *gltf, uint32_t accessor, uint32_t *count);
+
+/* ---- the scene ---- */
+
+MUST_USE enum status gltf_extensions_check(struct gltf *gltf);
+/* Logs warnings: what is read, but not drawn, and what is not supported. For files that are
+ * accepted, because of others only the first line reaches the user. */
+void gltf_warn(struct gltf *gltf);
+
+/* Checks indices everywhere in the file, for what the scene does not use is not read. */
+MUST_USE enum status gltf_check(struct gltf *gltf);
+MUST_USE enum status gltf_nodes_read(struct gltf *gltf);
+MUST_USE enum status gltf_materials_read(struct gltf *gltf);
+/* Reads the meshes that nodes of the scene have. */
+MUST_USE enum status gltf_meshes_read(struct gltf *gltf);
+void gltf_primitive_finish(struct gltf_primitive *primitive);
+MUST_USE enum status gltf_textures_read(struct gltf *gltf, struct texture_layers *layers);
+MUST_USE enum status gltf_build(struct gltf *gltf, struct model *model,
+                                enum model_part everything_is);
+/* Reads the first perspective camera into *model, whose object must be filled in. */
+MUST_USE enum status gltf_camera_read(struct gltf *gltf, struct model *model);
+/* Reads the box of the first node that names one into *model. */
+MUST_USE enum status gltf_box_read(struct gltf *gltf, struct model *model);
+
+#endif

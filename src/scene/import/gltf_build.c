@@ -1,0 +1,200 @@
+/* gltf_build.c: from the nodes of a glTF file to the objects and surroundings of a model. */
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/import/gltf.h"
+
+struct walk {
+    struct gltf *gltf;
+    struct model_build build;
+    enum model_part everything_is;
+    bool is_split;    /* transmission decides the part of each primitive */
+    bool is_counting; /* else the primitives are added */
+};
+
+static bool has_transmission(const struct gltf *gltf)
+{
+    for (uint32_t i = 0; i < gltf->mesh_count; i++) {
+        for (uint32_t k = 0; k < gltf->meshes[i].count; k++) {
+            const struct gltf_primitive *primitive = &gltf->meshes[i].primitives[k];
+            if (primitive->index_count > 0 &&
+                gltf->materials[primitive->material].material.transmission > 0)
+                return true;
+        }
+    }
+    return false;
+}
+
+static enum model_part part_of(const struct walk *walk, const struct gltf_primitive *primitive)
+{
+    if (!walk->is_split)
+        return walk->everything_is;
+    return walk->gltf->materials[primitive->material].material.transmission > 0
+               ? MODEL_OBJECT
+               : MODEL_SURROUNDINGS;
+}
+
+/* The first object's index is the model's. */
+static void read_ior(const struct walk *walk, const struct gltf_material *material)
+{
+    struct model *model = walk->build.model;
+    if (model->has_ior)
+        return;
+    model->has_ior = material->ior > 0 || material->material.transmission > 0;
+    model->ior = model->has_ior ? material->material.ior : 0;
+}
+
+static struct model_shape shape_of(const struct gltf *gltf, const struct gltf_primitive *primitive,
+                                   const char *name)
+{
+    const struct gltf_material *material = &gltf->materials[primitive->material];
+    const uint32_t texture = primitive->uvs && material->layer
+                                 ? material->layer | (material->mesh_flags & MESH_CUTOUT)
+                                 : 0;
+    return (struct model_shape){
+        .name = name,
+        .positions = primitive->positions,
+        .normals = primitive->normals,
+        .colors = primitive->colors,
+        .uvs = primitive->uvs,
+        .uv_stride = 2,
+        .indices = primitive->indices,
+        .vertex_count = primitive->vertex_count,
+        .index_count = primitive->index_count,
+        .color = material->material.base_color,
+        .material = texture | (material->mesh_flags & MESH_UNLIT),
+    };
+}
+
+/* Adds the object of a node whose triangles begin where the part ends. */
+static enum status add_object(struct walk *walk, const struct gltf_node *node,
+                              const struct gltf_primitive *primitive)
+{
+    struct model *model = walk->build.model;
+    struct object *grown =
+        realloc(model->objects, (model->object_count + (size_t)1) * sizeof(*grown));
+    if (!grown)
+        return gltf_no_memory(walk->gltf);
+    model->objects = grown;
+    struct object *object = &grown[model->object_count++];
+    *object = (struct object){
+        .first_index = (uint32_t)walk->build.index_count[MODEL_OBJECT],
+        .index_count = primitive->index_count,
+        .material = primitive->material,
+    };
+    memcpy(object->name, node->name, sizeof(object->name));
+    return STATUS_OK;
+}
+
+static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s model_from_node,
+                         uint32_t index)
+{
+    struct gltf *gltf = walk->gltf;
+    const struct gltf_primitive *primitive = &gltf->meshes[node->mesh].primitives[index];
+    const enum model_part part = part_of(walk, primitive);
+    enum status status = STATUS_OK;
+    if (primitive->index_count == 0)
+        return STATUS_OK;
+    if (walk->is_counting) {
+        if (part == MODEL_OBJECT)
+            read_ior(walk, &gltf->materials[primitive->material]);
+        return model_build_count(&walk->build, part, primitive->vertex_count,
+                                 primitive->index_count);
+    }
+    char name[64];
+    (void)snprintf(name, sizeof(name), "meshes[%u].primitives[%u]", node->mesh, index);
+    const struct model_shape shape = shape_of(gltf, primitive, name);
+    if (walk->is_split && part == MODEL_OBJECT)
+        status = add_object(walk, node, primitive);
+    return status == STATUS_OK ? model_build_add(&walk->build, part, &shape, model_from_node)
+                               : status;
+}
+
+static enum status walk_nodes(struct walk *walk)
+{
+    const struct gltf *gltf = walk->gltf;
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < gltf->order_count; i++) {
+        const struct gltf_node *node = &gltf->nodes[gltf->order[i]];
+        const uint32_t count = node->mesh == gltf_none ? 0 : gltf->meshes[node->mesh].count;
+        for (uint32_t k = 0; k < count && status == STATUS_OK; k++)
+            status = visit(walk, node, node->model_from_node, k);
+    }
+    return status;
+}
+
+static enum status check_shapes(const struct gltf *gltf)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < gltf->mesh_count; i++) {
+        for (uint32_t k = 0; k < gltf->meshes[i].count && status == STATUS_OK; k++) {
+            char name[64];
+            (void)snprintf(name, sizeof(name), "meshes[%u].primitives[%u]", i, k);
+            const struct model_shape shape = shape_of(gltf, &gltf->meshes[i].primitives[k], name);
+            status = model_shape_check(gltf->import, &shape);
+        }
+    }
+    return status;
+}
+
+static enum status list_materials(struct walk *walk)
+{
+    const struct gltf *gltf = walk->gltf;
+    struct model *model = walk->build.model;
+    model->materials = calloc(gltf->material_count, sizeof(*model->materials));
+    if (!model->materials)
+        return log_out_of_memory(gltf->path);
+    model->material_count = gltf->material_count;
+    for (uint32_t i = 0; i < gltf->material_count; i++)
+        model->materials[i] = gltf->materials[i].material;
+    return walk->is_split ? STATUS_OK : model_build_bare_object(&walk->build);
+}
+
+enum status gltf_build(struct gltf *gltf, struct model *model, enum model_part everything_is)
+{
+    struct walk walk = {
+        .gltf = gltf,
+        .everything_is = everything_is,
+        .is_split = has_transmission(gltf),
+        .is_counting = true,
+    };
+    model_build_init(&walk.build, gltf->import, model);
+    enum status status = check_shapes(gltf);
+    if (status == STATUS_OK)
+        status = walk_nodes(&walk);
+    if (status == STATUS_OK)
+        status = model_build_allocate(&walk.build);
+    walk.is_counting = false;
+    if (status == STATUS_OK)
+        status = walk_nodes(&walk);
+    if (status == STATUS_OK)
+        status = list_materials(&walk);
+    return status == STATUS_OK ? model_build_end(&walk.build) : status;
+}
+
+enum status model_load_gltf(struct model_import *import, struct model *model,
+                            enum model_part everything_is)
+{
+    struct gltf gltf = { .path = import->path, .import = import };
+    enum status status = gltf_open(&gltf);
+    if (status == STATUS_OK)
+        status = gltf_check(&gltf);
+    if (status == STATUS_OK)
+        status = gltf_nodes_read(&gltf);
+    if (status == STATUS_OK)
+        status = gltf_materials_read(&gltf);
+    if (status == STATUS_OK)
+        status = gltf_meshes_read(&gltf);
+    if (status == STATUS_OK)
+        status = gltf_textures_read(&gltf, &model->textures);
+    if (status == STATUS_OK)
+        status = gltf_build(&gltf, model, everything_is);
+    if (status == STATUS_OK)
+        status = gltf_camera_read(&gltf, model);
+    if (status == STATUS_OK)
+        status = gltf_box_read(&gltf, model);
+    if (status == STATUS_OK)
+        gltf_warn(&gltf);
+    gltf_close(&gltf);
+    return status;
+}

@@ -1,0 +1,91 @@
+/* gltf_extension.c: which extensions of glTF are read, and what of a file is not drawn. */
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/import/gltf.h"
+
+static const char *const supported[] = {
+    "KHR_materials_dispersion", "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_specular",   "KHR_materials_transmission",      "KHR_materials_unlit",
+    "KHR_materials_volume",     "KHR_mesh_quantization",           "KHR_texture_transform",
+};
+
+static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
+    [GLTF_METAL] = "metallic and roughness textures",
+    [GLTF_NORMAL] = "normal textures",
+    [GLTF_OCCLUSION] = "occlusion textures",
+    [GLTF_EMISSION] = "emission",
+    [GLTF_BLEND] = "alpha blending",
+    [GLTF_CUTOFF] = "alpha cutoffs other than 0.5",
+    [GLTF_SPECULAR] = "specular factors",
+    [GLTF_TRANSMISSION_TEXTURE] = "transmission textures",
+    [GLTF_VOLUME_TEXTURE] = "thickness textures",
+    [GLTF_PICTURELESS] = "textures without a picture in a known format",
+    [GLTF_WRAP] = "textures that do not repeat",
+    [GLTF_LIGHTS] = "lights",
+    [GLTF_ORTHOGRAPHIC] = "orthographic cameras",
+    [GLTF_ANIMATION] = "animations",
+    [GLTF_SKIN] = "skins",
+    [GLTF_MORPH] = "morph targets",
+    [GLTF_POINTS] = "points and lines",
+};
+
+static bool is_supported(const char *name)
+{
+    for (size_t i = 0; i < sizeof(supported) / sizeof(supported[0]); i++) {
+        if (strcmp(supported[i], name) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Returns a name of a list of extensions; NULL after a fault. */
+static const char *name_at(const struct gltf_object *top, const char *list, uint32_t index)
+{
+    const json_t *name = json_array_get(json_object_get(top->json, list), index);
+    if (!json_is_string(name))
+        (void)gltf_fault(top, "%s: expected names of extensions", list);
+    return json_string_value(name);
+}
+
+enum status gltf_extensions_check(struct gltf *gltf)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    const uint32_t required_count = gltf_length(&top, "extensionsRequired");
+    const uint32_t used_count = gltf_length(&top, "extensionsUsed");
+    for (uint32_t i = 0; i < required_count && gltf->status == STATUS_OK; i++) {
+        const char *name = name_at(&top, "extensionsRequired", i);
+        if (name && !is_supported(name))
+            (void)gltf_fault(&top,
+                             "requires the extension %.64s, which is not supported; export "
+                             "the file without it",
+                             name);
+    }
+    for (uint32_t i = 0; i < used_count && gltf->status == STATUS_OK; i++)
+        (void)name_at(&top, "extensionsUsed", i);
+    return gltf->status;
+}
+
+void gltf_warn(struct gltf *gltf)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    for (uint32_t i = 0; i < gltf_length(&top, "extensionsUsed"); i++) {
+        const char *name = name_at(&top, "extensionsUsed", i);
+        if (name && !is_supported(name))
+            log_warning("%s: the extension %.64s is not supported, and ignored", gltf->path, name);
+    }
+    if (gltf->clamped_count > 0)
+        log_warning("%s: numbers outside their ranges are clamped, of %u materials", gltf->path,
+                    gltf->clamped_count);
+    char names[512] = "";
+    size_t length = 0;
+    for (uint32_t i = 0; i < GLTF_UNDRAWN_COUNT; i++) {
+        if (!(gltf->undrawn & 1u << i) || length >= sizeof(names))
+            continue;
+        const int more = snprintf(&names[length], sizeof(names) - length, "%s%s",
+                                  length > 0 ? ", " : "", undrawn[i]);
+        length += more > 0 ? (size_t)more : 0;
+    }
+    if (length > 0)
+        log_warning("%s: not drawn: %s", gltf->path, names);
+}

@@ -1,0 +1,194 @@
+/* gltf_json.c: values of a glTF file's JSON, with their place in the file. */
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/import/gltf.h"
+
+enum status gltf_fault(const struct gltf_object *object, const char *format, ...)
+{
+    char text[512];
+    va_list arguments;
+    if (object->gltf->status != STATUS_OK)
+        return object->gltf->status;
+    va_start(arguments, format);
+    (void)vsnprintf(text, sizeof(text), format, arguments);
+    va_end(arguments);
+    if (object->place[0])
+        log_error("%s: %s: %s", object->gltf->path, object->place, text);
+    else
+        log_error("%s: %s", object->gltf->path, text);
+    object->gltf->status = STATUS_DATA;
+    return STATUS_DATA;
+}
+
+enum status gltf_no_memory(struct gltf *gltf)
+{
+    if (gltf->status == STATUS_OK)
+        gltf->status = log_out_of_memory(gltf->path);
+    return gltf->status;
+}
+
+struct gltf_object gltf_top(struct gltf *gltf)
+{
+    return (struct gltf_object){ .gltf = gltf, .json = gltf->root };
+}
+
+/* Returns a member; NULL if it is absent. */
+static const json_t *get(const struct gltf_object *object, const char *key)
+{
+    return json_object_get(object->json, key);
+}
+
+/* Returns an object that is at a place within another one. */
+static struct gltf_object within(const struct gltf_object *outer, const json_t *json,
+                                 const char *key, uint32_t index)
+{
+    struct gltf_object inner = { .gltf = outer->gltf, .json = json };
+    const char *dot = outer->place[0] ? "." : "";
+    char number[16] = "";
+    if (index != gltf_none)
+        (void)snprintf(number, sizeof(number), "[%u]", index);
+    const int length =
+        snprintf(inner.place, sizeof(inner.place), "%s%s%s%s", outer->place, dot, key, number);
+    if (length >= (int)sizeof(inner.place)) /* no file nests known keys so deeply */
+        memcpy(&inner.place[sizeof(inner.place) - 4], "...", 4);
+    if (json && !json_is_object(json)) {
+        (void)gltf_fault(&inner, "expected an object");
+        inner.json = NULL;
+    }
+    return inner;
+}
+
+struct gltf_object gltf_member(const struct gltf_object *object, const char *key)
+{
+    return within(object, get(object, key), key, gltf_none);
+}
+
+struct gltf_object gltf_extension(const struct gltf_object *object, const char *name)
+{
+    const struct gltf_object extensions = gltf_member(object, "extensions");
+    return within(object, get(&extensions, name), name, gltf_none);
+}
+
+struct gltf_object gltf_item(const struct gltf_object *object, const char *key, uint32_t index)
+{
+    return within(object, json_array_get(get(object, key), index), key, index);
+}
+
+struct gltf_object gltf_element(struct gltf *gltf, const char *list, uint32_t index)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    return gltf_item(&top, list, index);
+}
+
+uint32_t gltf_length(const struct gltf_object *object, const char *key)
+{
+    const json_t *list = get(object, key);
+    if (!list)
+        return 0;
+    if (json_is_array(list) && json_array_size(list) <= MODEL_NODE_MAX)
+        return (uint32_t)json_array_size(list);
+    (void)gltf_fault(object, "%s: expected an array of at most %d elements", key, MODEL_NODE_MAX);
+    return 0;
+}
+
+uint32_t gltf_list_length(struct gltf *gltf, const char *list)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    return gltf_length(&top, list);
+}
+
+/* Whether a value is a number that a float can have. */
+static bool read_float(const json_t *value, float *number)
+{
+    *number = (float)json_number_value(value);
+    return json_is_number(value) && isfinite(*number);
+}
+
+float gltf_number(const struct gltf_object *object, const char *key, float fallback)
+{
+    const json_t *value = get(object, key);
+    float number;
+    if (!value)
+        return fallback;
+    if (read_float(value, &number))
+        return number;
+    (void)gltf_fault(object, "%s: expected a number", key);
+    return fallback;
+}
+
+bool gltf_flag(const struct gltf_object *object, const char *key)
+{
+    const json_t *value = get(object, key);
+    if (value && !json_is_boolean(value))
+        (void)gltf_fault(object, "%s: expected true or false", key);
+    return json_is_true(value);
+}
+
+static bool is_count(const json_t *value)
+{
+    return json_is_integer(value) && json_integer_value(value) >= 0;
+}
+
+uint64_t gltf_count(const struct gltf_object *object, const char *key, uint64_t fallback)
+{
+    const json_t *value = get(object, key);
+    if (!value)
+        return fallback;
+    if (is_count(value))
+        return (uint64_t)json_integer_value(value);
+    (void)gltf_fault(object, "%s: expected a whole number from 0", key);
+    return fallback;
+}
+
+const char *gltf_string(const struct gltf_object *object, const char *key, const char *fallback)
+{
+    const json_t *value = get(object, key);
+    if (!value)
+        return fallback;
+    if (json_is_string(value))
+        return json_string_value(value);
+    (void)gltf_fault(object, "%s: expected a string", key);
+    return fallback;
+}
+
+static uint32_t read_index(const struct gltf_object *object, const char *key, const json_t *value,
+                           const char *list)
+{
+    const uint32_t count = gltf_list_length(object->gltf, list);
+    if (!is_count(value)) {
+        (void)gltf_fault(object, "%s: expected an index", key);
+        return gltf_none;
+    }
+    if (json_integer_value(value) < (json_int_t)count)
+        return (uint32_t)json_integer_value(value);
+    (void)gltf_fault(object, "%s: %s[%lld] does not exist", key, list,
+                     (long long)json_integer_value(value));
+    return gltf_none;
+}
+
+uint32_t gltf_index(const struct gltf_object *object, const char *key, const char *list)
+{
+    const json_t *value = get(object, key);
+    return value ? read_index(object, key, value, list) : gltf_none;
+}
+
+uint32_t gltf_index_at(const struct gltf_object *object, const char *key, uint32_t index,
+                       const char *list)
+{
+    return read_index(object, key, json_array_get(get(object, key), index), list);
+}
+
+bool gltf_floats(const struct gltf_object *object, const char *key, float *numbers, uint32_t count)
+{
+    const json_t *list = get(object, key);
+    if (!list)
+        return false;
+    bool is_good = json_is_array(list) && json_array_size(list) == count;
+    for (uint32_t i = 0; is_good && i < count; i++)
+        is_good = read_float(json_array_get(list, i), &numbers[i]);
+    if (!is_good)
+        (void)gltf_fault(object, "%s: expected %u numbers", key, count);
+    return is_good;
+}

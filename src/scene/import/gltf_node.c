@@ -1,0 +1,130 @@
+/* gltf_node.c: the nodes of a glTF file's scene, and where they are. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/scene/import/gltf.h"
+
+static mat4s local_matrix(const struct gltf_node *node)
+{
+    if (node->has_matrix)
+        return node->matrix;
+    const mat4s turned =
+        glms_mat4_mul(glms_translate_make(node->translation), glms_quat_mat4(node->rotation));
+    return glms_scale(turned, node->scale);
+}
+
+static void read_node(struct gltf *gltf, uint32_t index)
+{
+    const struct gltf_object object = gltf_element(gltf, "nodes", index);
+    struct gltf_node *node = &gltf->nodes[index];
+    *node = (struct gltf_node){
+        .scale = glms_vec3_one(),
+        .rotation = glms_quat_identity(),
+        .matrix = glms_mat4_identity(),
+        .mesh = gltf_index(&object, "mesh", "meshes"),
+        .camera = gltf_index(&object, "camera", "cameras"),
+        .parent = gltf_none,
+    };
+    (void)snprintf(node->name, sizeof(node->name), "%s", gltf_string(&object, "name", ""));
+    node->has_matrix = gltf_floats(&object, "matrix", &node->matrix.raw[0][0], 16);
+    (void)gltf_floats(&object, "translation", node->translation.raw, 3);
+    (void)gltf_floats(&object, "rotation", node->rotation.raw, 4);
+    (void)gltf_floats(&object, "scale", node->scale.raw, 3);
+    const float length = glms_quat_norm(node->rotation);
+    if (length > 0 && isfinite(length))
+        node->rotation = glms_quat_normalize(node->rotation);
+    else
+        (void)gltf_fault(&object, "rotation: expected a unit quaternion");
+    if (gltf_index(&object, "skin", "skins") != gltf_none)
+        gltf->undrawn |= 1u << GLTF_SKIN;
+}
+
+/* Appends a node to the scene's order. */
+static void list(struct gltf *gltf, const struct gltf_object *owner, uint32_t index,
+                 uint32_t parent)
+{
+    if (index == gltf_none)
+        return;
+    struct gltf_node *node = &gltf->nodes[index];
+    if (node->is_listed) {
+        (void)gltf_fault(owner, "nodes[%u] is in the scene twice", index);
+        return;
+    }
+    node->is_listed = true;
+    node->parent = parent;
+    gltf->order[gltf->order_count++] = index;
+}
+
+/* Lists the roots of the scene; without any scene, the nodes that have no parents. */
+static void list_roots(struct gltf *gltf)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    uint32_t scene = gltf_index(&top, "scene", "scenes");
+    if (scene == gltf_none && gltf_list_length(gltf, "scenes") > 0)
+        scene = 0;
+    if (scene != gltf_none) {
+        const struct gltf_object object = gltf_element(gltf, "scenes", scene);
+        const uint32_t count = gltf_length(&object, "nodes");
+        for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++)
+            list(gltf, &object, gltf_index_at(&object, "nodes", i, "nodes"), gltf_none);
+        return;
+    }
+    bool *is_child = calloc(gltf->node_count + (size_t)1, sizeof(*is_child));
+    if (!is_child) {
+        (void)gltf_no_memory(gltf);
+        return;
+    }
+    for (uint32_t i = 0; i < gltf->node_count && gltf->status == STATUS_OK; i++) {
+        const struct gltf_object object = gltf_element(gltf, "nodes", i);
+        const uint32_t count = gltf_length(&object, "children");
+        for (uint32_t k = 0; k < count && gltf->status == STATUS_OK; k++) {
+            const uint32_t child = gltf_index_at(&object, "children", k, "nodes");
+            if (child != gltf_none)
+                is_child[child] = true;
+        }
+    }
+    for (uint32_t i = 0; i < gltf->node_count && gltf->status == STATUS_OK; i++)
+        list(gltf, &top, is_child[i] ? gltf_none : i, gltf_none);
+    free(is_child);
+}
+
+/* Lists nodes level by level, without recursion, because a file may nest them deeply. */
+static void list_nodes(struct gltf *gltf)
+{
+    list_roots(gltf);
+    for (uint32_t i = 0; i < gltf->order_count && gltf->status == STATUS_OK; i++) {
+        const struct gltf_object object = gltf_element(gltf, "nodes", gltf->order[i]);
+        const uint32_t count = gltf_length(&object, "children");
+        for (uint32_t k = 0; k < count && gltf->status == STATUS_OK; k++)
+            list(gltf, &object, gltf_index_at(&object, "children", k, "nodes"), i);
+    }
+}
+
+static void place_nodes(struct gltf *gltf)
+{
+    for (uint32_t i = 0; i < gltf->order_count && gltf->status == STATUS_OK; i++) {
+        struct gltf_node *node = &gltf->nodes[gltf->order[i]];
+        const mat4s local = local_matrix(node);
+        node->model_from_node = local;
+        if (node->parent != gltf_none)
+            node->model_from_node =
+                glms_mat4_mul(gltf->nodes[gltf->order[node->parent]].model_from_node, local);
+    }
+}
+
+enum status gltf_nodes_read(struct gltf *gltf)
+{
+    gltf->node_count = gltf_list_length(gltf, "nodes");
+    gltf->nodes = calloc(gltf->node_count + (size_t)1, sizeof(*gltf->nodes));
+    gltf->order = calloc(gltf->node_count + (size_t)1, sizeof(*gltf->order));
+    if (!gltf->nodes || !gltf->order) {
+        gltf->node_count = 0;
+        return gltf_no_memory(gltf);
+    }
+    for (uint32_t i = 0; i < gltf->node_count && gltf->status == STATUS_OK; i++)
+        read_node(gltf, i);
+    if (gltf->status == STATUS_OK)
+        list_nodes(gltf);
+    place_nodes(gltf);
+    return gltf->status;
+}

@@ -1,0 +1,110 @@
+/* gltf_texture.c: the base colour textures of a glTF file's materials. */
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/import/gltf.h"
+
+/* What is kept of a picture until all are loaded. */
+struct source {
+    char name[GLTF_PLACE_SIZE];
+    uint8_t *owned;
+    uint32_t image;
+};
+
+struct sources {
+    struct source *list;
+    struct model_picture *pictures;
+    uint32_t count;
+};
+
+/* Finds a file of the model's folder. */
+static enum status find_file(const struct gltf_object *image, const char *uri,
+                             struct model_picture *picture)
+{
+    const struct gltf *gltf = image->gltf;
+    char *name = strdup(uri);
+    if (!name)
+        return gltf_no_memory(image->gltf);
+    if (!model_file_clean(name, true))
+        (void)gltf_fault(image, "texture %s: expected a file within the model's folder", uri);
+    else if (!(picture->file = model_file_join(gltf->path, name)))
+        (void)gltf_no_memory(image->gltf);
+    picture->name = picture->file;
+    free(name);
+    return gltf->status;
+}
+
+static enum status add(struct gltf *gltf, struct sources *sources, uint32_t index)
+{
+    const struct gltf_object image = gltf_element(gltf, "images", index);
+    const char *uri = gltf_string(&image, "uri", NULL);
+    const uint32_t view = gltf_index(&image, "bufferView", "bufferViews");
+    struct source *source = &sources->list[sources->count];
+    struct model_picture *picture = &sources->pictures[sources->count];
+    if (gltf->status != STATUS_OK)
+        return gltf->status;
+    sources->count++;
+    source->image = index;
+    memcpy(source->name, image.place, sizeof(source->name));
+    picture->name = source->name;
+    if (uri && strncmp(uri, "data:", 5) != 0)
+        return find_file(&image, uri, picture);
+    struct gltf_bytes bytes = { 0 };
+    size_t stride;
+    if (uri)
+        (void)gltf_read_uri(&image, uri, &bytes);
+    else if (view != gltf_none)
+        bytes = gltf_view(gltf, view, &stride);
+    else
+        (void)gltf_fault(&image, "expected a uri or a bufferView");
+    source->owned = bytes.owned;
+    picture->bytes = bytes.bytes;
+    picture->size = bytes.size;
+    return gltf->status;
+}
+
+/* Sets the layer of a material whose primitive has texture coordinates. */
+static void use(struct gltf *gltf, struct sources *sources, struct gltf_material *material)
+{
+    uint32_t layer = 0;
+    while (layer < sources->count && sources->list[layer].image != material->image)
+        layer++;
+    if (layer == MODEL_TEXTURE_MAX) {
+        const struct gltf_object top = gltf_top(gltf);
+        (void)gltf_fault(&top, "expected at most %d textures", MODEL_TEXTURE_MAX);
+        return;
+    }
+    if (layer == sources->count)
+        (void)add(gltf, sources, material->image);
+    material->layer = layer + 1;
+}
+
+enum status gltf_textures_read(struct gltf *gltf, struct texture_layers *layers)
+{
+    struct sources sources = {
+        .list = calloc(MODEL_TEXTURE_MAX, sizeof(*sources.list)),
+        .pictures = calloc(MODEL_TEXTURE_MAX, sizeof(*sources.pictures)),
+    };
+    if (!sources.list || !sources.pictures) {
+        free(sources.list);
+        free(sources.pictures);
+        return gltf_no_memory(gltf);
+    }
+    for (uint32_t i = 0; i < gltf->mesh_count; i++) {
+        for (uint32_t k = 0; k < gltf->meshes[i].count && gltf->status == STATUS_OK; k++) {
+            const struct gltf_primitive *primitive = &gltf->meshes[i].primitives[k];
+            struct gltf_material *material = &gltf->materials[primitive->material];
+            if (primitive->uvs && primitive->index_count > 0 && material->layer == 0)
+                use(gltf, &sources, material);
+        }
+    }
+    if (gltf->status == STATUS_OK)
+        gltf->status = model_picture_load(gltf->path, sources.pictures, sources.count, layers);
+    for (uint32_t i = 0; i < sources.count; i++) {
+        free(sources.list[i].owned);
+        free(sources.pictures[i].file);
+    }
+    free(sources.list);
+    free(sources.pictures);
+    return gltf->status;
+}

@@ -1,0 +1,209 @@
+/* model_build.c: merges the shapes of a model file, one instance for each node. */
+#include <math.h>
+#include <stdlib.h>
+#include "src/base/log.h"
+#include "src/scene/import/model_import.h"
+
+static bool are_finite(const float *numbers, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(numbers[i]))
+            return false;
+    }
+    return true;
+}
+
+static enum status bad_vertex(const struct model_import *import, const struct model_shape *shape,
+                              uint32_t vertex, const char *what)
+{
+    log_error("%s: %s: vertex %u: %s", import->path, shape->name, vertex, what);
+    return STATUS_DATA;
+}
+
+enum status model_shape_check(const struct model_import *import, const struct model_shape *shape)
+{
+    for (uint32_t i = 0; i < shape->index_count; i++) {
+        if (shape->indices[i] >= shape->vertex_count)
+            return bad_vertex(import, shape, shape->indices[i],
+                              "a triangle has the index of a vertex that does not exist");
+    }
+    for (size_t i = 0; i < shape->vertex_count; i++) {
+        const uint32_t vertex = (uint32_t)i;
+        if (!are_finite(&shape->positions[3 * i], 3))
+            return bad_vertex(import, shape, vertex, "the position is not finite");
+        if (shape->normals && !are_finite(&shape->normals[3 * i], 3))
+            return bad_vertex(import, shape, vertex, "the normal is not finite");
+        if (shape->uvs && !are_finite(&shape->uvs[shape->uv_stride * i], 2))
+            return bad_vertex(import, shape, vertex, "the texture coordinates are not finite");
+        if (shape->colors && !are_finite(&shape->colors[4 * i], 3))
+            return bad_vertex(import, shape, vertex, "the colour is not finite");
+    }
+    return STATUS_OK;
+}
+
+void model_build_init(struct model_build *build, struct model_import *import, struct model *model)
+{
+    *build = (struct model_build){
+        .import = import,
+        .model = model,
+        .meshes[MODEL_OBJECT] = &model->object,
+        .meshes[MODEL_SURROUNDINGS] = &model->surroundings,
+    };
+}
+
+enum status model_build_count(struct model_build *build, enum model_part part,
+                              uint64_t vertex_count, uint64_t index_count)
+{
+    build->vertex_count[part] += vertex_count;
+    build->index_count[part] += index_count;
+    if (build->vertex_count[part] <= MODEL_ELEMENT_MAX &&
+        build->index_count[part] <= MODEL_ELEMENT_MAX)
+        return STATUS_OK;
+    log_error("%s: expected at most %d vertices", build->import->path, MODEL_ELEMENT_MAX);
+    return STATUS_DATA;
+}
+
+enum status model_build_allocate(struct model_build *build)
+{
+    uint64_t index_count = 0;
+    for (int i = 0; i < MODEL_PART_COUNT; i++) {
+        index_count += build->index_count[i];
+        if (!mesh_init(build->meshes[i], (uint32_t)build->vertex_count[i],
+                       (uint32_t)build->index_count[i]))
+            return log_out_of_memory(build->import->path);
+        build->vertex_count[i] = 0;
+        build->index_count[i] = 0;
+    }
+    if (index_count > 0)
+        return STATUS_OK;
+    log_error("%s: expected a model with triangles, got none; export its faces",
+              build->import->path);
+    return STATUS_DATA;
+}
+
+/* Returns the transform of normals: the transposed inverse without its scale. It exists even where
+ * a scale is 0. */
+static mat3s normal_matrix(mat3s m, bool is_mirrored)
+{
+    mat3s normal = { .col = {
+                         glms_vec3_cross(m.col[1], m.col[2]),
+                         glms_vec3_cross(m.col[2], m.col[0]),
+                         glms_vec3_cross(m.col[0], m.col[1]),
+                     } };
+    return glms_mat3_scale(normal, is_mirrored ? -1.0F : 1.0F);
+}
+
+static vec3s vec3_at(const float *numbers, size_t i)
+{
+    return (vec3s){ { numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2] } };
+}
+
+/* Adds 1 to *clamped if it clamps the colour. Returns false if the position is too far away. */
+static bool fill_vertex(struct mesh_vertex *vertex, const struct model_shape *shape,
+                        const mat4s *model_from_shape, const mat3s *normal_from_shape, size_t i,
+                        uint32_t *clamped)
+{
+    vec3s position = glms_mat4_mulv3(*model_from_shape, vec3_at(shape->positions, i), 1);
+    for (int k = 0; k < 3; k++) {
+        if (!(fabsf(position.raw[k]) <= (float)MODEL_COORDINATE_MAX))
+            return false;
+    }
+    vertex->position = glms_vec3_adds(position, 0); /* turns -0 to 0, so that they compare equal */
+    if (shape->normals) {
+        vec3s normal = glms_mat3_mulv(*normal_from_shape, vec3_at(shape->normals, i));
+        float length = glms_vec3_norm(normal);
+        if (length > 0 && isfinite(length))
+            vertex->normal = glms_vec3_divs(normal, length);
+    }
+    vertex->color = shape->color;
+    if (shape->colors) {
+        const float *color = &shape->colors[4 * i];
+        vertex->color = glms_vec3_mul(shape->color, (vec3s){ { color[0], color[1], color[2] } });
+        *clamped += model_color_clamp(&vertex->color, shape->material & MESH_UNLIT);
+    }
+    if (shape->uvs) {
+        const float *uv = &shape->uvs[shape->uv_stride * i];
+        vertex->uv = (vec2s){ { uv[0], shape->is_flipped ? 1 - uv[1] : uv[1] } };
+    }
+    vertex->material = shape->material;
+    return true;
+}
+
+enum status model_build_add(struct model_build *build, enum model_part part,
+                            const struct model_shape *shape, mat4s model_from_shape)
+{
+    struct mesh *mesh = build->meshes[part];
+    const mat3s linear = glms_mat4_pick3(model_from_shape);
+    const bool is_mirrored = glms_mat3_det(linear) < 0;
+    const mat3s normal_from_shape = normal_matrix(linear, is_mirrored);
+    const uint32_t base = (uint32_t)build->vertex_count[part];
+    uint32_t *indices = &mesh->indices[build->index_count[part]];
+    for (uint32_t i = 0; i < shape->vertex_count; i++) {
+        if (!fill_vertex(&mesh->vertices[base + i], shape, &model_from_shape, &normal_from_shape, i,
+                         &build->import->clamped_vertices))
+            return bad_vertex(build->import, shape, i, "the position is beyond 1000000 units");
+    }
+    for (uint32_t i = 0; i < shape->index_count; i += 3) {
+        indices[i] = base + shape->indices[i];
+        indices[i + 1] = base + shape->indices[i + (is_mirrored ? 2 : 1)];
+        indices[i + 2] = base + shape->indices[i + (is_mirrored ? 1 : 2)];
+    }
+    build->vertex_count[part] += shape->vertex_count;
+    build->index_count[part] += shape->index_count;
+    return STATUS_OK;
+}
+
+enum status model_build_bare_object(struct model_build *build)
+{
+    struct model *model = build->model;
+    if (model->object.index_count == 0)
+        return STATUS_OK;
+    struct material *grown =
+        realloc(model->materials, (model->material_count + (size_t)1) * sizeof(*grown));
+    if (grown)
+        model->materials = grown;
+    model->objects = calloc(1, sizeof(*model->objects));
+    if (!grown || !model->objects)
+        return log_out_of_memory(build->import->path);
+    struct material *bare = &grown[model->material_count];
+    *bare = material_make("ice");
+    bare->flags = MATERIAL_IS_BARE;
+    bare->transmission = 1;
+    bare->roughness = 0;
+    model->objects[0].index_count = model->object.index_count;
+    model->objects[0].material = model->material_count++;
+    model->object_count = 1;
+    return STATUS_OK;
+}
+
+enum status model_build_end(struct model_build *build)
+{
+    for (int i = 0; i < MODEL_PART_COUNT; i++) {
+        if (!model_join_vertices(build->meshes[i]))
+            return log_out_of_memory(build->import->path);
+    }
+    return STATUS_OK;
+}
+
+bool model_color_clamp(vec3s *color, bool is_unlit)
+{
+    const float max = is_unlit ? (float)MODEL_RADIANCE_MAX : 1;
+    bool is_clamped = false;
+    for (int k = 0; k < 3; k++) {
+        const float value = color->raw[k];
+        if (!isfinite(value) || (value >= 0 && value <= max))
+            continue;
+        color->raw[k] = value > max ? max : 0;
+        is_clamped = true;
+    }
+    return is_clamped;
+}
+
+void model_color_warn(const struct model_import *import)
+{
+    if (import->clamped_materials > 0 || import->clamped_vertices > 0)
+        log_warning("%s: colours are clamped to 0 to 1, unlit vertex colours to 0 to %d: of %u "
+                    "materials and %u vertices",
+                    import->path, MODEL_RADIANCE_MAX, import->clamped_materials,
+                    import->clamped_vertices);
+}

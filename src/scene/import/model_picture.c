@@ -1,0 +1,197 @@
+/* model_picture.c: loads the pictures of a model file as textures of one size. */
+#include <stb/stb_image.h>
+#include <stb/stb_image_resize.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "src/base/log.h"
+#include "src/scene/import/model_import.h"
+
+enum {
+    PICTURE_SIDE_MAX = 16384,
+    FILE_SIZE_MAX = 256 << 20, /* bytes */
+    CHANNELS = 4,
+};
+
+/* An encoded picture. */
+struct encoded {
+    const uint8_t *bytes;
+    uint8_t *owned; /* `bytes`, if it must be freed, or NULL */
+    int size;       /* bytes */
+    int width, height;
+};
+
+static enum status fault(const char *path, const struct model_picture *picture, const char *what)
+{
+    log_error("%s: texture %s: %s", path, picture->name, what);
+    return STATUS_DATA;
+}
+
+static enum status read_file(const char *path, const struct model_picture *picture,
+                             struct encoded *encoded)
+{
+    struct stat info;
+    /* Only regular files are opened: opening a pipe would wait for its other end. */
+    if (stat(picture->file, &info) != 0 || !S_ISREG(info.st_mode))
+        return fault(path, picture, "file not found");
+    if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
+        return fault(path, picture, "expected a file of 1 byte to 256 MiB");
+    size_t size = (size_t)info.st_size;
+    FILE *file = fopen(picture->file, "rb");
+    if (!file)
+        return fault(path, picture, "the file cannot be opened");
+    encoded->owned = malloc(size);
+    bool is_read = encoded->owned && fread(encoded->owned, 1, size, file) == size;
+    fclose(file);
+    if (!encoded->owned)
+        return log_out_of_memory(path);
+    if (!is_read)
+        return fault(path, picture, "the file cannot be read");
+    encoded->bytes = encoded->owned;
+    encoded->size = (int)size;
+    return STATUS_OK;
+}
+
+/* Opens a picture. The caller frees encoded->owned, even on failure. */
+static enum status open_picture(const char *path, const struct model_picture *picture,
+                                struct encoded *encoded)
+{
+    *encoded = (struct encoded){ 0 };
+    if (!picture->bytes) {
+        enum status status = read_file(path, picture, encoded);
+        if (status != STATUS_OK)
+            return status;
+    } else if (picture->size <= FILE_SIZE_MAX) {
+        encoded->bytes = picture->bytes;
+        encoded->size = (int)picture->size;
+    }
+    int channels;
+    if (!stbi_info_from_memory(encoded->bytes, encoded->size, &encoded->width, &encoded->height,
+                               &channels))
+        return fault(path, picture, "not a supported picture format");
+    if (encoded->width < 1 || encoded->width > PICTURE_SIDE_MAX || encoded->height < 1 ||
+        encoded->height > PICTURE_SIDE_MAX)
+        return fault(path, picture, "expected 1 to 16384 texels per side");
+    return STATUS_OK;
+}
+
+/* Returns the filter along one axis. The default of stb would blur if the size is unchanged. */
+static stbir_filter filter(int from, int to)
+{
+    return from > to ? STBIR_FILTER_MITCHELL : STBIR_FILTER_CATMULLROM;
+}
+
+/* Resamples an image to a layer. Returns false when out of memory. */
+static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int width, int height)
+{
+    int to = (int)side;
+    if (width == to && height == to) {
+        memcpy(layer, texels, (size_t)side * side * CHANNELS);
+        return true;
+    }
+    return stbir_resize(texels, width, height, 0, layer, to, to, 0, STBIR_TYPE_UINT8, CHANNELS,
+                        CHANNELS - 1, 0, STBIR_EDGE_CLAMP, STBIR_EDGE_CLAMP, filter(width, to),
+                        filter(height, to), STBIR_COLORSPACE_SRGB, NULL) != 0;
+}
+
+static enum status decode(const char *path, const struct model_picture *picture, uint8_t *layer,
+                          uint32_t side)
+{
+    uint8_t *texels = NULL;
+    struct encoded encoded;
+    enum status status = open_picture(path, picture, &encoded);
+    if (status != STATUS_OK)
+        goto fail;
+    texels = stbi_load_from_memory(encoded.bytes, encoded.size, &encoded.width, &encoded.height,
+                                   &(int){ 0 }, CHANNELS);
+    if (!texels)
+        status = fault(path, picture, stbi_failure_reason());
+    else if (!resample(layer, side, texels, encoded.width, encoded.height))
+        status = log_out_of_memory(path);
+fail:
+    free(texels);
+    free(encoded.owned);
+    return status;
+}
+
+static uint32_t layer_side(uint32_t side_max, uint32_t count)
+{
+    uint32_t side = 1;
+    while (side < side_max && side < MODEL_TEXTURE_SIDE_MAX)
+        side *= 2;
+    while (side > 1 && (uint64_t)side * side * CHANNELS * count > MODEL_TEXTURES_SIZE_MAX)
+        side /= 2;
+    return side;
+}
+
+static uint8_t *layer_at(const struct texture_layers *layers, uint32_t index)
+{
+    return layers->texels + (size_t)index * layers->size * layers->size * CHANNELS;
+}
+
+static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t count)
+{
+    uint32_t side = layer_side(side_max, count);
+    uint8_t *texels = calloc(count, (size_t)side * side * CHANNELS);
+    *layers = (struct texture_layers){ 0 };
+    if (texels)
+        *layers = (struct texture_layers){ .texels = texels, .size = side, .count = count };
+    return texels;
+}
+
+enum status model_picture_load(const char *path, const struct model_picture *pictures,
+                               uint32_t count, struct texture_layers *layers)
+{
+    int side_max = 1;
+    if (count == 0)
+        return STATUS_OK;
+    for (uint32_t i = 0; i < count; i++) {
+        struct encoded encoded;
+        enum status status = open_picture(path, &pictures[i], &encoded);
+        free(encoded.owned);
+        if (status != STATUS_OK)
+            return status;
+        side_max = encoded.width > side_max ? encoded.width : side_max;
+        side_max = encoded.height > side_max ? encoded.height : side_max;
+    }
+    if (!allocate(layers, (uint32_t)side_max, count))
+        return log_out_of_memory(path);
+    for (uint32_t i = 0; i < count; i++) {
+        enum status status = decode(path, &pictures[i], layer_at(layers, i), layers->size);
+        if (status != STATUS_OK)
+            return status;
+    }
+    return STATUS_OK;
+}
+
+static bool copy(struct texture_layers *to, uint32_t first, const struct texture_layers *from)
+{
+    for (uint32_t i = 0; i < from->count; i++) {
+        if (!resample(layer_at(to, first + i), to->size, layer_at(from, i), (int)from->size,
+                      (int)from->size))
+            return false;
+    }
+    return true;
+}
+
+enum status model_picture_merge(struct texture_layers *both, const struct texture_layers *first,
+                                const struct texture_layers *second)
+{
+    *both = (struct texture_layers){ 0 };
+    uint32_t count = first->count + second->count;
+    if (count == 0)
+        return STATUS_OK;
+    if (count > MODEL_TEXTURE_MAX) {
+        log_error("expected at most %d textures in all models together", MODEL_TEXTURE_MAX);
+        return STATUS_DATA;
+    }
+    uint32_t side_max = first->size > second->size ? first->size : second->size;
+    if (!allocate(both, side_max, count) || !copy(both, 0, first) ||
+        !copy(both, first->count, second)) {
+        free(both->texels);
+        *both = (struct texture_layers){ 0 };
+        return log_out_of_memory("textures");
+    }
+    return STATUS_OK;
+}
