@@ -23,26 +23,37 @@ struct elements {
     bool is_normalized;
 };
 
-struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride)
+struct gltf_bytes gltf_view_bytes(const struct gltf_object *view)
 {
-    const struct gltf_object view = gltf_element(gltf, "bufferViews", index);
-    const uint32_t buffer = gltf_index(&view, "buffer", "buffers");
-    const uint64_t offset = gltf_count(&view, "byteOffset", 0);
-    const uint64_t size = gltf_count(&view, "byteLength", 0);
-    *stride = (size_t)gltf_count(&view, "byteStride", 0);
+    struct gltf *gltf = view->gltf;
+    const uint32_t buffer = gltf_index(view, "buffer", "buffers");
+    const uint64_t offset = gltf_count(view, "byteOffset", 0);
+    const uint64_t size = gltf_count(view, "byteLength", 0);
     if (buffer == gltf_none)
-        (void)gltf_fault(&view, "expected a buffer");
-    if (*stride > 252)
-        (void)gltf_fault(&view, "byteStride: expected at most 252");
+        (void)gltf_fault(view, "expected a buffer");
     if (gltf->status != STATUS_OK)
         return (struct gltf_bytes){ 0 };
     const struct gltf_bytes *all = &gltf->buffers[buffer];
     if (size == 0 || offset > all->size || size > all->size - offset) {
-        (void)gltf_fault(&view, "expected bytes within buffers[%u] of %zu bytes", buffer,
-                         all->size);
+        (void)gltf_fault(view, "expected bytes within buffers[%u] of %zu bytes", buffer, all->size);
         return (struct gltf_bytes){ 0 };
     }
     return (struct gltf_bytes){ .bytes = all->bytes + offset, .size = (size_t)size };
+}
+
+struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride)
+{
+    const struct gltf_object view = gltf_element(gltf, "bufferViews", index);
+    const struct gltf_object meshopt = gltf_extension(&view, "EXT_meshopt_compression");
+    *stride = (size_t)gltf_count(&view, "byteStride", 0);
+    if (*stride > 252)
+        (void)gltf_fault(&view, "byteStride: expected at most 252");
+    if (!meshopt.json)
+        return gltf_view_bytes(&view);
+    struct gltf_bytes *decoded = &gltf->views[index];
+    if (!decoded->bytes)
+        gltf_meshopt_decode(&meshopt, decoded);
+    return (struct gltf_bytes){ .bytes = decoded->bytes, .size = decoded->size };
 }
 
 static size_t component_size(uint32_t component)

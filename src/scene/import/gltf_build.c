@@ -86,7 +86,7 @@ static enum status add_object(struct walk *walk, const struct gltf_node *node,
     return STATUS_OK;
 }
 
-static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s model_from_node,
+static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s model_from_mesh,
                          uint32_t index)
 {
     struct gltf *gltf = walk->gltf;
@@ -106,19 +106,34 @@ static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s 
     const struct model_shape shape = shape_of(gltf, primitive, name);
     if (walk->is_split && part == MODEL_OBJECT)
         status = add_object(walk, node, primitive);
-    return status == STATUS_OK ? model_build_add(&walk->build, part, &shape, model_from_node)
+    return status == STATUS_OK ? model_build_add(&walk->build, part, &shape, model_from_mesh)
                                : status;
+}
+
+/* Visits the primitives of a node's mesh, once or for each instance. */
+static enum status visit_mesh(struct walk *walk, const struct gltf_node *node)
+{
+    const uint32_t count = walk->gltf->meshes[node->mesh].count;
+    const uint32_t instance_count = node->instances ? node->instance_count : 1;
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < instance_count; i++) {
+        const mat4s model_from_mesh = node->instances
+                                          ? glms_mat4_mul(node->model_from_node, node->instances[i])
+                                          : node->model_from_node;
+        for (uint32_t k = 0; k < count && status == STATUS_OK; k++)
+            status = visit(walk, node, model_from_mesh, k);
+    }
+    return status;
 }
 
 static enum status walk_nodes(struct walk *walk)
 {
     const struct gltf *gltf = walk->gltf;
     enum status status = STATUS_OK;
-    for (uint32_t i = 0; i < gltf->order_count; i++) {
+    for (uint32_t i = 0; i < gltf->order_count && status == STATUS_OK; i++) {
         const struct gltf_node *node = &gltf->nodes[gltf->order[i]];
-        const uint32_t count = node->mesh == gltf_none ? 0 : gltf->meshes[node->mesh].count;
-        for (uint32_t k = 0; k < count && status == STATUS_OK; k++)
-            status = visit(walk, node, node->model_from_node, k);
+        if (node->mesh != gltf_none)
+            status = visit_mesh(walk, node);
     }
     return status;
 }

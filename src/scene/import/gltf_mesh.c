@@ -3,6 +3,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/gltf.h"
+#include "src/scene/import/gltf_draco.h"
 
 enum mode {
     MODE_POINTS,
@@ -22,43 +23,69 @@ void gltf_primitive_finish(struct gltf_primitive *primitive)
     *primitive = (struct gltf_primitive){ 0 };
 }
 
+/* A primitive of the file; `draco` is NULL unless it is compressed. */
+struct source {
+    struct gltf_object object, attributes, ids;
+    struct gltf_draco *draco;
+    uint32_t vertex_count;
+};
+
+/* Returns whether an attribute is compressed, and its numbers in *array. */
+static bool read_draco(const struct source *source, const char *name, struct gltf_array *array)
+{
+    struct gltf *gltf = source->object.gltf;
+    const uint64_t id = gltf_count(&source->ids, name, UINT32_MAX);
+    if (!source->draco || id >= UINT32_MAX)
+        return false;
+    array->count = source->vertex_count;
+    array->width = gltf_draco_width(source->draco, (uint32_t)id);
+    array->values = malloc((array->width + (size_t)1) * array->count * sizeof(*array->values));
+    if (!array->values)
+        (void)gltf_no_memory(gltf);
+    else if (array->width == 0 ||
+             !gltf_draco_copy_values(source->draco, (uint32_t)id, array->values))
+        (void)gltf_fault(&source->ids, "%s: the mesh has no such attribute", name);
+    return true;
+}
+
 /* Returns an attribute's numbers, `width` of each vertex, or of 3 or 4 if that is 4; NULL if it is
  * absent, or after a fault. */
-static float *read_attribute(const struct gltf_object *object, const char *name, uint32_t width,
-                             uint32_t vertex_count)
+static float *read_attribute(const struct source *source, const char *name, uint32_t width)
 {
-    struct gltf *gltf = object->gltf;
-    const struct gltf_object attributes = gltf_member(object, "attributes");
-    const uint32_t accessor = gltf_index(&attributes, name, "accessors");
-    struct gltf_array array;
-    if (accessor == gltf_none || !gltf_read_floats(gltf, accessor, &array))
+    struct gltf *gltf = source->object.gltf;
+    const uint32_t accessor = gltf_index(&source->attributes, name, "accessors");
+    struct gltf_array array = { 0 };
+    if (accessor == gltf_none)
+        return NULL;
+    if (!read_draco(source, name, &array) && !gltf_read_floats(gltf, accessor, &array))
         return NULL;
     const bool is_padded = width == 4 && array.width == 3;
-    if (array.count != vertex_count || (array.width != width && !is_padded)) {
-        (void)gltf_fault(&attributes, "%s: expected %u elements of %u numbers, got %u of %u", name,
-                         vertex_count, width, array.count, array.width);
-        free(array.values);
-        return NULL;
+    if (array.count != source->vertex_count || (array.width != width && !is_padded))
+        (void)gltf_fault(&source->attributes,
+                         "%s: expected %u elements of %u numbers, got %u of %u", name,
+                         source->vertex_count, width, array.count, array.width);
+    float *padded = NULL;
+    if (is_padded && gltf->status == STATUS_OK) {
+        padded = calloc(array.count, 4 * sizeof(*padded));
+        if (!padded)
+            (void)gltf_no_memory(gltf);
+        for (size_t i = 0; padded && i < array.count; i++)
+            memcpy(&padded[4 * i], &array.values[3 * i], 3 * sizeof(*padded));
     }
-    if (!is_padded)
+    if (!is_padded && gltf->status == STATUS_OK)
         return array.values;
-    float *padded = calloc(array.count, 4 * sizeof(*padded));
-    if (!padded)
-        (void)gltf_no_memory(gltf);
-    for (size_t i = 0; padded && i < array.count; i++)
-        memcpy(&padded[4 * i], &array.values[3 * i], 3 * sizeof(*padded));
     free(array.values);
     return padded;
 }
 
-static void read_uvs(const struct gltf_object *object, struct gltf_primitive *primitive)
+static void read_uvs(const struct source *source, struct gltf_primitive *primitive)
 {
-    const struct gltf_material *material = &object->gltf->materials[primitive->material];
+    const struct gltf_material *material = &source->object.gltf->materials[primitive->material];
     char name[32];
     if (material->image == gltf_none)
         return;
     (void)snprintf(name, sizeof(name), "TEXCOORD_%u", material->uv_set);
-    primitive->uvs = read_attribute(object, name, 2, primitive->vertex_count);
+    primitive->uvs = read_attribute(source, name, 2);
     for (size_t i = 0; primitive->uvs && i < primitive->vertex_count; i++) {
         float *uv = &primitive->uvs[2 * i];
         const vec3s in = { { uv[0], uv[1], 1 } };
@@ -86,15 +113,21 @@ static void cut(struct gltf_primitive *primitive, enum mode mode, uint32_t count
     primitive->indices = to;
 }
 
-static void read_indices(const struct gltf_object *object, struct gltf_primitive *primitive,
+static void read_indices(const struct source *source, struct gltf_primitive *primitive,
                          enum mode mode)
 {
-    struct gltf *gltf = object->gltf;
-    const uint32_t accessor = gltf_index(object, "indices", "accessors");
+    struct gltf *gltf = source->object.gltf;
+    const uint32_t accessor = gltf_index(&source->object, "indices", "accessors");
     uint32_t count = primitive->vertex_count;
     if (gltf->status != STATUS_OK)
         return;
-    if (accessor != gltf_none) {
+    if (source->draco) {
+        count = gltf_draco_index_count(source->draco);
+        primitive->indices = malloc((count + (size_t)1) * sizeof(*primitive->indices));
+        if (primitive->indices)
+            gltf_draco_copy_indices(source->draco, primitive->indices);
+        mode = MODE_TRIANGLES; /* of strips, too */
+    } else if (accessor != gltf_none) {
         primitive->indices = gltf_read_indices(gltf, accessor, &count);
     } else {
         primitive->indices = malloc(count * sizeof(*primitive->indices));
@@ -108,14 +141,53 @@ static void read_indices(const struct gltf_object *object, struct gltf_primitive
         (void)gltf_no_memory(gltf);
 }
 
+/* Opens a compressed primitive. */
+static void open_draco(struct source *source)
+{
+    struct gltf *gltf = source->object.gltf;
+    const struct gltf_object draco = gltf_extension(&source->object, "KHR_draco_mesh_compression");
+    const uint32_t view = gltf_index(&draco, "bufferView", "bufferViews");
+    size_t stride;
+    if (!draco.json || gltf->status != STATUS_OK)
+        return;
+    if (view == gltf_none) {
+        (void)gltf_fault(&draco, "expected a bufferView");
+        return;
+    }
+    const struct gltf_bytes bytes = gltf_view(gltf, view, &stride);
+    if (gltf->status != STATUS_OK)
+        return;
+    source->ids = gltf_member(&draco, "attributes");
+    source->draco = gltf_draco_new(bytes.bytes, bytes.size);
+    if (!source->draco)
+        (void)gltf_fault(&draco, "the compressed bytes are damaged");
+    else if (gltf_draco_vertex_count(source->draco) != source->vertex_count)
+        (void)gltf_fault(&draco, "expected %u vertices, got %u", source->vertex_count,
+                         gltf_draco_vertex_count(source->draco));
+}
+
+static void read_arrays(struct source *source, struct gltf_primitive *primitive, enum mode mode)
+{
+    open_draco(source);
+    if (source->object.gltf->status == STATUS_OK) {
+        primitive->vertex_count = source->vertex_count;
+        primitive->positions = read_attribute(source, "POSITION", 3);
+        primitive->normals = read_attribute(source, "NORMAL", 3);
+        primitive->colors = read_attribute(source, "COLOR_0", 4);
+        read_uvs(source, primitive);
+        read_indices(source, primitive, mode);
+    }
+    gltf_draco_delete(source->draco);
+}
+
 static enum status read_primitive(const struct gltf_object *object,
                                   struct gltf_primitive *primitive)
 {
     struct gltf *gltf = object->gltf;
     const uint64_t mode = gltf_count(object, "mode", MODE_TRIANGLES);
-    const struct gltf_object attributes = gltf_member(object, "attributes");
-    const uint32_t positions = gltf_index(&attributes, "POSITION", "accessors");
     const uint32_t material = gltf_index(object, "material", "materials");
+    struct source source = { .object = *object, .attributes = gltf_member(object, "attributes") };
+    const uint32_t positions = gltf_index(&source.attributes, "POSITION", "accessors");
     *primitive = (struct gltf_primitive){ 0 };
     if (mode >= MODE_COUNT)
         return gltf_fault(object, "mode: expected 0 to 6");
@@ -127,17 +199,13 @@ static enum status read_primitive(const struct gltf_object *object,
         return gltf_fault(object, "expected an attribute POSITION");
     const struct gltf_object accessor = gltf_element(gltf, "accessors", positions);
     const uint64_t count = gltf_count(&accessor, "count", 0);
-    if (count > MODEL_ELEMENT_MAX)
+    if (count < 1 || count > MODEL_ELEMENT_MAX)
         return gltf_fault(&accessor, "count: expected 1 to %d", MODEL_ELEMENT_MAX);
     if (gltf->status != STATUS_OK)
         return gltf->status;
+    source.vertex_count = (uint32_t)count;
     primitive->material = material == gltf_none ? gltf->material_count - 1 : material;
-    primitive->vertex_count = (uint32_t)count;
-    primitive->positions = read_attribute(object, "POSITION", 3, primitive->vertex_count);
-    primitive->normals = read_attribute(object, "NORMAL", 3, primitive->vertex_count);
-    primitive->colors = read_attribute(object, "COLOR_0", 4, primitive->vertex_count);
-    read_uvs(object, primitive);
-    read_indices(object, primitive, (enum mode)mode);
+    read_arrays(&source, primitive, (enum mode)mode);
     gltf->undrawn |= gltf_length(object, "targets") > 0 ? 1u << GLTF_MORPH : 0;
     return gltf->status;
 }

@@ -13,6 +13,54 @@ static mat4s local_matrix(const struct gltf_node *node)
     return glms_scale(turned, node->scale);
 }
 
+/* Returns an attribute of instances, `width` numbers of each; NULL if it is absent or wrong. */
+static float *read_instances(const struct gltf_object *attributes, const char *name, uint32_t width,
+                             uint32_t *count)
+{
+    const uint32_t accessor = gltf_index(attributes, name, "accessors");
+    struct gltf_array array;
+    if (accessor == gltf_none || !gltf_read_floats(attributes->gltf, accessor, &array))
+        return NULL;
+    if (array.width == width && (*count == 0 || *count == array.count)) {
+        *count = array.count;
+        return array.values;
+    }
+    (void)gltf_fault(attributes, "%s: expected as many elements as the others, of %u numbers", name,
+                     width);
+    free(array.values);
+    return NULL;
+}
+
+/* EXT_mesh_gpu_instancing: the node's mesh is drawn once for each element. */
+static void read_instancing(const struct gltf_object *object, struct gltf_node *node)
+{
+    const struct gltf_object instancing = gltf_extension(object, "EXT_mesh_gpu_instancing");
+    const struct gltf_object attributes = gltf_member(&instancing, "attributes");
+    uint32_t count = 0;
+    float *moves = read_instances(&attributes, "TRANSLATION", 3, &count);
+    float *turns = read_instances(&attributes, "ROTATION", 4, &count);
+    float *scales = read_instances(&attributes, "SCALE", 3, &count);
+    if (count > 0)
+        node->instances = calloc(count, sizeof(*node->instances));
+    if (count > 0 && !node->instances)
+        (void)gltf_no_memory(object->gltf);
+    for (size_t i = 0; node->instances && i < count; i++) {
+        struct gltf_node instance = { .scale = glms_vec3_one(), .rotation = glms_quat_identity() };
+        if (moves)
+            memcpy(&instance.translation, &moves[3 * i], sizeof(instance.translation));
+        if (turns)
+            memcpy(&instance.rotation, &turns[4 * i], sizeof(instance.rotation));
+        if (scales)
+            memcpy(&instance.scale, &scales[3 * i], sizeof(instance.scale));
+        instance.rotation = glms_quat_normalize(instance.rotation);
+        node->instances[i] = local_matrix(&instance);
+    }
+    node->instance_count = node->instances ? count : 0;
+    free(moves);
+    free(turns);
+    free(scales);
+}
+
 static void read_node(struct gltf *gltf, uint32_t index)
 {
     const struct gltf_object object = gltf_element(gltf, "nodes", index);
@@ -35,6 +83,7 @@ static void read_node(struct gltf *gltf, uint32_t index)
         node->rotation = glms_quat_normalize(node->rotation);
     else
         (void)gltf_fault(&object, "rotation: expected a unit quaternion");
+    read_instancing(&object, node);
     if (gltf_index(&object, "skin", "skins") != gltf_none)
         gltf->undrawn |= 1u << GLTF_SKIN;
 }

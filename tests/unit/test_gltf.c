@@ -1,0 +1,307 @@
+/* test_gltf.c: features of glTF, each compared with numbers by hand or with its plain twin. */
+#include <math.h>
+#include <meshoptimizer.h>
+#include <stdlib.h>
+#include <string.h>
+#include "tests/support/check.h"
+#include "tests/support/draco_file.h"
+#include "tests/support/folder.h"
+#include "tests/support/gltf_file.h"
+
+/* An octahedron, stretched along x. */
+static const float positions[18] = { 2, 0, 0, -2, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1 };
+static const uint16_t corners[24] = { 2, 4, 0, 2, 0, 5, 2, 5, 1, 2, 1, 4,
+                                      3, 0, 4, 3, 5, 0, 3, 1, 5, 3, 4, 1 };
+
+#define ONE_MESH "'nodes':[{'mesh':0}],'meshes':[{'primitives':["
+#define SOLID    "{'attributes':{'POSITION':0},'indices':1}"
+
+/* Loads a file that must be accepted without a word. */
+static struct model load(void)
+{
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    if (gltf_file_load(&model, said) != STATUS_OK || said[0])
+        fail_msg("%s", said);
+    return model;
+}
+
+static struct model load_plain(void)
+{
+    gltf_file_begin();
+    gltf_file_floats(positions, 6, "VEC3");
+    gltf_file_add(corners, sizeof(corners), GLTF_FILE_UNSIGNED_SHORT, 24, "SCALAR");
+    gltf_file_write(ONE_MESH SOLID "]}]");
+    return load();
+}
+
+/* The same triangles in the same order, to a tolerance. */
+static void check_same(const struct mesh *actual, const struct mesh *wanted, double tolerance)
+{
+    assert_int_equal(actual->index_count, wanted->index_count);
+    for (uint32_t i = 0; i < wanted->index_count; i++) {
+        const struct mesh_vertex *a = &actual->vertices[actual->indices[i]];
+        const struct mesh_vertex *b = &wanted->vertices[wanted->indices[i]];
+        for (int k = 0; k < 3; k++) {
+            CHECK_NEAR(a->position.raw[k], b->position.raw[k], tolerance);
+            CHECK_NEAR(a->normal.raw[k], b->normal.raw[k], tolerance);
+        }
+    }
+}
+
+static void check_like_plain(double tolerance)
+{
+    struct model model = load();
+    struct model plain = load_plain();
+    check_same(&model.surroundings, &plain.surroundings, tolerance);
+    model_finish(&model);
+    model_finish(&plain);
+}
+
+static void check_refused(const char *words)
+{
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    const enum status status = gltf_file_load(&model, said);
+    const size_t length = strlen(said);
+    if (status != STATUS_DATA || !strstr(said, words) || strchr(said, '\n') != said + length - 1)
+        fail_msg("status %d, not \"%s\": %s", (int)status, words, said);
+}
+
+static void quantized(void **state)
+{
+    (void)state;
+    /* 16 bits: 2 of position is 32767, and the node scales by 2 */
+    int16_t shorts[6][4] = { { 0 } };
+    for (int i = 0; i < 18; i++)
+        shorts[i / 3][i % 3] = (int16_t)(positions[i] / 2 * 32767);
+    gltf_file_begin();
+    gltf_file_accessor(gltf_file_view(shorts, sizeof(shorts), ",'byteStride':8"), GLTF_FILE_SHORT,
+                       6, "VEC3", ",'normalized':true");
+    gltf_file_add(corners, sizeof(corners), GLTF_FILE_UNSIGNED_SHORT, 24, "SCALAR");
+    gltf_file_write("'extensionsUsed':['KHR_mesh_quantization'],"
+                    "'extensionsRequired':['KHR_mesh_quantization'],"
+                    "'nodes':[{'mesh':0,'scale':[2,2,2]}],'meshes':[{'primitives':[" SOLID "]}]");
+    check_like_plain(1e-4);
+    /* bytes as they are */
+    int8_t bytes[6][4] = { { 0 } };
+    for (int i = 0; i < 18; i++)
+        bytes[i / 3][i % 3] = (int8_t)positions[i];
+    gltf_file_begin();
+    gltf_file_accessor(gltf_file_view(bytes, sizeof(bytes), ",'byteStride':4"), GLTF_FILE_BYTE, 6,
+                       "VEC3", "");
+    gltf_file_add(corners, sizeof(corners), GLTF_FILE_UNSIGNED_SHORT, 24, "SCALAR");
+    gltf_file_write("'extensionsUsed':['KHR_mesh_quantization']," ONE_MESH SOLID "]}]");
+    check_like_plain(0);
+}
+
+static void sparse(void **state)
+{
+    (void)state;
+    /* an accessor without a view: zeros, all of which are replaced */
+    const uint8_t places[6] = { 0, 1, 2, 3, 4, 5 };
+    const char *format = ",'sparse':{'count':%d,'indices':{'bufferView':0,'componentType':5121},"
+                         "'values':{'bufferView':1}}";
+    char text[256];
+    gltf_file_begin();
+    gltf_file_view(places, sizeof(places), "");
+    gltf_file_view(positions, sizeof(positions), "");
+    (void)snprintf(text, sizeof(text), format, 6);
+    gltf_file_accessor(UINT32_MAX, GLTF_FILE_FLOAT, 6, "VEC3", text);
+    gltf_file_add(corners, sizeof(corners), GLTF_FILE_UNSIGNED_SHORT, 24, "SCALAR");
+    gltf_file_write(ONE_MESH SOLID "]}]");
+    check_like_plain(0);
+    const uint8_t beyond[6] = { 0, 1, 2, 3, 4, 6 };
+    gltf_file_begin();
+    gltf_file_view(beyond, sizeof(beyond), "");
+    gltf_file_view(positions, sizeof(positions), "");
+    gltf_file_accessor(UINT32_MAX, GLTF_FILE_FLOAT, 6, "VEC3", text);
+    gltf_file_add(corners, sizeof(corners), GLTF_FILE_UNSIGNED_SHORT, 24, "SCALAR");
+    gltf_file_write(ONE_MESH SOLID "]}]");
+    check_refused("accessors[0].sparse.indices: element 6 does not exist");
+}
+
+/* Compresses both views of the octahedron; `cut` bytes are missing at the end of the first. */
+static void write_meshopt(size_t cut)
+{
+    unsigned char packed[512];
+    uint32_t wide[24];
+    for (int i = 0; i < 24; i++)
+        wide[i] = corners[i];
+    gltf_file_begin();
+    size_t size = meshopt_encodeVertexBuffer(packed, sizeof(packed), positions, 6, 12);
+    const uint32_t first = gltf_file_view(packed, size - cut, "");
+    char text[512];
+    (void)snprintf(text, sizeof(text),
+                   ",'extensions':{'EXT_meshopt_compression':{'buffer':0,'byteOffset':0,"
+                   "'byteLength':%zu,'byteStride':12,'count':6,'mode':'ATTRIBUTES'}}",
+                   size - cut);
+    const uint32_t at = (uint32_t)((size - cut + 3) & ~(size_t)3);
+    size = meshopt_encodeIndexBuffer(packed, sizeof(packed), wide, 24);
+    gltf_file_accessor(gltf_file_view(packed, 72, text), GLTF_FILE_FLOAT, 6, "VEC3", "");
+    assert_int_equal(first, 0);
+    const uint32_t after = at + 72;
+    (void)snprintf(text, sizeof(text),
+                   ",'extensions':{'EXT_meshopt_compression':{'buffer':0,'byteOffset':%u,"
+                   "'byteLength':%zu,'byteStride':4,'count':24,'mode':'TRIANGLES'}}",
+                   after, size);
+    gltf_file_accessor(gltf_file_view(packed, size, text), GLTF_FILE_UNSIGNED_INT, 24, "SCALAR",
+                       "");
+    gltf_file_write("'extensionsUsed':['EXT_meshopt_compression'],"
+                    "'extensionsRequired':['EXT_meshopt_compression']," ONE_MESH SOLID "]}]");
+}
+
+static int compare_floats(const void *a, const void *b)
+{
+    return memcmp(a, b, 9 * sizeof(float));
+}
+
+/* Fills in the corners of the triangles, which are in any order and begin anywhere. */
+static void list_triangles(const struct mesh *mesh, float (*triangles)[9])
+{
+    for (uint32_t i = 0; i < mesh->index_count / 3; i++) {
+        uint32_t first = 0; /* the corner with the greatest position, byte for byte */
+        for (uint32_t k = 1; k < 3; k++) {
+            if (memcmp(&mesh->vertices[mesh->indices[3 * i + k]].position,
+                       &mesh->vertices[mesh->indices[3 * i + first]].position, 12) > 0)
+                first = k;
+        }
+        for (uint32_t k = 0; k < 3; k++)
+            memcpy(&triangles[i][3 * k],
+                   &mesh->vertices[mesh->indices[3 * i + (first + k) % 3]].position, 12);
+    }
+    qsort(triangles, mesh->index_count / 3, sizeof(*triangles), compare_floats);
+}
+
+static void check_same_triangles(void)
+{
+    float actual[8][9], wanted[8][9];
+    struct model model = load();
+    struct model plain = load_plain();
+    assert_int_equal(model.surroundings.index_count, 24);
+    list_triangles(&model.surroundings, actual);
+    list_triangles(&plain.surroundings, wanted);
+    assert_memory_equal(actual, wanted, sizeof(wanted));
+    model_finish(&model);
+    model_finish(&plain);
+}
+
+static void meshopt(void **state)
+{
+    (void)state;
+    write_meshopt(0);
+    check_same_triangles();
+    write_meshopt(9);
+    check_refused("EXT_meshopt_compression: the compressed bytes are damaged");
+}
+
+static void write_draco(size_t cut)
+{
+    uint8_t packed[1024];
+    const size_t size = draco_file_encode(positions, 6, corners, 24, packed, sizeof(packed));
+    gltf_file_begin();
+    gltf_file_view(packed, size - cut, "");
+    gltf_file_accessor(UINT32_MAX, GLTF_FILE_FLOAT, 6, "VEC3", "");
+    gltf_file_accessor(UINT32_MAX, GLTF_FILE_UNSIGNED_SHORT, 24, "SCALAR", "");
+    gltf_file_write(
+        "'extensionsUsed':['KHR_draco_mesh_compression'],"
+        "'extensionsRequired':['KHR_draco_mesh_compression']," ONE_MESH
+        "{'attributes':{'POSITION':0},'indices':1,'extensions':{"
+        "'KHR_draco_mesh_compression':{'bufferView':0,'attributes':{'POSITION':0}}}}]}]");
+}
+
+static void draco(void **state)
+{
+    (void)state;
+    write_draco(0);
+    check_same_triangles();
+    write_draco(20);
+    check_refused("KHR_draco_mesh_compression: the compressed bytes are damaged");
+}
+
+static void instances(void **state)
+{
+    (void)state;
+    const float moves[6] = { 10, 0, 0, 0, 20, 0 };
+    const float turns[8] = { 0, 0, 0, 1, 0, 0, sqrtf(0.5F), sqrtf(0.5F) }; /* a quarter about +Z */
+    const float scales[6] = { 1, 1, 1, 2, 2, 2 };
+    gltf_file_begin();
+    gltf_file_floats(positions, 6, "VEC3");
+    gltf_file_add(corners, sizeof(corners), GLTF_FILE_UNSIGNED_SHORT, 24, "SCALAR");
+    gltf_file_floats(moves, 2, "VEC3");
+    gltf_file_floats(turns, 2, "VEC4");
+    gltf_file_floats(scales, 2, "VEC3");
+    gltf_file_write("'extensionsUsed':['EXT_mesh_gpu_instancing'],"
+                    "'nodes':[{'mesh':0,'translation':[0,0,100],'extensions':{"
+                    "'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':2,'ROTATION':3,"
+                    "'SCALE':4}}}}],'meshes':[{'primitives':[" SOLID "]}]");
+    struct model model = load();
+    assert_int_equal(model.surroundings.index_count, 48);
+    const struct mesh_vertex *v = model.surroundings.vertices;
+    const uint32_t *i = model.surroundings.indices;
+    /* corner 2 is (2 0 0): moved; and scaled, turned to +Y, moved */
+    CHECK_NEAR(v[i[2]].position.x, 12, 1e-5);
+    CHECK_NEAR(v[i[2]].position.z, 100, 1e-5);
+    CHECK_NEAR(v[i[26]].position.x, 0, 1e-5);
+    CHECK_NEAR(v[i[26]].position.y, 24, 1e-5);
+    model_finish(&model);
+}
+
+static void strips_and_fans(void **state)
+{
+    (void)state;
+    /* a unit square, seen from +Z, as a strip and as a fan */
+    const float strip[12] = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 };
+    const uint8_t fan[4] = { 0, 1, 3, 2 };
+    gltf_file_begin();
+    gltf_file_floats(strip, 4, "VEC3");
+    gltf_file_add(fan, sizeof(fan), GLTF_FILE_UNSIGNED_BYTE, 4, "SCALAR");
+    gltf_file_write(ONE_MESH "{'attributes':{'POSITION':0},'mode':5},"
+                             "{'attributes':{'POSITION':0},'indices':1,'mode':6}]}]");
+    struct model model = load();
+    assert_int_equal(model.surroundings.index_count, 12);
+    for (uint32_t i = 0; i < 12; i += 3) {
+        const struct mesh_vertex *v = model.surroundings.vertices;
+        const uint32_t *c = &model.surroundings.indices[i];
+        const vec3s normal = glms_vec3_cross(glms_vec3_sub(v[c[1]].position, v[c[0]].position),
+                                             glms_vec3_sub(v[c[2]].position, v[c[0]].position));
+        CHECK_NEAR(normal.z, 1, 1e-6);
+    }
+    model_finish(&model);
+}
+
+static void extensions_are_named(void **state)
+{
+    (void)state;
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    assert_int_equal(gltf_file_material(&model, "",
+                                        ",'extensionsUsed':['KHR_a','KHR_materials_ior','KHR_b']",
+                                        said),
+                     STATUS_OK);
+    model_finish(&model);
+    assert_string_equal(said, "firn: warning: m.gltf: the extension KHR_a is not supported, and "
+                              "ignored\nfirn: warning: m.gltf: the extension KHR_b is not "
+                              "supported, and ignored\n");
+    assert_int_equal(gltf_file_material(&model, "",
+                                        ",'extensionsUsed':['KHR_a'],"
+                                        "'extensionsRequired':['KHR_materials_ior','KHR_a']",
+                                        said),
+                     STATUS_DATA);
+    assert_string_equal(said, "firn: m.gltf: requires the extension KHR_a, which is not supported; "
+                              "export the file without it\n");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(quantized, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(sparse, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(meshopt, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(draco, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(instances, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(strips_and_fans, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(extensions_are_named, folder_enter, folder_leave),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
