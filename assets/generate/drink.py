@@ -16,11 +16,11 @@ WATER = glass('water', 1.333, 1, 0.07, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
 # Where each cube is, how it is turned, and its half widths.
 CUBES = (
-    ((-0.0166, 0.0582, 0.0062), (24, 7, -9), (0.014, 0.0136, 0.014)),
-    ((0.0150, 0.0575, -0.0112), (-33, -8, 12), (0.0139, 0.0137, 0.0142)),
-    ((0.0040, 0.0318, 0.0040), (58, 33, 24), (0.0138, 0.014, 0.0136)),
+    ((0.0155, 0.0552, 0.0059), (240.2, -2.6, 13), (0.014, 0.0136, 0.014)),
+    ((-0.0131, 0.0553, -0.0045), (162.5, 11.1, 6.3), (0.0139, 0.0137, 0.0142)),
+    ((-0.0071, 0.0285, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
 )
-STRAW = ((-0.0225, 0.0145, -0.011), (0.0325, 0.138, 0.0165), 0.003)
+STRAW = ((0.0235, 0.0133, -0.0078), (-0.0335, 0.1341, -0.0462), 0.003)  # foot, top, radius
 
 
 def inner_radius(y):
@@ -99,10 +99,10 @@ def bubbles():
     beads = []
     for i, (at, turn, half) in enumerate(CUBES):
         matrix = turned(*turn)
-        for where, along, radius, length in worms((0, 0, 0), half, 44, 900 + i):
+        for where, along, radius, length in worms((0, 0, 0), half, 95, 900 + i):
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
-            beads.append((add(where, at), along, radius, length))
+            beads.append((add(where, at), along, radius, length, 6))
     pick = random.Random(77)
     for _ in range(60):
         y = FLOOR + 0.007 + (LEVEL - FLOOR - 0.011) * pick.random()
@@ -117,8 +117,8 @@ def cracks():
     for i, (at, turn, _) in enumerate(CUBES):
         for k, tilt in enumerate(((70 + 9 * i, 20, 0), (15, 80 - 14 * i, 40),
                                    (-50, 40, 75 + 8 * i))):
-            sheet = crack(0.0092 - 0.0012 * k, 300 + 10 * i + k)
-            sheet.placed(turned(*tilt), scale((0.0024, -0.0018, 0.0031), 1 - k))
+            sheet = crack(0.0108 - 0.0016 * k, 300 + 10 * i + k)
+            sheet.placed(turned(*tilt), scale((0.0022, -0.0018, 0.0026), 1 - k))
             mesh.join(sheet.placed(turned(*turn), at))
     return mesh
 

@@ -308,7 +308,7 @@ def worms(center, half, count, seed):
     beads = []
     for _ in range(count):
         d = unit([pick.gauss(0, 1) for _ in range(3)])
-        share = 0.12 + 0.5 * pick.random() ** 0.7
+        share = 0.08 + 0.54 * pick.random() ** 0.8
         at = tuple(c + v * h * share for c, v, h in zip(center, d, half))
         radius = 0.00016 + 0.0004 * pick.random() ** 3
         along = add(scale(d, -1), tuple(pick.uniform(-0.25, 0.25) for _ in range(3)))
@@ -330,7 +330,8 @@ def crack(radius, seed, gap=0.00006, bend=9.0, rings=6, segments=30):
 
     def point(share, k, side):
         a = 2 * math.pi * k / segments
-        r = radius * share * (1 + 0.2 * math.cos(a - turn) + 0.1 * math.cos(3 * a - lobes))
+        r = radius * share * (0.9 + 0.2 * math.cos(a - turn) + 0.14 * math.cos(3 * a - lobes) +
+                              0.07 * math.cos(5 * a + lobes))
         return (r * math.cos(a), bend * r * r + side * gap / 2 * math.sqrt(1 - share * share),
                 -r * math.sin(a))
 
