@@ -4,8 +4,8 @@ import random
 
 import surroundings as around
 from files import Model, glass, unlit
-from shapes import (Mesh, add, bead, beads_mesh, crack, cross, ice, mix, noise, ring, scale,
-                    smooth_normals, smoothstep, sphere, sub, tube, turned, unit)
+from shapes import (Mesh, add, beads_mesh, crack, cross, ice, mix, noise, ring, scale,
+                    smooth_normals, smoothstep, sphere, tube, turned, unit)
 
 HALF = (0.036, 0.027, 0.026)
 MIDDLE = (0, 0.0265, 0)
@@ -13,7 +13,7 @@ TURN = turned(-17)
 ICE = glass('ice', 1.31, 2, 0.05, (0.72, 0.9, 1), 0.25)
 AIR = glass('air', 1, 4, 0.0003)
 CHERRIES = ((-0.0145, 0.0185, 0.004), 0.0105), ((0.0075, 0.0165, 0.0085), 0.0098)
-KNOT = (0.001, 0.0445, -0.002)  # where both stems meet
+KNOT = (0.001, 0.0415, 0.001)  # where both stems meet
 
 
 def block():
@@ -61,7 +61,7 @@ def cherry(center, radius, seed):
 
 def leaf(foot, ahead, facing, length):
     """A thin leaf with teeth and veins, bent along its middle and its length."""
-    columns, rows = 16, 34
+    columns, rows = 16, 42
     side = unit(cross(ahead, facing))
     up = cross(side, ahead)
     points, colors = [], []
@@ -77,9 +77,9 @@ def leaf(foot, ahead, facing, length):
                 thick = 0.00015 * (1 - t * t) * min(1, 4 * s, 4 - 4 * s)
                 at = add(scale(ahead, s * length), scale(side, width * t))
                 points.append(add(add(foot, at), scale(up, height + face * thick)))
-                vein = max(math.exp(-(t / 0.05) ** 2),
-                           0.7 * math.exp(-((s * 8 - abs(t) * 2.2) % 1 - 0.5) ** 2 / 0.012))
-                colors.append(mix((0.07, 0.25, 0.035), (0.33, 0.48, 0.15), vein))
+                side_vein = math.exp(-((s * 6.5 - abs(t) * 1.1) % 1 - 0.5) ** 2 / 0.02)
+                vein = max(math.exp(-(t / 0.08) ** 2), 0.45 * (1 - abs(t)) * side_vein)
+                colors.append(mix((0.06, 0.2, 0.03), (0.3, 0.44, 0.14), vein))
     size = (rows + 1) * (columns + 1)
     faces = []
     for face in (0, 1):
@@ -111,16 +111,19 @@ def band(center, radius, thick):
     return mesh.painted(around.painter(brass, fill=0.6))
 
 
-def bubbles():
-    """Eggs that point to the middle, and a row of beads that has risen from a cherry."""
+def bubbles(things):
+    """Eggs that point to the middle, none in a thing, and beads that have risen from a cherry."""
     pick = random.Random(12)
     beads = []
-    for _ in range(80):
+    taken = [p for thing in things for p in thing.points[::11]]
+    for _ in range(90):
         d = unit([pick.gauss(0, 1) for _ in range(3)])
         share = 0.62 + 0.26 * pick.random()
         radius = 0.00016 + 0.0005 * pick.random() ** 3
-        at = tuple(h * 0.9 * share * v for v, h in zip(d, HALF))
-        beads.append((add(at, MIDDLE), scale(d, -1), radius, radius * pick.uniform(1.4, 6)))
+        at = add(tuple(h * 0.9 * share * v for v, h in zip(d, HALF)), MIDDLE)
+        length = radius * pick.uniform(1.4, 6)
+        if all(math.dist(at, p) > length + 0.0015 for p in taken):
+            beads.append((at, scale(d, -1), radius, length))
     for i in range(9):
         at = (0.0185 + 0.0006 * pick.uniform(-1, 1), 0.014 + 0.0032 * i, 0.012)
         beads.append((at, (0, 1, 0.1), 0.0004 + 0.00006 * i, 0.0005 + 0.00006 * i))
@@ -130,7 +133,7 @@ def bubbles():
 def cracks():
     mesh = Mesh([], [], [])
     for i, (at, turn, size) in enumerate((
-            ((0.021, 0.034, -0.009), (20, 60, 30), 0.0105),
+            ((0.017, 0.027, -0.0165), (20, 60, 30), 0.0088),
             ((-0.02, 0.039, -0.012), (-40, 15, 70), 0.009),
             ((0.022, 0.012, -0.011), (70, 100, 0), 0.008))):
         mesh.join(crack(size, 60 + i, gap=0.00009, bend=7).placed(turned(*turn), at))
@@ -145,13 +148,13 @@ def make():
     model.add('table', around.floor(0.5, 0.16, lambda x, z: 0.92 * shadow(x, z), 44), stone)
     model.add('wall', around.wall(-0.4, 0.8, -0.1, 0.75, ((0.03, 0.035, 0.045), (0.62, 0.7, 0.78)),
                                   (0.08, 0.16, 0.26)), around.PAINTED)
-    for i, (center, radius) in enumerate(CHERRIES):
-        model.add(f'cherry {i + 1}', cherry(center, radius, i), around.PAINTED)
-    model.add('leaf', leaf(KNOT, unit((0.88, -0.42, 0.1)), unit((0.25, 0.6, 0.75)), 0.028),
-              around.PAINTED)
-    model.add('ring', band((-0.0015, 0.0105, -0.0125), 0.0085, 0.0011), around.PAINTED)
+    things = {f'cherry {i + 1}': cherry(*row, i) for i, row in enumerate(CHERRIES)}
+    things['leaf'] = leaf(KNOT, unit((0.86, -0.5, 0.1)), unit((0.25, 0.45, 0.85)), 0.026)
+    things['ring'] = band((-0.0015, 0.0105, -0.0125), 0.0085, 0.0011)
+    for name, thing in things.items():
+        model.add(name, thing, around.PAINTED)
     model.add('ice', block(), ICE)
-    model.add('bubbles', bubbles(), AIR)
+    model.add('bubbles', bubbles(things.values()), AIR)
     model.add('cracks', cracks(), AIR)
     model.camera((0.03, 0.078, 0.185), (0.001, 0.0235, 0), 30)
     return model.file()
