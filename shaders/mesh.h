@@ -9,9 +9,11 @@
 #define MESH_MATERIAL 4
 
 /* the bits of mesh_vertex.material */
-#define MESH_TEXTURE_MASK 0xffffu  /* texture layer + 1; 0: none */
-#define MESH_UNLIT        0x10000u /* the colour is emitted radiance, not lit */
-#define MESH_CUTOUT       0x20000u /* texels with alpha below one half are holes */
-#define MESH_MOVES        0x40000u /* transformed by globals.world_from_movers */
+#define MESH_TEXTURE_MASK  0xffffu  /* texture layer + 1; 0: none */
+#define MESH_UNLIT         0x10000u /* the colour is emitted radiance, not lit */
+#define MESH_CUTOUT        0x20000u /* texels with alpha below one half are holes */
+#define MESH_MOVES         0x40000u /* transformed by globals.world_from_movers */
+#define MESH_SURFACE_SHIFT 19u      /* bits from here: index of the material + 1; 0: none */
+#define MESH_SURFACE_MAX   8191u
 
 #endif

@@ -16,7 +16,17 @@ struct material material_make(const char *name)
         .roughness = 1.0f,
         .ior = 1.5f,
         .attenuation_color = glms_vec3_one(),
+        .alpha = 1.0f,
+        .alpha_cutoff = 0.5f,
+        .normal_scale = 1.0f,
+        .occlusion_strength = 1.0f,
+        .specular = 1.0f,
+        .specular_color = glms_vec3_one(),
     };
+    for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++) {
+        material.textures[i].u_row = (vec3s){ { 1.0f, 0.0f, 0.0f } };
+        material.textures[i].v_row = (vec3s){ { 0.0f, 1.0f, 0.0f } };
+    }
     snprintf(material.name, sizeof(material.name), "%s", name);
     return material;
 }
@@ -28,10 +38,28 @@ static bool clamp(float *value, float min, float max, float initial)
     return !(is == *value);
 }
 
+/* Clamps what the surface does with light beside the base colour. */
+static bool clamp_surface(struct material *m)
+{
+    const float radiance_max = 65504.0f;
+    bool is_changed = false;
+    for (int k = 0; k < 3; k++) {
+        is_changed |= clamp(&m->emission.raw[k], 0.0f, radiance_max, 0.0f);
+        is_changed |= clamp(&m->specular_color.raw[k], 0.0f, radiance_max, 1.0f);
+    }
+    is_changed |= clamp(&m->metallic, 0.0f, 1.0f, 0.0f);
+    is_changed |= clamp(&m->alpha, 0.0f, 1.0f, 1.0f);
+    is_changed |= clamp(&m->alpha_cutoff, 0.0f, 1.0f, 0.5f);
+    is_changed |= clamp(&m->normal_scale, -radiance_max, radiance_max, 1.0f);
+    is_changed |= clamp(&m->occlusion_strength, 0.0f, 1.0f, 1.0f);
+    is_changed |= clamp(&m->specular, 0.0f, 1.0f, 1.0f);
+    return is_changed;
+}
+
 bool material_clamp(struct material *m)
 {
     const float color_max = m->flags & MATERIAL_IS_UNLIT ? 65504.0f : 1.0f;
-    bool is_changed = false;
+    bool is_changed = clamp_surface(m);
     if (isinf(m->attenuation_distance)) /* glTF's default: clear */
         m->attenuation_distance = 0.0f;
     for (int k = 0; k < 3; k++) {

@@ -15,14 +15,47 @@ enum {
     MATERIAL_IS_BARE = 1,      /* of a file without materials, or built in: settings decide */
     MATERIAL_HAS_IOR = 2,      /* the file gives the index; else it is the format's default */
     MATERIAL_HAS_PRIORITY = 4, /* the file gives the priority */
-    MATERIAL_IS_CUTOUT = 8,    /* alpha below one half is a hole */
+    MATERIAL_IS_CUTOUT = 8,    /* alpha below the cutoff is a hole */
     MATERIAL_IS_UNLIT = 16,    /* the base colour is emitted radiance */
-    MATERIAL_FLAGS = 31,
+    MATERIAL_IS_BLENDED = 32,  /* alpha is the share of light that the surface reflects */
+    MATERIAL_IS_TWO_SIDED = 64,
+    MATERIAL_IS_LEGACY = 128, /* the file's index is 0: at every angle the specular colour alone
+                                 says how much is reflected; `ior` is the default */
+    MATERIAL_FLAGS = 255,
+};
+
+/* The textures of a material, by what they are multiplied with. */
+enum material_texture_use {
+    MATERIAL_BASE_COLOR,         /* rgb: base_color; a: alpha */
+    MATERIAL_METALLIC_ROUGHNESS, /* b: metallic; g: roughness */
+    MATERIAL_NORMAL,             /* rgb: the normal, 0 to 1 for -1 to 1 */
+    MATERIAL_OCCLUSION,          /* r */
+    MATERIAL_EMISSION,           /* rgb: emission */
+    MATERIAL_TRANSMISSION,       /* r: transmission */
+    MATERIAL_THICKNESS,          /* g: thickness */
+    MATERIAL_SPECULAR,           /* a: specular */
+    MATERIAL_SPECULAR_COLOR,     /* rgb: specular_color */
+    MATERIAL_TEXTURE_COUNT,
+};
+
+/* How coordinates beyond 0 to 1 are brought there. */
+enum material_wrap {
+    MATERIAL_REPEAT,
+    MATERIAL_MIRROR,
+    MATERIAL_CLAMP,
+    MATERIAL_WRAP_COUNT,
+};
+
+/* A texture. Those of colours are sRGB; of others, the texels are the numbers themselves. */
+struct material_texture {
+    uint32_t layer; /* of struct texture_layers, + 1; 0: none, as if it were 1 everywhere */
+    uint32_t wrap_u, wrap_v; /* enum material_wrap */
+    vec3s u_row, v_row;      /* its coordinates are their products with (uv, 1) of a vertex */
 };
 
 /*
- * A material in the terms of glTF 2.0 and its extensions KHR_materials_transmission, _volume, _ior
- * and _dispersion. A transmissive material bounds a medium: inside, light of each channel is left
+ * A material in the terms of glTF 2.0 and its extensions KHR_materials_transmission, _volume, _ior,
+ * _dispersion, _specular and _emissive_strength. A transmissive material bounds a medium: inside, light of each channel is left
  * by attenuation_color ^ (length / attenuation_distance).
  */
 struct material {
@@ -37,6 +70,15 @@ struct material {
     vec3s attenuation_color;    /* 0 to 1 */
     float attenuation_distance; /* metres; 0: the medium is clear */
     int32_t priority;           /* where media overlap, the greatest one is there */
+    float metallic;             /* 0 to 1; glTF's default is 1, and that of others 0 */
+    float alpha;                /* 0 to 1 */
+    float alpha_cutoff;         /* of a cutout: less alpha is a hole; 0 to 1 */
+    vec3s emission;             /* radiance, 0 to 65504; its strength is part of it */
+    float normal_scale;         /* of x and y of the normal's texture; within 65504 */
+    float occlusion_strength;   /* 0 to 1 */
+    float specular;             /* 0 to 1; strength of the reflection of what is no metal */
+    vec3s specular_color;       /* 0 to 65504; its colour at normal incidence */
+    struct material_texture textures[MATERIAL_TEXTURE_COUNT];
 };
 
 /* Returns glTF's default material, white and opaque, with a name. */

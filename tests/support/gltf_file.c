@@ -65,7 +65,7 @@ uint32_t gltf_file_add(const void *bytes, size_t size, enum gltf_file_component 
 uint32_t gltf_file_floats(const float *numbers, uint32_t count, const char *type)
 {
     const uint32_t width = type[0] == 'S' ? 1 : type[0] == 'M' ? 16 : (uint32_t)(type[3] - '0');
-    return gltf_file_add(numbers, count * width * sizeof(*numbers), GLTF_FILE_FLOAT, count, type);
+    return gltf_file_add(numbers, sizeof(*numbers) * width * count, GLTF_FILE_FLOAT, count, type);
 }
 
 static void write_file(const char *path, const void *bytes, size_t size)

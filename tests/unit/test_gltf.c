@@ -159,16 +159,16 @@ static int compare_floats(const void *a, const void *b)
 /* Fills in the corners of the triangles, which are in any order and begin anywhere. */
 static void list_triangles(const struct mesh *mesh, float (*triangles)[9])
 {
-    for (uint32_t i = 0; i < mesh->index_count / 3; i++) {
-        uint32_t first = 0; /* the corner with the greatest position, byte for byte */
-        for (uint32_t k = 1; k < 3; k++) {
-            if (memcmp(&mesh->vertices[mesh->indices[3 * i + k]].position,
-                       &mesh->vertices[mesh->indices[3 * i + first]].position, 12) > 0)
+    for (size_t i = 0; i < mesh->index_count / 3; i++) {
+        const float *corner[3];
+        size_t first = 0; /* the greatest, byte for byte */
+        for (size_t k = 0; k < 3; k++) {
+            corner[k] = mesh->vertices[mesh->indices[3 * i + k]].position.raw;
+            if (memcmp(corner[k], corner[first], 3 * sizeof(float)) > 0)
                 first = k;
         }
-        for (uint32_t k = 0; k < 3; k++)
-            memcpy(&triangles[i][3 * k],
-                   &mesh->vertices[mesh->indices[3 * i + (first + k) % 3]].position, 12);
+        for (size_t k = 0; k < 3; k++)
+            memcpy(&triangles[i][3 * k], corner[(first + k) % 3], 3 * sizeof(float));
     }
     qsort(triangles, mesh->index_count / 3, sizeof(*triangles), compare_floats);
 }
@@ -270,6 +270,115 @@ static void strips_and_fans(void **state)
     model_finish(&model);
 }
 
+static void materials(void **state)
+{
+    (void)state;
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    const char *material =
+        "'name':'paint','alphaMode':'MASK','alphaCutoff':0.25,'doubleSided':true,"
+        "'emissiveFactor':[1,0.5,0],'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,0.75],"
+        "'metallicFactor':0.125,'roughnessFactor':0.375},'extras':{'priority':-7},'extensions':{"
+        "'KHR_materials_emissive_strength':{'emissiveStrength':8},"
+        "'KHR_materials_specular':{'specularFactor':0.5,'specularColorFactor':[1,2,3]},"
+        "'KHR_materials_ior':{'ior':1.25},'KHR_materials_dispersion':{'dispersion':0.5},"
+        "'KHR_materials_volume':{'thicknessFactor':2,'attenuationDistance':4,"
+        "'attenuationColor':[0.5,0.25,0.125]}}";
+    assert_int_equal(gltf_file_material(&model, material, "", said), STATUS_OK);
+    const struct material *m = &model.materials[0];
+    assert_string_equal(m->name, "paint");
+    assert_int_equal(m->flags, MATERIAL_IS_CUTOUT | MATERIAL_IS_TWO_SIDED | MATERIAL_HAS_IOR |
+                                   MATERIAL_HAS_PRIORITY);
+    assert_int_equal(m->priority, -7);
+    const double numbers[][2] = {
+        { m->base_color.x, 0.5 }, { m->base_color.y, 0.25 },      { m->base_color.z, 1 },
+        { m->alpha, 0.75 },       { m->alpha_cutoff, 0.25 },      { m->metallic, 0.125 },
+        { m->roughness, 0.375 },  { m->emission.x, 8 },           { m->emission.y, 4 },
+        { m->emission.z, 0 },     { m->specular, 0.5 },           { m->specular_color.y, 2 },
+        { m->ior, 1.25 },         { m->dispersion, 0.5 },         { m->thickness, 2 },
+        { m->transmission, 0 },   { m->attenuation_distance, 4 }, { m->attenuation_color.z, 0.125 },
+        { m->normal_scale, 1 },   { m->occlusion_strength, 1 },
+    };
+    for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++)
+        CHECK_NEAR(numbers[i][0], numbers[i][1], 0);
+    for (uint32_t i = 0; i < model.surroundings.vertex_count; i++)
+        assert_int_equal(model.surroundings.vertices[i].material >> MESH_SURFACE_SHIFT, 1);
+    model_finish(&model);
+    assert_string_equal(said, "firn: warning: m.gltf: not drawn: emission, alpha cutoffs other "
+                              "than 0.5, specular factors\n");
+}
+
+static void material_defaults(void **state)
+{
+    (void)state;
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    assert_int_equal(gltf_file_material(&model, "", "", said), STATUS_OK);
+    const struct material *m = &model.materials[0];
+    assert_int_equal(m->flags, 0);
+    const double numbers[][2] = {
+        { m->ior, 1.5 },          { m->metallic, 1 },   { m->roughness, 1 },
+        { m->transmission, 0 },   { m->alpha, 1 },      { m->attenuation_distance, 0 },
+        { m->thickness, 0 },      { m->emission.x, 0 }, { m->specular, 1 },
+        { m->alpha_cutoff, 0.5 },
+    };
+    for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++)
+        CHECK_NEAR(numbers[i][0], numbers[i][1], 0);
+    model_finish(&model);
+    assert_string_equal(said, "");
+    assert_int_equal(gltf_file_material(&model,
+                                        "'extensions':{'KHR_materials_ior':{'ior':0}},"
+                                        "'alphaMode':'BLEND'",
+                                        "", said),
+                     STATUS_OK);
+    assert_int_equal(model.materials[0].flags, MATERIAL_IS_LEGACY | MATERIAL_IS_BLENDED);
+    CHECK_NEAR(model.materials[0].ior, 1.5, 0);
+    model_finish(&model);
+}
+
+/* A TGA of one texel, 188 of 255 in each channel. */
+#define PIXEL "data:image/x-tga;base64,AAACAAAAAAAAAAAAAQABABggvLy8"
+#define TEXTURES \
+    ",'samplers':[{'wrapS':33071,'wrapT':33648}],'textures':[{'source':0},{'source':0," \
+    "'sampler':0}],'images':[{'uri':'" PIXEL "'}]"
+
+static void textures_of_materials(void **state)
+{
+    (void)state;
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    /* the base colour: twice as large, a quarter turned, moved; the normal: as it is */
+    const char *material =
+        "'pbrMetallicRoughness':{'baseColorTexture':{'index':0,'texCoord':1,'extensions':{"
+        "'KHR_texture_transform':{'offset':[10,20],'scale':[2,2],'rotation':1.57079633}}}},"
+        "'normalTexture':{'index':1,'texCoord':1,'scale':0.5},'emissiveTexture':{'index':0,"
+        "'texCoord':1},'occlusionTexture':{'index':0}";
+    assert_int_equal(gltf_file_material(&model, material, TEXTURES, said), STATUS_OK);
+    const struct material *m = &model.materials[0];
+    assert_int_equal(model.textures.count, 2); /* of colours and of numbers */
+    assert_int_equal(m->textures[MATERIAL_BASE_COLOR].layer, 1);
+    assert_int_equal(m->textures[MATERIAL_NORMAL].layer, 2);
+    assert_int_equal(m->textures[MATERIAL_EMISSION].layer, 1);
+    assert_int_equal(m->textures[MATERIAL_OCCLUSION].layer, 0); /* another set of coordinates */
+    assert_int_equal(m->textures[MATERIAL_NORMAL].wrap_u, MATERIAL_CLAMP);
+    assert_int_equal(m->textures[MATERIAL_NORMAL].wrap_v, MATERIAL_MIRROR);
+    CHECK_NEAR(m->normal_scale, 0.5, 0);
+    const struct mesh *mesh = &model.surroundings;
+    static const float wanted[3][2] = { { 10, 20 }, { 10, 18 }, { 12, 20 } };
+    for (int i = 0; i < 3; i++) { /* of corners whose coordinates are (0 0), (1 0), (0 1) */
+        const vec2s uv = mesh->vertices[mesh->indices[i]].uv;
+        const vec3s in = { { uv.x, uv.y, 1 } };
+        CHECK_NEAR(uv.x, wanted[i][0], 1e-5);
+        CHECK_NEAR(uv.y, wanted[i][1], 1e-5);
+        CHECK_NEAR(glms_vec3_dot(m->textures[MATERIAL_NORMAL].u_row, in), i == 1, 1e-5);
+        CHECK_NEAR(glms_vec3_dot(m->textures[MATERIAL_NORMAL].v_row, in), i == 2, 1e-5);
+    }
+    model_finish(&model);
+    assert_string_equal(said, "firn: warning: m.gltf: not drawn: normal textures, occlusion "
+                              "textures, emission, textures with other coordinates than the base "
+                              "colour's, textures that do not repeat\n");
+}
+
 static void extensions_are_named(void **state)
 {
     (void)state;
@@ -301,6 +410,9 @@ int main(void)
         cmocka_unit_test_setup_teardown(draco, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(instances, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(strips_and_fans, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(materials, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(material_defaults, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(textures_of_materials, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(extensions_are_named, folder_enter, folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

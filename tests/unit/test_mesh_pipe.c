@@ -196,7 +196,7 @@ static void vertices_are_checked(void **state)
     refuse_number(VERTICES_AT + 12, 3, PIPE_NUMBER);
     refuse_word(VERTICES_AT + 44, MESH_UNLIT | 3, PIPE_MATERIAL); /* of two textures */
     refuse_word(VERTICES_AT + 44, MESH_UNLIT | MESH_MOVES, PIPE_MATERIAL);
-    refuse_word(VERTICES_AT + 44, MESH_UNLIT | 1u << 31, PIPE_MATERIAL);
+    refuse_word(VERTICES_AT + 44, MESH_UNLIT | 3u << MESH_SURFACE_SHIFT, PIPE_MATERIAL); /* 2 */
     /* not as its triangle's others */
     refuse_word(VERTICES_AT + 44, MESH_UNLIT | MESH_CUTOUT, PIPE_MATERIAL);
     refuse_word(VERTICES_AT + 44, 0, PIPE_NUMBER); /* lit, but its colour is 4 */
@@ -237,7 +237,16 @@ static void materials_are_checked(void **state)
         offsetof(struct material, dispersion),
         offsetof(struct material, attenuation_color),
         offsetof(struct material, attenuation_distance),
+        offsetof(struct material, metallic),
+        offsetof(struct material, alpha),
+        offsetof(struct material, alpha_cutoff),
+        offsetof(struct material, emission) + 4,
+        offsetof(struct material, occlusion_strength),
+        offsetof(struct material, specular),
+        offsetof(struct material, specular_color) + 8,
     };
+    const size_t texture =
+        MATERIALS_AT + offsetof(struct material, textures) + 3 * sizeof(struct material_texture);
     static const float bad[] = { NAN, INFINITY, -1 };
     (void)state;
     for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++) {
@@ -246,6 +255,12 @@ static void materials_are_checked(void **state)
     }
     refuse_word(MATERIALS_AT + offsetof(struct material, flags), MATERIAL_FLAGS + 1, PIPE_MATERIAL);
     refuse_number(MATERIALS_AT + offsetof(struct material, ior), 4.1F, PIPE_MATERIAL);
+    refuse_number(MATERIALS_AT + offsetof(struct material, normal_scale), NAN, PIPE_MATERIAL);
+    refuse_word(texture + offsetof(struct material_texture, layer), 3, PIPE_MATERIAL); /* of two */
+    refuse_word(texture + offsetof(struct material_texture, wrap_u), 3, PIPE_MATERIAL);
+    refuse_word(texture + offsetof(struct material_texture, wrap_v), 3, PIPE_MATERIAL);
+    refuse_number(texture + offsetof(struct material_texture, u_row), NAN, PIPE_MATERIAL);
+    refuse_number(texture + offsetof(struct material_texture, v_row) + 8, INFINITY, PIPE_MATERIAL);
 }
 
 static void every_length_but_one_is_short(void **state)

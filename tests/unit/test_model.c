@@ -276,12 +276,13 @@ static void gltf_materials(void **state)
                  "'material':0}]}],'materials':[{'extensions':{'KHR_materials_unlit':{}},"
                  "'alphaMode':'MASK','pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,1],"
                  "'baseColorTexture':{'index':0}}}]," PICTURE);
-    assert_int_equal(model.object.vertices[0].material, 1 | MESH_UNLIT | MESH_CUTOUT);
+    assert_int_equal(model.object.vertices[0].material,
+                     1 | MESH_UNLIT | MESH_CUTOUT | 1u << MESH_SURFACE_SHIFT);
     check_vec3(model.object.vertices[0].color, 0.25F, 0.25F, 1);
     model_finish(&model);
 
     model = load_glb(ONE_NODE ",'meshes':[" WITH("0") "],'materials':[{'alphaMode':'MASK'}]");
-    assert_int_equal(model.object.vertices[0].material, 0);
+    assert_int_equal(model.object.vertices[0].material, 1u << MESH_SURFACE_SHIFT);
     check_vec3(model.object.vertices[0].color, 1, 1, 1);
     model_finish(&model);
 }
@@ -371,7 +372,7 @@ static void textures(void **state)
     assert_int_equal(obj.textures.count, 3);
     assert_int_equal(obj.textures.size, 8);
     assert_int_equal(obj.object.index_count + obj.surroundings.index_count, index_count);
-    assert_int_equal(obj.surroundings.vertices[0].material, 3);
+    assert_int_equal(obj.surroundings.vertices[0].material, 3 | 2u << MESH_SURFACE_SHIFT);
     check_orientation(&obj, &obj.object);
     check_orientation(&obj, &obj.surroundings);
     model_finish(&obj);

@@ -34,7 +34,7 @@ struct gltf_primitive {
     float *positions;
     float *normals; /* NULL: none, as in those below */
     float *colors;  /* 4 of each vertex */
-    float *uvs;     /* of the base colour, transformed; 2 */
+    float *uvs;     /* mesh_vertex.uv; 2 */
 };
 
 struct gltf_mesh {
@@ -57,14 +57,21 @@ struct gltf_node {
     uint32_t instance_count;
 };
 
+/* A texture as a material names it. */
+struct gltf_texture {
+    uint32_t image;  /* or gltf_none */
+    uint32_t uv_set; /* of the vertices */
+    uint32_t wrap_u, wrap_v;
+    vec3s rows[2]; /* transform of coordinates (u, v, 1) */
+};
+
 struct gltf_material {
-    struct material material;
-    uint32_t mesh_flags; /* MESH_UNLIT, MESH_CUTOUT */
-    uint32_t image;      /* of the base colour, or gltf_none */
-    uint32_t uv_set;     /* of the base colour */
-    vec3s uv_rows[2];    /* transform of the base colour's coordinates (u, v, 1) */
-    uint32_t layer;      /* texture layer + 1; 0: none */
-    float ior;           /* as the file has it; 0: not given */
+    struct material material; /* its layers are set by gltf_textures_read() */
+    uint32_t mesh_flags;      /* MESH_UNLIT, MESH_CUTOUT */
+    struct gltf_texture textures[MATERIAL_TEXTURE_COUNT];
+    uint32_t uv_set;  /* of which mesh_vertex.uv is made, or gltf_none */
+    vec3s uv_rows[2]; /* how */
+    float ior;        /* as the file has it; 0: not given, or legacy */
 };
 
 /* What a file has, and this program reads but does not draw. */
@@ -76,9 +83,9 @@ enum gltf_undrawn {
     GLTF_BLEND,
     GLTF_CUTOFF,
     GLTF_SPECULAR,
-    GLTF_TRANSMISSION_TEXTURE,
-    GLTF_VOLUME_TEXTURE,
+    GLTF_MEDIUM_TEXTURE,
     GLTF_PICTURELESS,
+    GLTF_OTHER_SET,
     GLTF_WRAP,
     GLTF_LIGHTS,
     GLTF_ORTHOGRAPHIC,
@@ -197,6 +204,8 @@ void gltf_warn(struct gltf *gltf);
 MUST_USE enum status gltf_check(struct gltf *gltf);
 MUST_USE enum status gltf_nodes_read(struct gltf *gltf);
 MUST_USE enum status gltf_materials_read(struct gltf *gltf);
+/* Reads the textures of a material. */
+void gltf_material_textures(const struct gltf_object *object, struct gltf_material *material);
 /* Reads the meshes that nodes of the scene have. */
 MUST_USE enum status gltf_meshes_read(struct gltf *gltf);
 void gltf_primitive_finish(struct gltf_primitive *primitive);

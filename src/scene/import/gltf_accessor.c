@@ -23,19 +23,20 @@ struct elements {
     bool is_normalized;
 };
 
-struct gltf_bytes gltf_view_bytes(const struct gltf_object *view)
+struct gltf_bytes gltf_view_bytes(const struct gltf_object *object)
 {
-    struct gltf *gltf = view->gltf;
-    const uint32_t buffer = gltf_index(view, "buffer", "buffers");
-    const uint64_t offset = gltf_count(view, "byteOffset", 0);
-    const uint64_t size = gltf_count(view, "byteLength", 0);
+    struct gltf *gltf = object->gltf;
+    const uint32_t buffer = gltf_index(object, "buffer", "buffers");
+    const uint64_t offset = gltf_count(object, "byteOffset", 0);
+    const uint64_t size = gltf_count(object, "byteLength", 0);
     if (buffer == gltf_none)
-        (void)gltf_fault(view, "expected a buffer");
+        (void)gltf_fault(object, "expected a buffer");
     if (gltf->status != STATUS_OK)
         return (struct gltf_bytes){ 0 };
     const struct gltf_bytes *all = &gltf->buffers[buffer];
     if (size == 0 || offset > all->size || size > all->size - offset) {
-        (void)gltf_fault(view, "expected bytes within buffers[%u] of %zu bytes", buffer, all->size);
+        (void)gltf_fault(object, "expected bytes within buffers[%u] of %zu bytes", buffer,
+                         all->size);
         return (struct gltf_bytes){ 0 };
     }
     return (struct gltf_bytes){ .bytes = all->bytes + offset, .size = (size_t)size };

@@ -48,9 +48,9 @@ static struct model_shape shape_of(const struct gltf *gltf, const struct gltf_pr
                                    const char *name)
 {
     const struct gltf_material *material = &gltf->materials[primitive->material];
-    const uint32_t texture = primitive->uvs && material->layer
-                                 ? material->layer | (material->mesh_flags & MESH_CUTOUT)
-                                 : 0;
+    const uint32_t layer =
+        primitive->uvs ? material->material.textures[MATERIAL_BASE_COLOR].layer : 0;
+    const uint32_t flags = material->mesh_flags & (layer ? UINT32_MAX : MESH_UNLIT);
     return (struct model_shape){
         .name = name,
         .positions = primitive->positions,
@@ -62,7 +62,7 @@ static struct model_shape shape_of(const struct gltf *gltf, const struct gltf_pr
         .vertex_count = primitive->vertex_count,
         .index_count = primitive->index_count,
         .color = material->material.base_color,
-        .material = texture | (material->mesh_flags & MESH_UNLIT),
+        .material = layer | flags | (primitive->material + 1) << MESH_SURFACE_SHIFT,
     };
 }
 

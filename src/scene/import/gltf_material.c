@@ -1,5 +1,4 @@
 /* gltf_material.c: the materials of a glTF file (glTF 2.0, 3.9, and KHR_materials_*). */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/gltf.h"
@@ -9,97 +8,64 @@ static void note(struct gltf *gltf, enum gltf_undrawn what, bool is_there)
     gltf->undrawn |= is_there ? 1u << what : 0;
 }
 
-static bool has(const struct gltf_object *object, const char *key)
+static void read_base(const struct gltf_object *object, struct material *m)
 {
-    return json_object_get(object->json, key);
-}
-
-/* KHR_texture_transform: (u, v) scaled, then turned, then moved. */
-static void read_transform(const struct gltf_object *info, struct gltf_material *material)
-{
-    const struct gltf_object transform = gltf_extension(info, "KHR_texture_transform");
-    float offset[2] = { 0 };
-    float scale[2] = { 1, 1 };
-    (void)gltf_floats(&transform, "offset", offset, 2);
-    (void)gltf_floats(&transform, "scale", scale, 2);
-    const float angle = gltf_number(&transform, "rotation", 0);
-    const float c = cosf(angle);
-    const float s = sinf(angle);
-    material->uv_rows[0] = (vec3s){ { c * scale[0], s * scale[1], offset[0] } };
-    material->uv_rows[1] = (vec3s){ { -s * scale[0], c * scale[1], offset[1] } };
-    material->uv_set =
-        (uint32_t)gltf_count(&transform, "texCoord", gltf_count(info, "texCoord", 0));
-}
-
-/* Returns the image of a texture; gltf_none if there is none. */
-static uint32_t read_image(const struct gltf_object *info)
-{
-    struct gltf *gltf = info->gltf;
-    const uint32_t texture = gltf_index(info, "index", "textures");
-    if (texture == gltf_none) {
-        if (info->json)
-            (void)gltf_fault(info, "index: expected a texture");
-        return gltf_none;
-    }
-    const struct gltf_object object = gltf_element(gltf, "textures", texture);
-    const uint32_t sampler = gltf_index(&object, "sampler", "samplers");
-    const uint32_t image = gltf_index(&object, "source", "images");
-    if (sampler != gltf_none) {
-        const struct gltf_object wrap = gltf_element(gltf, "samplers", sampler);
-        const uint64_t repeat = 10497;
-        note(gltf, GLTF_WRAP,
-             gltf_count(&wrap, "wrapS", repeat) != repeat ||
-                 gltf_count(&wrap, "wrapT", repeat) != repeat);
-    }
-    note(gltf, GLTF_PICTURELESS, image == gltf_none);
-    return image;
-}
-
-static void read_base(const struct gltf_object *object, struct gltf_material *material)
-{
-    struct material *m = &material->material;
     const struct gltf_object pbr = gltf_member(object, "pbrMetallicRoughness");
-    const struct gltf_object texture = gltf_member(&pbr, "baseColorTexture");
     float color[4] = { 1, 1, 1, 1 };
     (void)gltf_floats(&pbr, "baseColorFactor", color, 4);
     m->base_color = (vec3s){ { color[0], color[1], color[2] } };
+    m->alpha = color[3];
     m->roughness = gltf_number(&pbr, "roughnessFactor", 1);
-    material->image = read_image(&texture);
-    read_transform(&texture, material);
-    note(object->gltf, GLTF_METAL, has(&pbr, "metallicRoughnessTexture"));
+    m->metallic = gltf_number(&pbr, "metallicFactor", 1);
+}
+
+static void read_alpha(const struct gltf_object *object, struct gltf_material *material)
+{
+    struct gltf *gltf = object->gltf;
+    struct material *m = &material->material;
+    const char *mode = gltf_string(object, "alphaMode", "OPAQUE");
+    m->alpha_cutoff = gltf_number(object, "alphaCutoff", 0.5F);
+    if (strcmp(mode, "MASK") == 0) {
+        material->mesh_flags |= MESH_CUTOUT;
+        m->flags |= MATERIAL_IS_CUTOUT;
+        note(gltf, GLTF_CUTOFF, m->alpha_cutoff != 0.5F);
+    } else if (strcmp(mode, "BLEND") == 0) {
+        m->flags |= MATERIAL_IS_BLENDED;
+        note(gltf, GLTF_BLEND, true);
+    } else if (strcmp(mode, "OPAQUE") != 0) {
+        (void)gltf_fault(object, "alphaMode: expected OPAQUE, MASK or BLEND, got \"%.16s\"", mode);
+    }
 }
 
 /* What light at the surface does beside its base colour. */
 static void read_surface(const struct gltf_object *object, struct gltf_material *material)
 {
     struct gltf *gltf = object->gltf;
+    struct material *m = &material->material;
     const struct gltf_object unlit = gltf_extension(object, "KHR_materials_unlit");
-    const char *mode = gltf_string(object, "alphaMode", "OPAQUE");
-    float emission[3] = { 0 };
-    (void)gltf_floats(object, "emissiveFactor", emission, 3);
+    const struct gltf_object strength = gltf_extension(object, "KHR_materials_emissive_strength");
+    const struct gltf_object specular = gltf_extension(object, "KHR_materials_specular");
+    const struct gltf_object normal = gltf_member(object, "normalTexture");
+    const struct gltf_object occlusion = gltf_member(object, "occlusionTexture");
     if (unlit.json) {
         material->mesh_flags |= MESH_UNLIT;
-        material->material.flags |= MATERIAL_IS_UNLIT;
+        m->flags |= MATERIAL_IS_UNLIT;
     }
-    if (strcmp(mode, "MASK") == 0) {
-        material->mesh_flags |= MESH_CUTOUT;
-        material->material.flags |= MATERIAL_IS_CUTOUT;
-        note(gltf, GLTF_CUTOFF, gltf_number(object, "alphaCutoff", 0.5F) != 0.5F);
-    } else if (strcmp(mode, "BLEND") == 0) {
-        note(gltf, GLTF_BLEND, true);
-    } else if (strcmp(mode, "OPAQUE") != 0) {
-        (void)gltf_fault(object, "alphaMode: expected OPAQUE, MASK or BLEND, got \"%.16s\"", mode);
-    }
-    note(gltf, GLTF_NORMAL, has(object, "normalTexture"));
-    note(gltf, GLTF_OCCLUSION, has(object, "occlusionTexture"));
-    note(gltf, GLTF_EMISSION, emission[0] > 0 || emission[1] > 0 || emission[2] > 0);
-    note(gltf, GLTF_SPECULAR, gltf_extension(object, "KHR_materials_specular").json);
+    if (gltf_flag(object, "doubleSided"))
+        m->flags |= MATERIAL_IS_TWO_SIDED;
+    (void)gltf_floats(object, "emissiveFactor", m->emission.raw, 3);
+    m->emission = glms_vec3_scale(m->emission, gltf_number(&strength, "emissiveStrength", 1));
+    m->normal_scale = gltf_number(&normal, "scale", 1);
+    m->occlusion_strength = gltf_number(&occlusion, "strength", 1);
+    m->specular = gltf_number(&specular, "specularFactor", 1);
+    (void)gltf_floats(&specular, "specularColorFactor", m->specular_color.raw, 3);
+    note(gltf, GLTF_EMISSION, glms_vec3_max(m->emission) > 0);
+    note(gltf, GLTF_SPECULAR, specular.json);
 }
 
 /* What the extensions of transmission, volume, index and dispersion say. */
 static void read_medium(const struct gltf_object *object, struct gltf_material *material)
 {
-    struct gltf *gltf = object->gltf;
     struct material *m = &material->material;
     const struct gltf_object through = gltf_extension(object, "KHR_materials_transmission");
     const struct gltf_object volume = gltf_extension(object, "KHR_materials_volume");
@@ -110,7 +76,7 @@ static void read_medium(const struct gltf_object *object, struct gltf_material *
     m->attenuation_distance = gltf_number(&volume, "attenuationDistance", 0);
     (void)gltf_floats(&volume, "attenuationColor", m->attenuation_color.raw, 3);
     m->dispersion = gltf_number(&spread, "dispersion", 0);
-    if (has(&volume, "attenuationDistance") && !(m->attenuation_distance > 0))
+    if (json_object_get(volume.json, "attenuationDistance") && !(m->attenuation_distance > 0))
         (void)gltf_fault(&volume, "attenuationDistance: expected a length above 0");
     material->ior = gltf_number(&index, "ior", 0);
     if (m->transmission > 0 && material->ior != 0 && !(material->ior >= 1 && material->ior <= 4))
@@ -119,9 +85,9 @@ static void read_medium(const struct gltf_object *object, struct gltf_material *
     if (material->ior >= 1) {
         m->ior = material->ior;
         m->flags |= MATERIAL_HAS_IOR;
+    } else if (json_object_get(index.json, "ior")) {
+        m->flags |= MATERIAL_IS_LEGACY;
     }
-    note(gltf, GLTF_TRANSMISSION_TEXTURE, has(&through, "transmissionTexture"));
-    note(gltf, GLTF_VOLUME_TEXTURE, has(&volume, "thicknessTexture"));
 }
 
 /* The order of media that overlap: "extras": { "priority": 3 }. */
@@ -145,9 +111,11 @@ static void read_material(struct gltf *gltf, uint32_t index)
     const struct gltf_object object = gltf_element(gltf, "materials", index);
     struct gltf_material *material = &gltf->materials[index];
     material->material = material_make(gltf_string(&object, "name", ""));
-    read_base(&object, material);
+    read_base(&object, &material->material);
+    read_alpha(&object, material);
     read_surface(&object, material);
     read_medium(&object, material);
+    gltf_material_textures(&object, material);
     read_priority(&object, &material->material);
     vec3s color = material->material.base_color;
     gltf->import->clamped_materials += model_color_clamp(&color, false);
@@ -158,6 +126,9 @@ static void read_material(struct gltf *gltf, uint32_t index)
 enum status gltf_materials_read(struct gltf *gltf)
 {
     const uint32_t count = gltf_list_length(gltf, "materials");
+    const struct gltf_object top = gltf_top(gltf);
+    if (count > MESH_SURFACE_MAX - 2) /* one for primitives without any, and one for settings */
+        return gltf_fault(&top, "expected at most %u materials", MESH_SURFACE_MAX - 2);
     gltf->materials = calloc(count + (size_t)1, sizeof(*gltf->materials));
     if (!gltf->materials)
         return gltf_no_memory(gltf);
@@ -165,6 +136,7 @@ enum status gltf_materials_read(struct gltf *gltf)
     for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++)
         read_material(gltf, i);
     gltf->materials[count].material = material_make("");
-    gltf->materials[count].image = gltf_none;
+    gltf->materials[count].material.metallic = 1;
+    gltf->materials[count].uv_set = gltf_none;
     return gltf->status;
 }

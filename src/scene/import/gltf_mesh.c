@@ -82,7 +82,7 @@ static void read_uvs(const struct source *source, struct gltf_primitive *primiti
 {
     const struct gltf_material *material = &source->object.gltf->materials[primitive->material];
     char name[32];
-    if (material->image == gltf_none)
+    if (material->uv_set == gltf_none)
         return;
     (void)snprintf(name, sizeof(name), "TEXCOORD_%u", material->uv_set);
     primitive->uvs = read_attribute(source, name, 2);

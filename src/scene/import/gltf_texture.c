@@ -1,4 +1,4 @@
-/* gltf_texture.c: the base colour textures of a glTF file's materials. */
+/* gltf_texture.c: the pictures of a glTF file's materials. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -9,6 +9,7 @@ struct source {
     char name[GLTF_PLACE_SIZE];
     uint8_t *owned;
     uint32_t image;
+    bool is_linear;
 };
 
 struct sources {
@@ -34,7 +35,7 @@ static enum status find_file(const struct gltf_object *image, const char *uri,
     return gltf->status;
 }
 
-static enum status add(struct gltf *gltf, struct sources *sources, uint32_t index)
+static enum status add(struct gltf *gltf, struct sources *sources, uint32_t index, bool is_linear)
 {
     const struct gltf_object image = gltf_element(gltf, "images", index);
     const char *uri = gltf_string(&image, "uri", NULL);
@@ -45,6 +46,8 @@ static enum status add(struct gltf *gltf, struct sources *sources, uint32_t inde
         return gltf->status;
     sources->count++;
     source->image = index;
+    source->is_linear = is_linear;
+    picture->is_linear = is_linear;
     memcpy(source->name, image.place, sizeof(source->name));
     picture->name = source->name;
     if (uri && strncmp(uri, "data:", 5) != 0)
@@ -63,20 +66,35 @@ static enum status add(struct gltf *gltf, struct sources *sources, uint32_t inde
     return gltf->status;
 }
 
-/* Sets the layer of a material whose primitive has texture coordinates. */
-static void use(struct gltf *gltf, struct sources *sources, struct gltf_material *material)
+/* Returns the layer of an image, + 1. One that has both colours and numbers has two. */
+static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t image,
+                           bool is_linear)
 {
     uint32_t layer = 0;
-    while (layer < sources->count && sources->list[layer].image != material->image)
+    while (layer < sources->count &&
+           (sources->list[layer].image != image || sources->list[layer].is_linear != is_linear))
         layer++;
     if (layer == MODEL_TEXTURE_MAX) {
         const struct gltf_object top = gltf_top(gltf);
         (void)gltf_fault(&top, "expected at most %d textures", MODEL_TEXTURE_MAX);
-        return;
+        return 0;
     }
     if (layer == sources->count)
-        (void)add(gltf, sources, material->image);
-    material->layer = layer + 1;
+        (void)add(gltf, sources, image, is_linear);
+    return layer + 1;
+}
+
+/* Sets the layers of a material whose primitive has texture coordinates. */
+static void use(struct gltf *gltf, struct sources *sources, struct gltf_material *material)
+{
+    for (int i = 0; i < MATERIAL_TEXTURE_COUNT && gltf->status == STATUS_OK; i++) {
+        const uint32_t image = material->textures[i].image;
+        struct material_texture *texture = &material->material.textures[i];
+        const bool is_color =
+            i == MATERIAL_BASE_COLOR || i == MATERIAL_EMISSION || i == MATERIAL_SPECULAR_COLOR;
+        if (image != gltf_none && texture->layer == 0)
+            texture->layer = find_layer(gltf, sources, image, !is_color);
+    }
 }
 
 enum status gltf_textures_read(struct gltf *gltf, struct texture_layers *layers)
@@ -94,7 +112,7 @@ enum status gltf_textures_read(struct gltf *gltf, struct texture_layers *layers)
         for (uint32_t k = 0; k < gltf->meshes[i].count && gltf->status == STATUS_OK; k++) {
             const struct gltf_primitive *primitive = &gltf->meshes[i].primitives[k];
             struct gltf_material *material = &gltf->materials[primitive->material];
-            if (primitive->uvs && primitive->index_count > 0 && material->layer == 0)
+            if (primitive->uvs && primitive->index_count > 0)
                 use(gltf, &sources, material);
         }
     }

@@ -39,7 +39,7 @@ struct environment_head {
     uint32_t width, height;
 };
 
-_Static_assert(sizeof(struct material) == 120, "no padding");
+_Static_assert(sizeof(struct material) == 492, "no padding");
 _Static_assert(sizeof(struct object) == 104, "no padding");
 _Static_assert(sizeof(struct model_head) == 108, "no padding, so no bytes of this process in it");
 
@@ -113,14 +113,16 @@ static bool is_color(vec3s c, bool is_unlit)
     return c.x >= 0 && c.y >= 0 && c.z >= 0 && is_within(c, is_unlit ? MODEL_RADIANCE_MAX : 1);
 }
 
-static enum pipe_fault check_vertex(const struct mesh_vertex *vertex, uint32_t texture_count)
+static enum pipe_fault check_vertex(const struct mesh_vertex *vertex, const struct model_head *head)
 {
-    const uint32_t known = MESH_TEXTURE_MASK | MESH_UNLIT | MESH_CUTOUT;
+    const uint32_t known =
+        MESH_TEXTURE_MASK | MESH_UNLIT | MESH_CUTOUT | MESH_SURFACE_MAX << MESH_SURFACE_SHIFT;
     if (!is_within(vertex->position, MODEL_COORDINATE_MAX) || !is_within(vertex->normal, 2) ||
         !is_color(vertex->color, vertex->material & MESH_UNLIT) || !isfinite(vertex->uv.x) ||
         !isfinite(vertex->uv.y))
         return PIPE_NUMBER;
-    if (vertex->material & ~known || (vertex->material & MESH_TEXTURE_MASK) > texture_count)
+    if (vertex->material & ~known || (vertex->material & MESH_TEXTURE_MASK) > head->texture_count ||
+        vertex->material >> MESH_SURFACE_SHIFT > head->material_count)
         return PIPE_MATERIAL;
     return PIPE_OK;
 }
@@ -137,7 +139,7 @@ static enum pipe_fault check_triangle(const struct mesh *mesh, const uint32_t *c
 }
 
 static enum pipe_fault read_mesh(const struct pipe_source *source, struct mesh *mesh,
-                                 struct mesh_counts counts, uint32_t texture_count)
+                                 struct mesh_counts counts, const struct model_head *head)
 {
     if (!mesh_init(mesh, counts.vertices, counts.indices))
         return PIPE_MEMORY;
@@ -146,7 +148,7 @@ static enum pipe_fault read_mesh(const struct pipe_source *source, struct mesh *
     if (fault == PIPE_OK)
         fault = pipe_read(source, mesh->indices, counts.indices * sizeof(*mesh->indices));
     for (uint32_t i = 0; fault == PIPE_OK && i < counts.vertices; i++)
-        fault = check_vertex(&mesh->vertices[i], texture_count);
+        fault = check_vertex(&mesh->vertices[i], head);
     for (uint32_t i = 0; fault == PIPE_OK && i < counts.indices; i += 3)
         fault = check_triangle(mesh, &mesh->indices[i]);
     return fault;
@@ -171,7 +173,7 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
     if (!is_countable(head->object) || !is_countable(head->surroundings) ||
         head->object.indices + head->surroundings.indices == 0)
         return PIPE_SIZE;
-    if (head->object_count > head->object.indices / 3 || head->material_count > MODEL_NODE_MAX)
+    if (head->object_count > head->object.indices / 3 || head->material_count > MESH_SURFACE_MAX)
         return PIPE_SIZE;
     if (head->texture_count > MODEL_TEXTURE_MAX || side > MODEL_TEXTURE_SIDE_MAX ||
         (side & (side - 1)) != 0 || (side > 0) != (head->texture_count > 0))
@@ -191,6 +193,22 @@ static bool is_from(float value, float min, float max)
     return value >= min && value <= max;
 }
 
+static bool is_texture(const struct material_texture *texture, uint32_t texture_count)
+{
+    return texture->layer <= texture_count && texture->wrap_u < MATERIAL_WRAP_COUNT &&
+           texture->wrap_v < MATERIAL_WRAP_COUNT && is_within(texture->u_row, FLT_MAX) &&
+           is_within(texture->v_row, FLT_MAX);
+}
+
+static bool is_surface(const struct material *m)
+{
+    return is_from(m->metallic, 0, 1) && is_from(m->alpha, 0, 1) &&
+           is_from(m->alpha_cutoff, 0, 1) && is_color(m->emission, true) &&
+           is_from(m->normal_scale, -MODEL_RADIANCE_MAX, MODEL_RADIANCE_MAX) &&
+           is_from(m->occlusion_strength, 0, 1) && is_from(m->specular, 0, 1) &&
+           is_color(m->specular_color, true);
+}
+
 static bool is_material(const struct material *m)
 {
     return memchr(m->name, 0, sizeof(m->name)) && !(m->flags & ~(uint32_t)MATERIAL_FLAGS) &&
@@ -198,16 +216,20 @@ static bool is_material(const struct material *m)
            is_color(m->attenuation_color, false) && is_from(m->roughness, 0, 1) &&
            is_from(m->transmission, 0, 1) && is_from(m->thickness, 0, MODEL_COORDINATE_MAX) &&
            is_from(m->ior, 1, 4) && is_from(m->dispersion, 0, 10) &&
-           is_from(m->attenuation_distance, 0, FLT_MAX);
+           is_from(m->attenuation_distance, 0, FLT_MAX) && is_surface(m);
 }
 
 /* Objects follow each other, and cover the whole mesh. */
-static enum pipe_fault check_objects(const struct model *model)
+static enum pipe_fault check_objects(const struct model *model, uint32_t texture_count)
 {
     uint64_t end = 0;
     for (uint32_t i = 0; i < model->material_count; i++) {
         if (!is_material(&model->materials[i]))
             return PIPE_MATERIAL;
+        for (uint32_t k = 0; k < MATERIAL_TEXTURE_COUNT; k++) {
+            if (!is_texture(&model->materials[i].textures[k], texture_count))
+                return PIPE_MATERIAL;
+        }
     }
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
@@ -235,7 +257,7 @@ static enum pipe_fault read_objects(const struct pipe_source *source, const stru
     enum pipe_fault fault = pipe_read(source, model->objects, objects_size);
     if (fault == PIPE_OK)
         fault = pipe_read(source, model->materials, materials_size);
-    return fault == PIPE_OK ? check_objects(model) : fault;
+    return fault == PIPE_OK ? check_objects(model, head->texture_count) : fault;
 }
 
 static bool is_box(const struct box *box)
@@ -274,9 +296,9 @@ enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct mo
     if (fault == PIPE_OK)
         fault = check_sizes(source, &head);
     if (fault == PIPE_OK)
-        fault = read_mesh(source, &model->object, head.object, head.texture_count);
+        fault = read_mesh(source, &model->object, head.object, &head);
     if (fault == PIPE_OK)
-        fault = read_mesh(source, &model->surroundings, head.surroundings, head.texture_count);
+        fault = read_mesh(source, &model->surroundings, head.surroundings, &head);
     if (fault == PIPE_OK)
         fault = read_objects(source, &head, model);
     if (fault == PIPE_OK && head.texture_count > 0) {

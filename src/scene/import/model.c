@@ -47,27 +47,37 @@ enum status model_load(struct model *model, const char *path, enum model_part ev
     return status;
 }
 
-static void renumber(struct mesh *mesh, uint32_t first_layer)
+static void renumber(struct mesh *mesh, uint32_t first_layer, uint32_t first_material)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (mesh->vertices[i].material & MESH_TEXTURE_MASK)
-            mesh->vertices[i].material += first_layer;
+        uint32_t *material = &mesh->vertices[i].material;
+        if (*material & MESH_TEXTURE_MASK)
+            *material += first_layer;
+        if (*material >> MESH_SURFACE_SHIFT)
+            *material += first_material << MESH_SURFACE_SHIFT;
     }
 }
 
-/* Appends the materials of `other`. Returns false when out of memory. */
-static bool add_materials(struct model *model, const struct model *other)
+/* Appends the materials of `other`. */
+static enum status add_materials(struct model *model, const struct model *other)
 {
     const size_t count = (size_t)model->material_count + other->material_count;
+    if (count > MESH_SURFACE_MAX) {
+        log_error("expected at most %u materials in all models together", MESH_SURFACE_MAX);
+        return STATUS_DATA;
+    }
     struct material *grown = realloc(model->materials, (count + 1) * sizeof(*grown));
     if (!grown)
-        return false;
+        return log_out_of_memory("surroundings");
     model->materials = grown;
-    if (other->material_count > 0)
-        memcpy(&grown[model->material_count], other->materials,
-               other->material_count * sizeof(*grown));
-    model->material_count += other->material_count;
-    return true;
+    for (uint32_t i = 0; i < other->material_count; i++) {
+        struct material *material = &grown[model->material_count + i];
+        *material = other->materials[i];
+        for (int k = 0; k < MATERIAL_TEXTURE_COUNT; k++)
+            material->textures[k].layer +=
+                material->textures[k].layer > 0 ? model->textures.count : 0;
+    }
+    return STATUS_OK;
 }
 
 enum status model_add_surroundings(struct model *model, struct model *other)
@@ -76,13 +86,17 @@ enum status model_add_surroundings(struct model *model, struct model *other)
     enum status status = model_picture_merge(&textures, &model->textures, &other->textures);
     if (status != STATUS_OK)
         goto fail;
-    renumber(&other->object, model->textures.count);
-    renumber(&other->surroundings, model->textures.count);
-    if (!add_materials(model, other) || !mesh_append(&other->object, &other->surroundings) ||
+    status = add_materials(model, other);
+    if (status != STATUS_OK)
+        goto fail;
+    renumber(&other->object, model->textures.count, model->material_count);
+    renumber(&other->surroundings, model->textures.count, model->material_count);
+    if (!mesh_append(&other->object, &other->surroundings) ||
         !mesh_append(&model->surroundings, &other->object)) {
         status = log_out_of_memory("surroundings");
         goto fail;
     }
+    model->material_count += other->material_count;
     free(model->textures.texels);
     model->textures = textures;
     textures.texels = NULL;

@@ -39,8 +39,9 @@
 #include "src/scene/object.h"
 
 /*
- * Square 8-bit sRGB textures of one size, RGBA, rows from the top, one after another: at most 4096,
- * of at most 2048 texels a side, 512 MiB together. Textures of other sizes were resampled.
+ * Square 8-bit textures of one size, RGBA, rows from the top, one after another: at most 4096, of at
+ * most 2048 texels a side, 512 MiB together. Textures of other sizes were resampled. They are of
+ * sRGB colours or of numbers (material.h).
  */
 struct texture_layers {
     uint8_t *texels;      /* size * size * 4 * count bytes */
@@ -52,7 +53,7 @@ struct model {
     struct mesh surroundings;
     struct object *objects; /* parts of `object`; their ranks are not set */
     uint32_t object_count;
-    struct material *materials; /* of the file, or files; objects refer to them */
+    struct material *materials; /* of the file, or files; objects and vertices refer to them */
     uint32_t material_count;
     struct texture_layers textures; /* of both meshes */
     struct camera camera; /* valid if has_camera; its target is at the object's distance */
@@ -76,7 +77,7 @@ MUST_USE enum status model_load(struct model *model, const char *path,
  * Appends both meshes of `other` to the surroundings of *model, renumbers textures and resamples
  * them to the larger size; the box of `other`, if any, replaces that of *model. `other` is {0}
  * afterwards in any case. On failure *model is unchanged: STATUS_TRY_AGAIN when out of memory,
- * STATUS_DATA for more than 4096 textures.
+ * STATUS_DATA for more than 4096 textures, or 8191 materials.
  */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
 

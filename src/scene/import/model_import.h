@@ -69,6 +69,7 @@ struct model_picture {
     const uint8_t *bytes;
     size_t size;
     char *file;
+    bool is_linear; /* its texels are numbers, not sRGB */
 };
 
 /* Loads pictures as layers of one size. */

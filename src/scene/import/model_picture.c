@@ -83,7 +83,8 @@ static stbir_filter filter(int from, int to)
 }
 
 /* Resamples an image to a layer. Returns false when out of memory. */
-static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int width, int height)
+static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int width, int height,
+                     stbir_colorspace space)
 {
     int to = (int)side;
     if (width == to && height == to) {
@@ -92,7 +93,7 @@ static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int w
     }
     return stbir_resize(texels, width, height, 0, layer, to, to, 0, STBIR_TYPE_UINT8, CHANNELS,
                         CHANNELS - 1, 0, STBIR_EDGE_CLAMP, STBIR_EDGE_CLAMP, filter(width, to),
-                        filter(height, to), STBIR_COLORSPACE_SRGB, NULL) != 0;
+                        filter(height, to), space, NULL) != 0;
 }
 
 static enum status decode(const char *path, const struct model_picture *picture, uint8_t *layer,
@@ -107,7 +108,8 @@ static enum status decode(const char *path, const struct model_picture *picture,
                                    &(int){ 0 }, CHANNELS);
     if (!texels)
         status = fault(path, picture, stbi_failure_reason());
-    else if (!resample(layer, side, texels, encoded.width, encoded.height))
+    else if (!resample(layer, side, texels, encoded.width, encoded.height,
+                       picture->is_linear ? STBIR_COLORSPACE_LINEAR : STBIR_COLORSPACE_SRGB))
         status = log_out_of_memory(path);
 fail:
     free(texels);
@@ -169,7 +171,7 @@ static bool copy(struct texture_layers *to, uint32_t first, const struct texture
 {
     for (uint32_t i = 0; i < from->count; i++) {
         if (!resample(layer_at(to, first + i), to->size, layer_at(from, i), (int)from->size,
-                      (int)from->size))
+                      (int)from->size, STBIR_COLORSPACE_SRGB))
             return false;
     }
     return true;
