@@ -18,11 +18,12 @@ struct background_push {
 };
 
 /* Returns the texture coordinates of a unit direction in an equirectangular picture: -Z is in the
- * middle, +Y at the top. */
-ABI_FUNCTION vec2s background_uv(vec3s dir)
+ * middle, +Y at the top. The picture is turned by `turn` turns about +Y, counterclockwise as seen
+ * from above; u is from 0 to 1 + turn. */
+ABI_FUNCTION vec2s background_uv(vec3s dir, float turn)
 {
     float pi = 3.14159265358979f;
-    float u = 0.5f + atan2f(dir.x, -dir.z) / (2.0f * pi);
+    float u = 0.5f + atan2f(dir.x, -dir.z) / (2.0f * pi) + turn;
     float v = acosf(glm_clamp(dir.y, -1.0f, 1.0f)) / pi;
     return ABI_VEC2(u, v);
 }

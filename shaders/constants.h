@@ -22,6 +22,7 @@
 #define CONSTANT_ICE_SHADOW      11 /* 1: the ice casts a shadow (ice_caustics.c) */
 #define CONSTANT_OVER            12 /* OVER_HAS_AIR ... */
 #define CONSTANT_OBJECTS         13 /* 1: other objects may have been drawn before */
-#define CONSTANT_COUNT           14
+#define CONSTANT_ENVIRONMENT     14 /* a float: environment.turn */
+#define CONSTANT_COUNT           15
 
 #endif

@@ -11,7 +11,7 @@ vec3 environment_radiance(sampler2D environment, vec3 dir, float lod)
     if (constant_background == GLOBALS_COLOR)
         return frame.background_color;
     if (constant_background == GLOBALS_ENVIRONMENT)
-        return textureLod(environment, background_uv(dir), lod).rgb;
+        return textureLod(environment, background_uv(dir, constant_environment_turn), lod).rgb;
     return sky_radiance(dir);
 }
 

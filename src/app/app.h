@@ -49,6 +49,8 @@ struct app_vector {
 struct app_scene {
     const char *name; /* SCENE; NULL: it is missing */
     const char *environment, *surroundings, *material;
+    float env_rotate;             /* degrees */
+    float env_exposure;           /* stops */
     struct app_vector background; /* linear */
     struct reader_params reader;
     struct settings settings;

@@ -57,6 +57,20 @@ static void print_cube_time(FILE *out, const struct settings *settings, const st
         fprintf(out, " cube_time=%.9g", (double)motion->time);
 }
 
+static void print_surroundings(FILE *out, const struct app_scene *scene)
+{
+    if (scene->environment)
+        fprintf(out, " env=%s", scene->environment);
+    if (scene->env_rotate < 0.0f || scene->env_rotate > 0.0f)
+        fprintf(out, " env-rotate=%.9g", (double)scene->env_rotate);
+    if (scene->env_exposure < 0.0f || scene->env_exposure > 0.0f)
+        fprintf(out, " env-exposure=%.9g", (double)scene->env_exposure);
+    if (scene->surroundings)
+        fprintf(out, " surroundings=%s", scene->surroundings);
+    if (scene->background.is_given)
+        print_vector(out, "background", scene->background.value);
+}
+
 static bool describe(const struct output *output, bool is_png, char **text)
 {
     const struct app_picture *p = output->picture;
@@ -81,12 +95,7 @@ static bool describe(const struct output *output, bool is_png, char **text)
             fprintf(out, " show=%s", show->name);
         if (is_png && p->png_bits == 16)
             fputs(" png-bits=16", out);
-        if (p->scene.environment)
-            fprintf(out, " env=%s", p->scene.environment);
-        if (p->scene.surroundings)
-            fprintf(out, " surroundings=%s", p->scene.surroundings);
-        if (p->scene.background.is_given)
-            print_vector(out, "background", p->scene.background.value);
+        print_surroundings(out, &p->scene);
         print_vector(out, "eye", camera->eye);
         print_vector(out, "target", camera->target);
         fprintf(out, " fov=%.9g", (double)camera->fov_deg);

@@ -1,4 +1,5 @@
 /* scene.c: what the options say of scene, camera and renderer. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include "src/app/app.h"
@@ -171,6 +172,8 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
         .name = given->name,
         .surroundings = given->surroundings,
         .environment = given->environment,
+        .environment_turn = given->env_rotate / 360.0f - floorf(given->env_rotate / 360.0f),
+        .environment_exposure = given->env_exposure,
         .background = given->background.is_given ? &given->background.value : NULL,
         .object_triangles = object->triangles,
         .landscape_triangles = landscape->triangles,
@@ -210,6 +213,23 @@ enum status app_load_scene(struct scene *scene, struct app_scene *given)
     return status;
 }
 
+/* Options of a file that is missing, or is of another kind. */
+static enum status check_environment(const struct app_scene *given, const struct scene *scene)
+{
+    const bool is_turned = fabsf(given->env_rotate) > 0.0f;
+    const bool is_exposed = fabsf(given->env_exposure) > 0.0f;
+    if (!given->environment && (is_turned || is_exposed)) {
+        log_error("--env-%s: --env is missing", is_turned ? "rotate" : "exposure");
+        return STATUS_USAGE;
+    }
+    if (is_turned && scene->cube.texels) {
+        log_error("--env-rotate: not available for a cube: expected an equirectangular picture "
+                  "as --env");
+        return STATUS_USAGE;
+    }
+    return STATUS_OK;
+}
+
 enum status app_begin_scene(struct scene *scene, struct app_scene *given)
 {
     struct bump_maps_params maps;
@@ -221,7 +241,11 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
     if (app_need_scene(given) != STATUS_OK)
         return STATUS_USAGE;
     enum status status = scene_load(scene, &params);
-    if (status == STATUS_OK) {
+    if (status == STATUS_OK)
+        status = check_environment(given, scene);
+    if (status != STATUS_OK) {
+        scene_finish(scene);
+    } else {
         settle_ior(given, scene);
         check_box(given, scene);
     }

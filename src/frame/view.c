@@ -1,6 +1,7 @@
 /* view.c: computes the uniform data of a frame from camera, time and scene. */
 #include "src/frame/view.h"
 #include <math.h>
+#include <string.h>
 #include "src/frame/media.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
@@ -290,6 +291,8 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
     } };
+    memcpy(&constants.values[CONSTANT_ENVIRONMENT], &scene->environment.turn,
+           sizeof(scene->environment.turn));
     for (const struct technique *const *technique = techniques; *technique; technique++) {
         if ((*technique)->write_constants)
             (*technique)->write_constants(settings, constants.values);

@@ -98,7 +98,7 @@ vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
         return g->background_color;
     if (radiance->scene->background == SCENE_SKY)
         return scaled(g, sky_seen(dir, g->sun_dir, g->sun_strength));
-    const vec2s uv = background_uv(dir);
+    const vec2s uv = background_uv(dir, environment->turn);
     return glms_vec3(blend(radiance, fetch_environment, 0, pair_at(uv.x, environment->width, true),
                            pair_at(uv.y, environment->height, false)));
 }

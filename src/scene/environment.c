@@ -84,6 +84,18 @@ enum status environment_load(struct environment *environment, const char *path)
     return status;
 }
 
+void environment_expose(struct environment *environment, float stops)
+{
+    const float gain = exp2f(stops);
+    const size_t count = (size_t)environment->width * environment->height;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < 3; c++) {
+            uint16_t *texel = &environment->texels[4 * i + c];
+            *texel = half_from_float(half_to_float(*texel) * gain);
+        }
+    }
+}
+
 void environment_finish(struct environment *environment)
 {
     free(environment->texels);

@@ -15,6 +15,7 @@
 struct environment {
     uint16_t *texels;       /* half RGBA, rows from the top; finite, not negative; owned */
     uint32_t width, height; /* texels */
+    float turn;             /* of an equirectangular picture: turns about +Y, 0 to 1 */
     bool is_cube; /* alpha is 1 / distance from the capture's centre, 1 / metre, 0 at infinity; if
                      false, alpha is 1 */
 };
@@ -27,6 +28,9 @@ struct environment {
  * *environment is then {0}.
  */
 MUST_USE enum status environment_load(struct environment *environment, const char *path);
+
+/* Multiplies the colours by 2^stops. */
+void environment_expose(struct environment *environment, float stops);
 
 /* Frees the texels; *environment is then {0}. */
 void environment_finish(struct environment *environment);

@@ -223,9 +223,12 @@ static enum status load_background(struct scene *scene, const struct scene_param
     free(path);
     if (status != STATUS_OK)
         return status;
+    if (params->environment_exposure < 0.0f || params->environment_exposure > 0.0f)
+        environment_expose(&environment, params->environment_exposure);
     if (environment.is_cube) {
         scene->cube = environment;
     } else {
+        environment.turn = params->environment_turn;
         scene->background = SCENE_ENVIRONMENT;
         scene->environment = environment;
     }

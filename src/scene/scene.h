@@ -46,11 +46,13 @@ struct scene_cracks {
 };
 
 struct scene_params {
-    const char *name;          /* of a built-in scene or an asset, or a model file */
-    const char *surroundings;  /* model file; NULL: the landscape, if the sky is there too */
-    const char *environment;   /* asset, or image file of the background or of a cube; NULL: none */
-    const vec3s *background;   /* colour; NULL: the sky */
-    uint32_t object_triangles; /* of a built-in object; 0: its default */
+    const char *name;         /* of a built-in scene or an asset, or a model file */
+    const char *surroundings; /* model file; NULL: the landscape, if the sky is there too */
+    const char *environment;  /* asset, or image file of the background or of a cube; NULL: none */
+    float environment_turn;   /* of a picture of the background: environment.turn */
+    float environment_exposure;          /* of the file, stops */
+    const vec3s *background;             /* colour; NULL: the sky */
+    uint32_t object_triangles;           /* of a built-in object; 0: its default */
     uint32_t landscape_triangles;        /* 0: default */
     bool flat;                           /* a level floor instead of the landscape */
     uint32_t mover_count;                /* objects that move around the object */

@@ -5,7 +5,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
 from case import PLAIN, USAGE, Case, main  # noqa: E402
-from exr_file import Exr  # noqa: E402
+from exr_file import Exr, write_exr  # noqa: E402
 from png_file import Png  # noqa: E402
 
 TINY = ('sphere', '--size', '32x24', *PLAIN, '-q')
@@ -81,6 +81,58 @@ class PngBits(Pixels):
             words = ('render', *TINY[:-1], '--png-bits', bits, *again)
             self.assertEqual(self.succeed(*words).stderr.count(b'up to date'), count)
         self.refuse(USAGE, 'render', *TINY, '--png-bits', '12', names=['--png-bits', '8 or 16'])
+
+
+class Environment(Pixels):
+    def panorama(self, turned=0):
+        """A file of 16 x 8 texels, each column another colour, turned by so many columns."""
+        def shade(x, channel):
+            return [0.1, 0.2, 0.9, 1.7][((x + turned) % 16 // 4 + channel) % 4]
+        planes = {name: [shade(x, c) for _ in range(8) for x in range(16)]
+                  for c, name in enumerate('RGB')}
+        (self.folder / f'{turned}.exr').write_bytes(write_exr((16, 8), planes))
+        return '--env', f'{turned}.exr'
+
+    def test_turned_as_if_its_columns_were(self):
+        for words in [()] + [('-r', 'reference')] * HAS_REFERENCE:
+            with self.subTest(words=words):
+                straight, turned = self.draw(*self.panorama(), *words), self.draw(
+                    *self.panorama(4), *words)
+                for degrees in ('90', '-270'):
+                    found = self.draw(*self.panorama(), '--env-rotate', degrees, *words)
+                    wanted = turned.read_planes('RGB')
+                    for name, plane in found.read_planes('RGB').items():
+                        self.assertLess(max(abs(a - b) for a, b in zip(plane, wanted[name])), 0.02)
+                    self.assertNotEqual(found.pixels, straight.pixels)
+                self.assertEqual(self.draw(*self.panorama(), '--env-rotate', '0', *words).pixels,
+                                 straight.pixels)
+
+    def test_exposed(self):
+        words = ('--env-exposure', '2')
+        for more in [()] + [('-r', 'reference')] * HAS_REFERENCE:
+            dark = self.draw(*self.panorama(), *more).read_planes('RGB')
+            bright = self.draw(*self.panorama(), *words, *more)
+            self.assertIn(' env-exposure=2 ', bright.text('firn/settings'))
+            ratios = [b / a for name, plane in bright.read_planes('RGB').items()
+                      for a, b in zip(dark[name], plane) if a]
+            self.assertAlmostEqual(sorted(ratios)[len(ratios) // 2], 4, 2)
+
+    def test_a_cube_that_is_baked_of_it(self):
+        def bake(*words):
+            self.succeed('bake', 'sphere', '--size', '8', *words, '-o', 'cube.exr', '-q')
+            return Exr((self.folder / 'cube.exr').read_bytes()).read_planes('RGB')
+        dark, bright = bake(*self.panorama()), bake(*self.panorama(), '--env-exposure', '1')
+        self.assertAlmostEqual(max(bright['R']) / max(dark['R']), 2, 2)
+        self.assertNotEqual(dark, bake(*self.panorama(), '--env-rotate', '45'))
+        cube = ('render', *TINY, '--env', 'cube.exr', '-o', 'a.exr')
+        self.refuse(USAGE, *cube, '--env-rotate', '45', names=['--env-rotate', 'cube'])
+
+    def test_refused(self):
+        for words, names in ((('--env-rotate', '45'), ['--env is missing']),
+                             (('--env-exposure', '1'), ['--env is missing']),
+                             (('--env-rotate', '400'), ['-360 to 360']),
+                             (('--env-exposure', 'nan'), ['-16 to 16'])):
+            self.refuse(USAGE, 'render', *TINY, *words, '-o', 'a.exr', names=[words[0], *names])
 
 
 if __name__ == '__main__':

@@ -258,6 +258,27 @@ enum status option_tone_curve(const struct option *option, void *at, const char 
     return STATUS_OK;
 }
 
+static bool parse_within(const char *value, float limit, float *number)
+{
+    return option_parse_numbers(value, ',', number, 1) && fabsf(*number) <= limit;
+}
+
+enum status option_env_rotate(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    return parse_within(value, 360.0f, &scene->env_rotate)
+               ? STATUS_OK
+               : option_refuse(option, value, "-360 to 360 degrees");
+}
+
+enum status option_env_exposure(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    return parse_within(value, 16.0f, &scene->env_exposure)
+               ? STATUS_OK
+               : option_refuse(option, value, "-16 to 16 stops");
+}
+
 enum status option_background(const struct option *option, void *at, const char *value)
 {
     struct app_vector *background = at;

@@ -83,6 +83,15 @@ static bool differ(double a, double b)
     return a < b || a > b;
 }
 
+/* Unless it is 0. */
+static void print_number(FILE *out, const char *option, float value)
+{
+    if (differ((double)value, 0.0)) {
+        fprintf(out, " --%s ", option);
+        settings_print_number(value, out);
+    }
+}
+
 static void print_setting(FILE *out, const struct settings *settings, const struct setting *row)
 {
     fprintf(out, " --set %s=", row->name);
@@ -143,6 +152,8 @@ static void print(FILE *out, const struct ui_command *c)
     print_ior(out, c);
     print_settings(out, c);
     print_name(out, "env", p->scene.environment);
+    print_number(out, "env-rotate", p->scene.env_rotate);
+    print_number(out, "env-exposure", p->scene.env_exposure);
     print_name(out, "surroundings", p->scene.surroundings);
     print_given(out, "background", &p->scene.background);
     print_camera(out, c);
