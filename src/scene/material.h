@@ -55,8 +55,8 @@ struct material_texture {
 
 /*
  * A material in the terms of glTF 2.0 and its extensions KHR_materials_transmission, _volume, _ior,
- * _dispersion, _specular and _emissive_strength. A transmissive material bounds a medium: inside, light of each channel is left
- * by attenuation_color ^ (length / attenuation_distance).
+ * _dispersion, _specular and _emissive_strength. A transmissive material bounds a medium: inside,
+ * light of each channel is left by attenuation_color ^ (length / attenuation_distance).
  */
 struct material {
     char name[MATERIAL_NAME_SIZE];

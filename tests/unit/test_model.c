@@ -56,7 +56,6 @@ static const char json_head[] =
     "'material':" material "}]}"
 #define PICTURE  "'textures':[{'source':0}],'images':[{'bufferView':5,'mimeType':'image/png'}]"
 #define ONE_NODE "'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}]"
-
 static char folder[] = "/tmp/firn-model-XXXXXX";
 static char written[64][64];
 static int written_count;

@@ -39,8 +39,8 @@
 #include "src/scene/object.h"
 
 /*
- * Square 8-bit textures of one size, RGBA, rows from the top, one after another: at most 4096, of at
- * most 2048 texels a side, 512 MiB together. Textures of other sizes were resampled. They are of
+ * Square 8-bit textures of one size, RGBA, rows from the top, one after another: at most 4096, of
+ * at most 2048 texels a side, 512 MiB together. Textures of other sizes were resampled. They are of
  * sRGB colours or of numbers (material.h).
  */
 struct texture_layers {
