@@ -106,6 +106,27 @@ static bool is_tinted(const struct material *material)
     return !glms_vec3_eqv(material->base_color, glms_vec3_one()) || material->transmission < 1.0f;
 }
 
+/* Returns the number of objects in the box of another one: the rungs draw the outer one alone. */
+static uint32_t count_inside(const struct model *model)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct box *box = &model->objects[i].box;
+        bool is_inside = false;
+        for (uint32_t k = 0; k < model->object_count && !is_inside; k++)
+            is_inside = k != i && box_contains(&model->objects[k].box, box);
+        count += is_inside;
+    }
+    return count;
+}
+
+static void add_count(char *words, size_t size, uint32_t count, const char *name)
+{
+    const size_t used = strlen(words);
+    if (count)
+        snprintf(&words[used], size - used, "%s%u %s", used ? ", " : "", count, name);
+}
+
 /* Names what only the reference makes of a scene's own materials. */
 static void warn_of_rung(const struct app_picture *picture, const struct scene *scene)
 {
@@ -121,14 +142,12 @@ static void warn_of_rung(const struct app_picture *picture, const struct scene *
         uint32_t count = 0;
         for (uint32_t i = 0; i < model->object_count; i++)
             count += kinds[k].is_there(&model->materials[model->objects[i].material]);
-        const size_t used = strlen(words);
-        if (count)
-            snprintf(&words[used], sizeof(words) - used, "%s%u %s", used ? ", " : "", count,
-                     kinds[k].name);
+        add_count(words, sizeof(words), count, kinds[k].name);
     }
+    add_count(words, sizeof(words), count_inside(model), "inside others");
     if (words[0])
-        log_warning("%s: drawn as smooth clear solids: of %u objects %s; --refraction reference "
-                    "draws what they are",
+        log_warning("%s: drawn as smooth clear solids, each by itself: of %u objects %s; "
+                    "--refraction reference draws what they are",
                     picture->scene.name, model->object_count, words);
 }
 

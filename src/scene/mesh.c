@@ -81,6 +81,15 @@ struct box mesh_box(const struct mesh *mesh)
     return box;
 }
 
+bool box_contains(const struct box *outer, const struct box *inner)
+{
+    for (int k = 0; k < 3; k++) {
+        if (inner->min.raw[k] < outer->min.raw[k] || inner->max.raw[k] > outer->max.raw[k])
+            return false;
+    }
+    return true;
+}
+
 vec3s box_center(struct box box)
 {
     /* The halves are added, because the sum of two large coordinates may overflow. */

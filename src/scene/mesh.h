@@ -51,6 +51,9 @@ struct box mesh_box(const struct mesh *mesh);
 
 vec3s box_center(struct box box);
 
+/* Returns whether `inner` is within `outer`, or touches it from inside. */
+bool box_contains(const struct box *outer, const struct box *inner);
+
 /* Returns the length of the diagonal. */
 float box_diagonal(struct box box);
 

@@ -34,15 +34,6 @@ static struct box box_of(const struct mesh *part)
     return box;
 }
 
-static bool is_within(const struct box *inner, const struct box *outer)
-{
-    for (int k = 0; k < 3; k++) {
-        if (inner->min.raw[k] < outer->min.raw[k] || inner->max.raw[k] > outer->max.raw[k])
-            return false;
-    }
-    return true;
-}
-
 /* Whether all corners of a part are inside the shell. */
 static bool encloses(const struct solid *shell, const struct mesh *part)
 {
@@ -62,7 +53,7 @@ static bool find_enclosed(struct contender *contenders, const struct object *obj
     struct solid solid = { 0 };
     bool is_made = false;
     for (uint32_t i = 0; i < count; i++) {
-        if (i == k || !is_within(&objects[i].box, &objects[k].box))
+        if (i == k || !box_contains(&objects[k].box, &objects[i].box))
             continue;
         if (!is_made && !solid_init(&solid, &shell))
             return false;

@@ -64,12 +64,12 @@ class Scenes(Case):
 
     def test_what_a_rung_leaves_out_is_said(self):
         parts = [(glass(), [0, 0, 0], 1), (glass(roughness=0.3), [3, 0, 0], 1),
-                 (glass(thickness=0, color=[1, 0, 0]), [6, 0, 0], 1)]
-        (self.folder / 'three.gltf').write_text(boxes(*parts))
-        words = ('render', 'three.gltf', *SMALL, '-o', 'a.exr')
+                 (glass(thickness=0, color=[1, 0, 0]), [6, 0, 0], 1), (glass(1.3), [0, 0, 0], 0.5)]
+        (self.folder / 'four.gltf').write_text(boxes(*parts))
+        words = ('render', 'four.gltf', *SMALL, '-o', 'a.exr')
         said = self.succeed(*words).stderr.decode()
-        self.assertRegex(said, r'\Afirn: warning: three.gltf: .* of 3 objects 1 rough, '
-                               r'1 thin-walled, 1 tinted; .*reference.*\n\Z')
+        self.assertRegex(said, r'\Afirn: warning: four.gltf: .* of 4 objects 1 rough, '
+                               r'1 thin-walled, 1 tinted, 1 inside others; .*reference.*\n\Z')
         self.assertEqual(self.succeed(*words, '-r', 'reference', env=NO_DRIVER).stderr, b'')
         self.assertEqual(self.succeed('render', 'two.gltf', *SMALL, '-o', 'a.exr').stderr, b'')
 
