@@ -63,6 +63,9 @@ void exr_close(struct exr_file *file); /* may be NULL */
  * {0}. */
 MUST_USE enum status exr_read(const char *path, struct image *image);
 
+/* The same with what else the file says; the caller finishes *head, which is {0} on failure. */
+MUST_USE enum status exr_read_all(const char *path, struct image *image, struct picture_head *head);
+
 /* Reads a file to its end, to check it, and returns its header as exr_open() does. */
 MUST_USE enum status exr_check(const char *path, struct picture_head *head);
 

@@ -206,6 +206,21 @@ static bool find_matrix(const struct exr_file *file, const char *name, float mat
     return true;
 }
 
+static bool find_primaries(const struct exr_file *file, struct primaries *primaries)
+{
+    exr_attr_chromaticities_t value;
+    if (exr_attr_get_chromaticities(file->context, file->part, "chromaticities", &value) !=
+        EXR_ERR_SUCCESS)
+        return false;
+    *primaries = (struct primaries){
+        .red = { value.red_x, value.red_y },
+        .green = { value.green_x, value.green_y },
+        .blue = { value.blue_x, value.blue_y },
+        .white = { value.white_x, value.white_y },
+    };
+    return true;
+}
+
 static bool add_texts(const struct exr_file *file, struct picture_head *head)
 {
     int32_t count = 0;
@@ -233,6 +248,7 @@ static bool fill_head(const struct exr_file *file, struct picture_head *head)
     head->has_place = find_place(file, &head->place);
     head->has_world_to_camera = find_matrix(file, "worldToCamera", head->world_to_camera);
     head->has_world_to_ndc = find_matrix(file, "worldToNDC", head->world_to_ndc);
+    head->has_primaries = find_primaries(file, &head->primaries);
     return done && add_texts(file, head);
 }
 
@@ -416,15 +432,14 @@ static bool add_image(struct image *image, const struct picture_head *head)
     return true;
 }
 
-enum status exr_read(const char *path, struct image *image)
+enum status exr_read_all(const char *path, struct image *image, struct picture_head *head)
 {
     struct exr_file *file;
-    struct picture_head head;
-    enum status status = exr_open(&file, path, &head);
-    if (status == STATUS_OK && !add_image(image, &head))
+    enum status status = exr_open(&file, path, head);
+    if (status == STATUS_OK && !add_image(image, head))
         status = log_out_of_memory(path);
-    for (uint32_t y = 0; y < head.image.height && status == STATUS_OK; y++) {
-        for (uint32_t p = 0; p < head.image.plane_count && status == STATUS_OK; p++) {
+    for (uint32_t y = 0; y < head->image.height && status == STATUS_OK; y++) {
+        for (uint32_t p = 0; p < head->image.plane_count && status == STATUS_OK; p++) {
             const float *row;
             status = exr_row(file, p, y, &row);
             if (status == STATUS_OK)
@@ -432,10 +447,19 @@ enum status exr_read(const char *path, struct image *image)
                        image->width * sizeof(*row));
         }
     }
-    if (status != STATUS_OK)
+    if (status != STATUS_OK) {
         image_finish(image);
-    picture_head_finish(&head);
+        picture_head_finish(head);
+    }
     exr_close(file);
+    return status;
+}
+
+enum status exr_read(const char *path, struct image *image)
+{
+    struct picture_head head;
+    const enum status status = exr_read_all(path, image, &head);
+    picture_head_finish(&head);
     return status;
 }
 

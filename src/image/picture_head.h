@@ -10,6 +10,7 @@
 #include <stdint.h>
 #include "src/base/status.h"
 #include "src/image/image.h"
+#include "src/image/primaries.h"
 
 enum {
     PICTURE_TEXT_COUNT_MAX = 16,
@@ -36,6 +37,8 @@ struct picture_head {
     bool has_place; /* false: the image is partly outside of the picture */
     struct picture_place place;
     bool has_world_to_camera, has_world_to_ndc;
+    bool has_primaries; /* of an EXR; not sent by reader processes */
+    struct primaries primaries;
     float world_to_camera[16], world_to_ndc[16]; /* EXR's row-vector order */
 };
 

@@ -9,12 +9,40 @@
 #include "src/image/half.h"
 #include "src/image/hdr.h"
 
+/* Colours of Rec.709; gray is gray everywhere. */
+static void convert_colors(struct image *image, const struct primaries *primaries, const char *path)
+{
+    float m[9];
+    float *r = image_find(image, "R"), *g = image_find(image, "G"), *b = image_find(image, "B");
+    const enum primaries_kind kind = primaries_to_rec709(primaries, m);
+    if (kind == PRIMARIES_INVALID)
+        log_warning("%s: its chromaticities are no colours: Rec.709 is assumed", path);
+    if (kind != PRIMARIES_OTHER || !r || !g || !b)
+        return;
+    for (size_t i = 0; i < (size_t)image->width * image->height; i++) {
+        const float c[3] = { r[i], g[i], b[i] };
+        r[i] = m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
+        g[i] = m[3] * c[0] + m[4] * c[1] + m[5] * c[2];
+        b[i] = m[6] * c[0] + m[7] * c[1] + m[8] * c[2];
+    }
+}
+
+static enum status read_exr(const char *path, struct image *image)
+{
+    struct picture_head head;
+    const enum status status = exr_read_all(path, image, &head);
+    if (status == STATUS_OK && head.has_primaries)
+        convert_colors(image, &head.primaries, path);
+    picture_head_finish(&head);
+    return status;
+}
+
 static enum status read_picture(const char *path, struct image *image)
 {
     if (path_ends_in(path, ".hdr"))
         return hdr_read(path, image);
     if (path_ends_in(path, ".exr"))
-        return exr_read(path, image);
+        return read_exr(path, image);
     log_error("%s: expected an environment file that ends in .exr or .hdr", path);
     return STATUS_DATA;
 }
@@ -28,7 +56,7 @@ static uint16_t to_half(float value)
 
 static enum status check_shape(const struct image *image, const char *path)
 {
-    if (image->height <= image->width || image->height == 6 * (uint64_t)image->width)
+    if (image->width == 2 * (uint64_t)image->height || image->height == 6 * (uint64_t)image->width)
         return STATUS_OK;
     log_error(
         "%s: expected an equirectangular picture (2:1) or a cube of six faces (1:6), got %u x %u",

@@ -201,7 +201,7 @@ def exr_parts(*parts, flags=0x1000):
     return head + offsets + lines
 
 
-def hdr(lines, width=16, height=2, form='32-bit_rle_rgbe', resolution='-Y {} +X {}'):
+def hdr(lines, width=16, height=8, form='32-bit_rle_rgbe', resolution='-Y {} +X {}'):
     return (f'#?RADIANCE\nFORMAT={form}\n\n' + resolution.format(height, width) + '\n').encode() \
         + lines
 

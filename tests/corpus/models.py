@@ -27,7 +27,7 @@ def truncated():
 
 def bit_flips():
     sources = {'glb': glb(), 'gltf': gltf(data_uri), 'ply': ply(), 'obj': obj(), 'exr': exr(),
-               'hdr': hdr(hdr_line(16, b'\x90\x80') * 2)}
+               'hdr': hdr(hdr_line(16, b'\x90\x80') * 8)}
     for suffix, content in sources.items():
         for seed in range(6):
             yield f'{seed}.{suffix}', flipped(content, seed), EITHER

@@ -64,10 +64,15 @@ def parts():
     yield 'attribute-type.exr', exr(more=attribute('a', 'nothing', b'abc')), EITHER
     yield 'strings.exr', exr(more=attribute('a', 'stringvector', b'\xff\xff\xff\x7f')), EITHER
     yield 'preview.exr', exr(more=attribute('preview', 'preview', b'\xff' * 8)), EITHER
+    for name, numbers in (('0', [0] * 8), ('nan', [NAN] * 8), ('huge', [FLOAT_MAX] * 8),
+                          ('tiny', [TINY] * 8), ('other', [.7, .3, .2, .8, .1, .1, .3, .3])):
+        yield f'chromaticities-{name}.exr', exr(more=attribute(
+            'chromaticities', 'chromaticities', struct.pack('<8f', *numbers))), DRAWN
     yield 'cube.exr', exr(size=(2, 12)), DRAWN
     yield 'cube-said.exr', exr(more=attribute('envmap', 'envmap', b'\1')), EITHER
     yield 'high.exr', exr(size=(4, 5)), REFUSED
-    yield 'one-texel.exr', exr(size=(1, 1)), DRAWN
+    yield 'one-texel.exr', exr(size=(1, 1)), REFUSED
+    yield 'least.exr', exr(size=(2, 1)), DRAWN
     yield 'gray.exr', exr(channels='Y'), ACCEPTED
     yield 'red.exr', exr(channels='R'), REFUSED
     yield 'whole.exr', exr(kind=0), EITHER
@@ -78,27 +83,27 @@ def parts():
 
 def runs():
     good = hdr_line(16, b'\x90\x80')
-    yield 'good.hdr', hdr(good * 2), DRAWN
+    yield 'good.hdr', hdr(good * 8), DRAWN
     yield 'beyond.hdr', hdr(hdr_line(16, b'\xff\x80') * 2), REFUSED
-    yield 'none.hdr', hdr(hdr_line(16, b'\x00' * 40) * 2), REFUSED
-    yield 'other-width.hdr', hdr(hdr_line(99, b'\x90\x80') * 2), REFUSED
-    yield 'bright.hdr', hdr(hdr_line(16, b'\x90\xff') * 2), DRAWN
+    yield 'none.hdr', hdr(hdr_line(16, b'\x00' * 40) * 8), REFUSED
+    yield 'other-width.hdr', hdr(hdr_line(99, b'\x90\x80') * 8), REFUSED
+    yield 'bright.hdr', hdr(hdr_line(16, b'\x90\xff') * 8), DRAWN
     yield 'vast.hdr', hdr(good, width=1 << 31, height=1 << 31), REFUSED
     yield 'wide.hdr', hdr(good, width=65536, height=65536), REFUSED
     yield 'negative.hdr', hdr(good, width=-16, height=-2), REFUSED
     yield 'zero.hdr', hdr(good, width=0, height=0), REFUSED
     yield 'form.hdr', hdr(good, form='32-bit_rle_xyze'), REFUSED
-    yield 'turned.hdr', hdr(good * 2, resolution='+X {1} -Y {0}'), REFUSED
+    yield 'turned.hdr', hdr(good * 8, resolution='+X {1} -Y {0}'), REFUSED
     yield 'endless-header.hdr', b'#?RADIANCE\n' + b'A=1\n' * 10000, REFUSED
     yield 'no-line.hdr', b'#?RADIANCE\n' + b'x' * 100000, REFUSED
-    yield 'rgbe.hdr', hdr(good * 2).replace(b'RADIANCE', b'RGBE'), ACCEPTED
-    yield 'flat.hdr', hdr(b'\x80\x40\x20\x81' * 12, width=6), ACCEPTED
-    yield 'flat-wide.hdr', hdr(b'\x80\x40\x20\x81' * 40000, width=40000, height=1), ACCEPTED
-    yield 'old-runs.hdr', hdr(b'\x80\x40\x20\x81' + b'\1\1\1\x07' * 11, width=6), EITHER
-    yield 'rows-mixed.hdr', hdr(good + b'\x80\x40\x20\x81' * 16), EITHER
-    yield 'words.hdr', hdr(good * 2, resolution='-Y {}x +X {}'), EITHER
-    yield 'exposure.hdr', hdr(good * 2).replace(b'FORMAT', b'EXPOSURE=1e39\nFORMAT'), EITHER
-    yield 'returns.hdr', hdr(good * 2).replace(b'RADIANCE\n', b'RADIANCE\r\n'), EITHER
+    yield 'rgbe.hdr', hdr(good * 8).replace(b'RADIANCE', b'RGBE'), ACCEPTED
+    yield 'flat.hdr', hdr(b'\x80\x40\x20\x81' * 18, width=6, height=3), ACCEPTED
+    yield 'flat-wide.hdr', hdr(b'\x80\x40\x20\x81' * 40000, width=40000, height=1), REFUSED
+    yield 'old-runs.hdr', hdr(b'\x80\x40\x20\x81' + b'\1\1\1\x07' * 11, width=6, height=3), EITHER
+    yield 'rows-mixed.hdr', hdr(good * 7 + b'\x80\x40\x20\x81' * 16), EITHER
+    yield 'words.hdr', hdr(good * 8, resolution='-Y {}x +X {}'), EITHER
+    yield 'exposure.hdr', hdr(good * 8).replace(b'FORMAT', b'EXPOSURE=1e39\nFORMAT'), EITHER
+    yield 'returns.hdr', hdr(good * 8).replace(b'RADIANCE\n', b'RADIANCE\r\n'), EITHER
 
 
 def chunks():
@@ -211,7 +216,7 @@ def profiles():
 
 def other_formats():
     """The bytes of one format in a file of another's name."""
-    good = hdr(hdr_line(16, b'\x90\x80') * 2)
+    good = hdr(hdr_line(16, b'\x90\x80') * 8)
     yield 'hdr.exr', good, REFUSED
     yield 'png.exr', png(4, 4), REFUSED
     yield 'exr.hdr', exr(), REFUSED

@@ -108,8 +108,8 @@ def attribute(name, kind, value):
     return name.encode() + b'\0' + kind.encode() + b'\0' + struct.pack('<i', len(value)) + value
 
 
-def write_exr(size, planes):
-    """A file of {name: values, row by row}, as floats, not compressed."""
+def write_exr(size, planes, more=b''):
+    """A file of {name: values, row by row}, as floats, not compressed; `more`: attributes."""
     width, height = size
     names = sorted(planes)
     channels = b''.join(name.encode() + b'\0' + struct.pack('<4i', 2, 0, 1, 1) for name in names)
@@ -121,7 +121,7 @@ def write_exr(size, planes):
         attribute('lineOrder', 'lineOrder', b'\0'),
         attribute('pixelAspectRatio', 'float', struct.pack('<f', 1)),
         attribute('screenWindowCenter', 'v2f', struct.pack('<2f', 0, 0)),
-        attribute('screenWindowWidth', 'float', struct.pack('<f', 1)))) + b'\0'
+        attribute('screenWindowWidth', 'float', struct.pack('<f', 1)))) + more + b'\0'
     line_size = 4 * width * len(names)
     table = [len(head) + 8 * height + y * (8 + line_size) for y in range(height)]
     lines = (struct.pack('<2i', y, line_size) + b''.join(

@@ -120,13 +120,6 @@ class Corpus(Case):
             with self.subTest(kind=entry.kind, name=entry.name, words=done.args[1]):
                 self.check(done, REFUSED if done.args[1] == 'merge' else EITHER)
 
-    def test_a_panorama_beyond_the_device(self):
-        entry, = [entry for entry in corpus() if entry.name == 'flat-wide.hdr']
-        path = write(entry, self.folder)
-        self.refuse(DATA, 'render', 'sphere', '--env', path, *TINY, names=['40000 x 1'])
-        self.refuse(DATA, 'bake', 'sphere', '--env', path, *PLAIN, '-o', 'a.exr',
-                    names=['40000 x 1'])
-
     def test_the_truth_of_a_ladder(self):
         names = 'bomb.png', 'bomb-cut.png', 'old-runs.hdr'
         found = [entry for entry in corpus() if entry.name in names]

@@ -1,11 +1,12 @@
 """test_pixels.py: what options do to the pixels of a picture. Usage: see case.py."""
 import pathlib
+import struct
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
-from case import PLAIN, USAGE, Case, main  # noqa: E402
-from exr_file import Exr, write_exr  # noqa: E402
+from case import DATA, PLAIN, USAGE, Case, main  # noqa: E402
+from exr_file import Exr, attribute, write_exr  # noqa: E402
 from png_file import Png  # noqa: E402
 
 TINY = ('sphere', '--size', '32x24', *PLAIN, '-q')
@@ -127,7 +128,34 @@ class Environment(Pixels):
         cube = ('render', *TINY, '--env', 'cube.exr', '-o', 'a.exr')
         self.refuse(USAGE, *cube, '--env-rotate', '45', names=['--env-rotate', 'cube'])
 
+    def test_other_chromaticities(self):
+        def bake(color, *primaries):
+            more = attribute('chromaticities', 'chromaticities', struct.pack('<8f', *primaries)) \
+                if primaries else b''
+            planes = {name: [value] * 2 for name, value in zip('RGB', color)}
+            (self.folder / 'p.exr').write_bytes(write_exr((2, 1), planes, more))
+            done = self.succeed('bake', 'sphere', '--size', '2', '--env', 'p.exr', '-o', 'c.exr',
+                                '--surroundings', 'far.obj', '-q', '--set', 'motion.count=0')
+            planes = Exr((self.folder / 'c.exr').read_bytes()).read_planes('RGB')
+            return [planes[name][4] for name in 'RGB'], done.stderr  # of -X
+        (self.folder / 'far.obj').write_text(
+            'v 90 1 0\nv 89 -1 1\nv 91 -1 1\nv 90 -1 -1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n')
+        rec2020 = (0.708, 0.292, 0.170, 0.797, 0.131, 0.046, 0.3127, 0.3290)
+        for color, wanted in (((0.5, 0.5, 0.5), (0.5, 0.5, 0.5)),
+                              ((0.2, 0.6, 0.3), (0, 0.6524, 0.2716)),
+                              ((0.6, 0.5, 0.4), (0.6734, 0.4884, 0.3863))):
+            found, said = bake(color, *rec2020)
+            self.assertEqual(said, b'')
+            for a, b in zip(found, wanted):
+                self.assertAlmostEqual(a, b, delta=2e-3)
+            self.assertLess(abs(bake(color)[0][1] - color[1]), 1e-3)
+        self.assertIn(b'p.exr', bake((0.5, 0.5, 0.5), *[0] * 8)[1])
+
     def test_refused(self):
+        for size in ((8, 5), (16, 2), (1, 1)):
+            (self.folder / 'p.exr').write_bytes(write_exr(size, {'Y': [1] * (size[0] * size[1])}))
+            self.refuse(DATA, 'render', *TINY, '--env', 'p.exr', '-o', 'a.exr',
+                        names=['p.exr', '2:1', f'{size[0]} x {size[1]}'])
         for words, names in ((('--env-rotate', '45'), ['--env is missing']),
                              (('--env-exposure', '1'), ['--env is missing']),
                              (('--env-rotate', '400'), ['-360 to 360']),

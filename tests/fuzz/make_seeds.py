@@ -42,7 +42,7 @@ def seeds():
             yield READERS[entry.name.rsplit('.', 1)[1]], entry.content
     yield 'profile_json', profile()
     yield 'exr', tile(b'1 of 1x1 interleaved')
-    yield 'hdr', hdr(hdr_line(16, b'\x90\x80') * 2)
+    yield 'hdr', hdr(hdr_line(16, b'\x90\x80') * 8)
     yield 'png', png(4, 4)
     yield from (('model', content) for content in (glb(), ply(), obj()))
     yield 'model', beside(gltf('beside'), tent()[0])
