@@ -3,7 +3,7 @@ import re
 import subprocess
 
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet',
-            'farm', 'merge', 'list')
+            'farm', 'merge', 'info', 'list')
 LISTS = ('scenes', 'environments', 'rungs', 'materials', 'layers', 'settings')
 
 

@@ -187,6 +187,7 @@ enum app_command {
     APP_SHEET = 256,
     APP_FARM = 512,
     APP_MERGE = 1024,
+    APP_INFO = 2048,
 };
 
 /*
@@ -207,6 +208,7 @@ void app_help(enum app_command command);
 
 enum status app_render(const struct app_options *options);
 enum status app_graph(const struct app_options *options);
+enum status app_info(const struct app_options *options);
 enum status app_list(const struct app_options *options);
 enum status app_profile(const struct app_options *options);
 enum status app_view(const struct app_options *options); /* becomes firn-view if it can */

@@ -26,6 +26,7 @@ static const struct {
       "draw one picture per material or value of a setting, side by side" },
     { "farm", APP_FARM, app_farm, "render a sequence on many machines, by Slurm or GNU parallel" },
     { "merge", APP_MERGE, app_merge, "join the tiles of a picture" },
+    { "info", APP_INFO, app_info, "print what a scene or a model file holds; needs no device" },
     { "list", APP_LIST, app_list,
       "print the scenes, rungs, materials, layers, settings, devices and sandbox" },
 };
@@ -86,7 +87,7 @@ static enum status run(int argc, char **argv)
     bool done;
     if (argc < 2) {
         log_error("no command: expected render, view, profile, graph, diff, ladder, bake, sheet, "
-                  "farm, merge or list (see --help)");
+                  "farm, merge, info or list (see --help)");
         return STATUS_USAGE;
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))

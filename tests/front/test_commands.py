@@ -14,7 +14,7 @@ from exr_file import Exr  # noqa: E402
 import plan_dumps  # noqa: E402
 
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet', 'farm',
-            'merge', 'list', 'help')
+            'merge', 'info', 'list', 'help')
 
 # Layer by layer, what `--aov all` adds to the picture.
 LAYERS = (

@@ -1,10 +1,11 @@
 """test_scenes.py: scenes of model files: their objects, and what these are dressed with. Usage: see
 case.py."""
+import json
 import re
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DRIVER, Case, main  # noqa: E402
+from case import NO_DRIVER, USAGE, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -72,6 +73,24 @@ class Scenes(Case):
                                r'1 thin-walled, 1 tinted, 1 inside others; .*reference.*\n\Z')
         self.assertEqual(self.succeed(*words, '-r', 'reference', env=NO_DRIVER).stderr, b'')
         self.assertEqual(self.succeed('render', 'two.gltf', *SMALL, '-o', 'a.exr').stderr, b'')
+
+    def test_info(self):
+        parts = [(glass(1.3, name='ice'), [0, 0, 0], 0.5), (glass(1.5, name='cup'), [0, 0, 0], 1),
+                 (glass(2, name='gem', extras={'priority': -1}), [9, 0, 0], 1)]
+        (self.folder / 'three.gltf').write_text(boxes(*parts))
+        said = json.loads(self.succeed('info', 'three.gltf', '--json', env=NO_DRIVER).stdout)
+        names = [said['materials'][found['material']]['name'] for found in said['objects']]
+        self.assertEqual(names, ['cup', 'ice', 'gem'])  # what lies inside wins; what is stated, too
+        self.assertEqual([found['closed'] for found in said['objects']], [True] * 3)
+        self.assertEqual([found['triangles'] for found in said['objects']], [12] * 3)
+        indices = [round(found['ior'], 4) for found in said['materials'] if 'ior' in found]
+        self.assertEqual(indices, [1.3, 1.5, 2])
+        self.assertEqual(said['materials'][2]['priority'], -1)
+        self.assertEqual(said['surrounding_triangles'], 0)
+        text = self.succeed('info', 'three.gltf', env=NO_DRIVER).stdout.decode()
+        self.assertRegex(text, r'(?m)^  box 0 +12  closed +ice$')
+        self.assertRegex(text, r'(?m)^  gem +solid +2 .*priority -1$')
+        self.refuse(USAGE, 'info', names=['SCENE'])
 
     def test_indices_are_the_materials(self):
         """And --set overrides all of them."""

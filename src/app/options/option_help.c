@@ -45,6 +45,8 @@ static const char *const examples[] = {
                   "  firn farm status turn.####.exr --frames 1-250\n"),
     [APP_MERGE] = ("  firn render ice-cube --size 16384x8192 --tiles 4x2 --tile 1 -o tile.1.exr\n"
                    "  firn merge tile.*.exr -o still.exr\n"),
+    [APP_INFO] = ("  firn info drink\n"
+                  "  firn info statue.glb --json\n"),
     [APP_LIST] = ("  firn list\n"
                   "  firn list settings\n"
                   "  firn list settings --json\n"
@@ -66,6 +68,7 @@ static const char *const usages[] = {
     [APP_FARM] =
         "firn farm slurm|parallel|status [options] SCENE: render a sequence on many machines",
     [APP_MERGE] = "firn merge [options] TILE...: join the tiles of a picture",
+    [APP_INFO] = "firn info [options] SCENE: print what a scene or a model file holds",
     [APP_LIST] = ("firn list [options] "
                   "[scenes|environments|rungs|materials|layers|settings|devices|sandbox]: print "
                   "what there is"),

@@ -33,7 +33,7 @@ enum {
 #define FRAMES   (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW | APP_FARM)
 #define PICTURES (FRAMES | APP_LADDER | APP_SHEET)
 #define SCENES   (PICTURES | APP_BAKE)
-#define READERS  (SCENES | APP_DIFF | APP_MERGE)
+#define READERS  (SCENES | APP_DIFF | APP_MERGE | APP_INFO)
 #define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
 #define DEVICES  ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
@@ -222,7 +222,7 @@ static const struct option options[] = {
     { "Format", "dot", 0, NULL, APP_GRAPH, FORMAT, "Graphviz digraph instead of text" },
     { "Format", "html", 0, NULL, APP_GRAPH, FORMAT,
       "HTML page of passes and memory instead of text" },
-    { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM, FORMAT,
+    { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM | APP_INFO, FORMAT,
       "JSON with all data instead of text" },
     { "Format", "json", 0, NULL, APP_LIST, FORMAT, "JSON instead of text: a key for each list" },
     { "Format", "preset", 0, NULL, APP_LIST, FORMAT,
@@ -321,7 +321,7 @@ static enum status parse_option(struct app_options *o, enum app_command command,
 /* Most commands have one word that is no option, SCENE. */
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
-    const bool is_scene = command & SCENES & ~(unsigned)APP_FARM;
+    const bool is_scene = command & (SCENES | APP_INFO) & ~(unsigned)APP_FARM;
     const char **words = is_scene ? &o->picture.scene.name : o->positionals;
     const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2
                           : command == APP_MERGE          ? APP_POSITIONAL_COUNT - 1

@@ -1,0 +1,202 @@
+/* info.c: firn info: what a scene holds. */
+#include <jansson.h>
+#include <math.h>
+#include <stdlib.h>
+#include "src/app/app.h"
+#include "src/base/log.h"
+
+enum {
+    DIGITS = 9, /* of numbers, so that a float comes back */
+};
+
+/* ---- facts ---- */
+
+/* Returns whether the area vectors of an object's triangles add up to nothing, as those of a closed
+ * shell do. */
+static bool is_closed(const struct model *model, const struct object *object)
+{
+    double sum[3] = { 0 };
+    double all = 0;
+    for (uint32_t i = 0; i < object->index_count; i += 3) {
+        const uint32_t *corners = &model->object.indices[object->first_index + i];
+        const vec3s a = model->object.vertices[corners[0]].position;
+        const vec3s b = model->object.vertices[corners[1]].position;
+        const vec3s c = model->object.vertices[corners[2]].position;
+        const vec3s area = glms_vec3_cross(glms_vec3_sub(b, a), glms_vec3_sub(c, a));
+        for (int k = 0; k < 3; k++)
+            sum[k] += (double)area.raw[k];
+        all += (double)glms_vec3_norm(area);
+    }
+    const double left = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
+    return left <= 1e-4 * all;
+}
+
+/* Returns what a transmissive material is drawn as. */
+static const char *kind_of(const struct material *material)
+{
+    if (material->flags & MATERIAL_IS_BARE)
+        return "as set";
+    if (!(material->transmission > 0.0f))
+        return "opaque";
+    return material->thickness > 0.0f ? "solid" : "thin wall";
+}
+
+static int by_rank(const void *a, const void *b)
+{
+    const struct object *x = a;
+    const struct object *y = b;
+    return x->rank < y->rank ? -1 : x->rank > y->rank;
+}
+
+/* ---- text ---- */
+
+static void print_objects(const struct model *model)
+{
+    if (!model->object_count)
+        return;
+    printf("\nobjects; where they overlap, the medium of the later line is there:\n");
+    printf("  %-24s %10s  %-8s %s\n", "name", "triangles", "shell", "material");
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        printf("  %-24s %10u  %-8s %s\n", object->name, object->index_count / 3,
+               is_closed(model, object) ? "closed" : "open",
+               model->materials[object->material].name);
+    }
+}
+
+static void print_material(const struct material *m)
+{
+    printf("  %-24s %-10s", m->name[0] ? m->name : "(no name)", kind_of(m));
+    if (m->transmission > 0.0f && !(m->flags & MATERIAL_IS_BARE)) {
+        printf(" %-6g %-10g %-9g ", (double)m->ior, (double)m->dispersion, (double)m->roughness);
+        if (m->attenuation_distance > 0.0f)
+            printf("%.3g,%.3g,%.3g in %g m", (double)m->attenuation_color.x,
+                   (double)m->attenuation_color.y, (double)m->attenuation_color.z,
+                   (double)m->attenuation_distance);
+        else
+            printf("clear");
+        if (m->flags & MATERIAL_HAS_PRIORITY)
+            printf(", priority %d", m->priority);
+    }
+    printf("\n");
+}
+
+static void print_text(const char *name, const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    const struct box box = scene->box;
+    printf("%s: %u triangles of %u objects, %u around them, %u textures\n", name,
+           model->object.index_count / 3, model->object_count, model->surroundings.index_count / 3,
+           model->textures.count);
+    printf("box of the objects: %g,%g,%g to %g,%g,%g metres\n", (double)box.min.x,
+           (double)box.min.y, (double)box.min.z, (double)box.max.x, (double)box.max.y,
+           (double)box.max.z);
+    if (model->has_camera)
+        printf("camera: eye %g,%g,%g, target %g,%g,%g, %g degrees high\n",
+               (double)model->camera.eye.x, (double)model->camera.eye.y,
+               (double)model->camera.eye.z, (double)model->camera.target.x,
+               (double)model->camera.target.y, (double)model->camera.target.z,
+               (double)model->camera.fov_deg);
+    print_objects(model);
+    if (model->material_count)
+        printf("\nmaterials:\n  %-24s %-10s %-6s %-10s %-9s %s\n", "name", "kind", "index",
+               "dispersion", "roughness", "light that is left");
+    for (uint32_t i = 0; i < model->material_count; i++)
+        print_material(&model->materials[i]);
+}
+
+/* ---- JSON ---- */
+
+static json_t *vector(vec3s v)
+{
+    return json_pack("[f, f, f]", (double)v.x, (double)v.y, (double)v.z);
+}
+
+/* Strings of files may hold any bytes. */
+static json_t *text_of(const char *text)
+{
+    json_t *string = json_string(text);
+    return string ? string : json_string("?");
+}
+
+static json_t *objects_of(const struct model *model)
+{
+    json_t *all = json_array();
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        (void)json_array_append_new(
+            all,
+            json_pack("{s:o, s:i, s:i, s:i, s:b, s:o, s:o}", "name", text_of(object->name), "rank",
+                      (int)object->rank, "triangles", (int)(object->index_count / 3), "material",
+                      (int)object->material, "closed", (int)is_closed(model, object), "min",
+                      vector(object->box.min), "max", vector(object->box.max)));
+    }
+    return all;
+}
+
+static json_t *material_of(const struct material *m)
+{
+    json_t *json =
+        json_pack("{s:o, s:s, s:o, s:f}", "name", text_of(m->name), "kind", kind_of(m),
+                  "base_color", vector(m->base_color), "roughness", (double)m->roughness);
+    if (json && m->transmission > 0.0f && !(m->flags & MATERIAL_IS_BARE)) {
+        (void)json_object_set_new(json, "transmission", json_real((double)m->transmission));
+        (void)json_object_set_new(json, "ior", json_real((double)m->ior));
+        (void)json_object_set_new(json, "dispersion", json_real((double)m->dispersion));
+        (void)json_object_set_new(json, "attenuation_color", vector(m->attenuation_color));
+        (void)json_object_set_new(json, "attenuation_distance",
+                                  json_real((double)m->attenuation_distance));
+    }
+    if (json && m->flags & MATERIAL_HAS_PRIORITY)
+        (void)json_object_set_new(json, "priority", json_integer(m->priority));
+    return json;
+}
+
+static json_t *materials_of(const struct model *model)
+{
+    json_t *all = json_array();
+    for (uint32_t i = 0; i < model->material_count; i++)
+        (void)json_array_append_new(all, material_of(&model->materials[i]));
+    return all;
+}
+
+static enum status print_json(const char *name, const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    json_t *root = json_pack("{s:o, s:i, s:i, s:o, s:o, s:o, s:o}", "scene", text_of(name),
+                             "surrounding_triangles", (int)(model->surroundings.index_count / 3),
+                             "textures", (int)model->textures.count, "min", vector(scene->box.min),
+                             "max", vector(scene->box.max), "objects", objects_of(model),
+                             "materials", materials_of(model));
+    if (root && model->has_camera)
+        (void)json_object_set_new(root, "camera",
+                                  json_pack("{s:o, s:o, s:f}", "eye", vector(model->camera.eye),
+                                            "target", vector(model->camera.target), "fov",
+                                            (double)model->camera.fov_deg));
+    char *text = root ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS)) : NULL;
+    json_decref(root);
+    if (!text)
+        return log_out_of_memory(NULL);
+    puts(text);
+    free(text);
+    return STATUS_OK;
+}
+
+enum status app_info(const struct app_options *o)
+{
+    struct app_scene given = o->picture.scene;
+    struct scene scene;
+    given.plain = true; /* neither what firn puts into ice nor its landscape is the scene's */
+    given.background.is_given = true;
+    enum status status = app_load_scene(&scene, &given);
+    if (status != STATUS_OK)
+        return status;
+    if (scene.model.object_count)
+        qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
+    if (o->run.format == APP_FORMAT_JSON)
+        status = print_json(given.name, &scene);
+    else
+        print_text(given.name, &scene);
+    scene_finish(&scene);
+    return status;
+}
