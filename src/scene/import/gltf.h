@@ -26,6 +26,11 @@ struct gltf_bytes {
     size_t size;
 };
 
+/* What a morph target adds, times its weight, to each vertex; 3 numbers, or NULL. Owned. */
+struct gltf_target {
+    float *positions, *normals;
+};
+
 /* Triangles of one material, all arrays owned. */
 struct gltf_primitive {
     uint32_t material; /* index into gltf.materials */
@@ -35,6 +40,10 @@ struct gltf_primitive {
     float *normals; /* NULL: none, as in those below */
     float *colors;  /* 4 of each vertex */
     float *uvs;     /* mesh_vertex.uv; 2 */
+    float *joints;  /* 4 indices of joints of the node's skin */
+    float *weights; /* of them, 4; both or none are there */
+    struct gltf_target *targets;
+    uint32_t target_count;
 };
 
 struct gltf_mesh {
@@ -51,7 +60,9 @@ struct gltf_node {
     bool has_matrix;
     bool is_listed;
     uint32_t parent; /* position in gltf.order, or gltf_none */
-    uint32_t mesh, camera;
+    uint32_t mesh, camera, skin;
+    float *weights; /* of the mesh's morph targets; owned */
+    uint32_t weight_count;
     mat4s model_from_node;
     mat4s *instances; /* node_from_instance, instance_count of them; owned */
     uint32_t instance_count;
@@ -90,8 +101,7 @@ enum gltf_undrawn {
     GLTF_LIGHTS,
     GLTF_ORTHOGRAPHIC,
     GLTF_ANIMATION,
-    GLTF_SKIN,
-    GLTF_MORPH,
+    GLTF_MORE_JOINTS,
     GLTF_POINTS,
     GLTF_UNDRAWN_COUNT,
 };
@@ -107,7 +117,9 @@ struct gltf {
     struct gltf_bytes *views;   /* those that had to be decompressed; others are {0} */
     struct gltf_node *nodes;
     uint32_t node_count;
-    uint32_t *order; /* nodes of the scene, parents first */
+    uint32_t animation; /* that moves the nodes, or gltf_none: they are at rest */
+    float time;         /* of it, seconds */
+    uint32_t *order;    /* nodes of the scene, parents first */
     uint32_t order_count;
     struct gltf_mesh *meshes;
     uint32_t mesh_count;
@@ -203,6 +215,20 @@ void gltf_warn(struct gltf *gltf);
 /* Checks indices everywhere in the file, for what the scene does not use is not read. */
 MUST_USE enum status gltf_check(struct gltf *gltf);
 MUST_USE enum status gltf_nodes_read(struct gltf *gltf);
+/* Returns an animation by its name or its number from 0; gltf_none after a fault. */
+uint32_t gltf_animation_find(struct gltf *gltf, const char *name);
+
+/* Moves nodes to where an animation has them at a time, seconds. */
+void gltf_animate(struct gltf *gltf, uint32_t index, float time);
+
+/* Whether morph targets or a skin change a primitive of a node's mesh; and its positions and
+ * normals then, all else {0}. With a skin they are in the space of the model. The caller finishes
+ * *posed, also after a fault. */
+bool gltf_is_posed(const struct gltf_node *node, const struct gltf_primitive *primitive);
+MUST_USE enum status gltf_pose(struct gltf *gltf, const struct gltf_node *node,
+                               const struct gltf_primitive *primitive,
+                               struct gltf_primitive *posed);
+
 MUST_USE enum status gltf_materials_read(struct gltf *gltf);
 /* Reads the textures of a material. */
 void gltf_material_textures(const struct gltf_object *object, struct gltf_material *material);

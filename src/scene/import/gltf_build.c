@@ -103,11 +103,21 @@ static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s 
     }
     char name[64];
     (void)snprintf(name, sizeof(name), "meshes[%u].primitives[%u]", node->mesh, index);
-    const struct model_shape shape = shape_of(gltf, primitive, name);
-    if (walk->is_split && part == MODEL_OBJECT)
+    struct model_shape shape = shape_of(gltf, primitive, name);
+    struct gltf_primitive posed = { 0 };
+    if (gltf_is_posed(node, primitive)) {
+        status = gltf_pose(gltf, node, primitive, &posed);
+        shape.positions = posed.positions;
+        shape.normals = posed.normals;
+        if (node->skin != gltf_none && primitive->joints)
+            model_from_mesh = glms_mat4_identity();
+    }
+    if (status == STATUS_OK && walk->is_split && part == MODEL_OBJECT)
         status = add_object(walk, node, primitive);
-    return status == STATUS_OK ? model_build_add(&walk->build, part, &shape, model_from_mesh)
-                               : status;
+    if (status == STATUS_OK)
+        status = model_build_add(&walk->build, part, &shape, model_from_mesh);
+    gltf_primitive_finish(&posed);
+    return status;
 }
 
 /* Visits the primitives of a node's mesh, once or for each instance. */
@@ -188,12 +198,18 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_part e
 }
 
 enum status model_load_gltf(struct model_import *import, struct model *model,
-                            enum model_part everything_is)
+                            enum model_part everything_is, const struct model_pose *pose)
 {
-    struct gltf gltf = { .path = import->path, .import = import };
+    struct gltf gltf = {
+        .path = import->path, .import = import, .animation = gltf_none, .time = pose->time
+    };
     enum status status = gltf_open(&gltf);
     if (status == STATUS_OK)
         status = gltf_check(&gltf);
+    if (status == STATUS_OK && pose->animation)
+        gltf.animation = gltf_animation_find(&gltf, pose->animation);
+    if (status == STATUS_OK)
+        status = gltf.status;
     if (status == STATUS_OK)
         status = gltf_nodes_read(&gltf);
     if (status == STATUS_OK)

@@ -25,9 +25,8 @@ static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
     [GLTF_WRAP] = "textures that do not repeat",
     [GLTF_LIGHTS] = "lights",
     [GLTF_ORTHOGRAPHIC] = "orthographic cameras",
-    [GLTF_ANIMATION] = "animations",
-    [GLTF_SKIN] = "skins",
-    [GLTF_MORPH] = "morph targets",
+    [GLTF_ANIMATION] = "animations, but the pose at rest",
+    [GLTF_MORE_JOINTS] = "joints beyond four of a vertex",
     [GLTF_POINTS] = "points and lines",
 };
 

@@ -224,8 +224,10 @@ void gltf_close(struct gltf *gltf)
             gltf_primitive_finish(&gltf->meshes[i].primitives[k]);
         free(gltf->meshes[i].primitives);
     }
-    for (uint32_t i = 0; i < gltf->node_count; i++)
+    for (uint32_t i = 0; i < gltf->node_count; i++) {
         free(gltf->nodes[i].instances);
+        free(gltf->nodes[i].weights);
+    }
     free(gltf->buffers);
     free(gltf->views);
     free(gltf->meshes);

@@ -20,6 +20,13 @@ void gltf_primitive_finish(struct gltf_primitive *primitive)
     free(primitive->normals);
     free(primitive->colors);
     free(primitive->uvs);
+    free(primitive->joints);
+    free(primitive->weights);
+    for (uint32_t i = 0; i < primitive->target_count; i++) {
+        free(primitive->targets[i].positions);
+        free(primitive->targets[i].normals);
+    }
+    free(primitive->targets);
     *primitive = (struct gltf_primitive){ 0 };
 }
 
@@ -166,6 +173,36 @@ static void open_draco(struct source *source)
                          gltf_draco_vertex_count(source->draco));
 }
 
+static void read_targets(const struct source *source, struct gltf_primitive *primitive)
+{
+    const uint32_t count = gltf_length(&source->object, "targets");
+    primitive->targets = calloc(count + (size_t)1, sizeof(*primitive->targets));
+    if (!primitive->targets) {
+        (void)gltf_no_memory(source->object.gltf);
+        return;
+    }
+    primitive->target_count = count;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct source target = {
+            .object = source->object,
+            .attributes = gltf_item(&source->object, "targets", i),
+            .vertex_count = source->vertex_count,
+        };
+        primitive->targets[i].positions = read_attribute(&target, "POSITION", 3);
+        primitive->targets[i].normals = read_attribute(&target, "NORMAL", 3);
+    }
+}
+
+static void read_joints(const struct source *source, struct gltf_primitive *primitive)
+{
+    primitive->joints = read_attribute(source, "JOINTS_0", 4);
+    primitive->weights = read_attribute(source, "WEIGHTS_0", 4);
+    if (!primitive->joints != !primitive->weights)
+        (void)gltf_fault(&source->attributes, "expected JOINTS_0 and WEIGHTS_0, or none of them");
+    if (json_object_get(source->attributes.json, "JOINTS_1"))
+        source->object.gltf->undrawn |= 1u << GLTF_MORE_JOINTS;
+}
+
 static void read_arrays(struct source *source, struct gltf_primitive *primitive, enum mode mode)
 {
     open_draco(source);
@@ -174,6 +211,8 @@ static void read_arrays(struct source *source, struct gltf_primitive *primitive,
         primitive->positions = read_attribute(source, "POSITION", 3);
         primitive->normals = read_attribute(source, "NORMAL", 3);
         primitive->colors = read_attribute(source, "COLOR_0", 4);
+        read_joints(source, primitive);
+        read_targets(source, primitive);
         read_uvs(source, primitive);
         read_indices(source, primitive, mode);
     }
@@ -206,7 +245,6 @@ static enum status read_primitive(const struct gltf_object *object,
     source.vertex_count = (uint32_t)count;
     primitive->material = material == gltf_none ? gltf->material_count - 1 : material;
     read_arrays(&source, primitive, (enum mode)mode);
-    gltf->undrawn |= gltf_length(object, "targets") > 0 ? 1u << GLTF_MORPH : 0;
     return gltf->status;
 }
 

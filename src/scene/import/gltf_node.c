@@ -61,6 +61,25 @@ static void read_instancing(const struct gltf_object *object, struct gltf_node *
     free(scales);
 }
 
+/* Reads the weights of a node's morph targets; those of its mesh are the default. */
+static void read_weights(const struct gltf_object *object, struct gltf_node *node)
+{
+    struct gltf *gltf = object->gltf;
+    if (node->mesh == gltf_none)
+        return;
+    const struct gltf_object mesh = gltf_element(gltf, "meshes", node->mesh);
+    const struct gltf_object primitive = gltf_item(&mesh, "primitives", 0);
+    const uint32_t count = gltf_length(&primitive, "targets");
+    node->weights = calloc(count + (size_t)1, sizeof(*node->weights));
+    if (!node->weights) {
+        (void)gltf_no_memory(gltf);
+        return;
+    }
+    node->weight_count = count;
+    if (count > 0 && !gltf_floats(object, "weights", node->weights, count))
+        (void)gltf_floats(&mesh, "weights", node->weights, count);
+}
+
 static void read_node(struct gltf *gltf, uint32_t index)
 {
     const struct gltf_object object = gltf_element(gltf, "nodes", index);
@@ -71,6 +90,7 @@ static void read_node(struct gltf *gltf, uint32_t index)
         .matrix = glms_mat4_identity(),
         .mesh = gltf_index(&object, "mesh", "meshes"),
         .camera = gltf_index(&object, "camera", "cameras"),
+        .skin = gltf_index(&object, "skin", "skins"),
         .parent = gltf_none,
     };
     (void)snprintf(node->name, sizeof(node->name), "%s", gltf_string(&object, "name", ""));
@@ -84,8 +104,7 @@ static void read_node(struct gltf *gltf, uint32_t index)
     else
         (void)gltf_fault(&object, "rotation: expected a unit quaternion");
     read_instancing(&object, node);
-    if (gltf_index(&object, "skin", "skins") != gltf_none)
-        gltf->undrawn |= 1u << GLTF_SKIN;
+    read_weights(&object, node);
 }
 
 /* Appends a node to the scene's order. */
@@ -172,6 +191,10 @@ enum status gltf_nodes_read(struct gltf *gltf)
     }
     for (uint32_t i = 0; i < gltf->node_count && gltf->status == STATUS_OK; i++)
         read_node(gltf, i);
+    if (gltf->animation != gltf_none && gltf->status == STATUS_OK)
+        gltf_animate(gltf, gltf->animation, gltf->time);
+    else if (gltf_list_length(gltf, "animations") > 0)
+        gltf->undrawn |= 1u << GLTF_ANIMATION;
     if (gltf->status == STATUS_OK)
         list_nodes(gltf);
     place_nodes(gltf);

@@ -26,7 +26,8 @@ static enum status check_file(const char *path)
     return STATUS_OK;
 }
 
-enum status model_load(struct model *model, const char *path, enum model_part everything_is)
+enum status model_load_posed(struct model *model, const char *path, enum model_part everything_is,
+                             const struct model_pose *pose)
 {
     struct model_import import = { .path = path };
     const struct model_format *format;
@@ -37,7 +38,7 @@ enum status model_load(struct model *model, const char *path, enum model_part ev
     if (status != STATUS_OK)
         return status;
     if (format->is_gltf)
-        status = model_load_gltf(&import, model, everything_is);
+        status = model_load_gltf(&import, model, everything_is, pose);
     else
         status = model_load_assimp(&import, format->suffix, model, everything_is);
     if (status == STATUS_OK)
@@ -45,6 +46,11 @@ enum status model_load(struct model *model, const char *path, enum model_part ev
     else
         model_finish(model);
     return status;
+}
+
+enum status model_load(struct model *model, const char *path, enum model_part everything_is)
+{
+    return model_load_posed(model, path, everything_is, &(struct model_pose){ 0 });
 }
 
 static void renumber(struct mesh *mesh, uint32_t first_layer, uint32_t first_material)

@@ -69,9 +69,20 @@ enum model_part {
     MODEL_SURROUNDINGS,
 };
 
+/* When a model is looked at. Only glTF files have animations. */
+struct model_pose {
+    const char *animation; /* its name, or its number from 0; NULL: the model is at rest */
+    float time;            /* seconds */
+};
+
 /* Loads a file; `everything_is` is the part of files without a transmissive material. */
 MUST_USE enum status model_load(struct model *model, const char *path,
                                 enum model_part everything_is);
+
+/* Loads a file as model_load() does, with nodes, skins and morph targets as they are at a time;
+ * STATUS_DATA, too, if the file has no such animation. */
+MUST_USE enum status model_load_posed(struct model *model, const char *path,
+                                      enum model_part everything_is, const struct model_pose *pose);
 
 /*
  * Appends both meshes of `other` to the surroundings of *model, renumbers textures and resamples

@@ -41,7 +41,7 @@ MUST_USE enum status model_format_find(const char *path, const struct model_form
 
 /* Read a file of glTF; of another format, by assimp. */
 MUST_USE enum status model_load_gltf(struct model_import *import, struct model *model,
-                                     enum model_part everything_is);
+                                     enum model_part everything_is, const struct model_pose *pose);
 MUST_USE enum status model_load_assimp(struct model_import *import, const char *suffix,
                                        struct model *model, enum model_part everything_is);
 

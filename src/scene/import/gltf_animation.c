@@ -1,0 +1,183 @@
+/* gltf_animation.c: moves the nodes of a glTF file to where they are at a time (3.11, App. C). */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/scene/import/gltf.h"
+
+enum {
+    WEIGHTS_MAX = 1024, /* numbers of one key */
+};
+
+enum interpolation {
+    STEP,
+    LINEAR,
+    CUBIC,
+};
+
+/* The keys of a channel; `width` numbers of each, or of a cubic one, three times as many. */
+struct keys {
+    struct gltf_array times, values;
+    enum interpolation interpolation;
+    uint32_t width;
+};
+
+/* Where a time is between two keys. */
+struct moment {
+    uint32_t before, after;
+    float share;    /* 0: before, 1: after */
+    float interval; /* seconds from one to the other */
+};
+
+static struct moment find_moment(const struct gltf_array *times, float time)
+{
+    uint32_t after = 0;
+    while (after < times->count && times->values[after] <= time)
+        after++;
+    if (after == 0 || after == times->count) {
+        const uint32_t end = after == 0 ? 0 : times->count - 1;
+        return (struct moment){ end, end, 0, 0 };
+    }
+    const float interval = times->values[after] - times->values[after - 1];
+    return (struct moment){
+        .before = after - 1,
+        .after = after,
+        .share = (time - times->values[after - 1]) / interval,
+        .interval = interval,
+    };
+}
+
+/* Returns number `k` of a third of a cubic key: tangent before it, value, tangent after it. */
+static float cubic_at(const struct keys *keys, uint32_t key, uint32_t third, uint32_t k)
+{
+    return keys->values.values[((size_t)3 * key + third) * keys->width + k];
+}
+
+static float cubic(const struct keys *keys, const struct moment *at, uint32_t k)
+{
+    const float t = at->share;
+    const float out = at->interval * cubic_at(keys, at->before, 2, k);
+    const float in = at->interval * cubic_at(keys, at->after, 0, k);
+    return (2 * t * t * t - 3 * t * t + 1) * cubic_at(keys, at->before, 1, k) +
+           (t * t * t - 2 * t * t + t) * out +
+           (-2 * t * t * t + 3 * t * t) * cubic_at(keys, at->after, 1, k) +
+           (t * t * t - t * t) * in;
+}
+
+static void interpolate(const struct keys *keys, float time, bool is_rotation, float *to)
+{
+    const struct moment at = find_moment(&keys->times, time);
+    const float share = keys->interpolation == LINEAR ? at.share : 0;
+    const float *a = &keys->values.values[(size_t)at.before * keys->width];
+    const float *b = &keys->values.values[(size_t)at.after * keys->width];
+    if (is_rotation && keys->interpolation == LINEAR) {
+        versors from, until;
+        memcpy(&from, a, sizeof(from));
+        memcpy(&until, b, sizeof(until));
+        const versors between = glms_quat_slerp(from, until, share);
+        memcpy(to, &between, sizeof(between));
+        return;
+    }
+    for (uint32_t k = 0; k < keys->width; k++)
+        to[k] = keys->interpolation == CUBIC ? cubic(keys, &at, k) : a[k] + share * (b[k] - a[k]);
+}
+
+static void read_interpolation(const struct gltf_object *sampler, struct keys *keys)
+{
+    const char *word = gltf_string(sampler, "interpolation", "LINEAR");
+    keys->interpolation = strcmp(word, "STEP") == 0          ? STEP
+                          : strcmp(word, "CUBICSPLINE") == 0 ? CUBIC
+                                                             : LINEAR;
+    if (keys->interpolation == LINEAR && strcmp(word, "LINEAR") != 0)
+        (void)gltf_fault(sampler, "interpolation: expected LINEAR, STEP or CUBICSPLINE");
+}
+
+/* Reads keys of `width` numbers each; 0: as many as there are for each time. */
+static bool read_keys(const struct gltf_object *sampler, uint32_t width, struct keys *keys)
+{
+    struct gltf *gltf = sampler->gltf;
+    read_interpolation(sampler, keys);
+    if (!gltf_read_floats(gltf, gltf_index(sampler, "input", "accessors"), &keys->times) ||
+        !gltf_read_floats(gltf, gltf_index(sampler, "output", "accessors"), &keys->values))
+        return false;
+    const uint32_t thirds = keys->interpolation == CUBIC ? 3 : 1;
+    const uint64_t numbers = (uint64_t)keys->values.count * keys->values.width;
+    const uint64_t key_count = (uint64_t)keys->times.count * thirds;
+    keys->width = (uint32_t)(numbers / key_count);
+    for (uint32_t i = 0; i < keys->times.count; i++) {
+        if (keys->times.width != 1 || !isfinite(keys->times.values[i]) ||
+            (i > 0 && !(keys->times.values[i] > keys->times.values[i - 1])))
+            (void)gltf_fault(sampler, "input: expected increasing times");
+    }
+    if (keys->width == 0 || keys->width > WEIGHTS_MAX || numbers != keys->width * key_count ||
+        (width > 0 && keys->width != width))
+        (void)gltf_fault(sampler, "output: expected %u numbers for each time", width);
+    return gltf->status == STATUS_OK;
+}
+
+static void move_node(const struct gltf_object *channel, const struct keys *keys, const char *path,
+                      float time)
+{
+    struct gltf *gltf = channel->gltf;
+    const struct gltf_object target = gltf_member(channel, "target");
+    struct gltf_node *node = &gltf->nodes[gltf_index(&target, "node", "nodes")];
+    float numbers[WEIGHTS_MAX];
+    const bool is_rotation = strcmp(path, "rotation") == 0;
+    interpolate(keys, time, is_rotation, numbers);
+    node->has_matrix = node->has_matrix && strcmp(path, "weights") == 0;
+    if (is_rotation) {
+        memcpy(&node->rotation, numbers, sizeof(node->rotation));
+        node->rotation = glms_quat_normalize(node->rotation);
+    } else if (strcmp(path, "translation") == 0) {
+        memcpy(&node->translation, numbers, sizeof(node->translation));
+    } else if (strcmp(path, "scale") == 0) {
+        memcpy(&node->scale, numbers, sizeof(node->scale));
+    } else {
+        const uint32_t count = keys->width < node->weight_count ? keys->width : node->weight_count;
+        memcpy(node->weights, numbers, count * sizeof(*numbers));
+    }
+}
+
+static void play(const struct gltf_object *animation, uint32_t index, float time)
+{
+    const struct gltf_object channel = gltf_item(animation, "channels", index);
+    const struct gltf_object target = gltf_member(&channel, "target");
+    const char *path = gltf_string(&target, "path", "");
+    const uint32_t sampler_index = (uint32_t)gltf_count(&channel, "sampler", 0);
+    const struct gltf_object sampler = gltf_item(animation, "samplers", sampler_index);
+    const bool is_weights = strcmp(path, "weights") == 0;
+    const uint32_t width = strcmp(path, "rotation") == 0 ? 4 : is_weights ? 0 : 3;
+    struct keys keys = { 0 };
+    if (!is_weights && strcmp(path, "rotation") != 0 && strcmp(path, "translation") != 0 &&
+        strcmp(path, "scale") != 0)
+        (void)gltf_fault(&target, "path: expected translation, rotation, scale or weights");
+    else if (gltf_index(&target, "node", "nodes") != gltf_none && read_keys(&sampler, width, &keys))
+        move_node(&channel, &keys, path, time);
+    free(keys.times.values);
+    free(keys.values.values);
+}
+
+uint32_t gltf_animation_find(struct gltf *gltf, const char *name)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    const uint32_t count = gltf_list_length(gltf, "animations");
+    char *end;
+    const unsigned long number = strtoul(name, &end, 10);
+    for (uint32_t i = 0; i < count; i++) {
+        const struct gltf_object animation = gltf_element(gltf, "animations", i);
+        if (name[0] && strcmp(gltf_string(&animation, "name", ""), name) == 0)
+            return i;
+    }
+    if (name[0] >= '0' && name[0] <= '9' && *end == '\0' && number < count)
+        return (uint32_t)number;
+    (void)gltf_fault(&top, "no animation has the name or number '%.64s'; there are %u", name,
+                     count);
+    return gltf_none;
+}
+
+void gltf_animate(struct gltf *gltf, uint32_t index, float time)
+{
+    const struct gltf_object animation = gltf_element(gltf, "animations", index);
+    const uint32_t count = gltf_length(&animation, "channels");
+    for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++)
+        play(&animation, i, time);
+}
