@@ -15,6 +15,10 @@ layout(location = 0) out vec4 color;
 
 void main()
 {
+    if (constant_hidden != 0u && push.inverse == 0u) {
+        color = vec4(0.0);
+        return;
+    }
     vec3 radiance = environment_radiance(environment, normalize(dir), push.environment_lod);
     color = vec4(radiance, push.inverse != 0u ? 0.0 : 1.0);
 }

@@ -23,6 +23,7 @@
 #define CONSTANT_OVER            12 /* OVER_HAS_AIR ... */
 #define CONSTANT_OBJECTS         13 /* 1: other objects may have been drawn before */
 #define CONSTANT_ENVIRONMENT     14 /* a float: environment.turn */
-#define CONSTANT_COUNT           15
+#define CONSTANT_HIDDEN          15 /* 1: the background is seen in cubes and by rays alone */
+#define CONSTANT_COUNT           16
 
 #endif

@@ -18,5 +18,6 @@ layout(constant_id = CONSTANT_ICE_SHADOW) const uint constant_ice_shadow = 1u;
 layout(constant_id = CONSTANT_OBJECTS) const uint constant_objects = 0u;
 layout(constant_id = CONSTANT_OVER) const uint constant_over = 0u;
 layout(constant_id = CONSTANT_ENVIRONMENT) const float constant_environment_turn = 0.0;
+layout(constant_id = CONSTANT_HIDDEN) const uint constant_hidden = 0u;
 
 #endif

@@ -51,6 +51,7 @@ struct app_scene {
     const char *environment, *surroundings, *material;
     float env_rotate;             /* degrees */
     float env_exposure;           /* stops */
+    bool no_background;           /* pictures do not show it */
     struct app_vector background; /* linear */
     struct reader_params reader;
     struct settings settings;

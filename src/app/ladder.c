@@ -37,6 +37,7 @@ static enum status refuse_furnace(const struct app_options *o)
     const char *option = scene->environment           ? "--env"
                          : scene->surroundings        ? "--surroundings"
                          : scene->background.is_given ? "--background"
+                         : scene->no_background       ? "--background"
                          : o->ladder.truth            ? "--truth"
                          : o->run.outputs.count       ? "--output"
                                                       : NULL;

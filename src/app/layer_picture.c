@@ -146,23 +146,45 @@ uint16_t *layer_picture_rgba_16(const struct image *image, const struct frame_la
     return rgba;
 }
 
-uint16_t *layer_picture_beauty_16(const struct image *image, const struct settings *settings)
+/* Straight alpha, and colours that it has not multiplied. */
+static void show_beauty(const float *const planes[static 4], size_t i,
+                        const struct tonemap_params *params, float rgba[static 4])
+{
+    const float alpha = planes[3][i];
+    const float part = alpha > 0.0f && alpha < 1.0f ? 1.0f / alpha : 1.0f;
+    const vec3s radiance = { { planes[0][i], planes[1][i], planes[2][i] } };
+    const vec3s shown = tonemap_apply(radiance, part * exp2f(params->exposure), params->curve);
+    for (size_t c = 0; c < 3; c++)
+        rgba[c] = srgb_encode(shown.raw[c]);
+    rgba[3] = alpha;
+}
+
+bool layer_picture_beauty(const struct image *image, const struct settings *settings,
+                          uint8_t **rgba, uint16_t **rgba_16)
 {
     const struct tonemap_params *params = settings_of(settings, &tonemap_settings);
-    const float gain = exp2f(params->exposure);
     const size_t pixels = (size_t)image->width * image->height;
-    uint16_t *rgba = calloc(pixels, 4 * sizeof(*rgba));
-    const float *planes[3];
-    for (size_t c = 0; c < 3; c++)
-        planes[c] = image_find(image, frame_beauty.planes[c]);
-    for (size_t i = 0; i < pixels && rgba; i++) {
-        const vec3s radiance = { { planes[0][i], planes[1][i], planes[2][i] } };
-        const vec3s shown = tonemap_apply(radiance, gain, params->curve);
-        for (size_t c = 0; c < 3; c++)
-            rgba[i * 4 + c] = quantise_16(srgb_encode(shown.raw[c]));
-        rgba[i * 4 + 3] = UINT16_MAX;
+    const float *planes[4];
+    float shown[4];
+    uint8_t *bytes = rgba ? calloc(pixels, 4) : NULL;
+    uint16_t *words = rgba_16 ? calloc(pixels, 4 * sizeof(*words)) : NULL;
+    for (size_t p = 0; p < 4; p++)
+        planes[p] = image_find(image, frame_beauty.planes[p]);
+    for (size_t i = 0; i < pixels && (bytes || words); i++) {
+        show_beauty(planes, i, params, shown);
+        for (size_t c = 0; c < 4; c++) {
+            if (bytes)
+                bytes[i * 4 + c] = quantise(shown[c]);
+            if (words)
+                words[i * 4 + c] = quantise_16(shown[c]);
+        }
     }
-    if (!rgba)
-        log_error("out of memory");
-    return rgba;
+    if (rgba)
+        *rgba = bytes;
+    if (rgba_16)
+        *rgba_16 = words;
+    if (bytes || words)
+        return true;
+    log_error("out of memory");
+    return false;
 }

@@ -23,7 +23,9 @@ uint32_t layer_picture_bit(const struct frame_layer *layer);
 uint8_t *layer_picture_rgba(const struct image *image, const struct frame_layer *layer);
 uint16_t *layer_picture_rgba_16(const struct image *image, const struct frame_layer *layer);
 
-/* The same of the beauty, tonemapped as the settings say. */
-uint16_t *layer_picture_beauty_16(const struct image *image, const struct settings *settings);
+/* The same of the beauty, tonemapped as the settings say, with its alpha: either of 8 or of 16
+ * bits; the other pointer is NULL. Returns false when memory is short, which is logged. */
+bool layer_picture_beauty(const struct image *image, const struct settings *settings,
+                          uint8_t **rgba, uint16_t **rgba_16);
 
 #endif

@@ -69,6 +69,8 @@ static void print_surroundings(FILE *out, const struct app_scene *scene)
         fprintf(out, " surroundings=%s", scene->surroundings);
     if (scene->background.is_given)
         print_vector(out, "background", scene->background.value);
+    if (scene->no_background)
+        fputs(" background=none", out);
 }
 
 static bool describe(const struct output *output, bool is_png, char **text)
@@ -238,6 +240,12 @@ static bool exr_is_current(const struct output *output, const struct picture_hea
     return exr_matches(head, &image, &header);
 }
 
+/* Of PNG files. */
+static bool has_alpha(const struct app_picture *p)
+{
+    return p->scene.no_background && !p->show;
+}
+
 bool output_is_current(const struct output *output, const char *path,
                        const struct picture_head *head)
 {
@@ -249,6 +257,7 @@ bool output_is_current(const struct output *output, const char *path,
         .height = pixels_of(output->picture).height,
         .texts = texts.all,
         .text_count = texts.compared_count,
+        .has_alpha = has_alpha(output->picture),
     };
     return is_png ? png_matches(head, &picture) : exr_is_current(output, head, &texts);
 }
@@ -278,9 +287,11 @@ static enum status encode_exr(const struct output *output, const struct render_r
     const mat4s ndc = camera_clip_from_world(
         camera, p->width, p->height, scene_near_plane(output->scene), (vec2s){ { 0.0f, 0.0f } });
     /* column-major matrices for column vectors are row-major ones for row vectors */
+    const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
     const struct exr_header header = {
         .texts = texts->all,
         .text_count = texts->count,
+        .frames_per_second = output->is_frame ? (double)motion->fps : 0.0,
         .world_to_camera = &view.raw[0][0],
         .world_to_ndc = &ndc.raw[0][0],
         .place = place_of(p),
@@ -306,6 +317,7 @@ enum status output_encode(const struct output *output, const char *path,
         .texts = texts.all,
         .text_count = texts.count,
         .rgba_16 = result->rgba_16,
+        .has_alpha = has_alpha(output->picture),
     };
     return is_png ? png_encode(&picture, data, size)
                   : encode_exr(output, result, &texts, data, size);

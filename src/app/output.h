@@ -13,13 +13,14 @@ struct output {
     const struct app_picture *picture; /* its scene is as app_load_scene() left it */
     const struct scene *scene;
     struct renderer_shot shot;
+    bool is_frame;      /* of a sequence: motion.fps is written to EXR files */
     char *settings;     /* how to draw it again, made by output_describe() */
     char *png_settings; /* the same of PNG files, which --show changes */
 };
 
 /*
  * Fills output->settings and png_settings: options, camera, every setting. A frame is described as
- * the single picture of its time (motion.time), so that both give the same bytes. Logs:
+ * the single picture of its time (motion.time), so that both give the same pixels. Logs:
  * STATUS_TRY_AGAIN.
  */
 MUST_USE enum status output_describe(struct output *output);

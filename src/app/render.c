@@ -34,7 +34,7 @@ struct job {
     struct gpu gpu;
     struct renderer *renderer;      /* it or ... */
     struct reference *reference;    /* ... it draws; NULL until a frame needs it */
-    bool makes_16;                  /* PNG files have 16 bits a channel */
+    bool makes_png;                 /* make_png() makes the pixels of PNG files */
     uint32_t tile_done, tile_count; /* of the frame at work */
     struct progress progress;
 };
@@ -76,6 +76,7 @@ static enum status frame_init(struct frame *frame, const struct job *job, int32_
         .output = {
             .picture = &job->o.picture,
             .scene = &job->scene,
+            .is_frame = job->o.render.frames != NULL,
             .shot = {
                 .camera = job->camera,
                 .time = (float)sequence_time(&job->o.picture.scene.settings, number),
@@ -178,24 +179,30 @@ static enum status draw_picture(struct job *job, const struct renderer_shot *sho
     return renderer_render(job->renderer, shot, result, show_progress, job);
 }
 
+/* What the renderer does not make: layers, 16 bits, alpha. */
+static bool make_png(const struct app_picture *p, struct render_result *result)
+{
+    const bool is_16 = p->png_bits == 16;
+    if (!p->show)
+        return layer_picture_beauty(&result->image, &p->scene.settings,
+                                    is_16 ? NULL : &result->rgba, is_16 ? &result->rgba_16 : NULL);
+    if (is_16)
+        result->rgba_16 = layer_picture_rgba_16(&result->image, p->show);
+    else
+        result->rgba = layer_picture_rgba(&result->image, p->show);
+    return result->rgba || result->rgba_16;
+}
+
 static enum status draw(struct job *job, struct frame *frame)
 {
-    const struct frame_layer *show = job->o.picture.show;
     const struct renderer_shot *shot = &frame->output.shot;
     struct render_result *result = &frame->result;
     progress_show(&job->progress, 0, job->o.picture.samples);
     enum status status = draw_picture(job, shot, result);
     progress_clear(&job->progress);
-    if (status != STATUS_OK)
-        return status;
-    if (job->makes_16 && show)
-        result->rgba_16 = layer_picture_rgba_16(&result->image, show);
-    else if (job->makes_16)
-        result->rgba_16 = layer_picture_beauty_16(&result->image, &job->o.picture.scene.settings);
-    else if (show)
-        result->rgba = layer_picture_rgba(&result->image, show);
-    const bool is_made = job->makes_16 ? result->rgba_16 != NULL : !show || result->rgba;
-    return is_made ? STATUS_OK : STATUS_TRY_AGAIN;
+    if (status == STATUS_OK && job->makes_png && !make_png(&job->o.picture, result))
+        status = STATUS_TRY_AGAIN;
+    return status;
 }
 
 static enum status open_reference(struct job *job, const struct renderer_params *params)
@@ -261,17 +268,17 @@ static enum status open_renderer(struct job *job)
     for (uint32_t i = 0; i < outputs->count; i++) {
         if (!path_ends_in(outputs->paths[i], ".png"))
             params.linear = true;
-        else if (p->png_bits == 16)
-            job->makes_16 = true;
+        else if (p->show || p->png_bits == 16 || p->scene.no_background)
+            job->makes_png = true;
         else
-            params.display = !p->show;
+            params.display = true;
     }
     if (params.linear)
         params.layers = p->layers;
     else if (p->layers)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
     params.layers |= layer_picture_bit(p->show);
-    params.linear = params.linear || (job->makes_16 && !p->show);
+    params.linear = params.linear || (job->makes_png && !p->show);
     if (p->rung == &refract_reference)
         return open_reference(job, &params);
     enum status status = open_device(job);

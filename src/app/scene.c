@@ -194,6 +194,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
         .environment_turn = given->env_rotate / 360.0f - floorf(given->env_rotate / 360.0f),
         .environment_exposure = given->env_exposure,
         .background = given->background.is_given ? &given->background.value : NULL,
+        .is_hidden = given->no_background,
         .object_triangles = object->triangles,
         .landscape_triangles = landscape->triangles,
         .flat = landscape->flat,

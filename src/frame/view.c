@@ -290,6 +290,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [CONSTANT_LIT] = has_lit(&scene->model.surroundings),
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
+        [CONSTANT_HIDDEN] = scene->is_hidden,
     } };
     memcpy(&constants.values[CONSTANT_ENVIRONMENT], &scene->environment.turn,
            sizeof(scene->environment.turn));

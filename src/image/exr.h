@@ -18,6 +18,7 @@ struct exr_header {
     const float *world_to_camera; /* 16 floats, EXR's row-vector order; may be NULL */
     const float *world_to_ndc;    /* 16 floats, EXR's row-vector order; may be NULL */
     struct picture_place place;
+    double frames_per_second; /* of a sequence; 0: no attribute */
 };
 
 /*

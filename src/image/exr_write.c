@@ -2,6 +2,7 @@
  * files. */
 #include <OpenEXR/openexr.h>
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -76,6 +77,21 @@ static exr_result_t declare_matrix(exr_context_t context, const char *name, cons
     return exr_attr_set_m44f(context, 0, name, &value);
 }
 
+/* Rates of television, such as 23.976, are multiples of 1000 / 1001. */
+static exr_result_t declare_rate(exr_context_t context, double rate)
+{
+    const double whole = round(rate), television = round(rate * 1.001);
+    exr_attr_rational_t value = { (int32_t)lround(rate * 1000.0), 1000 };
+
+    if (!(rate > 0.0))
+        return EXR_ERR_SUCCESS;
+    if (fabs(rate - whole) < 1e-6)
+        value = (exr_attr_rational_t){ (int32_t)whole, 1 };
+    else if (fabs(rate - television / 1.001) < 1e-3 && television > 0.0)
+        value = (exr_attr_rational_t){ (int32_t)television * 1000, 1001 };
+    return exr_attr_set_rational(context, 0, "framesPerSecond", &value);
+}
+
 static exr_result_t declare_attributes(exr_context_t context, const struct exr_header *header)
 {
     /* ITU-R BT.709-6, items 1.3 and 1.4. */
@@ -95,6 +111,8 @@ static exr_result_t declare_attributes(exr_context_t context, const struct exr_h
         result = declare_matrix(context, "worldToCamera", header->world_to_camera);
     if (result == EXR_ERR_SUCCESS)
         result = declare_matrix(context, "worldToNDC", header->world_to_ndc);
+    if (result == EXR_ERR_SUCCESS)
+        result = declare_rate(context, header->frames_per_second);
     for (uint32_t i = 0; i < header->text_count && result == EXR_ERR_SUCCESS; i++) {
         const struct image_text *text = &header->texts[i];
         result = exr_attr_set_string(context, 0, text->name, text->value);

@@ -134,60 +134,61 @@ static void declare_srgb(uint8_t *bytes, size_t *size)
     *size -= (size_t)(chunk + old_size - rest);
 }
 
-static enum status encode_texels_16(const struct png_picture *picture, uint8_t *bytes, size_t *size)
+/* libpng divides 16 bits by alpha; where that is 0, it writes white. */
+static uint16_t texel_16(const struct png_picture *picture, size_t i, size_t c)
+{
+    const uint32_t value = picture->rgba_16[4 * i + c], alpha = picture->rgba_16[4 * i + 3];
+    const bool is_divided = picture->has_alpha && c < 3;
+    return (uint16_t)(is_divided ? (value * (uint64_t)alpha + 32767) / 65535 : value);
+}
+
+static uint32_t format_of(const struct png_picture *picture)
+{
+    if (picture->rgba_16)
+        return picture->has_alpha ? PNG_FORMAT_LINEAR_RGB_ALPHA : PNG_FORMAT_LINEAR_RGB;
+    return picture->has_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+}
+
+/* The texels as libpng takes them; NULL when out of memory. */
+static void *make_texels(const struct png_picture *picture)
 {
     const size_t texel_count = (size_t)picture->width * picture->height;
-    png_image png = {
-        .version = PNG_IMAGE_VERSION,
-        .width = picture->width,
-        .height = picture->height,
-        .format = PNG_FORMAT_LINEAR_RGB,
-        .flags = PNG_IMAGE_FLAG_COLORSPACE_NOT_sRGB, /* no cHRM chunk */
-    };
-    png_alloc_size_t bytes_size = *size;
-    uint16_t *rgb = malloc(texel_count * 3 * sizeof(*rgb));
-
-    if (!rgb)
-        return out_of_memory(picture);
-    for (size_t i = 0; i < texel_count; i++) {
-        for (size_t c = 0; c < 3; c++)
-            rgb[3 * i + c] = picture->rgba_16[4 * i + c];
+    const size_t channel_count = picture->has_alpha ? 4 : 3;
+    uint8_t *texels = malloc(texel_count * channel_count * (picture->rgba_16 ? 2 : 1));
+    for (size_t i = 0; texels && i < texel_count; i++) {
+        for (size_t c = 0; c < channel_count; c++) {
+            const size_t at = channel_count * i + c;
+            if (picture->rgba_16)
+                memcpy(texels + 2 * at, &(uint16_t){ texel_16(picture, i, c) }, 2);
+            else
+                texels[at] = picture->rgba[4 * i + c];
+        }
     }
-    const bool ok = png_image_write_to_memory(&png, bytes, &bytes_size, 0, rgb, 0, NULL);
-    if (!ok)
-        log_error("a PNG picture could not be encoded: %s", png.message);
-    free(rgb);
-    *size = bytes_size;
-    if (ok)
-        declare_srgb(bytes, size);
-    return ok ? STATUS_OK : STATUS_FAILED;
+    return texels;
 }
 
 /* Encodes the picture without texts into `bytes`, which has room for it. */
 static enum status encode_texels(const struct png_picture *picture, uint8_t *bytes, size_t *size)
 {
-    const size_t texel_count = (size_t)picture->width * picture->height;
     /* libpng takes 8 bits a channel as sRGB, and writes an sRGB chunk. */
     png_image png = {
         .version = PNG_IMAGE_VERSION,
         .width = picture->width,
         .height = picture->height,
-        .format = PNG_FORMAT_RGB,
+        .format = format_of(picture),
+        .flags = picture->rgba_16 ? PNG_IMAGE_FLAG_COLORSPACE_NOT_sRGB : 0, /* no cHRM chunk */
     };
     png_alloc_size_t bytes_size = *size;
-    uint8_t *rgb = malloc(texel_count * 3);
-
-    if (!rgb)
+    void *texels = make_texels(picture);
+    if (!texels)
         return out_of_memory(picture);
-    for (size_t i = 0; i < texel_count; i++) {
-        for (size_t c = 0; c < 3; c++)
-            rgb[3 * i + c] = picture->rgba[4 * i + c];
-    }
-    const bool ok = png_image_write_to_memory(&png, bytes, &bytes_size, 0, rgb, 0, NULL);
+    const bool ok = png_image_write_to_memory(&png, bytes, &bytes_size, 0, texels, 0, NULL);
     if (!ok)
         log_error("a PNG picture could not be encoded: %s", png.message);
-    free(rgb);
+    free(texels);
     *size = bytes_size;
+    if (ok && picture->rgba_16)
+        declare_srgb(bytes, size);
     return ok ? STATUS_OK : STATUS_FAILED;
 }
 
@@ -206,17 +207,12 @@ enum status png_encode(const struct png_picture *picture, void **data, size_t *s
     const png_image png = {
         .width = width,
         .height = height,
-        .format = picture->rgba_16 ? PNG_FORMAT_LINEAR_RGB : PNG_FORMAT_RGB,
+        .format = format_of(picture),
     };
     size_t bytes_size = PNG_IMAGE_PNG_SIZE_MAX(png);
     uint8_t *texts = make_texts(picture, &texts_size);
     uint8_t *bytes = texts ? malloc(bytes_size + texts_size) : NULL;
-    if (!bytes)
-        status = out_of_memory(picture);
-    else if (picture->rgba_16)
-        status = encode_texels_16(picture, bytes, &bytes_size);
-    else
-        status = encode_texels(picture, bytes, &bytes_size);
+    status = bytes ? encode_texels(picture, bytes, &bytes_size) : out_of_memory(picture);
     if (status == STATUS_OK) {
         memmove(bytes + HEAD_SIZE + texts_size, bytes + HEAD_SIZE, bytes_size - HEAD_SIZE);
         memcpy(bytes + HEAD_SIZE, texts, texts_size);
@@ -331,7 +327,13 @@ enum status png_check(const char *path, struct picture_head *head)
 
 bool png_matches(const struct picture_head *head, const struct png_picture *picture)
 {
-    struct image_plane planes[3] = { { .name = "R" }, { .name = "G" }, { .name = "B" } };
-    const struct image image = { picture->width, picture->height, 3, planes };
+    struct image_plane planes[] = {
+        { .name = "R" },
+        { .name = "G" },
+        { .name = "B" },
+        { .name = "A" },
+    };
+    const uint32_t plane_count = picture->has_alpha ? 4 : 3;
+    const struct image image = { picture->width, picture->height, plane_count, planes };
     return picture_head_matches(head, &image, picture->texts, picture->text_count);
 }

@@ -15,13 +15,14 @@ struct png_picture {
     const struct image_text *texts; /* may be NULL if text_count is 0 */
     uint32_t text_count;
     const uint16_t *rgba_16; /* texels of 16 bits, in place of rgba; NULL: 8 bits */
+    bool has_alpha;          /* not opaque: texels are not multiplied by it */
 };
 
 /*
- * Encodes a picture as opaque RGB into memory: *data (malloc'd, the caller frees it), *size bytes.
- * Writes an sRGB chunk and the texts (tEXt if they are ASCII, else iTXt in UTF-8; names of at most
- * 79 characters), but no time of day. Logs and returns STATUS_TRY_AGAIN or STATUS_FAILED; *data is
- * then NULL.
+ * Encodes a picture as RGB, or as RGBA if it has alpha, into memory: *data (malloc'd, the caller
+ * frees it), *size bytes. Writes an sRGB chunk and the texts (tEXt if they are ASCII, else iTXt in
+ * UTF-8; names of at most 79 characters), but no time of day. Logs and returns STATUS_TRY_AGAIN or
+ * STATUS_FAILED; *data is then NULL.
  */
 MUST_USE enum status png_encode(const struct png_picture *picture, void **data, size_t *size);
 
@@ -40,8 +41,8 @@ MUST_USE enum status png_head(const char *path, struct picture_head *head);
  * what it says in *head, which the caller finishes. Errors are those of png_read(). */
 MUST_USE enum status png_check(const char *path, struct picture_head *head);
 
-/* Returns whether a head is that of the picture: its size, colours without alpha, and its texts.
- * Texels (which may be NULL) are not compared. */
+/* Returns whether a head is that of the picture: its size, its colours, with alpha if it has one,
+ * and its texts. Texels (which may be NULL) are not compared. */
 bool png_matches(const struct picture_head *head, const struct png_picture *picture);
 
 #endif

@@ -9,7 +9,7 @@
 /* The values of a ray from the eye, all of them floats; 0 without a surface. */
 struct reference_seen {
     vec3s color; /* linear radiance */
-    float alpha; /* 1 */
+    float alpha; /* 1; of a hidden background 0 */
     float z;     /* distance along the view's axis, metres; GBUFFER_NOTHING: no surface */
     vec3s normal, position;
     /* Of the path that is refracted wherever that is possible: direction of its exit, length inside

@@ -391,6 +391,10 @@ struct reference_seen whitted_trace(const struct whitted *whitted, const struct 
         seen.normal = hit->surface.normal;
         seen.position = hit->surface.position;
     }
+    if (!is_met && whitted->radiance->scene->is_hidden) {
+        seen.alpha = 0.0f;
+        return seen;
+    }
     if (!is_met || hit->part == BVH_SURROUNDINGS) {
         const vec3s light = surroundings_seen(whitted, &eye.ray, is_met ? hit : NULL);
         seen.color = glms_vec3_mul(eye.weight, light);

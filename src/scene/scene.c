@@ -209,6 +209,7 @@ static enum status add_surroundings(struct scene *scene, const struct scene_para
 
 static enum status load_background(struct scene *scene, const struct scene_params *params)
 {
+    scene->is_hidden = params->is_hidden;
     if (params->background) {
         scene->background = SCENE_COLOR;
         scene->background_color = *params->background;

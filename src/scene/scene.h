@@ -22,6 +22,8 @@ struct scene {
     struct model model; /* its objects have ranks */
     enum scene_background background;
     vec3s background_color; /* SCENE_COLOR; linear radiance */
+    bool is_hidden;         /* pictures have alpha 0 in place of the background, which still lights
+                               surfaces and is seen through and in them */
     struct environment environment;
     struct environment cube; /* replaces the environment cube that env_cube draws; may be {0} */
     struct bump_maps bump;   /* of the object's surface; {0}: none */
@@ -52,6 +54,7 @@ struct scene_params {
     float environment_turn;   /* of a picture of the background: environment.turn */
     float environment_exposure;          /* of the file, stops */
     const vec3s *background;             /* colour; NULL: the sky */
+    bool is_hidden;                      /* scene.is_hidden */
     uint32_t object_triangles;           /* of a built-in object; 0: its default */
     uint32_t landscape_triangles;        /* 0: default */
     bool flat;                           /* a level floor instead of the landscape */

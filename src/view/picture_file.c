@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "shaders/present.h"
+#include "src/app/layer_picture.h"
 #include "src/app/output.h"
 #include "src/app/signals.h"
 #include "src/base/log.h"
@@ -86,18 +87,25 @@ static enum status draw_side(struct picture *p, struct side *side, const struct 
     side->output = (struct output){ .picture = &side->state, .scene = &p->scene, .shot = *shot };
     params.rung = side->state.rung;
     params.samples = p->state.samples;
+    bool makes_png = false; /* with alpha */
     for (uint32_t i = 0; i < path_count; i++) {
-        if (path_ends_in(paths[i], ".png"))
-            params.display = true;
-        else
+        if (!path_ends_in(paths[i], ".png"))
             params.linear = true;
+        else if (p->state.scene.no_background)
+            makes_png = true;
+        else
+            params.display = true;
     }
     params.layers = params.linear ? p->state.layers : 0;
+    params.linear = params.linear || makes_png;
     enum status status = output_describe(&side->output);
     if (status == STATUS_OK)
         status = renderer_create(&renderer, &params);
     if (status == STATUS_OK)
         status = renderer_render(renderer, &side->output.shot, &side->result, NULL, NULL);
+    if (status == STATUS_OK && makes_png &&
+        !layer_picture_beauty(&side->result.image, params.settings, &side->result.rgba, NULL))
+        status = STATUS_TRY_AGAIN;
     renderer_destroy(renderer);
     return status;
 }

@@ -4,6 +4,7 @@ import os
 import pty
 import re
 import signal
+import struct
 import socket
 import subprocess
 import sys
@@ -41,9 +42,22 @@ class Sequence(Frames):
             self.assertEqual(len(set(frames)), 3)
             for frame, when in zip(frames, ('0', '0.04', '0.08')):
                 single = self.render(f'b.{kind}', *more, '--set', f'motion.time={when}')
-                self.assertTrue(frame == single, f'{kind} at {when} s: other bytes')
+                if kind == 'exr':
+                    self.assertEqual(Exr(frame).attributes.pop('framesPerSecond'),
+                                     ('rational', struct.pack('<2i', 25, 1)))
+                    self.assertTrue(Exr(frame).pixels == Exr(single).pixels, f'at {when} s')
+                    self.assertEqual(Exr(frame).text('firn/settings'),
+                                     Exr(single).text('firn/settings'))
+                else:
+                    self.assertTrue(frame == single, f'at {when} s: other bytes')
         pixels = {Exr(self.read(f'a.{i:04}.exr')).pixels for i in range(3)}
         self.assertEqual(len(pixels), 3)  # not only the header's words
+
+    def test_rates_are_rational(self):
+        for fps, rate in (('24', (24, 1)), ('23.976', (24000, 1001)), ('12.5', (12500, 1000))):
+            self.draw('1', '-o', '#.exr', '--set', f'motion.fps={fps}')
+            self.assertEqual(Exr(self.read('1.exr')).attributes['framesPerSecond'],
+                             ('rational', struct.pack('<2i', *rate)))
 
     def test_time_goes_on_from_motion_time(self):
         self.draw('-1,10', '-o', '#.exr', '--set', 'motion.time=2', '--set', 'motion.fps=10')

@@ -55,6 +55,59 @@ class ToneCurve(Pixels):
         self.refuse(USAGE, *words, '--tone-curve', 'filmic', names=['--tone-curve', 'agx'])
 
 
+class NoBackground(Pixels):
+    HIDE = ('--background', '0.4,0.5,0.6', '--background', 'none', '--samples', '4')
+    SHOW = ('--background', '0.4,0.5,0.6', '--samples', '4')
+
+    def check(self, *words):
+        names = ('R', 'G', 'B', 'A')
+        shown = self.draw(*self.SHOW, *words).read_planes(names)
+        picture = self.draw(*self.HIDE, *words)
+        self.assertIn(' background=none ', picture.text('firn/settings'))
+        hidden = picture.read_planes(names)
+        self.assertEqual(set(shown['A']), {1})
+        self.assertEqual(set(hidden['A']), {0, 0.25, 0.5, 0.75, 1})
+        for name, sky in zip('RGB', (0.4, 0.5, 0.6)):
+            for before, after, alpha in zip(shown[name], hidden[name], hidden['A']):
+                self.assertLess(abs(after + (1 - alpha) * sky - before), 2e-3)
+                self.assertTrue(alpha or after == 0)
+        return hidden
+
+    def test_coverage(self):
+        for words in [(), ('-r', 'bounce'), ('--tiles', '2x1')] + [
+                ('-r', 'reference', '--set', 'motion.count=0')] * HAS_REFERENCE:
+            with self.subTest(words=words):
+                self.check(*words)
+
+    def test_straight_alpha(self):
+        hidden = self.check('--set', 'tonemap.curve=clip')
+        for bits in ('8', '16'):
+            self.succeed('render', *TINY, *self.HIDE, '--tone-curve', 'clip', '--png-bits', bits,
+                         '-o', 'a.png')
+            png = Png((self.folder / 'a.png').read_bytes())
+            most = 2 ** int(bits) - 1
+            self.assertEqual((png.channels, png.bits), (4, int(bits)))
+            self.assertEqual(png.values[3::4], [round(a * most) for a in hidden['A']])
+            for c, name in enumerate('RGB'):
+                for value, linear, alpha in zip(png.values[c::4], hidden[name], hidden['A']):
+                    if alpha == 0:  # libpng makes 16 bits white there
+                        continue
+                    x = min(linear / alpha, 1)
+                    wanted = 12.92 * x if x <= 0.0031308 else 1.055 * x ** (1 / 2.4) - 0.055
+                    self.assertLess(abs(value / most - wanted), 3e-3)
+        again = ('render', *TINY[:-1], *self.HIDE, '--tone-curve', 'clip', '--png-bits', '16',
+                 '--resume', '-o', 'a.png')
+        self.assertIn(b'up to date', self.succeed(*again).stderr)
+
+    def test_cubes_show_it(self):
+        cubes = set()
+        for words in (self.SHOW[:2], self.HIDE[:4]):
+            self.succeed('bake', 'sphere', '--size', '4', *words, '-o', 'cube.exr', '-q')
+            cubes.add(Exr((self.folder / 'cube.exr').read_bytes()).pixels)
+        self.assertEqual(len(cubes), 1)
+        self.refuse(USAGE, 'render', *TINY, '--background', 'nothing', names=['or none'])
+
+
 class PngBits(Pixels):
     def draw_png(self, *arguments):
         self.succeed('render', *TINY, *arguments, '-o', 'a.png')

@@ -279,14 +279,21 @@ enum status option_env_exposure(const struct option *option, void *at, const cha
                : option_refuse(option, value, "-16 to 16 stops");
 }
 
+/* A colour that was given before "none" still lights the scene. */
 enum status option_background(const struct option *option, void *at, const char *value)
 {
-    struct app_vector *background = at;
-    const vec3s *v = &background->value;
-    background->is_given = option_parse_numbers(value, ',', background->value.raw, 3) &&
-                           v->x >= 0.0f && v->y >= 0.0f && v->z >= 0.0f;
-    return background->is_given ? STATUS_OK
-                                : option_refuse(option, value, "R,G,B, linear and each at least 0");
+    struct app_scene *scene = at;
+    struct app_vector color = { 0 };
+    const vec3s *v = &color.value;
+    scene->no_background = strcmp(value, "none") == 0;
+    if (scene->no_background)
+        return STATUS_OK;
+    color.is_given = option_parse_numbers(value, ',', color.value.raw, 3) && v->x >= 0.0f &&
+                     v->y >= 0.0f && v->z >= 0.0f;
+    if (!color.is_given)
+        return option_refuse(option, value, "R,G,B, linear and each at least 0, or none");
+    scene->background = color;
+    return STATUS_OK;
 }
 
 /* ---- the camera ---- */

@@ -156,6 +156,7 @@ static void print(FILE *out, const struct ui_command *c)
     print_number(out, "env-exposure", p->scene.env_exposure);
     print_name(out, "surroundings", p->scene.surroundings);
     print_given(out, "background", &p->scene.background);
+    print_name(out, "background", p->scene.no_background ? "none" : NULL);
     print_camera(out, c);
     fputs(" -o firn.png", out);
 }
