@@ -1,11 +1,12 @@
 /* progress.c: how far it is. */
 #include "src/app/progress.h"
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
+#include "src/base/clock.h"
 
 enum {
-    BAR = 30,
-    COLUMNS = 78 /* at most, words and all */
+    BAR = 30
 };
 
 void progress_begin(struct progress *progress, uint32_t frames, const char *step_name, bool quiet)
@@ -14,26 +15,64 @@ void progress_begin(struct progress *progress, uint32_t frames, const char *step
         .frames = frames,
         .frame_name = "frame",
         .step_name = step_name,
+        .begin = clock_seconds(),
         .visible = !quiet && isatty(STDERR_FILENO),
     };
 }
 
-void progress_show(const struct progress *p, uint32_t done, uint32_t all)
+/* Adds words if all of them fit. */
+static void add(char *line, const char *words)
 {
+    if (strlen(line) + strlen(words) <= PROGRESS_COLUMNS)
+        strcat(line, words);
+}
+
+/* "0:09" or "1:05:00". */
+static void add_time(char *line, double seconds)
+{
+    const unsigned left = (unsigned)(seconds + 0.5), minutes = left / 60 % 60;
+    char words[64];
+    if (left >= 3600)
+        snprintf(words, sizeof(words), ", %u:%02u:%02u left", left / 3600, minutes, left % 60);
+    else
+        snprintf(words, sizeof(words), ", %u:%02u left", minutes, left % 60);
+    add(line, words);
+}
+
+void progress_print(char line[static PROGRESS_COLUMNS + 1], const struct progress *p, uint32_t done,
+                    uint32_t all, double seconds)
+{
+    const double least = 2.0, most = 3.6e6; /* seconds: before them a guess is worth little */
     const double share = (p->frame + (double)done / all) / p->frames;
     const int filled = (int)(share * BAR);
+    char words[128];
+    snprintf(line, PROGRESS_COLUMNS + 1, "[%.*s%*s]", filled, "##############################",
+             BAR - filled, "");
+    if (p->frames > 1) {
+        snprintf(words, sizeof(words), " %s %u/%u", p->frame_name, p->frame + 1, p->frames);
+        add(line, words);
+    }
+    if (all > 1) {
+        snprintf(words, sizeof(words), "%s %u/%u %s", p->frames > 1 ? "," : "", done, all,
+                 p->step_name);
+        add(line, words);
+    }
+    if (seconds >= least && share > 0.0 && seconds * (1.0 - share) / share < most)
+        add_time(line, seconds * (1.0 - share) / share);
+}
+
+void progress_show(const struct progress *p, uint32_t done, uint32_t all)
+{
+    char line[PROGRESS_COLUMNS + 1];
     if (!p->visible || (p->frames == 1 && all == 1))
         return;
-    fprintf(stderr, "\r[%.*s%*s]", filled, "##############################", BAR - filled, "");
-    if (p->frames > 1)
-        fprintf(stderr, " %s %u/%u", p->frame_name, p->frame + 1, p->frames);
-    if (all > 1)
-        fprintf(stderr, "%s %u/%u %s", p->frames > 1 ? "," : "", done, all, p->step_name);
+    progress_print(line, p, done, all, clock_seconds() - p->begin);
+    fprintf(stderr, "\r%-*s", PROGRESS_COLUMNS, line);
     fflush(stderr);
 }
 
 void progress_clear(const struct progress *p)
 {
     if (p->visible)
-        fprintf(stderr, "\r%*s\r", COLUMNS, "");
+        fprintf(stderr, "\r%*s\r", PROGRESS_COLUMNS, "");
 }
