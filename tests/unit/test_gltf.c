@@ -299,17 +299,30 @@ static void materials(void **state)
     assert_int_equal(m->flags, MATERIAL_IS_CUTOUT | MATERIAL_IS_TWO_SIDED | MATERIAL_HAS_IOR |
                                    MATERIAL_HAS_PRIORITY);
     assert_int_equal(m->priority, -7);
-    const double numbers[][2] = {
-        { m->base_color.x, 0.5 }, { m->base_color.y, 0.25 },      { m->base_color.z, 1 },
-        { m->alpha, 0.75 },       { m->alpha_cutoff, 0.25 },      { m->metallic, 0.125 },
-        { m->roughness, 0.375 },  { m->emission.x, 8 },           { m->emission.y, 4 },
-        { m->emission.z, 0 },     { m->specular, 0.5 },           { m->specular_color.y, 2 },
-        { m->ior, 1.25 },         { m->dispersion, 0.5 },         { m->thickness, 2 },
-        { m->transmission, 0 },   { m->attenuation_distance, 4 }, { m->attenuation_color.z, 0.125 },
-        { m->normal_scale, 1 },   { m->occlusion_strength, 1 },
+    const float numbers[][2] = {
+        { m->base_color.x, 0.5F },
+        { m->base_color.y, 0.25F },
+        { m->base_color.z, 1 },
+        { m->alpha, 0.75F },
+        { m->alpha_cutoff, 0.25F },
+        { m->metallic, 0.125F },
+        { m->roughness, 0.375F },
+        { m->emission.x, 8 },
+        { m->emission.y, 4 },
+        { m->emission.z, 0 },
+        { m->specular, 0.5F },
+        { m->specular_color.y, 2 },
+        { m->ior, 1.25F },
+        { m->dispersion, 0.5F },
+        { m->thickness, 2 },
+        { m->transmission, 0 },
+        { m->attenuation_distance, 4 },
+        { m->attenuation_color.z, 0.125F },
+        { m->normal_scale, 1 },
+        { m->occlusion_strength, 1 },
     };
     for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++)
-        CHECK_NEAR(numbers[i][0], numbers[i][1], 0);
+        CHECK_NEAR((double)numbers[i][0], (double)numbers[i][1], 0);
     for (uint32_t i = 0; i < model.surroundings.vertex_count; i++)
         assert_int_equal(model.surroundings.vertices[i].material >> MESH_SURFACE_SHIFT, 1);
     model_finish(&model);
@@ -332,7 +345,7 @@ static void material_defaults(void **state)
         { m->alpha_cutoff, 0.5 },
     };
     for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++)
-        CHECK_NEAR(numbers[i][0], numbers[i][1], 0);
+        CHECK_NEAR((double)numbers[i][0], (double)numbers[i][1], 0);
     model_finish(&model);
     assert_string_equal(said, "");
     assert_int_equal(gltf_file_material(&model,
