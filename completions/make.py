@@ -18,7 +18,7 @@ LISTED = {'rungs': 'rungs', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbox', 'immediate'),
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),
          'overlay': ('on', 'off'), 'sandbox': ('on', 'off'), 'pixel-filter': ('box', 'point'),
-         'png-bits': ('8', '16')}
+         'png-bits': ('8', '16'), 'up': ('y', 'z')}
 FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'html', 'mask',
          'truth', 'screenshot', 'watch', 'preset'}
 CATEGORIES = (*LISTS, 'devices', 'sandbox')

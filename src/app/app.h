@@ -49,6 +49,8 @@ struct app_vector {
 struct app_scene {
     const char *name; /* SCENE; NULL: it is missing */
     const char *environment, *surroundings, *material;
+    struct place place;           /* of the model file */
+    bool is_placed;               /* by an option */
     float env_rotate;             /* degrees */
     float env_exposure;           /* stops */
     bool no_background;           /* pictures do not show it */

@@ -57,6 +57,17 @@ static void print_cube_time(FILE *out, const struct settings *settings, const st
         fprintf(out, " cube_time=%.9g", (double)motion->time);
 }
 
+static void print_place(FILE *out, const struct app_scene *scene)
+{
+    const struct place *place = &scene->place;
+    if (place->is_z_up)
+        fputs(" up=z", out);
+    if (place->scale > 0.0f)
+        fprintf(out, " scale=%.9g", (double)place->scale);
+    if (glms_vec3_norm2(place->rotate_deg) > 0.0f)
+        print_vector(out, "rotate", place->rotate_deg);
+}
+
 static void print_surroundings(FILE *out, const struct app_scene *scene)
 {
     if (scene->environment)
@@ -97,6 +108,7 @@ static bool describe(const struct output *output, bool is_png, char **text)
             fprintf(out, " show=%s", show->name);
         if (is_png && p->png_bits == 16)
             fputs(" png-bits=16", out);
+        print_place(out, &p->scene);
         print_surroundings(out, &p->scene);
         print_vector(out, "eye", camera->eye);
         print_vector(out, "target", camera->target);

@@ -190,6 +190,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
     return (struct scene_params){
         .name = given->name,
         .surroundings = given->surroundings,
+        .place = given->is_placed ? &given->place : NULL,
         .environment = given->environment,
         .environment_turn = given->env_rotate / 360.0f - floorf(given->env_rotate / 360.0f),
         .environment_exposure = given->env_exposure,
@@ -233,6 +234,17 @@ enum status app_load_scene(struct scene *scene, struct app_scene *given)
     return status;
 }
 
+/* Only files can be placed. */
+static enum status check_place(const struct app_scene *given)
+{
+    if (!given->is_placed || !scene_find_builtin(given->name))
+        return STATUS_OK;
+    log_error("--up, --scale and --rotate: not available for the built-in scene '%s': expected a "
+              "model file",
+              given->name);
+    return STATUS_USAGE;
+}
+
 /* Options of a file that is missing, or is of another kind. */
 static enum status check_environment(const struct app_scene *given, const struct scene *scene)
 {
@@ -258,7 +270,7 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
     params.settle = settle;
     params.user = &settling;
     *scene = (struct scene){ 0 };
-    if (app_need_scene(given) != STATUS_OK)
+    if (app_need_scene(given) != STATUS_OK || check_place(given) != STATUS_OK)
         return STATUS_USAGE;
     enum status status = scene_load(scene, &params);
     if (status == STATUS_OK)

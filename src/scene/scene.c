@@ -131,6 +131,8 @@ static enum status load_file(struct model *model, const struct scene_params *par
     enum status status = locate(params->name, ASSET_SCENE, &path);
     if (status == STATUS_OK)
         status = decode_model(model, path, MODEL_OBJECT, params->decode);
+    if (status == STATUS_OK && params->place)
+        status = place_model(model, params->place, path);
     free(path);
     return status;
 }

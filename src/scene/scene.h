@@ -11,6 +11,7 @@
 #include "src/scene/generate/generate.h"
 #include "src/scene/import/decode.h"
 #include "src/scene/import/model.h"
+#include "src/scene/place.h"
 
 enum scene_background {
     SCENE_SKY,
@@ -53,6 +54,7 @@ struct scene_params {
     const char *environment;  /* asset, or image file of the background or of a cube; NULL: none */
     float environment_turn;   /* of a picture of the background: environment.turn */
     float environment_exposure;          /* of the file, stops */
+    const struct place *place;           /* of the model file; NULL: as it is */
     const vec3s *background;             /* colour; NULL: the sky */
     bool is_hidden;                      /* scene.is_hidden */
     uint32_t object_triangles;           /* of a built-in object; 0: its default */

@@ -108,6 +108,45 @@ class NoBackground(Pixels):
         self.refuse(USAGE, 'render', *TINY, '--background', 'nothing', names=['or none'])
 
 
+class Place(Pixels):
+    POINTS = ((0, 1, 0.2), (-1, -1, 1), (1, -1, 0.5), (0.3, -0.4, -1))
+
+    def model(self, name, change):
+        """A tetrahedron without a plane of symmetry, its points changed."""
+        lines = ['v {} {} {}'.format(*change(*point)) for point in self.POINTS]
+        (self.folder / name).write_text('\n'.join(
+            [*lines, 'f 1 2 3', 'f 1 3 4', 'f 1 4 2', 'f 2 4 3', '']))
+        return name, '--size', '32x24', *PLAIN, '-q', '--env', 'sky.exr', '--aov', 'P'
+
+    def test_as_if_the_file_were_so(self):
+        (self.folder / 'sky.exr').write_bytes(write_exr((2, 1), {'Y': [0.5, 1]}))
+        plain = self.model('a.obj', lambda *p: p)
+        for words, change in (
+                (('--up', 'z'), lambda x, y, z: (x, z, -y)),
+                (('--scale', '2.5'), lambda x, y, z: (2.5 * x, 2.5 * y, 2.5 * z)),
+                (('--rotate', '90,0,0'), lambda x, y, z: (x, -z, y)),
+                (('--rotate', '0,90,0'), lambda x, y, z: (z, y, -x)),
+                (('--rotate', '90,90,0'), lambda x, y, z: (y, -z, -x)),
+                (('--up', 'z', '--rotate', '0,0,-90', '--scale', '2'),
+                 lambda x, y, z: (2 * z, -2 * x, -2 * y))):
+            with self.subTest(words=words):
+                found = self.draw(*words, scene=plain).read_planes(['P.X', 'P.Y', 'P.Z', 'R'])
+                wanted = self.draw(scene=self.model('b.obj', change)).read_planes(found)
+                for name, plane in found.items():
+                    pairs = list(zip(plane, wanted[name], strict=True))
+                    self.assertLess(sum(abs(a - b) > 1e-2 for a, b in pairs), 5)
+                self.assertGreater(sum(x != 0 for x in found['P.X']), 30)
+
+    def test_refused(self):
+        for words, names in ((('--up', 'x'), ['y or z']), (('--scale', '0'), ['1e-6']),
+                             (('--rotate', '1,2'), ['X,Y,Z']),
+                             (('--scale', '2'), ['sphere', 'model file'])):
+            self.refuse(USAGE, 'graph', 'sphere', *words, names=[words[0], *names])
+        self.model('a.obj', lambda *p: p)
+        self.refuse(DATA, 'graph', 'a.obj', '--scale', '1e6', '--rotate', '0,0,45',
+                    names=['a.obj', '--scale'])
+
+
 class PngBits(Pixels):
     def draw_png(self, *arguments):
         self.succeed('render', *TINY, *arguments, '-o', 'a.png')

@@ -279,6 +279,35 @@ enum status option_env_exposure(const struct option *option, void *at, const cha
                : option_refuse(option, value, "-16 to 16 stops");
 }
 
+enum status option_up(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    scene->is_placed = true;
+    scene->place.is_z_up = strcmp(value, "z") == 0;
+    return scene->place.is_z_up || strcmp(value, "y") == 0 ? STATUS_OK
+                                                           : option_refuse(option, value, "y or z");
+}
+
+enum status option_scale(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    float *scale = &scene->place.scale;
+    scene->is_placed = true;
+    return option_parse_numbers(value, ',', scale, 1) && *scale >= 1e-6f && *scale <= 1e6f
+               ? STATUS_OK
+               : option_refuse(option, value, "a number from 1e-6 to 1e6");
+}
+
+enum status option_rotate(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    const vec3s *v = &scene->place.rotate_deg;
+    scene->is_placed = true;
+    const bool ok = option_parse_numbers(value, ',', scene->place.rotate_deg.raw, 3) &&
+                    fabsf(v->x) <= 360.0f && fabsf(v->y) <= 360.0f && fabsf(v->z) <= 360.0f;
+    return ok ? STATUS_OK : option_refuse(option, value, "X,Y,Z, each from -360 to 360 degrees");
+}
+
 /* A colour that was given before "none" still lights the scene. */
 enum status option_background(const struct option *option, void *at, const char *value)
 {

@@ -151,6 +151,12 @@ static void print(FILE *out, const struct ui_command *c)
         print_name(out, "refraction", p->rung->rung.name);
     print_ior(out, c);
     print_settings(out, c);
+    if (p->scene.place.is_z_up)
+        print_name(out, "up", "z");
+    print_number(out, "scale", p->scene.place.scale);
+    print_given(out, "rotate",
+                &(struct app_vector){ glms_vec3_norm2(p->scene.place.rotate_deg) > 0.0f,
+                                      p->scene.place.rotate_deg });
     print_name(out, "env", p->scene.environment);
     print_number(out, "env-rotate", p->scene.env_rotate);
     print_number(out, "env-exposure", p->scene.env_exposure);
