@@ -23,8 +23,9 @@ void progress_begin(struct progress *progress, uint32_t frames, const char *step
 /* Adds words if all of them fit. */
 static void add(char *line, const char *words)
 {
-    if (strlen(line) + strlen(words) <= PROGRESS_COLUMNS)
-        strcat(line, words);
+    const size_t used = strlen(line), length = strlen(words);
+    if (used + length <= PROGRESS_COLUMNS)
+        memcpy(line + used, words, length + 1);
 }
 
 /* "0:09" or "1:05:00". */
