@@ -3,9 +3,9 @@
  * name. As in the program, a child reads it and sends the meshes through a pipe, and the parent
  * accepts them or reports why there are none.
  *
- * assimp and stb are large and not instrumented; some broken files make them crash, or work for
- * hours. That is why a child reads: there, and nowhere else, it is allowed. So their functions are
- * wrapped (the linker's --wrap), and say in shared memory that one of them runs. A crash at any
+ * assimp, Draco and stb are large and not instrumented; some broken files make them crash, or work
+ * for hours. That is why a child reads: there, and nowhere else, it is allowed. So their functions
+ * are wrapped (the linker's --wrap), and say in shared memory that one of them runs. A crash at any
  * other time is a fault, and so is an end without a status of the reader, meshes that the parent
  * does not accept and anything that the sanitizers find in the parent. The functions by which
  * assimp opens files count as assimp's.
@@ -24,6 +24,7 @@
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include "src/scene/import/gltf_draco.h"
 #include "src/scene/import/mesh_pipe.h"
 #include "src/scene/import/model_parser.h"
 #include "tests/fuzz/fuzz.h"
@@ -96,6 +97,7 @@ WRAP(const struct aiScene *, model_parser_read, (struct model_parser * parser, c
      (parser, path))
 WRAP(const struct aiScene *, model_parser_process, (struct model_parser * parser, unsigned steps),
      (parser, steps))
+WRAP(struct gltf_draco *, gltf_draco_new, (const void *bytes, size_t size), (bytes, size))
 WRAP(stbi_uc *, stbi_load_from_memory,
      (const stbi_uc *bytes, int size, int *x, int *y, int *channels, int wanted),
      (bytes, size, x, y, channels, wanted))
