@@ -338,11 +338,11 @@ static void material_defaults(void **state)
     assert_int_equal(gltf_file_material(&model, "", "", said), STATUS_OK);
     const struct material *m = &model.materials[0];
     assert_int_equal(m->flags, 0);
-    const double numbers[][2] = {
-        { m->ior, 1.5 },          { m->metallic, 1 },   { m->roughness, 1 },
-        { m->transmission, 0 },   { m->alpha, 1 },      { m->attenuation_distance, 0 },
-        { m->thickness, 0 },      { m->emission.x, 0 }, { m->specular, 1 },
-        { m->alpha_cutoff, 0.5 },
+    const float numbers[][2] = {
+        { m->ior, 1.5F },          { m->metallic, 1 },   { m->roughness, 1 },
+        { m->transmission, 0 },    { m->alpha, 1 },      { m->attenuation_distance, 0 },
+        { m->thickness, 0 },       { m->emission.x, 0 }, { m->specular, 1 },
+        { m->alpha_cutoff, 0.5F },
     };
     for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++)
         CHECK_NEAR((double)numbers[i][0], (double)numbers[i][1], 0);
