@@ -181,7 +181,7 @@ class Bake(Case):
         self.assertEqual(named, draw(*words))
         self.assertNotEqual(named, draw())
         self.write_walls([[3, 0, 0], [1, 1, 1]])
-        self.refuse(DATA, 'render', *common, '-o', 'a.exr', names=['walls.gltf', '"walls"', 'box'])
+        self.refuse(DATA, 'render', *common, '-o', 'a.exr', names=['walls.gltf', 'nodes[0]', 'box'])
 
     def test_plan_imports_it(self):
         (self.folder / 'faces.exr').write_bytes(strip(4))
