@@ -63,7 +63,9 @@ uint32_t gltf_draco_width(const struct gltf_draco *draco, uint32_t attribute)
 bool gltf_draco_copy_values(const struct gltf_draco *draco, uint32_t attribute, float *values)
 {
     const draco::PointAttribute *found = draco->mesh->GetAttributeByUniqueId(attribute);
-    const int8_t width = found ? static_cast<int8_t>(found->num_components()) : 0;
+    if (!found)
+        return false;
+    const int8_t width = static_cast<int8_t>(found->num_components());
     for (uint32_t i = 0; i < draco->mesh->num_points(); i++) {
         const draco::AttributeValueIndex index = found->mapped_index(draco::PointIndex(i));
         if (index.value() >= found->size() || !found->ConvertValue<float>(index, width, values))
