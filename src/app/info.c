@@ -50,6 +50,15 @@ static int by_rank(const void *a, const void *b)
 
 /* ---- text ---- */
 
+/* Names are a file's, and may hold commands for a terminal. */
+static void clean_names(struct model *model)
+{
+    for (uint32_t i = 0; i < model->object_count; i++)
+        log_clean(model->objects[i].name);
+    for (uint32_t i = 0; i < model->material_count; i++)
+        log_clean(model->materials[i].name);
+}
+
 static void print_objects(const struct model *model)
 {
     if (!model->object_count)
@@ -81,11 +90,12 @@ static void print_material(const struct material *m)
     printf("\n");
 }
 
-static void print_text(const char *name, const struct scene *scene)
+static void print_text(struct scene *scene)
 {
     const struct model *model = &scene->model;
     const struct box box = scene->box;
-    printf("%s: %u triangles of %u objects, %u around them, %u textures\n", name,
+    clean_names(&scene->model);
+    printf("%u triangles of %u objects, %u around them, %u textures\n",
            model->object.index_count / 3, model->object_count, model->surroundings.index_count / 3,
            model->textures.count);
     printf("box of the objects: %g,%g,%g to %g,%g,%g metres\n", (double)box.min.x,
@@ -196,7 +206,7 @@ enum status app_info(const struct app_options *o)
     if (o->run.format == APP_FORMAT_JSON)
         status = print_json(given.name, &scene);
     else
-        print_text(given.name, &scene);
+        print_text(&scene);
     scene_finish(&scene);
     return status;
 }

@@ -21,12 +21,10 @@ static size_t control_size(const unsigned char *text)
     return 0;
 }
 
-static void write_line(const char *prefix, const char *format, va_list arguments)
+void log_clean(char *text)
 {
-    char line[2048];
-    vsnprintf(line, sizeof(line), format, arguments);
-    char *end = line;
-    for (const char *next = line; *next;) {
+    char *end = text;
+    for (const char *next = text; *next;) {
         const size_t size = control_size((const unsigned char *)next);
         *end = *next;
         if (size)
@@ -35,6 +33,13 @@ static void write_line(const char *prefix, const char *format, va_list arguments
         next += size ? size : 1;
     }
     *end = '\0';
+}
+
+static void write_line(const char *prefix, const char *format, va_list arguments)
+{
+    char line[2048];
+    vsnprintf(line, sizeof(line), format, arguments);
+    log_clean(line);
     fprintf(stderr, "firn: %s%s\n", prefix, line);
 }
 

@@ -8,8 +8,11 @@
 
 #include "src/base/status.h"
 
-/* Writes "firn: " and the formatted message and a newline. Control characters of the message
- * and those that change the direction of text (a file name may hold any) are written as '?'. */
+/* Replaces each control character of a text for a terminal, and each that changes the direction of
+ * text, by '?'; names of files, and those in them, may hold any. */
+void log_clean(char *text);
+
+/* Writes "firn: " and the formatted message, cleaned, and a newline. */
 void log_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Writes "firn: warning: " and the formatted message and a newline, as log_error() does. */

@@ -92,6 +92,10 @@ class Scenes(Case):
         self.assertRegex(text, r'(?m)^  gem +solid +2 .*priority -1$')
         self.refuse(USAGE, 'info', names=['SCENE'])
 
+    def test_names_cannot_command_a_terminal(self):
+        (self.folder / 'a.gltf').write_text(boxes((glass(name='\x1b[2Jice'), [0, 0, 0], 1)))
+        self.assertIn(b' ?[2Jice', self.succeed('info', 'a.gltf', env=NO_DRIVER).stdout)
+
     def test_indices_are_the_materials(self):
         """And --set overrides all of them."""
         pictures = []
