@@ -1,13 +1,9 @@
 /* info.c: firn info: what a scene holds. */
-#include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/app/app.h"
+#include "src/app/json_text.h"
 #include "src/base/log.h"
-
-enum {
-    DIGITS = 9, /* of numbers, so that a float comes back */
-};
 
 /* ---- facts ---- */
 
@@ -119,7 +115,7 @@ static void print_text(struct scene *scene)
 
 static json_t *vector(vec3s v)
 {
-    return json_pack("[f, f, f]", (double)v.x, (double)v.y, (double)v.z);
+    return json_pack("[f, f, f]", json_text_float(v.x), json_text_float(v.y), json_text_float(v.z));
 }
 
 /* Strings of files may hold any bytes. */
@@ -129,18 +125,19 @@ static json_t *text_of(const char *text)
     return string ? string : json_string("?");
 }
 
+static json_t *object_of(const struct model *model, const struct object *object)
+{
+    return json_pack("{s:o, s:i, s:i, s:i, s:b, s:o, s:o}", "name", text_of(object->name), "rank",
+                     (int)object->rank, "triangles", (int)(object->index_count / 3), "material",
+                     (int)object->material, "closed", (int)is_closed(model, object), "min",
+                     vector(object->box.min), "max", vector(object->box.max));
+}
+
 static json_t *objects_of(const struct model *model)
 {
     json_t *all = json_array();
-    for (uint32_t i = 0; i < model->object_count; i++) {
-        const struct object *object = &model->objects[i];
-        (void)json_array_append_new(
-            all,
-            json_pack("{s:o, s:i, s:i, s:i, s:b, s:o, s:o}", "name", text_of(object->name), "rank",
-                      (int)object->rank, "triangles", (int)(object->index_count / 3), "material",
-                      (int)object->material, "closed", (int)is_closed(model, object), "min",
-                      vector(object->box.min), "max", vector(object->box.max)));
-    }
+    for (uint32_t i = 0; i < model->object_count && all; i++)
+        all = json_text_append(all, object_of(model, &model->objects[i]));
     return all;
 }
 
@@ -148,14 +145,15 @@ static json_t *material_of(const struct material *m)
 {
     json_t *json =
         json_pack("{s:o, s:s, s:o, s:f}", "name", text_of(m->name), "kind", kind_of(m),
-                  "base_color", vector(m->base_color), "roughness", (double)m->roughness);
+                  "base_color", vector(m->base_color), "roughness", json_text_float(m->roughness));
     if (json && m->transmission > 0.0f && !(m->flags & MATERIAL_IS_BARE)) {
-        (void)json_object_set_new(json, "transmission", json_real((double)m->transmission));
-        (void)json_object_set_new(json, "ior", json_real((double)m->ior));
-        (void)json_object_set_new(json, "dispersion", json_real((double)m->dispersion));
+        (void)json_object_set_new(json, "transmission",
+                                  json_real(json_text_float(m->transmission)));
+        (void)json_object_set_new(json, "ior", json_real(json_text_float(m->ior)));
+        (void)json_object_set_new(json, "dispersion", json_real(json_text_float(m->dispersion)));
         (void)json_object_set_new(json, "attenuation_color", vector(m->attenuation_color));
         (void)json_object_set_new(json, "attenuation_distance",
-                                  json_real((double)m->attenuation_distance));
+                                  json_real(json_text_float(m->attenuation_distance)));
     }
     if (json && m->flags & MATERIAL_HAS_PRIORITY)
         (void)json_object_set_new(json, "priority", json_integer(m->priority));
@@ -165,8 +163,8 @@ static json_t *material_of(const struct material *m)
 static json_t *materials_of(const struct model *model)
 {
     json_t *all = json_array();
-    for (uint32_t i = 0; i < model->material_count; i++)
-        (void)json_array_append_new(all, material_of(&model->materials[i]));
+    for (uint32_t i = 0; i < model->material_count && all; i++)
+        all = json_text_append(all, material_of(&model->materials[i]));
     return all;
 }
 
@@ -182,14 +180,8 @@ static enum status print_json(const char *name, const struct scene *scene)
         (void)json_object_set_new(root, "camera",
                                   json_pack("{s:o, s:o, s:f}", "eye", vector(model->camera.eye),
                                             "target", vector(model->camera.target), "fov",
-                                            (double)model->camera.fov_deg));
-    char *text = root ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS)) : NULL;
-    json_decref(root);
-    if (!text)
-        return log_out_of_memory(NULL);
-    puts(text);
-    free(text);
-    return STATUS_OK;
+                                            json_text_float(model->camera.fov_deg)));
+    return json_text_print(root);
 }
 
 enum status app_info(const struct app_options *o)

@@ -1,9 +1,9 @@
 /* list_json.c: what firn list prints, as JSON. */
 #include "src/app/list_json.h"
-#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/app/json_text.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
 #include "src/reader/sandbox.h"
@@ -15,39 +15,12 @@
 
 /* NULL stands for lack of memory; functions of jansson pass it on. */
 
-enum {
-    DIGITS = 9 /* of numbers: enough for all bits of a float */
-};
-
-/* Moves a value to the end of an array; on failure frees both and returns NULL. */
-static json_t *append(json_t *array, json_t *value)
-{
-    if (array && value && json_array_append_new(array, value) == 0)
-        return array;
-    if (!array)
-        json_decref(value);
-    json_decref(array);
-    return NULL;
-}
-
-/* A float as the number that was written for it: 1.31, not 1.30999994. */
-static double shortest(float value)
-{
-    char text[32];
-    for (int digits = 6; digits <= DIGITS; digits++) {
-        snprintf(text, sizeof(text), "%.*g", digits, (double)value);
-        if ((float)strtod(text, NULL) == value)
-            break;
-    }
-    return strtod(text, NULL);
-}
-
 /* Appends the assets of a kind. */
 static json_t *append_assets(json_t *all, enum asset_kind kind)
 {
     for (const struct asset *a = assets; a->name && all; a++) {
         if (a->kind == kind)
-            all = append(all, json_pack("{s:s, s:s}", "name", a->name, "help", a->help));
+            all = json_text_append(all, json_pack("{s:s, s:s}", "name", a->name, "help", a->help));
     }
     return all;
 }
@@ -56,18 +29,18 @@ static json_t *scenes(void)
 {
     json_t *all = json_array();
     for (const struct scene_builtin *b = scene_builtins; b->name && all; b++)
-        all = append(all, json_pack("{s:s, s:s, s:i}", "name", b->name, "help", b->help,
-                                    "triangles", (int)b->triangles));
+        all = json_text_append(all, json_pack("{s:s, s:s, s:i}", "name", b->name, "help", b->help,
+                                              "triangles", (int)b->triangles));
     all = append_assets(all, ASSET_SCENE);
-    return append(all, json_pack("{s:s, s:s}", "name", "FILE", "help",
-                                 "model file: .gltf, .glb, .obj, .ply"));
+    return json_text_append(all, json_pack("{s:s, s:s}", "name", "FILE", "help",
+                                           "model file: .gltf, .glb, .obj, .ply"));
 }
 
 static json_t *environments(void)
 {
-    return append(append_assets(json_array(), ASSET_ENVIRONMENT),
-                  json_pack("{s:s, s:s}", "name", "FILE", "help",
-                            "equirectangular .exr or .hdr, or firn bake's cube"));
+    return json_text_append(append_assets(json_array(), ASSET_ENVIRONMENT),
+                            json_pack("{s:s, s:s}", "name", "FILE", "help",
+                                      "equirectangular .exr or .hdr, or firn bake's cube"));
 }
 
 static json_t *rung_of(const struct technique *rung, bool is_available)
@@ -80,16 +53,16 @@ static json_t *rungs(void)
 {
     json_t *all = json_array();
     for (size_t r = 0; techniques_rung(r) && all; r++)
-        all = append(all, rung_of(techniques_rung(r), true));
-    return append(all, rung_of(&refract_reference, reference_is_built()));
+        all = json_text_append(all, rung_of(techniques_rung(r), true));
+    return json_text_append(all, rung_of(&refract_reference, reference_is_built()));
 }
 
 static json_t *materials(void)
 {
     json_t *all = json_array();
     for (const struct material_preset *m = material_presets; m->name && all; m++)
-        all = append(all, json_pack("{s:s, s:f, s:s}", "name", m->name, "ior", shortest(m->ior),
-                                    "help", m->help));
+        all = json_text_append(all, json_pack("{s:s, s:f, s:s}", "name", m->name, "ior",
+                                              json_text_float(m->ior), "help", m->help));
     return all;
 }
 
@@ -98,8 +71,8 @@ static json_t *layers(void)
     json_t *all = json_array();
     const struct frame_layer *layer;
     for (size_t i = 0; (layer = techniques_layer(i)) && all; i++)
-        all = append(all, json_pack("{s:s, s:s, s:b}", "name", layer->name, "help", layer->help,
-                                    "reference_only", (int)!layer->image));
+        all = json_text_append(all, json_pack("{s:s, s:s, s:b}", "name", layer->name, "help",
+                                              layer->help, "reference_only", (int)!layer->image));
     return all;
 }
 
@@ -110,7 +83,7 @@ static json_t *value_of(const struct setting *row, double value)
 {
     switch (row->type) {
     case SETTING_FLOAT:
-        return json_real(shortest((float)value));
+        return json_real(json_text_float((float)value));
     case SETTING_COUNT:
         return json_integer((json_int_t)value);
     case SETTING_SWITCH:
@@ -125,7 +98,7 @@ static json_t *choices_of(const struct setting *row)
 {
     json_t *all = json_array();
     for (size_t c = 0; row->choices && row->choices[c] && all; c++)
-        all = append(all, json_string(row->choices[c]));
+        all = json_text_append(all, json_string(row->choices[c]));
     return all;
 }
 
@@ -151,7 +124,7 @@ static json_t *settings(void)
     const struct setting_group *group;
     for (size_t g = 0; (group = settings_group(g)) && all; g++) {
         for (size_t r = 0; r < group->row_count && all; r++)
-            all = append(all, setting_of(&group->rows[r]));
+            all = json_text_append(all, setting_of(&group->rows[r]));
     }
     return all;
 }
@@ -166,10 +139,11 @@ static enum status devices(json_t **all)
     *all = status == STATUS_OK ? json_array() : NULL;
     for (uint32_t i = 0; i < count && *all; i++) {
         const struct gpu_device *device = &found[i];
-        *all = append(*all, json_pack("{s:i, s:s, s:s, s:s, s:b, s:s*}", "number", (int)i, "name",
-                                      device->name, "kind", device->kind, "vulkan", device->version,
-                                      "usable", device->refused[0] == '\0', "refused",
-                                      device->refused[0] ? device->refused : NULL));
+        *all = json_text_append(*all,
+                                json_pack("{s:i, s:s, s:s, s:s, s:b, s:s*}", "number", (int)i,
+                                          "name", device->name, "kind", device->kind, "vulkan",
+                                          device->version, "usable", device->refused[0] == '\0',
+                                          "refused", device->refused[0] ? device->refused : NULL));
     }
     free(found);
     return status == STATUS_OK && !*all ? log_out_of_memory(NULL) : status;
@@ -218,13 +192,8 @@ enum status list_json(const char *topic)
         if (!topic || !strcmp(topic, lists[i].name))
             status = add_list(root, i);
     }
-    char *text =
-        status == STATUS_OK ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS)) : NULL;
-    if (status == STATUS_OK && !text)
-        status = log_out_of_memory(NULL);
-    if (text)
-        puts(text);
-    free(text);
+    if (status == STATUS_OK)
+        return json_text_print(root);
     json_decref(root);
     return status;
 }

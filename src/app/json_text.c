@@ -1,0 +1,41 @@
+/* json_text.c: numbers, arrays and output of JSON. */
+#include "src/app/json_text.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include "src/base/log.h"
+
+enum {
+    DIGITS = 9 /* of numbers: enough for all bits of a float */
+};
+
+json_t *json_text_append(json_t *array, json_t *value)
+{
+    if (array && value && json_array_append_new(array, value) == 0)
+        return array;
+    if (!array)
+        json_decref(value);
+    json_decref(array);
+    return NULL;
+}
+
+double json_text_float(float value)
+{
+    char text[32];
+    for (int digits = 6; digits <= DIGITS; digits++) {
+        snprintf(text, sizeof(text), "%.*g", digits, (double)value);
+        if ((float)strtod(text, NULL) == value)
+            break;
+    }
+    return strtod(text, NULL);
+}
+
+enum status json_text_print(json_t *root)
+{
+    char *text = root ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS)) : NULL;
+    json_decref(root);
+    if (!text)
+        return log_out_of_memory(NULL);
+    puts(text);
+    free(text);
+    return STATUS_OK;
+}
