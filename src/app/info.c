@@ -93,7 +93,7 @@ static void print_text(struct scene *scene)
     clean_names(&scene->model);
     printf("%u triangles of %u objects, %u around them, %u textures\n",
            model->object.index_count / 3, model->object_count, model->surroundings.index_count / 3,
-           model->textures.count);
+           model->textures.count + model->numbers.count);
     printf("box of the objects: %g,%g,%g to %g,%g,%g metres\n", (double)box.min.x,
            (double)box.min.y, (double)box.min.z, (double)box.max.x, (double)box.max.y,
            (double)box.max.z);
@@ -173,9 +173,9 @@ static enum status print_json(const char *name, const struct scene *scene)
     const struct model *model = &scene->model;
     json_t *root = json_pack("{s:o, s:i, s:i, s:o, s:o, s:o, s:o}", "scene", text_of(name),
                              "surrounding_triangles", (int)(model->surroundings.index_count / 3),
-                             "textures", (int)model->textures.count, "min", vector(scene->box.min),
-                             "max", vector(scene->box.max), "objects", objects_of(model),
-                             "materials", materials_of(model));
+                             "textures", (int)(model->textures.count + model->numbers.count), "min",
+                             vector(scene->box.min), "max", vector(scene->box.max), "objects",
+                             objects_of(model), "materials", materials_of(model));
     if (root && model->has_camera)
         (void)json_object_set_new(root, "camera",
                                   json_pack("{s:o, s:o, s:f}", "eye", vector(model->camera.eye),

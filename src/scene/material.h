@@ -38,6 +38,12 @@ enum material_texture_use {
     MATERIAL_TEXTURE_COUNT,
 };
 
+/* Returns whether a use's textures are colours, so sRGB; else their texels are numbers. */
+static inline bool material_texture_is_color(enum material_texture_use use)
+{
+    return use == MATERIAL_BASE_COLOR || use == MATERIAL_EMISSION || use == MATERIAL_SPECULAR_COLOR;
+}
+
 /* How coordinates beyond 0 to 1 are brought there. */
 enum material_wrap {
     MATERIAL_REPEAT,
@@ -48,7 +54,8 @@ enum material_wrap {
 
 /* A texture. Those of colours are sRGB; of others, the texels are the numbers themselves. */
 struct material_texture {
-    uint32_t layer; /* of struct texture_layers, + 1; 0: none, as if it were 1 everywhere */
+    uint32_t layer; /* of model.textures or, if it is no colour, of model.numbers, + 1; 0: none, as
+                       if it were 1 everywhere */
     uint32_t wrap_u, wrap_v; /* enum material_wrap */
     vec3s u_row, v_row;      /* its coordinates are their products with (uv, 1) of a vertex */
 };

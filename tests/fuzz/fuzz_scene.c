@@ -43,8 +43,8 @@ void fuzz_check_model(const struct model *model)
 void fuzz_check_no_model(const struct model *model)
 {
     FUZZ_CHECK(!model->object.vertices && !model->object.indices && !model->textures.texels &&
-               !model->surroundings.vertices && !model->surroundings.indices && !model->objects &&
-               !model->materials);
+               !model->numbers.texels && !model->surroundings.vertices &&
+               !model->surroundings.indices && !model->objects && !model->materials);
 }
 
 void fuzz_check_environment(const struct environment *environment)

@@ -377,9 +377,10 @@ static void textures_of_materials(void **state)
         "'texCoord':1},'occlusionTexture':{'index':0}";
     assert_int_equal(gltf_file_material(&model, material, TEXTURES, said), STATUS_OK);
     const struct material *m = &model.materials[0];
-    assert_int_equal(model.textures.count, 2); /* of colours and of numbers */
+    assert_int_equal(model.textures.count, 1);
+    assert_int_equal(model.numbers.count, 1);
     assert_int_equal(m->textures[MATERIAL_BASE_COLOR].layer, 1);
-    assert_int_equal(m->textures[MATERIAL_NORMAL].layer, 2);
+    assert_int_equal(m->textures[MATERIAL_NORMAL].layer, 1);
     assert_int_equal(m->textures[MATERIAL_EMISSION].layer, 1);
     assert_int_equal(m->textures[MATERIAL_OCCLUSION].layer, 0); /* another set of coordinates */
     assert_int_equal(m->textures[MATERIAL_NORMAL].wrap_u, MATERIAL_CLAMP);

@@ -14,10 +14,12 @@ enum {
     MATERIAL_COUNT_AT = 28,
     TEXTURE_SIZE_AT = 32,
     TEXTURE_COUNT_AT = 36,
-    CAMERA_AT = 40, /* eye, target, up, angle */
-    IOR_AT = 80,
-    BOX_AT = 84,
-    VERTICES_AT = 108,
+    NUMBER_SIZE_AT = 40,
+    NUMBER_COUNT_AT = 44,
+    CAMERA_AT = 48, /* eye, target, up, angle */
+    IOR_AT = 88,
+    BOX_AT = 92,
+    VERTICES_AT = 116,
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
     MESH_SIZE = 4 * VERTEX_SIZE + 6 * 4,
@@ -62,6 +64,7 @@ static struct model make_model(void)
         .object = make_square(MESH_UNLIT),
         .surroundings = make_square(MESH_CUTOUT | 2),
         .textures = { .texels = malloc(32), .size = 2, .count = 2 },
+        .numbers = { .texels = malloc(4), .size = 1, .count = 1 },
         .camera = { .eye = { { 1, 2, 3 } }, .up = { { 0, 1, 0 } }, .fov_deg = 40 },
         .ior = 1.5F,
         .box = { .max = { { 1, 2, 3 } } },
@@ -70,7 +73,8 @@ static struct model make_model(void)
         .has_ior = true,
     };
     add_objects(&model);
-    assert_non_null(model.textures.texels);
+    assert_true(model.textures.texels && model.numbers.texels);
+    memcpy(model.numbers.texels, "text", 4);
     for (uint8_t i = 0; i < 32; i++)
         model.textures.texels[i] = i;
     return model;
@@ -112,6 +116,9 @@ static void model_comes_through(void **state)
     assert_int_equal(model.textures.size, 2);
     assert_int_equal(model.textures.count, 2);
     assert_memory_equal(model.textures.texels, wanted.textures.texels, 32);
+    assert_int_equal(model.numbers.size, 1);
+    assert_int_equal(model.numbers.count, 1);
+    assert_memory_equal(model.numbers.texels, "text", 4);
     assert_int_equal(model.object_count, 2);
     assert_int_equal(model.material_count, 2);
     assert_memory_equal(model.objects, wanted.objects, 2 * sizeof(struct object));
@@ -165,6 +172,9 @@ static void heads_are_checked(void **state)
     refuse_word(TEXTURE_SIZE_AT, 2048, PIPE_SIZE);
     refuse_word(TEXTURE_COUNT_AT, 0, PIPE_SIZE);
     refuse_word(TEXTURE_COUNT_AT, 4097, PIPE_SIZE);
+    refuse_word(NUMBER_SIZE_AT, 3, PIPE_SIZE);
+    refuse_word(NUMBER_SIZE_AT, 2048, PIPE_SIZE);
+    refuse_word(NUMBER_COUNT_AT, 0, PIPE_SIZE);
 }
 
 static void cameras_are_checked(void **state)
@@ -245,8 +255,9 @@ static void materials_are_checked(void **state)
         offsetof(struct material, specular),
         offsetof(struct material, specular_color) + 8,
     };
-    const size_t texture =
-        MATERIALS_AT + offsetof(struct material, textures) + 3 * sizeof(struct material_texture);
+    const size_t textures = MATERIALS_AT + offsetof(struct material, textures);
+    const size_t texture = textures + MATERIAL_OCCLUSION * sizeof(struct material_texture);
+    const size_t layer = offsetof(struct material_texture, layer);
     static const float bad[] = { NAN, INFINITY, -1 };
     (void)state;
     for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++) {
@@ -256,7 +267,8 @@ static void materials_are_checked(void **state)
     refuse_word(MATERIALS_AT + offsetof(struct material, flags), MATERIAL_FLAGS + 1, PIPE_MATERIAL);
     refuse_number(MATERIALS_AT + offsetof(struct material, ior), 4.1F, PIPE_MATERIAL);
     refuse_number(MATERIALS_AT + offsetof(struct material, normal_scale), NAN, PIPE_MATERIAL);
-    refuse_word(texture + offsetof(struct material_texture, layer), 3, PIPE_MATERIAL); /* of two */
+    refuse_word(textures + layer, 3, PIPE_MATERIAL); /* of two colours */
+    refuse_word(texture + layer, 2, PIPE_MATERIAL);  /* of one number */
     refuse_word(texture + offsetof(struct material_texture, wrap_u), 3, PIPE_MATERIAL);
     refuse_word(texture + offsetof(struct material_texture, wrap_v), 3, PIPE_MATERIAL);
     refuse_number(texture + offsetof(struct material_texture, u_row), NAN, PIPE_MATERIAL);

@@ -235,7 +235,7 @@ void gltf_material_textures(const struct gltf_object *object, struct gltf_materi
 /* Reads the meshes that nodes of the scene have. */
 MUST_USE enum status gltf_meshes_read(struct gltf *gltf);
 void gltf_primitive_finish(struct gltf_primitive *primitive);
-MUST_USE enum status gltf_textures_read(struct gltf *gltf, struct texture_layers *layers);
+MUST_USE enum status gltf_textures_read(struct gltf *gltf, struct model *model);
 MUST_USE enum status gltf_build(struct gltf *gltf, struct model *model,
                                 enum model_part everything_is);
 /* Reads the first perspective camera into *model, whose object must be filled in. */

@@ -217,7 +217,7 @@ enum status model_load_gltf(struct model_import *import, struct model *model,
     if (status == STATUS_OK)
         status = gltf_meshes_read(&gltf);
     if (status == STATUS_OK)
-        status = gltf_textures_read(&gltf, &model->textures);
+        status = gltf_textures_read(&gltf, model);
     if (status == STATUS_OK)
         status = gltf_build(&gltf, model, everything_is);
     if (status == STATUS_OK)

@@ -9,9 +9,9 @@ struct source {
     char name[GLTF_PLACE_SIZE];
     uint8_t *owned;
     uint32_t image;
-    bool is_linear;
 };
 
+/* Those of colours, or of numbers. */
 struct sources {
     struct source *list;
     struct model_picture *pictures;
@@ -35,7 +35,7 @@ static enum status find_file(const struct gltf_object *image, const char *uri,
     return gltf->status;
 }
 
-static enum status add(struct gltf *gltf, struct sources *sources, uint32_t index, bool is_linear)
+static enum status add(struct gltf *gltf, struct sources *sources, uint32_t index)
 {
     const struct gltf_object image = gltf_element(gltf, "images", index);
     const char *uri = gltf_string(&image, "uri", NULL);
@@ -46,8 +46,6 @@ static enum status add(struct gltf *gltf, struct sources *sources, uint32_t inde
         return gltf->status;
     sources->count++;
     source->image = index;
-    source->is_linear = is_linear;
-    picture->is_linear = is_linear;
     memcpy(source->name, image.place, sizeof(source->name));
     picture->name = source->name;
     if (uri && strncmp(uri, "data:", 5) != 0)
@@ -66,13 +64,11 @@ static enum status add(struct gltf *gltf, struct sources *sources, uint32_t inde
     return gltf->status;
 }
 
-/* Returns the layer of an image, + 1. One that has both colours and numbers has two. */
-static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t image,
-                           bool is_linear)
+/* Returns the layer of an image, + 1. */
+static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t image)
 {
     uint32_t layer = 0;
-    while (layer < sources->count &&
-           (sources->list[layer].image != image || sources->list[layer].is_linear != is_linear))
+    while (layer < sources->count && sources->list[layer].image != image)
         layer++;
     if (layer == MODEL_TEXTURE_MAX) {
         const struct gltf_object top = gltf_top(gltf);
@@ -80,24 +76,25 @@ static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t 
         return 0;
     }
     if (layer == sources->count)
-        (void)add(gltf, sources, image, is_linear);
+        (void)add(gltf, sources, image);
     return layer + 1;
 }
 
-/* Sets the layers of a material whose primitive has texture coordinates. */
-static void use(struct gltf *gltf, struct sources *sources, struct gltf_material *material)
+/* Sets the layers of a material, of one kind of textures. */
+static void use(struct gltf *gltf, struct sources *sources, bool are_numbers,
+                struct gltf_material *material)
 {
-    for (int i = 0; i < MATERIAL_TEXTURE_COUNT && gltf->status == STATUS_OK; i++) {
+    for (uint32_t i = 0; i < MATERIAL_TEXTURE_COUNT && gltf->status == STATUS_OK; i++) {
         const uint32_t image = material->textures[i].image;
         struct material_texture *texture = &material->material.textures[i];
-        const bool is_color =
-            i == MATERIAL_BASE_COLOR || i == MATERIAL_EMISSION || i == MATERIAL_SPECULAR_COLOR;
-        if (image != gltf_none && texture->layer == 0)
-            texture->layer = find_layer(gltf, sources, image, !is_color);
+        if (image != gltf_none && texture->layer == 0 &&
+            material_texture_is_color(i) != are_numbers)
+            texture->layer = find_layer(gltf, sources, image);
     }
 }
 
-enum status gltf_textures_read(struct gltf *gltf, struct texture_layers *layers)
+/* Reads the pictures of one kind, of materials whose primitives have texture coordinates. */
+static enum status read_kind(struct gltf *gltf, bool are_numbers, struct texture_layers *layers)
 {
     struct sources sources = {
         .list = calloc(MODEL_TEXTURE_MAX, sizeof(*sources.list)),
@@ -113,11 +110,12 @@ enum status gltf_textures_read(struct gltf *gltf, struct texture_layers *layers)
             const struct gltf_primitive *primitive = &gltf->meshes[i].primitives[k];
             struct gltf_material *material = &gltf->materials[primitive->material];
             if (primitive->uvs && primitive->index_count > 0)
-                use(gltf, &sources, material);
+                use(gltf, &sources, are_numbers, material);
         }
     }
     if (gltf->status == STATUS_OK)
-        gltf->status = model_picture_load(gltf->path, sources.pictures, sources.count, layers);
+        gltf->status =
+            model_picture_load(gltf->path, sources.pictures, sources.count, are_numbers, layers);
     for (uint32_t i = 0; i < sources.count; i++) {
         free(sources.list[i].owned);
         free(sources.pictures[i].file);
@@ -125,4 +123,10 @@ enum status gltf_textures_read(struct gltf *gltf, struct texture_layers *layers)
     free(sources.list);
     free(sources.pictures);
     return gltf->status;
+}
+
+enum status gltf_textures_read(struct gltf *gltf, struct model *model)
+{
+    const enum status status = read_kind(gltf, false, &model->textures);
+    return status == STATUS_OK ? read_kind(gltf, true, &model->numbers) : status;
 }

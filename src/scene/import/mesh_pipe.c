@@ -23,12 +23,16 @@ struct mesh_counts {
     uint32_t vertices, indices;
 };
 
+struct texture_counts {
+    uint32_t size, count; /* texels a side; layers */
+};
+
 struct model_head {
     uint32_t magic;
     uint32_t flags;
     struct mesh_counts object, surroundings;
     uint32_t object_count, material_count;
-    uint32_t texture_size, texture_count;
+    struct texture_counts textures, numbers;
     struct camera camera;
     float ior;
     struct box box;
@@ -41,7 +45,7 @@ struct environment_head {
 
 _Static_assert(sizeof(struct material) == 492, "no padding");
 _Static_assert(sizeof(struct object) == 104, "no padding");
-_Static_assert(sizeof(struct model_head) == 108, "no padding, so no bytes of this process in it");
+_Static_assert(sizeof(struct model_head) == 116, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */
 
@@ -66,8 +70,8 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
         .surroundings = { model->surroundings.vertex_count, model->surroundings.index_count },
         .object_count = model->object_count,
         .material_count = model->material_count,
-        .texture_size = model->textures.size,
-        .texture_count = model->textures.count,
+        .textures = { model->textures.size, model->textures.count },
+        .numbers = { model->numbers.size, model->numbers.count },
         .camera = model->camera,
         .ior = model->ior,
         .box = model->box,
@@ -77,6 +81,7 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
            pipe_write(sink, model->objects, model->object_count * sizeof(*model->objects)) &&
            pipe_write(sink, model->materials, model->material_count * sizeof(*model->materials)) &&
            pipe_write(sink, model->textures.texels, texels_size(&model->textures)) &&
+           pipe_write(sink, model->numbers.texels, texels_size(&model->numbers)) &&
            pipe_write_end(sink);
 }
 
@@ -121,7 +126,8 @@ static enum pipe_fault check_vertex(const struct mesh_vertex *vertex, const stru
         !is_color(vertex->color, vertex->material & MESH_UNLIT) || !isfinite(vertex->uv.x) ||
         !isfinite(vertex->uv.y))
         return PIPE_NUMBER;
-    if (vertex->material & ~known || (vertex->material & MESH_TEXTURE_MASK) > head->texture_count ||
+    if (vertex->material & ~known ||
+        (vertex->material & MESH_TEXTURE_MASK) > head->textures.count ||
         vertex->material >> MESH_SURFACE_SHIFT > head->material_count)
         return PIPE_MATERIAL;
     return PIPE_OK;
@@ -167,23 +173,32 @@ static bool is_countable(struct mesh_counts counts)
            counts.indices % 3 == 0 && (counts.vertices > 0) == (counts.indices > 0);
 }
 
+static uint64_t textures_size(const struct texture_counts *textures)
+{
+    return (uint64_t)textures->size * textures->size * TEXEL_SIZE * textures->count;
+}
+
+static bool are_textures(const struct texture_counts *textures)
+{
+    const uint32_t side = textures->size;
+    return textures->count <= MODEL_TEXTURE_MAX && side <= MODEL_TEXTURE_SIDE_MAX &&
+           (side & (side - 1)) == 0 && (side > 0) == (textures->count > 0) &&
+           textures_size(textures) <= MODEL_TEXTURES_SIZE_MAX;
+}
+
 static enum pipe_fault check_sizes(const struct pipe_source *source, const struct model_head *head)
 {
-    const uint64_t side = head->texture_size;
     if (!is_countable(head->object) || !is_countable(head->surroundings) ||
         head->object.indices + head->surroundings.indices == 0)
         return PIPE_SIZE;
     if (head->object_count > head->object.indices / 3 || head->material_count > MESH_SURFACE_MAX)
         return PIPE_SIZE;
-    if (head->texture_count > MODEL_TEXTURE_MAX || side > MODEL_TEXTURE_SIDE_MAX ||
-        (side & (side - 1)) != 0 || (side > 0) != (head->texture_count > 0))
+    if (!are_textures(&head->textures) || !are_textures(&head->numbers))
         return PIPE_SIZE;
-    const uint64_t texels = side * side * TEXEL_SIZE * head->texture_count;
-    if (texels > MODEL_TEXTURES_SIZE_MAX ||
-        texels + mesh_size(head->object) + mesh_size(head->surroundings) +
-                head->object_count * (uint64_t)sizeof(struct object) +
-                head->material_count * (uint64_t)sizeof(struct material) >
-            source->size_max)
+    if (textures_size(&head->textures) + textures_size(&head->numbers) + mesh_size(head->object) +
+            mesh_size(head->surroundings) + head->object_count * (uint64_t)sizeof(struct object) +
+            head->material_count * (uint64_t)sizeof(struct material) >
+        source->size_max)
         return PIPE_SIZE;
     return PIPE_OK;
 }
@@ -220,14 +235,16 @@ static bool is_material(const struct material *m)
 }
 
 /* Objects follow each other, and cover the whole mesh. */
-static enum pipe_fault check_objects(const struct model *model, uint32_t texture_count)
+static enum pipe_fault check_objects(const struct model *model, const struct model_head *head)
 {
     uint64_t end = 0;
     for (uint32_t i = 0; i < model->material_count; i++) {
         if (!is_material(&model->materials[i]))
             return PIPE_MATERIAL;
         for (uint32_t k = 0; k < MATERIAL_TEXTURE_COUNT; k++) {
-            if (!is_texture(&model->materials[i].textures[k], texture_count))
+            const uint32_t count =
+                material_texture_is_color(k) ? head->textures.count : head->numbers.count;
+            if (!is_texture(&model->materials[i].textures[k], count))
                 return PIPE_MATERIAL;
         }
     }
@@ -257,7 +274,18 @@ static enum pipe_fault read_objects(const struct pipe_source *source, const stru
     enum pipe_fault fault = pipe_read(source, model->objects, objects_size);
     if (fault == PIPE_OK)
         fault = pipe_read(source, model->materials, materials_size);
-    return fault == PIPE_OK ? check_objects(model, head->texture_count) : fault;
+    return fault == PIPE_OK ? check_objects(model, head) : fault;
+}
+
+static enum pipe_fault read_textures(const struct pipe_source *source,
+                                     const struct texture_counts *counts,
+                                     struct texture_layers *layers)
+{
+    if (counts->count == 0)
+        return PIPE_OK;
+    *layers = (struct texture_layers){ .size = counts->size, .count = counts->count };
+    layers->texels = malloc(texels_size(layers));
+    return layers->texels ? pipe_read(source, layers->texels, texels_size(layers)) : PIPE_MEMORY;
 }
 
 static bool is_box(const struct box *box)
@@ -301,14 +329,10 @@ enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct mo
         fault = read_mesh(source, &model->surroundings, head.surroundings, &head);
     if (fault == PIPE_OK)
         fault = read_objects(source, &head, model);
-    if (fault == PIPE_OK && head.texture_count > 0) {
-        model->textures.size = head.texture_size;
-        model->textures.count = head.texture_count;
-        model->textures.texels = malloc(texels_size(&model->textures));
-        fault = model->textures.texels
-                    ? pipe_read(source, model->textures.texels, texels_size(&model->textures))
-                    : PIPE_MEMORY;
-    }
+    if (fault == PIPE_OK)
+        fault = read_textures(source, &head.textures, &model->textures);
+    if (fault == PIPE_OK)
+        fault = read_textures(source, &head.numbers, &model->numbers);
     if (fault == PIPE_OK)
         fault = pipe_read_end(source);
     if (fault != PIPE_OK) {

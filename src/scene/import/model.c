@@ -79,17 +79,21 @@ static enum status add_materials(struct model *model, const struct model *other)
     for (uint32_t i = 0; i < other->material_count; i++) {
         struct material *material = &grown[model->material_count + i];
         *material = other->materials[i];
-        for (int k = 0; k < MATERIAL_TEXTURE_COUNT; k++)
-            material->textures[k].layer +=
-                material->textures[k].layer > 0 ? model->textures.count : 0;
+        for (uint32_t k = 0; k < MATERIAL_TEXTURE_COUNT; k++) {
+            if (material->textures[k].layer > 0)
+                material->textures[k].layer +=
+                    material_texture_is_color(k) ? model->textures.count : model->numbers.count;
+        }
     }
     return STATUS_OK;
 }
 
 enum status model_add_surroundings(struct model *model, struct model *other)
 {
-    struct texture_layers textures = { 0 };
-    enum status status = model_picture_merge(&textures, &model->textures, &other->textures);
+    struct texture_layers textures = { 0 }, numbers = { 0 };
+    enum status status = model_picture_merge(&textures, &model->textures, &other->textures, false);
+    if (status == STATUS_OK)
+        status = model_picture_merge(&numbers, &model->numbers, &other->numbers, true);
     if (status != STATUS_OK)
         goto fail;
     status = add_materials(model, other);
@@ -106,12 +110,16 @@ enum status model_add_surroundings(struct model *model, struct model *other)
     free(model->textures.texels);
     model->textures = textures;
     textures.texels = NULL;
+    free(model->numbers.texels);
+    model->numbers = numbers;
+    numbers.texels = NULL;
     if (other->has_box) {
         model->has_box = true;
         model->box = other->box;
     }
 fail:
     free(textures.texels);
+    free(numbers.texels);
     model_finish(other);
     return status;
 }
@@ -123,5 +131,6 @@ void model_finish(struct model *model)
     free(model->objects);
     free(model->materials);
     free(model->textures.texels);
+    free(model->numbers.texels);
     *model = (struct model){ 0 };
 }

@@ -40,8 +40,7 @@
 
 /*
  * Square 8-bit textures of one size, RGBA, rows from the top, one after another: at most 4096, of
- * at most 2048 texels a side, 512 MiB together. Textures of other sizes were resampled. They are of
- * sRGB colours or of numbers (material.h).
+ * at most 2048 texels a side, 512 MiB together. Textures of other sizes were resampled.
  */
 struct texture_layers {
     uint8_t *texels;      /* size * size * 4 * count bytes */
@@ -55,7 +54,8 @@ struct model {
     uint32_t object_count;
     struct material *materials; /* of the file, or files; objects and vertices refer to them */
     uint32_t material_count;
-    struct texture_layers textures; /* of both meshes */
+    struct texture_layers textures; /* sRGB colours, of both meshes */
+    struct texture_layers numbers;  /* textures of what is no colour (material.h) */
     struct camera camera; /* valid if has_camera; its target is at the object's distance */
     float ior;            /* KHR_materials_ior of the object; valid if has_ior */
     struct box box;       /* around the object (refract.lookup=box); valid if has_box */

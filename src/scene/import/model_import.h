@@ -69,18 +69,19 @@ struct model_picture {
     const uint8_t *bytes;
     size_t size;
     char *file;
-    bool is_linear; /* its texels are numbers, not sRGB */
 };
 
-/* Loads pictures as layers of one size. */
+/* Loads pictures as layers of one size, of sRGB colours or of numbers. */
 MUST_USE enum status model_picture_load(const char *path, const struct model_picture *pictures,
-                                        uint32_t count, struct texture_layers *layers);
+                                        uint32_t count, bool are_numbers,
+                                        struct texture_layers *layers);
 
 /* Copies the textures of both, resampled to the larger size; the caller frees both->texels. On
  * failure *both is {0}. */
 MUST_USE enum status model_picture_merge(struct texture_layers *both,
                                          const struct texture_layers *first,
-                                         const struct texture_layers *second);
+                                         const struct texture_layers *second,
+                                         bool are_numbers);
 
 /* ---- meshes ---- */
 

@@ -84,20 +84,23 @@ static stbir_filter filter(int from, int to)
 
 /* Resamples an image to a layer. Returns false when out of memory. */
 static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int width, int height,
-                     stbir_colorspace space)
+                     bool are_numbers)
 {
+    /* Colours weigh by their alpha. */
+    const int alpha = are_numbers ? STBIR_ALPHA_CHANNEL_NONE : CHANNELS - 1;
     int to = (int)side;
     if (width == to && height == to) {
         memcpy(layer, texels, (size_t)side * side * CHANNELS);
         return true;
     }
     return stbir_resize(texels, width, height, 0, layer, to, to, 0, STBIR_TYPE_UINT8, CHANNELS,
-                        CHANNELS - 1, 0, STBIR_EDGE_CLAMP, STBIR_EDGE_CLAMP, filter(width, to),
-                        filter(height, to), space, NULL) != 0;
+                        alpha, 0, STBIR_EDGE_CLAMP, STBIR_EDGE_CLAMP, filter(width, to),
+                        filter(height, to),
+                        are_numbers ? STBIR_COLORSPACE_LINEAR : STBIR_COLORSPACE_SRGB, NULL) != 0;
 }
 
-static enum status decode(const char *path, const struct model_picture *picture, uint8_t *layer,
-                          uint32_t side)
+static enum status decode(const char *path, const struct model_picture *picture, bool are_numbers,
+                          uint8_t *layer, uint32_t side)
 {
     uint8_t *texels = NULL;
     struct encoded encoded;
@@ -108,8 +111,7 @@ static enum status decode(const char *path, const struct model_picture *picture,
                                    &(int){ 0 }, CHANNELS);
     if (!texels)
         status = fault(path, picture, stbi_failure_reason());
-    else if (!resample(layer, side, texels, encoded.width, encoded.height,
-                       picture->is_linear ? STBIR_COLORSPACE_LINEAR : STBIR_COLORSPACE_SRGB))
+    else if (!resample(layer, side, texels, encoded.width, encoded.height, are_numbers))
         status = log_out_of_memory(path);
 fail:
     free(texels);
@@ -143,7 +145,7 @@ static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t 
 }
 
 enum status model_picture_load(const char *path, const struct model_picture *pictures,
-                               uint32_t count, struct texture_layers *layers)
+                               uint32_t count, bool are_numbers, struct texture_layers *layers)
 {
     int side_max = 1;
     if (count == 0)
@@ -160,25 +162,27 @@ enum status model_picture_load(const char *path, const struct model_picture *pic
     if (!allocate(layers, (uint32_t)side_max, count))
         return log_out_of_memory(path);
     for (uint32_t i = 0; i < count; i++) {
-        enum status status = decode(path, &pictures[i], layer_at(layers, i), layers->size);
+        enum status status =
+            decode(path, &pictures[i], are_numbers, layer_at(layers, i), layers->size);
         if (status != STATUS_OK)
             return status;
     }
     return STATUS_OK;
 }
 
-static bool copy(struct texture_layers *to, uint32_t first, const struct texture_layers *from)
+static bool copy(struct texture_layers *to, uint32_t first, const struct texture_layers *from,
+                 bool are_numbers)
 {
     for (uint32_t i = 0; i < from->count; i++) {
         if (!resample(layer_at(to, first + i), to->size, layer_at(from, i), (int)from->size,
-                      (int)from->size, STBIR_COLORSPACE_SRGB))
+                      (int)from->size, are_numbers))
             return false;
     }
     return true;
 }
 
 enum status model_picture_merge(struct texture_layers *both, const struct texture_layers *first,
-                                const struct texture_layers *second)
+                                const struct texture_layers *second, bool are_numbers)
 {
     *both = (struct texture_layers){ 0 };
     uint32_t count = first->count + second->count;
@@ -189,8 +193,8 @@ enum status model_picture_merge(struct texture_layers *both, const struct textur
         return STATUS_DATA;
     }
     uint32_t side_max = first->size > second->size ? first->size : second->size;
-    if (!allocate(both, side_max, count) || !copy(both, 0, first) ||
-        !copy(both, first->count, second)) {
+    if (!allocate(both, side_max, count) || !copy(both, 0, first, are_numbers) ||
+        !copy(both, first->count, second, are_numbers)) {
         free(both->texels);
         *both = (struct texture_layers){ 0 };
         return log_out_of_memory("textures");

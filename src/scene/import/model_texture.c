@@ -50,7 +50,7 @@ enum status model_texture_load(struct model_assimp *assimp, struct texture_layer
             status = add(assimp, mesh->mMaterialIndex, pictures, &count);
     }
     if (status == STATUS_OK)
-        status = model_picture_load(assimp->import->path, pictures, count, layers);
+        status = model_picture_load(assimp->import->path, pictures, count, false, layers);
     for (uint32_t i = 0; i < count; i++)
         free(pictures[i].file);
     free(pictures);
