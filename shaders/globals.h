@@ -36,6 +36,7 @@ struct globals {
     ABI_STRUCT(surface_params) surface;
     vec3s cube_center;          /* from which the environment cube was drawn, world, metres */
     vec3s local_min, local_max; /* of the box around the object, world, metres */
+    float sample_share;         /* of the samples of a pixel: even in 0 to 1, 0.5 first */
     float lod_bias; /* of textures; below 0 in interleaved tiles, which have every nth pixel */
 };
 

@@ -40,6 +40,17 @@ ABI_FUNCTION vec3s sky_diffuse(vec3s normal)
     return glms_vec3_lerp(below, above, 0.5f + 0.5f * normal.y);
 }
 
+/* Radiance of the sky in a direction, averaged over what a surface of this roughness reflects
+ * there; an estimate. The sun's disc is left out: it is a light of its own. */
+ABI_FUNCTION vec3s sky_glossy(vec3s dir, float roughness, vec3s sun_dir, float sun_strength)
+{
+    float c = glm_clamp(glms_vec3_dot(dir, sun_dir), 0.0f, 1.0f);
+    float sharp = (1.0f - roughness) * (1.0f - roughness);
+    float glow = 0.9f * powf(c, 400.0f) + 0.25f * powf(c, 24.0f);
+    vec3s sun = glms_vec3_scale(SKY_SUN_COLOR, glow * sharp * sun_strength);
+    return glms_vec3_add(glms_vec3_lerp(sky_gradient(dir), sky_diffuse(dir), roughness), sun);
+}
+
 /* Light reflected by a matt white surface: sun without shadow, and sky from above and below. */
 ABI_FUNCTION vec3s sky_reflected(vec3s normal, vec3s sun_dir, float sun_strength)
 {

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 #include "src/frame/media.h"
+#include "src/scene/material_rows.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
 
@@ -245,6 +246,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .radius = box_diagonal(box) / 2.0f,
         .time = view->time,
         .lod_bias = view->lod_bias,
+        .sample_share = view->light_jitter.x + 0.5f,
     };
     fit_depth(view, &g);
     place_lights(view, &g);
@@ -254,15 +256,6 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
     }
     take_medium(view, 0, &g);
     return g;
-}
-
-static bool has_lit(const struct mesh *mesh)
-{
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (!(mesh->vertices[i].material & MESH_UNLIT))
-            return true;
-    }
-    return false;
 }
 
 static bool is_dispersive(const struct scene *scene, const struct settings *settings)
@@ -286,8 +279,8 @@ struct frame_constants frame_view_constants(const struct scene *scene,
     const struct light_params *light = settings_of(settings, &light_settings);
     struct frame_constants constants = { {
         [CONSTANT_BACKGROUND] = backgrounds[scene->background],
-        [CONSTANT_TEXTURED] = scene->model.textures.count > 0,
-        [CONSTANT_LIT] = has_lit(&scene->model.surroundings),
+        [CONSTANT_TEXTURED] = scene->model.textures.count + scene->model.numbers.count > 0,
+        [CONSTANT_LIT] = material_rows_has_lit(&scene->model.surroundings),
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
         [CONSTANT_HIDDEN] = scene->is_hidden,

@@ -52,22 +52,24 @@ static void filter_object(const struct RTCFilterFunctionNArguments *args)
 
 static struct mesh_vertex blended(const struct bvh_part *part, uint32_t triangle, float u, float v);
 
-/* Rejects hits in holes; set only for meshes with cut-out materials. */
+/* Rejects hits in holes; set only for meshes that may have some. */
 static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
 {
     const struct bvh *bvh = args->geometryUserPtr;
     const struct RTCHit *hit = hit_of(args);
     const struct mesh_vertex surface =
         blended(&bvh->parts[BVH_SURROUNDINGS], hit->primID, hit->u, hit->v);
-    if (surface.material & MESH_CUTOUT &&
-        radiance_texel(bvh->radiance, surface.material, surface.uv).w < 0.5f)
+    if (radiance_passing(bvh->radiance, &surface) >= 1.0f)
         args->valid[0] = 0;
 }
 
-static bool has_holes(const struct mesh *mesh)
+static bool has_holes(const struct model *model, const struct mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (mesh->vertices[i].material & MESH_CUTOUT)
+        const uint32_t material = mesh->vertices[i].material;
+        const uint32_t index = material >> MESH_SURFACE_SHIFT;
+        if (material & MESH_CUTOUT ||
+            (index > 0 && model->materials[index - 1].flags & MATERIAL_IS_BLENDED))
             return true;
     }
     return false;
@@ -106,7 +108,7 @@ static bool add_part(struct bvh *bvh, RTCDevice device, uint32_t index)
     rtcSetGeometryUserData(geometry, bvh);
     if (index == BVH_OBJECT)
         rtcSetGeometryIntersectFilterFunction(geometry, filter_object);
-    else if (has_holes(mesh))
+    else if (has_holes(&bvh->radiance->scene->model, mesh))
         rtcSetGeometryIntersectFilterFunction(geometry, filter_surroundings);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(bvh->scene, geometry, index);
@@ -208,6 +210,27 @@ static vec3s facet_normal(const struct bvh_part *part, uint32_t triangle)
                                                glms_vec3_sub(p[corners[2]], p[corners[0]])));
 }
 
+/* Sets the derivatives of the position by the vertices' uv. */
+static void find_tangents(const struct bvh_part *part, struct bvh_hit *hit)
+{
+    const uint32_t *corners = &part->mesh->indices[(size_t)hit->triangle * 3];
+    const struct mesh_vertex *v = part->mesh->vertices;
+    const vec2s first = glms_vec2_sub(v[corners[1]].uv, v[corners[0]].uv);
+    const vec2s second = glms_vec2_sub(v[corners[2]].uv, v[corners[0]].uv);
+    const vec3s *p = part->positions;
+    const vec3s edges[2] = { glms_vec3_sub(p[corners[1]], p[corners[0]]),
+                             glms_vec3_sub(p[corners[2]], p[corners[0]]) };
+    const float area = first.x * second.y - second.x * first.y;
+    if (!(fabsf(area) > 0.0f))
+        return;
+    hit->along_u = glms_vec3_divs(
+        glms_vec3_sub(glms_vec3_scale(edges[0], second.y), glms_vec3_scale(edges[1], first.y)),
+        area);
+    hit->along_v = glms_vec3_divs(
+        glms_vec3_sub(glms_vec3_scale(edges[1], first.x), glms_vec3_scale(edges[0], second.x)),
+        area);
+}
+
 bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *hit)
 {
     struct context context = { .ray = ray };
@@ -238,6 +261,8 @@ bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *
         .facet = facet_normal(part, rayhit.hit.primID),
         .surface = blended(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v),
     };
+    if (hit->part == BVH_SURROUNDINGS)
+        find_tangents(part, hit);
     const mat3s turn = glms_mat4_pick3(pose(bvh, part, hit->surface.material));
     hit->surface.normal = glms_vec3_normalize(glms_mat3_mulv(turn, hit->surface.normal));
     return true;

@@ -38,6 +38,8 @@ struct bvh_hit {
     uint32_t object;            /* of BVH_OBJECT: index into the scene's objects; else 0 */
     float distance;             /* metres */
     vec3s facet;                /* unit normal of the triangle, by its winding */
+    vec3s along_u, along_v;     /* derivatives of the world position by the vertices' uv; of
+                                   triangles without an area in the texture, 0 */
     struct mesh_vertex surface; /* interpolated vertices in the world; the normal is unit */
 };
 

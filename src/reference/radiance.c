@@ -1,10 +1,12 @@
-/* radiance.c: radiance of sky, environment image, matt surfaces and their textures. */
+/* radiance.c: radiance of sky, environment image, surfaces and their textures. */
 #include "src/reference/radiance.h"
 #include <math.h>
 #include "shaders/background.h"
+#include "shaders/lit.h"
 #include "shaders/sky.h"
 #include "src/image/half.h"
 #include "src/image/srgb.h"
+#include "src/scene/material_rows.h"
 
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals)
 {
@@ -63,6 +65,32 @@ static vec4s fetch_texture(const struct radiance *radiance, uint32_t layer, uint
                       radiance->linear[texel[2]], (float)texel[3] / 255.0f } };
 }
 
+static vec4s fetch_number(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y)
+{
+    const struct texture_layers *numbers = &radiance->scene->model.numbers;
+    const size_t row = (size_t)layer * numbers->size + y;
+    const uint8_t *texel = &numbers->texels[(row * numbers->size + x) * 4];
+    vec4s values;
+    for (int k = 0; k < 4; k++)
+        values.raw[k] = (float)texel[k] / 255.0f;
+    return values;
+}
+
+static vec4s fetch_light(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y)
+{
+    const size_t row = (size_t)layer * LIT_HEIGHT + y;
+    const uint16_t *texel = &radiance->scene->surface_light[(row * LIT_WIDTH + x) * 4];
+    return (vec4s){ { half_to_float(texel[0]), half_to_float(texel[1]), half_to_float(texel[2]),
+                      1.0f } };
+}
+
+static vec4s fetch_split(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y)
+{
+    const uint16_t *texel = &radiance->scene->surface_split[(y * LIT_SPLIT_SIDE + x) * 2];
+    (void)layer;
+    return (vec4s){ { half_to_float(texel[0]), half_to_float(texel[1]), 0.0f, 0.0f } };
+}
+
 static vec4s fetch_environment(const struct radiance *radiance, uint32_t layer, uint32_t x,
                                uint32_t y)
 {
@@ -103,15 +131,179 @@ vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
                            pair_at(uv.y, environment->height, false)));
 }
 
-vec3s radiance_surface(const struct radiance *radiance, const struct mesh_vertex *surface,
-                       vec3s dir)
+/* ---- materials ---- */
+
+/* Returns the material of a vertex, or NULL: it has none, or is left to the settings. */
+static const struct material *material_of(const struct radiance *radiance, uint32_t material)
+{
+    const uint32_t index = material >> MESH_SURFACE_SHIFT;
+    const struct material *found = index ? &radiance->scene->model.materials[index - 1] : NULL;
+    return found && !(found->flags & MATERIAL_IS_BARE) ? found : NULL;
+}
+
+/* Returns a coordinate within 0 to 1 whose texels do not reach beyond the picture's edge. */
+static float wrap(float x, uint32_t how, float size)
+{
+    if (how == MATERIAL_REPEAT)
+        return x;
+    if (how == MATERIAL_MIRROR)
+        x = 1.0f - fabsf(1.0f - 2.0f * (0.5f * x - floorf(0.5f * x)));
+    return fminf(fmaxf(x, 0.5f / size), 1.0f - 0.5f / size);
+}
+
+/* Returns a texel of one of a material's textures, or white if it has none. */
+static vec4s texel_of(const struct radiance *radiance, const struct material *material,
+                      enum material_texture_use use, vec2s uv)
+{
+    const struct material_texture *texture = &material->textures[use];
+    const struct model *model = &radiance->scene->model;
+    const bool is_color = material_texture_is_color(use);
+    const uint32_t size = is_color ? model->textures.size : model->numbers.size;
+    const vec3s at = { { uv.x, uv.y, 1.0f } };
+    if (!texture->layer)
+        return glms_vec4_one();
+    const float u = wrap(glms_vec3_dot(texture->u_row, at), texture->wrap_u, (float)size);
+    const float v = wrap(glms_vec3_dot(texture->v_row, at), texture->wrap_v, (float)size);
+    return blend(radiance, is_color ? fetch_texture : fetch_number, texture->layer - 1,
+                 pair_at(u, size, true), pair_at(v, size, true));
+}
+
+static vec4s base_texel(const struct radiance *radiance, const struct mesh_vertex *vertex)
+{
+    const struct material *material = material_of(radiance, vertex->material);
+    if (material && material->textures[MATERIAL_BASE_COLOR].layer)
+        return texel_of(radiance, material, MATERIAL_BASE_COLOR, vertex->uv);
+    return radiance_texel(radiance, vertex->material, vertex->uv);
+}
+
+float radiance_passing(const struct radiance *radiance, const struct mesh_vertex *vertex)
+{
+    const struct material *material = material_of(radiance, vertex->material);
+    if (!(vertex->material & MESH_CUTOUT) && !(material && material->flags & MATERIAL_IS_BLENDED))
+        return 0.0f;
+    const float alpha = base_texel(radiance, vertex).w * (material ? material->alpha : 1.0f);
+    if (vertex->material & MESH_CUTOUT)
+        return alpha < (material ? material->alpha_cutoff : 0.5f) ? 1.0f : 0.0f;
+    return 1.0f - alpha;
+}
+
+/* Turns a normal as the material's texture says. */
+static vec3s bent(const struct radiance *radiance, const struct material *m,
+                  const struct radiance_point *point, vec3s n)
+{
+    if (!m->textures[MATERIAL_NORMAL].layer)
+        return n;
+    const vec4s texel = texel_of(radiance, m, MATERIAL_NORMAL, point->vertex->uv);
+    const vec3s tangent = glms_vec3_muladds(n, -glms_vec3_dot(n, point->along_u), point->along_u);
+    if (!(glms_vec3_norm2(tangent) > 0.0f))
+        return n;
+    const vec3s t = glms_vec3_normalize(tangent);
+    vec3s b = glms_vec3_cross(n, t);
+    if (glms_vec3_dot(b, point->along_v) > 0.0f) /* v grows downwards in the texture */
+        b = glms_vec3_negate(b);
+    const vec3s slope = { { (2.0f * texel.x - 1.0f) * m->normal_scale,
+                            (2.0f * texel.y - 1.0f) * m->normal_scale, 2.0f * texel.z - 1.0f } };
+    return glms_vec3_normalize(
+        glms_vec3_muladds(t, slope.x, glms_vec3_muladds(b, slope.y, glms_vec3_scale(n, slope.z))));
+}
+
+/* ---- light on surfaces ---- */
+
+static vec3s environment_light(const struct radiance *radiance, uint32_t layer, vec3s dir)
+{
+    const vec2s uv = background_uv(dir, radiance->scene->environment.turn);
+    return glms_vec3(blend(radiance, fetch_light, layer, pair_at(uv.x, LIT_WIDTH, true),
+                           pair_at(uv.y, LIT_HEIGHT, false)));
+}
+
+static vec3s matt_light(const struct radiance *radiance, vec3s n)
+{
+    if (radiance->scene->background == SCENE_COLOR)
+        return radiance->globals->background_color;
+    if (radiance->scene->surface_light)
+        return environment_light(radiance, LIT_MATT_LAYER, n);
+    return scaled(radiance->globals, sky_diffuse(n));
+}
+
+static vec3s glossy_light(const struct radiance *radiance, vec3s dir, float roughness)
 {
     const struct globals *g = radiance->globals;
-    const vec4s texel = radiance_texel(radiance, surface->material, surface->uv);
-    const vec3s albedo = glms_vec3_mul(surface->color, glms_vec3(texel));
-    if (surface->material & MESH_UNLIT)
+    if (radiance->scene->background == SCENE_COLOR)
+        return g->background_color;
+    if (radiance->scene->background == SCENE_SKY)
+        return scaled(g, sky_glossy(dir, roughness, g->sun_dir, g->sun_strength));
+    const float layer = roughness * LIT_ROUGH_LAYERS;
+    const uint32_t first = (uint32_t)fminf(layer, LIT_ROUGH_LAYERS - 1);
+    const vec3s sharper =
+        first > 0 ? environment_light(radiance, first - 1, dir) : radiance_sky(radiance, dir);
+    return glms_vec3_lerp(sharper, environment_light(radiance, first, dir), layer - (float)first);
+}
+
+static vec2s split_of(const struct radiance *radiance, float roughness, float n_dot_v)
+{
+    const vec2s at =
+        glms_vec2_divs(glms_vec2_adds(lit_split_at(roughness, n_dot_v), 0.5f), LIT_SPLIT_SIDE);
+    const vec4s split = blend(radiance, fetch_split, 0, pair_at(at.x, LIT_SPLIT_SIDE, false),
+                              pair_at(at.y, LIT_SPLIT_SIDE, false));
+    return (vec2s){ { split.x, split.y } };
+}
+
+static struct lit_surface surface_of(const struct radiance *radiance, const struct material *m,
+                                     vec2s uv, vec3s albedo)
+{
+    const vec4s rough = texel_of(radiance, m, MATERIAL_METALLIC_ROUGHNESS, uv);
+    const vec4s tint = texel_of(radiance, m, MATERIAL_SPECULAR_COLOR, uv);
+    const float specular = m->specular * texel_of(radiance, m, MATERIAL_SPECULAR, uv).w;
+    return lit_surface_of(albedo, m->metallic * rough.z, m->roughness * rough.y,
+                          glms_vec3_mul(material_f0(m), glms_vec3(tint)), specular);
+}
+
+/* The radiance of a matt white surface that faces the sun, by the sun alone. */
+static vec3s sun_light(const struct radiance *radiance)
+{
+    const struct globals *g = radiance->globals;
+    return radiance->scene->background == SCENE_SKY
+               ? scaled(g, glms_vec3_scale(SKY_SUN_COLOR, g->sun_strength))
+               : glms_vec3_zero();
+}
+
+static vec3s light_of_matt(const struct radiance *radiance, vec3s n)
+{
+    const float cosine = fmaxf(0.0f, glms_vec3_dot(n, radiance->globals->sun_dir));
+    return glms_vec3_muladds(sun_light(radiance), cosine, matt_light(radiance, n));
+}
+
+/* Returns the radiance of a surface with a material. */
+static vec3s light_of(const struct radiance *radiance, const struct material *m,
+                      const struct radiance_point *point, vec3s n, vec3s albedo)
+{
+    const vec2s uv = point->vertex->uv;
+    const vec3s to_eye = glms_vec3_negate(point->dir);
+    const struct lit_surface surface = surface_of(radiance, m, uv, albedo);
+    const float n_dot_v = glm_clamp(glms_vec3_dot(n, to_eye), 0.0f, 1.0f);
+    const vec3s mirrored = glms_vec3_muladds(n, -2.0f * glms_vec3_dot(n, point->dir), point->dir);
+    const vec3s around = lit_by_environment(surface, split_of(radiance, surface.roughness, n_dot_v),
+                                            glossy_light(radiance, mirrored, surface.roughness),
+                                            matt_light(radiance, n));
+    const vec3s sun =
+        glms_vec3_mul(sun_light(radiance),
+                      lit_by_light(surface, n, to_eye, radiance->globals->sun_dir, LIT_SUN_SPREAD));
+    const float open = texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x;
+    const vec4s glow = texel_of(radiance, m, MATERIAL_EMISSION, uv);
+    const vec3s shaded = glms_vec3_scale(around, 1.0f + m->occlusion_strength * (open - 1.0f));
+    return glms_vec3_muladd(m->emission, glms_vec3(glow), glms_vec3_add(shaded, sun));
+}
+
+vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point)
+{
+    const struct mesh_vertex *vertex = point->vertex;
+    const struct material *m = material_of(radiance, vertex->material);
+    const vec3s albedo = glms_vec3_mul(vertex->color, glms_vec3(base_texel(radiance, vertex)));
+    if (vertex->material & MESH_UNLIT)
         return albedo;
-    const bool is_back = glms_vec3_dot(surface->normal, dir) > 0.0f;
-    const vec3s n = is_back ? glms_vec3_negate(surface->normal) : surface->normal;
-    return glms_vec3_mul(albedo, scaled(g, sky_reflected(n, g->sun_dir, g->sun_strength)));
+    const bool is_back = glms_vec3_dot(vertex->normal, point->dir) > 0.0f;
+    const vec3s n = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal;
+    if (!m || point->is_base)
+        return glms_vec3_mul(albedo, light_of_matt(radiance, n));
+    return light_of(radiance, m, point, bent(radiance, m, point, n), albedo);
 }

@@ -1,8 +1,9 @@
 /*
  * radiance.h: radiance of the object's surroundings along a ray, as background.c draws them.
  *
- * Formulas and constants are those of shaders/sky.h and shaders/background.h. Textures are filtered
- * bilinearly; only the samples of a pixel antialias them.
+ * Formulas and constants are those of shaders/sky.h, shaders/background.h and shaders/lit.h, and
+ * the environment's light is that of the rungs' table. Textures are filtered bilinearly; only the
+ * samples of a pixel antialias them.
  */
 #ifndef FIRN_REFERENCE_RADIANCE_H
 #define FIRN_REFERENCE_RADIANCE_H
@@ -16,6 +17,14 @@ struct radiance {
     float linear[256];             /* linear values of the textures' bytes */
 };
 
+/* A point of a surface, as a ray along `dir` meets it. */
+struct radiance_point {
+    const struct mesh_vertex *vertex; /* interpolated; a unit normal of either side in the world */
+    vec3s along_u, along_v;           /* derivatives of the world position by the vertices' uv */
+    vec3s dir;                        /* unit */
+    bool is_base; /* only the light of the matt base is asked for: reflections are traced */
+};
+
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals);
 
 /* Returns the linear texel of a material's texture, or white if it has none. */
@@ -24,9 +33,11 @@ vec4s radiance_texel(const struct radiance *radiance, uint32_t material, vec2s u
 /* Returns the radiance of the sky, environment or background colour; `dir` is unit. */
 vec3s radiance_sky(const struct radiance *radiance, vec3s dir);
 
-/* Returns the radiance of a surface of the surroundings that a ray along `dir` intersects.
- * `surface` has the interpolated vertices, with a unit normal of either side in the world. */
-vec3s radiance_surface(const struct radiance *radiance, const struct mesh_vertex *surface,
-                       vec3s dir);
+/* Returns the radiance of a surface of the surroundings. */
+vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point);
+
+/* Returns the share of light that passes a surface of the surroundings: 1 in a hole, and what the
+ * alpha of a blended surface leaves. */
+float radiance_passing(const struct radiance *radiance, const struct mesh_vertex *vertex);
 
 #endif

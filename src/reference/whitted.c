@@ -228,11 +228,28 @@ static void grow(const struct whitted *whitted, struct branch *stack, uint32_t *
         stack[(*count)++] = branch;
 }
 
-static vec3s surroundings_seen(const struct whitted *whitted, const struct bvh_ray *ray,
-                               const struct bvh_hit *hit)
+/* Adds the light of what a branch has met around the objects, or of the sky. Through a blended
+ * surface the branch goes on, with the weight that is left; returns whether any is. */
+static bool pass(const struct whitted *whitted, const struct bvh_hit *hit, struct branch *b,
+                 struct sum *sum)
 {
-    return hit ? radiance_surface(whitted->radiance, &hit->surface, ray->dir)
-               : radiance_sky(whitted->radiance, ray->dir);
+    const float passing = hit ? radiance_passing(whitted->radiance, &hit->surface) : 0.0f;
+    const vec3s light =
+        hit ? radiance_surface(whitted->radiance, &(struct radiance_point){ .vertex = &hit->surface,
+                                                                            .along_u = hit->along_u,
+                                                                            .along_v = hit->along_v,
+                                                                            .dir = b->ray.dir })
+            : radiance_sky(whitted->radiance, b->ray.dir);
+    sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light), 1.0f - passing, sum->light);
+    if (!(passing > 0.0f))
+        return false;
+    b->ray = (struct bvh_ray){ .origin = hit->surface.position,
+                               .dir = b->ray.dir,
+                               .near = whitted->bvh->hair,
+                               .from = BVH_NOWHERE };
+    b->weight = glms_vec3_scale(b->weight, passing);
+    b->bounces++;
+    return true;
 }
 
 /* The two branches of light that meets a surface. */
@@ -263,8 +280,10 @@ static void add_shine(const struct whitted *whitted, const struct branch *b,
     const struct frame_medium *surface = medium(whitted, meeting->hit.object);
     if (!(surface->shine > 0.0f))
         return;
-    const vec3s light = glms_vec3_mul(
-        surface->tint, radiance_surface(whitted->radiance, &meeting->hit.surface, b->ray.dir));
+    const struct radiance_point point = { .vertex = &meeting->hit.surface,
+                                          .dir = b->ray.dir,
+                                          .is_base = true };
+    const vec3s light = glms_vec3_mul(surface->tint, radiance_surface(whitted->radiance, &point));
     sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light),
                                    surface->shine * (1.0f - fresnel), sum->light);
 }
@@ -285,8 +304,8 @@ static void follow(const struct whitted *whitted, struct branch first, uint32_t 
             continue;
         }
         if (!is_met || meeting.hit.part == BVH_SURROUNDINGS) {
-            const vec3s light = surroundings_seen(whitted, &b.ray, is_met ? &meeting.hit : NULL);
-            sum->light = glms_vec3_add(sum->light, glms_vec3_mul(b.weight, light));
+            if (pass(whitted, is_met ? &meeting.hit : NULL, &b, sum))
+                grow(whitted, stack, &count, b, sum);
             continue;
         }
         const struct fork fork = fork_at(whitted, &b, &meeting);
@@ -373,6 +392,36 @@ void whitted_immerse(const struct whitted *whitted, vec3s point, struct media_se
     }
 }
 
+/* Returns the number of paths of a pixel, one for each channel or one of all, and the channels of
+ * a path. */
+static uint32_t channel_count(const struct whitted *whitted)
+{
+    return whitted->media->is_dispersive ? WHITTED_CHANNEL_COUNT : 1;
+}
+
+static vec3s channels_of(const struct whitted *whitted, uint32_t path)
+{
+    vec3s channels = glms_vec3_zero();
+    if (!whitted->media->is_dispersive)
+        return glms_vec3_one();
+    channels.raw[path] = 1.0f;
+    return channels;
+}
+
+/* Adds what is seen behind a blended surface that the eye sees first. */
+static void look_through(const struct whitted *whitted, const struct branch *behind,
+                         struct reference_seen *seen)
+{
+    for (uint32_t c = 0; c < channel_count(whitted); c++) {
+        struct branch b = *behind;
+        struct sum sum = { 0 };
+        b.weight = glms_vec3_mul(b.weight, channels_of(whitted, c));
+        follow(whitted, b, c, &sum);
+        seen->color = glms_vec3_add(seen->color, sum.light);
+        seen->remaining = glms_vec3_add(seen->remaining, sum.remaining);
+    }
+}
+
 struct reference_seen whitted_trace(const struct whitted *whitted, const struct bvh_ray *ray,
                                     vec3s forward, uint32_t seed)
 {
@@ -396,21 +445,16 @@ struct reference_seen whitted_trace(const struct whitted *whitted, const struct 
         return seen;
     }
     if (!is_met || hit->part == BVH_SURROUNDINGS) {
-        const vec3s light = surroundings_seen(whitted, &eye.ray, is_met ? hit : NULL);
-        seen.color = glms_vec3_mul(eye.weight, light);
+        struct sum sum = { 0 };
+        if (pass(whitted, is_met ? hit : NULL, &eye, &sum))
+            look_through(whitted, &eye, &seen);
+        seen.color = glms_vec3_add(seen.color, sum.light);
         return seen;
     }
     const struct fork straight = fork_at(whitted, &eye, &meeting);
     seen.fresnel = straight.parting.fresnel;
     follow_straight(whitted, straight.refracted, &seen);
-    for (uint32_t c = 0; c < WHITTED_CHANNEL_COUNT; c++) {
-        vec3s channels = glms_vec3_one();
-        if (whitted->media->is_dispersive) {
-            channels = glms_vec3_zero();
-            channels.raw[c] = 1.0f;
-        }
-        if (c == 0 || whitted->media->is_dispersive)
-            look_at_object(whitted, &eye, &meeting, c, channels, &seen);
-    }
+    for (uint32_t c = 0; c < channel_count(whitted); c++)
+        look_at_object(whitted, &eye, &meeting, c, channels_of(whitted, c), &seen);
     return seen;
 }

@@ -8,7 +8,9 @@
 #include "src/base/suggest.h"
 #include "src/scene/asset.h"
 #include "src/scene/generate/generate.h"
+#include "src/scene/material_rows.h"
 #include "src/scene/solid.h"
+#include "src/scene/surface_light.h"
 
 const struct scene_builtin scene_builtins[] = {
     {
@@ -299,6 +301,23 @@ static enum status fill_object(struct scene *scene, const struct scene_params *p
     return status;
 }
 
+/* Makes what shaders need of surroundings that are not plain. */
+static enum status add_surfaces(struct scene *scene)
+{
+    const bool is_lit = material_rows_has_lit(&scene->model.surroundings);
+    const bool is_lit_otherwise = is_lit && scene->background != SCENE_SKY;
+    if (!is_lit_otherwise && !material_rows_has_rich(&scene->model))
+        return STATUS_OK;
+    scene->material_rows = material_rows_make(&scene->model);
+    scene->surface_split = surface_split_make();
+    const bool needs_light = is_lit && scene->background == SCENE_ENVIRONMENT;
+    if (needs_light)
+        scene->surface_light = surface_light_make(&scene->environment);
+    const bool done = scene->material_rows && scene->surface_split;
+    return done && (scene->surface_light || !needs_light) ? STATUS_OK
+                                                          : log_out_of_memory("materials");
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *given)
 {
     struct scene_params own = *given;
@@ -331,6 +350,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
     if (status == STATUS_OK && !scene->has_pool)
+        status = add_surfaces(scene);
+    if (status == STATUS_OK && !scene->has_pool)
         status = fill_object(scene, params);
     if (status != STATUS_OK)
         scene_finish(scene);
@@ -342,6 +363,9 @@ void scene_finish(struct scene *scene)
     model_finish(&scene->model);
     environment_finish(&scene->environment);
     environment_finish(&scene->cube);
+    free(scene->material_rows);
+    free(scene->surface_split);
+    free(scene->surface_light);
     bump_maps_finish(&scene->bump);
     mesh_finish(&scene->air);
     free(scene->air_layers.texels);

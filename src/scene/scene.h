@@ -26,6 +26,10 @@ struct scene {
     bool is_hidden;         /* pictures have alpha 0 in place of the background, which still lights
                                surfaces and is seen through and in them */
     struct environment environment;
+    vec4s *material_rows;    /* material_rows.h; NULL: all surroundings are unlit, or matt and under
+                                the built-in sky */
+    uint16_t *surface_split; /* surface_light.h; there if material_rows are */
+    uint16_t *surface_light; /* surface_light.h; NULL: nothing is lit by `environment` */
     struct environment cube; /* replaces the environment cube that env_cube draws; may be {0} */
     struct bump_maps bump;   /* of the object's surface; {0}: none */
     struct box box;          /* of the object, or of the pool */

@@ -5,6 +5,8 @@
  */
 #include "src/tech/background.h"
 #include "shaders/embedded.h"
+#include "shaders/lit.h"
+#include "shaders/material.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_caustics.h"
 #include "src/tech/row_builder.h"
@@ -14,6 +16,17 @@ static rg_record_fn record_surroundings, record_sky;
 static const struct rg_use plain_uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler),
+    { 0 },
+};
+
+static const struct rg_use material_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler),
+    FRAME_SAMPLE(frame_numbers, BACKGROUND_NUMBERS, .sampler = &frame_texture_sampler),
+    FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL),
+    FRAME_SAMPLE(frame_environment, BACKGROUND_ENVIRONMENT, .sampler = &frame_environment_sampler),
+    FRAME_SAMPLE(frame_surface_light, BACKGROUND_LIGHT, .sampler = &frame_environment_sampler),
+    FRAME_SAMPLE(frame_surface_split, BACKGROUND_SPLIT, .sampler = &frame_linear),
     { 0 },
 };
 
@@ -41,20 +54,26 @@ static const struct rg_pass passes[] = {
     },
 };
 
+static const struct rg_shader *const frags[2][2] = {
+    { &background_frag, &background_shine_frag },
+    { &background_materials_frag, &background_materials_shine_frag },
+};
+
 struct rg_technique background_make(struct row_builder *builder,
                                     const struct background_rows *wanted)
 {
     /* The sky covers all pixels without surroundings, so the colours need no clear. */
     const enum rg_load color_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
     const enum rg_load depth_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
-    const struct rg_use *const uses[] = { plain_uses, wanted->shine ? ice_caustics_uses : NULL };
+    const struct rg_use *const uses[] = { wanted->has_materials ? material_uses : plain_uses,
+                                          wanted->shine ? ice_caustics_uses : NULL };
     struct rg_pass *rows = row_builder_rows(builder, passes, 2);
     if (!rows)
         return (struct rg_technique){ 0 };
     rows[0].name = row_builder_name(builder, wanted->name, "surroundings");
     rows[0].color = row_builder_target(builder, (struct rg_target){ wanted->color, color_load });
     rows[0].depth = (struct rg_target){ wanted->depth, depth_load };
-    rows[0].frag = wanted->shine ? &background_shine_frag : &background_frag;
+    rows[0].frag = frags[wanted->has_materials][wanted->shine];
     rows[0].uses = row_builder_uses(builder, uses, 2);
     rows[0].record = wanted->record_surroundings;
     rows[1].name = row_builder_name(builder, wanted->name, "sky");
@@ -79,6 +98,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
         .depth = &frame_depth,
         .keep = !choice->has_pool,
         .shine = !choice->has_pool && ice_caustics.is_on(choice->settings),
+        .has_materials = choice->has_materials,
         .record_surroundings = record_surroundings,
         .record_sky = record_sky,
     };
@@ -109,9 +129,8 @@ static struct technique_texels find_environment(const struct scene *scene)
     };
 }
 
-static struct technique_texels find_textures(const struct scene *scene)
+static struct technique_texels layers_of(const struct texture_layers *textures)
 {
-    const struct texture_layers *textures = &scene->model.textures;
     return (struct technique_texels){
         .texels = textures->texels,
         .width = textures->size,
@@ -120,12 +139,58 @@ static struct technique_texels find_textures(const struct scene *scene)
     };
 }
 
+static struct technique_texels find_textures(const struct scene *scene)
+{
+    return layers_of(&scene->model.textures);
+}
+
+static struct technique_texels find_numbers(const struct scene *scene)
+{
+    return layers_of(&scene->model.numbers);
+}
+
+static struct technique_texels find_materials(const struct scene *scene)
+{
+    return (struct technique_texels){
+        .texels = scene->material_rows,
+        .width = MATERIAL_ROW_WIDTH,
+        .height = scene->model.material_count + 1,
+        .no_mips = true,
+    };
+}
+
+static struct technique_texels find_surface_light(const struct scene *scene)
+{
+    return (struct technique_texels){
+        .texels = scene->surface_light,
+        .width = LIT_WIDTH,
+        .height = LIT_HEIGHT,
+        .layers = LIT_LAYERS,
+        .no_mips = true,
+    };
+}
+
+static struct technique_texels find_surface_split(const struct scene *scene)
+{
+    return (struct technique_texels){
+        .texels = scene->surface_split,
+        .width = LIT_SPLIT_SIDE,
+        .height = LIT_SPLIT_SIDE,
+        .no_mips = true,
+    };
+}
+
 static const uint16_t black[4] = { 0 };
+static const float nothing[4] = { 0 };
 static const uint8_t white[4] = { 255, 255, 255, 255 };
 
 static const struct technique_import imports[] = {
     { &frame_environment, find_environment, black },
     { &frame_textures, find_textures, white },
+    { &frame_numbers, find_numbers, white },
+    { &frame_materials, find_materials, nothing },
+    { &frame_surface_light, find_surface_light, black },
+    { &frame_surface_split, find_surface_split, black },
     { 0 },
 };
 

@@ -95,6 +95,36 @@ const struct rg_image frame_textures = {
     .array = true,
 };
 
+const struct rg_image frame_numbers = {
+    .name = "frame.numbers",
+    .format = VK_FORMAT_R8G8B8A8_UNORM,
+    .width = 1,
+    .height = 1,
+    .array = true,
+};
+
+const struct rg_image frame_materials = {
+    .name = "frame.materials",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+    .width = 1,
+    .height = 1,
+};
+
+const struct rg_image frame_surface_light = {
+    .name = "frame.surface_light",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .width = 1,
+    .height = 1,
+    .array = true,
+};
+
+const struct rg_image frame_surface_split = {
+    .name = "frame.surface_split",
+    .format = VK_FORMAT_R16G16_SFLOAT,
+    .width = 1,
+    .height = 1,
+};
+
 const struct rg_sampler frame_linear = { .linear = true };
 
 const struct rg_sampler frame_environment_sampler = {

@@ -100,6 +100,10 @@ extern const struct rg_buffer frame_samples;
 /* Imported images of the scene. */
 extern const struct rg_image frame_environment; /* equirectangular; 1x1 if the scene has none */
 extern const struct rg_image frame_textures;    /* surroundings' textures; 1x1 if it has none */
+extern const struct rg_image frame_numbers;     /* those of what is no colour, likewise */
+extern const struct rg_image frame_materials;   /* shaders/material.h; 1x1 if nothing has any */
+/* Tables of light on surfaces (shaders/lit.h); 1x1 if nothing needs them. */
+extern const struct rg_image frame_surface_light, frame_surface_split;
 
 /* Samplers. The settings and the device limit the anisotropy. */
 #define FRAME_ANISOTROPY 16.0f

@@ -87,17 +87,9 @@ struct gltf_material {
 
 /* What a file has, and this program reads but does not draw. */
 enum gltf_undrawn {
-    GLTF_METAL,
-    GLTF_NORMAL,
-    GLTF_OCCLUSION,
-    GLTF_EMISSION,
-    GLTF_BLEND,
-    GLTF_CUTOFF,
-    GLTF_SPECULAR,
-    GLTF_MEDIUM_TEXTURE,
+    GLTF_CLEAR_SURFACE,
     GLTF_PICTURELESS,
     GLTF_OTHER_SET,
-    GLTF_WRAP,
     GLTF_LIGHTS,
     GLTF_ORTHOGRAPHIC,
     GLTF_ANIMATION,

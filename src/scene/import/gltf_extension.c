@@ -12,17 +12,9 @@ static const char *const supported[] = {
 };
 
 static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
-    [GLTF_METAL] = "metallic and roughness textures",
-    [GLTF_NORMAL] = "normal textures",
-    [GLTF_OCCLUSION] = "occlusion textures",
-    [GLTF_EMISSION] = "emission",
-    [GLTF_BLEND] = "alpha blending",
-    [GLTF_CUTOFF] = "alpha cutoffs other than 0.5",
-    [GLTF_SPECULAR] = "specular factors",
-    [GLTF_MEDIUM_TEXTURE] = "transmission and thickness textures",
+    [GLTF_CLEAR_SURFACE] = "textures, emission, alpha and specular of transmissive materials",
     [GLTF_OTHER_SET] = "textures with other coordinates than the base colour's",
     [GLTF_PICTURELESS] = "textures without a picture in a known format",
-    [GLTF_WRAP] = "textures that do not repeat",
     [GLTF_LIGHTS] = "lights",
     [GLTF_ORTHOGRAPHIC] = "orthographic cameras",
     [GLTF_ANIMATION] = "animations, but the pose at rest",

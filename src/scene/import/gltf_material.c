@@ -3,11 +3,6 @@
 #include <string.h>
 #include "src/scene/import/gltf.h"
 
-static void note(struct gltf *gltf, enum gltf_undrawn what, bool is_there)
-{
-    gltf->undrawn |= is_there ? 1u << what : 0;
-}
-
 static void read_base(const struct gltf_object *object, struct material *m)
 {
     const struct gltf_object pbr = gltf_member(object, "pbrMetallicRoughness");
@@ -21,17 +16,14 @@ static void read_base(const struct gltf_object *object, struct material *m)
 
 static void read_alpha(const struct gltf_object *object, struct gltf_material *material)
 {
-    struct gltf *gltf = object->gltf;
     struct material *m = &material->material;
     const char *mode = gltf_string(object, "alphaMode", "OPAQUE");
     m->alpha_cutoff = gltf_number(object, "alphaCutoff", 0.5F);
     if (strcmp(mode, "MASK") == 0) {
         material->mesh_flags |= MESH_CUTOUT;
         m->flags |= MATERIAL_IS_CUTOUT;
-        note(gltf, GLTF_CUTOFF, m->alpha_cutoff != 0.5F);
     } else if (strcmp(mode, "BLEND") == 0) {
         m->flags |= MATERIAL_IS_BLENDED;
-        note(gltf, GLTF_BLEND, true);
     } else if (strcmp(mode, "OPAQUE") != 0) {
         (void)gltf_fault(object, "alphaMode: expected OPAQUE, MASK or BLEND, got \"%.16s\"", mode);
     }
@@ -40,7 +32,6 @@ static void read_alpha(const struct gltf_object *object, struct gltf_material *m
 /* What light at the surface does beside its base colour. */
 static void read_surface(const struct gltf_object *object, struct gltf_material *material)
 {
-    struct gltf *gltf = object->gltf;
     struct material *m = &material->material;
     const struct gltf_object unlit = gltf_extension(object, "KHR_materials_unlit");
     const struct gltf_object strength = gltf_extension(object, "KHR_materials_emissive_strength");
@@ -59,8 +50,6 @@ static void read_surface(const struct gltf_object *object, struct gltf_material 
     m->occlusion_strength = gltf_number(&occlusion, "strength", 1);
     m->specular = gltf_number(&specular, "specularFactor", 1);
     (void)gltf_floats(&specular, "specularColorFactor", m->specular_color.raw, 3);
-    note(gltf, GLTF_EMISSION, glms_vec3_max(m->emission) > 0);
-    note(gltf, GLTF_SPECULAR, specular.json);
 }
 
 /* What the extensions of transmission, volume, index and dispersion say. */
@@ -106,6 +95,19 @@ static void read_priority(const struct gltf_object *object, struct material *m)
     }
 }
 
+/* Notes what only opaque surfaces show. */
+static void check_clear(struct gltf *gltf, const struct gltf_material *material)
+{
+    const struct material *m = &material->material;
+    bool is_left_out = m->flags & (MATERIAL_IS_BLENDED | MATERIAL_IS_CUTOUT) ||
+                       glms_vec3_max(m->emission) > 0 || m->specular < 1 ||
+                       !glms_vec3_eqv(m->specular_color, glms_vec3_one());
+    for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++)
+        is_left_out |= material->textures[i].image != gltf_none;
+    if (m->transmission > 0 && is_left_out)
+        gltf->undrawn |= 1u << GLTF_CLEAR_SURFACE;
+}
+
 static void read_material(struct gltf *gltf, uint32_t index)
 {
     const struct gltf_object object = gltf_element(gltf, "materials", index);
@@ -116,6 +118,7 @@ static void read_material(struct gltf *gltf, uint32_t index)
     read_surface(&object, material);
     read_medium(&object, material);
     gltf_material_textures(&object, material);
+    check_clear(gltf, material);
     read_priority(&object, &material->material);
     vec3s color = material->material.base_color;
     gltf->import->clamped_materials += model_color_clamp(&color, false);

@@ -7,21 +7,18 @@
 struct slot {
     const char *group; /* "": the material itself */
     const char *key;
-    enum gltf_undrawn undrawn; /* GLTF_UNDRAWN_COUNT: it is drawn */
 };
 
 static const struct slot slots[MATERIAL_TEXTURE_COUNT] = {
-    [MATERIAL_BASE_COLOR] = { "pbrMetallicRoughness", "baseColorTexture", GLTF_UNDRAWN_COUNT },
-    [MATERIAL_METALLIC_ROUGHNESS] = { "pbrMetallicRoughness", "metallicRoughnessTexture",
-                                      GLTF_METAL },
-    [MATERIAL_NORMAL] = { "", "normalTexture", GLTF_NORMAL },
-    [MATERIAL_OCCLUSION] = { "", "occlusionTexture", GLTF_OCCLUSION },
-    [MATERIAL_EMISSION] = { "", "emissiveTexture", GLTF_EMISSION },
-    [MATERIAL_TRANSMISSION] = { "KHR_materials_transmission", "transmissionTexture",
-                                GLTF_MEDIUM_TEXTURE },
-    [MATERIAL_THICKNESS] = { "KHR_materials_volume", "thicknessTexture", GLTF_MEDIUM_TEXTURE },
-    [MATERIAL_SPECULAR] = { "KHR_materials_specular", "specularTexture", GLTF_SPECULAR },
-    [MATERIAL_SPECULAR_COLOR] = { "KHR_materials_specular", "specularColorTexture", GLTF_SPECULAR },
+    [MATERIAL_BASE_COLOR] = { "pbrMetallicRoughness", "baseColorTexture" },
+    [MATERIAL_METALLIC_ROUGHNESS] = { "pbrMetallicRoughness", "metallicRoughnessTexture" },
+    [MATERIAL_NORMAL] = { "", "normalTexture" },
+    [MATERIAL_OCCLUSION] = { "", "occlusionTexture" },
+    [MATERIAL_EMISSION] = { "", "emissiveTexture" },
+    [MATERIAL_TRANSMISSION] = { "KHR_materials_transmission", "transmissionTexture" },
+    [MATERIAL_THICKNESS] = { "KHR_materials_volume", "thicknessTexture" },
+    [MATERIAL_SPECULAR] = { "KHR_materials_specular", "specularTexture" },
+    [MATERIAL_SPECULAR_COLOR] = { "KHR_materials_specular", "specularColorTexture" },
 };
 
 /* KHR_texture_transform: (u, v) scaled, then turned, then moved. */
@@ -77,8 +74,6 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
     }
     if (texture->image == gltf_none)
         gltf->undrawn |= 1u << GLTF_PICTURELESS;
-    if (texture->wrap_u != MATERIAL_REPEAT || texture->wrap_v != MATERIAL_REPEAT)
-        gltf->undrawn |= 1u << GLTF_WRAP;
     read_transform(info, texture);
 }
 
@@ -125,8 +120,6 @@ void gltf_material_textures(const struct gltf_object *object, struct gltf_materi
         }
         out->wrap_u = texture->wrap_u;
         out->wrap_v = texture->wrap_v;
-        if (slot->undrawn < GLTF_UNDRAWN_COUNT)
-            gltf->undrawn |= 1u << slot->undrawn;
         if (i != MATERIAL_BASE_COLOR && !relate(material, texture, out)) {
             gltf->undrawn |= 1u << GLTF_OTHER_SET;
             texture->image = gltf_none;

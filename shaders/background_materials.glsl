@@ -1,0 +1,91 @@
+/* background_materials.glsl: main() of surroundings with materials; with BACKGROUND_SHINE, with the
+ * ice's caustics and shadow. */
+#include "background.h"
+#include "lib/lit.glsl"
+#include "mesh.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    background_push push;
+};
+
+layout(location = 0) in vec3 eye_to_point;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 base_color;
+layout(location = 3) in vec2 uv;
+layout(location = 4) flat in uint material;
+layout(location = 0) out vec4 color;
+
+#ifdef BACKGROUND_SHINE
+#include "lib/ice_shine.glsl"
+#endif
+
+/* Returns whether a pixel of a blended surface lets the background through: of the samples of a
+ * pixel, as many as the alpha says (Enderton et al. 2010, "Stochastic transparency"). */
+bool is_seen_through(float alpha, uint row)
+{
+    float of_pixel = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float of_row = 0.7548777 * float(row);
+    return alpha <= fract(of_pixel + of_row + frame.sample_share);
+}
+
+bool is_hole(float alpha, float kind, float cutoff, uint row)
+{
+    if (kind == float(MATERIAL_KIND_CUTOUT))
+        return alpha < cutoff;
+    return kind == float(MATERIAL_KIND_BLENDED) && is_seen_through(alpha, row);
+}
+
+/* Returns the light of the sun, as lit.h counts it: that of the built-in sky, or of caustics. */
+vec3 sun_light(out vec3 through)
+{
+    through = vec3(0.0);
+#ifdef BACKGROUND_SHINE
+    ice_shine shine = ice_shine_at(push.eye + eye_to_point);
+    through = sky_sun() * shine.through;
+    return sky_sun() * shine.own + through;
+#else
+    return constant_background == GLOBALS_SKY ? sky_sun() : vec3(0.0);
+#endif
+}
+
+void main()
+{
+    uint row = material >> MESH_SURFACE_SHIFT;
+    float blur = constant_tiled != 0u && push.inverse == 0u ? exp2(frame.lod_bias) : 1.0;
+    vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
+    vec4 reflectance = material_texel(row, MATERIAL_ROW_F0);
+    vec4 emission = material_texel(row, MATERIAL_ROW_EMISSION);
+    vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
+    vec4 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, blur);
+    vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, blur);
+    vec4 bent = lit_texel(numbers, row, MATERIAL_USE_NORMAL, uv, blur);
+    float open = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, uv, blur).r;
+    vec3 glow = lit_texel(textures, row, MATERIAL_USE_EMISSION, uv, blur).rgb * emission.rgb;
+    float specular = lit_texel(numbers, row, MATERIAL_USE_SPECULAR, uv, blur).a * factors.z;
+    vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, uv, blur).rgb * reflectance.rgb;
+
+    vec3 albedo = base_color * base.rgb;
+    float alpha = push.inverse != 0u ? 1.0 / length(eye_to_point) : 1.0;
+    vec3 to_eye = -normalize(eye_to_point);
+    vec3 n = normalize(normal);
+    n = dot(n, to_eye) < 0.0 ? -n : n;
+    if (bent != vec4(1.0))
+        n = lit_bend(n, bent.rgb, scales.xy, eye_to_point, uv);
+    vec3 mirrored = reflect(-to_eye, n);
+    float lod = lit_mirror_lod(mirrored, push.environment_lod);
+    if (is_hole(base.a * factors.w, reflectance.w, emission.w, row))
+        discard;
+    vec3 through;
+    vec3 sun = sun_light(through);
+    if ((material & MESH_UNLIT) != 0u) {
+        color = vec4(albedo * (1.0 + through * max(dot(n, frame.sun_dir), 0.0)), alpha);
+        return;
+    }
+    lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
+    float n_dot_v = clamp(dot(n, to_eye), 0.0, 1.0);
+    vec3 around = lit_by_environment(s, lit_split(s.roughness, n_dot_v),
+                                     lit_glossy(mirrored, s.roughness, lod), lit_matt(n));
+    sun *= lit_by_light(s, n, to_eye, frame.sun_dir, LIT_SUN_SPREAD);
+    color = vec4(around * mix(1.0, open, scales.y) + sun + glow, alpha);
+}

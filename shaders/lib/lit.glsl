@@ -1,0 +1,125 @@
+/* lit.glsl: the materials of surfaces, their textures, and the light around them, for lit.h. */
+#ifndef LIB_LIT_GLSL
+#define LIB_LIT_GLSL
+#include "background.h"
+#include "lib/environment.glsl"
+#include "lit.h"
+#include "material.h"
+
+layout(set = 0, binding = BACKGROUND_ENVIRONMENT) uniform sampler2D environment;
+layout(set = 0, binding = BACKGROUND_TEXTURES) uniform sampler2DArray textures;
+layout(set = 0, binding = BACKGROUND_NUMBERS) uniform sampler2DArray numbers;
+layout(set = 0, binding = BACKGROUND_MATERIALS) uniform sampler2D materials;
+layout(set = 0, binding = BACKGROUND_LIGHT) uniform sampler2DArray environment_light;
+layout(set = 0, binding = BACKGROUND_SPLIT) uniform sampler2D splits;
+
+vec4 material_texel(uint row, int column)
+{
+    return texelFetch(materials, ivec2(column, int(row)), 0);
+}
+
+/* ---- textures ---- */
+
+/* Returns a coordinate where the sampler does not reach beyond the picture's edge. */
+float lit_wrap(float x, float wrap, float size)
+{
+    if (wrap == float(MATERIAL_WRAPS_REPEAT))
+        return x;
+    if (wrap == float(MATERIAL_WRAPS_MIRROR))
+        x = 1.0 - abs(1.0 - 2.0 * fract(0.5 * x));
+    return clamp(x, 0.5 / size, 1.0 - 0.5 / size);
+}
+
+/* Returns a texel of one of a material's textures; white if it has none. `blur` is a factor on a
+ * pixel's size. */
+vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
+{
+    vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
+    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use + 1);
+    if (constant_textured == 0u || u.w == 0.0)
+        return vec4(1.0);
+    vec2 at = vec2(dot(u.xyz, vec3(uv, 1.0)), dot(v.xyz, vec3(uv, 1.0)));
+    vec2 size = vec2(textureSize(of, 0).xy);
+    float wrap_v = floor(v.w / float(MATERIAL_WRAPS_COUNT));
+    vec2 wrapped = vec2(lit_wrap(at.x, v.w - wrap_v * float(MATERIAL_WRAPS_COUNT), size.x),
+                        lit_wrap(at.y, wrap_v, size.y));
+    return textureGrad(of, vec3(wrapped, u.w - 1.0), blur * dFdx(at), blur * dFdy(at));
+}
+
+/* Returns a texel of the base colour, of a vertex whose texture has this layer + 1: vertices
+ * without a material may have one, too. */
+vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
+{
+    bool is_of_row = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;
+    if (constant_textured == 0u || is_of_row || layer == 0u)
+        return lit_texel(textures, row, MATERIAL_USE_BASE_COLOR, uv, blur);
+    return textureGrad(textures, vec3(uv, float(layer - 1u)), blur * dFdx(uv), blur * dFdy(uv));
+}
+
+/* Turns a normal as a normal texture says, of a point that lies at `point`. */
+vec3 lit_bend(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2 uv)
+{
+    vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
+    vec3 point_x = dFdx(point), point_y = dFdy(point);
+    vec2 uv_x = dFdx(uv), uv_y = dFdy(uv);
+    float side = sign(uv_x.x * uv_y.y - uv_y.x * uv_x.y);
+    vec3 along_u = side * (point_x * uv_y.y - point_y * uv_x.y);
+    vec3 against_v = side * (point_x * uv_y.x - point_y * uv_x.x);
+    vec3 tangent = along_u - n * dot(n, along_u);
+    if (dot(tangent, tangent) == 0.0)
+        return n;
+    tangent = normalize(tangent);
+    vec3 bitangent = cross(n, tangent);
+    bitangent *= dot(bitangent, against_v) < 0.0 ? -1.0 : 1.0;
+    return normalize(slope.x * tangent + slope.y * bitangent + slope.z * n);
+}
+
+/* ---- light ---- */
+
+/* Returns the light on a matt white surface, without the sun of the built-in sky. */
+vec3 lit_matt(vec3 n)
+{
+    if (constant_background == GLOBALS_COLOR)
+        return frame.background_color;
+    if (constant_background == GLOBALS_ENVIRONMENT) {
+        vec2 at = background_uv(n, constant_environment_turn);
+        return textureLod(environment_light, vec3(at, float(LIT_MATT_LAYER)), 0.0).rgb;
+    }
+    return sky_ambient(n);
+}
+
+/* Returns the light from around a direction, as far as a rough surface reflects it; `lod` is the
+ * mip level of the environment picture for a mirror. */
+vec3 lit_glossy(vec3 dir, float roughness, float lod)
+{
+    if (constant_background == GLOBALS_COLOR)
+        return frame.background_color;
+    if (constant_background != GLOBALS_ENVIRONMENT)
+        return frame.sky_strength * sky_glossy(dir, roughness, frame.sun_dir, frame.sun_strength);
+    vec2 at = background_uv(dir, constant_environment_turn);
+    float layer = roughness * float(LIT_ROUGH_LAYERS);
+    float first = min(floor(layer), float(LIT_ROUGH_LAYERS - 1));
+    vec3 sharper = textureLod(environment_light, vec3(at, max(first - 1.0, 0.0)), 0.0).rgb;
+    vec3 blurred = textureLod(environment_light, vec3(at, first), 0.0).rgb;
+    if (first == 0.0)
+        sharper = textureLod(environment, at, lod).rgb;
+    return mix(sharper, blurred, layer - first);
+}
+
+/* Returns what a surface reflects of an even environment. */
+vec2 lit_split(float roughness, float n_dot_v)
+{
+    vec2 at = lit_split_at(roughness, n_dot_v) + 0.5;
+    return textureLod(splits, at / float(LIT_SPLIT_SIDE), 0.0).rg;
+}
+
+/* Returns the mip level of the environment picture in which a pixel's mirrored rays are a texel
+ * apart, but not below `least`. */
+float lit_mirror_lod(vec3 dir, float least)
+{
+    float width = float(textureSize(environment, 0).x);
+    float apart = max(length(dFdx(dir)), length(dFdy(dir))) * width / 6.2831853;
+    return max(least, log2(max(apart, 1e-6)));
+}
+
+#endif

@@ -1,0 +1,100 @@
+/*
+ * lit.h: how an opaque surface reflects light: what the rungs draw, and what the reference finds.
+ *
+ * A layer of microfacets (Trowbridge and Reitz 1975, "GGX") on a matt base, as in glTF 2.0,
+ * appendix B. Light is given as the radiance that a matt white surface would show. Around a surface
+ * is an environment, whose light is averaged over the surface's reflections (Karis 2013, "split
+ * sum"); what the microfacets reflect more than once is added (Fdez-Aguera 2019).
+ */
+#ifndef SHADERS_LIT_H
+#define SHADERS_LIT_H
+#include "abi_math.h"
+
+/* The table of an environment's light, an array of equirectangular pictures: the first ones are for
+ * roughness 1/7 to 1, the last one is for matt surfaces. */
+#define LIT_WIDTH        128
+#define LIT_HEIGHT       64
+#define LIT_ROUGH_LAYERS 7
+#define LIT_MATT_LAYER   7
+#define LIT_LAYERS       8
+
+/* The table of what a surface reflects of an even environment, once: pairs of factors, of f0 and of
+ * f90; in rows of equal roughness, 0 to 1, for cosines whose roots are 0 to 1. */
+#define LIT_SPLIT_SIDE 16
+
+#define LIT_SUN_SPREAD 0.065f /* width of the distribution that reflects the built-in sky's sun */
+
+struct lit_surface {
+    vec3s diffuse;   /* albedo of the matt base */
+    vec3s f0;        /* reflectance at normal incidence */
+    float f90;       /* at grazing incidence */
+    float roughness; /* its square is the width of the distribution */
+};
+
+/* Returns the surface of KHR_materials_specular: a dielectric with `dielectric_f0`, or a metal. */
+ABI_FUNCTION ABI_STRUCT(lit_surface) lit_surface_of(vec3s albedo, float metallic, float roughness,
+                                                    vec3s dielectric_f0, float specular)
+{
+    vec3s one = ABI_VEC3(1.0f, 1.0f, 1.0f);
+    ABI_STRUCT(lit_surface) s;
+    s.diffuse = glms_vec3_scale(albedo, 1.0f - metallic);
+    s.f0 = glms_vec3_lerp(glms_vec3_scale(glms_vec3_minv(dielectric_f0, one), specular), albedo,
+                          metallic);
+    s.f90 = specular + (1.0f - specular) * metallic;
+    s.roughness = roughness;
+    return s;
+}
+
+/* Returns where in the table of LIT_SPLIT_SIDE times as many pairs a surface's pair is, texels from
+ * the first one's middle; `n_dot_v` is the cosine between its normal and the eye's direction. */
+ABI_FUNCTION vec2s lit_split_at(float roughness, float n_dot_v)
+{
+    float last = LIT_SPLIT_SIDE - 1.0f;
+    return ABI_VEC2(sqrtf(glm_clamp(n_dot_v, 0.0f, 1.0f)) * last,
+                    glm_clamp(roughness, 0.0f, 1.0f) * last);
+}
+
+/* Returns the radiance of a surface in an environment: `split` is its pair of the table, `glossy`
+ * the light from the mirror's direction, blurred by the roughness, `matt` that on a matt white
+ * surface. */
+ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, vec3s glossy,
+                                      vec3s matt)
+{
+    vec3s one = ABI_VEC3(1.0f, 1.0f, 1.0f);
+    vec3s f90 = glms_vec3_scale(one, s.f90);
+    float missing = 1.0f - split.x - split.y;
+    vec3s once = glms_vec3_add(glms_vec3_scale(s.f0, split.x), glms_vec3_scale(f90, split.y));
+    vec3s mean = glms_vec3_lerp(s.f0, f90, 1.0f / 21.0f);
+    vec3s again = glms_vec3_scale(mean, missing);
+    vec3s more = glms_vec3_div(glms_vec3_mul(once, again), glms_vec3_sub(one, again));
+    float kept = 1.0f - glms_vec3_max(glms_vec3_add(once, more));
+    vec3s base = glms_vec3_add(more, glms_vec3_scale(s.diffuse, kept));
+    return glms_vec3_add(glms_vec3_mul(once, glossy), glms_vec3_mul(base, matt));
+}
+
+/* Returns the radiance of a surface for light from direction `l` that gives a matt white surface
+ * which faces it radiance 1. `n`, `v` (towards the eye) and `l` are unit. The distribution is at
+ * least as wide as `spread`, which is half the light's angular radius. */
+ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec3s l, float spread)
+{
+    float n_dot_l = glms_vec3_dot(n, l);
+    if (n_dot_l <= 0.0f)
+        return ABI_VEC3(0.0f, 0.0f, 0.0f);
+    float n_dot_v = fmaxf(glms_vec3_dot(n, v), 1e-4f);
+    vec3s h = glms_vec3_normalize(glms_vec3_add(v, l));
+    float n_dot_h = glms_vec3_dot(n, h);
+    float grazing = powf(1.0f - glm_clamp(glms_vec3_dot(v, h), 0.0f, 1.0f), 5.0f);
+    float width = fmaxf(s.roughness * s.roughness, spread);
+    float square = width * width;
+    float d = n_dot_h * n_dot_h * (square - 1.0f) + 1.0f;
+    float distribution = square / (d * d); /* times pi */
+    float visibility = 0.5f / (n_dot_l * sqrtf(n_dot_v * n_dot_v * (1.0f - square) + square) +
+                               n_dot_v * sqrtf(n_dot_l * n_dot_l * (1.0f - square) + square));
+    vec3s f90 = ABI_VEC3(s.f90, s.f90, s.f90);
+    vec3s fresnel = glms_vec3_lerp(s.f0, f90, grazing);
+    vec3s matt = glms_vec3_scale(s.diffuse, 1.0f - glms_vec3_max(fresnel));
+    return glms_vec3_scale(glms_vec3_add(matt, glms_vec3_scale(fresnel, distribution * visibility)),
+                           n_dot_l);
+}
+
+#endif

@@ -1,0 +1,99 @@
+/* material_rows.c: a row of texels for each material. */
+#include "src/scene/material_rows.h"
+#include <stdlib.h>
+#include "shaders/material.h"
+
+_Static_assert(MATERIAL_USE_METALLIC_ROUGHNESS == (int)MATERIAL_METALLIC_ROUGHNESS &&
+                   MATERIAL_USE_NORMAL == (int)MATERIAL_NORMAL &&
+                   MATERIAL_USE_OCCLUSION == (int)MATERIAL_OCCLUSION &&
+                   MATERIAL_USE_EMISSION == (int)MATERIAL_EMISSION &&
+                   MATERIAL_USE_SPECULAR == (int)MATERIAL_SPECULAR &&
+                   MATERIAL_USE_SPECULAR_COLOR == (int)MATERIAL_SPECULAR_COLOR,
+               "as shaders number them");
+_Static_assert(MATERIAL_ROW_TEXTURES + 2 * MATERIAL_TEXTURE_COUNT == MATERIAL_ROW_WIDTH, "");
+_Static_assert(MATERIAL_WRAPS_COUNT == (int)MATERIAL_WRAP_COUNT &&
+                   MATERIAL_WRAPS_MIRROR == (int)MATERIAL_MIRROR,
+               "");
+
+vec3s material_f0(const struct material *m)
+{
+    const float root = (m->ior - 1.0f) / (m->ior + 1.0f);
+    const float f0 = m->flags & MATERIAL_IS_LEGACY ? 1.0f : root * root;
+    return glms_vec3_scale(m->specular_color, f0);
+}
+
+static bool is_matt(const struct material *m)
+{
+    return m->flags & (MATERIAL_IS_BARE | MATERIAL_IS_UNLIT);
+}
+
+bool material_is_rich(const struct material *m)
+{
+    const struct material_texture *base = &m->textures[MATERIAL_BASE_COLOR];
+    const bool repeats = base->wrap_u == MATERIAL_REPEAT && base->wrap_v == MATERIAL_REPEAT;
+    const bool is_cut_elsewhere =
+        m->flags & MATERIAL_IS_CUTOUT && (m->alpha_cutoff < 0.5f || m->alpha_cutoff > 0.5f);
+    return !is_matt(m) || is_cut_elsewhere || m->flags & MATERIAL_IS_BLENDED ||
+           (base->layer > 0 && !repeats);
+}
+
+static int kind_of(const struct material *m)
+{
+    if (m->flags & MATERIAL_IS_CUTOUT)
+        return MATERIAL_KIND_CUTOUT;
+    return m->flags & MATERIAL_IS_BLENDED ? MATERIAL_KIND_BLENDED : MATERIAL_KIND_OPAQUE;
+}
+
+/* The base colour's transform is that of the vertices' coordinates. */
+static void fill_texture(vec4s *texels, const struct material_texture *texture)
+{
+    texels[0] = glms_vec4(texture->u_row, (float)texture->layer);
+    texels[1] = glms_vec4(texture->v_row,
+                          (float)(texture->wrap_v * MATERIAL_WRAPS_COUNT + texture->wrap_u));
+}
+
+static void fill(vec4s *row, const struct material *m)
+{
+    const vec3s f0 = material_f0(m);
+    const float specular = is_matt(m) ? 0.0f : m->specular;
+    row[MATERIAL_ROW_FACTORS] = (vec4s){ { m->metallic, m->roughness, specular, m->alpha } };
+    row[MATERIAL_ROW_F0] = glms_vec4(f0, (float)kind_of(m));
+    row[MATERIAL_ROW_EMISSION] = glms_vec4(m->emission, m->alpha_cutoff);
+    row[MATERIAL_ROW_SCALES] = (vec4s){ { m->normal_scale, m->occlusion_strength, 0.0f, 0.0f } };
+    for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++)
+        fill_texture(&row[MATERIAL_ROW_TEXTURES + 2 * i], &m->textures[i]);
+}
+
+vec4s *material_rows_make(const struct model *model)
+{
+    vec4s *rows =
+        aligned_alloc(16, (model->material_count + (size_t)1) * MATERIAL_ROW_WIDTH * sizeof(*rows));
+    struct material none = material_make("");
+    none.flags = MATERIAL_IS_BARE;
+    if (!rows)
+        return NULL;
+    fill(rows, &none);
+    for (uint32_t i = 0; i < model->material_count; i++)
+        fill(&rows[(i + (size_t)1) * MATERIAL_ROW_WIDTH], &model->materials[i]);
+    return rows;
+}
+
+bool material_rows_has_lit(const struct mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (!(mesh->vertices[i].material & MESH_UNLIT))
+            return true;
+    }
+    return false;
+}
+
+bool material_rows_has_rich(const struct model *model)
+{
+    const struct mesh *mesh = &model->surroundings;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const uint32_t material = mesh->vertices[i].material >> MESH_SURFACE_SHIFT;
+        if (material > 0 && material_is_rich(&model->materials[material - 1]))
+            return true;
+    }
+    return false;
+}

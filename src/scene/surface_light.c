@@ -1,0 +1,271 @@
+/*
+ * surface_light.c: integrates an environment over directions.
+ *
+ * Rough reflections are sampled where microfacets are likely, in means of so many texels as there
+ * are to a sample (Krivanek and Colbert 2008, "Real-time shading with filtered importance
+ * sampling"); matt ones are summed over a small picture.
+ */
+#include "src/scene/surface_light.h"
+#include <math.h>
+#include <stdlib.h>
+#include "shaders/background.h"
+#include "shaders/lit.h"
+#include "src/image/half.h"
+
+enum {
+    LEVEL_MAX = 10,
+    WIDTH_MAX = 1024,  /* of the first level */
+    MATT_WIDTH = 32,   /* of the picture that is summed */
+    SAMPLE_COUNT = 64, /* of rough reflections */
+    SPLIT_SAMPLE_COUNT = 256,
+    OVERLAP = 4, /* solid angle of a level's texel, per that of a sample */
+};
+
+static const float pi = 3.14159265358979f;
+
+/* The environment, ever smaller. */
+struct levels {
+    vec3s *texels[LEVEL_MAX];
+    int width[LEVEL_MAX]; /* twice the height */
+    int count;
+};
+
+/* Returns the mean of the environment's texels in one of the first level. */
+static vec3s mean_of(const struct environment *e, int x, int y, int width)
+{
+    const uint32_t height = (uint32_t)width / 2;
+    const uint32_t left = (uint32_t)x * e->width / (uint32_t)width;
+    const uint32_t top = (uint32_t)y * e->height / height;
+    uint32_t right = ((uint32_t)x + 1) * e->width / (uint32_t)width;
+    uint32_t bottom = ((uint32_t)y + 1) * e->height / height;
+    right = right > left ? right : left + 1;
+    bottom = bottom > top ? bottom : top + 1;
+    vec3s sum = glms_vec3_zero();
+    for (uint32_t row = top; row < bottom; row++) {
+        for (uint32_t column = left; column < right; column++) {
+            const uint16_t *texel = &e->texels[((size_t)row * e->width + column) * 4];
+            for (int k = 0; k < 3; k++)
+                sum.raw[k] += half_to_float(texel[k]);
+        }
+    }
+    return glms_vec3_divs(sum, (float)((right - left) * (bottom - top)));
+}
+
+static bool make_levels(struct levels *levels, const struct environment *e)
+{
+    int width = MATT_WIDTH;
+    while (width < WIDTH_MAX && (uint32_t)width < e->width)
+        width *= 2;
+    *levels = (struct levels){ .count = 0 };
+    for (; width >= 4 && levels->count < LEVEL_MAX; width /= 2, levels->count++) {
+        const int i = levels->count;
+        vec3s *texels = malloc((size_t)width * ((size_t)width / 2) * sizeof(*texels));
+        if (!texels)
+            return false;
+        levels->texels[i] = texels;
+        levels->width[i] = width;
+        for (int y = 0; y < width / 2; y++) {
+            for (int x = 0; x < width; x++) {
+                const vec3s *of = i ? &levels->texels[i - 1][4 * y * width + 2 * x] : NULL;
+                texels[y * width + x] =
+                    of ? glms_vec3_scale(
+                             glms_vec3_add(glms_vec3_add(of[0], of[1]),
+                                           glms_vec3_add(of[2 * width], of[2 * width + 1])),
+                             0.25f)
+                       : mean_of(e, x, y, width);
+            }
+        }
+    }
+    return true;
+}
+
+static vec3s texel_direction(float u, float v)
+{
+    const float around = (u - 0.5f) * 2.0f * pi;
+    const float down = v * pi;
+    return (vec3s){ { sinf(down) * sinf(around), cosf(down), -sinf(down) * cosf(around) } };
+}
+
+/* Returns a level's bilinear texel. */
+static vec3s sample_level(const struct levels *levels, int level, vec3s dir)
+{
+    const vec2s uv = background_uv(dir, 0.0f);
+    const int width = levels->width[level], height = width / 2;
+    const float x = uv.x * (float)width - 0.5f;
+    const float y = fminf(fmaxf(uv.y * (float)height - 0.5f, 0.0f), (float)height - 1.0f);
+    const int left = (int)floorf(x), top = (int)y;
+    const int below = top + 1 < height ? top + 1 : top;
+    const int columns[2] = { (left + width) % width, (left + 1) % width };
+    const vec3s *texels = levels->texels[level];
+    const float across = x - floorf(x), down = y - (float)top;
+    const vec3s upper =
+        glms_vec3_lerp(texels[top * width + columns[0]], texels[top * width + columns[1]], across);
+    const vec3s lower = glms_vec3_lerp(texels[below * width + columns[0]],
+                                       texels[below * width + columns[1]], across);
+    return glms_vec3_lerp(upper, lower, down);
+}
+
+/* Returns the smallest level whose texels are not larger than a solid angle, or the last one. */
+static int level_of(const struct levels *levels, float solid_angle)
+{
+    int level = 0;
+    while (level + 1 < levels->count) {
+        const float width = (float)levels->width[level + 1];
+        if (4.0f * pi / (width * width / 2.0f) > solid_angle)
+            break;
+        level++;
+    }
+    return level;
+}
+
+/* A way light takes to microfacets that are seen along z. */
+struct way {
+    vec3s from;
+    float weight;
+    int level;
+};
+
+static float radical_inverse(uint32_t i)
+{
+    uint32_t bits = 0;
+    for (int k = 0; k < 32; k++)
+        bits |= (i >> k & 1u) << (31 - k);
+    return (float)bits * 0x1p-32f;
+}
+
+static void make_ways(struct way *ways, const struct levels *levels, float roughness)
+{
+    const float square = powf(roughness, 4.0f);
+    for (uint32_t i = 0; i < SAMPLE_COUNT; i++) {
+        const float u = ((float)i + 0.5f) / SAMPLE_COUNT;
+        const float around = 2.0f * pi * radical_inverse(i);
+        const float z = sqrtf((1.0f - u) / (1.0f + (square - 1.0f) * u));
+        const float side = sqrtf(fmaxf(0.0f, 1.0f - z * z));
+        const vec3s h = { { side * cosf(around), side * sinf(around), z } };
+        const float d = z * z * (square - 1.0f) + 1.0f;
+        const float density = square / (pi * d * d) / 4.0f;
+        ways[i].from = (vec3s){ { 2.0f * z * h.x, 2.0f * z * h.y, 2.0f * z * z - 1.0f } };
+        ways[i].weight = fmaxf(0.0f, ways[i].from.z);
+        ways[i].level = level_of(levels, OVERLAP / (SAMPLE_COUNT * density));
+    }
+}
+
+static vec3s glossy(const struct levels *levels, const struct way *ways, vec3s n)
+{
+    const vec3s other = { { fabsf(n.y) < 0.9f ? 0.0f : 1.0f, fabsf(n.y) < 0.9f ? 1.0f : 0.0f,
+                            0.0f } };
+    const vec3s x = glms_vec3_normalize(glms_vec3_cross(other, n));
+    const vec3s y = glms_vec3_cross(n, x);
+    vec3s sum = glms_vec3_zero();
+    float weights = 0.0f;
+    for (uint32_t i = 0; i < SAMPLE_COUNT; i++) {
+        const vec3s from = ways[i].from;
+        if (!(ways[i].weight > 0.0f))
+            continue;
+        const vec3s dir =
+            glms_vec3_muladds(x, from.x, glms_vec3_muladds(y, from.y, glms_vec3_scale(n, from.z)));
+        sum = glms_vec3_muladds(sample_level(levels, ways[i].level, dir), ways[i].weight, sum);
+        weights += ways[i].weight;
+    }
+    return glms_vec3_divs(sum, weights);
+}
+
+static vec3s matt(const struct levels *levels, vec3s n)
+{
+    int level = 0;
+    while (levels->width[level] > MATT_WIDTH)
+        level++;
+    const int width = levels->width[level], height = width / 2;
+    vec3s sum = glms_vec3_zero();
+    float weights = 0.0f;
+    for (int row = 0; row < height; row++) {
+        const float v = ((float)row + 0.5f) / (float)height;
+        for (int column = 0; column < width; column++) {
+            const vec3s dir = texel_direction(((float)column + 0.5f) / (float)width, v);
+            const float weight = fmaxf(0.0f, glms_vec3_dot(n, dir)) * sinf(v * pi);
+            sum = glms_vec3_muladds(levels->texels[level][row * width + column], weight, sum);
+            weights += weight;
+        }
+    }
+    return glms_vec3_divs(sum, weights);
+}
+
+static void fill_layer(uint16_t *texels, const struct levels *levels, int layer)
+{
+    struct way ways[SAMPLE_COUNT];
+    if (layer != LIT_MATT_LAYER)
+        make_ways(ways, levels, ((float)layer + 1.0f) / LIT_ROUGH_LAYERS);
+    for (int y = 0; y < LIT_HEIGHT; y++) {
+        for (int x = 0; x < LIT_WIDTH; x++) {
+            const vec3s n =
+                texel_direction(((float)x + 0.5f) / LIT_WIDTH, ((float)y + 0.5f) / LIT_HEIGHT);
+            const vec3s light = layer == LIT_MATT_LAYER ? matt(levels, n) : glossy(levels, ways, n);
+            uint16_t *texel = &texels[((size_t)y * LIT_WIDTH + (size_t)x) * 4];
+            for (int k = 0; k < 3; k++)
+                texel[k] = half_from_float(fminf(light.raw[k], 65504.0f));
+            texel[3] = half_from_float(1.0f);
+        }
+    }
+}
+
+uint16_t *surface_light_make(const struct environment *environment)
+{
+    const size_t layer_size = (size_t)LIT_WIDTH * LIT_HEIGHT * 4;
+    struct levels levels;
+    uint16_t *texels = malloc(LIT_LAYERS * layer_size * sizeof(*texels));
+    if (!make_levels(&levels, environment)) {
+        free(texels);
+        texels = NULL;
+    }
+    for (int layer = 0; texels && layer < LIT_LAYERS; layer++)
+        fill_layer(&texels[(size_t)layer * layer_size], &levels, layer);
+    for (int i = 0; i < levels.count; i++)
+        free(levels.texels[i]);
+    return texels;
+}
+
+/* ---- what surfaces reflect ---- */
+
+/* Smith's shadowing (Walter and others 2007), of a cosine and a squared width. */
+static float shadowing(float cosine, float square)
+{
+    return 2.0f * cosine / (cosine + sqrtf(square + (1.0f - square) * cosine * cosine));
+}
+
+/* Integrates Schlick's two terms over microfacets, which are sampled where they are likely. */
+static vec2s split_of(float roughness, float cosine)
+{
+    const float square = powf(roughness, 4.0f);
+    const vec3s to_eye = { { sqrtf(1.0f - cosine * cosine), 0.0f, cosine } };
+    vec2s sum = glms_vec2_zero();
+    for (uint32_t i = 0; i < SPLIT_SAMPLE_COUNT; i++) {
+        const float u = ((float)i + 0.5f) / SPLIT_SAMPLE_COUNT;
+        const float around = 2.0f * pi * radical_inverse(i);
+        const float z = sqrtf((1.0f - u) / (1.0f + (square - 1.0f) * u));
+        const float side = sqrtf(fmaxf(0.0f, 1.0f - z * z));
+        const vec3s h = { { side * cosf(around), side * sinf(around), z } };
+        const float eye_dot_h = glms_vec3_dot(to_eye, h);
+        const float light = 2.0f * eye_dot_h * z - cosine;
+        if (light <= 0.0f || eye_dot_h <= 0.0f)
+            continue;
+        const float weight = shadowing(light, square) * shadowing(cosine, square) * eye_dot_h /
+                             (z * cosine * SPLIT_SAMPLE_COUNT);
+        const float grazing = powf(1.0f - eye_dot_h, 5.0f);
+        sum.x += (1.0f - grazing) * weight;
+        sum.y += grazing * weight;
+    }
+    return sum;
+}
+
+uint16_t *surface_split_make(void)
+{
+    uint16_t *texels = malloc(2 * LIT_SPLIT_SIDE * LIT_SPLIT_SIDE * sizeof(*texels));
+    for (int i = 0; texels && i < LIT_SPLIT_SIDE * LIT_SPLIT_SIDE; i++) {
+        const float root = (float)(i % LIT_SPLIT_SIDE) / (LIT_SPLIT_SIDE - 1);
+        const float roughness = (float)(i / LIT_SPLIT_SIDE) / (LIT_SPLIT_SIDE - 1);
+        const vec2s split = split_of(fmaxf(roughness, 0.02f), fmaxf(root * root, 1e-3f));
+        texels[2 * i] = half_from_float(split.x);
+        texels[2 * i + 1] = half_from_float(split.y);
+    }
+    return texels;
+}
