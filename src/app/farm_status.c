@@ -199,7 +199,7 @@ static enum status look_at_all(struct look *look)
     if (!look->frames)
         return log_out_of_memory(NULL);
     if (picture->scene.name) {
-        status = app_load_scene(&look->scene, &picture->scene);
+        status = app_begin_scene(&look->scene, &picture->scene);
         if (status == STATUS_OK)
             status = app_check_rung(picture, &look->scene);
         if (status == STATUS_OK)

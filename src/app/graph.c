@@ -18,7 +18,7 @@ enum status app_graph(const struct app_options *o)
     struct app_picture p = o->picture;
     struct scene scene;
     struct frame_plan frame = { 0 };
-    enum status status = app_load_scene(&scene, &p.scene);
+    enum status status = app_begin_scene(&scene, &p.scene); /* a plan needs no texels */
     if (status != STATUS_OK)
         return status;
     struct renderer_params params = app_renderer_params(&p, NULL, &scene);

@@ -95,7 +95,7 @@ static struct rg_import describe(const struct technique_import *import, const st
     struct technique_texels texels = { 0 };
     if (scene)
         texels = import->find(scene);
-    if (!texels.texels)
+    if (!texels.width)
         return (struct rg_import){ .image = import->image, .access = RG_SAMPLED };
     return (struct rg_import){
         .image = import->image,

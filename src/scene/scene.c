@@ -287,9 +287,20 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
     return NULL;
 }
 
+/* What a plan asks of textures that scene_fill() makes. */
+static void size_textures(struct scene *scene, const struct scene_params *params)
+{
+    if (params->bump)
+        scene->bump.size = BUMP_MAPS_SIZE;
+    if (params->air.count)
+        scene->air_layers = (struct air_layers){ .size = GENERATE_AIR_LAYER_SIZE,
+                                                 .count = GENERATE_AIR_LAYER_COUNT };
+}
+
 /* Makes the inclusions and the surface of the object. */
 static enum status fill_object(struct scene *scene, const struct scene_params *params)
 {
+    size_textures(scene, params);
     const char *lacking = params->later ? NULL : scene_fill(scene, params);
     enum status status = lacking ? log_out_of_memory(lacking) : STATUS_OK;
     if (status == STATUS_OK && params->air.count)

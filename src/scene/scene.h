@@ -72,7 +72,7 @@ struct scene_params {
     const struct reader_params
         *decode;               /* how a child process reads the files; NULL: this one does */
     struct generate_pool pool; /* of the scene `pool` */
-    bool later;                /* leave the bump maps and the textures of air to scene_fill() */
+    bool later; /* leave the texels of bumps and air to scene_fill(); their sizes are known */
     /* Called once the object is loaded: may change what depends on its materials, the inclusions
      * and `bump`. May be NULL. */
     void (*settle)(void *user, const struct scene *scene, struct scene_params *params);

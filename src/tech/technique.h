@@ -100,7 +100,7 @@ struct technique_upload {
 /* Texels of an image of the scene; borrowed. */
 struct technique_texels {
     const void *texels;     /* NULL: the scene has none, and the fallback is imported */
-    uint32_t width, height; /* of the first mip level */
+    uint32_t width, height; /* of the first mip level; not 0: a plan counts on them */
     uint32_t layers;        /* 0 means 1 */
     bool all_mips; /* `texels` has all mip levels, largest first; else they are generated */
     bool no_mips;  /* the image has only the first level */

@@ -8,8 +8,8 @@
 #include "src/scene/mips.h"
 
 enum {
-    LAYER_SIZE = 512,
-    LAYER_COUNT = 4,
+    LAYER_SIZE = GENERATE_AIR_LAYER_SIZE,
+    LAYER_COUNT = GENERATE_AIR_LAYER_COUNT,
     OCTAVES = 3,
 };
 

@@ -84,6 +84,11 @@ struct generate_air {
     float frequency;      /* of the largest bubbles along that diagonal */
 };
 
+enum {
+    GENERATE_AIR_LAYER_SIZE = 512, /* texels a side */
+    GENERATE_AIR_LAYER_COUNT = 4,
+};
+
 /* An array of square textures, two bytes a texel: opacity of bubbles, opacity of haze. */
 struct air_layers {
     uint8_t *texels;      /* all mip levels, as mips.h orders them; the caller frees it */
