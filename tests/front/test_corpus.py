@@ -15,7 +15,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'corpus'))
 from builders import ACCEPTED, DRAWN, EITHER, REFUSED  # noqa: E402
-from case import DATA, PLAIN, SMALL, TRY_AGAIN, Case, main  # noqa: E402
+from case import CRACKED, DATA, PLAIN, TRY_AGAIN, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from make_corpus import (  # noqa: E402
     BASELINE, DIFF, ENVIRONMENT, MERGE, MODEL, PRESET, SURROUNDINGS, corpus, write)
@@ -102,8 +102,8 @@ class Corpus(Case):
             folder.mkdir()
             for name, content in files.items():
                 (folder / name).write_bytes(content)
-            return seed, folder, self.firn('render', *words, *SMALL, '-q', '-o', 'a.exr', '-o',
-                                           'a.png', cwd=folder)
+            return seed, folder, self.firn('render', *words, '--size', '64x48', *CRACKED, '-q',
+                                           '-o', 'a.exr', '-o', 'a.png', cwd=folder)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             for seed, folder, done in pool.map(draw, range(0, SCENES, STEP)):
                 with self.subTest(seed=seed, words=scene(seed)[0]):

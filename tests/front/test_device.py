@@ -63,8 +63,7 @@ LOADERS = {'vkEnumerateInstanceExtensionProperties', 'vkSetDebugUtilsObjectNameE
            'vkCreateDebugUtilsMessengerEXT'}
 
 # Every kind of call is among those of an empty sphere.
-SMALL = ('--size', '32x24', *PLAIN, '--set', 'cracks.count=0', '--set', 'bubbles.count=0',
-         '--background', '0.4,0.5,0.6', '-o', 'a.exr')
+SMALL = ('--size', '32x24', *PLAIN, '--background', '0.4,0.5,0.6', '-o', 'a.exr')
 Fault = collections.namedtuple('Fault', 'command call result')
 
 

@@ -16,15 +16,14 @@ from case import CANT_CREATE, NO_DEVICE, SMALL, WRITE, Case, environment, main  
 
 TENT = 'v 0 1 0\nv -1 -1 1\nv 1 -1 1\nv 0 -1 -1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n'
 NOBODY = 65534
-EMPTY = (*SMALL, '--set', 'cracks.count=0', '--set', 'bubbles.count=0')
-MEASURED = ('sphere', *EMPTY, '--runs', '2', '--warmup', '1', '--clock', 'submits',
+MEASURED = ('sphere', *SMALL, '--runs', '2', '--warmup', '1', '--clock', 'submits',
             '-q')
 PRINTING = (
     ('list',), ('list', 'devices'), ('--help',), ('help', 'render'), ('ladder', '--help'),
     ('--version',), ('graph', 'ice-cube'), ('graph', 'sphere', '--json'),
     ('graph', 'sphere', '--html'), ('diff', 'a.exr', 'a.exr'),
     ('profile', *MEASURED), ('profile', *MEASURED, '--json', '-'),
-    ('profile', *MEASURED, '--sweep', 'size=32x24,16x16'), ('render', 'sphere', *EMPTY, '-o', '-'),
+    ('profile', *MEASURED, '--sweep', 'size=32x24,16x16'), ('render', 'sphere', *SMALL, '-o', '-'),
 )
 
 

@@ -71,7 +71,7 @@ def shrink(line):
     if command == 'view':
         line = re.sub(r'--frames \S+', '', line)
     if more and command != 'view':
-        more += ''.join(f' --set {row}' for row in PLAIN[1::2] if row.split('=')[0] not in line)
+        more += ' --plain'
     before, to, after = line.partition(' > ')
     return f'{before} {more}{to}{after}'
 

@@ -56,8 +56,9 @@ class ToneCurve(Pixels):
 
 
 class NoBackground(Pixels):
-    HIDE = ('--background', '0.4,0.5,0.6', '--background', 'none', '--samples', '4')
-    SHOW = ('--background', '0.4,0.5,0.6', '--samples', '4')
+    INSIDE = ('--samples', '4', '--set', 'cracks.count=2', '--set', 'bubbles.count=40')
+    HIDE = ('--background', '0.4,0.5,0.6', '--background', 'none', *INSIDE)
+    SHOW = ('--background', '0.4,0.5,0.6', *INSIDE)
 
     def check(self, *words):
         names = ('R', 'G', 'B', 'A')

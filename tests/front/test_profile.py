@@ -53,7 +53,8 @@ class OneFrame(Profile):
         self.assertEqual((found['width'], found['height'], found['run_count']), (64, 48, 4))
         self.assertIn('firn profile sphere', found['command'])
         self.assertEqual({one['name']: one['value'] for one in found['settings']}['bubbles.count'],
-                         '40')
+                         '0')
+        self.assertFalse(any(row['name'].startswith('cracks') for row in found['rows']))
         rows = {row['name']: row for row in found['rows']}
         self.assertEqual(rows['ice_normal.back']['triangles'], 960)
         self.assertEqual(rows['tonemap.screen']['covered'], 64 * 48)
@@ -89,11 +90,11 @@ class OneFrame(Profile):
     def test_the_clock_that_is_asked_for(self):
         for clock in ('timestamps', 'submits'):
             found = self.json('--clock', clock, '--time-step', '0.5', '--set', 'motion.time=2',
-                              '--set', 'cracks.count=0')
+                              '--set', 'cracks.count=2')
             self.assertEqual(found['clock'], clock)
             self.check_sums(found)
             self.assertEqual((found['time'], found['time_step']), (2, 0.5))
-            self.assertFalse(any(row['name'].startswith('cracks') for row in found['rows']))
+            self.assertTrue(any(row['name'].startswith('cracks') for row in found['rows']))
 
     def test_validated(self):
         self.assertEqual(self.profile('--validate', '-q').stderr, b'')

@@ -5,22 +5,23 @@ Usage: see case.py.
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CANT_CREATE, NO_INPUT, SMALL, USAGE, Case, main  # noqa: E402
+from case import CANT_CREATE, CRACKED, NO_INPUT, USAGE, Case, main  # noqa: E402
 from test_show import Png  # noqa: E402
 
 WIDTH, HEIGHT = 64, 48
+SIZE = ('--size', f'{WIDTH}x{HEIGHT}')
 MARGIN, LABEL, GREY = 8, 16, (34, 34, 34)
 MATERIALS = ('ice', 'water', 'glass', 'plastic', 'diamond', 'air', 'vacuum')
 
 
 class Sheet(Case):
     def sheet(self, *arguments):
-        self.succeed('sheet', *SMALL, '-o', 'sheet.png', *arguments)
+        self.succeed('sheet', *SIZE, *CRACKED, '-o', 'sheet.png', *arguments)
         return Png((self.folder / 'sheet.png').read_bytes())
 
     def check_cell(self, sheet, column, row, *arguments):
         """What is there is what render draws with these words, under words in light letters."""
-        self.succeed('render', *SMALL, '-q', '-o', 'one.png', *arguments)
+        self.succeed('render', *SIZE, *CRACKED, '-q', '-o', 'one.png', *arguments)
         one = Png((self.folder / 'one.png').read_bytes())
         left = MARGIN + column * (WIDTH + MARGIN)
         top = MARGIN + row * (HEIGHT + LABEL + MARGIN)
@@ -34,7 +35,7 @@ class Sheet(Case):
         return (MARGIN + columns * (WIDTH + MARGIN), MARGIN + rows * (HEIGHT + LABEL + MARGIN))
 
     def test_every_material(self):
-        done = self.succeed('sheet', 'sphere', *SMALL)
+        done = self.succeed('sheet', 'sphere', *SIZE, *CRACKED)
         self.assertEqual(done.stderr, b'sheet.png: 7 pictures of 64x48\n')
         sheet = Png((self.folder / 'sheet.png').read_bytes())
         self.assertEqual((sheet.width, sheet.height), self.size_of(4, 2))

@@ -7,6 +7,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from case import NO_DRIVER, SMALL, USAGE, Case, main  # noqa: E402
 
 WIDTH, HEIGHT = 64, 48
+CRACKS = ('--set', 'cracks.count=2', '--set', 'light.count=2')
 MIDDLE, CORNER = (32, 24), (0, 0)
 LAYERS = ('Z', 'N', 'P', 'back.N', 'front.Z', 'back.Z', 'thickness', 'intervals', 'exit',
           'refraction', 'reflection', 'fresnel', 'path', 'bounces', 'tir', 'air', 'bubbles',
@@ -104,7 +105,7 @@ class Show(Case):
             self.assertGreater(red, green)
             self.assertGreater(green, blue)
         # a cracks layer of flat red: linear (1, 0, 0, 1)
-        cracks = self.show('cracks', '--set', 'cracks.surface=on')
+        cracks = self.show('cracks', *CRACKS, '--set', 'cracks.surface=on')
         self.assertEqual(set(cracks.pixels()), {(0, 0, 0), (255, 0, 0)})
 
     def test_half_of_the_light_is_188(self):
@@ -113,7 +114,7 @@ class Show(Case):
         self.assertEqual(max(set(levels), key=levels.count), 188)
 
     def test_every_layer_has_a_picture_of_its_own(self):
-        more = ('--set', 'air.count=3', '--set', 'bubbles.count=30')
+        more = (*CRACKS, '--set', 'air.count=3', '--set', 'bubbles.count=30')
         seen = set()
         for layer in LAYERS:
             name = f'{layer}.png'
@@ -126,8 +127,8 @@ class Show(Case):
         self.assertEqual(len(seen), len(LAYERS))
 
     def test_exr_files_stay_as_they_are(self):
-        for layer, *more in (('cracks',), ('thickness', '--aov', 'N,thickness'),
-                             ('cracks', '--aov', 'N', '--samples', '2')):
+        for layer, *more in (('cracks', *CRACKS), ('thickness', '--aov', 'N,thickness'),
+                             ('cracks', *CRACKS, '--aov', 'N', '--samples', '2')):
             plain = self.render('plain.exr', *more)
             both = self.render('both.exr', '-o', 'both.png', '--show', layer, *more)
             self.assertTrue(plain == both, f'{layer} {more}: other bytes')

@@ -3,7 +3,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, DATA, NO_DRIVER, NO_INPUT, PLAIN, USAGE, WRITE, Case, main)
+    CANT_CREATE, CRACKED, DATA, NO_DRIVER, NO_INPUT, USAGE, WRITE, Case, main)
 from exr_file import Exr  # noqa: E402
 
 ICE = ('ice-cube', '--refraction', 'bounce', '--size', '96x64', '--set', 'cracks.count=4', '--set',
@@ -115,7 +115,7 @@ class Interleaved(Tiled):
         for scene, rung, tiles, limit in (('ice-cube', 'bounce', '2x2', 0.03),
                                           ('room', 'paper', '3x1', 0.02),
                                           ('pool', 'paper', '1x2', 0.02)):
-            words = (scene, '-r', rung, '--size', '96x72', '--samples', '2', *PLAIN, '-q')
+            words = (scene, '-r', rung, '--size', '96x72', '--samples', '2', *CRACKED, '-q')
             self.succeed('render', *words, '-o', 'whole.exr', '-o', 'whole.png')
             self.succeed('render', *words, '--tiles', tiles, '--interleaved', '-o', 'tiled.exr',
                          '-o', 'tiled.png')
