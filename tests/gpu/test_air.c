@@ -291,14 +291,14 @@ static void order_does_not_count(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(density_rises_towards_the_middle),
-        ON_DEVICE(clipped_to_the_ice),
-        ON_DEVICE(clipped_in_depth),
-        ON_DEVICE(fades_edge_on),
-        ON_DEVICE(lit_from_all_sides),
-        ON_DEVICE(strengths),
-        ON_DEVICE(over_the_ice),
-        ON_DEVICE(order_does_not_count),
+        cmocka_unit_test(density_rises_towards_the_middle),
+        cmocka_unit_test(clipped_to_the_ice),
+        cmocka_unit_test(clipped_in_depth),
+        cmocka_unit_test(fades_edge_on),
+        cmocka_unit_test(lit_from_all_sides),
+        cmocka_unit_test(strengths),
+        cmocka_unit_test(over_the_ice),
+        cmocka_unit_test(order_does_not_count),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

@@ -367,14 +367,14 @@ static void over_the_ice(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(light_that_passes),
-        ON_DEVICE(total_reflection),
-        ON_DEVICE(the_nearer_bubble_hides_the_other),
-        ON_DEVICE(clipped_to_the_ice),
-        ON_DEVICE(close_up),
-        ON_DEVICE(extremes),
-        ON_DEVICE(in_even_light),
-        ON_DEVICE(over_the_ice),
+        cmocka_unit_test(light_that_passes),
+        cmocka_unit_test(total_reflection),
+        cmocka_unit_test(the_nearer_bubble_hides_the_other),
+        cmocka_unit_test(clipped_to_the_ice),
+        cmocka_unit_test(close_up),
+        cmocka_unit_test(extremes),
+        cmocka_unit_test(in_even_light),
+        cmocka_unit_test(over_the_ice),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

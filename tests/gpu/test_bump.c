@@ -273,9 +273,9 @@ static void bumps_are_even_and_seamless(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(slopes_bend_the_normal), ON_DEVICE(bumps_turn_with_the_ice),
-        ON_DEVICE(smooth_is_smooth),       ON_DEVICE(maps_lie_along_planes_or_uv),
-        ON_DEVICE(no_uv_is_smooth),        ON_DEVICE(bumps_are_even_and_seamless),
+        cmocka_unit_test(slopes_bend_the_normal), cmocka_unit_test(bumps_turn_with_the_ice),
+        cmocka_unit_test(smooth_is_smooth),       cmocka_unit_test(maps_lie_along_planes_or_uv),
+        cmocka_unit_test(no_uv_is_smooth),        cmocka_unit_test(bumps_are_even_and_seamless),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

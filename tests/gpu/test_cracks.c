@@ -516,18 +516,18 @@ static void test_normals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(test_torus),
-        ON_DEVICE(test_teapot),
-        ON_DEVICE(test_other_clippings_are_wrong),
-        ON_DEVICE(test_convex_is_interval_for_a_sphere),
-        ON_DEVICE(test_precut_is_as_interval),
-        ON_DEVICE(test_cracks_turn_with_the_ice),
-        ON_DEVICE(test_seeds_and_counts),
-        ON_DEVICE(test_nothing_but_highlights),
-        ON_DEVICE(test_surface),
-        ON_DEVICE(test_gap_reflects),
-        ON_DEVICE(test_gaps_lose_no_light),
-        ON_DEVICE(test_normals),
+        cmocka_unit_test(test_torus),
+        cmocka_unit_test(test_teapot),
+        cmocka_unit_test(test_other_clippings_are_wrong),
+        cmocka_unit_test(test_convex_is_interval_for_a_sphere),
+        cmocka_unit_test(test_precut_is_as_interval),
+        cmocka_unit_test(test_cracks_turn_with_the_ice),
+        cmocka_unit_test(test_seeds_and_counts),
+        cmocka_unit_test(test_nothing_but_highlights),
+        cmocka_unit_test(test_surface),
+        cmocka_unit_test(test_gap_reflects),
+        cmocka_unit_test(test_gaps_lose_no_light),
+        cmocka_unit_test(test_normals),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

@@ -373,9 +373,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(faces_are_vulkans),
-        ON_DEVICE(surroundings_are_where_they_are),
-        ON_DEVICE(environment_is_where_it_is),
-        ON_DEVICE(no_face_shows_what_belongs_to_another),
+        cmocka_unit_test(surroundings_are_where_they_are),
+        cmocka_unit_test(environment_is_where_it_is),
+        cmocka_unit_test(no_face_shows_what_belongs_to_another),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

@@ -187,9 +187,9 @@ static void mask_says_where(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(frost_is_as_computed),
-        ON_DEVICE(white_stays_white),
-        ON_DEVICE(mask_says_where),
+        cmocka_unit_test(frost_is_as_computed),
+        cmocka_unit_test(white_stays_white),
+        cmocka_unit_test(mask_says_where),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

@@ -264,9 +264,9 @@ static void a_slab_takes_its_share(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(a_ball_gathers_light),
-        ON_DEVICE(a_roof_is_not_in_the_way),
-        ON_DEVICE(a_slab_takes_its_share),
+        cmocka_unit_test(a_ball_gathers_light),
+        cmocka_unit_test(a_roof_is_not_in_the_way),
+        cmocka_unit_test(a_slab_takes_its_share),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

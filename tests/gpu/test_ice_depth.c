@@ -95,8 +95,8 @@ static void test_turning(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(test_sphere),
-        ON_DEVICE(test_turning),
+        cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_turning),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

@@ -249,8 +249,8 @@ static void boxes_of_the_settings(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(every_rung_sees_the_box),
-        ON_DEVICE(boxes_of_the_settings),
+        cmocka_unit_test(every_rung_sees_the_box),
+        cmocka_unit_test(boxes_of_the_settings),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

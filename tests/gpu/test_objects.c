@@ -160,8 +160,8 @@ static void the_nearest_is_seen(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(each_looks_as_it_does_alone),
-        ON_DEVICE(the_nearest_is_seen),
+        cmocka_unit_test(each_looks_as_it_does_alone),
+        cmocka_unit_test(the_nearest_is_seen),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

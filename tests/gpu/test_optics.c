@@ -428,16 +428,16 @@ static void walls_of_the_room(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(blended_normals),
-        ON_DEVICE(refracted_or_reflected),
-        ON_DEVICE(through_a_sphere),
-        ON_DEVICE(closed_forms),
-        ON_DEVICE(through_a_bubble),
-        ON_DEVICE(ends_of_a_bubble),
-        ON_DEVICE(gaps),
-        ON_DEVICE(looked_up_in_a_box),
-        ON_DEVICE(no_box_to_meet),
-        ON_DEVICE(walls_of_the_room),
+        cmocka_unit_test(blended_normals),
+        cmocka_unit_test(refracted_or_reflected),
+        cmocka_unit_test(through_a_sphere),
+        cmocka_unit_test(closed_forms),
+        cmocka_unit_test(through_a_bubble),
+        cmocka_unit_test(ends_of_a_bubble),
+        cmocka_unit_test(gaps),
+        cmocka_unit_test(looked_up_in_a_box),
+        cmocka_unit_test(no_box_to_meet),
+        cmocka_unit_test(walls_of_the_room),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

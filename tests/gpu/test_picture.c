@@ -588,12 +588,17 @@ static void display_is_the_mean_tonemapped(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(no_pixel_is_black_or_no_number),       ON_DEVICE(lookups_have_no_seams),
-        ON_DEVICE(environment_stands_still_behind),      ON_DEVICE(up_is_up_and_right_is_right),
-        ON_DEVICE(sky_is_above_and_sun_where_it_is_set), ON_DEVICE(edges_show_the_share_of_samples),
-        ON_DEVICE(environment_is_jittered_alike),        ON_DEVICE(nothing_changes_by_itself),
-        ON_DEVICE(renderer_forgets_earlier_views),       ON_DEVICE(geometry_is_not_averaged),
-        ON_DEVICE(display_is_the_mean_tonemapped),
+        cmocka_unit_test(no_pixel_is_black_or_no_number),
+        cmocka_unit_test(lookups_have_no_seams),
+        cmocka_unit_test(environment_stands_still_behind),
+        cmocka_unit_test(up_is_up_and_right_is_right),
+        cmocka_unit_test(sky_is_above_and_sun_where_it_is_set),
+        cmocka_unit_test(edges_show_the_share_of_samples),
+        cmocka_unit_test(environment_is_jittered_alike),
+        cmocka_unit_test(nothing_changes_by_itself),
+        cmocka_unit_test(renderer_forgets_earlier_views),
+        cmocka_unit_test(geometry_is_not_averaged),
+        cmocka_unit_test(display_is_the_mean_tonemapped),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

@@ -262,13 +262,13 @@ static void traced_display(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(sky_landscape_and_movers),
-        ON_DEVICE(one_color),
-        ON_DEVICE(environment_picture),
-        ON_DEVICE(textures),
-        ON_DEVICE(display),
+        cmocka_unit_test(sky_landscape_and_movers),
+        cmocka_unit_test(one_color),
+        cmocka_unit_test(environment_picture),
+        cmocka_unit_test(textures),
+        cmocka_unit_test(display),
         cmocka_unit_test(traced_display),
     };
     lavapipe_environment();
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

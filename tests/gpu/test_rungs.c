@@ -561,23 +561,23 @@ static void near_surroundings_are_seen_where_they_are(void **state)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest beside[] = {
-        ON_DEVICE(sphere_deviates_as_known),
-        ON_DEVICE(pane_moves_light_aside),
-        ON_DEVICE(sphere_agrees_with_its_trace),
-        ON_DEVICE(rounded_cube_agrees_with_its_trace),
-        ON_DEVICE(ice_cube_agrees_with_its_trace),
-        ON_DEVICE(near_surroundings_are_seen_where_they_are),
+        cmocka_unit_test(sphere_deviates_as_known),
+        cmocka_unit_test(pane_moves_light_aside),
+        cmocka_unit_test(sphere_agrees_with_its_trace),
+        cmocka_unit_test(rounded_cube_agrees_with_its_trace),
+        cmocka_unit_test(ice_cube_agrees_with_its_trace),
+        cmocka_unit_test(near_surroundings_are_seen_where_they_are),
     };
     const struct CMUnitTest share[] = {
-        ON_DEVICE(white_furnace_is_white),
-        ON_DEVICE(light_is_absorbed_along_the_way),
-        ON_DEVICE(share_of_the_reflection_is_as_set),
-        ON_DEVICE(colours_bend_by_their_own_index),
+        cmocka_unit_test(white_furnace_is_white),
+        cmocka_unit_test(light_is_absorbed_along_the_way),
+        cmocka_unit_test(share_of_the_reflection_is_as_set),
+        cmocka_unit_test(colours_bend_by_their_own_index),
     };
     int failed = 0;
     if (argc < 2 || strcmp(argv[1], "beside") == 0)
-        failed += cmocka_run_group_tests(beside, NULL, NULL);
+        failed += RUN_ON_DEVICE(beside);
     if (argc < 2 || strcmp(argv[1], "share") == 0)
-        failed += cmocka_run_group_tests(share, NULL, NULL);
+        failed += RUN_ON_DEVICE(share);
     return failed;
 }

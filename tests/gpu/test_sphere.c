@@ -273,9 +273,11 @@ static void beauty_is_composed_of_the_layers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(layers_are_those_of_a_sphere),     ON_DEVICE(pixels_are_consistent),
-        ON_DEVICE(exit_follows_from_the_normals),    ON_DEVICE(light_is_deviated_as_known),
-        ON_DEVICE(beauty_is_composed_of_the_layers),
+        cmocka_unit_test(layers_are_those_of_a_sphere),
+        cmocka_unit_test(pixels_are_consistent),
+        cmocka_unit_test(exit_follows_from_the_normals),
+        cmocka_unit_test(light_is_deviated_as_known),
+        cmocka_unit_test(beauty_is_composed_of_the_layers),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

@@ -241,9 +241,9 @@ static void lights_move_with_time(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(pixels_are_as_computed), ON_DEVICE(bumps_move_highlights),
-        ON_DEVICE(no_light_no_highlight),  ON_DEVICE(highlights_lie_halfway),
-        ON_DEVICE(lights_move_with_time),
+        cmocka_unit_test(pixels_are_as_computed), cmocka_unit_test(bumps_move_highlights),
+        cmocka_unit_test(no_light_no_highlight),  cmocka_unit_test(highlights_lie_halfway),
+        cmocka_unit_test(lights_move_with_time),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

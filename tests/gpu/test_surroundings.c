@@ -263,10 +263,14 @@ static void what_is_near_is_reflected(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(textures_are_upright_and_linear), ON_DEVICE(cutouts_are_holes),
-        ON_DEVICE(unlit_colors_are_exact),          ON_DEVICE(light_follows_the_sun),
-        ON_DEVICE(both_sides_are_lit_alike),        ON_DEVICE(the_nearer_surface_is_seen),
-        ON_DEVICE(surroundings_hide_the_object),    ON_DEVICE(what_is_near_is_reflected),
+        cmocka_unit_test(textures_are_upright_and_linear),
+        cmocka_unit_test(cutouts_are_holes),
+        cmocka_unit_test(unlit_colors_are_exact),
+        cmocka_unit_test(light_follows_the_sun),
+        cmocka_unit_test(both_sides_are_lit_alike),
+        cmocka_unit_test(the_nearer_surface_is_seen),
+        cmocka_unit_test(surroundings_hide_the_object),
+        cmocka_unit_test(what_is_near_is_reflected),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

@@ -310,12 +310,12 @@ static void ice_below_absorbs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(mirrors),
-        ON_DEVICE(refracts_and_absorbs),
-        ON_DEVICE(layers_show_the_surface),
-        ON_DEVICE(rim_casts_a_shadow),
-        ON_DEVICE(ice_like_water_is_not_seen),
-        ON_DEVICE(ice_below_absorbs),
+        cmocka_unit_test(mirrors),
+        cmocka_unit_test(refracts_and_absorbs),
+        cmocka_unit_test(layers_show_the_surface),
+        cmocka_unit_test(rim_casts_a_shadow),
+        cmocka_unit_test(ice_like_water_is_not_seen),
+        cmocka_unit_test(ice_below_absorbs),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

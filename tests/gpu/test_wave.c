@@ -103,8 +103,8 @@ static void ends_of_waves(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(waves_as_worked_out),
-        ON_DEVICE(ends_of_waves),
+        cmocka_unit_test(waves_as_worked_out),
+        cmocka_unit_test(ends_of_waves),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_ON_DEVICE(tests);
 }

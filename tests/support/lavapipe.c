@@ -1,5 +1,6 @@
 /* lavapipe.c: a device for tests. */
 #include "tests/support/lavapipe.h"
+#include <assert.h>
 #include <stdlib.h>
 
 const struct gpu_params lavapipe_params = { .device = "llvmpipe", .validate = true };
@@ -27,4 +28,28 @@ int lavapipe_close(void **state)
     const uint32_t message_count = gpu->message_count;
     free(gpu);
     return message_count == 0 ? 0 : -1;
+}
+
+static int check_messages(void **state)
+{
+    struct gpu *gpu = *state;
+    const uint32_t message_count = gpu->message_count;
+    gpu->message_count = 0;
+    return message_count == 0 ? 0 : -1;
+}
+
+int lavapipe_run(const struct CMUnitTest *tests, size_t count)
+{
+    struct CMUnitTest on_device[16];
+    void *gpu = NULL;
+    assert(count <= sizeof(on_device) / sizeof(on_device[0]));
+    if (lavapipe_open(&gpu) != 0)
+        return (int)count;
+    for (size_t i = 0; i < count; i++) {
+        on_device[i] = tests[i];
+        on_device[i].initial_state = gpu;
+        on_device[i].teardown_func = check_messages;
+    }
+    const int failed = _cmocka_run_group_tests("tests", on_device, count, NULL, NULL);
+    return failed + (lavapipe_close(&gpu) != 0);
 }
