@@ -3,10 +3,10 @@ import os
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import SMALL, Case, main  # noqa: E402
+from case import BARE, Case, main  # noqa: E402
 
-COMMANDS = (('render', 'sphere', *SMALL, '-o', 'a.png', '-q'),
-            ('profile', 'sphere', *SMALL, '--runs', '2', '--warmup', '1', '--clock', 'submits',
+COMMANDS = (('render', 'sphere', *BARE, '-o', 'a.png', '-q'),
+            ('profile', 'sphere', *BARE, '--runs', '2', '--warmup', '1', '--clock', 'submits',
              '--json', 'a.json', '-q'))
 
 
@@ -78,7 +78,7 @@ class Cache(Case):
         layer = {'VK_ADD_LAYER_PATH': os.environ['FAIL_LAYER'], 'NODEVICE_SELECT': '1',
                  'VK_INSTANCE_LAYERS': 'VK_LAYER_FIRN_fail', 'FAIL_COUNT': 'counts'}
         for wanted, devices in (('off', 1), ('on', 1 + min(os.cpu_count() - 1, 3))):
-            self.succeed('render', 'sphere', *SMALL, '-o', 'a.exr', '-q',
+            self.succeed('render', 'sphere', *BARE, '-o', 'a.exr', '-q',
                          env={**layer, 'FIRN_WARM_UP': wanted})
             counts = dict(map(str.split, (self.folder / 'counts').read_text().splitlines()))
             self.assertEqual(int(counts['vkCreateDevice']), devices, wanted)

@@ -369,12 +369,14 @@ class Layers(Case):
 class Same(Case):
     """The same command gives the same bytes; another one does not."""
 
+    ALL = ('--aov', 'all', '--set', 'cracks.count=2', '--set', 'bubbles.count=40')
+
     def setUp(self):
         super().setUp()
-        self.first = self.render('first.exr', '--aov', 'all')
+        self.first = self.render('first.exr', *self.ALL)
 
     def check(self, *arguments, env=()):
-        again = self.render('again.exr', '--aov', 'all', *arguments, env=env)
+        again = self.render('again.exr', *self.ALL, *arguments, env=env)
         self.assertTrue(self.first == again, f'{arguments} {env}: other bytes')
 
     def test_again(self):
@@ -388,7 +390,7 @@ class Same(Case):
         self.check('--sharing', 'nothing')
 
     def test_a_setting_changes_the_picture(self):
-        other = self.render('other.exr', '--aov', 'all', '--set', 'refract_paper.a=0.5')
+        other = self.render('other.exr', *self.ALL, '--set', 'refract_paper.a=0.5')
         self.assertFalse(Exr(self.first).pixels == Exr(other).pixels)
 
 

@@ -12,18 +12,18 @@ import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CANT_CREATE, NO_DEVICE, SMALL, WRITE, Case, environment, main  # noqa: E402
+from case import BARE, CANT_CREATE, NO_DEVICE, WRITE, Case, environment, main  # noqa: E402
 
 TENT = 'v 0 1 0\nv -1 -1 1\nv 1 -1 1\nv 0 -1 -1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n'
 NOBODY = 65534
-MEASURED = ('sphere', *SMALL, '--runs', '2', '--warmup', '1', '--clock', 'submits',
+MEASURED = ('sphere', *BARE, '--runs', '2', '--warmup', '1', '--clock', 'submits',
             '-q')
 PRINTING = (
     ('list',), ('list', 'devices'), ('--help',), ('help', 'render'), ('ladder', '--help'),
     ('--version',), ('graph', 'ice-cube'), ('graph', 'sphere', '--json'),
     ('graph', 'sphere', '--html'), ('diff', 'a.exr', 'a.exr'),
     ('profile', *MEASURED), ('profile', *MEASURED, '--json', '-'),
-    ('profile', *MEASURED, '--sweep', 'size=32x24,16x16'), ('render', 'sphere', *SMALL, '-o', '-'),
+    ('profile', *MEASURED, '--sweep', 'size=32x24,16x16'), ('render', 'sphere', *BARE, '-o', '-'),
 )
 
 
@@ -40,7 +40,7 @@ class Environment(Case):
                               timeout=240, check=False)
 
     def draw(self, output, *more, env=()):
-        self.succeed('render', 'tent.obj', *SMALL, '-q', '-o', output, *more, env=env)
+        self.succeed('render', 'tent.obj', *BARE, '-q', '-o', output, *more, env=env)
         return (self.folder / output).read_bytes()
 
     # ---- files that are closed ----
@@ -74,7 +74,7 @@ class Environment(Case):
         wanted = self.draw('a.exr', '-o', 'a.png')
         png = (self.folder / 'a.png').read_bytes()
         for how in ('<&-', '>&-', '2>&-', '<&- >&-', '<&- >&- 2>&-'):
-            done = self.shell(how, 'render', 'tent.obj', *SMALL, '-o', 'b.exr', '-o', 'b.png',
+            done = self.shell(how, 'render', 'tent.obj', *BARE, '-o', 'b.exr', '-o', 'b.png',
                               '--aov', 'N')
             with self.subTest(how):
                 self.assertEqual(done.returncode, 0, done.stderr.decode())
@@ -104,7 +104,7 @@ class Environment(Case):
         for mask, mode in (('000', 0o666), ('022', 0o644), ('077', 0o600)):
             home = self.folder / f'home{mask}'
             home.mkdir()
-            done = self.shell('', 'render', 'tent.obj', *SMALL, '-o', f'{mask}.exr', '-o',
+            done = self.shell('', 'render', 'tent.obj', *BARE, '-o', f'{mask}.exr', '-o',
                               f'{mask}.png', env={'HOME': str(home)}, before=f'umask {mask};')
             self.assertEqual(done.returncode, 0, done.stderr.decode())
             for ending in ('exr', 'png'):
@@ -139,7 +139,7 @@ class Environment(Case):
         opened.chmod(0o777)
         closed.chmod(0o555)
         self.addCleanup(closed.chmod, 0o755)
-        draw = ('render', 'tent.obj', *SMALL, '-q', '-o')
+        draw = ('render', 'tent.obj', *BARE, '-q', '-o')
         for env in ({}, {'HOME': str(closed)}, {'HOME': '/nonexistent'}, {'HOME': ''},
                     {'XDG_CACHE_HOME': str(closed)}, {'XDG_CACHE_HOME': '/dev/null'}):
             done = self.as_somebody(*draw, opened / 'a.exr', env=env)
@@ -182,23 +182,23 @@ class Environment(Case):
 
     def test_names_of_all_kinds(self):
         shutil.copy(self.folder / 'tent.obj', self.folder / 'Té nt.obj')
-        self.succeed('render', 'Té nt.obj', *SMALL, '-o', 'a.exr')
+        self.succeed('render', 'Té nt.obj', *BARE, '-o', 'a.exr')
         wanted = (self.folder / 'a.exr').read_bytes()
         folder = self.folder / "  ein 'Päth' ✓ $x; \\ \""
         folder.mkdir()
         shutil.copy(self.folder / 'tent.obj', folder / 'Té nt.obj')
         for name in ('ö ✓.exr', '50 %.exr', "'.exr", '日本.exr'):
-            done = self.firn('render', 'Té nt.obj', *SMALL, '-o', name, cwd=folder)
+            done = self.firn('render', 'Té nt.obj', *BARE, '-o', name, cwd=folder)
             self.assertEqual(done.returncode, 0, done.stderr.decode())
             self.assertTrue((folder / name).read_bytes() == wanted, name)
             self.assertIn(f'{name}: 64x48', done.stderr.decode())
             self.succeed('diff', folder / name, 'a.exr', '--fail-above', 'rmse=0')
-        done = self.firn('render', 'Té nt.obj', *SMALL, '--frames', '1-2', '-o', 'ö.####.exr',
+        done = self.firn('render', 'Té nt.obj', *BARE, '--frames', '1-2', '-o', 'ö.####.exr',
                          cwd=folder)
         self.assertEqual(done.returncode, 0, done.stderr.decode())
         self.assertTrue((folder / 'ö.0002.exr').exists())
         raw = os.fsencode(folder) + b'/\xff\xfe.exr'  # no UTF-8 at all
-        self.succeed('render', folder / 'Té nt.obj', *SMALL, '-q', '-o', os.fsdecode(raw))
+        self.succeed('render', folder / 'Té nt.obj', *BARE, '-q', '-o', os.fsdecode(raw))
         self.assertTrue(os.path.exists(raw))
 
     def test_no_screen(self):
@@ -211,7 +211,7 @@ class Environment(Case):
     def test_nothing_in_the_environment(self):
         """Not even a PATH."""
         driver = {name: value for name, value in environment({}).items() if name != 'PATH'}
-        done = subprocess.run([Case.program, 'render', 'tent.obj', *SMALL, '-q', '-o', 'a.exr'],
+        done = subprocess.run([Case.program, 'render', 'tent.obj', *BARE, '-q', '-o', 'a.exr'],
                               env=driver, cwd=self.folder, stdin=subprocess.DEVNULL,
                               capture_output=True, timeout=240, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, b''))

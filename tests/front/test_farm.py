@@ -16,7 +16,7 @@ import unittest
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, NO_DRIVER, PLAIN, SMALL, USAGE, WRITE, Case, environment, main)
+    BARE, CANT_CREATE, NO_DRIVER, PLAIN, USAGE, WRITE, Case, environment, main)
 
 
 def take_flag(name):
@@ -170,7 +170,7 @@ class Words(Farm):
 
 
 class Status(Farm):
-    words = ('sphere', *SMALL, '--frames', '1-6', '-o', 'a.#.exr', '-o', 'a.#.png')
+    words = ('sphere', *BARE, '--frames', '1-6', '-o', 'a.#.exr', '-o', 'a.#.png')
 
     def test_nothing_is_there(self):
         self.assertEqual(self.status(*self.words, code=1), 'missing      6  1-6\n')
@@ -202,7 +202,7 @@ class Status(Farm):
         for kind in ('exr', 'png'):
             pattern = (f'a.#.{kind}', '--frames', '1-6')
             self.assertEqual(self.status(*pattern), 'done         6  1-6\n')
-            self.succeed('render', *SMALL, 'sphere', '-o', f'a.#.{kind}', '--frames', '5,6',
+            self.succeed('render', *BARE, 'sphere', '-o', f'a.#.{kind}', '--frames', '5,6',
                          '--fov', '40')
             self.assertRegex(self.status(*pattern, code=1), r'\Adone +2  5-6\nstale +4  1-4 ')
             (self.folder / f'a.6.{kind}').write_bytes(b'')
@@ -248,9 +248,9 @@ class Parallel(Farm):
         self.refuse(CANT_CREATE, 'farm', 'parallel', *TURN, names=['turn.03.exr'])
         (self.folder / 'turn.03.exr').rmdir()
         (self.folder / 'turn.03.exr').symlink_to('/dev/full')
-        self.assertEqual(self.submit(*TURN, *SMALL, '--samples', '1').returncode, 1)
+        self.assertEqual(self.submit(*TURN, *BARE, '--samples', '1').returncode, 1)
         (self.folder / 'turn.03.exr').unlink()
-        done = self.submit(*TURN, *SMALL, '--samples', '1')
+        done = self.submit(*TURN, *BARE, '--samples', '1')
         self.assertEqual(done.returncode, 0, done.stderr.decode())
 
 

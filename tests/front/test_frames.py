@@ -12,7 +12,7 @@ import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, NO_DEVICE, NO_DRIVER, SMALL, USAGE, WRITE, Case, environment, main)
+    BARE, CANT_CREATE, FLAT, NO_DEVICE, NO_DRIVER, USAGE, WRITE, Case, environment, main)
 from exr_file import Exr  # noqa: E402
 
 MOVING = ('--set', 'motion.count=3')
@@ -22,15 +22,18 @@ LONG = '1-9999'
 class Frames(Case):
     def draw(self, frames, *arguments, **how):
         """What is said about it, line by line."""
-        done = self.succeed('render', 'sphere', *SMALL, '--frames', frames, *arguments, **how)
+        done = self.succeed('render', 'sphere', *BARE, '--frames', frames, *arguments, **how)
         self.assertEqual(done.stdout, b'')
         return done.stderr.decode().splitlines()
+
+    def render(self, output, *arguments):
+        return super().render(output, *FLAT, *arguments)
 
     def read(self, name):
         return (self.folder / name).read_bytes()
 
     def refuse_frames(self, code, frames, *arguments, **how):
-        self.refuse(code, 'render', 'sphere', *SMALL, '--frames', frames, *arguments, **how)
+        self.refuse(code, 'render', 'sphere', *BARE, '--frames', frames, *arguments, **how)
 
 
 class Sequence(Frames):
@@ -78,13 +81,13 @@ class Sequence(Frames):
             self.draw('4-0', '-o', 'part.#.exr', '--chunk', f'{k}/3')
         for frame in range(5):
             self.assertEqual(self.read(f'part.{frame}.exr'), self.read(f'all.{frame}.exr'))
-        done = self.succeed('render', 'sphere', *SMALL, '--frames', '1,2', '--chunk', '1/3', '-o',
+        done = self.succeed('render', 'sphere', *BARE, '--frames', '1,2', '--chunk', '1/3', '-o',
                             'none.#.exr', env=NO_DRIVER)
         self.assertIn('contains no frames', done.stderr.decode())
         for chunk in ('0/3', '4/3', '1', '1/', '/2', '1/2/3', 'x'):
             self.refuse_frames(USAGE, '1-4', '--chunk', chunk, '-o', '#.exr', names=['--chunk'])
         self.refuse_frames(USAGE, '1-4', '--chunk', '1/4', '-o', 'same.exr', names=['same.exr'])
-        self.refuse(USAGE, 'render', 'sphere', *SMALL, '--chunk', '1/2', names=['--frames'])
+        self.refuse(USAGE, 'render', 'sphere', *BARE, '--chunk', '1/2', names=['--frames'])
 
     def test_default_name(self):
         self.draw('7,8')
@@ -93,14 +96,14 @@ class Sequence(Frames):
     def test_one_frame_needs_no_pattern(self):
         self.draw('25', '-o', 'a.exr')
         self.assertIn(' motion.time=1 ', Exr(self.read('a.exr')).text('firn/settings'))
-        done = self.succeed('render', 'sphere', *SMALL, '--frames', '25', '-o', '-')
+        done = self.succeed('render', 'sphere', *BARE, '--frames', '25', '-o', '-')
         self.assertEqual(done.stdout, self.read('a.exr'))
 
     def test_names_without_frames(self):
         for name in ('take#3.exr', '50%.exr'):
             self.render(name)
         for name in ('a.##.exr', 'a.%04d.exr'):
-            self.refuse(USAGE, 'render', 'sphere', *SMALL, '-o', name, names=[name, '--frames'])
+            self.refuse(USAGE, 'render', 'sphere', *BARE, '-o', name, names=[name, '--frames'])
         self.assertEqual(self.files(), ['50%.exr', 'take#3.exr'])
 
     def test_a_cube_that_stays_is_that_of_frame_0(self):
@@ -147,7 +150,7 @@ class Words(Frames):
     def stderr_of(self, *arguments):
         """As a terminal gets it."""
         ours, its = pty.openpty()
-        with subprocess.Popen([Case.program, 'render', 'sphere', *SMALL, *arguments],
+        with subprocess.Popen([Case.program, 'render', 'sphere', *BARE, *arguments],
                               env=environment({}), cwd=self.folder, stderr=its) as process:
             os.close(its)
             text = b''
@@ -251,7 +254,7 @@ class Resume(Frames):
     def test_after_a_full_disk(self):
         """A file that cannot be written ends the sequence."""
         (self.folder / '4.exr').symlink_to('/dev/full')
-        done = self.firn('render', 'sphere', *SMALL, '--frames', '3-5', '-q', *self.both)
+        done = self.firn('render', 'sphere', *BARE, '--frames', '3-5', '-q', *self.both)
         self.assertEqual(done.returncode, WRITE, done.stderr)
         self.assertRegex(done.stderr, rb'\Afirn: 4\.exr: [^\n]*\n\Z')
         self.assertEqual(self.files(), sorted([*self.whole, '3.exr', '3.png', '4.exr']))
@@ -260,7 +263,7 @@ class Resume(Frames):
 
     def test_a_single_picture(self):
         self.render('a b.exr')
-        done = self.succeed('render', 'sphere', *SMALL, '-o', 'a b.exr', '--resume', env=NO_DRIVER)
+        done = self.succeed('render', 'sphere', *BARE, '-o', 'a b.exr', '--resume', env=NO_DRIVER)
         self.assertEqual(done.stderr, b'a b.exr: up to date\n')
 
 
@@ -290,15 +293,15 @@ class Report(Frames):
         self.assertNotEqual(self.report()['frames'][0]['hash'], again[1]['hash'])
 
     def test_to_stdout(self):
-        done = self.succeed('render', 'sphere', *SMALL, '-q', '-o', 'a.exr', '--json', '-')
+        done = self.succeed('render', 'sphere', *BARE, '-q', '-o', 'a.exr', '--json', '-')
         self.assertEqual(json.loads(done.stdout)['frames'][0]['files'], ['a.exr'])
-        self.refuse(USAGE, 'render', 'sphere', *SMALL, '-o', '-', '--json', '-', names=['stdout'])
-        self.refuse(CANT_CREATE, 'render', 'sphere', *SMALL, '--json', 'gone/a', env=NO_DRIVER,
+        self.refuse(USAGE, 'render', 'sphere', *BARE, '-o', '-', '--json', '-', names=['stdout'])
+        self.refuse(CANT_CREATE, 'render', 'sphere', *BARE, '--json', 'gone/a', env=NO_DRIVER,
                     names=['gone/a'])
 
     def test_a_name_that_is_no_text(self):
         name = b'\xff.exr'.decode(errors='surrogateescape')
-        done = self.firn('render', 'sphere', *SMALL, '-o', name, '--json', 'report.json')
+        done = self.firn('render', 'sphere', *BARE, '-o', name, '--json', 'report.json')
         self.assertEqual(done.returncode, 0)
         self.assertEqual(self.report()['frames'][0]['files'], ['?.exr'])
 
@@ -308,7 +311,7 @@ class Report(Frames):
             os.chdir(self.folder)
             self.addCleanup(os.chdir, '/')
             server.bind('2.exr')  # looks as if it could be written to
-            words = ('render', 'sphere', *SMALL, '-q', '-o', '#.exr', '--json', 'report.json')
+            words = ('render', 'sphere', *BARE, '-q', '-o', '#.exr', '--json', 'report.json')
             self.refuse(1, *words, '--frames', '1-3', names=['2.exr'])
             self.assertEqual([f['state'] for f in self.report()['frames']],
                              ['drawn', 'failed', 'drawn'])
@@ -318,7 +321,7 @@ class Report(Frames):
 
     def test_an_end_before_the_end(self):
         (self.folder / '2.exr').symlink_to('/dev/full')
-        done = self.firn('render', 'sphere', *SMALL, '--frames', '1-3', '-o', '#.exr', '--json',
+        done = self.firn('render', 'sphere', *BARE, '--frames', '1-3', '-o', '#.exr', '--json',
                          'report.json')
         self.assertEqual(done.returncode, WRITE)
         self.assertEqual([f['state'] for f in self.report()['frames']],
@@ -331,7 +334,7 @@ class Together(Frames):
     def test_the_same_frames(self):
         self.draw('1-6', '-o', 'alone.#.exr')
         for more in ((), ('--resume',)):
-            words = [Case.program, 'render', 'sphere', *SMALL, '--frames', '1-6', '-o', '#.exr']
+            words = [Case.program, 'render', 'sphere', *BARE, '--frames', '1-6', '-o', '#.exr']
             racers = [subprocess.Popen([*words, *more], env=environment({}), cwd=self.folder,
                                        stderr=subprocess.PIPE) for _ in range(3)]
             for racer in racers:
@@ -373,7 +376,7 @@ class Stop(Frames):
 
     def test_in_a_sequence(self):
         for number, code in ((signal.SIGTERM, 143), (signal.SIGINT, 130), (signal.SIGHUP, 129)):
-            process = self.start(*SMALL, '--frames', LONG, '-q', '-o', f'{code}#.exr')
+            process = self.start(*BARE, '--frames', LONG, '-q', '-o', f'{code}#.exr')
             self.wait_for(process, [f'{code}3.exr'])
             process.send_signal(number)
             self.assertEqual(process.wait(60), code, process.stderr.read())
@@ -382,7 +385,7 @@ class Stop(Frames):
 
     def test_to_be_started_again(self):
         """SIGUSR1 of a batch system: with 75, and a report of what is left."""
-        process = self.start(*SMALL, '--frames', LONG, '-q', '-o', '#.exr', '--json', 'report.txt')
+        process = self.start(*BARE, '--frames', LONG, '-q', '-o', '#.exr', '--json', 'report.txt')
         self.wait_for(process, ['3.exr'])
         process.send_signal(signal.SIGUSR1)
         self.assertEqual(process.wait(60), 75, process.stderr.read())
@@ -418,13 +421,13 @@ class Stop(Frames):
 
     def test_to_a_pipe_that_nobody_reads(self):
         os.mkfifo(self.folder / 'pipe.exr')
-        process = self.start(*SMALL, '--resume', '-o', 'first.exr', '-o', 'pipe.exr')
+        process = self.start(*BARE, '--resume', '-o', 'first.exr', '-o', 'pipe.exr')
         self.wait_for(process, ['first.exr'])
         process.send_signal(signal.SIGTERM)
         self.assertEqual(process.wait(60), 143)
 
     def test_an_ignored_signal_stays_ignored(self):
-        process = self.start(*SMALL, '--frames', '1-4', '-q', '-o', '#.exr',
+        process = self.start(*BARE, '--frames', '1-4', '-q', '-o', '#.exr',
                              handlers={signal.SIGINT: signal.SIG_IGN})
         self.wait_for(process, ['1.exr'])
         process.send_signal(signal.SIGINT)
@@ -432,7 +435,7 @@ class Stop(Frames):
         self.check_whole_files(4)
 
     def test_resume_goes_on(self):
-        process = self.start(*SMALL, '--frames', LONG, '-q', '-o', '#.exr')
+        process = self.start(*BARE, '--frames', LONG, '-q', '-o', '#.exr')
         self.wait_for(process, ['2.exr'])
         process.send_signal(signal.SIGTERM)
         self.assertEqual(process.wait(60), 143)

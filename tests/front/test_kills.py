@@ -11,12 +11,12 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import PLAIN, Case, environment, main  # noqa: E402
+from case import FLAT, PLAIN, Case, environment, main  # noqa: E402
 
 KILLS = int(os.environ.get('FIRN_KILLS', '10'))
 FRAMES = 24
 RUNS = 18  # in two namespaces
-TINY = ('--size', '16x12', *PLAIN, '-q')
+TINY = ('--size', '16x12', *PLAIN, *FLAT, '-q')
 SEQUENCE = ('render', 'sphere', *TINY, '--frames', f'1-{FRAMES}', '-o', '#.exr', '-o', '#.png')
 
 

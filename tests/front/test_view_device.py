@@ -2,13 +2,13 @@
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import PLAIN, main  # noqa: E402
+from case import FLAT, PLAIN, main  # noqa: E402
 from desktop import Desktop  # noqa: E402
 from test_device import OLDER, TRY_AGAIN, WINDOW, Fault, LayerCase  # noqa: E402
 
 WHOLE = ('view', 'sphere', '-r', 'one-sided', '--size', '64x48', '--time-step', '0.1',
          '--frames', '6', '--screenshot', 'a.png')
-VIEW = (*WHOLE, *PLAIN)
+VIEW = (*WHOLE, *PLAIN, *FLAT)
 ANEW = 'firn: warning: the device was lost: reopening it once'
 
 

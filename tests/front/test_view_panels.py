@@ -3,7 +3,7 @@ import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import PLAIN, main  # noqa: E402
+from case import CRACKED, PLAIN, main  # noqa: E402
 from desktop import PATIENCE, wait_until  # noqa: E402
 from test_view import CHECKED, WindowCase, png_pixels, png_size  # noqa: E402
 
@@ -13,7 +13,8 @@ class Panels(WindowCase):
     BESIDE = (350, 200)  # no panel there
 
     def start_with_panels(self, *arguments):
-        window = self.start('sphere', '--size', '360x340', '--overlay', 'on', *arguments)
+        window = self.start('sphere', '--size', '360x340', '--overlay', 'on', *arguments,
+                            plain=CRACKED)
         self.press_for(window, 'space', 'sphere, paused')
         return window
 

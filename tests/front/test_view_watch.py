@@ -8,7 +8,7 @@ import shutil
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_INPUT, Case, main  # noqa: E402
+from case import CRACKED, NO_INPUT, Case, main  # noqa: E402
 from desktop import wait_until  # noqa: E402
 from test_view import WindowCase, png_pixels  # noqa: E402
 
@@ -25,7 +25,8 @@ class WatchCase(WindowCase):
         super().setUp()
         self.shaders = self.folder / 'my shaders'
         shutil.copytree(SHADERS, self.shaders)
-        self.window = self.start('sphere', f'--watch={self.shaders}', *STILL, *self.WORDS)
+        self.window = self.start('sphere', f'--watch={self.shaders}', *STILL, *self.WORDS,
+                                 plain=CRACKED)
         self.press_for(self.window, 'space', 'sphere, paused')
         self.first = self.desktop.pixels(self.window)
 
