@@ -76,6 +76,7 @@ struct app_picture {
     uint32_t layers;                /* bit i: techniques_layer(i) */
     uint32_t png_bits;              /* of a channel; 0 means 8 */
     const struct frame_layer *show; /* what PNG files show; NULL: the tonemapped picture */
+    const char *camera;             /* name or number of one of the model's; NULL: none is named */
     struct app_vector eye, target;
     struct app_vector orbit; /* azimuth, elevation (degrees), distance */
     float fov_deg;           /* 0: the model's, or 45 */
@@ -255,7 +256,8 @@ enum status app_fill_failed(const char *lacking);
 /* Whether the rung can draw the scene. Logs: STATUS_USAGE. */
 MUST_USE enum status app_check_rung(const struct app_picture *picture, const struct scene *scene);
 
-/* The camera of the options, else the model's, else one that frames the object. */
+/* The camera of the options, which may name one of the model's, else the model's first, else one
+ * that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
                                 const struct app_picture *picture);
 

@@ -37,6 +37,11 @@ static const char *kind_of(const struct material *material)
     return material->thickness > 0.0f ? "solid" : "thin wall";
 }
 
+static const char *camera_kind(const struct model_camera *camera)
+{
+    return camera->kind == MODEL_ORTHOGRAPHIC ? "orthographic" : "perspective";
+}
+
 static int by_rank(const void *a, const void *b)
 {
     const struct object *x = a;
@@ -53,6 +58,8 @@ static void clean_names(struct model *model)
         log_clean(model->objects[i].name);
     for (uint32_t i = 0; i < model->material_count; i++)
         log_clean(model->materials[i].name);
+    for (uint32_t i = 0; i < model->camera_count; i++)
+        log_clean(model->cameras[i].name);
 }
 
 static void print_objects(const struct model *model)
@@ -86,6 +93,22 @@ static void print_material(const struct material *m)
     printf("\n");
 }
 
+static void print_cameras(const struct model *model)
+{
+    if (model->camera_count)
+        printf("\ncameras; --camera takes a name or a number:\n  %-3s %-24s %-13s %s\n", "no.",
+               "name", "kind", "what it sees");
+    for (uint32_t i = 0; i < model->camera_count; i++) {
+        const struct model_camera *m = &model->cameras[i];
+        const bool is_flat = m->kind == MODEL_ORTHOGRAPHIC;
+        printf("  %-3u %-24s %-13s %g %s high, from %g,%g,%g\n", i,
+               m->name[0] ? m->name : "(no name)", camera_kind(m),
+               is_flat ? (double)m->height : (double)m->camera.fov_deg,
+               is_flat ? "metres" : "degrees", (double)m->camera.eye.x, (double)m->camera.eye.y,
+               (double)m->camera.eye.z);
+    }
+}
+
 static void print_text(struct scene *scene)
 {
     const struct model *model = &scene->model;
@@ -97,12 +120,13 @@ static void print_text(struct scene *scene)
     printf("box of the objects: %g,%g,%g to %g,%g,%g metres\n", (double)box.min.x,
            (double)box.min.y, (double)box.min.z, (double)box.max.x, (double)box.max.y,
            (double)box.max.z);
-    if (model->has_camera)
+    if (model->has_camera && !model->camera_count)
         printf("camera: eye %g,%g,%g, target %g,%g,%g, %g degrees high\n",
                (double)model->camera.eye.x, (double)model->camera.eye.y,
                (double)model->camera.eye.z, (double)model->camera.target.x,
                (double)model->camera.target.y, (double)model->camera.target.z,
                (double)model->camera.fov_deg);
+    print_cameras(model);
     print_objects(model);
     if (model->material_count)
         printf("\nmaterials:\n  %-24s %-10s %-6s %-10s %-9s %s\n", "name", "kind", "index",
@@ -168,14 +192,35 @@ static json_t *materials_of(const struct model *model)
     return all;
 }
 
+static json_t *camera_of(const struct model_camera *m)
+{
+    json_t *json =
+        json_pack("{s:o, s:s, s:o, s:o}", "name", text_of(m->name), "kind", camera_kind(m), "eye",
+                  vector(m->camera.eye), "target", vector(m->camera.target));
+    if (json && m->kind == MODEL_ORTHOGRAPHIC)
+        (void)json_object_set_new(json, "height", json_real(json_text_float(m->height)));
+    else if (json)
+        (void)json_object_set_new(json, "fov", json_real(json_text_float(m->camera.fov_deg)));
+    return json;
+}
+
+static json_t *cameras_of(const struct model *model)
+{
+    json_t *all = json_array();
+    for (uint32_t i = 0; i < model->camera_count && all; i++)
+        all = json_text_append(all, camera_of(&model->cameras[i]));
+    return all;
+}
+
 static enum status print_json(const char *name, const struct scene *scene)
 {
     const struct model *model = &scene->model;
-    json_t *root = json_pack("{s:o, s:i, s:i, s:o, s:o, s:o, s:o}", "scene", text_of(name),
+    json_t *root = json_pack("{s:o, s:i, s:i, s:o, s:o, s:o, s:o, s:o}", "scene", text_of(name),
                              "surrounding_triangles", (int)(model->surroundings.index_count / 3),
                              "textures", (int)(model->textures.count + model->numbers.count), "min",
                              vector(scene->box.min), "max", vector(scene->box.max), "objects",
-                             objects_of(model), "materials", materials_of(model));
+                             objects_of(model), "materials", materials_of(model), "cameras",
+                             cameras_of(model));
     if (root && model->has_camera)
         (void)json_object_set_new(root, "camera",
                                   json_pack("{s:o, s:o, s:f}", "eye", vector(model->camera.eye),

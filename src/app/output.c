@@ -110,6 +110,8 @@ static bool describe(const struct output *output, bool is_png, char **text)
             fputs(" png-bits=16", out);
         print_place(out, &p->scene);
         print_surroundings(out, &p->scene);
+        if (p->camera)
+            fprintf(out, " camera=%s", p->camera);
         print_vector(out, "eye", camera->eye);
         print_vector(out, "target", camera->target);
         fprintf(out, " fov=%.9g", (double)camera->fov_deg);

@@ -20,8 +20,6 @@
 #include "src/tech/surface.h"
 #include "src/tech/techniques.h"
 
-static const float default_fov_deg = 45.0f;
-
 /* --set over --material over --preset over the model's own index over the default. */
 static void settle_ior(struct app_scene *given, struct scene *scene)
 {
@@ -282,42 +280,6 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
         check_box(given, scene);
     }
     return status;
-}
-
-static struct camera choose_camera(const struct scene *scene, const struct app_picture *p)
-{
-    const vec3s center = box_center(scene->box);
-    const vec3s target = p->target.is_given ? p->target.value : center;
-    const float fov = p->fov_deg > 0.0f ? p->fov_deg : default_fov_deg;
-    if (p->eye.is_given)
-        return (struct camera){ .eye = p->eye.value, .target = target, .fov_deg = fov };
-    if (scene->model.has_camera && !p->orbit.is_given) {
-        struct camera own = scene->model.camera;
-        own.fov_deg = p->fov_deg > 0.0f ? fov : own.fov_deg;
-        own.target = p->target.is_given ? target : own.target;
-        return own;
-    }
-    float distance = camera_framing_distance(box_diagonal(scene->box), fov, p->width, p->height);
-    if (!(distance > 0.0f)) /* a point, or nothing */
-        distance = 1.0f;
-    const vec3s orbit = p->orbit.is_given ? p->orbit.value : (vec3s){ { 28.0f, 9.0f, distance } };
-    return camera_orbit(orbit.x, orbit.y, orbit.z, target, fov);
-}
-
-enum status app_camera(struct camera *camera, const struct scene *scene,
-                       const struct app_picture *p)
-{
-    if (p->eye.is_given && p->orbit.is_given) {
-        log_error("--eye conflicts with --orbit: choose one camera position");
-        return STATUS_USAGE;
-    }
-    *camera = choose_camera(scene, p);
-    if (!glms_vec3_eqv(camera->eye, camera->target))
-        return STATUS_OK;
-    /* maybe only as floats go: there is no millimetre a thousand kilometres away */
-    log_error(
-        "the camera and its target have the same position: change --eye, --orbit or --target");
-    return STATUS_USAGE;
 }
 
 struct renderer_params app_renderer_params(const struct app_picture *p, struct gpu *gpu,

@@ -1,7 +1,7 @@
 /* suggest.c: edit distances of names. */
 #include "src/base/suggest.h"
-#include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -52,4 +52,30 @@ const char *suggest_hint(const struct suggest *suggest, char hint[static SUGGEST
     if (suggest->best)
         snprintf(hint, SUGGEST_HINT_SIZE, ": did you mean '%s'?", suggest->best);
     return hint;
+}
+
+void suggest_list_add(struct suggest_list *list, const char *name)
+{
+    static const char more[] = ", ...";
+    char words[SUGGEST_NAME_SIZE + 24];
+    const size_t used = strlen(list->text);
+    const char *before = list->count ? ", " : "";
+    const int length = name[0] ? snprintf(words, sizeof(words), "%s%u '%.*s'", before, list->count,
+                                          SUGGEST_NAME_SIZE, name)
+                               : snprintf(words, sizeof(words), "%s%u", before, list->count);
+    const bool is_full =
+        used >= sizeof(more) && !strcmp(&list->text[used - sizeof(more) + 1], more);
+    list->count++;
+    if (is_full || length < 0)
+        return;
+    const bool fits = used + (size_t)length + sizeof(more) <= sizeof(list->text);
+    snprintf(&list->text[used], sizeof(list->text) - used, "%s", fits ? words : more);
+}
+
+bool suggest_number(const char *word, uint32_t count, uint32_t *index)
+{
+    char *end;
+    const unsigned long number = strtoul(word, &end, 10);
+    *index = (uint32_t)number;
+    return word[0] >= '0' && word[0] <= '9' && *end == '\0' && number < count;
 }

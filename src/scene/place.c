@@ -54,10 +54,18 @@ static struct box place_box(struct box box, const mat4s *turn, const struct plac
     return result;
 }
 
+static void place_camera(struct camera *camera, const mat4s *turn, const struct place *place)
+{
+    const vec3s up =
+        glms_vec3_norm2(camera->up) > 0.0f ? camera->up : (vec3s){ { 0.0f, 1.0f, 0.0f } };
+    camera->eye = glms_vec3_scale(turned(turn, place, camera->eye), scale_of(place));
+    camera->target = glms_vec3_scale(turned(turn, place, camera->target), scale_of(place));
+    camera->up = turned(turn, place, up);
+}
+
 enum status place_model(struct model *model, const struct place *place, const char *path)
 {
     const mat4s turn = turn_of(place);
-    struct camera *camera = &model->camera;
     const bool is_near =
         place_mesh(&model->object, &turn, place) && place_mesh(&model->surroundings, &turn, place);
     if (!is_near) {
@@ -65,12 +73,11 @@ enum status place_model(struct model *model, const struct place *place, const ch
                   (double)scale_of(place));
         return STATUS_DATA;
     }
-    if (model->has_camera) {
-        const vec3s up =
-            glms_vec3_norm2(camera->up) > 0.0f ? camera->up : (vec3s){ { 0.0f, 1.0f, 0.0f } };
-        camera->eye = glms_vec3_scale(turned(&turn, place, camera->eye), scale_of(place));
-        camera->target = glms_vec3_scale(turned(&turn, place, camera->target), scale_of(place));
-        camera->up = turned(&turn, place, up);
+    if (model->has_camera)
+        place_camera(&model->camera, &turn, place);
+    for (uint32_t i = 0; i < model->camera_count; i++) {
+        place_camera(&model->cameras[i].camera, &turn, place);
+        model->cameras[i].height *= scale_of(place);
     }
     if (model->has_box)
         model->box = place_box(model->box, &turn, place);

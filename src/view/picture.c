@@ -254,6 +254,7 @@ enum status picture_open(struct picture **picture, const char *path, bool *remad
     } else {
         state.scene.name = path;
         /* those were of the object before */
+        state.camera = NULL;
         state.eye.is_given = state.target.is_given = state.orbit.is_given = false;
     }
     const enum status status = replace(picture, &state, environment);

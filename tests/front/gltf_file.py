@@ -38,3 +38,12 @@ def boxes(*parts):
         'bufferViews': [{'buffer': 0, 'byteLength': 96},
                         {'buffer': 0, 'byteOffset': 96, 'byteLength': 72}],
         'buffers': [{'byteLength': len(data), 'uri': uri}]})
+
+
+def with_nodes(text, *nodes, **more):
+    """A file of boxes() with further nodes of the scene, and members of the top."""
+    scene = json.loads(text)
+    first = len(scene['nodes'])
+    scene['nodes'] += nodes
+    scene['scenes'][0]['nodes'] += range(first, first + len(nodes))
+    return json.dumps({**scene, **more})

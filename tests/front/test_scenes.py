@@ -7,7 +7,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import NO_DRIVER, USAGE, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
-from gltf_file import boxes, glass  # noqa: E402
+from gltf_file import boxes, glass, with_nodes  # noqa: E402
 
 # What only ice has by default.
 DRESSING = ('cracks', 'air', 'bubbles')
@@ -91,6 +91,57 @@ class Scenes(Case):
         self.assertRegex(text, r'(?m)^  box 0 +12  closed +ice$')
         self.assertRegex(text, r'(?m)^  gem +solid +2 .*priority -1$')
         self.refuse(USAGE, 'info', names=['SCENE'])
+
+    def write_cameras(self):
+        lens = {'type': 'perspective', 'perspective': {'yfov': 0.8, 'znear': 0.1}}
+        flat = {'type': 'orthographic',
+                'orthographic': {'xmag': 1, 'ymag': 2, 'znear': 0, 'zfar': 9}}
+        (self.folder / 'seen.gltf').write_text(with_nodes(
+            boxes((glass(), [0, 0, 0], 1)),
+            {'name': 'Front', 'camera': 0, 'translation': [0, 0, 6]},
+            {'name': 'Near', 'camera': 0, 'translation': [0.5, 0, 4]},
+            {'name': 'Plan', 'camera': 1, 'translation': [0, 0, 6]}, cameras=[lens, flat]))
+
+    def test_cameras(self):
+        self.write_cameras()
+        cameras = json.loads(self.succeed('info', 'seen.gltf', '--json',
+                                          env=NO_DRIVER).stdout)['cameras']
+        self.assertEqual([(found['name'], found['kind']) for found in cameras],
+                         [('Front', 'perspective'), ('Near', 'perspective'),
+                          ('Plan', 'orthographic')])
+        self.assertEqual(cameras[2]['height'], 4)
+        self.assertAlmostEqual(cameras[0]['fov'], 45.836624, 4)
+        text = self.succeed('info', 'seen.gltf', env=NO_DRIVER).stdout.decode()
+        self.assertRegex(text, r'(?m)^  2 +Plan +orthographic +4 metres high, from 0,0,6$')
+        pictures = {}
+        for words in ((), ('--camera', 'Front'), ('--camera', '0'), ('--camera', 'Near'),
+                      ('--camera', '1'), ('--eye', '0,0,6', '--fov', cameras[0]['fov'])):
+            self.succeed('render', 'seen.gltf', *SMALL, *words, '-r', 'reference', '-o', 'a.exr',
+                         env=NO_DRIVER)
+            exr = Exr((self.folder / 'a.exr').read_bytes())
+            pictures[' '.join(map(str, words))] = exr.read_planes(['G'])['G']
+        self.assertEqual(pictures[''], pictures['--camera Front'])
+        self.assertEqual(pictures[''], pictures['--camera 0'])
+        self.assertEqual(pictures['--camera Near'], pictures['--camera 1'])
+        self.assertNotEqual(pictures[''], pictures['--camera Near'])
+
+    def test_cameras_that_are_not_there(self):
+        self.write_cameras()
+        for words, names in ((('seen.gltf', '--camera', 'Fromt'), ("'Front'?", "1 'Near'")),
+                             (('seen.gltf', '--camera', '3'), ("2 'Plan'",)),
+                             (('seen.gltf', '--camera', ''), ("0 'Front'",)),
+                             (('one.gltf', '--camera', '0'), ('one.gltf has no cameras',)),
+                             (('sphere', '--camera', '0'), ('sphere has no cameras',)),
+                             (('seen.gltf', '--camera', 'Near', '--orbit', '1,1,9'),
+                              ('--orbit',))):
+            done = self.firn('render', *words, '-q', '-o', 'a.exr', env=NO_DRIVER)
+            said = done.stderr.decode().splitlines()
+            self.assertEqual(done.returncode, USAGE, said)
+            for name in names:
+                self.assertIn(name, said[-1])
+        done = self.firn('render', 'seen.gltf', '--camera', 'Plan', '-o', 'a.exr', env=NO_DRIVER)
+        self.assertEqual(done.returncode, USAGE)
+        self.assertIn(b'orthographic, which is not supported', done.stderr)
 
     def test_names_cannot_command_a_terminal(self):
         (self.folder / 'a.gltf').write_text(boxes((glass(name='\x1b[2Jice'), [0, 0, 0], 1)))

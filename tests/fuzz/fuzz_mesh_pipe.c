@@ -73,12 +73,15 @@ static void make(struct pipe_stream *stream, bool is_model)
     uint16_t halfs[8] = { 0, 1, 2, 0x3c00, 0x7bff, 0, 0, 0x3c00 };
     struct object objects[2] = { { .index_count = 3 }, { .first_index = 3, .index_count = 3 } };
     struct material material = material_make("glass");
+    struct model_camera camera = { .camera = { .eye = { { 0, 0, 2 } }, .fov_deg = 45 } };
     const struct model model = {
         .object = { vertices, indices, 4, 6 },
         .objects = objects,
         .object_count = 2,
         .materials = &material,
         .material_count = 1,
+        .cameras = &camera,
+        .camera_count = 1,
         .surroundings = { vertices, indices, 4, 6 },
         .textures = { texels, 2, 2 },
         .camera = { .eye = { { 0, 0, 2 } }, .fov_deg = 45 },

@@ -1,6 +1,7 @@
 /* fuzz_scene.c: what a model or a panorama that was accepted must be, for every pass draws it. */
 #include "tests/fuzz/fuzz_scene.h"
 #include <math.h>
+#include <string.h>
 #include "tests/fuzz/fuzz.h"
 
 enum {
@@ -22,11 +23,22 @@ static void check_mesh(const struct mesh *mesh, const struct texture_layers *tex
     }
 }
 
+static void check_cameras(const struct model *model)
+{
+    for (uint32_t i = 0; i < model->camera_count; i++) {
+        const struct model_camera *camera = &model->cameras[i];
+        FUZZ_CHECK(memchr(camera->name, 0, sizeof(camera->name)));
+        FUZZ_CHECK(camera->camera.fov_deg > 0 && camera->camera.fov_deg < 180);
+        FUZZ_CHECK((camera->kind == MODEL_ORTHOGRAPHIC) == (camera->height > 0));
+    }
+}
+
 void fuzz_check_model(const struct model *model)
 {
     FUZZ_CHECK(model->object.index_count + model->surroundings.index_count > 0);
     check_mesh(&model->object, &model->textures);
     check_mesh(&model->surroundings, &model->textures);
+    check_cameras(model);
     uint32_t end = 0;
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
@@ -44,7 +56,8 @@ void fuzz_check_no_model(const struct model *model)
 {
     FUZZ_CHECK(!model->object.vertices && !model->object.indices && !model->textures.texels &&
                !model->numbers.texels && !model->surroundings.vertices &&
-               !model->surroundings.indices && !model->objects && !model->materials);
+               !model->surroundings.indices && !model->objects && !model->materials &&
+               !model->cameras);
 }
 
 void fuzz_check_environment(const struct environment *environment)

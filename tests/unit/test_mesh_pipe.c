@@ -16,15 +16,17 @@ enum {
     TEXTURE_COUNT_AT = 36,
     NUMBER_SIZE_AT = 40,
     NUMBER_COUNT_AT = 44,
-    CAMERA_AT = 48, /* eye, target, up, angle */
-    IOR_AT = 88,
-    BOX_AT = 92,
-    VERTICES_AT = 116,
+    CAMERA_COUNT_AT = 48,
+    CAMERA_AT = 52, /* eye, target, up, angle */
+    IOR_AT = 92,
+    BOX_AT = 96,
+    VERTICES_AT = 120,
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
     MESH_SIZE = 4 * VERTEX_SIZE + 6 * 4,
     OBJECTS_AT = VERTICES_AT + 2 * MESH_SIZE,
     MATERIALS_AT = OBJECTS_AT + 2 * (int)sizeof(struct object),
+    CAMERAS_AT = MATERIALS_AT + 2 * (int)sizeof(struct material),
 };
 
 static struct mesh make_square(uint32_t material)
@@ -58,6 +60,19 @@ static void add_objects(struct model *model)
     }
 }
 
+/* A perspective and an orthographic one. */
+static void add_cameras(struct model *model)
+{
+    const struct camera camera = { .eye = { { 1, 2, 3 } }, .up = { { 0, 1, 0 } }, .fov_deg = 40 };
+    model->cameras = calloc(2, sizeof(*model->cameras));
+    assert_non_null(model->cameras);
+    model->camera_count = 2;
+    model->cameras[0] = (struct model_camera){ .name = "left", .camera = camera };
+    model->cameras[1] = (struct model_camera){
+        .name = "flat", .kind = MODEL_ORTHOGRAPHIC, .height = 2, .camera = camera
+    };
+}
+
 static struct model make_model(void)
 {
     struct model model = {
@@ -73,6 +88,7 @@ static struct model make_model(void)
         .has_ior = true,
     };
     add_objects(&model);
+    add_cameras(&model);
     assert_true(model.textures.texels && model.numbers.texels);
     memcpy(model.numbers.texels, "text", 4);
     for (uint8_t i = 0; i < 32; i++)
@@ -123,6 +139,8 @@ static void model_comes_through(void **state)
     assert_int_equal(model.material_count, 2);
     assert_memory_equal(model.objects, wanted.objects, 2 * sizeof(struct object));
     assert_memory_equal(model.materials, wanted.materials, 2 * sizeof(struct material));
+    assert_int_equal(model.camera_count, 2);
+    assert_memory_equal(model.cameras, wanted.cameras, 2 * sizeof(struct model_camera));
     assert_memory_equal(&model.camera, &wanted.camera, sizeof(wanted.camera));
     CHECK_NEAR(model.ior, 1.5, 1e-6);
     assert_memory_equal(&model.box, &wanted.box, sizeof(wanted.box));
@@ -193,6 +211,25 @@ static void cameras_are_checked(void **state)
         refuse_number(BOX_AT + 4 * i, NAN, PIPE_CAMERA);
     refuse_number(BOX_AT, 1, PIPE_CAMERA); /* no wider than nothing */
     refuse_number(BOX_AT + 12, 2e6F, PIPE_CAMERA);
+}
+
+static void listed_cameras_are_checked(void **state)
+{
+    const size_t second = CAMERAS_AT + sizeof(struct model_camera);
+    const size_t camera = CAMERAS_AT + offsetof(struct model_camera, camera);
+    char endless[MATERIAL_NAME_SIZE];
+    (void)state;
+    memset(endless, 'x', sizeof(endless));
+    refuse_word(CAMERA_COUNT_AT, 4097, PIPE_SIZE);
+    refuse_word(CAMERA_COUNT_AT, UINT32_MAX, PIPE_SIZE);
+    refuse(CAMERAS_AT, endless, sizeof(endless), PIPE_CAMERA);
+    refuse_word(CAMERAS_AT + offsetof(struct model_camera, kind), 2, PIPE_CAMERA);
+    refuse_number(CAMERAS_AT + offsetof(struct model_camera, height), 1, PIPE_CAMERA);
+    for (size_t i = 0; i < 10; i++)
+        refuse_number(camera + 4 * i, NAN, PIPE_CAMERA);
+    refuse(camera, &(vec3s){ { 0, 0, 0 } }, sizeof(vec3s), PIPE_CAMERA);
+    refuse_number(second + offsetof(struct model_camera, height), 0, PIPE_CAMERA);
+    refuse_number(second + offsetof(struct model_camera, height), NAN, PIPE_CAMERA);
 }
 
 static void vertices_are_checked(void **state)
@@ -347,6 +384,7 @@ int main(void)
         cmocka_unit_test(model_comes_through),
         cmocka_unit_test(heads_are_checked),
         cmocka_unit_test(cameras_are_checked),
+        cmocka_unit_test(listed_cameras_are_checked),
         cmocka_unit_test(vertices_are_checked),
         cmocka_unit_test(objects_are_checked),
         cmocka_unit_test(materials_are_checked),

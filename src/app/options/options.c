@@ -189,6 +189,8 @@ static const struct option options[] = {
       "model file that surrounds the object (the scene's own surroundings)" },
     { "Scene", "background", 0, "R,G,B", SCENES, SCENE(option_background),
       "constant colour instead of the sky, linear; or none: alpha 0 behind surfaces" },
+    { "Camera", "camera", 0, "NAME|N", PICTURES, TEXT(picture.camera),
+      "camera of the model file, name or number from 0: firn info FILE (the first)" },
     { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, VECTOR(orbit, option_orbit),
       "camera around the target: azimuth, elevation, degrees; distance, metres" },
     { "Camera", "eye", 0, "X,Y,Z", PICTURES, VECTOR(eye, option_place),

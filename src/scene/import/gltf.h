@@ -230,8 +230,8 @@ void gltf_primitive_finish(struct gltf_primitive *primitive);
 MUST_USE enum status gltf_textures_read(struct gltf *gltf, struct model *model);
 MUST_USE enum status gltf_build(struct gltf *gltf, struct model *model,
                                 enum model_part everything_is);
-/* Reads the first perspective camera into *model, whose object must be filled in. */
-MUST_USE enum status gltf_camera_read(struct gltf *gltf, struct model *model);
+/* Reads the cameras of the scene into *model, whose object must be filled in. */
+MUST_USE enum status gltf_cameras_read(struct gltf *gltf, struct model *model);
 /* Reads the box of the first node that names one into *model. */
 MUST_USE enum status gltf_box_read(struct gltf *gltf, struct model *model);
 

@@ -221,7 +221,7 @@ enum status model_load_gltf(struct model_import *import, struct model *model,
     if (status == STATUS_OK)
         status = gltf_build(&gltf, model, everything_is);
     if (status == STATUS_OK)
-        status = gltf_camera_read(&gltf, model);
+        status = gltf_cameras_read(&gltf, model);
     if (status == STATUS_OK)
         status = gltf_box_read(&gltf, model);
     if (status == STATUS_OK)

@@ -1,5 +1,6 @@
-/* gltf_camera.c: the camera of a glTF file, and the box around its object. */
+/* gltf_camera.c: the cameras of a glTF file, and the box around its object. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/gltf.h"
 
@@ -9,15 +10,14 @@ static bool is_sound(vec3s vector)
     return fabsf(vector.x) <= max && fabsf(vector.y) <= max && fabsf(vector.z) <= max;
 }
 
-static bool fill(struct camera *camera, mat4s model_from_node, float yfov,
-                 const struct mesh *object)
+/* Looks along the -Z of the node, at the distance of the object. */
+static bool aim(struct camera *camera, mat4s model_from_node, const struct mesh *object)
 {
     camera->eye = glms_mat4_mulv3(model_from_node, glms_vec3_zero(), 1);
     camera->up = glms_mat4_mulv3(model_from_node, (vec3s){ { 0, 1, 0 } }, 0);
     const vec3s ahead = glms_mat4_mulv3(model_from_node, (vec3s){ { 0, 0, -1 } }, 0);
-    camera->fov_deg = glm_deg(yfov);
     if (!is_sound(camera->eye) || !is_sound(camera->up) || !is_sound(ahead) ||
-        !(glms_vec3_norm(ahead) > 0) || !(camera->fov_deg > 0 && camera->fov_deg < 180))
+        !(glms_vec3_norm(ahead) > 0))
         return false;
     float distance = 0;
     if (object->vertex_count > 0)
@@ -29,22 +29,58 @@ static bool fill(struct camera *camera, mat4s model_from_node, float yfov,
     return true;
 }
 
-enum status gltf_camera_read(struct gltf *gltf, struct model *model)
+static bool fill(struct model_camera *camera, const struct gltf_object *object,
+                 const struct gltf_node *node, const struct mesh *mesh)
 {
-    for (uint32_t i = 0; i < gltf->order_count && !model->has_camera; i++) {
+    const struct gltf_object perspective = gltf_member(object, "perspective");
+    const struct gltf_object orthographic = gltf_member(object, "orthographic");
+    const char *own_name = gltf_string(object, "name", "");
+    (void)snprintf(camera->name, sizeof(camera->name), "%s", node->name[0] ? node->name : own_name);
+    if (perspective.json || !orthographic.json) {
+        camera->camera.fov_deg = glm_deg(gltf_number(&perspective, "yfov", 0));
+    } else {
+        camera->kind = MODEL_ORTHOGRAPHIC;
+        camera->camera.fov_deg = 45; /* never drawn, but as sound as the others' */
+        camera->height = 2 * fabsf(gltf_number(&orthographic, "ymag", 0));
+    }
+    const bool is_seen = camera->kind == MODEL_PERSPECTIVE
+                             ? camera->camera.fov_deg > 0 && camera->camera.fov_deg < 180
+                             : camera->height > 0 && camera->height <= MODEL_COORDINATE_MAX;
+    return is_seen && aim(&camera->camera, node->model_from_node, mesh);
+}
+
+static uint32_t count_cameras(const struct gltf *gltf)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < gltf->order_count; i++)
+        count += gltf->nodes[gltf->order[i]].camera != gltf_none;
+    return count;
+}
+
+enum status gltf_cameras_read(struct gltf *gltf, struct model *model)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    const uint32_t count = count_cameras(gltf);
+    if (count > MODEL_CAMERA_MAX)
+        return gltf_fault(&top, "expected at most %d cameras in the scene, got %u",
+                          MODEL_CAMERA_MAX, count);
+    model->cameras = calloc(count + (size_t)1, sizeof(*model->cameras));
+    if (!model->cameras)
+        return gltf_no_memory(gltf);
+    for (uint32_t i = 0; i < gltf->order_count && gltf->status == STATUS_OK; i++) {
         const struct gltf_node *node = &gltf->nodes[gltf->order[i]];
         if (node->camera == gltf_none)
             continue;
         const struct gltf_object object = gltf_element(gltf, "cameras", node->camera);
-        const struct gltf_object perspective = gltf_member(&object, "perspective");
-        if (!perspective.json) {
-            gltf->undrawn |= 1u << GLTF_ORTHOGRAPHIC;
-            continue;
-        }
-        const float yfov = gltf_number(&perspective, "yfov", 0);
-        if (!fill(&model->camera, node->model_from_node, yfov, &model->object))
+        struct model_camera *camera = &model->cameras[model->camera_count++];
+        if (!fill(camera, &object, node, &model->object))
             return gltf_fault(&object, "field of view or position out of range");
-        model->has_camera = true;
+        if (camera->kind == MODEL_ORTHOGRAPHIC) {
+            gltf->undrawn |= 1u << GLTF_ORTHOGRAPHIC;
+        } else if (!model->has_camera) {
+            model->has_camera = true;
+            model->camera = camera->camera;
+        }
     }
     return gltf->status;
 }

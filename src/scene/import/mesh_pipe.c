@@ -33,6 +33,7 @@ struct model_head {
     struct mesh_counts object, surroundings;
     uint32_t object_count, material_count;
     struct texture_counts textures, numbers;
+    uint32_t camera_count;
     struct camera camera;
     float ior;
     struct box box;
@@ -45,7 +46,8 @@ struct environment_head {
 
 _Static_assert(sizeof(struct material) == 492, "no padding");
 _Static_assert(sizeof(struct object) == 104, "no padding");
-_Static_assert(sizeof(struct model_head) == 116, "no padding, so no bytes of this process in it");
+_Static_assert(sizeof(struct model_camera) == 112, "no padding");
+_Static_assert(sizeof(struct model_head) == 120, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */
 
@@ -72,6 +74,7 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
         .material_count = model->material_count,
         .textures = { model->textures.size, model->textures.count },
         .numbers = { model->numbers.size, model->numbers.count },
+        .camera_count = model->camera_count,
         .camera = model->camera,
         .ior = model->ior,
         .box = model->box,
@@ -80,6 +83,7 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
            write_mesh(sink, &model->surroundings) &&
            pipe_write(sink, model->objects, model->object_count * sizeof(*model->objects)) &&
            pipe_write(sink, model->materials, model->material_count * sizeof(*model->materials)) &&
+           pipe_write(sink, model->cameras, model->camera_count * sizeof(*model->cameras)) &&
            pipe_write(sink, model->textures.texels, texels_size(&model->textures)) &&
            pipe_write(sink, model->numbers.texels, texels_size(&model->numbers)) &&
            pipe_write_end(sink);
@@ -191,7 +195,8 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
     if (!is_countable(head->object) || !is_countable(head->surroundings) ||
         head->object.indices + head->surroundings.indices == 0)
         return PIPE_SIZE;
-    if (head->object_count > head->object.indices / 3 || head->material_count > MESH_SURFACE_MAX)
+    if (head->object_count > head->object.indices / 3 || head->material_count > MESH_SURFACE_MAX ||
+        head->camera_count > MODEL_CAMERA_MAX)
         return PIPE_SIZE;
     if (!are_textures(&head->textures) || !are_textures(&head->numbers))
         return PIPE_SIZE;
@@ -294,22 +299,44 @@ static bool is_box(const struct box *box)
            box->min.x < box->max.x && box->min.y < box->max.y && box->min.z < box->max.z;
 }
 
+static bool is_camera(const struct camera *camera)
+{
+    return is_within(camera->eye, MODEL_COORDINATE_MAX) &&
+           is_within(camera->up, MODEL_COORDINATE_MAX) &&
+           is_within(camera->target, 8.0F * MODEL_COORDINATE_MAX) &&
+           glms_vec3_distance(camera->eye, camera->target) > 0 && camera->fov_deg > 0 &&
+           camera->fov_deg < 180;
+}
+
 static bool has_sound_optics(const struct model_head *head)
 {
-    const struct camera *camera = &head->camera;
     if (head->flags & ~(uint32_t)(HAS_CAMERA | HAS_IOR | HAS_BOX))
         return false;
     if (head->flags & HAS_BOX && !is_box(&head->box))
         return false;
     if (head->flags & HAS_IOR && !(head->ior >= 1 && head->ior <= 4))
         return false;
-    if (!(head->flags & HAS_CAMERA))
-        return true;
-    return is_within(camera->eye, MODEL_COORDINATE_MAX) &&
-           is_within(camera->up, MODEL_COORDINATE_MAX) &&
-           is_within(camera->target, 8.0F * MODEL_COORDINATE_MAX) &&
-           glms_vec3_distance(camera->eye, camera->target) > 0 && camera->fov_deg > 0 &&
-           camera->fov_deg < 180;
+    return !(head->flags & HAS_CAMERA) || is_camera(&head->camera);
+}
+
+static enum pipe_fault read_cameras(const struct pipe_source *source, uint32_t count,
+                                    struct model *model)
+{
+    const size_t size = count * sizeof(*model->cameras);
+    model->cameras = malloc(size + 1);
+    if (!model->cameras)
+        return PIPE_MEMORY;
+    model->camera_count = count;
+    const enum pipe_fault fault = pipe_read(source, model->cameras, size);
+    for (uint32_t i = 0; fault == PIPE_OK && i < count; i++) {
+        const struct model_camera *camera = &model->cameras[i];
+        const bool is_flat = camera->kind == MODEL_ORTHOGRAPHIC;
+        if (!memchr(camera->name, 0, sizeof(camera->name)) ||
+            camera->kind >= MODEL_CAMERA_KIND_COUNT || !is_camera(&camera->camera) ||
+            !is_from(camera->height, 0, MODEL_COORDINATE_MAX) || is_flat != (camera->height > 0))
+            return PIPE_CAMERA;
+    }
+    return fault;
 }
 
 enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct model *model)
@@ -329,6 +356,8 @@ enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct mo
         fault = read_mesh(source, &model->surroundings, head.surroundings, &head);
     if (fault == PIPE_OK)
         fault = read_objects(source, &head, model);
+    if (fault == PIPE_OK)
+        fault = read_cameras(source, head.camera_count, model);
     if (fault == PIPE_OK)
         fault = read_textures(source, &head.textures, &model->textures);
     if (fault == PIPE_OK)

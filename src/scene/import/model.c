@@ -130,6 +130,7 @@ void model_finish(struct model *model)
     mesh_finish(&model->surroundings);
     free(model->objects);
     free(model->materials);
+    free(model->cameras);
     free(model->textures.texels);
     free(model->numbers.texels);
     *model = (struct model){ 0 };

@@ -47,6 +47,21 @@ struct texture_layers {
     uint32_t size, count; /* size is a power of two; both 0 when there are none */
 };
 
+enum model_camera_kind {
+    MODEL_PERSPECTIVE,
+    MODEL_ORTHOGRAPHIC,
+    MODEL_CAMERA_KIND_COUNT,
+};
+
+/* A camera of a file, as its node has it. */
+struct model_camera {
+    char name[MATERIAL_NAME_SIZE]; /* of the node, else of the camera; "" if neither has one */
+    uint32_t kind;                 /* enum model_camera_kind */
+    float height; /* of what an orthographic picture shows, metres; 0 of a perspective one */
+    struct camera camera; /* its target is at the object's distance; the angle of an orthographic
+                             one means nothing */
+};
+
 struct model {
     struct mesh object; /* of all refractive objects, one after another */
     struct mesh surroundings;
@@ -56,7 +71,9 @@ struct model {
     uint32_t material_count;
     struct texture_layers textures; /* sRGB colours, of both meshes */
     struct texture_layers numbers;  /* textures of what is no colour (material.h) */
-    struct camera camera; /* valid if has_camera; its target is at the object's distance */
+    struct model_camera *cameras;   /* of the file, in the order of its nodes */
+    uint32_t camera_count;
+    struct camera camera; /* the first perspective one; valid if has_camera */
     float ior;            /* KHR_materials_ior of the object; valid if has_ior */
     struct box box;       /* around the object (refract.lookup=box); valid if has_box */
     bool has_camera;

@@ -61,6 +61,7 @@ static void print_camera(FILE *out, const struct ui_command *c)
     const struct app_picture *p = c->picture;
     struct camera given;
     if (app_camera(&given, c->scene, p) == STATUS_OK && same_camera(&given, c->camera)) {
+        print_name(out, "camera", p->camera);
         print_given(out, "orbit", &p->orbit);
         print_given(out, "eye", &p->eye);
         print_given(out, "target", &p->target);

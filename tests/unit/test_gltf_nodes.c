@@ -1,0 +1,73 @@
+/* test_gltf_nodes.c: what nodes of a glTF file hold beside meshes: cameras. */
+#include <math.h>
+#include <string.h>
+#include "tests/support/check.h"
+#include "tests/support/folder.h"
+#include "tests/support/gltf_file.h"
+
+static const float positions[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 0 };
+
+/* Writes a triangle in node 0, and further nodes of the scene and members of the top. */
+static void write_nodes(const char *nodes, const char *more)
+{
+    gltf_file_begin();
+    gltf_file_floats(positions, 3, "VEC3");
+    gltf_file_write("'nodes':[{'mesh':0},%s],'meshes':[{'primitives':[{'attributes':{"
+                    "'POSITION':0}}]}]%s",
+                    nodes, more);
+}
+
+/* ---- cameras ---- */
+
+#define PERSPECTIVE "{'name':'lens','type':'perspective','perspective':{'yfov':1,'znear':1}}"
+#define ORTHOGRAPHIC(ymag) \
+    "{'type':'orthographic','orthographic':{'xmag':1,'ymag':" ymag ",'znear':0,'zfar':9}}"
+
+static void cameras_are_listed(void **state)
+{
+    (void)state;
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    write_nodes("{'name':'plan','camera':1,'translation':[0,0,5]},{'camera':0},"
+                "{'name':'front','children':[4],'translation':[7,0,0]},"
+                "{'name':'eye','camera':0,'translation':[0,1,0],'rotation':[0,1,0,0]}",
+                ",'cameras':[" PERSPECTIVE "," ORTHOGRAPHIC("-3") "]");
+    assert_int_equal(gltf_file_load(&model, said), STATUS_OK);
+    assert_non_null(strstr(said, "not drawn: orthographic cameras"));
+    assert_int_equal(model.camera_count, 3);
+    assert_string_equal(model.cameras[0].name, "plan");
+    assert_int_equal(model.cameras[0].kind, MODEL_ORTHOGRAPHIC);
+    CHECK_NEAR(model.cameras[0].height, 6, 1e-6);
+    CHECK_NEAR(model.cameras[0].camera.eye.z, 5, 1e-6);
+    assert_string_equal(model.cameras[1].name, "lens"); /* its node has no name */
+    assert_string_equal(model.cameras[2].name, "eye");
+    CHECK_NEAR(model.cameras[2].camera.fov_deg, 180 / 3.14159265, 1e-4);
+    assert_true(glms_vec3_distance(model.cameras[2].camera.eye, (vec3s){ { 7, 1, 0 } }) < 1e-5F);
+    assert_true(model.cameras[2].camera.target.z > 0.1F); /* turned by half a turn about +Y */
+    assert_true(model.has_camera);
+    assert_memory_equal(&model.camera, &model.cameras[1].camera, sizeof(model.camera));
+    model_finish(&model);
+}
+
+static void cameras_are_checked(void **state)
+{
+    (void)state;
+    static const char *const bad[] = { "0", "1e30", "1e6" };
+    char said[GLTF_FILE_SAID], more[256];
+    struct model model;
+    for (size_t i = 0; i < sizeof(bad) / sizeof(bad[0]); i++) {
+        (void)snprintf(more, sizeof(more), ",'cameras':[" ORTHOGRAPHIC("%s") "]", bad[i]);
+        write_nodes("{'camera':0}", more);
+        assert_int_equal(gltf_file_load(&model, said), STATUS_DATA);
+        assert_non_null(strstr(said, "cameras[0]"));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(cameras_are_listed, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(cameras_are_checked, folder_enter, folder_leave),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
