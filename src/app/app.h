@@ -49,6 +49,7 @@ struct app_vector {
 struct app_scene {
     const char *name; /* SCENE; NULL: it is missing */
     const char *environment, *surroundings, *material;
+    const char *animation;        /* of the model file, or "none"; NULL: its first one, if any */
     struct place place;           /* of the model file */
     bool is_placed;               /* by an option */
     float env_rotate;             /* degrees */
@@ -241,7 +242,8 @@ struct bump_maps_params;
 struct scene_params app_describe_scene(const struct app_scene *given,
                                        struct bump_maps_params *maps);
 
-/* Loads the scene that the options name, and settles what depends on it: settings.refract.ior. */
+/* Loads the scene that the options name, an animated one as it is at motion.time, and settles what
+ * depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_scene *given);
 
 /*
@@ -252,6 +254,14 @@ MUST_USE enum status app_load_scene(struct scene *scene, struct app_scene *given
 MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *given);
 MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *given);
 enum status app_fill_failed(const char *lacking);
+
+/*
+ * Poses a scene of app_begin_scene(), which is at time 0, for another time, seconds: loads an
+ * animated model again, and fills the scene. Of others, and for the time that it is posed for,
+ * nothing happens. Nothing may use the scene. On failure it is as before.
+ */
+MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene *given, float time,
+                                    bool *is_changed);
 
 /* Whether the rung can draw the scene. Logs: STATUS_USAGE. */
 MUST_USE enum status app_check_rung(const struct app_picture *picture, const struct scene *scene);

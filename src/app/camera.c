@@ -56,7 +56,7 @@ static enum status find_named(const struct camera **found, const struct model *m
 static struct camera choose(const struct scene *scene, const struct app_picture *p,
                             const struct camera *own)
 {
-    const vec3s center = box_center(scene->box);
+    const vec3s center = box_center(scene->framed);
     const vec3s target = p->target.is_given ? p->target.value : center;
     const float fov = p->fov_deg > 0.0f ? p->fov_deg : default_fov_deg;
     if (p->eye.is_given)
@@ -67,7 +67,7 @@ static struct camera choose(const struct scene *scene, const struct app_picture 
         turned.target = p->target.is_given ? target : turned.target;
         return turned;
     }
-    float distance = camera_framing_distance(box_diagonal(scene->box), fov, p->width, p->height);
+    float distance = camera_framing_distance(box_diagonal(scene->framed), fov, p->width, p->height);
     if (!(distance > 0.0f)) /* a point, or nothing */
         distance = 1.0f;
     const vec3s orbit = p->orbit.is_given ? p->orbit.value : (vec3s){ { 28.0f, 9.0f, distance } };

@@ -60,6 +60,8 @@ static void clean_names(struct model *model)
         log_clean(model->materials[i].name);
     for (uint32_t i = 0; i < model->camera_count; i++)
         log_clean(model->cameras[i].name);
+    for (uint32_t i = 0; i < model->animation_count; i++)
+        log_clean(model->animations[i].name);
 }
 
 static void print_objects(const struct model *model)
@@ -109,6 +111,17 @@ static void print_cameras(const struct model *model)
     }
 }
 
+static void print_animations(const struct model *model)
+{
+    if (model->animation_count)
+        printf("\nanimations; --animation takes a name or a number:\n  %-3s %-24s %s\n", "no.",
+               "name", "seconds");
+    for (uint32_t i = 0; i < model->animation_count; i++)
+        printf("  %-3u %-24s %g\n", i,
+               model->animations[i].name[0] ? model->animations[i].name : "(no name)",
+               (double)model->animations[i].seconds);
+}
+
 static void print_text(struct scene *scene)
 {
     const struct model *model = &scene->model;
@@ -127,6 +140,7 @@ static void print_text(struct scene *scene)
                (double)model->camera.target.y, (double)model->camera.target.z,
                (double)model->camera.fov_deg);
     print_cameras(model);
+    print_animations(model);
     print_objects(model);
     if (model->material_count)
         printf("\nmaterials:\n  %-24s %-10s %-6s %-10s %-9s %s\n", "name", "kind", "index",
@@ -212,15 +226,25 @@ static json_t *cameras_of(const struct model *model)
     return all;
 }
 
+static json_t *animations_of(const struct model *model)
+{
+    json_t *all = json_array();
+    for (uint32_t i = 0; i < model->animation_count && all; i++)
+        all = json_text_append(all,
+                               json_pack("{s:o, s:f}", "name", text_of(model->animations[i].name),
+                                         "seconds", json_text_float(model->animations[i].seconds)));
+    return all;
+}
+
 static enum status print_json(const char *name, const struct scene *scene)
 {
     const struct model *model = &scene->model;
-    json_t *root = json_pack("{s:o, s:i, s:i, s:o, s:o, s:o, s:o, s:o}", "scene", text_of(name),
-                             "surrounding_triangles", (int)(model->surroundings.index_count / 3),
-                             "textures", (int)(model->textures.count + model->numbers.count), "min",
-                             vector(scene->box.min), "max", vector(scene->box.max), "objects",
-                             objects_of(model), "materials", materials_of(model), "cameras",
-                             cameras_of(model));
+    json_t *root = json_pack(
+        "{s:o, s:i, s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "scene", text_of(name),
+        "surrounding_triangles", (int)(model->surroundings.index_count / 3), "textures",
+        (int)(model->textures.count + model->numbers.count), "min", vector(scene->box.min), "max",
+        vector(scene->box.max), "objects", objects_of(model), "materials", materials_of(model),
+        "cameras", cameras_of(model), "animations", animations_of(model));
     if (root && model->has_camera)
         (void)json_object_set_new(root, "camera",
                                   json_pack("{s:o, s:o, s:f}", "eye", vector(model->camera.eye),

@@ -66,6 +66,8 @@ static void print_place(FILE *out, const struct app_scene *scene)
         fprintf(out, " scale=%.9g", (double)place->scale);
     if (glms_vec3_norm2(place->rotate_deg) > 0.0f)
         print_vector(out, "rotate", place->rotate_deg);
+    if (scene->animation)
+        fprintf(out, " animation=%s", scene->animation);
 }
 
 static void print_surroundings(FILE *out, const struct app_scene *scene)

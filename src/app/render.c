@@ -29,8 +29,10 @@ struct job {
     struct report report;
     struct signals stop;
     struct scene scene;
-    const char *lacking; /* what there was no memory for when the scene was filled; or NULL */
-    struct camera camera;
+    bool is_opened;       /* open_renderer() has said what there is to say */
+    bool is_filled;       /* the scene is whole: app_pose_scene() */
+    const char *lacking;  /* what there was no memory for when the scene was filled; or NULL */
+    struct camera camera; /* at time 0; that of an animated model may move */
     struct gpu gpu;
     struct renderer *renderer;      /* it or ... */
     struct reference *reference;    /* ... it draws; NULL until a frame needs it */
@@ -220,7 +222,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
     };
     char names[REFERENCE_NAMES_SIZE];
     enum status status = reference_create(&job->reference, &request);
-    if (status == STATUS_OK && !job->o.run.quiet &&
+    if (status == STATUS_OK && !job->o.run.quiet && !job->is_opened &&
         reference_leaves_out(params->settings, names, sizeof(names)))
         log_warning("--refraction reference: draws only the smooth object, without %s", names);
     return status;
@@ -246,14 +248,17 @@ static void *fill_scene(void *user)
 static enum status open_device(struct job *job)
 {
     pthread_t thread;
+    if (job->gpu.device)
+        return STATUS_OK;
     if (is_small(job))
         cpu_driver_prefer_start();
-    const bool is_beside = pthread_create(&thread, NULL, fill_scene, job) == 0;
+    const bool is_beside = !job->is_filled && pthread_create(&thread, NULL, fill_scene, job) == 0;
     const enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (is_beside)
         pthread_join(thread, NULL);
-    else if (status == STATUS_OK)
+    else if (status == STATUS_OK && !job->is_filled)
         fill_scene(job);
+    job->is_filled = true;
     return status == STATUS_OK && job->lacking ? app_fill_failed(job->lacking) : status;
 }
 
@@ -275,7 +280,7 @@ static enum status open_renderer(struct job *job)
     }
     if (params.linear)
         params.layers = p->layers;
-    else if (p->layers)
+    else if (p->layers && !job->is_opened)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
     params.layers |= layer_picture_bit(p->show);
     params.linear = params.linear || (job->makes_png && !p->show);
@@ -329,6 +334,25 @@ static void note(struct job *job, uint32_t index, struct report_frame news)
     signals_release(&job->stop);
 }
 
+/* Poses an animated model for a frame, which needs another renderer then. */
+static enum status pose(struct job *job, struct frame *frame)
+{
+    struct renderer_shot *shot = &frame->output.shot;
+    bool is_changed;
+    if (!job->scene.model.animation)
+        return STATUS_OK;
+    if (job->scene.time < shot->time || job->scene.time > shot->time) {
+        renderer_destroy(job->renderer);
+        reference_destroy(job->reference);
+        job->renderer = NULL;
+        job->reference = NULL;
+    }
+    enum status status =
+        app_pose_scene(&job->scene, &job->o.picture.scene, shot->time, &is_changed);
+    job->is_filled = job->is_filled || (status == STATUS_OK && is_changed);
+    return status == STATUS_OK ? app_camera(&shot->camera, &job->scene, &job->o.picture) : status;
+}
+
 static enum status run_frame(struct job *job, uint32_t index)
 {
     const double begin = clock_seconds();
@@ -339,8 +363,10 @@ static enum status run_frame(struct job *job, uint32_t index)
         report_hash(frame.output.settings, news.hash);
     if (status == STATUS_OK && !frame_is_current(&frame, job->o.run.outputs.count)) {
         news.state = REPORT_DRAWN;
-        if (!job->renderer && !job->reference)
+        status = pose(job, &frame);
+        if (status == STATUS_OK && !job->renderer && !job->reference)
             status = open_renderer(job);
+        job->is_opened = true;
         if (status == STATUS_OK)
             status = draw(job, &frame);
     }

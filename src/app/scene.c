@@ -184,11 +184,14 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
     const struct bubbles_params *spheres = settings_of(&given->settings, &bubbles_settings);
     const struct cracks_params *sheets = settings_of(&given->settings, &cracks_settings);
     const struct pool_params *pool = settings_of(&given->settings, &pool_settings);
+    const bool is_at_rest = given->animation && !strcmp(given->animation, "none");
     *maps = (struct bump_maps_params){ .smooth = bumps->mask, .seed = bumps->seed };
     return (struct scene_params){
         .name = given->name,
         .surroundings = given->surroundings,
         .place = given->is_placed ? &given->place : NULL,
+        .pose = { .animation = is_at_rest ? NULL : given->animation,
+                  .is_first = !given->animation },
         .environment = given->environment,
         .environment_turn = given->env_rotate / 360.0f - floorf(given->env_rotate / 360.0f),
         .environment_exposure = given->env_exposure,
@@ -221,10 +224,38 @@ enum status app_fill_failed(const char *lacking)
     return STATUS_TRY_AGAIN;
 }
 
+enum status app_pose_scene(struct scene *scene, const struct app_scene *given, float time,
+                           bool *is_changed)
+{
+    struct bump_maps_params maps;
+    struct scene posed;
+    *is_changed = scene->model.animation && (time < scene->time || time > scene->time);
+    if (!*is_changed)
+        return STATUS_OK;
+    struct scene_params params = app_describe_scene(given, &maps);
+    struct reader_params reader = given->reader;
+    reader.no_warnings = true; /* the first time has said them */
+    params.decode = &reader;
+    params.pose.time = time;
+    params.later = false;
+    const enum status status = scene_load(&posed, &params);
+    if (status != STATUS_OK)
+        return status;
+    posed.settled_ior = scene->settled_ior;
+    posed.framed = scene->framed;
+    scene_finish(scene);
+    *scene = posed;
+    return STATUS_OK;
+}
+
 enum status app_load_scene(struct scene *scene, struct app_scene *given)
 {
+    const struct motion_params *motion = settings_of(&given->settings, &motion_settings);
+    bool is_filled = false;
     enum status status = app_begin_scene(scene, given);
-    const char *lacking = status == STATUS_OK ? app_fill_scene(scene, given) : NULL;
+    if (status == STATUS_OK)
+        status = app_pose_scene(scene, given, motion->time, &is_filled);
+    const char *lacking = status == STATUS_OK && !is_filled ? app_fill_scene(scene, given) : NULL;
     if (lacking)
         status = app_fill_failed(lacking);
     if (status != STATUS_OK)
@@ -232,13 +263,15 @@ enum status app_load_scene(struct scene *scene, struct app_scene *given)
     return status;
 }
 
-/* Only files can be placed. */
+/* Only files can be placed, and move. */
 static enum status check_place(const struct app_scene *given)
 {
-    if (!given->is_placed || !scene_find_builtin(given->name))
+    const char *options = given->is_placed   ? "--up, --scale and --rotate"
+                          : given->animation ? "--animation"
+                                             : NULL;
+    if (!options || !scene_find_builtin(given->name))
         return STATUS_OK;
-    log_error("--up, --scale and --rotate: not available for the built-in scene '%s': expected a "
-              "model file",
+    log_error("%s: not available for the built-in scene '%s': expected a model file", options,
               given->name);
     return STATUS_USAGE;
 }

@@ -163,10 +163,12 @@ static int start(struct reader *reader, enum reader_kind kind)
     const uint32_t values[] = { kind + 1u, reader->params.seconds, reader->params.memory_gib,
                                 reader->params.no_sandbox };
     char *file = strdup(reader->path);
+    char *details = strdup(reader->params.details ? reader->params.details : "");
     for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
         snprintf(numbers[i], sizeof(numbers[i]), "%u", values[i]);
-    char *const argv[] = { name, word, file, numbers[0], numbers[1], numbers[2], numbers[3], NULL };
-    int failed = file ? 0 : ENOMEM;
+    char *const argv[] = { name,       word,       file,    numbers[0], numbers[1],
+                           numbers[2], numbers[3], details, NULL };
+    int failed = file && details ? 0 : ENOMEM;
     if (!failed && (!open_pipe(data) || !open_pipe(words)))
         failed = errno;
     if (!failed) {
@@ -174,6 +176,7 @@ static int start(struct reader *reader, enum reader_kind kind)
         failed = spawn(&reader->process, reader->params.program, argv, data[1], words[1]);
     }
     free(file);
+    free(details);
     close_end(&data[1]);
     close_end(&words[1]);
     reader->data = data[0];
@@ -433,7 +436,8 @@ static enum status judge(const struct reader *reader, enum pipe_fault fault)
                   pipe_words(fault));
         return STATUS_DATA;
     }
-    repeat(reader, SAID_SIZE);
+    if (!reader->params.no_warnings)
+        repeat(reader, SAID_SIZE);
     return STATUS_OK;
 }
 

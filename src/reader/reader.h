@@ -57,6 +57,8 @@ struct reader_params {
                               since it waits for a FIFO or a file server; 0: READER_IDLE_SECONDS */
     uint32_t memory_gib;   /* limit of address space; 0: READER_MEMORY_GIB */
     bool no_sandbox;       /* for debugging: limits alone */
+    bool no_warnings;      /* of the child: not repeated */
+    const char *details;   /* what the child's kind needs to know beside the path; NULL: "" */
 };
 
 struct reader;
@@ -82,6 +84,7 @@ void reader_drop(struct reader *reader);
 struct reader_job {
     enum reader_kind kind;
     const char *path;
+    const char *details; /* of the parameters; may be "" */
     bool no_sandbox;
 };
 

@@ -13,7 +13,8 @@
 
 enum {
     OPEN_FILE_MAX = 32,
-    WORD_COUNT = 7, /* program, READER_WORD, path, kind, seconds, GiB, no sandbox (0 or 1) */
+    WORD_COUNT =
+        8, /* program, READER_WORD, path, kind, seconds, GiB, no sandbox (0 or 1), details */
 };
 
 bool reader_is_wanted(int argc, char **argv)
@@ -65,7 +66,12 @@ bool reader_enter(int argc, char **argv, struct reader_job *job)
     }
     const enum reader_kind kind = (enum reader_kind)(numbers[0] - 1);
     const uint32_t seconds = numbers[1];
-    *job = (struct reader_job){ .kind = kind, .path = argv[2], .no_sandbox = numbers[3] };
+    *job = (struct reader_job){
+        .kind = kind,
+        .path = argv[2],
+        .details = argv[7],
+        .no_sandbox = numbers[3],
+    };
 
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     bool done = !is_orphan() && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_FSIZE, 0, 0) &&

@@ -132,7 +132,7 @@ static enum status load_file(struct model *model, const struct scene_params *par
     char *path;
     enum status status = locate(params->name, ASSET_SCENE, &path);
     if (status == STATUS_OK)
-        status = decode_model(model, path, MODEL_OBJECT, params->decode);
+        status = decode_model(model, path, MODEL_OBJECT, &params->pose, params->decode);
     if (status == STATUS_OK && params->place)
         status = place_model(model, params->place, path);
     free(path);
@@ -204,7 +204,7 @@ static enum status add_surroundings(struct scene *scene, const struct scene_para
 {
     struct model model = { 0 };
     enum status status =
-        decode_model(&model, params->surroundings, MODEL_SURROUNDINGS, params->decode);
+        decode_model(&model, params->surroundings, MODEL_SURROUNDINGS, NULL, params->decode);
     if (status == STATUS_OK)
         status = model_add_surroundings(&scene->model, &model);
     model_finish(&model);
@@ -344,6 +344,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
                                  &scene->model.object, scene->model.materials);
     if (!scene->has_pool)
         scene->box = mesh_box(&scene->model.object);
+    scene->framed = scene->box;
+    scene->time = params->pose.time;
     scene->is_convex = mesh_is_convex(&scene->model.object);
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
     bool bare = !params->surroundings && !scene->model.surroundings.index_count;

@@ -33,11 +33,14 @@ struct scene {
     struct environment cube; /* replaces the environment cube that env_cube draws; may be {0} */
     struct bump_maps bump;   /* of the object's surface; {0}: none */
     struct box box;          /* of the object, or of the pool */
-    struct box floe;         /* of the object in the pool; {0}: there is none */
-    struct box around;       /* for refract.lookup=box: the box that a model names, or that of
+    struct box framed;  /* what a camera that nobody places shows: `box`, of an animated model that
+                        * at time 0 */
+    float time;         /* that an animated model is posed for, seconds */
+    struct box floe;    /* of the object in the pool; {0}: there is none */
+    struct box around;  /* for refract.lookup=box: the box that a model names, or that of
                                    * the surroundings without moving objects; {0}: none */
-    struct mesh cracks;      /* in the object's space; may be empty */
-    struct mesh air;         /* planes of air in the object's space; may be empty */
+    struct mesh cracks; /* in the object's space; may be empty */
+    struct mesh air;    /* planes of air in the object's space; may be empty */
     struct air_layers air_layers; /* textures of the planes of air */
     struct bubbles bubbles;       /* in the object's space */
     float settled_ior;            /* the value of refract.ior that comes from the model; 0: none */
@@ -59,6 +62,7 @@ struct scene_params {
     float environment_turn;   /* of a picture of the background: environment.turn */
     float environment_exposure;          /* of the file, stops */
     const struct place *place;           /* of the model file; NULL: as it is */
+    struct model_pose pose;              /* of the model file */
     const vec3s *background;             /* colour; NULL: the sky */
     bool is_hidden;                      /* scene.is_hidden */
     uint32_t object_triangles;           /* of a built-in object; 0: its default */

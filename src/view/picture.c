@@ -215,6 +215,14 @@ static bool same_frame(const struct picture *p, const struct app_picture *a,
            frame_draws_cube(&b->scene.settings, &p->scene);
 }
 
+/* Whether the model has to be loaded again for its pose at another motion.time. */
+static bool changes_pose(const struct picture *p, const struct settings *settings)
+{
+    const struct motion_params *motion = settings_of(settings, &motion_settings);
+    return p->scene.model.animation &&
+           (motion->time < p->scene.time || motion->time > p->scene.time);
+}
+
 enum status picture_change(struct picture **picture, const struct settings *settings,
                            const struct technique *rung, bool *remade)
 {
@@ -225,7 +233,8 @@ enum status picture_change(struct picture **picture, const struct settings *sett
     wanted.scene.settings = *settings;
     wanted.rung = rung;
     memset(wanted.scene.is_set, true, sizeof(wanted.scene.is_set)); /* all is in the settings */
-    if (settings_changed(&before.scene.settings, settings) == SETTING_AFFECTS_SCENE) {
+    if (settings_changed(&before.scene.settings, settings) == SETTING_AFFECTS_SCENE ||
+        changes_pose(p, settings)) {
         *remade = true;
         return replace(picture, &wanted, true);
     }
@@ -255,6 +264,7 @@ enum status picture_open(struct picture **picture, const char *path, bool *remad
         state.scene.name = path;
         /* those were of the object before */
         state.camera = NULL;
+        state.scene.animation = NULL;
         state.eye.is_given = state.target.is_given = state.orbit.is_given = false;
     }
     const enum status status = replace(picture, &state, environment);

@@ -59,8 +59,13 @@ static enum status load(void *user)
     struct view *v = user;
     if (v->picture)
         return picture_upload(v->picture);
-    return picture_create(&v->picture, &v->gpu, &v->options->picture, v->watch,
-                          v->options->run.quiet);
+    const enum status status =
+        picture_create(&v->picture, &v->gpu, &v->options->picture, v->watch, v->options->run.quiet);
+    if (status == STATUS_OK && v->picture->scene.model.animation && !v->options->run.quiet)
+        log_warning("%s: the window shows the model's animation at motion.time=%g alone; firn "
+                    "render --frames draws it",
+                    v->options->picture.scene.name, (double)v->picture->scene.time);
+    return status;
 }
 
 void view_show_ui(struct view *v, bool shown)

@@ -47,3 +47,23 @@ def with_nodes(text, *nodes, **more):
     scene['nodes'] += nodes
     scene['scenes'][0]['nodes'] += range(first, first + len(nodes))
     return json.dumps({**scene, **more})
+
+
+def slide(text, node, seconds, path, name='slide'):
+    """A file of boxes() in which a node moves evenly along (from, to); a further animation if there
+    is one."""
+    scene = json.loads(text)
+    data = struct.pack('<2f6f', 0, seconds, *path[0], *path[1])
+    uri = 'data:application/octet-stream;base64,' + base64.b64encode(data).decode()
+    buffer, view, accessor = (len(scene[key]) for key in ('buffers', 'bufferViews', 'accessors'))
+    scene['buffers'].append({'byteLength': len(data), 'uri': uri})
+    scene['bufferViews'] += [{'buffer': buffer, 'byteLength': 8},
+                             {'buffer': buffer, 'byteOffset': 8, 'byteLength': 24}]
+    scene['accessors'] += [{'bufferView': view, 'componentType': 5126, 'count': 2,
+                            'type': 'SCALAR', 'min': [0], 'max': [seconds]},
+                           {'bufferView': view + 1, 'componentType': 5126, 'count': 2,
+                            'type': 'VEC3'}]
+    scene.setdefault('animations', []).append({
+        'name': name, 'samplers': [{'input': accessor, 'output': accessor + 1}],
+        'channels': [{'sampler': 0, 'target': {'node': node, 'path': 'translation'}}]})
+    return json.dumps(scene)

@@ -74,6 +74,7 @@ static void make(struct pipe_stream *stream, bool is_model)
     struct object objects[2] = { { .index_count = 3 }, { .first_index = 3, .index_count = 3 } };
     struct material material = material_make("glass");
     struct model_camera camera = { .camera = { .eye = { { 0, 0, 2 } }, .fov_deg = 45 } };
+    struct model_animation animation = { "walk", 1 };
     const struct model model = {
         .object = { vertices, indices, 4, 6 },
         .objects = objects,
@@ -82,6 +83,9 @@ static void make(struct pipe_stream *stream, bool is_model)
         .material_count = 1,
         .cameras = &camera,
         .camera_count = 1,
+        .animations = &animation,
+        .animation_count = 1,
+        .animation = 1,
         .surroundings = { vertices, indices, 4, 6 },
         .textures = { texels, 2, 2 },
         .camera = { .eye = { { 0, 0, 2 } }, .fov_deg = 45 },

@@ -210,7 +210,7 @@ static enum status decode(const struct reader_params *params, const char *path, 
     FILE *caught = tmpfile();
     assert_true(kept >= 0 && caught);
     dup2(fileno(caught), STDERR_FILENO);
-    const enum status status = decode_model(model, path, MODEL_OBJECT, params);
+    const enum status status = decode_model(model, path, MODEL_OBJECT, NULL, params);
     dup2(kept, STDERR_FILENO);
     close(kept);
     rewind(caught);
@@ -277,7 +277,7 @@ static void models_come_back(void **state)
     model_finish(&model);
     model_finish(&wanted);
 
-    assert_int_equal(decode_model(&model, tent, MODEL_SURROUNDINGS, &usual), STATUS_OK);
+    assert_int_equal(decode_model(&model, tent, MODEL_SURROUNDINGS, NULL, &usual), STATUS_OK);
     assert_int_equal(model.object.vertex_count, 0);
     assert_int_equal(model.surroundings.index_count, 12);
     model_finish(&model);

@@ -1,4 +1,5 @@
-/* test_gltf_nodes.c: what nodes of a glTF file hold beside meshes: cameras. */
+/* test_gltf_nodes.c: what nodes of a glTF file hold beside meshes: cameras, and the animations that
+ * move them. */
 #include <math.h>
 #include <string.h>
 #include "tests/support/check.h"
@@ -63,11 +64,48 @@ static void cameras_are_checked(void **state)
     }
 }
 
+/* ---- animations ---- */
+
+static void animations_are_listed(void **state)
+{
+    (void)state;
+    const float times[2] = { 0, 2.5F };
+    const float places[6] = { 1, 0, 0, 5, 0, 0 };
+    struct model model;
+    gltf_file_begin();
+    gltf_file_floats(positions, 3, "VEC3");
+    gltf_file_accessor(gltf_file_view(times, sizeof(times), ""), GLTF_FILE_FLOAT, 2, "SCALAR",
+                       ",'max':[2.5]");
+    gltf_file_floats(places, 2, "VEC3");
+    gltf_file_write(
+        "'nodes':[{'mesh':0},{'camera':0}],'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}"
+        "],'cameras':[" PERSPECTIVE "],'animations':[{'name':'drive','samplers':[{'input':1,"
+        "'output':2}],'channels':[{'sampler':0,'target':{'node':1,'path':'translation'}}]},"
+        "{'samplers':[],'channels':[]}]");
+    static const struct model_pose poses[] = { { .is_first = true, .time = 1.25F },
+                                               { .animation = "drive", .time = 1.25F },
+                                               { .animation = "1" },
+                                               { .animation = NULL } };
+    static const uint32_t wanted[] = { 1, 1, 2, 0 };
+    for (size_t i = 0; i < 4; i++) {
+        assert_int_equal(model_load_posed(&model, "m.gltf", MODEL_OBJECT, &poses[i]), STATUS_OK);
+        assert_int_equal(model.animation_count, 2);
+        assert_int_equal(model.animation, wanted[i]);
+        assert_string_equal(model.animations[0].name, "drive");
+        assert_string_equal(model.animations[1].name, "");
+        CHECK_NEAR(model.animations[0].seconds, 2.5, 1e-6);
+        CHECK_NEAR(model.animations[1].seconds, 0, 0);
+        CHECK_NEAR(model.camera.eye.x, i < 2 ? 3 : 0, 1e-6); /* half way from 1 to 5 */
+        model_finish(&model);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(cameras_are_listed, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(cameras_are_checked, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(animations_are_listed, folder_enter, folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

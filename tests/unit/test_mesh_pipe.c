@@ -17,16 +17,19 @@ enum {
     NUMBER_SIZE_AT = 40,
     NUMBER_COUNT_AT = 44,
     CAMERA_COUNT_AT = 48,
-    CAMERA_AT = 52, /* eye, target, up, angle */
-    IOR_AT = 92,
-    BOX_AT = 96,
-    VERTICES_AT = 120,
+    ANIMATION_COUNT_AT = 52,
+    ANIMATION_AT = 56,
+    CAMERA_AT = 60, /* eye, target, up, angle */
+    IOR_AT = 100,
+    BOX_AT = 104,
+    VERTICES_AT = 128,
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
     MESH_SIZE = 4 * VERTEX_SIZE + 6 * 4,
     OBJECTS_AT = VERTICES_AT + 2 * MESH_SIZE,
     MATERIALS_AT = OBJECTS_AT + 2 * (int)sizeof(struct object),
     CAMERAS_AT = MATERIALS_AT + 2 * (int)sizeof(struct material),
+    ANIMATIONS_AT = CAMERAS_AT + 2 * (int)sizeof(struct model_camera),
 };
 
 static struct mesh make_square(uint32_t material)
@@ -73,6 +76,15 @@ static void add_cameras(struct model *model)
     };
 }
 
+static void add_animations(struct model *model)
+{
+    model->animations = calloc(2, sizeof(*model->animations));
+    assert_non_null(model->animations);
+    model->animation_count = 2;
+    model->animation = 2;
+    model->animations[1] = (struct model_animation){ "walk", 1.5F };
+}
+
 static struct model make_model(void)
 {
     struct model model = {
@@ -89,6 +101,7 @@ static struct model make_model(void)
     };
     add_objects(&model);
     add_cameras(&model);
+    add_animations(&model);
     assert_true(model.textures.texels && model.numbers.texels);
     memcpy(model.numbers.texels, "text", 4);
     for (uint8_t i = 0; i < 32; i++)
@@ -141,6 +154,9 @@ static void model_comes_through(void **state)
     assert_memory_equal(model.materials, wanted.materials, 2 * sizeof(struct material));
     assert_int_equal(model.camera_count, 2);
     assert_memory_equal(model.cameras, wanted.cameras, 2 * sizeof(struct model_camera));
+    assert_int_equal(model.animation_count, 2);
+    assert_int_equal(model.animation, 2);
+    assert_memory_equal(model.animations, wanted.animations, 2 * sizeof(struct model_animation));
     assert_memory_equal(&model.camera, &wanted.camera, sizeof(wanted.camera));
     CHECK_NEAR(model.ior, 1.5, 1e-6);
     assert_memory_equal(&model.box, &wanted.box, sizeof(wanted.box));
@@ -230,6 +246,21 @@ static void listed_cameras_are_checked(void **state)
     refuse(camera, &(vec3s){ { 0, 0, 0 } }, sizeof(vec3s), PIPE_CAMERA);
     refuse_number(second + offsetof(struct model_camera, height), 0, PIPE_CAMERA);
     refuse_number(second + offsetof(struct model_camera, height), NAN, PIPE_CAMERA);
+}
+
+static void animations_are_checked(void **state)
+{
+    const size_t seconds = ANIMATIONS_AT + offsetof(struct model_animation, seconds);
+    char endless[MATERIAL_NAME_SIZE];
+    (void)state;
+    memset(endless, 'x', sizeof(endless));
+    refuse_word(ANIMATION_COUNT_AT, 4097, PIPE_SIZE);
+    refuse_word(ANIMATION_COUNT_AT, 1, PIPE_SIZE); /* the second one poses the model */
+    refuse_word(ANIMATION_AT, 3, PIPE_SIZE);
+    refuse(ANIMATIONS_AT, endless, sizeof(endless), PIPE_NUMBER);
+    refuse_number(seconds, NAN, PIPE_NUMBER);
+    refuse_number(seconds, -1, PIPE_NUMBER);
+    refuse_number(seconds, 2e9F, PIPE_NUMBER);
 }
 
 static void vertices_are_checked(void **state)
@@ -385,6 +416,7 @@ int main(void)
         cmocka_unit_test(heads_are_checked),
         cmocka_unit_test(cameras_are_checked),
         cmocka_unit_test(listed_cameras_are_checked),
+        cmocka_unit_test(animations_are_checked),
         cmocka_unit_test(vertices_are_checked),
         cmocka_unit_test(objects_are_checked),
         cmocka_unit_test(materials_are_checked),

@@ -179,6 +179,8 @@ static const struct option options[] = {
       "scale of a model file, 1e-6 to 1e6, not of --surroundings (1)" },
     { "Scene", "rotate", 0, "X,Y,Z", SCENES, SCENE(option_rotate),
       "rotation of a model file about X, Y, Z, degrees, not of --surroundings" },
+    { "Scene", "animation", 0, "NAME|N", SCENES, TEXT(picture.scene.animation),
+      "animation of a model file, name, number from 0, or none (the first)" },
     { "Scene", "env", 'e', "FILE", SCENES, INPUT(picture.scene.environment),
       "environment: name (firn list environments), .exr, .hdr or firn bake's cube (sky)" },
     { "Scene", "env-rotate", 0, "DEG", SCENES, SCENE(option_env_rotate),

@@ -1,25 +1,61 @@
 /* decode.c: models, panoramas and pictures through a reader process: both of its ends. */
 #include "src/scene/import/decode.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/reader/picture_reader.h"
 #include "src/reader/preset.h"
 #include "src/scene/import/mesh_pipe.h"
 
-enum status decode_model(struct model *model, const char *path, enum model_part everything_is,
-                         const struct reader_params *params)
+/* A pose as words of the child: '-' at rest, '*' the first animation or '=' a named one, the time
+ * to the last bit, and the name after a space. The caller frees it. */
+static char *print_pose(const struct model_pose *pose)
 {
+    const char *mark = pose->animation ? "=" : pose->is_first ? "*" : "-";
+    const char *name = pose->animation ? pose->animation : "";
+    const size_t size = strlen(name) + 64;
+    char *words = malloc(size);
+    if (words)
+        (void)snprintf(words, size, "%s%a %s", mark, (double)pose->time, name);
+    return words;
+}
+
+static struct model_pose parse_pose(const char *words)
+{
+    struct model_pose pose = { .is_first = words[0] == '*' };
+    char *end;
+    if (words[0] == '\0')
+        return pose;
+    pose.time = strtof(&words[1], &end);
+    if (words[0] == '=' && *end == ' ')
+        pose.animation = end + 1;
+    return pose;
+}
+
+enum status decode_model(struct model *model, const char *path, enum model_part everything_is,
+                         const struct model_pose *pose, const struct reader_params *params)
+{
+    static const struct model_pose at_rest = { 0 };
     struct reader *reader;
     if (!params)
-        return model_load(model, path, everything_is);
+        return model_load_posed(model, path, everything_is, pose ? pose : &at_rest);
     *model = (struct model){ 0 };
+    struct reader_params posed = *params;
+    char *words = print_pose(pose ? pose : &at_rest);
+    if (!words)
+        return log_out_of_memory(path);
+    posed.details = words;
     const enum reader_kind kind =
         everything_is == MODEL_OBJECT ? READER_OBJECT : READER_SURROUNDINGS;
-    const enum status status = reader_start(&reader, params, kind, path);
-    if (status != STATUS_OK)
-        return status;
-    const struct pipe_source source = reader_source(reader);
-    return reader_end(reader, mesh_pipe_read_model(&source, model));
+    enum status status = reader_start(&reader, &posed, kind, path);
+    if (status == STATUS_OK) {
+        const struct pipe_source source = reader_source(reader);
+        status = reader_end(reader, mesh_pipe_read_model(&source, model));
+    }
+    free(words);
+    return status;
 }
 
 enum status decode_environment(struct environment *environment, const char *path,
@@ -42,7 +78,8 @@ static enum status send_model(const struct reader_job *job)
 {
     const enum model_part part = job->kind == READER_OBJECT ? MODEL_OBJECT : MODEL_SURROUNDINGS;
     struct model model;
-    enum status status = model_load(&model, job->path, part);
+    const struct model_pose pose = parse_pose(job->details);
+    enum status status = model_load_posed(&model, job->path, part, &pose);
     if (status == STATUS_OK && !mesh_pipe_write_model(&reader_sink, &model))
         status = STATUS_WRITE;
     model_finish(&model);

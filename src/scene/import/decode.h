@@ -6,9 +6,10 @@
 #include "src/scene/environment.h"
 #include "src/scene/import/model.h"
 
-/* Load a file as model_load() and environment_load() do; if `params` is NULL, in this process. */
+/* Load a file as model_load_posed() (pose NULL: at rest) and environment_load() do; if `params` is
+ * NULL, in this process. */
 MUST_USE enum status decode_model(struct model *model, const char *path,
-                                  enum model_part everything_is,
+                                  enum model_part everything_is, const struct model_pose *pose,
                                   const struct reader_params *params);
 MUST_USE enum status decode_environment(struct environment *environment, const char *path,
                                         const struct reader_params *params);

@@ -210,6 +210,9 @@ MUST_USE enum status gltf_nodes_read(struct gltf *gltf);
 /* Returns an animation by its name or its number from 0; gltf_none after a fault. */
 uint32_t gltf_animation_find(struct gltf *gltf, const char *name);
 
+/* Lists the animations of the file in *model. */
+MUST_USE enum status gltf_animations_read(struct gltf *gltf, struct model *model);
+
 /* Moves nodes to where an animation has them at a time, seconds. */
 void gltf_animate(struct gltf *gltf, uint32_t index, float time);
 

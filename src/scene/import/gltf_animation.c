@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/suggest.h"
 #include "src/scene/import/gltf.h"
 
 enum {
@@ -160,18 +161,61 @@ uint32_t gltf_animation_find(struct gltf *gltf, const char *name)
 {
     const struct gltf_object top = gltf_top(gltf);
     const uint32_t count = gltf_list_length(gltf, "animations");
-    char *end;
-    const unsigned long number = strtoul(name, &end, 10);
+    struct suggest suggest = { .word = name };
+    struct suggest_list list = { 0 };
+    char hint[SUGGEST_HINT_SIZE];
+    uint32_t number;
     for (uint32_t i = 0; i < count; i++) {
         const struct gltf_object animation = gltf_element(gltf, "animations", i);
-        if (name[0] && strcmp(gltf_string(&animation, "name", ""), name) == 0)
+        const char *known = gltf_string(&animation, "name", "");
+        if (name[0] && strcmp(known, name) == 0)
             return i;
+        suggest_offer(&suggest, known);
+        suggest_list_add(&list, known);
     }
-    if (name[0] >= '0' && name[0] <= '9' && *end == '\0' && number < count)
-        return (uint32_t)number;
-    (void)gltf_fault(&top, "no animation has the name or number '%.64s'; there are %u", name,
-                     count);
+    if (suggest_number(name, count, &number))
+        return number;
+    (void)gltf_fault(&top, "no animation has the name or number '%.64s'%s; there are %u%s%s", name,
+                     suggest_hint(&suggest, hint), count, count ? ": " : "", list.text);
     return gltf_none;
+}
+
+/* Returns the time of the last key, which glTF wants as the maximum of each sampler's input. */
+static float seconds_of(const struct gltf_object *animation)
+{
+    float seconds = 0;
+    for (uint32_t i = 0; i < gltf_length(animation, "samplers"); i++) {
+        const struct gltf_object sampler = gltf_item(animation, "samplers", i);
+        const uint32_t input = gltf_index(&sampler, "input", "accessors");
+        if (input == gltf_none)
+            continue;
+        const struct gltf_object accessor = gltf_element(animation->gltf, "accessors", input);
+        const json_t *end = json_array_get(json_object_get(accessor.json, "max"), 0);
+        seconds = fmaxf(seconds, (float)json_number_value(end));
+    }
+    return fminf(seconds, (float)MODEL_SECONDS_MAX);
+}
+
+enum status gltf_animations_read(struct gltf *gltf, struct model *model)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    const uint32_t count = gltf_list_length(gltf, "animations");
+    if (count > MODEL_ANIMATION_MAX)
+        return gltf_fault(&top, "expected at most %d animations, got %u", MODEL_ANIMATION_MAX,
+                          count);
+    model->animations = calloc(count + (size_t)1, sizeof(*model->animations));
+    if (!model->animations)
+        return gltf_no_memory(gltf);
+    model->animation_count = count;
+    model->animation = gltf->animation == gltf_none ? 0 : gltf->animation + 1;
+    for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++) {
+        const struct gltf_object object = gltf_element(gltf, "animations", i);
+        struct model_animation *animation = &model->animations[i];
+        (void)snprintf(animation->name, sizeof(animation->name), "%s",
+                       gltf_string(&object, "name", ""));
+        animation->seconds = seconds_of(&object);
+    }
+    return gltf->status;
 }
 
 void gltf_animate(struct gltf *gltf, uint32_t index, float time)

@@ -208,6 +208,8 @@ enum status model_load_gltf(struct model_import *import, struct model *model,
         status = gltf_check(&gltf);
     if (status == STATUS_OK && pose->animation)
         gltf.animation = gltf_animation_find(&gltf, pose->animation);
+    else if (status == STATUS_OK && pose->is_first && gltf_list_length(&gltf, "animations") > 0)
+        gltf.animation = 0;
     if (status == STATUS_OK)
         status = gltf.status;
     if (status == STATUS_OK)
@@ -222,6 +224,8 @@ enum status model_load_gltf(struct model_import *import, struct model *model,
         status = gltf_build(&gltf, model, everything_is);
     if (status == STATUS_OK)
         status = gltf_cameras_read(&gltf, model);
+    if (status == STATUS_OK)
+        status = gltf_animations_read(&gltf, model);
     if (status == STATUS_OK)
         status = gltf_box_read(&gltf, model);
     if (status == STATUS_OK)

@@ -34,6 +34,7 @@ struct model_head {
     uint32_t object_count, material_count;
     struct texture_counts textures, numbers;
     uint32_t camera_count;
+    uint32_t animation_count, animation;
     struct camera camera;
     float ior;
     struct box box;
@@ -47,7 +48,8 @@ struct environment_head {
 _Static_assert(sizeof(struct material) == 492, "no padding");
 _Static_assert(sizeof(struct object) == 104, "no padding");
 _Static_assert(sizeof(struct model_camera) == 112, "no padding");
-_Static_assert(sizeof(struct model_head) == 120, "no padding, so no bytes of this process in it");
+_Static_assert(sizeof(struct model_animation) == 68, "no padding");
+_Static_assert(sizeof(struct model_head) == 128, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */
 
@@ -75,6 +77,8 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
         .textures = { model->textures.size, model->textures.count },
         .numbers = { model->numbers.size, model->numbers.count },
         .camera_count = model->camera_count,
+        .animation_count = model->animation_count,
+        .animation = model->animation,
         .camera = model->camera,
         .ior = model->ior,
         .box = model->box,
@@ -84,6 +88,8 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
            pipe_write(sink, model->objects, model->object_count * sizeof(*model->objects)) &&
            pipe_write(sink, model->materials, model->material_count * sizeof(*model->materials)) &&
            pipe_write(sink, model->cameras, model->camera_count * sizeof(*model->cameras)) &&
+           pipe_write(sink, model->animations,
+                      model->animation_count * sizeof(*model->animations)) &&
            pipe_write(sink, model->textures.texels, texels_size(&model->textures)) &&
            pipe_write(sink, model->numbers.texels, texels_size(&model->numbers)) &&
            pipe_write_end(sink);
@@ -196,7 +202,8 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
         head->object.indices + head->surroundings.indices == 0)
         return PIPE_SIZE;
     if (head->object_count > head->object.indices / 3 || head->material_count > MESH_SURFACE_MAX ||
-        head->camera_count > MODEL_CAMERA_MAX)
+        head->camera_count > MODEL_CAMERA_MAX || head->animation_count > MODEL_ANIMATION_MAX ||
+        head->animation > head->animation_count)
         return PIPE_SIZE;
     if (!are_textures(&head->textures) || !are_textures(&head->numbers))
         return PIPE_SIZE;
@@ -339,6 +346,25 @@ static enum pipe_fault read_cameras(const struct pipe_source *source, uint32_t c
     return fault;
 }
 
+static enum pipe_fault read_animations(const struct pipe_source *source,
+                                       const struct model_head *head, struct model *model)
+{
+    const size_t size = head->animation_count * sizeof(*model->animations);
+    model->animations = malloc(size + 1);
+    if (!model->animations)
+        return PIPE_MEMORY;
+    model->animation_count = head->animation_count;
+    model->animation = head->animation;
+    const enum pipe_fault fault = pipe_read(source, model->animations, size);
+    for (uint32_t i = 0; fault == PIPE_OK && i < head->animation_count; i++) {
+        const struct model_animation *animation = &model->animations[i];
+        if (!memchr(animation->name, 0, sizeof(animation->name)) ||
+            !is_from(animation->seconds, 0, (float)MODEL_SECONDS_MAX))
+            return PIPE_NUMBER;
+    }
+    return fault;
+}
+
 enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct model *model)
 {
     struct model_head head;
@@ -358,6 +384,8 @@ enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct mo
         fault = read_objects(source, &head, model);
     if (fault == PIPE_OK)
         fault = read_cameras(source, head.camera_count, model);
+    if (fault == PIPE_OK)
+        fault = read_animations(source, &head, model);
     if (fault == PIPE_OK)
         fault = read_textures(source, &head.textures, &model->textures);
     if (fault == PIPE_OK)

@@ -26,6 +26,13 @@ static enum status check_file(const char *path)
     return STATUS_OK;
 }
 
+static enum status refuse_animation(const char *path, const char *name)
+{
+    log_error("%s: no animation has the name or number '%.64s': only glTF files have animations",
+              path, name);
+    return STATUS_DATA;
+}
+
 enum status model_load_posed(struct model *model, const char *path, enum model_part everything_is,
                              const struct model_pose *pose)
 {
@@ -39,6 +46,8 @@ enum status model_load_posed(struct model *model, const char *path, enum model_p
         return status;
     if (format->is_gltf)
         status = model_load_gltf(&import, model, everything_is, pose);
+    else if (pose->animation)
+        status = refuse_animation(path, pose->animation);
     else
         status = model_load_assimp(&import, format->suffix, model, everything_is);
     if (status == STATUS_OK)
@@ -131,6 +140,7 @@ void model_finish(struct model *model)
     free(model->objects);
     free(model->materials);
     free(model->cameras);
+    free(model->animations);
     free(model->textures.texels);
     free(model->numbers.texels);
     *model = (struct model){ 0 };

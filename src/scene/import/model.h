@@ -62,6 +62,12 @@ struct model_camera {
                              one means nothing */
 };
 
+/* An animation of a file: of nodes, cameras among them, skins and morph targets. */
+struct model_animation {
+    char name[MATERIAL_NAME_SIZE]; /* "" if it has none */
+    float seconds;                 /* time of its last key; it begins at 0 */
+};
+
 struct model {
     struct mesh object; /* of all refractive objects, one after another */
     struct mesh surroundings;
@@ -73,6 +79,9 @@ struct model {
     struct texture_layers numbers;  /* textures of what is no colour (material.h) */
     struct model_camera *cameras;   /* of the file, in the order of its nodes */
     uint32_t camera_count;
+    struct model_animation *animations;
+    uint32_t animation_count;
+    uint32_t animation;   /* that poses the model, + 1; 0: it is at rest */
     struct camera camera; /* the first perspective one; valid if has_camera */
     float ior;            /* KHR_materials_ior of the object; valid if has_ior */
     struct box box;       /* around the object (refract.lookup=box); valid if has_box */
@@ -88,7 +97,8 @@ enum model_part {
 
 /* When a model is looked at. Only glTF files have animations. */
 struct model_pose {
-    const char *animation; /* its name, or its number from 0; NULL: the model is at rest */
+    const char *animation; /* its name, or its number from 0; NULL: the model is at rest, unless */
+    bool is_first;         /* it is the first one, if the file has any */
     float time;            /* seconds */
 };
 

@@ -15,6 +15,8 @@ enum {
     MODEL_ELEMENT_MAX = 1 << 28, /* vertices, and indices, of one part */
     MODEL_TEXTURE_MAX = 4096,
     MODEL_CAMERA_MAX = 4096,
+    MODEL_ANIMATION_MAX = 4096,
+    MODEL_SECONDS_MAX = 1000000000,
     MODEL_TEXTURE_SIDE_MAX = 2048,       /* texels */
     MODEL_TEXTURES_SIZE_MAX = 512 << 20, /* bytes of all textures */
     MODEL_RADIANCE_MAX = 65504,          /* of unlit colours: the largest half; others: 1 */
