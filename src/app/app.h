@@ -20,6 +20,7 @@ enum {
     APP_POSITIONAL_COUNT = 256, /* words that are not options, and NULL */
     APP_SWEEP_COUNT = 4,        /* --sweep */
     APP_SBATCH_COUNT = 16,      /* --sbatch */
+    APP_NODE_COUNT = 16,        /* --material NODE=... */
 };
 
 /* How a command prints what it prints. */
@@ -49,6 +50,8 @@ struct app_vector {
 struct app_scene {
     const char *name; /* SCENE; NULL: it is missing */
     const char *environment, *surroundings, *material;
+    struct node_material node_materials[APP_NODE_COUNT];
+    uint32_t node_material_count;
     const char *animation;        /* of the model file, or "none"; NULL: its first one, if any */
     struct place place;           /* of the model file */
     bool is_placed;               /* by an option */
@@ -60,6 +63,7 @@ struct app_scene {
     struct settings settings;
     const char *preset;                                                 /* file; NULL: none */
     bool is_set[SETTINGS_FIELD_COUNT], is_preset[SETTINGS_FIELD_COUNT]; /* by --set, --preset */
+    bool quiet;                                                         /* no notes */
     bool plain; /* without what only ice has, and without highlights */
 };
 

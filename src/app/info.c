@@ -259,6 +259,7 @@ enum status app_info(const struct app_options *o)
     struct scene scene;
     given.plain = true; /* neither what firn puts into ice nor its landscape is the scene's */
     given.background.is_given = true;
+    given.quiet = true;
     enum status status = app_load_scene(&scene, &given);
     if (status != STATUS_OK)
         return status;

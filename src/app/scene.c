@@ -161,6 +161,16 @@ enum status app_check_rung(const struct app_picture *picture, const struct scene
     return STATUS_USAGE;
 }
 
+/* Whoever made a file may not have meant it to be ice. */
+static void note_ice(const struct app_scene *given, const struct scene *scene)
+{
+    if (!given->quiet && !given->material && !scene_is_known(given->name) &&
+        frame_media_are_bare(scene))
+        log_note("%s: has no transmissive material, so it is drawn as ice; for another one, such "
+                 "as glass, say --material glass",
+                 given->name);
+}
+
 struct settling {
     struct app_scene *given;
     struct bump_maps_params *maps;
@@ -169,6 +179,7 @@ struct settling {
 static void settle(void *user, const struct scene *scene, struct scene_params *params)
 {
     const struct settling *settling = user;
+    note_ice(settling->given, scene);
     undress(settling->given, scene);
     check_inclusions(settling->given, scene);
     *params = app_describe_scene(settling->given, settling->maps);
@@ -192,6 +203,8 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
         .place = given->is_placed ? &given->place : NULL,
         .pose = { .animation = is_at_rest ? NULL : given->animation,
                   .is_first = !given->animation },
+        .node_materials = given->node_materials,
+        .node_material_count = given->node_material_count,
         .environment = given->environment,
         .environment_turn = given->env_rotate / 360.0f - floorf(given->env_rotate / 360.0f),
         .environment_exposure = given->env_exposure,
@@ -266,9 +279,10 @@ enum status app_load_scene(struct scene *scene, struct app_scene *given)
 /* Only files can be placed, and move. */
 static enum status check_place(const struct app_scene *given)
 {
-    const char *options = given->is_placed   ? "--up, --scale and --rotate"
-                          : given->animation ? "--animation"
-                                             : NULL;
+    const char *options = given->is_placed             ? "--up, --scale and --rotate"
+                          : given->animation           ? "--animation"
+                          : given->node_material_count ? "--material NODE=..."
+                                                       : NULL;
     if (!options || !scene_find_builtin(given->name))
         return STATUS_OK;
     log_error("%s: not available for the built-in scene '%s': expected a model file", options,

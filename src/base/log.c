@@ -58,3 +58,11 @@ void log_warning(const char *format, ...)
     write_line("warning: ", format, arguments);
     va_end(arguments);
 }
+
+void log_note(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    write_line("note: ", format, arguments);
+    va_end(arguments);
+}

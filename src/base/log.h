@@ -18,6 +18,9 @@ void log_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Writes "firn: warning: " and the formatted message and a newline, as log_error() does. */
 void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* Writes "firn: note: " and the formatted message and a newline: what nobody has to mend. */
+void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 /* Logs "WHAT: out of memory", or "out of memory" if `what` is NULL, and returns STATUS_TRY_AGAIN.
  * It is inline, so that analyzers see that it never returns STATUS_OK. */
 static inline enum status log_out_of_memory(const char *what)

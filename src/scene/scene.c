@@ -130,11 +130,19 @@ static enum status locate(const char *name, enum asset_kind kind, char **path)
 static enum status load_file(struct model *model, const struct scene_params *params)
 {
     char *path;
+    struct model_pose pose = params->pose;
+    char *names = node_material_names(params->node_materials, params->node_material_count);
+    if (!names)
+        return log_out_of_memory(params->name);
+    pose.objects = names;
     enum status status = locate(params->name, ASSET_SCENE, &path);
     if (status == STATUS_OK)
-        status = decode_model(model, path, MODEL_OBJECT, &params->pose, params->decode);
+        status = decode_model(model, path, MODEL_OBJECT, &pose, params->decode);
+    if (status == STATUS_OK)
+        status = node_material_apply(model, params->node_materials, params->node_material_count);
     if (status == STATUS_OK && params->place)
         status = place_model(model, params->place, path);
+    free(names);
     free(path);
     return status;
 }

@@ -11,6 +11,7 @@
 #include "src/scene/generate/generate.h"
 #include "src/scene/import/decode.h"
 #include "src/scene/import/model.h"
+#include "src/scene/node_material.h"
 #include "src/scene/place.h"
 
 enum scene_background {
@@ -60,9 +61,11 @@ struct scene_params {
     const char *surroundings; /* model file; NULL: the landscape, if the sky is there too */
     const char *environment;  /* asset, or image file of the background or of a cube; NULL: none */
     float environment_turn;   /* of a picture of the background: environment.turn */
-    float environment_exposure;          /* of the file, stops */
-    const struct place *place;           /* of the model file; NULL: as it is */
-    struct model_pose pose;              /* of the model file */
+    float environment_exposure; /* of the file, stops */
+    const struct place *place;  /* of the model file; NULL: as it is */
+    struct model_pose pose;     /* of the model file; its objects are those of: */
+    const struct node_material *node_materials;
+    uint32_t node_material_count;
     const vec3s *background;             /* colour; NULL: the sky */
     bool is_hidden;                      /* scene.is_hidden */
     uint32_t object_triangles;           /* of a built-in object; 0: its default */

@@ -265,6 +265,7 @@ enum status picture_open(struct picture **picture, const char *path, bool *remad
         /* those were of the object before */
         state.camera = NULL;
         state.scene.animation = NULL;
+        state.scene.node_material_count = 0;
         state.eye.is_given = state.target.is_given = state.orbit.is_given = false;
     }
     const enum status status = replace(picture, &state, environment);

@@ -82,7 +82,7 @@ class Corpus(Case):
         words = done.stderr.decode()
         codes = {REFUSED: CODES, EITHER: (0, *CODES)}.get(wanted, (0,))
         self.assertIn(done.returncode, codes, words)
-        warnings = re.findall(r'(?m)^firn: warning: .*\n', words)
+        warnings = re.findall(r'(?m)^firn: (?:warning|note): .*\n', words)
         self.assertEqual(len(words.splitlines()) - len(warnings), done.returncode != 0, words)
         if done.returncode:
             self.assertRegex(words, r'\Afirn: .{20,}\n\Z')

@@ -74,7 +74,7 @@ class Reader(Case):
         done, unchanged = self.take_over('graph', 'tent.obj', '--sandbox=off')
         self.assertLessEqual(FREE, done)
         self.assertFalse(unchanged)
-        words = self.succeed('graph', 'tent.obj', '--sandbox', 'off').stderr.decode()
+        words = self.succeed('graph', 'tent.obj', '-q', '--sandbox', 'off').stderr.decode()
         self.assertRegex(words, r'\Afirn: warning: --sandbox off: .*\n\Z')
         self.refuse(2, 'graph', 'tent.obj', '--sandbox', 'some', names=['on or off'])
         listed = self.succeed('list', 'sandbox').stdout.decode()

@@ -5,7 +5,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DRIVER, USAGE, Case, main  # noqa: E402
+from case import DATA, NO_DRIVER, USAGE, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass, with_nodes  # noqa: E402
 
@@ -91,6 +91,47 @@ class Scenes(Case):
         self.assertRegex(text, r'(?m)^  box 0 +12  closed +ice$')
         self.assertRegex(text, r'(?m)^  gem +solid +2 .*priority -1$')
         self.refuse(USAGE, 'info', names=['SCENE'])
+
+    def test_a_mesh_without_materials_is_ice(self):
+        (self.folder / 'a.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
+        note = b'firn: note: a.obj: has no transmissive material, so it is drawn as ice'
+        for words, is_said in (((), True), (('--material', 'ice'), False), (('-q',), False)):
+            done = self.succeed('graph', 'a.obj', *words, env=NO_DRIVER)
+            self.assertEqual(done.stderr.startswith(note), is_said, words)
+            self.assertEqual(done.stderr.count(b'\n'), is_said)
+        for name in ('sphere', 'one.gltf'):
+            self.assertNotIn(b'note', self.succeed('graph', name, env=NO_DRIVER).stderr)
+        self.assertNotIn(b'note', self.succeed('info', 'a.obj', env=NO_DRIVER).stderr)
+
+    def test_materials_of_nodes(self):
+        wood = {'name': 'wood', 'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.2, 0.1, 1]}}
+        parts = [(wood, [-1.5, 0, 0], 1), (wood, [1.5, 0, 0], 1)]
+        (self.folder / 'wood.gltf').write_text(boxes(*parts))
+        fifth = (glass(1.7), [1.5, 0, 0], 1)
+        (self.folder / 'same.gltf').write_text(boxes((wood, [-1.5, 0, 0], 1), fifth))
+
+        def draw(*words):
+            self.succeed('render', *words, *SMALL, '-r', 'reference', '--aov', 'fresnel', '-o',
+                         'a.exr', env=NO_DRIVER)
+            return Exr((self.folder / 'a.exr').read_bytes()).read_planes(['fresnel.Z'])
+        made = draw('wood.gltf', '--material', 'box 1=glass,ior=1.7')
+        self.assertEqual(made, draw('same.gltf'))
+        self.assertEqual(draw('two.gltf', '--material', 'box 0=water,ior=1.5', '-m',
+                              'box 1=glass,ior=2'), draw('two.gltf'))
+        both = self.passes('wood.gltf', '--material', 'wood=glass', '-r', 'bounce')[0]
+        self.assertIn('refract_bounce.color.1', both)
+        for code, words, names in (
+                (DATA, ('wood.gltf', '-m', 'bix 1=glass'), ("'bix 1'", 'did you mean \'box 1\'?')),
+                (DATA, ('a.obj', '-m', 'box=glass'), ('a.obj', 'glTF')),
+                (USAGE, ('sphere', '-m', 'box=glass'), ('sphere',)),
+                (USAGE, ('wood.gltf', '-m', 'wood=glas'), ('glas',)),
+                (USAGE, ('wood.gltf', '-m', '=glass'), ('=glass',)),
+                (USAGE, ('wood.gltf', '-m', 'wood=glass,iro=2'), ("'iro'", 'ior')),
+                (USAGE, ('wood.gltf', '-m', 'wood=glass,ior'), ('ior', '1 to 4')),
+                (USAGE, ('wood.gltf', '-m', 'wood=glass,ior=5'), ("'5'", '1 to 4')),
+                (USAGE, ('wood.gltf', '-m', 'wood=glass,'), ("unknown key ''",))):
+            (self.folder / 'a.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
+            self.refuse(code, 'graph', *words, names=names, env=NO_DRIVER)
 
     def write_cameras(self):
         lens = {'type': 'perspective', 'perspective': {'yfov': 0.8, 'znear': 0.1}}

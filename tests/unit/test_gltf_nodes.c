@@ -1,5 +1,5 @@
-/* test_gltf_nodes.c: what nodes of a glTF file hold beside meshes: cameras, and the animations that
- * move them. */
+/* test_gltf_nodes.c: what nodes of a glTF file hold beside meshes: cameras, the animations that
+ * move them, and names that make them refractive. */
 #include <math.h>
 #include <string.h>
 #include "tests/support/check.h"
@@ -100,12 +100,50 @@ static void animations_are_listed(void **state)
     }
 }
 
+/* ---- objects by name ---- */
+
+static void check_objects(const char *names, uint32_t object_triangles, uint32_t surroundings)
+{
+    const struct model_pose pose = { .objects = names };
+    struct model model;
+    assert_int_equal(model_load_posed(&model, "m.gltf", MODEL_OBJECT, &pose), STATUS_OK);
+    if (model.object.index_count != 3 * object_triangles ||
+        model.surroundings.index_count != 3 * surroundings)
+        fail_msg("'%s': %u, %u", names ? names : "", model.object.index_count / 3,
+                 model.surroundings.index_count / 3);
+    model_finish(&model);
+}
+
+static void named_nodes_are_objects(void **state)
+{
+    (void)state;
+    gltf_file_begin();
+    gltf_file_floats(positions, 3, "VEC3");
+    gltf_file_write("'nodes':[{'name':'cup','mesh':0},{'name':'lid','mesh':1},{'name':'wood',"
+                    "'mesh':0},{'name':'tin'}],'materials':[{'name':'tin'},{'name':'wood'}],"
+                    "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]},"
+                    "{'primitives':[{'attributes':{'POSITION':0},'material':1}]}]");
+    check_objects(NULL, 3, 0);
+    check_objects("", 3, 0);
+    check_objects("lid\n", 1, 2);
+    check_objects("lid\ncup\n", 2, 1);
+    check_objects("wood\n", 1, 2); /* the node, not the material */
+    check_objects("tin\n", 2, 1);  /* its node has no mesh */
+    static const char *const bad[] = { "cap\n", "lid\nli\n" };
+    for (size_t i = 0; i < 2; i++) {
+        const struct model_pose pose = { .objects = bad[i] };
+        struct model model;
+        assert_int_equal(model_load_posed(&model, "m.gltf", MODEL_OBJECT, &pose), STATUS_DATA);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(cameras_are_listed, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(cameras_are_checked, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(animations_are_listed, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(named_nodes_are_objects, folder_enter, folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

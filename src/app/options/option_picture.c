@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "src/app/layer_picture.h"
+#include "src/app/options/option_node.h"
 #include "src/app/options/option_values.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
@@ -216,6 +217,8 @@ enum status option_refraction(const struct option *option, void *at, const char 
 enum status option_material(const struct option *option, void *at, const char *value)
 {
     struct app_scene *scene = at;
+    if (strchr(value, '='))
+        return option_node_material(option, scene, value);
     scene->material = value;
     return material_preset_find(value)
                ? STATUS_OK

@@ -164,7 +164,7 @@ static const struct option options[] = {
     { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, PICTURE(option_refraction),
       "refraction rung: paper, bounce, ...; see firn list rungs (paper)" },
     { "Picture", "material", 'm', "NAME", PICTURES, SCENE(option_material),
-      "material: ice, water, glass, ...; see firn list materials (ice)" },
+      "ice, water, glass, ... (firn list materials), or NODE=glass[,ior=1.5,...]" },
     { "Picture", "plain", 0, NULL, PICTURES, FLAG(picture.scene.plain),
       "no cracks, air, bubbles, bumps, frost and highlights but those of --set" },
     { "Picture", "tone-curve", 0, "CURVE", PICTURES, SCENE(option_tone_curve),
@@ -475,6 +475,7 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     }
     if (!(command & (APP_RENDER | APP_FARM)) && refuse_traced(&o->picture) != STATUS_OK)
         return STATUS_USAGE;
+    o->picture.scene.quiet = o->run.quiet;
     if (command != APP_FARM) /* its words tell whether it has outputs */
         app_name_output(o, command);
     enum status status = settle_layers(&o->picture);

@@ -10,22 +10,29 @@
 #include "src/scene/import/mesh_pipe.h"
 
 /* A pose as words of the child: '-' at rest, '*' the first animation or '=' a named one, the time
- * to the last bit, and the name after a space. The caller frees it. */
+ * to the last bit, the name after a space, and in further lines the names of objects. The caller
+ * frees it. */
 static char *print_pose(const struct model_pose *pose)
 {
     const char *mark = pose->animation ? "=" : pose->is_first ? "*" : "-";
     const char *name = pose->animation ? pose->animation : "";
-    const size_t size = strlen(name) + 64;
+    const char *objects = pose->objects ? pose->objects : "";
+    const size_t size = strlen(name) + strlen(objects) + 64;
     char *words = malloc(size);
     if (words)
-        (void)snprintf(words, size, "%s%a %s", mark, (double)pose->time, name);
+        (void)snprintf(words, size, "%s%a %s\n%s", mark, (double)pose->time, name, objects);
     return words;
 }
 
-static struct model_pose parse_pose(const char *words)
+/* The pose points into the words, which are cut. */
+static struct model_pose parse_pose(char *words)
 {
     struct model_pose pose = { .is_first = words[0] == '*' };
-    char *end;
+    char *end = strchr(words, '\n');
+    if (end) {
+        *end = '\0';
+        pose.objects = end + 1;
+    }
     if (words[0] == '\0')
         return pose;
     pose.time = strtof(&words[1], &end);
@@ -78,10 +85,14 @@ static enum status send_model(const struct reader_job *job)
 {
     const enum model_part part = job->kind == READER_OBJECT ? MODEL_OBJECT : MODEL_SURROUNDINGS;
     struct model model;
-    const struct model_pose pose = parse_pose(job->details);
+    char *details = strdup(job->details);
+    if (!details)
+        return log_out_of_memory(job->path);
+    const struct model_pose pose = parse_pose(details);
     enum status status = model_load_posed(&model, job->path, part, &pose);
     if (status == STATUS_OK && !mesh_pipe_write_model(&reader_sink, &model))
         status = STATUS_WRITE;
+    free(details);
     model_finish(&model);
     return status;
 }

@@ -109,9 +109,10 @@ struct gltf {
     struct gltf_bytes *views;   /* those that had to be decompressed; others are {0} */
     struct gltf_node *nodes;
     uint32_t node_count;
-    uint32_t animation; /* that moves the nodes, or gltf_none: they are at rest */
-    float time;         /* of it, seconds */
-    uint32_t *order;    /* nodes of the scene, parents first */
+    uint32_t animation;  /* that moves the nodes, or gltf_none: they are at rest */
+    float time;          /* of it, seconds */
+    const char *objects; /* struct model_pose; NULL: none */
+    uint32_t *order;     /* nodes of the scene, parents first */
     uint32_t order_count;
     struct gltf_mesh *meshes;
     uint32_t mesh_count;

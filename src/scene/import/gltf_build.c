@@ -2,14 +2,20 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/base/suggest.h"
 #include "src/scene/import/gltf.h"
+
+enum {
+    NAMES_MAX = 64, /* of objects */
+};
 
 struct walk {
     struct gltf *gltf;
     struct model_build build;
     enum model_part everything_is;
-    bool is_split;    /* transmission decides the part of each primitive */
-    bool is_counting; /* else the primitives are added */
+    bool is_node[NAMES_MAX]; /* each name of gltf->objects: of a node, else of a material */
+    bool is_split;           /* transmission decides the part of each primitive */
+    bool is_counting;        /* else the primitives are added */
 };
 
 static bool has_transmission(const struct gltf *gltf)
@@ -25,10 +31,75 @@ static bool has_transmission(const struct gltf *gltf)
     return false;
 }
 
-static enum model_part part_of(const struct walk *walk, const struct gltf_primitive *primitive)
+/* ---- objects by name ---- */
+
+/* Returns whether a name is that of the line. */
+static bool is_line(const char *line, const char *name)
+{
+    const size_t length = strcspn(line, "\n");
+    return strlen(name) == length && !strncmp(line, name, length);
+}
+
+static const char *next_line(const char *line)
+{
+    line += strcspn(line, "\n");
+    return line + (*line == '\n');
+}
+
+static bool is_named(const struct walk *walk, const struct gltf_node *node,
+                     const struct gltf_primitive *primitive)
+{
+    const struct gltf *gltf = walk->gltf;
+    const char *line = gltf->objects ? gltf->objects : "";
+    for (size_t i = 0; *line; line = next_line(line), i++) {
+        const char *name =
+            walk->is_node[i] ? node->name : gltf->materials[primitive->material].material.name;
+        if (is_line(line, name))
+            return true;
+    }
+    return false;
+}
+
+/* Finds what the names mean, or suggests others. */
+static enum status find_names(struct walk *walk)
+{
+    struct gltf *gltf = walk->gltf;
+    const struct gltf_object top = gltf_top(gltf);
+    const char *line = gltf->objects ? gltf->objects : "";
+    for (size_t i = 0; *line; line = next_line(line), i++) {
+        char name[MATERIAL_NAME_SIZE], hint[SUGGEST_HINT_SIZE];
+        struct suggest suggest = { .word = name };
+        bool is_there = false;
+        if (i == NAMES_MAX)
+            return gltf_fault(&top, "expected at most %d names of objects", NAMES_MAX);
+        (void)snprintf(name, sizeof(name), "%.*s", (int)strcspn(line, "\n"), line);
+        for (uint32_t k = 0; k < gltf->order_count; k++) {
+            const struct gltf_node *node = &gltf->nodes[gltf->order[k]];
+            if (node->mesh != gltf_none && !strcmp(node->name, name))
+                walk->is_node[i] = true;
+            if (node->mesh != gltf_none)
+                suggest_offer(&suggest, node->name);
+        }
+        for (uint32_t k = 0; k < gltf->material_count; k++) {
+            is_there = is_there || !strcmp(gltf->materials[k].material.name, name);
+            suggest_offer(&suggest, gltf->materials[k].material.name);
+        }
+        if (!is_there && !walk->is_node[i])
+            return gltf_fault(&top, "no node with a mesh, and no material, has the name '%s'%s",
+                              name, suggest_hint(&suggest, hint));
+    }
+    return STATUS_OK;
+}
+
+/* ---- parts ---- */
+
+static enum model_part part_of(const struct walk *walk, const struct gltf_node *node,
+                               const struct gltf_primitive *primitive)
 {
     if (!walk->is_split)
         return walk->everything_is;
+    if (is_named(walk, node, primitive))
+        return MODEL_OBJECT;
     return walk->gltf->materials[primitive->material].material.transmission > 0
                ? MODEL_OBJECT
                : MODEL_SURROUNDINGS;
@@ -91,7 +162,7 @@ static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s 
 {
     struct gltf *gltf = walk->gltf;
     const struct gltf_primitive *primitive = &gltf->meshes[node->mesh].primitives[index];
-    const enum model_part part = part_of(walk, primitive);
+    const enum model_part part = part_of(walk, node, primitive);
     enum status status = STATUS_OK;
     if (primitive->index_count == 0)
         return STATUS_OK;
@@ -180,11 +251,13 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_part e
     struct walk walk = {
         .gltf = gltf,
         .everything_is = everything_is,
-        .is_split = has_transmission(gltf),
+        .is_split = has_transmission(gltf) || (gltf->objects && gltf->objects[0]),
         .is_counting = true,
     };
     model_build_init(&walk.build, gltf->import, model);
-    enum status status = check_shapes(gltf);
+    enum status status = find_names(&walk);
+    if (status == STATUS_OK)
+        status = check_shapes(gltf);
     if (status == STATUS_OK)
         status = walk_nodes(&walk);
     if (status == STATUS_OK)
@@ -201,7 +274,11 @@ enum status model_load_gltf(struct model_import *import, struct model *model,
                             enum model_part everything_is, const struct model_pose *pose)
 {
     struct gltf gltf = {
-        .path = import->path, .import = import, .animation = gltf_none, .time = pose->time
+        .path = import->path,
+        .import = import,
+        .animation = gltf_none,
+        .time = pose->time,
+        .objects = pose->objects,
     };
     enum status status = gltf_open(&gltf);
     if (status == STATUS_OK)

@@ -26,10 +26,16 @@ static enum status check_file(const char *path)
     return STATUS_OK;
 }
 
-static enum status refuse_animation(const char *path, const char *name)
+static enum status refuse_names(const char *path, const char *animation)
 {
-    log_error("%s: no animation has the name or number '%.64s': only glTF files have animations",
-              path, name);
+    if (animation)
+        log_error("%s: no animation has the name or number '%.64s': only glTF files have "
+                  "animations",
+                  path, animation);
+    else
+        log_error("%s: only the nodes of glTF files have materials of their own: expected "
+                  "--material without a node",
+                  path);
     return STATUS_DATA;
 }
 
@@ -46,8 +52,8 @@ enum status model_load_posed(struct model *model, const char *path, enum model_p
         return status;
     if (format->is_gltf)
         status = model_load_gltf(&import, model, everything_is, pose);
-    else if (pose->animation)
-        status = refuse_animation(path, pose->animation);
+    else if (pose->animation || (pose->objects && pose->objects[0]))
+        status = refuse_names(path, pose->animation);
     else
         status = model_load_assimp(&import, format->suffix, model, everything_is);
     if (status == STATUS_OK)

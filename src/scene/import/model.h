@@ -95,11 +95,14 @@ enum model_part {
     MODEL_SURROUNDINGS,
 };
 
-/* When a model is looked at. Only glTF files have animations. */
+/* When a model is looked at, and what of it is an object. Only glTF files have animations. */
 struct model_pose {
     const char *animation; /* its name, or its number from 0; NULL: the model is at rest, unless */
     bool is_first;         /* it is the first one, if the file has any */
     float time;            /* seconds */
+    const char *objects;   /* names of nodes with meshes, or else of materials, each with a newline
+                              at its end: refractive objects whatever their materials say, and if
+                              there are any, nothing else without transmission is; may be NULL */
 };
 
 /* Loads a file; `everything_is` is the part of files without a transmissive material. */

@@ -158,6 +158,8 @@ static void print(FILE *out, const struct ui_command *c)
     print_given(out, "rotate",
                 &(struct app_vector){ glms_vec3_norm2(p->scene.place.rotate_deg) > 0.0f,
                                       p->scene.place.rotate_deg });
+    for (uint32_t i = 0; i < p->scene.node_material_count; i++)
+        print_name(out, "material", p->scene.node_materials[i].words);
     print_name(out, "animation", p->scene.animation);
     print_name(out, "env", p->scene.environment);
     print_number(out, "env-rotate", p->scene.env_rotate);
