@@ -62,6 +62,8 @@ static void clean_names(struct model *model)
         log_clean(model->cameras[i].name);
     for (uint32_t i = 0; i < model->animation_count; i++)
         log_clean(model->animations[i].name);
+    for (uint32_t i = 0; i < model->light_count; i++)
+        log_clean(model->lights[i].name);
 }
 
 static void print_objects(const struct model *model)
@@ -111,6 +113,28 @@ static void print_cameras(const struct model *model)
     }
 }
 
+static void print_lights(const struct model *model)
+{
+    if (model->light_count)
+        printf("\nlights, which are not drawn:\n  %-24s %-11s %s\n", "name", "kind", "what it is");
+    for (uint32_t i = 0; i < model->light_count; i++) {
+        const struct light *m = &model->lights[i];
+        const bool is_far = m->kind == LIGHT_DIRECTIONAL;
+        const vec3s where = is_far ? m->direction : m->position;
+        printf("  %-24s %-11s %g %s, colour %.3g,%.3g,%.3g, %s %g,%g,%g",
+               m->name[0] ? m->name : "(no name)", light_kind_name(m), (double)m->intensity,
+               is_far ? "lux" : "candela", (double)m->color.x, (double)m->color.y,
+               (double)m->color.z, is_far ? "along" : "at", (double)where.x, (double)where.y,
+               (double)where.z);
+        if (m->range > 0.0f)
+            printf(", within %g m", (double)m->range);
+        if (m->kind == LIGHT_SPOT)
+            printf(", cone of %g to %g degrees", (double)glm_deg(m->inner_cone),
+                   (double)glm_deg(m->outer_cone));
+        printf("\n");
+    }
+}
+
 static void print_animations(const struct model *model)
 {
     if (model->animation_count)
@@ -140,6 +164,7 @@ static void print_text(struct scene *scene)
                (double)model->camera.target.y, (double)model->camera.target.z,
                (double)model->camera.fov_deg);
     print_cameras(model);
+    print_lights(model);
     print_animations(model);
     print_objects(model);
     if (model->material_count)
@@ -226,6 +251,30 @@ static json_t *cameras_of(const struct model *model)
     return all;
 }
 
+static json_t *light_of(const struct light *m)
+{
+    json_t *json = json_pack("{s:o, s:s, s:o, s:o, s:o, s:f, s:s}", "name", text_of(m->name),
+                             "kind", light_kind_name(m), "position", vector(m->position),
+                             "direction", vector(m->direction), "color", vector(m->color),
+                             "intensity", json_text_float(m->intensity), "unit",
+                             m->kind == LIGHT_DIRECTIONAL ? "lux" : "candela");
+    if (json && m->range > 0.0f)
+        (void)json_object_set_new(json, "range", json_real(json_text_float(m->range)));
+    if (json && m->kind == LIGHT_SPOT) {
+        (void)json_object_set_new(json, "inner_cone", json_real(json_text_float(m->inner_cone)));
+        (void)json_object_set_new(json, "outer_cone", json_real(json_text_float(m->outer_cone)));
+    }
+    return json;
+}
+
+static json_t *lights_of(const struct model *model)
+{
+    json_t *all = json_array();
+    for (uint32_t i = 0; i < model->light_count && all; i++)
+        all = json_text_append(all, light_of(&model->lights[i]));
+    return all;
+}
+
 static json_t *animations_of(const struct model *model)
 {
     json_t *all = json_array();
@@ -239,12 +288,13 @@ static json_t *animations_of(const struct model *model)
 static enum status print_json(const char *name, const struct scene *scene)
 {
     const struct model *model = &scene->model;
-    json_t *root = json_pack(
-        "{s:o, s:i, s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "scene", text_of(name),
-        "surrounding_triangles", (int)(model->surroundings.index_count / 3), "textures",
-        (int)(model->textures.count + model->numbers.count), "min", vector(scene->box.min), "max",
-        vector(scene->box.max), "objects", objects_of(model), "materials", materials_of(model),
-        "cameras", cameras_of(model), "animations", animations_of(model));
+    json_t *root =
+        json_pack("{s:o, s:i, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "scene", text_of(name),
+                  "surrounding_triangles", (int)(model->surroundings.index_count / 3), "textures",
+                  (int)(model->textures.count + model->numbers.count), "min",
+                  vector(scene->box.min), "max", vector(scene->box.max), "objects",
+                  objects_of(model), "materials", materials_of(model), "cameras", cameras_of(model),
+                  "lights", lights_of(model), "animations", animations_of(model));
     if (root && model->has_camera)
         (void)json_object_set_new(root, "camera",
                                   json_pack("{s:o, s:o, s:f}", "eye", vector(model->camera.eye),

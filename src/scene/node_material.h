@@ -16,8 +16,8 @@ char *node_material_names(const struct node_material *all, uint32_t count);
 
 /*
  * Gives the objects of a model these materials, a later one in place of an earlier one; the index
- * of the first object becomes the model's. Names that no object has change nothing. Logs and returns
- * STATUS_DATA for too many materials, or STATUS_TRY_AGAIN when out of memory.
+ * of the first object becomes the model's. Names that no object has change nothing. Logs and
+ * returns STATUS_DATA for too many materials, or STATUS_TRY_AGAIN when out of memory.
  */
 MUST_USE enum status node_material_apply(struct model *model, const struct node_material *all,
                                          uint32_t count);

@@ -79,6 +79,12 @@ enum status place_model(struct model *model, const struct place *place, const ch
         place_camera(&model->cameras[i].camera, &turn, place);
         model->cameras[i].height *= scale_of(place);
     }
+    for (uint32_t i = 0; i < model->light_count; i++) {
+        struct light *light = &model->lights[i];
+        light->position = glms_vec3_scale(turned(&turn, place, light->position), scale_of(place));
+        light->direction = turned(&turn, place, light->direction);
+        light->range *= scale_of(place);
+    }
     if (model->has_box)
         model->box = place_box(model->box, &turn, place);
     return STATUS_OK;

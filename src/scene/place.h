@@ -12,7 +12,8 @@ struct place {
     float scale;      /* 0 means 1 */
 };
 
-/* Applies it to both meshes, the cameras and the box of a model. Logs, naming `path`, and returns
+/* Applies it to both meshes, the cameras, the lights, whose intensities stay, and the
+ * box of a model. Logs, naming `path`, and returns
  * STATUS_DATA if coordinates are then beyond 1 000 000. */
 MUST_USE enum status place_model(struct model *model, const struct place *place, const char *path);
 

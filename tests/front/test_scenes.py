@@ -184,6 +184,26 @@ class Scenes(Case):
         self.assertEqual(done.returncode, USAGE)
         self.assertIn(b'orthographic, which is not supported', done.stderr)
 
+    def test_lights(self):
+        lights = [{'type': 'directional', 'intensity': 10.5},
+                  {'type': 'spot', 'intensity': 40, 'color': [1, 0.5, 0.25], 'range': 9}]
+        nodes = [{'name': f'lamp {i}', 'translation': [0, 0, 5],
+                  'extensions': {'KHR_lights_punctual': {'light': i}}} for i in range(2)]
+        (self.folder / 'lit.gltf').write_text(with_nodes(
+            boxes((glass(), [0, 0, 0], 1)), *nodes,
+            extensions={'KHR_lights_punctual': {'lights': lights}}))
+        done = self.succeed('info', 'lit.gltf', '--json', env=NO_DRIVER)
+        self.assertEqual(done.stderr, b'firn: warning: lit.gltf: not drawn: lights\n')
+        sun, spot = json.loads(done.stdout)['lights']
+        self.assertEqual((sun['name'], sun['kind'], sun['intensity'], sun['unit']),
+                         ('lamp 0', 'directional', 10.5, 'lux'))
+        self.assertEqual((spot['kind'], spot['unit'], spot['color'], spot['range']),
+                         ('spot', 'candela', [1, 0.5, 0.25], 9))
+        self.assertEqual((spot['position'], spot['direction']), ([0, 0, 5], [0, 0, -1]))
+        text = self.succeed('info', 'lit.gltf', env=NO_DRIVER).stdout.decode()
+        self.assertRegex(text, r'(?m)^  lamp 1 +spot +40 candela, .*, at 0,0,5, within 9 m, cone '
+                               r'of 0 to 45 degrees$')
+
     def test_names_cannot_command_a_terminal(self):
         (self.folder / 'a.gltf').write_text(boxes((glass(name='\x1b[2Jice'), [0, 0, 0], 1)))
         self.assertIn(b' ?[2Jice', self.succeed('info', 'a.gltf', env=NO_DRIVER).stdout)

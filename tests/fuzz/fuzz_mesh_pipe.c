@@ -75,6 +75,7 @@ static void make(struct pipe_stream *stream, bool is_model)
     struct material material = material_make("glass");
     struct model_camera camera = { .camera = { .eye = { { 0, 0, 2 } }, .fov_deg = 45 } };
     struct model_animation animation = { "walk", 1 };
+    struct light light = { .kind = LIGHT_SPOT, .direction = { { 1, 0, 0 } }, .outer_cone = 1 };
     const struct model model = {
         .object = { vertices, indices, 4, 6 },
         .objects = objects,
@@ -83,6 +84,8 @@ static void make(struct pipe_stream *stream, bool is_model)
         .material_count = 1,
         .cameras = &camera,
         .camera_count = 1,
+        .lights = &light,
+        .light_count = 1,
         .animations = &animation,
         .animation_count = 1,
         .animation = 1,

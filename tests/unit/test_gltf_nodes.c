@@ -1,7 +1,8 @@
-/* test_gltf_nodes.c: what nodes of a glTF file hold beside meshes: cameras, the animations that
- * move them, and names that make them refractive. */
+/* test_gltf_nodes.c: what nodes of a glTF file hold beside meshes: cameras, lights, the
+ * animations that move them, and names that make them refractive. */
 #include <math.h>
 #include <string.h>
+#include "src/scene/place.h"
 #include "tests/support/check.h"
 #include "tests/support/folder.h"
 #include "tests/support/gltf_file.h"
@@ -47,6 +48,10 @@ static void cameras_are_listed(void **state)
     assert_true(model.cameras[2].camera.target.z > 0.1F); /* turned by half a turn about +Y */
     assert_true(model.has_camera);
     assert_memory_equal(&model.camera, &model.cameras[1].camera, sizeof(model.camera));
+    const struct place place = { .is_z_up = true, .scale = 2 };
+    assert_int_equal(place_model(&model, &place, "m.gltf"), STATUS_OK);
+    assert_true(glms_vec3_distance(model.cameras[2].camera.eye, (vec3s){ { 14, 0, -2 } }) < 1e-5F);
+    CHECK_NEAR(model.cameras[0].height, 12, 1e-5);
     model_finish(&model);
 }
 
@@ -100,6 +105,72 @@ static void animations_are_listed(void **state)
     }
 }
 
+/* ---- lights ---- */
+
+#define LIGHTS(list) ",'extensions':{'KHR_lights_punctual':{'lights':[" list "]}}"
+#define LIT(number)  "'extensions':{'KHR_lights_punctual':{'light':" number "}}"
+
+static void lights_are_listed(void **state)
+{
+    (void)state;
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    write_nodes("{'name':'sun'," LIT("0") ",'rotation':[0,1,0,0],'scale':[3,3,3]},"
+                                          "{'translation':[1,2,3]," LIT(
+                                              "2") "},{'name':'bulb'," LIT("1") "}",
+                ",'extensionsUsed':['KHR_lights_punctual']" LIGHTS(
+                    "{'type':'directional','intensity':10.5,'color':[1,0.5,0]},{'type':'point'},"
+                    "{'name':'beam','type':'spot','range':9,'spot':{'innerConeAngle':0.25}}"));
+    assert_int_equal(gltf_file_load(&model, said), STATUS_OK);
+    assert_string_equal(said, "firn: warning: m.gltf: not drawn: lights\n");
+    assert_int_equal(model.light_count, 3);
+    const struct light *sun = &model.lights[0], *beam = &model.lights[1], *bulb = &model.lights[2];
+    assert_string_equal(sun->name, "sun");
+    assert_int_equal(sun->kind, LIGHT_DIRECTIONAL);
+    CHECK_NEAR(sun->intensity, 10.5, 0);
+    CHECK_NEAR(sun->color.y, 0.5, 0);
+    assert_true(glms_vec3_distance(sun->direction, (vec3s){ { 0, 0, 1 } }) < 1e-5F);
+    assert_string_equal(beam->name, "beam");
+    assert_int_equal(beam->kind, LIGHT_SPOT);
+    assert_true(glms_vec3_distance(beam->position, (vec3s){ { 1, 2, 3 } }) < 1e-6F);
+    CHECK_NEAR(beam->range, 9, 0);
+    CHECK_NEAR(beam->inner_cone, 0.25, 0);
+    CHECK_NEAR(beam->outer_cone, 3.14159265 / 4, 1e-6);
+    CHECK_NEAR(beam->direction.z, -1, 1e-6);
+    assert_string_equal(bulb->name, "bulb");
+    assert_int_equal(bulb->kind, LIGHT_POINT);
+    CHECK_NEAR(bulb->intensity, 1, 0);
+    CHECK_NEAR(bulb->color.z, 1, 0);
+    const struct place place = { .is_z_up = true, .scale = 2 };
+    assert_int_equal(place_model(&model, &place, "m.gltf"), STATUS_OK);
+    assert_true(glms_vec3_distance(beam->position, (vec3s){ { 2, 6, -4 } }) < 1e-5F);
+    assert_true(glms_vec3_distance(beam->direction, (vec3s){ { 0, -1, 0 } }) < 1e-5F);
+    CHECK_NEAR(beam->range, 18, 1e-5);
+    CHECK_NEAR(beam->intensity, 1, 0);
+    model_finish(&model);
+}
+
+static void lights_are_checked(void **state)
+{
+    (void)state;
+    static const char *const bad[] = {
+        "{'type':'area'}",
+        "{}",
+        "{'type':'point','intensity':-1}",
+        "{'type':'point','color':[1,1]}",
+        "{'type':'spot','spot':{'innerConeAngle':0.8}}",
+        "{'type':'spot','spot':{'outerConeAngle':2}}",
+    };
+    char said[GLTF_FILE_SAID], more[256];
+    struct model model;
+    for (size_t i = 0; i < sizeof(bad) / sizeof(bad[0]); i++) {
+        (void)snprintf(more, sizeof(more), LIGHTS("%s"), bad[i]);
+        write_nodes("{" LIT("0") "}", more);
+        assert_int_equal(gltf_file_load(&model, said), STATUS_DATA);
+        assert_non_null(strstr(said, "lights[0]"));
+    }
+}
+
 /* ---- objects by name ---- */
 
 static void check_objects(const char *names, uint32_t object_triangles, uint32_t surroundings)
@@ -143,6 +214,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(cameras_are_listed, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(cameras_are_checked, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(animations_are_listed, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(lights_are_listed, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(lights_are_checked, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(named_nodes_are_objects, folder_enter, folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

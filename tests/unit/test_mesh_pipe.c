@@ -17,19 +17,21 @@ enum {
     NUMBER_SIZE_AT = 40,
     NUMBER_COUNT_AT = 44,
     CAMERA_COUNT_AT = 48,
-    ANIMATION_COUNT_AT = 52,
-    ANIMATION_AT = 56,
-    CAMERA_AT = 60, /* eye, target, up, angle */
-    IOR_AT = 100,
-    BOX_AT = 104,
-    VERTICES_AT = 128,
+    LIGHT_COUNT_AT = 52,
+    ANIMATION_COUNT_AT = 56,
+    ANIMATION_AT = 60,
+    CAMERA_AT = 64, /* eye, target, up, angle */
+    IOR_AT = 104,
+    BOX_AT = 108,
+    VERTICES_AT = 132,
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
     MESH_SIZE = 4 * VERTEX_SIZE + 6 * 4,
     OBJECTS_AT = VERTICES_AT + 2 * MESH_SIZE,
     MATERIALS_AT = OBJECTS_AT + 2 * (int)sizeof(struct object),
     CAMERAS_AT = MATERIALS_AT + 2 * (int)sizeof(struct material),
-    ANIMATIONS_AT = CAMERAS_AT + 2 * (int)sizeof(struct model_camera),
+    LIGHTS_AT = CAMERAS_AT + 2 * (int)sizeof(struct model_camera),
+    ANIMATIONS_AT = LIGHTS_AT + 2 * (int)sizeof(struct light),
 };
 
 static struct mesh make_square(uint32_t material)
@@ -76,6 +78,20 @@ static void add_cameras(struct model *model)
     };
 }
 
+/* A point, and a spot. */
+static void add_lights(struct model *model)
+{
+    model->lights = calloc(2, sizeof(*model->lights));
+    assert_non_null(model->lights);
+    model->light_count = 2;
+    for (uint32_t i = 0; i < 2; i++)
+        model->lights[i] = (struct light){ .name = "lamp",
+                                           .kind = LIGHT_POINT + i,
+                                           .direction = { { 0, 1, 0 } },
+                                           .intensity = 7,
+                                           .outer_cone = (float)i };
+}
+
 static void add_animations(struct model *model)
 {
     model->animations = calloc(2, sizeof(*model->animations));
@@ -101,6 +117,7 @@ static struct model make_model(void)
     };
     add_objects(&model);
     add_cameras(&model);
+    add_lights(&model);
     add_animations(&model);
     assert_true(model.textures.texels && model.numbers.texels);
     memcpy(model.numbers.texels, "text", 4);
@@ -154,6 +171,8 @@ static void model_comes_through(void **state)
     assert_memory_equal(model.materials, wanted.materials, 2 * sizeof(struct material));
     assert_int_equal(model.camera_count, 2);
     assert_memory_equal(model.cameras, wanted.cameras, 2 * sizeof(struct model_camera));
+    assert_int_equal(model.light_count, 2);
+    assert_memory_equal(model.lights, wanted.lights, 2 * sizeof(struct light));
     assert_int_equal(model.animation_count, 2);
     assert_int_equal(model.animation, 2);
     assert_memory_equal(model.animations, wanted.animations, 2 * sizeof(struct model_animation));
@@ -246,6 +265,33 @@ static void listed_cameras_are_checked(void **state)
     refuse(camera, &(vec3s){ { 0, 0, 0 } }, sizeof(vec3s), PIPE_CAMERA);
     refuse_number(second + offsetof(struct model_camera, height), 0, PIPE_CAMERA);
     refuse_number(second + offsetof(struct model_camera, height), NAN, PIPE_CAMERA);
+}
+
+static void lights_are_checked(void **state)
+{
+    const size_t spot = LIGHTS_AT + sizeof(struct light);
+    static const size_t numbers[] = {
+        offsetof(struct light, position),  offsetof(struct light, direction),
+        offsetof(struct light, color) + 8, offsetof(struct light, intensity),
+        offsetof(struct light, range),     offsetof(struct light, inner_cone),
+        offsetof(struct light, outer_cone)
+    };
+    char endless[MATERIAL_NAME_SIZE];
+    (void)state;
+    memset(endless, 'x', sizeof(endless));
+    refuse_word(LIGHT_COUNT_AT, 4097, PIPE_SIZE);
+    refuse(LIGHTS_AT, endless, sizeof(endless), PIPE_NUMBER);
+    refuse_word(LIGHTS_AT + offsetof(struct light, kind), LIGHT_KIND_COUNT, PIPE_NUMBER);
+    for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++) {
+        refuse_number(spot + numbers[i], NAN, PIPE_NUMBER);
+        refuse_number(spot + numbers[i], INFINITY, PIPE_NUMBER);
+    }
+    refuse_number(spot + offsetof(struct light, color), -1, PIPE_NUMBER);
+    refuse_number(spot + offsetof(struct light, intensity), -1, PIPE_NUMBER);
+    refuse_number(spot + offsetof(struct light, direction), 1, PIPE_NUMBER); /* not unit */
+    refuse_number(spot + offsetof(struct light, inner_cone), 1, PIPE_NUMBER);
+    refuse_number(spot + offsetof(struct light, outer_cone), 1.6F, PIPE_NUMBER);
+    refuse_number(LIGHTS_AT + offsetof(struct light, outer_cone), 1, PIPE_NUMBER); /* no spot */
 }
 
 static void animations_are_checked(void **state)
@@ -416,6 +462,7 @@ int main(void)
         cmocka_unit_test(heads_are_checked),
         cmocka_unit_test(cameras_are_checked),
         cmocka_unit_test(listed_cameras_are_checked),
+        cmocka_unit_test(lights_are_checked),
         cmocka_unit_test(animations_are_checked),
         cmocka_unit_test(vertices_are_checked),
         cmocka_unit_test(objects_are_checked),

@@ -236,6 +236,8 @@ MUST_USE enum status gltf_build(struct gltf *gltf, struct model *model,
                                 enum model_part everything_is);
 /* Reads the cameras of the scene into *model, whose object must be filled in. */
 MUST_USE enum status gltf_cameras_read(struct gltf *gltf, struct model *model);
+/* Reads the lights of the scene into *model. */
+MUST_USE enum status gltf_lights_read(struct gltf *gltf, struct model *model);
 /* Reads the box of the first node that names one into *model. */
 MUST_USE enum status gltf_box_read(struct gltf *gltf, struct model *model);
 

@@ -302,6 +302,8 @@ enum status model_load_gltf(struct model_import *import, struct model *model,
     if (status == STATUS_OK)
         status = gltf_cameras_read(&gltf, model);
     if (status == STATUS_OK)
+        status = gltf_lights_read(&gltf, model);
+    if (status == STATUS_OK)
         status = gltf_animations_read(&gltf, model);
     if (status == STATUS_OK)
         status = gltf_box_read(&gltf, model);

@@ -5,10 +5,11 @@
 #include "src/scene/import/gltf.h"
 
 static const char *const supported[] = {
-    "EXT_mesh_gpu_instancing",  "EXT_meshopt_compression",         "KHR_draco_mesh_compression",
-    "KHR_materials_dispersion", "KHR_materials_emissive_strength", "KHR_materials_ior",
-    "KHR_materials_specular",   "KHR_materials_transmission",      "KHR_materials_unlit",
-    "KHR_materials_volume",     "KHR_mesh_quantization",           "KHR_texture_transform",
+    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",  "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",     "KHR_materials_dispersion", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_specular",   "KHR_materials_transmission",
+    "KHR_materials_unlit",     "KHR_materials_volume",     "KHR_mesh_quantization",
+    "KHR_texture_transform",
 };
 
 static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {

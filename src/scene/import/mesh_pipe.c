@@ -33,7 +33,7 @@ struct model_head {
     struct mesh_counts object, surroundings;
     uint32_t object_count, material_count;
     struct texture_counts textures, numbers;
-    uint32_t camera_count;
+    uint32_t camera_count, light_count;
     uint32_t animation_count, animation;
     struct camera camera;
     float ior;
@@ -48,8 +48,9 @@ struct environment_head {
 _Static_assert(sizeof(struct material) == 492, "no padding");
 _Static_assert(sizeof(struct object) == 104, "no padding");
 _Static_assert(sizeof(struct model_camera) == 112, "no padding");
+_Static_assert(sizeof(struct light) == 120, "no padding");
 _Static_assert(sizeof(struct model_animation) == 68, "no padding");
-_Static_assert(sizeof(struct model_head) == 128, "no padding, so no bytes of this process in it");
+_Static_assert(sizeof(struct model_head) == 132, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */
 
@@ -77,6 +78,7 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
         .textures = { model->textures.size, model->textures.count },
         .numbers = { model->numbers.size, model->numbers.count },
         .camera_count = model->camera_count,
+        .light_count = model->light_count,
         .animation_count = model->animation_count,
         .animation = model->animation,
         .camera = model->camera,
@@ -88,6 +90,7 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
            pipe_write(sink, model->objects, model->object_count * sizeof(*model->objects)) &&
            pipe_write(sink, model->materials, model->material_count * sizeof(*model->materials)) &&
            pipe_write(sink, model->cameras, model->camera_count * sizeof(*model->cameras)) &&
+           pipe_write(sink, model->lights, model->light_count * sizeof(*model->lights)) &&
            pipe_write(sink, model->animations,
                       model->animation_count * sizeof(*model->animations)) &&
            pipe_write(sink, model->textures.texels, texels_size(&model->textures)) &&
@@ -202,8 +205,8 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
         head->object.indices + head->surroundings.indices == 0)
         return PIPE_SIZE;
     if (head->object_count > head->object.indices / 3 || head->material_count > MESH_SURFACE_MAX ||
-        head->camera_count > MODEL_CAMERA_MAX || head->animation_count > MODEL_ANIMATION_MAX ||
-        head->animation > head->animation_count)
+        head->camera_count > MODEL_CAMERA_MAX || head->light_count > MODEL_LIGHT_MAX ||
+        head->animation_count > MODEL_ANIMATION_MAX || head->animation > head->animation_count)
         return PIPE_SIZE;
     if (!are_textures(&head->textures) || !are_textures(&head->numbers))
         return PIPE_SIZE;
@@ -346,6 +349,22 @@ static enum pipe_fault read_cameras(const struct pipe_source *source, uint32_t c
     return fault;
 }
 
+static enum pipe_fault read_lights(const struct pipe_source *source, uint32_t count,
+                                   struct model *model)
+{
+    const size_t size = count * sizeof(*model->lights);
+    model->lights = malloc(size + 1);
+    if (!model->lights)
+        return PIPE_MEMORY;
+    model->light_count = count;
+    const enum pipe_fault fault = pipe_read(source, model->lights, size);
+    for (uint32_t i = 0; fault == PIPE_OK && i < count; i++) {
+        if (!light_is_sound(&model->lights[i]))
+            return PIPE_NUMBER;
+    }
+    return fault;
+}
+
 static enum pipe_fault read_animations(const struct pipe_source *source,
                                        const struct model_head *head, struct model *model)
 {
@@ -384,6 +403,8 @@ enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct mo
         fault = read_objects(source, &head, model);
     if (fault == PIPE_OK)
         fault = read_cameras(source, head.camera_count, model);
+    if (fault == PIPE_OK)
+        fault = read_lights(source, head.light_count, model);
     if (fault == PIPE_OK)
         fault = read_animations(source, &head, model);
     if (fault == PIPE_OK)

@@ -36,6 +36,7 @@
 
 #include "src/base/status.h"
 #include "src/scene/camera.h"
+#include "src/scene/light.h"
 #include "src/scene/object.h"
 
 /*
@@ -79,6 +80,8 @@ struct model {
     struct texture_layers numbers;  /* textures of what is no colour (material.h) */
     struct model_camera *cameras;   /* of the file, in the order of its nodes */
     uint32_t camera_count;
+    struct light *lights; /* of the file, in the order of its nodes */
+    uint32_t light_count;
     struct model_animation *animations;
     uint32_t animation_count;
     uint32_t animation;   /* that poses the model, + 1; 0: it is at rest */

@@ -15,6 +15,7 @@ enum {
     MODEL_ELEMENT_MAX = 1 << 28, /* vertices, and indices, of one part */
     MODEL_TEXTURE_MAX = 4096,
     MODEL_CAMERA_MAX = 4096,
+    MODEL_LIGHT_MAX = 4096,
     MODEL_ANIMATION_MAX = 4096,
     MODEL_SECONDS_MAX = 1000000000,
     MODEL_TEXTURE_SIDE_MAX = 2048,       /* texels */
@@ -83,8 +84,7 @@ MUST_USE enum status model_picture_load(const char *path, const struct model_pic
  * failure *both is {0}. */
 MUST_USE enum status model_picture_merge(struct texture_layers *both,
                                          const struct texture_layers *first,
-                                         const struct texture_layers *second,
-                                         bool are_numbers);
+                                         const struct texture_layers *second, bool are_numbers);
 
 /* ---- meshes ---- */
 
