@@ -7,6 +7,12 @@
 
 /* ---- facts ---- */
 
+static const char *const support_names[MODEL_SUPPORT_COUNT] = {
+    [MODEL_DRAWN] = "drawn",
+    [MODEL_APPROXIMATED] = "approximated",
+    [MODEL_IGNORED] = "ignored",
+};
+
 /* Returns whether the area vectors of an object's triangles add up to nothing, as those of a closed
  * shell do. */
 static bool is_closed(const struct model *model, const struct object *object)
@@ -64,6 +70,8 @@ static void clean_names(struct model *model)
         log_clean(model->animations[i].name);
     for (uint32_t i = 0; i < model->light_count; i++)
         log_clean(model->lights[i].name);
+    for (uint32_t i = 0; i < model->extension_count; i++)
+        log_clean(model->extensions[i].name);
 }
 
 static void print_objects(const struct model *model)
@@ -135,6 +143,27 @@ static void print_lights(const struct model *model)
     }
 }
 
+/* One line for each kind of support. */
+static void print_extensions(const struct model *model)
+{
+    if (model->extension_count)
+        printf("\nextensions:\n");
+    for (uint32_t support = 0; support < MODEL_SUPPORT_COUNT; support++) {
+        bool is_begun = false;
+        for (uint32_t i = 0; i < model->extension_count; i++) {
+            if (model->extensions[i].support != support)
+                continue;
+            if (is_begun)
+                printf(", %s", model->extensions[i].name);
+            else
+                printf("  %-13s %s", support_names[support], model->extensions[i].name);
+            is_begun = true;
+        }
+        if (is_begun)
+            printf("\n");
+    }
+}
+
 static void print_animations(const struct model *model)
 {
     if (model->animation_count)
@@ -164,6 +193,7 @@ static void print_text(struct scene *scene)
                (double)model->camera.target.y, (double)model->camera.target.z,
                (double)model->camera.fov_deg);
     print_cameras(model);
+    print_extensions(model);
     print_lights(model);
     print_animations(model);
     print_objects(model);
@@ -251,6 +281,27 @@ static json_t *cameras_of(const struct model *model)
     return all;
 }
 
+static json_t *extensions_of(const struct model *model)
+{
+    json_t *all = json_array();
+    for (uint32_t i = 0; i < model->extension_count && all; i++)
+        all = json_text_append(all,
+                               json_pack("{s:o, s:s}", "name", text_of(model->extensions[i].name),
+                                         "support", support_names[model->extensions[i].support]));
+    return all;
+}
+
+/* What is read, but not drawn. */
+static json_t *undrawn_of(const struct model *model)
+{
+    json_t *all = json_array();
+    for (uint32_t i = 0; model_undrawn_name(i) && all; i++) {
+        if (model->undrawn & 1u << i)
+            all = json_text_append(all, json_string(model_undrawn_name(i)));
+    }
+    return all;
+}
+
 static json_t *light_of(const struct light *m)
 {
     json_t *json = json_pack("{s:o, s:s, s:o, s:o, s:o, s:f, s:s}", "name", text_of(m->name),
@@ -288,13 +339,27 @@ static json_t *animations_of(const struct model *model)
 static enum status print_json(const char *name, const struct scene *scene)
 {
     const struct model *model = &scene->model;
-    json_t *root =
-        json_pack("{s:o, s:i, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "scene", text_of(name),
-                  "surrounding_triangles", (int)(model->surroundings.index_count / 3), "textures",
-                  (int)(model->textures.count + model->numbers.count), "min",
-                  vector(scene->box.min), "max", vector(scene->box.max), "objects",
-                  objects_of(model), "materials", materials_of(model), "cameras", cameras_of(model),
-                  "lights", lights_of(model), "animations", animations_of(model));
+
+    const struct {
+        const char *key;
+        json_t *(*make)(const struct model *model);
+    } lists[] = {
+        { "objects", objects_of },       { "materials", materials_of },
+        { "cameras", cameras_of },       { "lights", lights_of },
+        { "animations", animations_of }, { "extensions", extensions_of },
+        { "not_drawn", undrawn_of },
+    };
+
+    json_t *root = json_pack("{s:o, s:i, s:i, s:o, s:o}", "scene", text_of(name),
+                             "surrounding_triangles", (int)(model->surroundings.index_count / 3),
+                             "textures", (int)(model->textures.count + model->numbers.count), "min",
+                             vector(scene->box.min), "max", vector(scene->box.max));
+    for (size_t i = 0; root && i < sizeof(lists) / sizeof(lists[0]); i++) {
+        if (json_object_set_new(root, lists[i].key, lists[i].make(model)) != 0) {
+            json_decref(root);
+            root = NULL;
+        }
+    }
     if (root && model->has_camera)
         (void)json_object_set_new(root, "camera",
                                   json_pack("{s:o, s:o, s:f}", "eye", vector(model->camera.eye),

@@ -204,6 +204,25 @@ class Scenes(Case):
         self.assertRegex(text, r'(?m)^  lamp 1 +spot +40 candela, .*, at 0,0,5, within 9 m, cone '
                                r'of 0 to 45 degrees$')
 
+    def test_what_is_not_drawn_is_listed(self):
+        scene = json.loads(boxes((glass(), [0, 0, 0], 1), (
+            {'emissiveFactor': [1, 1, 1]}, [3, 0, 0], 1)))
+        scene['extensionsUsed'] += ['EXT_of_nobody', 'KHR_texture_transform']
+        (self.folder / 'a.gltf').write_text(json.dumps(scene))
+        done = self.succeed('info', 'a.gltf', '--json', env=NO_DRIVER)
+        said = json.loads(done.stdout)
+        found = {row['name']: row['support'] for row in said['extensions']}
+        self.assertEqual(found, {
+            'EXT_of_nobody': 'ignored', 'KHR_materials_ior': 'drawn',
+            'KHR_materials_transmission': 'approximated', 'KHR_materials_volume': 'approximated',
+            'KHR_texture_transform': 'approximated'})
+        warned = done.stderr.decode().split('not drawn: ')
+        self.assertEqual(', '.join(said['not_drawn']), ''.join(warned[1:]).strip())
+        self.assertIn('EXT_of_nobody is not supported, and ignored', warned[0])
+        text = self.succeed('info', 'a.gltf', env=NO_DRIVER).stdout.decode()
+        self.assertRegex(text, r'(?m)^  ignored +EXT_of_nobody$')
+        self.assertRegex(text, r'(?m)^  drawn +KHR_materials_ior$')
+
     def test_names_cannot_command_a_terminal(self):
         (self.folder / 'a.gltf').write_text(boxes((glass(name='\x1b[2Jice'), [0, 0, 0], 1)))
         self.assertIn(b' ?[2Jice', self.succeed('info', 'a.gltf', env=NO_DRIVER).stdout)

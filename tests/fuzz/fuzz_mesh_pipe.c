@@ -76,6 +76,7 @@ static void make(struct pipe_stream *stream, bool is_model)
     struct model_camera camera = { .camera = { .eye = { { 0, 0, 2 } }, .fov_deg = 45 } };
     struct model_animation animation = { "walk", 1 };
     struct light light = { .kind = LIGHT_SPOT, .direction = { { 1, 0, 0 } }, .outer_cone = 1 };
+    struct model_extension extension = { "EXT_any", MODEL_DRAWN };
     const struct model model = {
         .object = { vertices, indices, 4, 6 },
         .objects = objects,
@@ -86,6 +87,9 @@ static void make(struct pipe_stream *stream, bool is_model)
         .camera_count = 1,
         .lights = &light,
         .light_count = 1,
+        .extensions = &extension,
+        .extension_count = 1,
+        .undrawn = 1,
         .animations = &animation,
         .animation_count = 1,
         .animation = 1,

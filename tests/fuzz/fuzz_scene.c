@@ -41,6 +41,9 @@ void fuzz_check_model(const struct model *model)
     check_cameras(model);
     for (uint32_t i = 0; i < model->light_count; i++)
         FUZZ_CHECK(light_is_sound(&model->lights[i]));
+    for (uint32_t i = 0; i < model->extension_count; i++)
+        FUZZ_CHECK(memchr(model->extensions[i].name, 0, MATERIAL_NAME_SIZE) &&
+                   model->extensions[i].support < MODEL_SUPPORT_COUNT);
     FUZZ_CHECK(model->animation <= model->animation_count);
     for (uint32_t i = 0; i < model->animation_count; i++)
         FUZZ_CHECK(memchr(model->animations[i].name, 0, MATERIAL_NAME_SIZE) &&
@@ -63,7 +66,7 @@ void fuzz_check_no_model(const struct model *model)
     FUZZ_CHECK(!model->object.vertices && !model->object.indices && !model->textures.texels &&
                !model->numbers.texels && !model->surroundings.vertices &&
                !model->surroundings.indices && !model->objects && !model->materials &&
-               !model->cameras && !model->animations && !model->lights);
+               !model->cameras && !model->animations && !model->lights && !model->extensions);
 }
 
 void fuzz_check_environment(const struct environment *environment)

@@ -18,12 +18,14 @@ enum {
     NUMBER_COUNT_AT = 44,
     CAMERA_COUNT_AT = 48,
     LIGHT_COUNT_AT = 52,
-    ANIMATION_COUNT_AT = 56,
-    ANIMATION_AT = 60,
-    CAMERA_AT = 64, /* eye, target, up, angle */
-    IOR_AT = 104,
-    BOX_AT = 108,
-    VERTICES_AT = 132,
+    EXTENSION_COUNT_AT = 56,
+    UNDRAWN_AT = 60,
+    ANIMATION_COUNT_AT = 64,
+    ANIMATION_AT = 68,
+    CAMERA_AT = 72, /* eye, target, up, angle */
+    IOR_AT = 112,
+    BOX_AT = 116,
+    VERTICES_AT = 140,
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
     MESH_SIZE = 4 * VERTEX_SIZE + 6 * 4,
@@ -31,7 +33,8 @@ enum {
     MATERIALS_AT = OBJECTS_AT + 2 * (int)sizeof(struct object),
     CAMERAS_AT = MATERIALS_AT + 2 * (int)sizeof(struct material),
     LIGHTS_AT = CAMERAS_AT + 2 * (int)sizeof(struct model_camera),
-    ANIMATIONS_AT = LIGHTS_AT + 2 * (int)sizeof(struct light),
+    EXTENSIONS_AT = LIGHTS_AT + 2 * (int)sizeof(struct light),
+    ANIMATIONS_AT = EXTENSIONS_AT + (int)sizeof(struct model_extension),
 };
 
 static struct mesh make_square(uint32_t material)
@@ -92,6 +95,15 @@ static void add_lights(struct model *model)
                                            .outer_cone = (float)i };
 }
 
+static void add_extension(struct model *model)
+{
+    model->extensions = calloc(1, sizeof(*model->extensions));
+    assert_non_null(model->extensions);
+    model->extension_count = 1;
+    model->extensions[0] = (struct model_extension){ "EXT_any", MODEL_IGNORED };
+    model->undrawn = 5;
+}
+
 static void add_animations(struct model *model)
 {
     model->animations = calloc(2, sizeof(*model->animations));
@@ -118,6 +130,7 @@ static struct model make_model(void)
     add_objects(&model);
     add_cameras(&model);
     add_lights(&model);
+    add_extension(&model);
     add_animations(&model);
     assert_true(model.textures.texels && model.numbers.texels);
     memcpy(model.numbers.texels, "text", 4);
@@ -173,6 +186,9 @@ static void model_comes_through(void **state)
     assert_memory_equal(model.cameras, wanted.cameras, 2 * sizeof(struct model_camera));
     assert_int_equal(model.light_count, 2);
     assert_memory_equal(model.lights, wanted.lights, 2 * sizeof(struct light));
+    assert_int_equal(model.extension_count, 1);
+    assert_memory_equal(model.extensions, wanted.extensions, sizeof(struct model_extension));
+    assert_int_equal(model.undrawn, 5);
     assert_int_equal(model.animation_count, 2);
     assert_int_equal(model.animation, 2);
     assert_memory_equal(model.animations, wanted.animations, 2 * sizeof(struct model_animation));
@@ -292,6 +308,18 @@ static void lights_are_checked(void **state)
     refuse_number(spot + offsetof(struct light, inner_cone), 1, PIPE_NUMBER);
     refuse_number(spot + offsetof(struct light, outer_cone), 1.6F, PIPE_NUMBER);
     refuse_number(LIGHTS_AT + offsetof(struct light, outer_cone), 1, PIPE_NUMBER); /* no spot */
+}
+
+static void extensions_are_checked(void **state)
+{
+    char endless[MATERIAL_NAME_SIZE];
+    (void)state;
+    memset(endless, 'x', sizeof(endless));
+    refuse_word(EXTENSION_COUNT_AT, 257, PIPE_SIZE);
+    refuse_word(UNDRAWN_AT, 1u << 31, PIPE_NUMBER);
+    refuse(EXTENSIONS_AT, endless, sizeof(endless), PIPE_NUMBER);
+    refuse_word(EXTENSIONS_AT + offsetof(struct model_extension, support), MODEL_SUPPORT_COUNT,
+                PIPE_NUMBER);
 }
 
 static void animations_are_checked(void **state)
@@ -463,6 +491,7 @@ int main(void)
         cmocka_unit_test(cameras_are_checked),
         cmocka_unit_test(listed_cameras_are_checked),
         cmocka_unit_test(lights_are_checked),
+        cmocka_unit_test(extensions_are_checked),
         cmocka_unit_test(animations_are_checked),
         cmocka_unit_test(vertices_are_checked),
         cmocka_unit_test(objects_are_checked),

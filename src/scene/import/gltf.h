@@ -204,6 +204,8 @@ MUST_USE enum status gltf_extensions_check(struct gltf *gltf);
 /* Logs warnings: what is read, but not drawn, and what is not supported. For files that are
  * accepted, because of others only the first line reaches the user. */
 void gltf_warn(struct gltf *gltf);
+/* Lists the extensions that the file uses, and what is not drawn, in *model. Last of all. */
+MUST_USE enum status gltf_extensions_read(struct gltf *gltf, struct model *model);
 
 /* Checks indices everywhere in the file, for what the scene does not use is not read. */
 MUST_USE enum status gltf_check(struct gltf *gltf);

@@ -4,12 +4,21 @@
 #include "src/base/log.h"
 #include "src/scene/import/gltf.h"
 
-static const char *const supported[] = {
-    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",  "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",     "KHR_materials_dispersion", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_specular",   "KHR_materials_transmission",
-    "KHR_materials_unlit",     "KHR_materials_volume",     "KHR_mesh_quantization",
-    "KHR_texture_transform",
+/* Those that are read. What is ignored here is read for later. */
+static const struct model_extension supported[] = {
+    { "EXT_mesh_gpu_instancing", MODEL_DRAWN },
+    { "EXT_meshopt_compression", MODEL_DRAWN },
+    { "KHR_draco_mesh_compression", MODEL_DRAWN },
+    { "KHR_lights_punctual", MODEL_IGNORED },
+    { "KHR_materials_dispersion", MODEL_DRAWN },
+    { "KHR_materials_emissive_strength", MODEL_IGNORED },
+    { "KHR_materials_ior", MODEL_DRAWN },
+    { "KHR_materials_specular", MODEL_IGNORED },
+    { "KHR_materials_transmission", MODEL_APPROXIMATED }, /* without textures */
+    { "KHR_materials_unlit", MODEL_DRAWN },
+    { "KHR_materials_volume", MODEL_APPROXIMATED }, /* without textures */
+    { "KHR_mesh_quantization", MODEL_DRAWN },
+    { "KHR_texture_transform", MODEL_APPROXIMATED }, /* of the base colour's texture alone */
 };
 
 static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
@@ -23,13 +32,19 @@ static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
     [GLTF_POINTS] = "points and lines",
 };
 
-static bool is_supported(const char *name)
+const char *model_undrawn_name(uint32_t index)
+{
+    return index < GLTF_UNDRAWN_COUNT ? undrawn[index] : NULL;
+}
+
+/* Returns its row, or NULL. */
+static const struct model_extension *find(const char *name)
 {
     for (size_t i = 0; i < sizeof(supported) / sizeof(supported[0]); i++) {
-        if (strcmp(supported[i], name) == 0)
-            return true;
+        if (strcmp(supported[i].name, name) == 0)
+            return &supported[i];
     }
-    return false;
+    return NULL;
 }
 
 /* Returns a name of a list of extensions; NULL after a fault. */
@@ -48,7 +63,7 @@ enum status gltf_extensions_check(struct gltf *gltf)
     const uint32_t used_count = gltf_length(&top, "extensionsUsed");
     for (uint32_t i = 0; i < required_count && gltf->status == STATUS_OK; i++) {
         const char *name = name_at(&top, "extensionsRequired", i);
-        if (name && !is_supported(name))
+        if (name && !find(name))
             (void)gltf_fault(&top,
                              "requires the extension %.64s, which is not supported; export "
                              "the file without it",
@@ -59,12 +74,33 @@ enum status gltf_extensions_check(struct gltf *gltf)
     return gltf->status;
 }
 
+enum status gltf_extensions_read(struct gltf *gltf, struct model *model)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    const uint32_t count = gltf_length(&top, "extensionsUsed");
+    if (count > MODEL_EXTENSION_MAX)
+        return gltf_fault(&top, "extensionsUsed: expected at most %d, got %u", MODEL_EXTENSION_MAX,
+                          count);
+    model->undrawn = gltf->undrawn;
+    model->extensions = calloc(count + (size_t)1, sizeof(*model->extensions));
+    if (!model->extensions)
+        return gltf_no_memory(gltf);
+    for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++) {
+        const char *name = name_at(&top, "extensionsUsed", i);
+        const struct model_extension *known = name ? find(name) : NULL;
+        struct model_extension *extension = &model->extensions[model->extension_count++];
+        (void)snprintf(extension->name, sizeof(extension->name), "%s", name ? name : "");
+        extension->support = known ? known->support : MODEL_IGNORED;
+    }
+    return gltf->status;
+}
+
 void gltf_warn(struct gltf *gltf)
 {
     const struct gltf_object top = gltf_top(gltf);
     for (uint32_t i = 0; i < gltf_length(&top, "extensionsUsed"); i++) {
         const char *name = name_at(&top, "extensionsUsed", i);
-        if (name && !is_supported(name))
+        if (name && !find(name))
             log_warning("%s: the extension %.64s is not supported, and ignored", gltf->path, name);
     }
     if (gltf->clamped_count > 0)

@@ -33,7 +33,7 @@ struct model_head {
     struct mesh_counts object, surroundings;
     uint32_t object_count, material_count;
     struct texture_counts textures, numbers;
-    uint32_t camera_count, light_count;
+    uint32_t camera_count, light_count, extension_count, undrawn;
     uint32_t animation_count, animation;
     struct camera camera;
     float ior;
@@ -49,8 +49,9 @@ _Static_assert(sizeof(struct material) == 492, "no padding");
 _Static_assert(sizeof(struct object) == 104, "no padding");
 _Static_assert(sizeof(struct model_camera) == 112, "no padding");
 _Static_assert(sizeof(struct light) == 120, "no padding");
+_Static_assert(sizeof(struct model_extension) == 68, "no padding");
 _Static_assert(sizeof(struct model_animation) == 68, "no padding");
-_Static_assert(sizeof(struct model_head) == 132, "no padding, so no bytes of this process in it");
+_Static_assert(sizeof(struct model_head) == 140, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */
 
@@ -79,6 +80,8 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
         .numbers = { model->numbers.size, model->numbers.count },
         .camera_count = model->camera_count,
         .light_count = model->light_count,
+        .extension_count = model->extension_count,
+        .undrawn = model->undrawn,
         .animation_count = model->animation_count,
         .animation = model->animation,
         .camera = model->camera,
@@ -91,6 +94,8 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
            pipe_write(sink, model->materials, model->material_count * sizeof(*model->materials)) &&
            pipe_write(sink, model->cameras, model->camera_count * sizeof(*model->cameras)) &&
            pipe_write(sink, model->lights, model->light_count * sizeof(*model->lights)) &&
+           pipe_write(sink, model->extensions,
+                      model->extension_count * sizeof(*model->extensions)) &&
            pipe_write(sink, model->animations,
                       model->animation_count * sizeof(*model->animations)) &&
            pipe_write(sink, model->textures.texels, texels_size(&model->textures)) &&
@@ -206,6 +211,7 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
         return PIPE_SIZE;
     if (head->object_count > head->object.indices / 3 || head->material_count > MESH_SURFACE_MAX ||
         head->camera_count > MODEL_CAMERA_MAX || head->light_count > MODEL_LIGHT_MAX ||
+        head->extension_count > MODEL_EXTENSION_MAX ||
         head->animation_count > MODEL_ANIMATION_MAX || head->animation > head->animation_count)
         return PIPE_SIZE;
     if (!are_textures(&head->textures) || !are_textures(&head->numbers))
@@ -365,6 +371,37 @@ static enum pipe_fault read_lights(const struct pipe_source *source, uint32_t co
     return fault;
 }
 
+/* Returns whether each bit has a name. */
+static bool are_undrawn(uint32_t bits)
+{
+    for (uint32_t i = 0; i < 32; i++) {
+        if (bits & 1u << i && !model_undrawn_name(i))
+            return false;
+    }
+    return true;
+}
+
+static enum pipe_fault read_extensions(const struct pipe_source *source,
+                                       const struct model_head *head, struct model *model)
+{
+    const size_t size = head->extension_count * sizeof(*model->extensions);
+    if (!are_undrawn(head->undrawn))
+        return PIPE_NUMBER;
+    model->extensions = malloc(size + 1);
+    if (!model->extensions)
+        return PIPE_MEMORY;
+    model->extension_count = head->extension_count;
+    model->undrawn = head->undrawn;
+    const enum pipe_fault fault = pipe_read(source, model->extensions, size);
+    for (uint32_t i = 0; fault == PIPE_OK && i < head->extension_count; i++) {
+        const struct model_extension *extension = &model->extensions[i];
+        if (!memchr(extension->name, 0, sizeof(extension->name)) ||
+            extension->support >= MODEL_SUPPORT_COUNT)
+            return PIPE_NUMBER;
+    }
+    return fault;
+}
+
 static enum pipe_fault read_animations(const struct pipe_source *source,
                                        const struct model_head *head, struct model *model)
 {
@@ -405,6 +442,8 @@ enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct mo
         fault = read_cameras(source, head.camera_count, model);
     if (fault == PIPE_OK)
         fault = read_lights(source, head.light_count, model);
+    if (fault == PIPE_OK)
+        fault = read_extensions(source, &head, model);
     if (fault == PIPE_OK)
         fault = read_animations(source, &head, model);
     if (fault == PIPE_OK)

@@ -146,6 +146,7 @@ void model_finish(struct model *model)
     free(model->objects);
     free(model->materials);
     free(model->cameras);
+    free(model->extensions);
     free(model->lights);
     free(model->animations);
     free(model->textures.texels);

@@ -69,6 +69,19 @@ struct model_animation {
     float seconds;                 /* time of its last key; it begins at 0 */
 };
 
+enum model_support {
+    MODEL_DRAWN,
+    MODEL_APPROXIMATED, /* drawn in part, or not as it is meant */
+    MODEL_IGNORED,
+    MODEL_SUPPORT_COUNT,
+};
+
+/* An extension that a file uses. */
+struct model_extension {
+    char name[MATERIAL_NAME_SIZE];
+    uint32_t support; /* enum model_support */
+};
+
 struct model {
     struct mesh object; /* of all refractive objects, one after another */
     struct mesh surroundings;
@@ -82,6 +95,9 @@ struct model {
     uint32_t camera_count;
     struct light *lights; /* of the file, in the order of its nodes */
     uint32_t light_count;
+    struct model_extension *extensions;
+    uint32_t extension_count;
+    uint32_t undrawn; /* bit i: the file has model_undrawn_name(i) */
     struct model_animation *animations;
     uint32_t animation_count;
     uint32_t animation;   /* that poses the model, + 1; 0: it is at rest */
@@ -124,6 +140,10 @@ MUST_USE enum status model_load_posed(struct model *model, const char *path,
  * STATUS_DATA for more than 4096 textures, or 8191 materials.
  */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
+
+/* Returns the name of a kind of thing that is read, but not drawn, "normal textures"; NULL after the
+ * last one. */
+const char *model_undrawn_name(uint32_t index);
 
 void model_finish(struct model *model);
 

@@ -15,6 +15,7 @@ enum {
     MODEL_ELEMENT_MAX = 1 << 28, /* vertices, and indices, of one part */
     MODEL_TEXTURE_MAX = 4096,
     MODEL_CAMERA_MAX = 4096,
+    MODEL_EXTENSION_MAX = 256,
     MODEL_LIGHT_MAX = 4096,
     MODEL_ANIMATION_MAX = 4096,
     MODEL_SECONDS_MAX = 1000000000,
