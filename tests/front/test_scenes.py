@@ -103,6 +103,22 @@ class Scenes(Case):
             self.assertNotIn(b'note', self.succeed('graph', name, env=NO_DRIVER).stderr)
         self.assertNotIn(b'note', self.succeed('info', 'a.obj', env=NO_DRIVER).stderr)
 
+    def test_files_of_other_formats(self):
+        """What they lack, and what is not read, is said."""
+        (self.folder / 'a.obj').write_text('mtllib gone.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\n'
+                                           'f 1 2 3\n')
+        self.assertEqual(self.succeed('graph', 'a.obj', '-q', env=NO_DRIVER).stderr,
+                         b'firn: warning: a.obj: refers to gone.mtl, which does not exist; its '
+                         b'materials are left out\n')
+        head = ('ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n'
+                'property float z\n')
+        points = 'end_header\n0 0 0\n1 0 0\n0 1 0\n'
+        (self.folder / 'points.ply').write_text(head + points)
+        (self.folder / 'strips.ply').write_text(
+            f'{head}element tristrips 1\nproperty list int int vertex_indices\n{points}3 0 1 2\n')
+        self.refuse(DATA, 'graph', 'points.ply', names=['faces'], env=NO_DRIVER)
+        self.refuse(DATA, 'graph', 'strips.ply', names=['strips', 'faces'], env=NO_DRIVER)
+
     def test_materials_of_nodes(self):
         wood = {'name': 'wood', 'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.2, 0.1, 1]}}
         parts = [(wood, [-1.5, 0, 0], 1), (wood, [1.5, 0, 0], 1)]

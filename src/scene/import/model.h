@@ -141,8 +141,8 @@ MUST_USE enum status model_load_posed(struct model *model, const char *path,
  */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
 
-/* Returns the name of a kind of thing that is read, but not drawn, "normal textures"; NULL after the
- * last one. */
+/* Returns the name of a kind of thing that is read, but not drawn, "normal textures"; NULL after
+ * the last one. */
 const char *model_undrawn_name(uint32_t index);
 
 void model_finish(struct model *model);

@@ -100,14 +100,39 @@ static enum status convert(struct model_assimp *assimp, struct model_parser *par
     return status == STATUS_OK ? model_mesh_build(assimp, model, everything_is) : status;
 }
 
+/* Refuses what assimp 5.2.5 reads wrongly: of triangle strips it drops all but some triangles. */
+static enum status check_ply(const char *path)
+{
+    static const char strips[] = "element tristrips ", end[] = "end_header";
+    char line[256];
+    FILE *file = fopen(path, "rb");
+    bool has_strips = false;
+    for (int i = 0; file && i < 1000 && fgets(line, sizeof(line), file); i++) {
+        has_strips = has_strips || strncmp(line, strips, sizeof(strips) - 1) == 0;
+        if (strncmp(line, end, sizeof(end) - 1) == 0)
+            break;
+    }
+    if (file)
+        fclose(file);
+    if (!has_strips)
+        return STATUS_OK;
+    log_error("%s: holds triangle strips, which are not supported; export it with faces", path);
+    return STATUS_DATA;
+}
+
 enum status model_load_assimp(struct model_import *import, const char *suffix, struct model *model,
                               enum model_part everything_is)
 {
     struct model_assimp assimp = { .import = import };
+    if (strcmp(suffix, "ply") == 0 && check_ply(import->path) != STATUS_OK)
+        return STATUS_DATA;
     struct model_parser *parser = model_parser_new(suffix, model_file_open, import);
     enum status status = parser ? parse(&assimp, parser) : log_out_of_memory(import->path);
     if (status == STATUS_OK)
         status = convert(&assimp, parser, model, everything_is);
+    if (status == STATUS_OK && import->missed[0])
+        log_warning("%s: refers to %s, which does not exist; its materials are left out",
+                    import->path, import->missed);
     model_parser_delete(parser);
     free(assimp.materials);
     free(assimp.nodes);

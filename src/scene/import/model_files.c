@@ -81,14 +81,15 @@ static bool is_allowed(struct model_import *import, const char *path)
     if (!name)
         return false;
     /* For a missing file assimp tries again, with a slash or the folder before the name. */
-    const bool again = import->misses_file && name[0] == '/';
+    const bool again = import->missed[0] && name[0] == '/';
     const bool is_inside = !again && model_file_clean(name, false);
     if (!again && !is_inside && import->refused[0] == '\0')
         snprintf(import->refused, sizeof(import->refused), "%s", path);
-    free(name);
     /* Only regular files are opened: opening a pipe would wait for its other end. */
     const bool is_there = is_inside && stat(path, &info) == 0 && S_ISREG(info.st_mode);
-    import->misses_file = import->misses_file || (is_inside && !is_there);
+    if (is_inside && !is_there && import->missed[0] == '\0')
+        snprintf(import->missed, sizeof(import->missed), "%s", name);
+    free(name);
     return is_there;
 }
 

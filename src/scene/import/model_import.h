@@ -30,7 +30,7 @@ struct model_import {
     char refused[256]; /* the first named file that is outside the model's folder; "": none */
     uint32_t clamped_materials; /* whose colour model_color_clamp() has changed */
     uint32_t clamped_vertices;
-    bool misses_file; /* a named file does not exist */
+    char missed[256]; /* the first named file that does not exist; "": none */
 };
 
 /* A format, by a suffix in lower case: "glb". */
