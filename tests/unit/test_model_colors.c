@@ -1,4 +1,5 @@
-/* test_model_colors.c: colours of model files that no surface can have. */
+/* test_model_colors.c: colours of model files that no surface can have, and the
+ * materials of MTL files. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -78,10 +79,73 @@ static void unlit_colors_are_radiances(void **state)
     check("3e38 65505 -1", "", (vec3s){ { 65504, 65504, 0 } }, "of 0 materials and 3 vertices");
 }
 
+/* A box's side of the material beside one that is opaque; *found is the material. Returns whether
+ * it is an object of its own. */
+static bool load_material(const char *lines, struct material *found)
+{
+    char text[512];
+    struct model model;
+    write_text(obj, "mtllib colors.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl a\nf 1 2 3\n"
+                    "usemtl b\nf 1 2 4\nf 2 3 4\n");
+    snprintf(text, sizeof(text), "newmtl a\nKd .5 .25 1\n%s\nnewmtl b\nKd .5 .5 .5\nNs 98\n",
+             lines);
+    write_text(mtl, text);
+    assert_int_equal(model_load(&model, obj, MODEL_OBJECT), STATUS_OK);
+    const bool is_split = model.surroundings.index_count > 0;
+    assert_int_equal(model.object_count, 1);
+    assert_int_equal(model.object.index_count, is_split ? 3 : 9);
+    *found = model.materials[model.objects[0].material];
+    if (is_split) {
+        const uint32_t surface = model.surroundings.vertices[0].material >> MESH_SURFACE_SHIFT;
+        assert_true(surface > 0);
+        assert_string_equal(model.materials[surface - 1].name, "b");
+        CHECK_NEAR(model.materials[surface - 1].roughness, 0.141421, 1e-5);
+        assert_true(model.has_ior);
+        CHECK_NEAR(model.ior, found->ior, 0);
+    }
+    model_finish(&model);
+    return is_split;
+}
+
+static void transmissive_materials_are_objects(void **state)
+{
+    (void)state;
+
+    static const struct {
+        const char *lines;
+        float transmission, thickness, ior, roughness, green;
+    } rows[] = {
+        { "illum 4", 1, 0, 1.5F, 0, 1 },
+        { "illum 7\nNi 1.33\nNs 98", 1, 1, 1.33F, 0.141421F, 1 },
+        { "illum 9\nNi 1.45\nTf 1 .5 1", 1, 1, 1.45F, 0, 0.5F },
+        { "d 0.25\nNi 1.5", 0.75F, 1, 1.5F, 0, 1 },
+        { "Tf .5 .5 .5\nNi 2", 1, 1, 2, 0, 0.5F },
+        { "illum 6\nNi 99", 1, 1, 4, 0, 1 },
+    };
+    struct material found;
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        if (!load_material(rows[i].lines, &found))
+            fail_msg("%s: not transmissive", rows[i].lines);
+        assert_string_equal(found.name, "a");
+        CHECK_NEAR(found.transmission, rows[i].transmission, 1e-6);
+        CHECK_NEAR(found.thickness, rows[i].thickness, 0);
+        CHECK_NEAR(found.ior, rows[i].ior, 1e-6);
+        CHECK_NEAR(found.roughness, rows[i].roughness, 1e-5);
+        CHECK_NEAR(found.base_color.y, rows[i].green, 1e-6);
+    }
+    static const char *const opaque[] = { "illum 2", "Ni 1.5", "Tf .5 .5 .5", "d 1\nillum 5" };
+    for (size_t i = 0; i < sizeof(opaque) / sizeof(opaque[0]); i++) {
+        assert_false(load_material(opaque[i], &found));
+        assert_true(found.flags & MATERIAL_IS_BARE);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(factors_are_shares, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(transmissive_materials_are_objects, folder_enter,
+                                        folder_leave),
         cmocka_unit_test_setup_teardown(unlit_colors_are_radiances, folder_enter, folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -10,7 +10,8 @@ struct model_material {
     uint32_t layer;    /* texture layer + 1; 0: none */
     uint32_t uv_index; /* set of texture coordinates */
     bool is_textured;
-    bool is_made_up; /* made by assimp for a file without materials */
+    struct material material; /* what of it a medium needs */
+    bool is_made_up;          /* made by assimp for a file without materials */
 };
 
 struct model_node {

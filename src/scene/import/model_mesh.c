@@ -76,8 +76,61 @@ static uint32_t triangle_count(const struct aiMesh *mesh)
     return count;
 }
 
+/* Whether a material is transmissive: then such meshes are the objects. */
+static bool has_transmission(const struct model_assimp *assimp)
+{
+    for (uint32_t i = 0; i < assimp->scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = assimp->scene->mMeshes[i];
+        if (triangle_count(mesh) > 0 &&
+            assimp->materials[mesh->mMaterialIndex].material.transmission > 0)
+            return true;
+    }
+    return false;
+}
+
+/* Lists an object whose triangles begin where the part ends. */
+static enum status add_object(struct model_build *build, const struct model_assimp *assimp,
+                              const struct aiMesh *mesh)
+{
+    struct model *model = build->model;
+    struct object *grown =
+        realloc(model->objects, (model->object_count + (size_t)1) * sizeof(*grown));
+    if (!grown)
+        return log_out_of_memory(assimp->import->path);
+    model->objects = grown;
+    struct object *object = &grown[model->object_count++];
+    *object = (struct object){
+        .first_index = (uint32_t)build->index_count[MODEL_OBJECT],
+        .index_count = 3 * triangle_count(mesh),
+        .material = mesh->mMaterialIndex,
+    };
+    (void)snprintf(object->name, sizeof(object->name), "%.*s", MATERIAL_NAME_SIZE - 1,
+                   mesh->mName.data);
+    model->has_ior = true;
+    if (model->object_count == 1)
+        model->ior = assimp->materials[mesh->mMaterialIndex].material.ior;
+    return STATUS_OK;
+}
+
+static enum status list_materials(const struct model_assimp *assimp, struct model *model)
+{
+    const uint32_t count = assimp->scene->mNumMaterials;
+    if (count > MESH_SURFACE_MAX) {
+        log_error("%s: expected at most %u materials, got %u", assimp->import->path,
+                  MESH_SURFACE_MAX, count);
+        return STATUS_DATA;
+    }
+    model->materials = calloc(count + (size_t)1, sizeof(*model->materials));
+    if (!model->materials)
+        return log_out_of_memory(assimp->import->path);
+    model->material_count = count;
+    for (uint32_t i = 0; i < count; i++)
+        model->materials[i] = assimp->materials[i].material;
+    return STATUS_OK;
+}
+
 /* Adds an instance of a mesh. */
-static enum status add(struct model_build *build, enum model_part part,
+static enum status add(struct model_build *build, enum model_part part, bool is_split,
                        const struct model_assimp *assimp, uint32_t index, mat4s model_from_mesh)
 {
     const struct aiMesh *mesh = assimp->scene->mMeshes[index];
@@ -91,13 +144,19 @@ static enum status add(struct model_build *build, enum model_part part,
             indices[shape.index_count++] = mesh->mFaces[i].mIndices[k];
     }
     shape.indices = indices;
-    const enum status status = model_build_add(build, part, &shape, model_from_mesh);
+    enum status status = STATUS_OK;
+    if (is_split)
+        shape.material |= (mesh->mMaterialIndex + 1) << MESH_SURFACE_SHIFT;
+    if (is_split && part == MODEL_OBJECT)
+        status = add_object(build, assimp, mesh);
+    if (status == STATUS_OK)
+        status = model_build_add(build, part, &shape, model_from_mesh);
     free(indices);
     return status;
 }
 
 /* Counts the instances of meshes with triangles, or adds them. */
-static enum status walk(struct model_build *build, enum model_part part,
+static enum status walk(struct model_build *build, enum model_part everything_is, bool is_split,
                         const struct model_assimp *assimp, bool is_counting)
 {
     for (uint32_t i = 0; i < assimp->node_count; i++) {
@@ -106,12 +165,16 @@ static enum status walk(struct model_build *build, enum model_part part,
             const uint32_t index = node->node->mMeshes[k];
             const struct aiMesh *mesh = assimp->scene->mMeshes[index];
             const uint32_t triangles = triangle_count(mesh);
+            const bool is_clear = assimp->materials[mesh->mMaterialIndex].material.transmission > 0;
+            const enum model_part part = !is_split  ? everything_is
+                                         : is_clear ? MODEL_OBJECT
+                                                    : MODEL_SURROUNDINGS;
             enum status status = STATUS_OK;
             if (triangles > 0 && is_counting)
                 status =
                     model_build_count(build, part, mesh->mNumVertices, 3 * (uint64_t)triangles);
             else if (triangles > 0)
-                status = add(build, part, assimp, index, node->model_from_node);
+                status = add(build, part, is_split, assimp, index, node->model_from_node);
             if (status != STATUS_OK)
                 return status;
         }
@@ -124,12 +187,13 @@ enum status model_mesh_build(const struct model_assimp *assimp, struct model *mo
 {
     struct model_build build;
     model_build_init(&build, assimp->import, model);
-    enum status status = walk(&build, everything_is, assimp, true);
+    const bool is_split = has_transmission(assimp);
+    enum status status = walk(&build, everything_is, is_split, assimp, true);
     if (status == STATUS_OK)
         status = model_build_allocate(&build);
     if (status == STATUS_OK)
-        status = walk(&build, everything_is, assimp, false);
+        status = walk(&build, everything_is, is_split, assimp, false);
     if (status == STATUS_OK)
-        status = model_build_bare_object(&build);
+        status = is_split ? list_materials(assimp, model) : model_build_bare_object(&build);
     return status == STATUS_OK ? model_build_end(&build) : status;
 }
