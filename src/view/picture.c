@@ -35,6 +35,7 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
         status = app_load_scene(&p->scene, &p->state.scene);
     if (status == STATUS_OK)
         status = app_camera(&p->camera, &p->scene, &p->state);
+    p->state.scene.quiet = true; /* where a setting loads it again, all has been said */
     p->first_camera = p->camera;
     if (status == STATUS_OK)
         status = picture_upload(p);
@@ -262,6 +263,7 @@ enum status picture_open(struct picture **picture, const char *path, bool *remad
         state.scene.background.is_given = false;
     } else {
         state.scene.name = path;
+        state.scene.quiet = (*picture)->quiet;
         /* those were of the object before */
         state.camera = NULL;
         state.scene.animation = NULL;

@@ -205,7 +205,8 @@ class Drop(WindowCase):
         self.find(str(model))
         self.shoot(window, 2)
         self.press_to_end(window, 'Escape')
-        self.assertEqual(self.words().count('firn: '), 1, self.words())
+        self.assertEqual(self.words().count('firn: note: '), 1, self.words())  # of the model
+        self.assertEqual(self.words().count('firn: '), 2, self.words())
 
     def test_an_environment(self):
         self.render('around.exr', '--size', '64x32')
