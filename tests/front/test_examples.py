@@ -77,24 +77,32 @@ def shrink(line):
 
 
 def tetrahedron():
-    """JSON and bytes of a glTF file with one glassy part and one around it."""
+    """JSON and bytes of a glTF file with one glassy part, which moves, and one around it."""
     points = [(-1, -1, -1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]
     data = b''.join(struct.pack('<3f', *p) for p in points)
     data += struct.pack('<12H', 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2)
+    data += struct.pack('<8f', 0, 2, 0, 0, 0, 0, 1, 0)
     mesh = {'attributes': {'POSITION': 0}, 'indices': 1}
     return {
         'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0, 1]}],
-        'nodes': [{'mesh': 0}, {'mesh': 1, 'translation': [0, -4, 0], 'scale': [3, 1, 3]}],
+        'nodes': [{'mesh': 0, 'name': 'Cup'}, {'mesh': 1, 'translation': [0, -4, 0], 'scale': [3, 1, 3]}],
         'meshes': [{'primitives': [{**mesh, 'material': 0}]}, {'primitives': [mesh]}],
         'materials': [{'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}],
         'extensionsUsed': ['KHR_materials_transmission'],
         'accessors': [
             {'bufferView': 0, 'componentType': 5126, 'count': 4, 'type': 'VEC3',
              'min': [-1, -1, -1], 'max': [1, 1, 1]},
-            {'bufferView': 1, 'componentType': 5123, 'count': 12, 'type': 'SCALAR'}],
+            {'bufferView': 1, 'componentType': 5123, 'count': 12, 'type': 'SCALAR'},
+            {'bufferView': 2, 'componentType': 5126, 'count': 2, 'type': 'SCALAR', 'min': [0],
+             'max': [2]},
+            {'bufferView': 3, 'componentType': 5126, 'count': 2, 'type': 'VEC3'}],
+        'animations': [{'name': 'rise', 'samplers': [{'input': 2, 'output': 3}], 'channels': [
+            {'sampler': 0, 'target': {'node': 0, 'path': 'translation'}}]}],
         'bufferViews': [{'buffer': 0, 'byteLength': 48},
-                        {'buffer': 0, 'byteOffset': 48, 'byteLength': 24}],
-        'buffers': [{'byteLength': 72}],
+                        {'buffer': 0, 'byteOffset': 48, 'byteLength': 24},
+                        {'buffer': 0, 'byteOffset': 72, 'byteLength': 8},
+                        {'buffer': 0, 'byteOffset': 80, 'byteLength': 24}],
+        'buffers': [{'byteLength': 104}],
     }, data
 
 
