@@ -35,10 +35,10 @@ void log_clean(char *text)
     *end = '\0';
 }
 
-static void write_line(const char *prefix, const char *format, va_list arguments)
+static void write_line(const char *prefix, const char *format, va_list *arguments)
 {
     char line[2048];
-    vsnprintf(line, sizeof(line), format, arguments);
+    vsnprintf(line, sizeof(line), format, *arguments);
     log_clean(line);
     fprintf(stderr, "firn: %s%s\n", prefix, line);
 }
@@ -47,7 +47,7 @@ void log_error(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    write_line("", format, arguments);
+    write_line("", format, &arguments);
     va_end(arguments);
 }
 
@@ -55,7 +55,7 @@ void log_warning(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    write_line("warning: ", format, arguments);
+    write_line("warning: ", format, &arguments);
     va_end(arguments);
 }
 
@@ -63,6 +63,6 @@ void log_note(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    write_line("note: ", format, arguments);
+    write_line("note: ", format, &arguments);
     va_end(arguments);
 }
