@@ -85,7 +85,8 @@ def tetrahedron():
     mesh = {'attributes': {'POSITION': 0}, 'indices': 1}
     return {
         'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0, 1]}],
-        'nodes': [{'mesh': 0, 'name': 'Cup'}, {'mesh': 1, 'translation': [0, -4, 0], 'scale': [3, 1, 3]}],
+        'nodes': [{'mesh': 0, 'name': 'Cup'},
+                  {'mesh': 1, 'translation': [0, -4, 0], 'scale': [3, 1, 3]}],
         'meshes': [{'primitives': [{**mesh, 'material': 0}]}, {'primitives': [mesh]}],
         'materials': [{'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}],
         'extensionsUsed': ['KHR_materials_transmission'],
