@@ -108,7 +108,8 @@ struct app_render {
     const char *frames;          /* not parsed; NULL: one picture */
     uint32_t chunk, chunk_count; /* of frames, from 1; 0: all of them */
     bool resume;
-    const char *json; /* file of a report; NULL: none */
+    double noise, seconds; /* the reference ends by; 0: by its samples alone */
+    const char *json;      /* file of a report; NULL: none */
 };
 
 /* Of firn view. */

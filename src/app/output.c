@@ -18,16 +18,16 @@
 #include "src/tech/refract_reference.h"
 #include "src/version.h"
 
-/* In the order of the files; the device comes last, for it does not count in comparisons. */
+/* In the order of the files; what does not count in comparisons comes last. */
 enum {
-    TEXT_COUNT_MAX = 4
+    TEXT_COUNT_MAX = 6
 };
 
 /* The words of a file. */
 struct texts {
     struct image_text all[TEXT_COUNT_MAX];
     uint32_t count, compared_count;
-    char tile[32];
+    char tile[32], samples[16], noise[32];
 };
 
 /* ---- words ---- */
@@ -101,7 +101,8 @@ static bool describe(const struct output *output, bool is_png, char **text)
     settings_put(&settings, settings_find("motion.time"), (double)output->shot.time);
     if (out) {
         fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", p->scene.name,
-                p->rung->rung.name, p->width, p->height, p->samples);
+                p->rung->rung.name, p->width, p->height,
+                output->samples ? output->samples : p->samples);
         if (p->filter == PIXEL_FILTER_POINT)
             fputs(" pixel-filter=point", out);
         if (p->interleaved) /* other tiles change nothing */
@@ -129,6 +130,7 @@ static bool describe(const struct output *output, bool is_png, char **text)
 
 enum status output_describe(struct output *output)
 {
+    output_finish(output);
     bool ok =
         describe(output, false, &output->settings) && describe(output, true, &output->png_settings);
     if (!ok)
@@ -140,6 +142,7 @@ void output_finish(struct output *output)
 {
     free(output->settings);
     free(output->png_settings);
+    output->settings = output->png_settings = NULL;
 }
 
 static void add_text(struct texts *texts, const char *name, const char *value)
@@ -161,6 +164,12 @@ static void fill_texts(struct texts *texts, const struct output *output, bool is
     }
     texts->compared_count = texts->count;
     add_text(texts, "firn/device", device);
+    if (!output->samples)
+        return;
+    snprintf(texts->samples, sizeof(texts->samples), "%u", output->samples);
+    snprintf(texts->noise, sizeof(texts->noise), "%.9g", output->noise);
+    add_text(texts, "firn/samples", texts->samples);
+    add_text(texts, "firn/noise", texts->noise);
 }
 
 /* Which pixels of the picture a file has; of interleaved tiles at (0, 0). */
@@ -278,6 +287,15 @@ bool output_is_current(const struct output *output, const char *path,
         .has_alpha = has_alpha(output->picture),
     };
     return is_png ? png_matches(head, &picture) : exr_is_current(output, head, &texts);
+}
+
+uint32_t output_enough_samples(const struct picture_head *head, uint32_t samples, double noise)
+{
+    const char *count = picture_head_text(head, "firn/samples");
+    const char *level = picture_head_text(head, "firn/noise");
+    const unsigned long drawn = count ? strtoul(count, NULL, 10) : 0;
+    const bool is_exact = level && noise > 0.0 && strtod(level, NULL) <= noise;
+    return drawn && drawn <= samples && (drawn == samples || is_exact) ? (uint32_t)drawn : 0;
 }
 
 /* ---- new files ---- */

@@ -14,14 +14,16 @@ struct output {
     const struct scene *scene;
     struct renderer_shot shot;
     bool is_frame;      /* of a sequence: motion.fps is written to EXR files */
+    uint32_t samples;   /* drawn; 0: those of the picture */
+    double noise;       /* of a reference: reference.h */
     char *settings;     /* how to draw it again, made by output_describe() */
     char *png_settings; /* the same of PNG files, which --show changes */
 };
 
 /*
- * Fills output->settings and png_settings: options, camera, every setting. A frame is described as
- * the single picture of its time (motion.time), so that both give the same pixels. Logs:
- * STATUS_TRY_AGAIN.
+ * Fills output->settings and png_settings, which are freed first: options, camera, every setting. A
+ * frame is described as the single picture of its time (motion.time), so that both give the same
+ * pixels. Logs: STATUS_TRY_AGAIN.
  */
 MUST_USE enum status output_describe(struct output *output);
 
@@ -35,6 +37,12 @@ void output_finish(struct output *output);
  */
 bool output_is_current(const struct output *output, const char *path,
                        const struct picture_head *head);
+
+/*
+ * Tells by a file's head with how many samples a reference was drawn that ended by a limit of noise
+ * (0: none) or time, if it need not be drawn again with at most `samples`; else 0.
+ */
+uint32_t output_enough_samples(const struct picture_head *head, uint32_t samples, double noise);
 
 /*
  * Whether --tiles and --tile go with the size, the rung and the files. Logs: STATUS_USAGE.

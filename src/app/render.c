@@ -1,4 +1,5 @@
 /* render.c: firn render: a picture or a sequence of them, to EXR and PNG. */
+#include <math.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,6 +39,8 @@ struct job {
     struct reference *reference;    /* ... it draws; NULL until a frame needs it */
     bool makes_png;                 /* make_png() makes the pixels of PNG files */
     uint32_t tile_done, tile_count; /* of the frame at work */
+    uint64_t pixels_beyond;         /* of all frames: reference.h */
+    double remaining;
     struct progress progress;
 };
 
@@ -47,6 +50,7 @@ struct frame {
     char *paths[APP_OUTPUT_COUNT];
     bool is_current[APP_OUTPUT_COUNT]; /* has the frame already */
     struct render_result result;
+    struct reference_outcome outcome; /* of the reference */
 };
 
 /* ---- a frame ---- */
@@ -59,7 +63,18 @@ static void frame_finish(struct frame *frame)
     render_result_finish(&frame->result);
 }
 
-/* Names and describes it, and sees which files have it already. */
+/* Whether a file has the frame, with so many samples. */
+static bool has_samples(const struct output *output, const char *path,
+                        const struct picture_head *head, uint32_t samples)
+{
+    struct output drawn = *output;
+    drawn.samples = samples;
+    drawn.settings = drawn.png_settings = NULL;
+    const bool same = output_describe(&drawn) == STATUS_OK && output_is_current(&drawn, path, head);
+    output_finish(&drawn);
+    return same;
+}
+
 /* Whether --resume may keep a file. One that cannot be read is drawn again; a line says why. */
 static bool is_current(const struct job *job, const struct output *output, const char *path)
 {
@@ -67,10 +82,15 @@ static bool is_current(const struct job *job, const struct output *output, const
     if (file_is_straight(path) || access(path, R_OK) != 0 ||
         picture_check(&head, path, &job->o.picture.scene.reader) != STATUS_OK)
         return false;
-    const bool same = output_is_current(output, path, &head);
+    const uint32_t samples =
+        output_enough_samples(&head, job->o.picture.samples, job->o.render.noise);
+    const bool same = output_is_current(output, path, &head) ||
+                      (samples && has_samples(output, path, &head, samples));
     picture_head_finish(&head);
     return same;
 }
+
+/* Names and describes it, and sees which files have it already. */
 
 static enum status frame_init(struct frame *frame, const struct job *job, int32_t number)
 {
@@ -171,11 +191,35 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
     return status;
 }
 
-static enum status draw_picture(struct job *job, const struct renderer_shot *shot,
-                                struct render_result *result)
+/* What is stored with the frame is the number of samples that it has. */
+static enum status trace_picture(struct job *job, struct frame *frame)
 {
+    struct reference_outcome *outcome = &frame->outcome;
+    struct output *output = &frame->output;
+    enum status status = reference_continue(job->reference, &output->shot, &frame->result, outcome,
+                                            show_progress, job);
+    output->samples = outcome->samples;
+    output->noise = outcome->noise;
+    return status == STATUS_OK ? output_describe(output) : status;
+}
+
+/* Once for all frames. */
+static void warn_of_remaining(const struct job *job)
+{
+    const unsigned long long count = job->pixels_beyond;
+    if (count && !job->o.run.quiet)
+        log_warning("--refraction reference: light paths were cut: up to %.2g of a pixel's light "
+                    "is missing, more than %g in %llu pixel%s (layer remaining): raise "
+                    "reference.bounces or lower reference.cutoff",
+                    job->remaining, REFERENCE_REMAINING_MAX, count, count > 1 ? "s" : "");
+}
+
+static enum status draw_picture(struct job *job, struct frame *frame)
+{
+    const struct renderer_shot *shot = &frame->output.shot;
+    struct render_result *result = &frame->result;
     if (job->reference)
-        return reference_render(job->reference, shot, result, show_progress, job);
+        return trace_picture(job, frame);
     if (job->o.picture.columns && !job->o.picture.tile)
         return draw_tiles(job, shot, result);
     return renderer_render(job->renderer, shot, result, show_progress, job);
@@ -197,11 +241,12 @@ static bool make_png(const struct app_picture *p, struct render_result *result)
 
 static enum status draw(struct job *job, struct frame *frame)
 {
-    const struct renderer_shot *shot = &frame->output.shot;
     struct render_result *result = &frame->result;
     progress_show(&job->progress, 0, job->o.picture.samples);
-    enum status status = draw_picture(job, shot, result);
+    enum status status = draw_picture(job, frame);
     progress_clear(&job->progress);
+    job->pixels_beyond += frame->outcome.pixels_beyond;
+    job->remaining = fmax(job->remaining, frame->outcome.remaining);
     if (status == STATUS_OK && job->makes_png && !make_png(&job->o.picture, result))
         status = STATUS_TRY_AGAIN;
     return status;
@@ -215,6 +260,8 @@ static enum status open_reference(struct job *job, const struct renderer_params 
         .width = params->width,
         .height = params->height,
         .samples = params->samples,
+        .noise = job->o.render.noise,
+        .seconds = job->o.render.seconds,
         .filter = params->filter,
         .layers = params->layers,
         .linear = params->linear,
@@ -292,9 +339,19 @@ static enum status open_renderer(struct job *job)
     return status;
 }
 
-static enum status write_output(struct job *job, const struct frame *frame, const char *path)
+static void print_written(const struct job *job, const struct frame *frame, const char *path)
 {
     const struct app_picture *p = &job->o.picture;
+    const uint32_t samples = frame->output.samples ? frame->output.samples : p->samples;
+    fprintf(stderr, "%s: %ux%u, %u sample%s", strcmp(path, "-") ? path : "stdout", p->width,
+            p->height, samples, samples > 1 ? "s" : "");
+    if (frame->output.samples > 1)
+        fprintf(stderr, ", noise %.3g", frame->output.noise);
+    fputc('\n', stderr);
+}
+
+static enum status write_output(struct job *job, const struct frame *frame, const char *path)
+{
     const bool is_straight = file_is_straight(path); /* a pipe may wait for ever */
     void *data = NULL;
     size_t size = 0;
@@ -310,8 +367,7 @@ static enum status write_output(struct job *job, const struct frame *frame, cons
     }
     free(data);
     if (status == STATUS_OK && !job->o.run.quiet)
-        fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout", p->width,
-                p->height, p->samples, p->samples > 1 ? "s" : "");
+        print_written(job, frame, path);
     return status;
 }
 
@@ -397,6 +453,7 @@ static enum status run_frames(struct job *job)
         if (first == STATUS_OK)
             first = status;
     }
+    warn_of_remaining(job);
     if (status != STATUS_OK && status != STATUS_CANT_CREATE)
         return status;
     return first != STATUS_OK && report_is_mixed(&job->report) ? STATUS_FAILED : first;

@@ -9,10 +9,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 #include "shaders/tonemap.h"
+#include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/frame/view.h"
 #include "src/reference/microfacet.h"
 #include "src/reference/reference_layers.h"
+#include "src/reference/reference_sums.h"
 #include "src/reference/whitted.h"
 #include "src/render/accumulate.h"
 #include "src/tech/tonemap.h"
@@ -21,6 +23,7 @@ enum {
     TILE = 16, /* pixels a side */
     THREAD_COUNT_MAX = 256,
     PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1),
+    ROUND_MAX = 16, /* samples */
 };
 
 struct reference {
@@ -33,7 +36,15 @@ struct reference {
 struct plane {
     float *texels;
     size_t seen_index;
-    bool mean; /* the mean of all samples, else sample 0, the pixel's centre */
+    uint32_t sum_index; /* of a mean */
+    bool mean;          /* the mean of all samples, else sample 0, the pixel's centre */
+};
+
+/* Of the pixels of a tile. */
+struct tally {
+    double error; /* sum of the standard errors */
+    double remaining;
+    uint64_t pixels_beyond;
 };
 
 /* A picture in progress, shared by the threads. */
@@ -47,6 +58,9 @@ struct job {
     struct whitted whitted;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
+    struct reference_sums sums;
+    uint32_t begin, end; /* samples of the round */
+    struct tally *tallies;
     uint32_t tile_columns, tile_count;
     atomic_uint next_tile, done_count;
     atomic_bool is_stopped;
@@ -116,31 +130,50 @@ static struct bvh_ray ray_of(const struct job *job, uint32_t x, uint32_t y, vec2
     };
 }
 
-static void trace_pixel(const struct job *job, uint32_t x, uint32_t y)
+static void write_first(const struct job *job, size_t pixel, const struct reference_seen *seen)
 {
-    const uint32_t samples = job->reference->request.samples;
+    float values[REFERENCE_SEEN_COUNT];
+    memcpy(values, seen, sizeof(values));
+    for (uint32_t p = 0; p < job->plane_count; p++) {
+        if (!job->planes[p].mean)
+            job->planes[p].texels[pixel] = values[job->planes[p].seen_index];
+    }
+}
+
+static void write_means(const struct job *job, size_t pixel, const double *sums,
+                        struct tally *tally)
+{
+    const double error = reference_sums_error(sums, job->end);
+    const double remaining = reference_sums_remaining(sums, job->end);
+    for (uint32_t p = 0; p < job->plane_count; p++) {
+        const struct plane *plane = &job->planes[p];
+        if (plane->mean)
+            plane->texels[pixel] = (float)(plane->seen_index == REFERENCE_SEEN_ERROR
+                                               ? error
+                                               : sums[plane->sum_index] / job->end);
+    }
+    tally->error += error;
+    tally->remaining = fmax(tally->remaining, remaining);
+    tally->pixels_beyond += remaining > REFERENCE_REMAINING_MAX;
+}
+
+static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct tally *tally)
+{
     const enum pixel_filter filter = job->reference->request.filter;
     const size_t pixel = (size_t)y * job->reference->request.width + x;
-    double sums[REFERENCE_SEEN_COUNT] = { 0 };
-    float first[REFERENCE_SEEN_COUNT];
-    for (uint32_t s = 0; s < samples; s++) {
+    double own[REFERENCE_VALUE_COUNT] = { 0 };
+    double *sums = job->sums.sums ? &job->sums.sums[pixel * job->sums.count] : own;
+    for (uint32_t s = job->begin; s < job->end; s++) {
         const struct bvh_ray ray = ray_of(job, x, y, accumulate_offset(filter, s));
         struct whitted whitted = job->whitted;
         whitted.sample = s;
         const struct reference_seen seen =
             whitted_trace(&whitted, &ray, job->globals.forward, microfacet_hash(x, y));
-        float values[REFERENCE_SEEN_COUNT];
-        memcpy(values, &seen, sizeof(values));
-        for (size_t i = 0; i < REFERENCE_SEEN_COUNT; i++)
-            sums[i] += (double)values[i];
+        reference_sums_add(&job->sums, sums, &seen);
         if (s == 0)
-            memcpy(first, values, sizeof(first));
+            write_first(job, pixel, &seen);
     }
-    for (uint32_t p = 0; p < job->plane_count; p++) {
-        const struct plane *plane = &job->planes[p];
-        plane->texels[pixel] =
-            plane->mean ? (float)(sums[plane->seen_index] / samples) : first[plane->seen_index];
-    }
+    write_means(job, pixel, sums, tally);
 }
 
 /* ---- tiles ---- */
@@ -157,14 +190,16 @@ static bool trace_tile(struct job *job)
     const uint32_t tile = atomic_fetch_add(&job->next_tile, 1);
     if (tile >= job->tile_count)
         return false;
+    struct tally tally = { 0 };
     const uint32_t left = tile % job->tile_columns * TILE;
     const uint32_t top = tile / job->tile_columns * TILE;
     for (uint32_t y = top; y < least(top + TILE, request->height); y++) {
         for (uint32_t x = left; x < least(left + TILE, request->width); x++)
-            trace_pixel(job, x, y);
+            trace_pixel(job, x, y, &tally);
         if (atomic_load(&job->is_stopped))
             return false;
     }
+    job->tallies[tile] = tally;
     atomic_fetch_add(&job->done_count, 1);
     return true;
 }
@@ -183,22 +218,90 @@ static uint32_t thread_count(const struct reference_request *request)
     return least(wanted, THREAD_COUNT_MAX);
 }
 
-/* Traces all tiles. The calling thread traces, too, and reports the progress of all threads; if
- * threads cannot be created, there are fewer. */
+/* Returns how many tiles of a picture of all samples are as much work as what is done. */
+static uint32_t tiles_done(const struct job *job)
+{
+    const uint64_t all = job->reference->request.samples;
+    const uint64_t before = (uint64_t)job->begin * job->tile_count;
+    const uint64_t now = (uint64_t)(job->end - job->begin) * atomic_load(&job->done_count);
+    return (uint32_t)((before + now) / all);
+}
+
+/* Traces a round of all tiles. The calling thread traces, too, and reports the progress of all
+ * threads; if threads cannot be created, there are fewer. */
 static enum status run(struct job *job, renderer_progress_fn *progress, void *user)
 {
     pthread_t threads[THREAD_COUNT_MAX];
     const uint32_t wanted = thread_count(&job->reference->request) - 1;
     uint32_t count = 0;
+    atomic_store(&job->next_tile, 0);
+    atomic_store(&job->done_count, 0);
     while (count < wanted && !pthread_create(&threads[count], NULL, work, job))
         count++;
     while (trace_tile(job)) {
-        if (progress && !progress(user, atomic_load(&job->done_count), job->tile_count))
+        if (progress && !progress(user, tiles_done(job), job->tile_count))
             atomic_store(&job->is_stopped, true);
     }
     for (uint32_t i = 0; i < count; i++)
         pthread_join(threads[i], NULL);
     return atomic_load(&job->is_stopped) ? STATUS_FAILED : STATUS_OK;
+}
+
+/* ---- rounds ---- */
+
+static bool has_rounds(const struct reference_request *request)
+{
+    return request->noise > 0.0 || request->seconds > 0.0;
+}
+
+/* Returns with how many samples the round after so many ends. */
+static uint32_t round_end(const struct reference_request *request, uint32_t samples)
+{
+    uint32_t end = 1;
+    if (!has_rounds(request))
+        return request->samples;
+    while (end <= samples)
+        end += least(end, ROUND_MAX);
+    return least(end, request->samples);
+}
+
+static bool is_enough(const struct reference_request *request,
+                      const struct reference_outcome *outcome, double began)
+{
+    const uint32_t samples = outcome->samples;
+    return samples >= request->samples ||
+           (request->noise > 0.0 && samples >= REFERENCE_NOISE_SAMPLES &&
+            outcome->noise <= request->noise) ||
+           (request->seconds > 0.0 && samples && clock_seconds() - began >= request->seconds);
+}
+
+/* In the order of the tiles, so that the noise has the same bits for any number of threads. */
+static struct reference_outcome outcome_of(const struct job *job)
+{
+    const double pixels = (double)job->sums.width * job->sums.height;
+    struct reference_outcome outcome = { .samples = job->end };
+    for (uint32_t i = 0; i < job->tile_count; i++) {
+        const struct tally *tally = &job->tallies[i];
+        outcome.noise += tally->error / pixels;
+        outcome.remaining = fmax(outcome.remaining, tally->remaining);
+        outcome.pixels_beyond += tally->pixels_beyond;
+    }
+    return outcome;
+}
+
+static enum status run_rounds(struct job *job, struct reference_outcome *outcome,
+                              renderer_progress_fn *progress, void *user)
+{
+    const struct reference_request *request = &job->reference->request;
+    const double began = clock_seconds();
+    enum status status = STATUS_OK;
+    while (status == STATUS_OK && !is_enough(request, outcome, began)) {
+        job->begin = outcome->samples;
+        job->end = round_end(request, job->begin);
+        status = run(job, progress, user);
+        *outcome = outcome_of(job);
+    }
+    return status;
 }
 
 /* ---- a picture ---- */
@@ -209,27 +312,35 @@ static bool add_layer(struct job *job, struct image *image, const struct frame_l
     if (!accumulate_add_planes(image, layer))
         return false;
     for (size_t p = 0; p < 4 && layer->planes[p]; p++) {
+        const size_t seen_index = reference_layers_find(layer->planes[p]);
+        const bool is_sum = layer->mean && seen_index < REFERENCE_SEEN_COUNT;
         job->planes[job->plane_count++] = (struct plane){
             .texels = image_find(image, layer->planes[p]),
-            .seen_index = reference_layers_find(layer->planes[p]),
+            .seen_index = seen_index,
+            .sum_index = is_sum ? reference_sums_want(&job->sums, (uint32_t)seen_index) : 0,
             .mean = layer->mean,
         };
     }
     return true;
 }
 
+/* What a picture needs memory for. Returns false when out of it. */
 static bool add_layers(struct job *job, struct image *image)
 {
     const struct reference_request *request = &job->reference->request;
     bool done = true;
     image_init(image, request->width, request->height);
+    reference_sums_init(&job->sums, request->width, request->height);
     if (request->linear || request->display)
         done = add_layer(job, image, &frame_beauty);
     for (uint32_t i = 0; techniques_layer(i); i++) {
         if (request->layers & 1u << i && reference_makes(techniques_layer(i)))
             done = done && add_layer(job, image, techniques_layer(i));
     }
-    return done;
+    job->tile_columns = (request->width + TILE - 1) / TILE;
+    job->tile_count = job->tile_columns * ((request->height + TILE - 1) / TILE);
+    job->tallies = calloc(job->tile_count, sizeof(*job->tallies));
+    return done && job->tallies && (!has_rounds(request) || reference_sums_keep(&job->sums));
 }
 
 static uint64_t memory_of(const struct reference_request *request)
@@ -258,7 +369,8 @@ static struct whitted tree_of(const struct job *job)
 }
 
 static enum status trace(struct job *job, const struct renderer_shot *shot,
-                         renderer_progress_fn *progress, void *user)
+                         struct reference_outcome *outcome, renderer_progress_fn *progress,
+                         void *user)
 {
     const struct reference_request *request = &job->reference->request;
     const struct frame_view view = {
@@ -273,15 +385,13 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     job->globals = frame_view_globals(&view, &job->push);
     job->radiance = radiance_of(request->scene, &job->globals);
     job->whitted = tree_of(job);
-    job->tile_columns = (request->width + TILE - 1) / TILE;
-    job->tile_count = job->tile_columns * ((request->height + TILE - 1) / TILE);
     if (!media_init(&job->media, request->scene, request->settings))
         return log_out_of_memory("objects");
     enum status status =
         bvh_init(&job->bvh, job->reference->device, &job->radiance, memory_of(request));
     if (status == STATUS_OK) {
         whitted_immerse(&job->whitted, job->push.eye, &job->whitted.eye_inside);
-        status = run(job, progress, user);
+        status = run_rounds(job, outcome, progress, user);
     }
     media_finish(&job->media);
     bvh_finish(&job->bvh);
@@ -309,18 +419,19 @@ static uint8_t *make_display(const struct job *job, const struct image *image)
     return rgba;
 }
 
-enum status reference_render(struct reference *r, const struct renderer_shot *shot,
-                             struct render_result *result, renderer_progress_fn *progress,
-                             void *user)
+enum status reference_continue(struct reference *r, const struct renderer_shot *shot,
+                               struct render_result *result, struct reference_outcome *outcome,
+                               renderer_progress_fn *progress, void *user)
 {
     struct job *job = calloc(1, sizeof(*job));
     enum status status = STATUS_TRY_AGAIN;
     *result = (struct render_result){ 0 };
+    *outcome = (struct reference_outcome){ 0 };
     if (job)
         job->reference = r;
     bool has_memory = job && add_layers(job, &result->image);
     if (has_memory)
-        status = trace(job, shot, progress, user);
+        status = trace(job, shot, outcome, progress, user);
     if (status == STATUS_OK && r->request.display) {
         result->rgba = make_display(job, &result->image);
         has_memory = result->rgba != NULL;
@@ -328,8 +439,20 @@ enum status reference_render(struct reference *r, const struct renderer_shot *sh
     if (!has_memory) {
         status = log_out_of_memory(NULL);
     }
+    if (job) {
+        reference_sums_finish(&job->sums);
+        free(job->tallies);
+    }
     free(job);
     if (status != STATUS_OK)
         render_result_finish(result);
     return status;
+}
+
+enum status reference_render(struct reference *r, const struct renderer_shot *shot,
+                             struct render_result *result, renderer_progress_fn *progress,
+                             void *user)
+{
+    struct reference_outcome outcome;
+    return reference_continue(r, shot, result, &outcome, progress, user);
 }

@@ -1,8 +1,9 @@
 /*
  * reference.h: reference pictures, traced on the CPU without a device.
  *
- *     reference_create()   checks the build and the CPU
- *     reference_render()   traces all samples of a picture
+ *     reference_create()    checks the build and the CPU
+ *     reference_render()    traces all samples of a picture
+ *     reference_continue()  traces some of them, and says how exact it is
  *
  * Traced are the object as a smooth dielectric (refract.ior, refract.dispersion, absorb.*), its
  * surroundings, moving objects, sky, environment image or colour, with the renderer's sample
@@ -11,7 +12,8 @@
  * equations: env_cube.*, refract.fresnel and refract.lookup have no effect. whitted.h describes the
  * method and its errors.
  *
- * Equal pictures have equal bytes for any number of threads.
+ * Equal pictures have equal bytes for any number of threads, whether their number of samples was
+ * asked for or reached by a limit of noise or time.
  *
  * Ownership: scene and settings are borrowed and must outlive the reference.
  * Errors:    logged once where found; STATUS_NO_DEVICE (built without Embree, or the CPU is too
@@ -29,7 +31,9 @@ struct reference_request {
     const struct scene *scene;
     const struct settings *settings;
     uint32_t width, height; /* pixels */
-    uint32_t samples;       /* per pixel; 0 means 1 */
+    uint32_t samples;       /* per pixel, at most; 0 means 1 */
+    double noise;           /* it ends once its noise is no larger; 0: after all samples */
+    double seconds;         /* no round of samples begins later than so long; 0: no limit */
     enum pixel_filter filter;
     uint32_t layers;  /* bit i: techniques_layer(i), for which reference_makes() is true */
     bool linear;      /* return the beauty in render_result.image */
@@ -53,6 +57,33 @@ MUST_USE enum status reference_create(struct reference **reference,
 MUST_USE enum status reference_render(struct reference *reference, const struct renderer_shot *shot,
                                       struct render_result *result, renderer_progress_fn *progress,
                                       void *user);
+
+/*
+ * Samples are traced in rounds: after 1, 2, 4, 8, 16, 32, 48, ... samples of all pixels it may end.
+ * The noise of a picture is the mean of its pixels' standard errors (reference_sums.h). With less
+ * than REFERENCE_NOISE_SAMPLES samples it is too uncertain to end by.
+ */
+enum {
+    REFERENCE_NOISE_SAMPLES = 8
+};
+
+/* From this share on, light that was not followed is worth a warning. */
+#define REFERENCE_REMAINING_MAX 0.05
+
+/* What has come of a picture. */
+struct reference_outcome {
+    uint32_t samples;       /* per pixel */
+    double noise;           /* of 1 sample it is not known: REFERENCE_ERROR_UNKNOWN */
+    double remaining;       /* the largest mean of a pixel's layer `remaining` */
+    uint64_t pixels_beyond; /* pixels in which that is more than REFERENCE_REMAINING_MAX */
+};
+
+/* Traces a shot as reference_render() does, until the first of the request's limits. */
+MUST_USE enum status reference_continue(struct reference *reference,
+                                        const struct renderer_shot *shot,
+                                        struct render_result *result,
+                                        struct reference_outcome *outcome,
+                                        renderer_progress_fn *progress, void *user);
 
 /* Returns the name of the tracer, "Embree 3.13.5", owned by the reference. */
 const char *reference_device(const struct reference *reference);

@@ -48,12 +48,21 @@ size_t reference_layers_find(const char *plane)
         if (!strcmp(planes[i].plane, plane))
             return planes[i].offset / sizeof(float);
     }
-    return REFERENCE_SEEN_COUNT;
+    return strcmp(plane, "error.Z") != 0 ? REFERENCE_SEEN_NOTHING : REFERENCE_SEEN_ERROR;
+}
+
+const char *reference_layers_plane(size_t index)
+{
+    for (size_t i = 0; i < sizeof(planes) / sizeof(planes[0]); i++) {
+        if (planes[i].offset / sizeof(float) == index)
+            return planes[i].plane;
+    }
+    return NULL;
 }
 
 bool reference_makes(const struct frame_layer *layer)
 {
-    return reference_layers_find(layer->planes[0]) < REFERENCE_SEEN_COUNT;
+    return reference_layers_find(layer->planes[0]) != REFERENCE_SEEN_NOTHING;
 }
 
 static void add_name(char *names, size_t size, const char *name, bool is_on)

@@ -22,11 +22,17 @@ struct reference_seen {
 };
 
 enum {
-    REFERENCE_SEEN_COUNT = sizeof(struct reference_seen) / sizeof(float)
+    REFERENCE_SEEN_COUNT = sizeof(struct reference_seen) / sizeof(float),
+    REFERENCE_SEEN_ERROR, /* of no ray: the standard error of a pixel (reference_sums.h) */
+    REFERENCE_SEEN_NOTHING,
 };
 
-/* Returns the index of the float that a plane receives, or REFERENCE_SEEN_COUNT. */
+/* Returns the index of the float that a plane receives, REFERENCE_SEEN_ERROR or
+ * REFERENCE_SEEN_NOTHING. */
 size_t reference_layers_find(const char *plane);
+
+/* Returns the plane that receives the float of an index. */
+const char *reference_layers_plane(size_t index);
 
 /* Returns whether the reference has a layer. */
 bool reference_makes(const struct frame_layer *layer);

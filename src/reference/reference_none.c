@@ -28,6 +28,14 @@ enum status reference_render(struct reference *reference, const struct renderer_
     return STATUS_NO_DEVICE;
 }
 
+enum status reference_continue(struct reference *reference, const struct renderer_shot *shot,
+                               struct render_result *result, struct reference_outcome *outcome,
+                               renderer_progress_fn *progress, void *user)
+{
+    *outcome = (struct reference_outcome){ 0 };
+    return reference_render(reference, shot, result, progress, user);
+}
+
 const char *reference_device(const struct reference *reference)
 {
     (void)reference;

@@ -50,6 +50,13 @@ static const struct frame_layer layers[] = {
         .mean = true,
         .help = "share of the light on paths that were terminated",
     },
+    {
+        .name = "error",
+        .planes = { "error.Z" },
+        .mean = true,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "standard error of the mean of red, green and blue, each clipped to 0..1",
+    },
     { 0 },
 };
 

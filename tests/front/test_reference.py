@@ -2,6 +2,7 @@
 
 With --without after FIRN: of a build that cannot trace.
 """
+import re
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -12,7 +13,7 @@ TRACED = ('--refraction', 'reference')
 LAYERS = ('Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z', 'exit.X', 'exit.Y', 'exit.Z',
           'refraction.R', 'refraction.G', 'refraction.B',
           'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z', 'path.Z', 'bounces.Z',
-          'tir.Z', 'remaining.R', 'remaining.G', 'remaining.B')
+          'tir.Z', 'remaining.R', 'remaining.G', 'remaining.B', 'error.Z')
 SMOOTH = [word for name in ('cracks.count', 'air.count', 'bubbles.count', 'bump.strength',
                             'light.count') for word in ('--set', f'{name}=0')]
 
@@ -25,7 +26,7 @@ class Both(Case):
         self.assertRegex(text, r'(?m)^ +reference .*\bCPU\b')
         layers = self.succeed('list', 'layers', env=NO_DRIVER).stdout.decode()
         self.assertRegex(layers, r'(?m)^ +remaining .*\(only with --refraction reference\)$')
-        self.assertEqual(layers.count('only with'), 1)
+        self.assertEqual(layers.count('only with'), 2)
 
     def test_layers_that_are_not_made(self):
         for option in ('--aov', '--show'):
@@ -50,6 +51,15 @@ class Both(Case):
             name, value = assignment.split('=')
             self.refuse(USAGE, 'render', 'sphere', *TRACED, '--set', assignment,
                         names=[name, value])
+
+    def test_limits_of_other_rungs(self):
+        for option, values in (('--noise', ('0', '1', '-1', 'nan', 'low', '.1,.2')),
+                               ('--time', ('0', '-1', 'inf', 'nan', '1m', ''))):
+            for value in values:
+                self.refuse(USAGE, 'render', 'sphere', *TRACED, option, value,
+                            names=[option, f"'{value}'"])
+            self.refuse(USAGE, 'render', 'sphere', option, '0.1', env=NO_DRIVER,
+                        names=[option, 'reference', 'paper', '--samples'])
 
 
 class Without(Case):
@@ -79,6 +89,39 @@ class With(Case):
         other = self.trace('c.exr', '--aov', 'all', '--set', 'absorb.green=0.5')
         self.assertFalse(Exr(self.trace('a.exr')).pixels == Exr(other).pixels)
 
+    def test_a_limit_of_noise(self):
+        words = self.succeed('render', 'sphere', *SMALL, *TRACED, '--noise', '0.01', '-o', 'a.exr',
+                             '-o', 'a.png', '--aov', 'error', env=NO_DRIVER).stderr.decode()
+        count, noise = re.search(r'a\.exr: 64x48, (\d+) samples, noise (\S+)\n', words).groups()
+        picture = Exr((self.folder / 'a.exr').read_bytes())
+        self.assertEqual(picture.text('firn/samples'), count)
+        self.assertAlmostEqual(float(picture.text('firn/noise')), float(noise), 4)
+        self.assertLessEqual(float(noise), 0.01)
+        self.trace('b.exr', '--samples', count, '--aov', 'error', '-o', 'b.png')
+        for kind in ('exr', 'png'):
+            self.assertTrue((self.folder / f'a.{kind}').read_bytes() ==
+                            (self.folder / f'b.{kind}').read_bytes(), kind)
+
+        def again(*limits):
+            return self.succeed('render', 'sphere', *SMALL, *TRACED, '--resume', '-o', 'a.exr',
+                                '--aov', 'error', *limits, env=NO_DRIVER).stderr.decode()
+        self.assertIn('up to date', again('--noise', '0.01'))
+        self.assertIn('up to date', again('--noise', '0.02', '--samples', count))
+        self.assertIn('up to date', again('--samples', count))
+        self.assertNotIn('up to date', again('--noise', str(float(noise) / 2)))
+        self.assertNotIn('up to date', again('--samples', '3'))
+        self.assertIn('1 sample\n', again('--time', '0.001', '--samples', '1'))
+
+    def test_light_that_was_not_followed(self):
+        def words(*arguments):
+            return self.succeed('render', 'sphere', *SMALL, *SMOOTH, *TRACED, *arguments,
+                                '--set', 'reference.bounces=1', env=NO_DRIVER).stderr.decode()
+        said = words('--frames', '1-2', '-o', 'a.##.exr')
+        self.assertRegex(said, r'(?m)^firn: warning: .* 1 of .* in \d{3} pixels .*remaining.*'
+                               r'reference\.bounces')
+        self.assertEqual(said.count('warning'), 1, said)
+        self.assertEqual(words('-q'), '')
+
     def test_one_layer_as_png(self):
         self.trace('path.png', '--show', 'path')
         self.assertEqual(self.files(), ['path.png'])
@@ -97,12 +140,12 @@ class With(Case):
             return self.succeed('render', 'sphere', '--size', '64x48', *TRACED, '--frames', '1-2',
                                 '-o', 'a.##.exr', *arguments, env=NO_DRIVER).stderr.decode()
         said = words()
-        self.assertEqual(said.count('warning'), 1, said)
+        self.assertEqual(said.count('draws only'), 1, said)
         for name in ('cracks', 'air', 'bubbles', 'bumps', 'highlights'):
             self.assertIn(name, said)
         self.assertNotIn('frost', said)
         self.assertEqual(words('-q'), '')
-        self.assertNotIn('warning', words(*SMOOTH))
+        self.assertNotIn('draws only', words(*SMOOTH))
 
 
 if __name__ == '__main__':

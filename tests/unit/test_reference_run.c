@@ -5,6 +5,7 @@
 
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
+#include "src/reference/reference_sums.h"
 #include "tests/support/check.h"
 #include "tests/support/picture.h"
 
@@ -70,6 +71,17 @@ static enum status render(const struct reference_request *request, struct render
     return status;
 }
 
+static struct reference_outcome go_on(const struct reference_request *request,
+                                      struct render_result *result)
+{
+    struct reference *reference;
+    struct reference_outcome outcome;
+    assert_int_equal(reference_create(&reference, request), STATUS_OK);
+    assert_int_equal(reference_continue(reference, &shot, result, &outcome, NULL, NULL), STATUS_OK);
+    reference_destroy(reference);
+    return outcome;
+}
+
 static struct render_result trace(const struct reference_request *request)
 {
     struct render_result result = { 0 };
@@ -92,7 +104,7 @@ static void test_any_number_of_threads(void **state)
     struct fixture *f = *state;
     f->request.threads = 1;
     struct render_result one = trace(&f->request);
-    const uint32_t counts[] = { 0, 2, 7, 1000000 };
+    const uint32_t counts[] = { 0, 2, 3, 7, 1000000 };
     for (size_t i = 0; i < sizeof(counts) / sizeof(counts[0]); i++) {
         f->request.threads = counts[i];
         struct render_result many = trace(&f->request);
@@ -100,6 +112,137 @@ static void test_any_number_of_threads(void **state)
         render_result_finish(&many);
     }
     render_result_finish(&one);
+}
+
+/* ---- limits ---- */
+
+/* A picture that ends by a limit is that of its number of samples. */
+static void check_limit(struct fixture *f, uint32_t samples)
+{
+    struct render_result limited = { 0 }, whole = { 0 };
+    const struct reference_outcome first = go_on(&f->request, &limited);
+    assert_int_equal(first.samples, samples);
+    f->request.noise = f->request.seconds = 0;
+    f->request.samples = samples;
+    const struct reference_outcome second = go_on(&f->request, &whole);
+    assert_int_equal(second.samples, samples);
+    assert_true(first.noise == second.noise);
+    check_same(&limited, &whole);
+    render_result_finish(&limited);
+    render_result_finish(&whole);
+}
+
+static double noise_of(struct fixture *f, uint32_t samples)
+{
+    struct render_result result = { 0 };
+    f->request.samples = samples;
+    const double noise = go_on(&f->request, &result).noise;
+    render_result_finish(&result);
+    return noise;
+}
+
+static void test_limits(void **state)
+{
+    struct fixture *f = *state;
+    const double noise_16 = noise_of(f, 16), noise_32 = noise_of(f, 32);
+    assert_true(noise_16 > noise_32 && noise_32 > 0);
+    assert_true(noise_of(f, 1) == REFERENCE_ERROR_UNKNOWN);
+    for (uint32_t threads = 1; threads <= 3; threads++) {
+        f->request.threads = threads;
+        f->request.samples = 40;
+        f->request.noise = noise_32; /* after 1, 2, 4, 8 and 16 samples there is more */
+        check_limit(f, 32);
+    }
+    f->request.samples = 40;
+    f->request.noise = 0.499; /* a limit that a few samples reach by chance */
+    check_limit(f, REFERENCE_NOISE_SAMPLES);
+    f->request.samples = 18;
+    f->request.noise = 1e-9;
+    check_limit(f, 18);
+    f->request.seconds = 1e-9;
+    check_limit(f, 1);
+    f->request.samples = 3;
+    f->request.seconds = 1e9;
+    check_limit(f, 3);
+}
+
+static double clipped(const struct render_result *result, size_t i, double *total)
+{
+    static const char *const planes[] = { "R", "G", "B" };
+    double sum = 0;
+    for (int c = 0; c < 3; c++) {
+        const double now = (double)image_find(&result->image, planes[c])[i];
+        sum += fmin(fmax(now - total[c], 0), 1) / 3;
+        total[c] = now;
+    }
+    return sum;
+}
+
+/* Each sample is what the mean of one more sample tells. */
+static void test_error(void **state)
+{
+    enum {
+        SAMPLES = 5
+    };
+
+    struct fixture *f = *state;
+    struct render_result results[SAMPLES];
+    f->scene.background = SCENE_COLOR;
+    f->scene.background_color = (vec3s){ { 0.2F, 0.6F, 3 } };
+    assert_int_equal(settings_set(&f->settings, "absorb.green=3"), STATUS_OK);
+    double noise = 0;
+    struct reference_outcome outcome = { 0 };
+    for (uint32_t s = 0; s < SAMPLES; s++) {
+        f->request.samples = s + 1;
+        results[s] = (struct render_result){ 0 };
+        outcome = go_on(&f->request, &results[s]);
+        for (uint32_t c = 0; c < 3; c++) { /* means to sums */
+            static const char *const planes[] = { "R", "G", "B" };
+            float *texels = image_find(&results[s].image, planes[c]);
+            for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)
+                texels[i] *= (float)(s + 1);
+        }
+    }
+    const float *errors = image_find(&results[SAMPLES - 1].image, "error.Z");
+    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
+        double values[SAMPLES], total[3] = { 0 }, mean = 0, spread = 0;
+        for (int s = 0; s < SAMPLES; s++) {
+            values[s] = clipped(&results[s], i, total);
+            mean += values[s] / SAMPLES;
+        }
+        for (int s = 0; s < SAMPLES; s++)
+            spread += (values[s] - mean) * (values[s] - mean);
+        CHECK_NEAR(errors[i], sqrt(spread / (SAMPLES - 1) / SAMPLES), 1e-5);
+        noise += (double)errors[i] / (WIDTH * HEIGHT);
+    }
+    assert_true(noise > 1e-3);
+    CHECK_NEAR(outcome.noise, noise, 1e-6);
+    for (uint32_t s = 0; s < SAMPLES; s++)
+        render_result_finish(&results[s]);
+}
+
+static void test_remaining(void **state)
+{
+    struct fixture *f = *state;
+    struct render_result result = { 0 };
+    assert_true(go_on(&f->request, &result).pixels_beyond < 10); /* trapped at the silhouette */
+    render_result_finish(&result);
+    assert_int_equal(settings_set(&f->settings, "reference.cutoff=0.1"), STATUS_OK);
+    const struct reference_outcome outcome = go_on(&f->request, &result);
+    const char *const planes[] = { "remaining.R", "remaining.G", "remaining.B" };
+    uint64_t count = 0;
+    float largest = 0;
+    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
+        float most = 0;
+        for (int c = 0; c < 3; c++)
+            most = fmaxf(most, image_find(&result.image, planes[c])[i]);
+        count += (double)most > REFERENCE_REMAINING_MAX;
+        largest = fmaxf(largest, most);
+    }
+    assert_true(count > 100);
+    assert_int_equal(outcome.pixels_beyond, count);
+    CHECK_NEAR(outcome.remaining, largest, 1e-6);
+    render_result_finish(&result);
 }
 
 /* Planes are those of the layers asked for, and each has something to say. */
@@ -284,6 +427,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_any_number_of_threads, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_limits, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_error, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_remaining, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_layers, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_samples, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_holes, set_up, tear_down),

@@ -13,6 +13,7 @@
 #include "src/app/options/option_picture.h"
 #include "src/app/options/option_preset.h"
 #include "src/app/options/option_profile.h"
+#include "src/app/options/option_reference.h"
 #include "src/app/options/option_values.h"
 #include "src/app/options/option_view.h"
 #include "src/app/shell_words.h"
@@ -80,6 +81,10 @@ static const struct option options[] = {
       "size of the picture, pixels, 1x1 to 16384x16384 (512x512)" },
     { "Output", "samples", 'n', "N", (FILES & ~(unsigned)APP_VIEW) | APP_LADDER | APP_SHEET,
       COUNT(picture.samples), "samples per pixel, 1 to 65536 (1)", 1, 65536 },
+    { "Output", "noise", 0, "LEVEL", APP_RENDER, AT(double, render.noise, option_noise),
+      "reference: ends at this mean standard error of linear RGB, clipped to 0..1" },
+    { "Output", "time", 0, "SECONDS", APP_RENDER, AT(double, render.seconds, option_seconds),
+      "reference: time after which no further round of samples begins, seconds" },
     { "Output", "samples", 'n', "N", APP_VIEW, COUNT(picture.samples),
       "samples per pixel of screenshots, 1 to 65536; the window draws 1 (1)", 1, 65536 },
     { "Output", "pixel-filter", 0, "FILTER", FILES | APP_LADDER | APP_SHEET,
@@ -439,6 +444,8 @@ static void set_defaults(struct app_options *o, enum app_command command)
         .profile = { .warmup = 5, .run_count = 30 },
         .ladder = { .run_count = 10 },
     };
+    if (command == APP_RENDER)
+        o->picture.samples = 0; /* option_settle_reference() knows */
     if (command == APP_LADDER)
         option_ladder_settings(&o->picture.scene.settings);
     if (command & (APP_LADDER | APP_BAKE))
@@ -479,6 +486,8 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     if (command != APP_FARM) /* its words tell whether it has outputs */
         app_name_output(o, command);
     enum status status = settle_layers(&o->picture);
+    if (status == STATUS_OK && command == APP_RENDER)
+        status = option_settle_reference(o);
     if (status == STATUS_OK)
         status = check_files(o, command);
     return status == STATUS_OK ? option_preset_read(&o->picture.scene) : status;
