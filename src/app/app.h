@@ -108,6 +108,7 @@ struct app_render {
     const char *frames;          /* not parsed; NULL: one picture */
     uint32_t chunk, chunk_count; /* of frames, from 1; 0: all of them */
     bool resume;
+    bool keep_sums;        /* of the reference, in sums_file.h's file */
     double noise, seconds; /* the reference ends by; 0: by its samples alone */
     const char *json;      /* file of a report; NULL: none */
 };

@@ -7,11 +7,13 @@
 #include <unistd.h>
 #include "src/app/app.h"
 #include "src/app/layer_picture.h"
+#include "src/app/options/option_reference.h"
 #include "src/app/output.h"
 #include "src/app/progress.h"
 #include "src/app/report.h"
 #include "src/app/sequence.h"
 #include "src/app/signals.h"
+#include "src/app/sums_file.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
@@ -191,15 +193,41 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
     return status;
 }
 
+/* Returns the frame's output beside which its sums are, or NULL. */
+static const char *sums_picture(const struct job *job, const struct frame *frame)
+{
+    for (uint32_t i = 0; i < job->o.run.outputs.count && job->o.render.keep_sums; i++) {
+        if (path_ends_in(frame->paths[i], ".exr"))
+            return frame->paths[i];
+    }
+    return NULL;
+}
+
 /* What is stored with the frame is the number of samples that it has. */
 static enum status trace_picture(struct job *job, struct frame *frame)
 {
-    struct reference_outcome *outcome = &frame->outcome;
+    const char *picture = sums_picture(job, frame);
+    char *path = picture ? option_sums_file(picture) : NULL;
     struct output *output = &frame->output;
-    enum status status = reference_continue(job->reference, &output->shot, &frame->result, outcome,
+    struct sums_file file = {
+        .path = path,
+        .output = output,
+        .device = reference_device(job->reference),
+        .stop = &job->stop,
+    };
+    struct reference_session session = {
+        .load = path && job->o.render.resume ? sums_file_load : NULL,
+        .keep = path ? sums_file_keep : NULL,
+        .user = &file,
+    };
+    if (picture && !path)
+        return log_out_of_memory(NULL);
+    enum status status = reference_continue(job->reference, &output->shot, &frame->result, &session,
                                             show_progress, job);
-    output->samples = outcome->samples;
-    output->noise = outcome->noise;
+    free(path);
+    output->samples = session.outcome.samples;
+    output->noise = session.outcome.noise;
+    frame->outcome = session.outcome;
     return status == STATUS_OK ? output_describe(output) : status;
 }
 

@@ -58,6 +58,7 @@ struct job {
     struct whitted whitted;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
+    struct reference_session *session;
     struct reference_sums sums;
     uint32_t begin, end; /* samples of the round */
     struct tally *tallies;
@@ -249,25 +250,29 @@ static enum status run(struct job *job, renderer_progress_fn *progress, void *us
 
 /* ---- rounds ---- */
 
-static bool has_rounds(const struct reference_request *request)
+static bool has_rounds(const struct job *job)
 {
-    return request->noise > 0.0 || request->seconds > 0.0;
+    const struct reference_request *request = &job->reference->request;
+    const struct reference_session *session = job->session;
+    return request->noise > 0.0 || request->seconds > 0.0 || session->load || session->keep;
 }
 
 /* Returns with how many samples the round after so many ends. */
-static uint32_t round_end(const struct reference_request *request, uint32_t samples)
+static uint32_t round_end(const struct job *job, uint32_t samples)
 {
+    const uint32_t most = job->reference->request.samples;
     uint32_t end = 1;
-    if (!has_rounds(request))
-        return request->samples;
+    if (!has_rounds(job))
+        return most;
     while (end <= samples)
         end += least(end, ROUND_MAX);
-    return least(end, request->samples);
+    return least(end, most);
 }
 
-static bool is_enough(const struct reference_request *request,
-                      const struct reference_outcome *outcome, double began)
+static bool is_enough(const struct job *job, double began)
 {
+    const struct reference_request *request = &job->reference->request;
+    const struct reference_outcome *outcome = &job->session->outcome;
     const uint32_t samples = outcome->samples;
     return samples >= request->samples ||
            (request->noise > 0.0 && samples >= REFERENCE_NOISE_SAMPLES &&
@@ -289,17 +294,32 @@ static struct reference_outcome outcome_of(const struct job *job)
     return outcome;
 }
 
-static enum status run_rounds(struct job *job, struct reference_outcome *outcome,
-                              renderer_progress_fn *progress, void *user)
+/* Traces until the picture has so many samples; of those that it has, only what follows from the
+ * sums. */
+static enum status run_until(struct job *job, uint32_t samples, renderer_progress_fn *progress,
+                             void *user)
 {
-    const struct reference_request *request = &job->reference->request;
+    job->begin = job->sums.samples;
+    job->end = samples;
+    const enum status status = run(job, progress, user);
+    job->sums.samples = samples;
+    job->session->outcome = outcome_of(job);
+    return status;
+}
+
+static enum status run_rounds(struct job *job, renderer_progress_fn *progress, void *user)
+{
+    const struct reference_session *session = job->session;
     const double began = clock_seconds();
     enum status status = STATUS_OK;
-    while (status == STATUS_OK && !is_enough(request, outcome, began)) {
-        job->begin = outcome->samples;
-        job->end = round_end(request, job->begin);
-        status = run(job, progress, user);
-        *outcome = outcome_of(job);
+    if (session->load)
+        status = session->load(session->user, &job->sums);
+    if (status == STATUS_OK && job->sums.samples)
+        status = run_until(job, job->sums.samples, progress, user);
+    while (status == STATUS_OK && !is_enough(job, began)) {
+        status = run_until(job, round_end(job, job->sums.samples), progress, user);
+        if (status == STATUS_OK && session->keep)
+            status = session->keep(session->user, &job->sums, is_enough(job, began));
     }
     return status;
 }
@@ -320,6 +340,9 @@ static bool add_layer(struct job *job, struct image *image, const struct frame_l
             .sum_index = is_sum ? reference_sums_want(&job->sums, (uint32_t)seen_index) : 0,
             .mean = layer->mean,
         };
+        if (!layer->mean)
+            reference_sums_want_first(&job->sums, (uint32_t)seen_index,
+                                      image_find(image, layer->planes[p]));
     }
     return true;
 }
@@ -340,7 +363,7 @@ static bool add_layers(struct job *job, struct image *image)
     job->tile_columns = (request->width + TILE - 1) / TILE;
     job->tile_count = job->tile_columns * ((request->height + TILE - 1) / TILE);
     job->tallies = calloc(job->tile_count, sizeof(*job->tallies));
-    return done && job->tallies && (!has_rounds(request) || reference_sums_keep(&job->sums));
+    return done && job->tallies && (!has_rounds(job) || reference_sums_keep(&job->sums));
 }
 
 static uint64_t memory_of(const struct reference_request *request)
@@ -369,8 +392,7 @@ static struct whitted tree_of(const struct job *job)
 }
 
 static enum status trace(struct job *job, const struct renderer_shot *shot,
-                         struct reference_outcome *outcome, renderer_progress_fn *progress,
-                         void *user)
+                         renderer_progress_fn *progress, void *user)
 {
     const struct reference_request *request = &job->reference->request;
     const struct frame_view view = {
@@ -391,7 +413,7 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
         bvh_init(&job->bvh, job->reference->device, &job->radiance, memory_of(request));
     if (status == STATUS_OK) {
         whitted_immerse(&job->whitted, job->push.eye, &job->whitted.eye_inside);
-        status = run_rounds(job, outcome, progress, user);
+        status = run_rounds(job, progress, user);
     }
     media_finish(&job->media);
     bvh_finish(&job->bvh);
@@ -420,18 +442,20 @@ static uint8_t *make_display(const struct job *job, const struct image *image)
 }
 
 enum status reference_continue(struct reference *r, const struct renderer_shot *shot,
-                               struct render_result *result, struct reference_outcome *outcome,
+                               struct render_result *result, struct reference_session *session,
                                renderer_progress_fn *progress, void *user)
 {
     struct job *job = calloc(1, sizeof(*job));
     enum status status = STATUS_TRY_AGAIN;
     *result = (struct render_result){ 0 };
-    *outcome = (struct reference_outcome){ 0 };
-    if (job)
+    session->outcome = (struct reference_outcome){ 0 };
+    if (job) {
         job->reference = r;
+        job->session = session;
+    }
     bool has_memory = job && add_layers(job, &result->image);
     if (has_memory)
-        status = trace(job, shot, outcome, progress, user);
+        status = trace(job, shot, progress, user);
     if (status == STATUS_OK && r->request.display) {
         result->rgba = make_display(job, &result->image);
         has_memory = result->rgba != NULL;
@@ -453,6 +477,6 @@ enum status reference_render(struct reference *r, const struct renderer_shot *sh
                              struct render_result *result, renderer_progress_fn *progress,
                              void *user)
 {
-    struct reference_outcome outcome;
-    return reference_continue(r, shot, result, &outcome, progress, user);
+    struct reference_session session = { 0 };
+    return reference_continue(r, shot, result, &session, progress, user);
 }

@@ -12,8 +12,8 @@
  * equations: env_cube.*, refract.fresnel and refract.lookup have no effect. whitted.h describes the
  * method and its errors.
  *
- * Equal pictures have equal bytes for any number of threads, whether their number of samples was
- * asked for or reached by a limit of noise or time.
+ * Equal pictures have equal bytes for any number of threads, and however their number of samples
+ * was reached: as asked for, by a limit of noise or time, in one run or several.
  *
  * Ownership: scene and settings are borrowed and must outlive the reference.
  * Errors:    logged once where found; STATUS_NO_DEVICE (built without Embree, or the CPU is too
@@ -78,11 +78,28 @@ struct reference_outcome {
     uint64_t pixels_beyond; /* pixels in which that is more than REFERENCE_REMAINING_MAX */
 };
 
-/* Traces a shot as reference_render() does, until the first of the request's limits. */
+struct reference_sums;
+
+/* Fills the sums, which are 0, and their number of samples, at most the request's. */
+typedef enum status reference_load_fn(void *user, struct reference_sums *sums);
+
+/* Is given the sums after each round; a failure ends the picture. */
+typedef enum status reference_keep_fn(void *user, const struct reference_sums *sums, bool is_last);
+
+/* One run of a picture, which may take several. */
+struct reference_session {
+    reference_load_fn *load; /* what runs before have summed; NULL: nothing */
+    reference_keep_fn *keep; /* may be NULL */
+    void *user;              /* of both */
+    struct reference_outcome outcome;
+};
+
+/* Traces a shot as reference_render() does, until the first of the request's limits, and fills
+ * session->outcome. */
 MUST_USE enum status reference_continue(struct reference *reference,
                                         const struct renderer_shot *shot,
                                         struct render_result *result,
-                                        struct reference_outcome *outcome,
+                                        struct reference_session *session,
                                         renderer_progress_fn *progress, void *user);
 
 /* Returns the name of the tracer, "Embree 3.13.5", owned by the reference. */

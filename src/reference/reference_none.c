@@ -29,10 +29,10 @@ enum status reference_render(struct reference *reference, const struct renderer_
 }
 
 enum status reference_continue(struct reference *reference, const struct renderer_shot *shot,
-                               struct render_result *result, struct reference_outcome *outcome,
+                               struct render_result *result, struct reference_session *session,
                                renderer_progress_fn *progress, void *user)
 {
-    *outcome = (struct reference_outcome){ 0 };
+    session->outcome = (struct reference_outcome){ 0 };
     return reference_render(reference, shot, result, progress, user);
 }
 

@@ -1,6 +1,7 @@
 /* reference_sums.c: the sums over a pixel's samples. */
 #include "src/reference/reference_sums.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,6 +36,12 @@ uint32_t reference_sums_want(struct reference_sums *sums, uint32_t value)
     if (i == sums->count)
         sums->values[sums->count++] = value;
     return i;
+}
+
+void reference_sums_want_first(struct reference_sums *sums, uint32_t value, float *texels)
+{
+    sums->first_values[sums->first_count] = value;
+    sums->firsts[sums->first_count++] = texels;
 }
 
 bool reference_sums_keep(struct reference_sums *sums)
@@ -72,4 +79,76 @@ double reference_sums_remaining(const double *pixel, uint32_t samples)
     for (int c = 0; c < 3; c++)
         most = fmax(most, pixel[REMAINING + c] / (double)samples);
     return most;
+}
+
+/* ---- in files ---- */
+
+enum {
+    PARTS = 3,      /* of a double */
+    PART_BITS = 21, /* the first has one more: all are exact as floats */
+};
+
+uint32_t reference_sums_plane_count(const struct reference_sums *sums)
+{
+    return sums->count * PARTS + sums->first_count;
+}
+
+void reference_sums_plane_name(const struct reference_sums *sums, uint32_t plane,
+                               char name[static IMAGE_NAME_SIZE])
+{
+    const uint32_t sum = plane / PARTS;
+    if (sum >= sums->count) {
+        const uint32_t value = sums->first_values[plane - sums->count * PARTS];
+        snprintf(name, IMAGE_NAME_SIZE, "%s", reference_layers_plane(value));
+        return;
+    }
+    const uint32_t value = sums->values[sum];
+    const char *of = value == REFERENCE_SUM_BRIGHTNESS ? "brightness"
+                     : value == REFERENCE_SUM_SQUARE   ? "square"
+                                                       : reference_layers_plane(value);
+    snprintf(name, IMAGE_NAME_SIZE, "%s.sum.%u", of, plane % PARTS);
+}
+
+static unsigned shift_of(uint32_t plane)
+{
+    return PART_BITS * (PARTS - 1 - plane % PARTS);
+}
+
+void reference_sums_get_row(const struct reference_sums *sums, uint32_t plane, uint32_t y,
+                            float *row)
+{
+    const size_t begin = (size_t)y * sums->width;
+    const uint32_t sum = plane / PARTS;
+    if (sum >= sums->count) {
+        memcpy(row, &sums->firsts[plane - sums->count * PARTS][begin], sums->width * sizeof(*row));
+        return;
+    }
+    for (size_t x = 0; x < sums->width; x++) {
+        uint64_t bits;
+        memcpy(&bits, &sums->sums[(begin + x) * sums->count + sum], sizeof(bits));
+        const uint64_t part = bits >> shift_of(plane);
+        row[x] = (float)(plane % PARTS ? part & ((1u << PART_BITS) - 1) : part);
+    }
+}
+
+bool reference_sums_put_row(struct reference_sums *sums, uint32_t plane, uint32_t y,
+                            const float *row)
+{
+    const size_t begin = (size_t)y * sums->width;
+    const uint32_t sum = plane / PARTS;
+    const float end = (float)(1u << (PART_BITS + (plane % PARTS == 0)));
+    if (sum >= sums->count) {
+        memcpy(&sums->firsts[plane - sums->count * PARTS][begin], row, sums->width * sizeof(*row));
+        return true;
+    }
+    for (size_t x = 0; x < sums->width; x++) {
+        double *at = &sums->sums[(begin + x) * sums->count + sum];
+        uint64_t bits;
+        if (!(row[x] >= 0.0f && row[x] < end) || row[x] != floorf(row[x]))
+            return false;
+        memcpy(&bits, at, sizeof(bits));
+        bits |= (uint64_t)row[x] << shift_of(plane);
+        memcpy(at, &bits, sizeof(bits));
+    }
+    return true;
 }

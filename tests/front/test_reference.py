@@ -3,10 +3,13 @@
 With --without after FIRN: of a build that cannot trace.
 """
 import re
+import signal
+import subprocess
 import sys
+import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DEVICE, NO_DRIVER, SMALL, USAGE, Case, main  # noqa: E402
+from case import DATA, NO_DEVICE, NO_DRIVER, SMALL, USAGE, Case, environment, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 
 TRACED = ('--refraction', 'reference')
@@ -53,6 +56,14 @@ class Both(Case):
                         names=[name, value])
 
     def test_limits_of_other_rungs(self):
+        self.refuse(USAGE, 'render', 'sphere', '--keep-sums', env=NO_DRIVER,
+                    names=['--keep-sums', 'reference', 'paper'])
+        for outputs in (('a.png',), ('-',)):
+            self.refuse(USAGE, 'render', 'sphere', *TRACED, '--keep-sums', '-o', *outputs,
+                        names=['--keep-sums', '.exr'])
+        self.refuse(USAGE, 'render', 'sphere', *TRACED, '--keep-sums', '-o', 'a.exr', '-o',
+                    'a.sums.exr', names=['a.sums.exr', '--output'])
+        self.assertEqual(self.files(), [])
         for option, values in (('--noise', ('0', '1', '-1', 'nan', 'low', '.1,.2')),
                                ('--time', ('0', '-1', 'inf', 'nan', '1m', ''))):
             for value in values:
@@ -111,6 +122,69 @@ class With(Case):
         self.assertNotIn('up to date', again('--noise', str(float(noise) / 2)))
         self.assertNotIn('up to date', again('--samples', '3'))
         self.assertIn('1 sample\n', again('--time', '0.001', '--samples', '1'))
+
+    def same(self, one, other):
+        self.assertTrue((self.folder / one).read_bytes() == (self.folder / other).read_bytes(),
+                        f'{one} {other}')
+
+    def test_more_samples_later(self):
+        kept = ('--keep-sums', '--aov', 'error,remaining,exit')
+        self.trace('a.exr', *kept, '--samples', '3')
+        self.trace('a.exr', *kept, '--samples', '21', '--resume', '-o', 'a.png')
+        self.trace('b.exr', *kept, '--samples', '21', '-o', 'b.png')
+        self.trace('c.exr', *kept[1:], '--samples', '21')
+        for name in ('a.exr', 'a.sums.exr', 'a.png'):
+            self.same(name, name.replace('a', 'b', 1))
+        self.same('a.exr', 'c.exr')
+        (self.folder / 'a.exr').unlink()  # what is summed is not traced again
+        self.trace('a.exr', *kept, '--samples', '21', '--resume')
+        self.same('a.exr', 'b.exr')
+        self.trace('a.exr', *kept, '--noise', '0.3', '--samples', '30', '--resume')
+        self.same('a.exr', 'b.exr')
+
+    def test_each_frame_has_sums(self):
+        self.succeed('render', 'sphere', *SMALL, *TRACED, '--keep-sums', '-o', 'a.##.exr',
+                     '--frames', '1-2', env=NO_DRIVER)
+        self.assertEqual(self.files(), ['a.01.exr', 'a.01.sums.exr', 'a.02.exr', 'a.02.sums.exr'])
+
+    def test_a_picture_that_was_interrupted(self):
+        long = ('render', 'sphere', *SMALL, *TRACED, '--keep-sums', '-o', 'a.exr', '--aov', 'all')
+        for signal_ in (signal.SIGKILL, signal.SIGTERM):
+            with self.subTest(signal=signal_), subprocess.Popen(
+                    [self.program, *long, '-n', '65536'], cwd=self.folder,
+                    env=environment(NO_DRIVER), stderr=subprocess.DEVNULL) as running:
+                late = time.monotonic() + 200
+                while not (self.folder / 'a.sums.exr').exists() and time.monotonic() < late:
+                    time.sleep(0.01)
+                running.send_signal(signal_)
+            self.assertFalse((self.folder / 'a.exr').exists())
+            sums = Exr((self.folder / 'a.sums.exr').read_bytes())
+            count = str(int(sums.text('firn/samples')) + 3)
+            self.succeed(*long, '-n', count, '--resume', env=NO_DRIVER)
+            self.trace('b.exr', '-n', count, '--aov', 'all')
+            self.same('a.exr', 'b.exr')
+            for name in ('a.exr', 'a.sums.exr'):
+                (self.folder / name).unlink()
+
+    def test_sums_of_another_picture(self):
+        self.trace('a.exr', '--keep-sums', '--samples', '2')
+        again = ('render', 'sphere', *SMALL, *TRACED, '--keep-sums', '--resume', '-q',
+                 '-o', 'a.exr')
+        kept = (self.folder / 'a.sums.exr').read_bytes()
+        for words, names in (
+                (('-n', '3', '--set', 'absorb.red=2'), ['another picture', 'absorb.red=2']),
+                (('-n', '3', '--eye', '1,2,3'), ['another picture', 'eye=1,2,3']),
+                (('-n', '3', '--size', '65x48'), ['another picture', 'size=65x48']),
+                (('-n', '3', '--aov', 'refraction'), ['refraction.R', '--aov']),
+                (('-n', '1'), ['2 samples', '--samples'])):
+            self.refuse(DATA, *again, *words, names=['a.sums.exr', '--resume', *names],
+                        env=NO_DRIVER)
+        picture = (self.folder / 'a.exr').read_bytes()
+        for bad, names in ((picture, ['brightness']), (kept[:5000], []), (b'', []),
+                           (kept.replace(b'firn/samples', b'firn/simples'), ['--keep-sums'])):
+            (self.folder / 'a.sums.exr').write_bytes(bad)
+            self.refuse(DATA, *again, '-n', '3', names=['a.sums.exr', *names], env=NO_DRIVER)
+        self.assertTrue(picture == (self.folder / 'a.exr').read_bytes())
 
     def test_light_that_was_not_followed(self):
         def words(*arguments):

@@ -75,11 +75,11 @@ static struct reference_outcome go_on(const struct reference_request *request,
                                       struct render_result *result)
 {
     struct reference *reference;
-    struct reference_outcome outcome;
+    struct reference_session session = { 0 };
     assert_int_equal(reference_create(&reference, request), STATUS_OK);
-    assert_int_equal(reference_continue(reference, &shot, result, &outcome, NULL, NULL), STATUS_OK);
+    assert_int_equal(reference_continue(reference, &shot, result, &session, NULL, NULL), STATUS_OK);
     reference_destroy(reference);
-    return outcome;
+    return session.outcome;
 }
 
 static struct render_result trace(const struct reference_request *request)

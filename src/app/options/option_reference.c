@@ -1,7 +1,11 @@
 /* option_reference.c: what the options of --refraction reference set. */
 #include "src/app/options/option_reference.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include "src/app/options/option_values.h"
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/tech/refract_reference.h"
 
 enum {
@@ -28,15 +32,41 @@ enum status option_seconds(const struct option *option, void *at, const char *va
     return set_number(option, at, value, 1e-3f, 1e9f, "seconds from 0.001 to 1e9");
 }
 
+const char *option_sums_picture(const struct app_options *o)
+{
+    for (uint32_t i = 0; i < o->run.outputs.count; i++) {
+        if (path_ends_in(o->run.outputs.paths[i], ".exr"))
+            return o->run.outputs.paths[i];
+    }
+    return NULL;
+}
+
+char *option_sums_file(const char *picture)
+{
+    static const char ending[] = ".sums.exr";
+    const size_t length = strlen(picture) - strlen(".exr");
+    const size_t size = length + sizeof(ending);
+    char *name = malloc(size);
+    if (name)
+        snprintf(name, size, "%.*s%s", (int)length, picture, ending);
+    return name;
+}
+
 enum status option_settle_reference(struct app_options *o)
 {
     const struct app_render *render = &o->render;
-    const char *name = render->noise > 0.0 ? "noise" : render->seconds > 0.0 ? "time" : NULL;
+    const char *limit = render->noise > 0.0 ? "noise" : render->seconds > 0.0 ? "time" : NULL;
     if (!o->picture.samples)
-        o->picture.samples = name ? SAMPLES_MAX : 1;
-    if (!name || o->picture.rung == &refract_reference)
-        return STATUS_OK;
-    log_error("--%s: only --refraction reference has it, not '%s'; give --samples instead", name,
-              o->picture.rung->rung.name);
-    return STATUS_USAGE;
+        o->picture.samples = limit ? SAMPLES_MAX : 1;
+    if (o->picture.rung != &refract_reference && (limit || render->keep_sums)) {
+        log_error("--%s: only --refraction reference has it, not '%s'; %s",
+                  limit ? limit : "keep-sums", o->picture.rung->rung.name,
+                  limit ? "give --samples instead" : "leave it out");
+        return STATUS_USAGE;
+    }
+    if (render->keep_sums && !option_sums_picture(o)) {
+        log_error("--keep-sums: expected an .exr file as --output, beside which the sums are");
+        return STATUS_USAGE;
+    }
+    return STATUS_OK;
 }

@@ -85,6 +85,8 @@ static const struct option options[] = {
       "reference: ends at this mean standard error of linear RGB, clipped to 0..1" },
     { "Output", "time", 0, "SECONDS", APP_RENDER, AT(double, render.seconds, option_seconds),
       "reference: time after which no further round of samples begins, seconds" },
+    { "Output", "keep-sums", 0, NULL, APP_RENDER, FLAG(render.keep_sums),
+      "reference: keep what --resume adds samples to, for a.exr in a.sums.exr" },
     { "Output", "samples", 'n', "N", APP_VIEW, COUNT(picture.samples),
       "samples per pixel of screenshots, 1 to 65536; the window draws 1 (1)", 1, 65536 },
     { "Output", "pixel-filter", 0, "FILTER", FILES | APP_LADDER | APP_SHEET,
@@ -407,7 +409,8 @@ void app_name_output(struct app_options *o, enum app_command command)
 /* No output may be an input or another output. */
 static enum status check_files(const struct app_options *o, enum app_command command)
 {
-    struct option_file files[OPTION_COUNT + APP_OUTPUT_COUNT + APP_POSITIONAL_COUNT + 1];
+    struct option_file files[OPTION_COUNT + APP_OUTPUT_COUNT + APP_POSITIONAL_COUNT + 2];
+    char *sums = o->render.keep_sums ? option_sums_file(option_sums_picture(o)) : NULL;
     size_t count = 0;
     for (size_t i = 0; i < OPTION_COUNT; i++) {
         const bool is_input = options[i].set == option_input;
@@ -424,7 +427,11 @@ static enum status check_files(const struct app_options *o, enum app_command com
         files[count++] = (struct option_file){ NULL, o->picture.scene.name, false };
     for (size_t i = 0; i < APP_POSITIONAL_COUNT && o->positionals[i]; i++)
         files[count++] = (struct option_file){ NULL, o->positionals[i], false };
-    return option_check_files(files, count);
+    if (sums)
+        files[count++] = (struct option_file){ "keep-sums", sums, true };
+    const enum status status = option_check_files(files, count);
+    free(sums);
+    return status;
 }
 
 static void set_defaults(struct app_options *o, enum app_command command)
