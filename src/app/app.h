@@ -148,6 +148,7 @@ struct app_mask {
 struct app_diff {
     bool has_exposure;
     float exposure; /* stops */
+    bool only_heat; /* PNG files have the errors alone */
     float ppd;      /* pixels per degree; 0: FLIP_PPD */
     enum flip_curve curve;
     bool has_limit[COMPARISON_METRIC_COUNT];

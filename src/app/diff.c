@@ -5,13 +5,12 @@
 #include <string.h>
 #include "src/app/app.h"
 #include "src/app/diff_report.h"
+#include "src/app/diff_sheet.h"
 #include "src/app/input.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/image/exr.h"
 #include "src/image/file.h"
-#include "src/image/png.h"
-#include "src/metric/heat.h"
 
 struct job {
     const struct app_options *options;
@@ -133,22 +132,16 @@ static void check_limits(struct job *job)
 
 static enum status encode_png(const struct job *job, void **data, size_t *size)
 {
-    const uint32_t width = job->reference.width, height = job->reference.height;
-    const size_t count = (size_t)width * height;
-    uint8_t *rgba = malloc(4 * count);
-    if (!rgba)
-        return log_out_of_memory(NULL);
-    for (size_t i = 0; i < count; i++) {
-        rgba[4 * i + 3] = 255;
-        if (!job->counted || job->counted[i])
-            heat_srgb(job->comparison.errors[i], &rgba[4 * i]);
-        else
-            memset(&rgba[4 * i], 0, 3);
-    }
-    const struct png_picture picture = { .rgba = rgba, .width = width, .height = height };
-    enum status status = png_encode(&picture, data, size);
-    free(rgba);
-    return status;
+    const struct app_diff *o = &job->options->diff;
+    const struct diff_sheet sheet = {
+        .reference = &job->reference,
+        .test = &job->test,
+        .errors = job->comparison.errors,
+        .counted = job->counted,
+        .flip = job->comparison.flip,
+        .exposure = o->has_exposure ? o->exposure : 0.0f,
+    };
+    return (o->only_heat ? diff_sheet_heat : diff_sheet_all)(&sheet, data, size);
 }
 
 /* Planes are borrowed from the comparison. */

@@ -7,6 +7,7 @@
 #include "src/image/png.h"
 #include "src/ladder/canvas.h"
 #include "src/ladder/ladder_report.h"
+#include "src/ladder/legend.h"
 #include "src/metric/heat.h"
 
 enum {
@@ -15,8 +16,6 @@ enum {
     LABEL = 330, /* width of a label at scale 1, the least width of a cell; pixels */
     LETTERS = 2, /* scale of the letters in cells that are wide enough */
     GREY = 34,
-    TICKS = 5,       /* of the legend */
-    TICK_LENGTH = 8, /* pixels */
 };
 
 /* ---- the sheet ---- */
@@ -73,27 +72,6 @@ static bool put_errors(struct canvas *canvas, uint32_t x, uint32_t y, const stru
     return true;
 }
 
-/* Draws the legend of the errors' colours beside the reference. */
-static void put_legend(struct canvas *canvas, uint32_t x, uint32_t y, const struct ladder *ladder)
-{
-    const uint32_t height = ladder->height;
-    const uint32_t width = ladder->width / 8 + 1;
-    const uint32_t scale = letter_scale(ladder);
-    uint8_t rgb[3];
-    for (uint32_t row = 0; row < height; row++) {
-        heat_srgb(1.0f - ((float)row + 0.5f) / (float)height, rgb);
-        canvas_fill(canvas, (const uint32_t[]){ x, y + row, width, 1 }, rgb);
-    }
-    for (uint32_t i = 0; i < TICKS; i++) {
-        char text[16];
-        const uint32_t at = i * (height - 1) / (TICKS - 1);
-        const uint32_t lift = i * scale * CANVAS_TEXT_HEIGHT / (TICKS - 1);
-        snprintf(text, sizeof(text), "%.2f", 1.0 - (double)i / (TICKS - 1));
-        canvas_write(canvas, x + width + TICK_LENGTH, y + at - (lift < at ? lift : at), scale,
-                     text);
-    }
-}
-
 static void put_reference(struct canvas *canvas, const struct ladder *ladder)
 {
     const struct canvas picture = { ladder->width, ladder->height, ladder->reference.rgba };
@@ -101,7 +79,10 @@ static void put_reference(struct canvas *canvas, const struct ladder *ladder)
     place(ladder, 0, &x, &y);
     canvas_write(canvas, x, y, letter_scale(ladder), "reference   FLIP:");
     canvas_put(canvas, x, y + label_height(ladder), &picture);
-    put_legend(canvas, x + ladder->width + MARGIN, y + label_height(ladder), ladder);
+    legend_put(canvas,
+               (const uint32_t[]){ x + ladder->width + MARGIN, y + label_height(ladder),
+                                   ladder->width / 8 + 1, ladder->height },
+               letter_scale(ladder));
 }
 
 static bool put_rung(struct canvas *canvas, const struct ladder *ladder, uint32_t index)

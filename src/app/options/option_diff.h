@@ -4,7 +4,8 @@
 
 #include "src/app/options/option.h"
 
-option_fn option_exposure, option_curve, option_ppd, option_fail_above; /* of struct app_diff */
-option_fn option_error_picture;                                         /* of struct app_outputs */
+option_fn option_exposure, option_curve, option_ppd, option_fail_above,
+    option_only;                /* of struct app_diff */
+option_fn option_error_picture; /* of struct app_outputs */
 
 #endif

@@ -234,6 +234,8 @@ static const struct option options[] = {
       "pixels per degree of the viewer's field of view, 1 to 400 (67)" },
     { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS(option_error_picture),
       "error picture, .png in colours or .exr as numbers; repeatable" },
+    { "Result", "only", 0, "heat", APP_DIFF, DIFF(option_only),
+      "PNG files show the errors alone (both pictures, errors and scale)" },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, DIFF(option_fail_above),
       "limit of flip, rmse, relmse, mae or angle, degrees: exit code 1 above it" },
     { "Format", "dot", 0, NULL, APP_GRAPH, FORMAT, "Graphviz digraph instead of text" },
