@@ -16,6 +16,12 @@
 static const char *const colors[3] = { "R", "G", "B" };
 static const char *const directions[3] = { "exit.X", "exit.Y", "exit.Z" };
 
+const char *const ladder_cause_names[LADDER_CAUSE_COUNT] = {
+    [LADDER_REFRACTED] = "refracted",
+    [LADDER_REFLECTED] = "reflected",
+    [LADDER_TRAPPED] = "trapped",
+};
+
 /* The state of the progress callback. */
 struct work {
     ladder_progress_fn *progress;
@@ -122,24 +128,37 @@ static enum status draw(struct ladder_rung *rung, const struct ladder_params *pa
 
 /* The pixels to measure. */
 struct masks {
-    bool *object, *straight;
+    bool *object, *straight, *causes[LADDER_CAUSE_COUNT];
     const bool *truth;
 };
+
+static enum ladder_cause cause_of(float bounces)
+{
+    return bounces < 0.5f ? LADDER_REFRACTED : bounces < 1.5f ? LADDER_REFLECTED : LADDER_TRAPPED;
+}
 
 static enum status make_masks(struct masks *masks, struct ladder *ladder,
                               const struct ladder_params *params)
 {
     const float *path = image_find(&ladder->reference.image, "path.Z");
     const float *tir = image_find(&ladder->reference.image, "tir.Z");
+    const float *bounces = image_find(&ladder->reference.image, "bounces.Z");
     const size_t count = pixel_count(ladder);
-    masks->object = calloc(2 * count, sizeof(*masks->object));
-    if (!masks->object || !path || !tir)
+    masks->object = calloc((2 + LADDER_CAUSE_COUNT) * count, sizeof(*masks->object));
+    if (!masks->object || !path || !tir || !bounces)
         return log_out_of_memory(NULL);
     masks->straight = masks->object + count;
+    for (size_t c = 0; c < LADDER_CAUSE_COUNT; c++)
+        masks->causes[c] = masks->object + (2 + c) * count;
     masks->truth = params->truth_counted ? params->truth_counted : masks->object;
     for (size_t i = 0; i < count; i++) {
         masks->object[i] = path[i] > 0.0f;
         masks->straight[i] = masks->object[i] && tir[i] == 0.0f;
+        if (masks->object[i]) {
+            const enum ladder_cause cause = cause_of(bounces[i]);
+            masks->causes[cause][i] = true;
+            ladder->cause_counts[cause]++;
+        }
         ladder->object_count += masks->object[i];
         ladder->straight_count += masks->straight[i];
     }
@@ -225,6 +244,11 @@ static enum status compare(struct ladder_rung *rung, const struct ladder *ladder
     rung->error.not_finite = difference.not_finite;
     rung->error.mae = difference_mae(&difference);
     rung->error.rmse = difference_rmse(&difference);
+    for (int c = 0; c < LADDER_CAUSE_COUNT; c++) {
+        const struct difference part =
+            measure_colors(&ladder->reference.image, &rung->result.image, masks->causes[c]);
+        rung->error.cause_mae[c] = difference_mae(&part);
+    }
     rung->error.tir_differs = measure_tir(rung, ladder, masks);
     enum status status = measure_flip(rung, ladder);
     return status == STATUS_OK ? measure_angle(rung, ladder, masks) : status;

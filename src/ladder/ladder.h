@@ -18,14 +18,26 @@ enum {
     LADDER_RUNG_COUNT = 16 /* at most */
 };
 
+/* What becomes of the light that is refracted wherever it can be, in pixels of the object: how
+ * often it is totally reflected (the reference's layer `bounces`). */
+enum ladder_cause {
+    LADDER_REFRACTED, /* never */
+    LADDER_REFLECTED, /* once */
+    LADDER_TRAPPED,   /* more often */
+    LADDER_CAUSE_COUNT,
+};
+
+extern const char *const ladder_cause_names[LADDER_CAUSE_COUNT]; /* "refracted", ... */
+
 /* Errors of a picture; they are NaN if no pixel is measured. */
 struct ladder_error {
-    double flip;         /* LDR-FLIP (src/metric/flip.h), exposure 0, mean of all pixels */
-    double mae, rmse;    /* of the object's pixels, linear; mae clipped to 0 and 1 */
-    double angle;        /* mean angle between the directions of `exit`, degrees */
-    double angle_95;     /* 95th percentile of that angle, degrees */
-    double tir_differs;  /* share of the object's pixels in which `tir` differs */
-    double truth;        /* mae against ladder_params.truth */
+    double flip;      /* LDR-FLIP (src/metric/flip.h), exposure 0, mean of all pixels */
+    double mae, rmse; /* of the object's pixels, linear; mae clipped to 0 and 1 */
+    double cause_mae[LADDER_CAUSE_COUNT]; /* mae of the pixels of each cause */
+    double angle;                         /* mean angle between the directions of `exit`, degrees */
+    double angle_95;                      /* 95th percentile of that angle, degrees */
+    double tir_differs;                   /* share of the object's pixels in which `tir` differs */
+    double truth;                         /* mae against ladder_params.truth */
     uint64_t not_finite; /* values of the object that are NaN or infinite; the errors ignore them */
 };
 
@@ -39,11 +51,12 @@ struct ladder_rung {
 
 struct ladder {
     uint32_t width, height;
-    uint64_t object_count, straight_count; /* pixels measured for mae and rmse; for angles */
-    struct render_result reference;        /* the layers of rungs, and `remaining` */
-    struct ladder_error reference_error;   /* zeros, except for truth */
-    double reference_cost;                 /* milliseconds of one picture */
-    char tracer[64];                       /* reference_device() */
+    uint64_t object_count, straight_count;     /* pixels measured for mae and rmse; for angles */
+    uint64_t cause_counts[LADDER_CAUSE_COUNT]; /* pixels of the object */
+    struct render_result reference;            /* the layers of rungs, and `remaining` */
+    struct ladder_error reference_error;       /* zeros, except for truth */
+    double reference_cost;                     /* milliseconds of one picture */
+    char tracer[64];                           /* reference_device() */
     struct ladder_rung rungs[LADDER_RUNG_COUNT];
     uint32_t rung_count;
 };

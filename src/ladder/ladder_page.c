@@ -52,7 +52,8 @@ static void put_number(double number, int digits, FILE *out)
 
 static void put_table(const struct ladder *ladder, FILE *out)
 {
-    fputs("<table>\n<tr><th>rung<th>FLIP<th>MAE<th>RMSE<th>degrees<th>95 %<th>other class"
+    fputs("<table>\n<tr><th>rung<th>FLIP<th>MAE<th>refracted<th>reflected<th>trapped<th>RMSE<th>"
+          "degrees<th>95 %<th>other class"
           "<th>ms<th>cost\n",
           out);
     for (uint32_t i = 0; i < ladder->rung_count; i++) {
@@ -61,6 +62,8 @@ static void put_table(const struct ladder *ladder, FILE *out)
         fprintf(out, "<tr><td>%s", rung->rung->rung.name);
         put_number(e->flip, 4, out);
         put_number(e->mae, 4, out);
+        for (int c = 0; c < LADDER_CAUSE_COUNT; c++)
+            put_number(e->cause_mae[c], 4, out);
         put_number(e->rmse, 4, out);
         put_number(e->angle, 3, out);
         put_number(e->angle_95, 3, out);
@@ -97,7 +100,10 @@ static void put_head(const struct ladder_report *report, FILE *out)
 
 static const char notes[] =
     "<p>FLIP: over all pixels. MAE (clipped to 0 and 1) and RMSE: over the object's pixels. "
-    "Degrees: mean and 95th percentile of the angle between the exit directions, where there is no "
+    "Refracted, reflected, trapped: MAE of the pixels whose light is totally reflected never, "
+    "once, "
+    "or more often before it leaves. Degrees: mean and 95th percentile of the angle between the "
+    "exit directions, where there is no "
     "total reflection. Other class: pixels with total reflection in only one of the two pictures. "
     "Cost: median frame time relative to ";
 

@@ -68,6 +68,27 @@ static void print_rows(const struct ladder *l, FILE *out)
               base > 0.0 ? l->reference_cost / base : none, out);
 }
 
+/* The causes of the errors, in a table of its own: lines have at most 100 columns. */
+static void print_causes(const struct ladder *l, FILE *out)
+{
+    fprintf(out, "\n%-*s", NAME_COLUMNS, "MAE by path");
+    for (int c = 0; c < LADDER_CAUSE_COUNT; c++)
+        fprintf(out, " %9s", ladder_cause_names[c]);
+    fprintf(out, "\n%-*s", NAME_COLUMNS, "pixels");
+    for (int c = 0; c < LADDER_CAUSE_COUNT; c++)
+        fprintf(out, " %9llu", (unsigned long long)l->cause_counts[c]);
+    putc('\n', out);
+    for (uint32_t i = 0; i < l->rung_count; i++) {
+        fprintf(out, "%-*s", NAME_COLUMNS, l->rungs[i].rung->rung.name);
+        for (int c = 0; c < LADDER_CAUSE_COUNT; c++)
+            print_number(l->rungs[i].error.cause_mae[c], 4, out);
+        putc('\n', out);
+    }
+    fputs("\nrefracted: light that leaves at the first surface inside; reflected: that is totally "
+          "reflected there\nonce before it leaves; trapped: more often.\n",
+          out);
+}
+
 void ladder_table(const struct ladder_report *report, FILE *out)
 {
     const struct ladder *l = report->ladder;
@@ -90,6 +111,7 @@ void ladder_table(const struct ladder_report *report, FILE *out)
     }
     if (has_truth)
         fputs("truth: MAE against the picture of --truth.\n", out);
+    print_causes(l, out);
 }
 
 /* ---- JSON ---- */
@@ -122,6 +144,18 @@ static bool put_text(json_t *object, const char *key, const char *text)
     return ok;
 }
 
+/* "mae_refracted", "refracted_pixels", ... */
+static bool put_causes(json_t *object, const double *errors, const uint64_t *counts)
+{
+    bool ok = true;
+    for (int c = 0; c < LADDER_CAUSE_COUNT && ok; c++) {
+        char key[32];
+        snprintf(key, sizeof(key), errors ? "mae_%s" : "%s_pixels", ladder_cause_names[c]);
+        ok = errors ? put_number(object, key, errors[c]) : put_count(object, key, counts[c]);
+    }
+    return ok;
+}
+
 static json_t *make_rung(const struct ladder *ladder, const struct ladder_rung *rung)
 {
     const struct ladder_error *e = &rung->error;
@@ -129,9 +163,9 @@ static json_t *make_rung(const struct ladder *ladder, const struct ladder_rung *
     const bool ok =
         put_text(object, "name", rung->rung->rung.name) && put_number(object, "flip", e->flip) &&
         put_number(object, "mae", e->mae) && put_number(object, "rmse", e->rmse) &&
-        put_number(object, "angle", e->angle) && put_number(object, "angle_95", e->angle_95) &&
-        put_number(object, "tir", e->tir_differs) && put_number(object, "truth", e->truth) &&
-        put_count(object, "not_finite", e->not_finite) &&
+        put_causes(object, e->cause_mae, NULL) && put_number(object, "angle", e->angle) &&
+        put_number(object, "angle_95", e->angle_95) && put_number(object, "tir", e->tir_differs) &&
+        put_number(object, "truth", e->truth) && put_count(object, "not_finite", e->not_finite) &&
         put_number(object, "ms", rung->cost > 0.0 ? rung->cost : (double)NAN) &&
         put_number(object, "cost", ladder_cost_ratio(ladder, rung));
     if (ok)
@@ -149,7 +183,7 @@ static bool fill(json_t *root, const struct ladder_report *report)
               put_count(root, "height", l->height) && put_count(root, "samples", report->samples) &&
               put_count(root, "object_pixels", l->object_count) &&
               put_count(root, "straight_pixels", l->straight_count) &&
-              put_text(root, "reference", l->tracer) &&
+              put_causes(root, NULL, l->cause_counts) && put_text(root, "reference", l->tracer) &&
               put_number(root, "reference_ms", l->reference_cost) &&
               put_number(root, "reference_truth", l->reference_error.truth) &&
               put_text(root, "device", report->device ? report->device : "");

@@ -49,10 +49,10 @@ class LadderCase(Case):
 class Numbers(LadderCase):
     def test_they_are_those_of_diff(self):
         """The same pictures by themselves, compared by another command."""
-        said = self.ladder('sphere', *SIZE, '--validate', '--rungs', 'paper,bounce', '--runs', 0)
+        said = self.ladder('ice-cube', *SIZE, '--validate', '--rungs', 'paper,bounce', '--runs', 0)
         for rung in ('reference', 'paper', 'bounce'):
-            self.succeed('render', 'sphere', *SIZE, *ALIKE, '--refraction', rung, '--aov',
-                         'exit,path,tir', '-o', f'{rung}.exr')
+            self.succeed('render', 'ice-cube', *SIZE, *ALIKE, '--refraction', rung, '--aov',
+                         'exit,path,bounces,tir', '-o', f'{rung}.exr')
         self.assertEqual(list(said['rungs']), ['paper', 'bounce'])
         truth = Exr((self.folder / 'reference.exr').read_bytes())
         planes = truth.read_planes(['path.Z', 'tir.Z'])
@@ -68,11 +68,28 @@ class Numbers(LadderCase):
             self.near(rung['mae'], object_['mae'], 1e-4)  # files are of half floats
             self.near(rung['rmse'], object_['rmse'], 1e-3)
             self.near(rung['tir'], object_['tir']['mismatch'], 1e-9)
+            self.check_causes(said, rung, name, truth)
             self.assertIsNone(rung['cost'])
             self.assertEqual(rung['not_finite'], 0)
         self.assertLess(said['rungs']['bounce']['angle'], 1.5)
         self.assertGreater(said['rungs']['paper']['angle'], 10)
         self.assertLess(said['rungs']['bounce']['flip'], said['rungs']['paper']['flip'] / 3)
+
+    def check_causes(self, said, rung, name, truth):
+        """By the same layers: never, once and more often reflected."""
+        names = [*'RGB', 'path.Z', 'bounces.Z']
+        ours = truth.read_planes(names)
+        test = Exr((self.folder / f'{name}.exr').read_bytes()).read_planes([*'RGB'])
+        for cause, least, most in (('refracted', 0, 0), ('reflected', 1, 1), ('trapped', 2, 99)):
+            inside = [i for i, (path, bounces) in enumerate(zip(ours['path.Z'], ours['bounces.Z']))
+                      if path > 0 and least <= bounces <= most]
+            self.assertEqual(said[f'{cause}_pixels'], len(inside))
+            errors = [abs(min(max(ours[c][i], 0), 1) - min(max(test[c][i], 0), 1))
+                      for c in 'RGB' for i in inside]
+            if errors:
+                self.near(rung[f'mae_{cause}'], sum(errors) / len(errors), 1e-4)
+            else:
+                self.assertIsNone(rung[f'mae_{cause}'])
 
     def test_costs(self):
         said = self.ladder('sphere', *SIZE, '--rungs', 'one-sided,paper', '--runs', 2)
