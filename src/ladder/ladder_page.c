@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/image/png.h"
 #include "src/ladder/ladder_report.h"
 
 static const char head[] =
@@ -13,7 +14,40 @@ static const char head[] =
     "table{border-collapse:collapse}\nth,td{padding:.25rem .8rem;text-align:right;"
     "border-bottom:1px solid rgb(128 128 128/.4)}\nth:first-child,td:first-child{text-align:left}\n"
     "svg,img{max-width:100%;height:auto;display:block}\nsvg{max-width:48rem}\n"
-    "code{overflow-wrap:anywhere}\n</style>\n";
+    "code{overflow-wrap:anywhere}\n"
+    "#ab{position:relative;width:fit-content;max-width:100%;overflow:hidden;cursor:ew-resize;"
+    "touch-action:pan-y}\n"
+    "#ab .rung{position:absolute;inset:0;clip-path:inset(0 calc(100% - var(--at)) 0 0)}\n"
+    "#ab::after{content:\"\";position:absolute;inset:0 auto 0 var(--at);border-left:1px solid #fff;"
+    "mix-blend-mode:difference}\n"
+    "#ab [hidden]{display:none}\n"
+    "#at{width:16rem;vertical-align:middle}\nlabel{margin-right:1.5rem}\n</style>\n";
+
+/* The divider follows the mouse; by keyboard it is the range's. */
+static const char script[] =
+    "<script>\n\"use strict\";\n"
+    "const ab = document.getElementById(\"ab\"), at = document.getElementById(\"at\");\n"
+    "const rung = document.getElementById(\"rung\"), says = document.getElementById(\"says\");\n"
+    "function show() {\n"
+    "  ab.style.setProperty(\"--at\", at.value + \"%\");\n"
+    "  for (const image of ab.querySelectorAll(\".rung\"))\n"
+    "    image.hidden = image.alt !== rung.value;\n"
+    "  says.textContent = rung.selectedOptions[0].dataset.says;\n"
+    "}\n"
+    "ab.addEventListener(\"pointermove\", event => {\n"
+    "  const box = ab.getBoundingClientRect();\n"
+    "  at.value = 100 * (event.clientX - box.left) / box.width;\n"
+    "  show();\n"
+    "});\n"
+    "at.addEventListener(\"input\", show);\n"
+    "rung.addEventListener(\"input\", show);\n"
+    "show();\n</script>\n";
+
+/* A PNG file: of the reference, or of a rung. */
+struct encoded {
+    void *data;
+    size_t size;
+};
 
 /* Writes a text with HTML's special characters escaped; names of files may have any characters. */
 static void put_text(const char *text, FILE *out)
@@ -107,39 +141,90 @@ static const char notes[] =
     "total reflection. Other class: pixels with total reflection in only one of the two pictures. "
     "Cost: median frame time relative to ";
 
-static void put_page(const struct ladder_report *report, const char *svg, const uint8_t *sheet,
-                     size_t sheet_size, FILE *out)
+static void put_image(const char *attributes, const char *alt, const struct encoded *png, FILE *out)
+{
+    fprintf(out, "<img %s alt=\"%s\" src=\"data:image/png;base64,", attributes, alt);
+    put_base64(png->data, png->size, out);
+    fputs("\">\n", out);
+}
+
+/* A rung on the left of a divider, the reference on the right. `pictures` begins with the
+ * reference's; without JavaScript the last rung is seen. */
+static void put_slider(const struct ladder *ladder, const struct encoded *pictures, FILE *out)
+{
+    fputs("<h2>Side by side</h2>\n<p><label>Left of the divider: <select id=\"rung\">\n", out);
+    for (uint32_t i = 0; i < ladder->rung_count; i++) {
+        const struct ladder_rung *rung = &ladder->rungs[i];
+        fprintf(out, "<option data-says=\"FLIP %.4f, MAE %.4f\"%s>%s\n", rung->error.flip,
+                rung->error.mae, i + 1 == ladder->rung_count ? " selected" : "",
+                rung->rung->rung.name);
+    }
+    fputs(
+        "</select></label>\n<label>Divider: <input id=\"at\" type=\"range\" min=\"0\" max=\"100\" "
+        "step=\"0.5\" value=\"50\"></label>\n<span id=\"says\" role=\"status\"></span>\n<p>Right "
+        "of "
+        "it is the reference. The divider follows the mouse, or the arrow keys.\n"
+        "<div id=\"ab\" style=\"--at:50%\">\n",
+        out);
+    put_image("class=\"truth\"", "reference", &pictures[0], out);
+    for (uint32_t i = 0; i < ladder->rung_count; i++)
+        put_image("class=\"rung\"", ladder->rungs[i].rung->rung.name, &pictures[i + 1], out);
+    fprintf(out, "</div>\n%s", script);
+}
+
+static enum status encode_pictures(const struct ladder *ladder, struct encoded *pictures)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i <= ladder->rung_count && status == STATUS_OK; i++) {
+        const struct png_picture picture = {
+            .rgba = i ? ladder->rungs[i - 1].result.rgba : ladder->reference.rgba,
+            .width = ladder->width,
+            .height = ladder->height,
+        };
+        status = png_encode(&picture, &pictures[i].data, &pictures[i].size);
+    }
+    return status;
+}
+
+static void put_page(const struct ladder_report *report, const char *svg,
+                     const struct encoded *pictures, const struct encoded *sheet, FILE *out)
 {
     const struct ladder_rung *base = ladder_base(report->ladder);
     put_head(report, out);
     put_table(report->ladder, out);
-    fprintf(out, "%s%s, frames of all rungs in turns.\n%s<h2>Pictures</h2>\n", notes,
-            base->rung->rung.name, base->cost > 0.0 ? svg : "");
-    fputs("<p>Each picture is followed by its FLIP error, in the colours of the scale.\n<img "
-          "alt=\"contact sheet\" src=\"data:image/png;base64,",
+    fprintf(out, "%s%s, frames of all rungs in turns.\n%s", notes, base->rung->rung.name,
+            base->cost > 0.0 ? svg : "");
+    put_slider(report->ladder, pictures, out);
+    fputs("<h2>Pictures</h2>\n<p>Each picture is followed by its FLIP error, in the colours of the "
+          "scale.\n",
           out);
-    put_base64(sheet, sheet_size, out);
-    fputs("\">\n</html>\n", out);
+    put_image("id=\"sheet\"", "contact sheet", sheet, out);
+    fputs("</html>\n", out);
 }
 
 enum status ladder_page(const struct ladder_report *report, char **text, size_t *size)
 {
-    void *sheet = NULL;
+    struct encoded pictures[LADDER_RUNG_COUNT + 1] = { 0 };
+    struct encoded sheet = { 0 };
     char *svg = NULL;
-    size_t sheet_size = 0, svg_size;
+    size_t svg_size;
     *text = NULL;
-    enum status status = ladder_sheet(report, &sheet, &sheet_size);
+    enum status status = ladder_sheet(report, &sheet.data, &sheet.size);
+    if (status == STATUS_OK)
+        status = encode_pictures(report->ladder, pictures);
     if (status == STATUS_OK)
         status = ladder_svg(report, &svg, &svg_size);
     FILE *out = status == STATUS_OK ? open_memstream(text, size) : NULL;
     if (out)
-        put_page(report, svg, sheet, sheet_size, out);
+        put_page(report, svg, pictures, &sheet, out);
     if (status == STATUS_OK && (!out || fclose(out))) {
         free(*text);
         *text = NULL;
         status = log_out_of_memory(NULL);
     }
     free(svg);
-    free(sheet);
+    free(sheet.data);
+    for (uint32_t i = 0; i <= report->ladder->rung_count; i++)
+        free(pictures[i].data);
     return status;
 }

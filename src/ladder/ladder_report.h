@@ -31,7 +31,7 @@ MUST_USE enum status ladder_svg(const struct ladder_report *report, char **text,
  * colours. */
 MUST_USE enum status ladder_sheet(const struct ladder_report *report, void **data, size_t *size);
 
-/* Writes one HTML file with table, plot and sheet. */
+/* Writes one HTML file with table, plot, sheet, and each rung beside the reference. */
 MUST_USE enum status ladder_page(const struct ladder_report *report, char **text, size_t *size);
 
 /* Encodes an EXR file: the reference as R, G, B; each rung as RUNG.R, RUNG.G, RUNG.B and

@@ -135,7 +135,7 @@ class Pictures(LadderCase):
         self.check_layers()
         self.check_plot()
         page = (self.folder / 'page.html').read_text()
-        sheet = re.search(r'data:image/png;base64,([A-Za-z0-9+/=]+)"', page).group(1)
+        sheet = re.search(r'contact sheet" src="data:image/png;base64,([A-Za-z0-9+/=]+)"', page)[1]
         self.assertEqual(base64.b64decode(sheet, validate=True),
                          (self.folder / 'sheet.png').read_bytes())
         self.assertIn('<svg', page)
