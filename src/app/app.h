@@ -21,6 +21,7 @@ enum {
     APP_SWEEP_COUNT = 4,        /* --sweep */
     APP_SBATCH_COUNT = 16,      /* --sbatch */
     APP_NODE_COUNT = 16,        /* --material NODE=... */
+    APP_LADDER_SCENE_COUNT = 8, /* of firn ladder; all but the first are positionals */
 };
 
 /* How a command prints what it prints. */

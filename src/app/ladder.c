@@ -1,4 +1,5 @@
 /* ladder.c: firn ladder: every rung beside the truth, or in the white furnace. */
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 #include "src/image/file.h"
 #include "src/ladder/furnace.h"
 #include "src/ladder/ladder_report.h"
+#include "src/profile/text.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
 #include "src/settings/scene_settings.h"
@@ -26,6 +28,7 @@ struct job {
     struct ladder ladder;
     struct ladder_report report;
     char *command;
+    const char *before; /* its numbers, on stdout */
     struct progress progress;
 };
 
@@ -196,17 +199,27 @@ static enum status print(const struct job *job)
     else
         status = ladder_json(&job->report, &text, &size);
     if (text)
-        printf("%s\n", text);
+        fputs(text, stdout);
     free(text);
     return status;
+}
+
+static void print_scene(const char *name)
+{
+    char words[512];
+    snprintf(words, sizeof(words), "scene      %s", name);
+    profile_print_words(words, 11, stdout);
 }
 
 static enum status report(const struct job *job)
 {
     struct furnace furnace;
     enum status status = STATUS_OK;
+    fputs(job->before, stdout);
     if (job->o.ladder.furnace) {
         furnace = furnace_measure(&job->ladder);
+        if (job->o.positionals[0])
+            print_scene(job->o.picture.scene.name);
         furnace_print(&furnace, stdout);
         status = furnace_holds(&furnace) ? STATUS_OK : STATUS_FAILED;
     } else {
@@ -239,20 +252,67 @@ static enum status run(struct job *job)
     return status;
 }
 
-enum status app_ladder(const struct app_options *options)
+/* ---- several scenes ---- */
+
+/* What is left of a scene's ladder once the next one begins. */
+struct summary {
+    const char *scenes[APP_LADDER_SCENE_COUNT];
+    double flip[APP_LADDER_SCENE_COUNT][LADDER_RUNG_COUNT];
+    const char *rungs[LADDER_RUNG_COUNT];
+    uint32_t scene_count, rung_count;
+};
+
+static void note(struct summary *summary, const struct job *job)
 {
-    struct job *job = calloc(1, sizeof(*job));
-    enum status status = STATUS_TRY_AGAIN;
-    if (job) {
-        job->o = *options;
-        job->command = shell_words_join(options->run.words);
+    const struct ladder *ladder = &job->ladder;
+    summary->rung_count = ladder->rung_count;
+    for (uint32_t i = 0; i < ladder->rung_count; i++) {
+        summary->rungs[i] = ladder->rungs[i].rung->rung.name;
+        summary->flip[summary->scene_count][i] = ladder->rungs[i].error.flip;
     }
-    if (job && job->command)
-        status = run(job);
-    else
-        log_error("out of memory");
-    if (!job)
-        return status;
+    summary->scenes[summary->scene_count++] = job->o.picture.scene.name;
+}
+
+/* A file by the end of its path, as far as a column has room for it. */
+static void print_title(const char *scene)
+{
+    const char *slash = strrchr(scene, '/');
+    char title[11];
+    snprintf(title, sizeof(title), "%s", slash ? slash + 1 : scene);
+    for (char *c = title; *c; c++) {
+        if (iscntrl((unsigned char)*c))
+            *c = '?';
+    }
+    printf(" %10s", title);
+}
+
+static void print_summary(const struct summary *summary)
+{
+    printf("\n%-10s", "FLIP");
+    for (uint32_t s = 0; s < summary->scene_count; s++)
+        print_title(summary->scenes[s]);
+    putchar('\n');
+    for (uint32_t r = 0; r < summary->rung_count; r++) {
+        printf("%-10s", summary->rungs[r]);
+        for (uint32_t s = 0; s < summary->scene_count; s++)
+            printf(" %10.4f", summary->flip[s][r]);
+        putchar('\n');
+    }
+}
+
+/* Whether what is asked for is of one scene. */
+static enum status check_several(const struct app_options *o)
+{
+    const char *option = o->run.outputs.count ? "--output" : o->ladder.truth ? "--truth" : NULL;
+    if (!option)
+        return STATUS_OK;
+    log_error("%s: expected one scene, got '%s' and '%s'; give one at a time", option,
+              o->picture.scene.name, o->positionals[0]);
+    return STATUS_USAGE;
+}
+
+static void job_finish(struct job *job)
+{
     ladder_finish(&job->ladder);
     image_finish(&job->truth);
     free(job->truth_counted);
@@ -260,5 +320,56 @@ enum status app_ladder(const struct app_options *options)
     scene_finish(&job->scene);
     free(job->command);
     free(job);
+}
+
+/* `before` is what is printed before the scene's numbers. */
+static enum status run_scene(const struct app_options *options, const char *name,
+                             const char *before, struct summary *summary)
+{
+    struct job *job = calloc(1, sizeof(*job));
+    if (!job)
+        return log_out_of_memory(NULL);
+    job->o = *options;
+    job->o.picture.scene.name = name;
+    job->before = before;
+    job->command = shell_words_join(options->run.words);
+    enum status status = job->command ? run(job) : log_out_of_memory(NULL);
+    if (status == STATUS_OK)
+        note(summary, job);
+    job_finish(job);
+    return status;
+}
+
+/* All scenes but those after one that cannot be drawn. A furnace that does not hold is such a one
+ * only for the exit code. */
+static enum status run_scenes(const struct app_options *o)
+{
+    const bool is_json = o->run.format == APP_FORMAT_JSON && !o->ladder.furnace;
+    struct summary summary = { 0 };
+    enum status first = STATUS_OK, status = check_several(o);
+    if (status != STATUS_OK)
+        return status;
+    status = run_scene(o, o->picture.scene.name, is_json ? "{\"scenes\": [\n" : "", &summary);
+    for (uint32_t i = 0; o->positionals[i]; i++) {
+        if (status != STATUS_OK && !(o->ladder.furnace && status == STATUS_FAILED))
+            break;
+        first = first == STATUS_OK ? status : first;
+        status = run_scene(o, o->positionals[i], is_json ? ",\n" : "\n", &summary);
+    }
+    if (status == STATUS_OK && is_json)
+        puts("\n]}");
+    else if (status == STATUS_OK && !o->ladder.furnace)
+        print_summary(&summary);
+    return first == STATUS_OK ? status : first;
+}
+
+enum status app_ladder(const struct app_options *options)
+{
+    struct summary summary = { 0 };
+    if (options->positionals[0])
+        return run_scenes(options);
+    const enum status status = run_scene(options, options->picture.scene.name, "", &summary);
+    if (status == STATUS_OK && options->run.format == APP_FORMAT_JSON && !options->ladder.furnace)
+        putchar('\n');
     return status;
 }

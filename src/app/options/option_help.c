@@ -27,6 +27,7 @@ static const char *const examples[] = {
     [APP_LADDER] = ("  firn ladder\n"
                     "  firn ladder sphere --size 256x256 -o ladder.html -o ladder.exr\n"
                     "  firn ladder statue.glb --rungs paper,search,bounce --runs 0 --json\n"
+                    "  firn ladder sphere ice-cube teapot --rungs search,bounce --runs 0\n"
                     "  firn ladder ice-cube --furnace\n"),
     [APP_BAKE] = ("  firn bake room -o env.exr\n"
                   "  firn bake room --size 1024 -o fine.exr\n"
@@ -59,7 +60,7 @@ static const char *const usages[] = {
     [APP_VIEW] = "firn view [options] SCENE: show a scene in a window; F1 lists the keys",
     [APP_PROFILE] = "firn profile [options] SCENE: measure the time of each pass of a frame",
     [APP_DIFF] = "firn diff [options] REFERENCE TEST: measure how much two pictures differ",
-    [APP_LADDER] = ("firn ladder [options] [SCENE]: compare every refraction rung with the ray "
+    [APP_LADDER] = ("firn ladder [options] [SCENE...]: compare every refraction rung with the ray "
                     "traced reference"),
     [APP_BAKE] =
         "firn bake [options] SCENE: draw the environment of a scene's object as a cube for --env",

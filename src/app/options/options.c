@@ -337,18 +337,22 @@ static enum status parse_option(struct app_options *o, enum app_command command,
     return option->set(option, (char *)o + option->offset, value);
 }
 
-/* Most commands have one word that is no option, SCENE. */
+/* Most commands have one word that is no option, SCENE; firn ladder may have more of these. */
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
     const bool is_scene = command & (SCENES | APP_INFO) & ~(unsigned)APP_FARM;
-    const char **words = is_scene ? &o->picture.scene.name : o->positionals;
     const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2
                           : command == APP_MERGE          ? APP_POSITIONAL_COUNT - 1
+                          : command == APP_LADDER         ? APP_LADDER_SCENE_COUNT
                                                           : 1;
+    const bool is_first = is_scene && !o->picture.scene.name;
+    const char **words =
+        is_first || (is_scene && most == 1) ? &o->picture.scene.name : o->positionals;
+    const uint32_t room = is_first ? 1 : most - (is_scene && most > 1);
     uint32_t count = 0;
-    while (count < most && words[count])
+    while (count < room && words[count])
         count++;
-    if (count < most) {
+    if (count < room) {
         words[count] = word;
         return STATUS_OK;
     }
