@@ -146,7 +146,7 @@ static enum status measure(struct job *job)
     if (status != STATUS_OK)
         return status;
     if (!o->run.quiet && reference_leaves_out(&p->scene.settings, names, sizeof(names)))
-        log_warning("firn ladder: the reference has only the smooth object, without %s", names);
+        log_warning("firn ladder: the reference draws the scene without %s", names);
     progress_begin(&job->progress, ladder_stages(&params), "steps", o->run.quiet);
     status = ladder_run(&job->ladder, &params, show_progress, job);
     progress_clear(&job->progress);

@@ -299,7 +299,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
     enum status status = reference_create(&job->reference, &request);
     if (status == STATUS_OK && !job->o.run.quiet && !job->is_opened &&
         reference_leaves_out(params->settings, names, sizeof(names)))
-        log_warning("--refraction reference: draws only the smooth object, without %s", names);
+        log_warning("--refraction reference: draws the scene without %s", names);
     return status;
 }
 

@@ -1,8 +1,10 @@
-/* bvh.c: Embree's scene of the object and its surroundings. */
+/* bvh.c: Embree's scene of the object, its bubbles and its surroundings. */
 #include "src/reference/bvh.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/frame/media.h"
 
 /* Embree passes the context of a ray on to the filters. */
 struct context {
@@ -39,7 +41,7 @@ static void filter_object(const struct RTCFilterFunctionNArguments *args)
     const struct bvh *bvh = args->geometryUserPtr;
     const struct bvh_ray *ray = ((const struct context *)(const void *)args->context)->ray;
     const struct RTCHit *hit = hit_of(args);
-    if (ray->from == BVH_NOWHERE)
+    if (ray->from == BVH_NOWHERE || ray->part != BVH_OBJECT)
         return;
     const vec3s facet = { { hit->Ng_x, hit->Ng_y, hit->Ng_z } };
     const bool is_back = glms_vec3_dot(facet, ray->dir) > 0.0f;
@@ -73,6 +75,65 @@ static bool has_holes(const struct model *model, const struct mesh *mesh)
             return true;
     }
     return false;
+}
+
+/* ---- bubbles ---- */
+
+static void bound_bubble(const struct RTCBoundsFunctionArguments *args)
+{
+    const struct bvh *bvh = args->geometryUserPtr;
+    const struct bubbles_sphere *s = &bvh->bubbles[args->primID];
+    const float reach = 1.0001f * s->radius + 1e-6f * glms_vec3_norm(s->center);
+    *args->bounds_o = (struct RTCBounds){
+        .lower_x = s->center.x - reach,
+        .lower_y = s->center.y - reach,
+        .lower_z = s->center.z - reach,
+        .upper_x = s->center.x + reach,
+        .upper_y = s->center.y + reach,
+        .upper_z = s->center.z + reach,
+    };
+}
+
+/* Finds the distances at which a ray enters and leaves a sphere. Returns false if it misses. */
+static bool cross_sphere(const struct RTCRay *ray, const struct bubbles_sphere *s, double at[2])
+{
+    const double from[3] = { (double)ray->org_x - (double)s->center.x,
+                             (double)ray->org_y - (double)s->center.y,
+                             (double)ray->org_z - (double)s->center.z };
+    const double dir[3] = { (double)ray->dir_x, (double)ray->dir_y, (double)ray->dir_z };
+    double a = 0.0, b = 0.0, c = -(double)s->radius * (double)s->radius;
+    for (int k = 0; k < 3; k++) {
+        a += dir[k] * dir[k];
+        b += dir[k] * from[k];
+        c += from[k] * from[k];
+    }
+    const double root2 = b * b - a * c;
+    if (root2 < 0.0)
+        return false;
+    at[0] = (-b - sqrt(root2)) / a;
+    at[1] = (-b + sqrt(root2)) / a;
+    return true;
+}
+
+static void meet_bubble(const struct RTCIntersectFunctionNArguments *args)
+{
+    const struct bvh *bvh = args->geometryUserPtr;
+    const struct bvh_ray *from = ((const struct context *)(const void *)args->context)->ray;
+    struct RTCRayHit *rayhit = (struct RTCRayHit *)(void *)args->rayhit;
+    const double near = (double)rayhit->ray.tnear;
+    double at[2];
+    if (!args->valid[0] || !cross_sphere(&rayhit->ray, &bvh->bubbles[args->primID], at))
+        return;
+    const bool is_own = from->part == BVH_BUBBLES && from->from == args->primID;
+    if (is_own && !from->is_inside)
+        return;
+    const double found = !is_own && at[0] > near ? at[0] : at[1];
+    if (!(found > near && found < (double)rayhit->ray.tfar))
+        return;
+    rayhit->ray.tfar = (float)found;
+    rayhit->hit.geomID = args->geomID;
+    rayhit->hit.primID = args->primID;
+    rayhit->hit.instID[0] = args->context->instID[0];
 }
 
 /* ---- building ---- */
@@ -116,11 +177,38 @@ static bool add_part(struct bvh *bvh, RTCDevice device, uint32_t index)
     return done;
 }
 
+/* Adds the bubbles to the scene. Returns false when out of memory. */
+static bool add_bubbles(struct bvh *bvh, RTCDevice device)
+{
+    const struct bubbles *bubbles = &bvh->radiance->scene->bubbles;
+    if (!bubbles->count)
+        return true;
+    bvh->bubbles = malloc(bubbles->count * sizeof(*bvh->bubbles));
+    if (!bvh->bubbles)
+        return false;
+    for (uint32_t i = 0; i < bubbles->count; i++) {
+        const struct bubbles_sphere *s = &bubbles->spheres[i];
+        bvh->bubbles[i] = (struct bubbles_sphere){
+            glms_mat4_mulv3(bvh->radiance->globals->world_from_object, s->center, 1.0f),
+            s->radius,
+        };
+    }
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, bubbles->count);
+    rtcSetGeometryUserData(geometry, bvh);
+    rtcSetGeometryBoundsFunction(geometry, bound_bubble, NULL);
+    rtcSetGeometryIntersectFunction(geometry, meet_bubble);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(bvh->scene, geometry, BVH_BUBBLES);
+    rtcReleaseGeometry(geometry);
+    return true;
+}
+
 /* Checks the memory before any allocation, so that the machine does not swap. */
 static enum status check_size(const struct bvh *bvh, uint64_t memory)
 {
     uint64_t triangles = 0;
-    for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
+    for (uint32_t i = 0; i < BVH_MESH_COUNT; i++)
         triangles += bvh->parts[i].mesh->index_count / 3;
     if (triangles <= memory / TRIANGLE_SIZE)
         return STATUS_OK;
@@ -148,8 +236,9 @@ enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *r
     rtcSetSceneFlags(bvh->scene, RTC_SCENE_FLAG_ROBUST); /* no gaps between triangles */
     rtcSetSceneBuildQuality(bvh->scene, RTC_BUILD_QUALITY_HIGH);
     bool done = true;
-    for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
+    for (uint32_t i = 0; i < BVH_MESH_COUNT; i++)
         done = done && add_part(bvh, device, i);
+    done = done && add_bubbles(bvh, device);
     if (done)
         rtcCommitScene(bvh->scene);
     if (done && rtcGetDeviceError(device) == RTC_ERROR_NONE)
@@ -165,6 +254,7 @@ void bvh_finish(struct bvh *bvh)
 {
     if (bvh->scene)
         rtcReleaseScene(bvh->scene);
+    free(bvh->bubbles);
     *bvh = (struct bvh){ 0 };
 }
 
@@ -231,6 +321,31 @@ static void find_tangents(const struct bvh_part *part, struct bvh_hit *hit)
         area);
 }
 
+/* Returns the hit of a ray with a sphere: a point that is exactly on it. */
+static struct bvh_hit bubble_hit(const struct bvh *bvh, const struct RTCRayHit *rayhit)
+{
+    const struct RTCRay *ray = &rayhit->ray;
+    const struct bubbles_sphere *s = &bvh->bubbles[rayhit->hit.primID];
+    double out[3] = { (double)ray->org_x - (double)s->center.x,
+                      (double)ray->org_y - (double)s->center.y,
+                      (double)ray->org_z - (double)s->center.z };
+    add_scaled(out, (double)ray->tfar, (vec3s){ { ray->dir_x, ray->dir_y, ray->dir_z } });
+    const double length = sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
+    double at[3];
+    for (int k = 0; k < 3; k++) {
+        out[k] /= length;
+        at[k] = (double)s->center.raw[k] + (double)s->radius * out[k];
+    }
+    return (struct bvh_hit){
+        .part = BVH_BUBBLES,
+        .triangle = rayhit->hit.primID,
+        .object = frame_media_count(bvh->radiance->scene),
+        .distance = ray->tfar,
+        .facet = rounded(out),
+        .surface = { .position = rounded(at), .normal = rounded(out) },
+    };
+}
+
 bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *hit)
 {
     struct context context = { .ray = ray };
@@ -252,6 +367,10 @@ bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *
     rtcIntersect1(bvh->scene, &context.embree, &rayhit);
     if (rayhit.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return false;
+    if (rayhit.hit.geomID == BVH_BUBBLES) {
+        *hit = bubble_hit(bvh, &rayhit);
+        return true;
+    }
     const struct bvh_part *part = &bvh->parts[rayhit.hit.geomID];
     *hit = (struct bvh_hit){
         .part = rayhit.hit.geomID,

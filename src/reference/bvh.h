@@ -1,9 +1,10 @@
 /*
- * bvh.h: intersects rays with the scene's triangles at one time, by Embree.
+ * bvh.h: intersects rays with the scene's triangles and bubbles at one time, by Embree.
  *
  * A ray that begins on an object's surface does not intersect the triangle on which it begins, nor,
  * very near or if it is astray, faces of that object that it could only see from the other side.
- * Holes of cut-out materials are not intersected.
+ * Holes of cut-out materials are not intersected. Bubbles are exact spheres: a ray that begins on one
+ * meets it again only where it leaves its inside.
  *
  * Thread-safety: several threads may call bvh_meet() at the same time.
  */
@@ -17,7 +18,8 @@
 enum {
     BVH_OBJECT,
     BVH_SURROUNDINGS,
-    BVH_PART_COUNT,
+    BVH_MESH_COUNT, /* the parts above are meshes */
+    BVH_BUBBLES = BVH_MESH_COUNT,
 };
 
 #define BVH_NOWHERE UINT32_MAX /* bvh_ray.from: the ray begins on no triangle */
@@ -28,18 +30,20 @@ struct bvh_ray {
     bool is_inside;    /* the ray begins inside the object on whose surface it begins */
     bool is_astray;    /* its direction is on the other side of the triangle, which only the
                           interpolated normal allows */
-    uint32_t from;     /* the objects' triangle on which it begins, or BVH_NOWHERE */
-    uint32_t object;   /* of that triangle */
+    uint32_t from;   /* the objects' triangle, or the bubble, on which it begins, or BVH_NOWHERE */
+    uint32_t part;   /* of that: BVH_OBJECT or BVH_BUBBLES */
+    uint32_t object; /* of that triangle */
 };
 
 struct bvh_hit {
-    uint32_t part;              /* BVH_OBJECT ... */
-    uint32_t triangle;          /* of the part's mesh */
-    uint32_t object;            /* of BVH_OBJECT: index into the scene's objects; else 0 */
-    float distance;             /* metres */
-    vec3s facet;                /* unit normal of the triangle, by its winding */
-    vec3s along_u, along_v;     /* derivatives of the world position by the vertices' uv; of
-                                   triangles without an area in the texture, 0 */
+    uint32_t part;     /* BVH_OBJECT ... */
+    uint32_t triangle; /* of the part's mesh; of BVH_BUBBLES: the bubble */
+    uint32_t object;   /* index into the scene's objects; of a bubble: that of its medium,
+                                   frame_media_count(); of the surroundings: 0 */
+    float distance;    /* metres */
+    vec3s facet;       /* unit normal of the triangle, by its winding; of a bubble: outward */
+    vec3s along_u, along_v; /* derivatives of the world position by the vertices' uv, of the
+                               surroundings; 0 without an area in the texture */
     struct mesh_vertex surface; /* interpolated vertices in the world; the normal is unit */
 };
 
@@ -52,7 +56,9 @@ struct bvh {
     struct bvh_part {
         const struct mesh *mesh;
         const vec3s *positions; /* in the world; owned by Embree's scene */
-    } parts[BVH_PART_COUNT];
+    } parts[BVH_MESH_COUNT];
+
+    struct bubbles_sphere *bubbles; /* in the world; NULL: none */
 };
 
 /*

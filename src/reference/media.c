@@ -5,14 +5,16 @@
 bool media_init(struct media *media, const struct scene *scene, const struct settings *settings)
 {
     const uint32_t count = frame_media_count(scene);
-    *media = (struct media){ .outside = count - 1 };
-    media->all = count <= UINT16_MAX ? calloc(count, sizeof(*media->all)) : NULL;
+    *media = (struct media){ .outside = count - 1, .bubble = count };
+    media->all = count < UINT16_MAX ? calloc((size_t)count + 1, sizeof(*media->all)) : NULL;
     if (!media->all)
         return false;
     for (uint32_t i = 0; i < count; i++) {
         media->all[i] = frame_medium_at(scene, settings, i);
         media->is_dispersive |= media->all[i].ior[0] != media->all[i].ior[2];
     }
+    media->all[media->bubble] = media->all[media->outside];
+    media->all[media->bubble].rank = UINT32_MAX;
     return true;
 }
 
@@ -31,6 +33,12 @@ uint32_t media_top(const struct media *media, const struct media_set *set, uint3
             top = object;
     }
     return top;
+}
+
+bool media_are_alike(const struct media *media, uint32_t a, uint32_t b)
+{
+    return a == b || (a == media->outside && b == media->bubble) ||
+           (a == media->bubble && b == media->outside);
 }
 
 /* Returns the object's place in the set, or the number of its objects. */

@@ -17,8 +17,9 @@ enum {
 
 /* All media of a scene. */
 struct media {
-    struct frame_medium *all; /* one for each object, then the outside */
+    struct frame_medium *all; /* one for each object, then the outside, then the bubbles */
     uint32_t outside;         /* index of the outside */
+    uint32_t bubble;          /* index of the bubbles: air as outside, which outranks all objects */
     bool is_dispersive;       /* the indices of some medium differ by colour */
 };
 
@@ -28,13 +29,16 @@ struct media_set {
     uint16_t objects[MEDIA_NESTED_MAX];
 };
 
-/* Returns false when out of memory, or for more than 65534 objects. */
+/* Returns false when out of memory, or for more than 65533 objects. */
 bool media_init(struct media *media, const struct scene *scene, const struct settings *settings);
 void media_finish(struct media *media);
 
 /* Returns the object whose medium a ray inside `set` is in, without object `except`; or the
  * outside. */
 uint32_t media_top(const struct media *media, const struct media_set *set, uint32_t except);
+
+/* Returns whether two media refract alike: a bubble is filled with what is outside. */
+bool media_are_alike(const struct media *media, uint32_t a, uint32_t b);
 
 bool media_set_has(const struct media_set *set, uint32_t object);
 

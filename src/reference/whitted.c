@@ -182,6 +182,7 @@ static struct branch leave(const struct whitted *whitted, const struct branch *b
             .is_astray = is_through == is_entering ? dot(dir, hit->facet) >= 0.0
                                                    : dot(dir, hit->facet) <= 0.0,
             .from = hit->triangle,
+            .part = hit->part,
             .object = hit->object,
         },
         .inside = b->inside,
@@ -208,7 +209,7 @@ static bool advance(const struct whitted *whitted, struct branch *b, struct meet
         meeting->crossing = crossing_at(whitted, &b->inside, b->ray.dir, hit);
         meeting->seed = b->seed;
         if (medium(whitted, hit->object)->is_thin ||
-            meeting->crossing.before != meeting->crossing.after)
+            !media_are_alike(whitted->media, meeting->crossing.before, meeting->crossing.after))
             return true;
         const vec3s weight = b->weight;
         *b = leave(whitted, b, meeting, b->ray.dir, true);
@@ -381,11 +382,12 @@ void whitted_immerse(const struct whitted *whitted, vec3s point, struct media_se
     *inside = (struct media_set){ 0 };
     for (uint32_t i = 0; i < CROSSINGS_MAX && bvh_meet(whitted->bvh, &ray, &hit); i++) {
         const bool is_entering = dot(hit.facet, ray.dir) < 0.0;
-        if (hit.part == BVH_OBJECT && is_entering)
+        const bool is_medium = hit.part == BVH_OBJECT || hit.part == BVH_BUBBLES;
+        if (is_medium && is_entering)
             media_set_put(&entered, hit.object, true);
-        else if (hit.part == BVH_OBJECT && !media_set_has(&entered, hit.object))
+        else if (is_medium && !media_set_has(&entered, hit.object))
             media_set_put(inside, hit.object, true);
-        else if (hit.part == BVH_OBJECT)
+        else if (is_medium)
             media_set_put(&entered, hit.object, false);
         ray.origin = hit.surface.position;
         ray.near = whitted->bvh->hair;

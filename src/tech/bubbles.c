@@ -169,6 +169,7 @@ const struct technique bubbles = {
     .help = "air bubbles in the ice, with total reflection at their rims",
     .settings = { &bubbles_settings },
     .is_on = is_on,
+    .is_traced = true,
     .is_of_ice = true,
     .layers = layers,
     .uploads = uploads,

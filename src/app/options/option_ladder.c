@@ -45,7 +45,7 @@ enum status option_rungs(const struct option *option, void *at, const char *valu
 void option_ladder_settings(struct settings *s)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
-        if ((*t)->is_on && !(*t)->is_traced)
+        if ((*t)->is_on && (!(*t)->is_traced || (*t)->is_of_ice))
             techniques_switch_off(s, *t);
     }
     settings_put(s, settings_row(&light_settings, offsetof(struct light_params, count)), 0.0);
