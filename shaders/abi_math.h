@@ -12,16 +12,21 @@
 #define ABI_FUNCTION
 #define ABI_VEC2(x, y)    vec2(x, y)
 #define ABI_VEC3(x, y, z) vec3(x, y, z)
+#define ABI_FLOAT(x)      float(x)
+#define ABI_INT(x)        int(x)
+#define ABI_UINT(x)       uint(x)
 
 #define acosf          acos
 #define atan2f         atan
 #define exp2f          exp2
+#define floorf         floor
 #define fmaxf          max
 #define fminf          min
 #define log2f          log2
 #define powf           pow
 #define sqrtf          sqrt
 #define glm_clamp      clamp
+#define glm_lerp       mix
 #define glm_smoothstep smoothstep
 
 #define glms_vec3_add(a, b)     ((a) + (b))
@@ -38,6 +43,9 @@
 #define ABI_FUNCTION      static inline
 #define ABI_VEC2(x, y)    ((vec2s){ { (x), (y) } })
 #define ABI_VEC3(x, y, z) ((vec3s){ { (x), (y), (z) } })
+#define ABI_FLOAT(x)      ((float)(x))
+#define ABI_INT(x)        ((int32_t)(x))
+#define ABI_UINT(x)       ((uint32_t)(x))
 #endif
 
 #endif

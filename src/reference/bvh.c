@@ -65,6 +65,14 @@ static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
         args->valid[0] = 0;
 }
 
+/* A crack is not met again by light that it reflects, nor twice at an edge of its triangles. */
+static void filter_cracks(const struct RTCFilterFunctionNArguments *args)
+{
+    const struct bvh *bvh = args->geometryUserPtr;
+    if (((const struct RTCRay *)(const void *)args->ray)->tfar < bvh->hair)
+        args->valid[0] = 0;
+}
+
 static bool has_holes(const struct model *model, const struct mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
@@ -140,7 +148,7 @@ static void meet_bubble(const struct RTCIntersectFunctionNArguments *args)
 
 static mat4s pose(const struct bvh *bvh, const struct bvh_part *part, uint32_t material)
 {
-    if (part == &bvh->parts[BVH_OBJECT])
+    if (part != &bvh->parts[BVH_SURROUNDINGS])
         return bvh->radiance->globals->world_from_object;
     return material & MESH_MOVES ? bvh->radiance->globals->world_from_movers : glms_mat4_identity();
 }
@@ -169,6 +177,8 @@ static bool add_part(struct bvh *bvh, RTCDevice device, uint32_t index)
     rtcSetGeometryUserData(geometry, bvh);
     if (index == BVH_OBJECT)
         rtcSetGeometryIntersectFilterFunction(geometry, filter_object);
+    else if (index == BVH_CRACKS)
+        rtcSetGeometryIntersectFilterFunction(geometry, filter_cracks);
     else if (has_holes(&bvh->radiance->scene->model, mesh))
         rtcSetGeometryIntersectFilterFunction(geometry, filter_surroundings);
     rtcCommitGeometry(geometry);
@@ -227,6 +237,7 @@ enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *r
         .hair = 1e-4f * radiance->globals->radius,
         .parts[BVH_OBJECT].mesh = &radiance->scene->model.object,
         .parts[BVH_SURROUNDINGS].mesh = &radiance->scene->model.surroundings,
+        .parts[BVH_CRACKS].mesh = &radiance->scene->cracks,
     };
     enum status status = check_size(bvh, memory);
     if (status != STATUS_OK)

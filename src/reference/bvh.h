@@ -3,8 +3,9 @@
  *
  * A ray that begins on an object's surface does not intersect the triangle on which it begins, nor,
  * very near or if it is astray, faces of that object that it could only see from the other side.
- * Holes of cut-out materials are not intersected. Bubbles are exact spheres: a ray that begins on one
- * meets it again only where it leaves its inside.
+ * Cracks are not intersected where they are nearer to its origin than `hair`, nor are holes of
+ * cut-out materials. Bubbles are exact spheres: a ray that begins on one meets it again only where
+ * it leaves its inside.
  *
  * Thread-safety: several threads may call bvh_meet() at the same time.
  */
@@ -18,6 +19,7 @@
 enum {
     BVH_OBJECT,
     BVH_SURROUNDINGS,
+    BVH_CRACKS,
     BVH_MESH_COUNT, /* the parts above are meshes */
     BVH_BUBBLES = BVH_MESH_COUNT,
 };
@@ -31,15 +33,15 @@ struct bvh_ray {
     bool is_astray;    /* its direction is on the other side of the triangle, which only the
                           interpolated normal allows */
     uint32_t from;   /* the objects' triangle, or the bubble, on which it begins, or BVH_NOWHERE */
-    uint32_t part;   /* of that: BVH_OBJECT or BVH_BUBBLES */
+    uint32_t part;   /* of that: BVH_OBJECT ... */
     uint32_t object; /* of that triangle */
 };
 
 struct bvh_hit {
     uint32_t part;     /* BVH_OBJECT ... */
     uint32_t triangle; /* of the part's mesh; of BVH_BUBBLES: the bubble */
-    uint32_t object;   /* index into the scene's objects; of a bubble: that of its medium,
-                                   frame_media_count(); of the surroundings: 0 */
+    uint32_t object;   /* of the scene; of a bubble: that of its medium, frame_media_count();
+                          of other parts: 0 */
     float distance;    /* metres */
     vec3s facet;       /* unit normal of the triangle, by its winding; of a bubble: outward */
     vec3s along_u, along_v; /* derivatives of the world position by the vertices' uv, of the

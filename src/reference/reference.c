@@ -55,6 +55,7 @@ struct job {
     struct background_push push;
     struct bvh bvh;
     struct media media;
+    struct inclusions inclusions;
     struct whitted whitted;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
@@ -387,6 +388,7 @@ static struct whitted tree_of(const struct job *job)
         .bvh = &job->bvh,
         .radiance = &job->radiance,
         .media = &job->media,
+        .inclusions = &job->inclusions,
         .params = *params,
     };
 }
@@ -406,6 +408,7 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     job->push = frame_view_push(&view);
     job->globals = frame_view_globals(&view, &job->push);
     job->radiance = radiance_of(request->scene, &job->globals);
+    job->inclusions = inclusions_of(&job->radiance, request->settings);
     job->whitted = tree_of(job);
     if (!media_init(&job->media, request->scene, request->settings))
         return log_out_of_memory("objects");

@@ -116,10 +116,30 @@ static void mask(struct parting *parting, vec3s dir, vec3s n, double eta,
         is_refracted ? microfacet_masking(n, parting->refracted, surface->roughness) : 0.0f;
 }
 
+/* Parts light at a crack: a gap too thin to displace it, but wider than a wavelength. */
+static struct parting part_gap(const struct whitted *whitted, vec3s dir,
+                               const struct meeting *meeting)
+{
+    const struct bvh_hit *hit = &meeting->hit;
+    const double eta = (double)medium(whitted, hit->object)->ior[meeting->channel] /
+                       (double)medium(whitted, whitted->media->outside)->ior[meeting->channel];
+    const float side = dot(dir, hit->facet) < 0.0 ? 1.0f : -1.0f;
+    const vec3s facet = glms_vec3_scale(hit->facet, side);
+    vec3s n = glms_vec3_scale(inclusions_crack_normal(whitted->inclusions, &hit->surface), side);
+    if (!(dot(dir, n) < 0.0))
+        n = facet;
+    struct parting parting = part_thin(dir, n, eta);
+    if (dot(parting.reflected, facet) <= 0.0)
+        parting.reflected = part_at(dir, facet, eta).reflected;
+    return parting;
+}
+
 /* Parts the light of a ray at a smooth surface or, at one of its microfacets, a rough one. */
 static struct parting part(const struct whitted *whitted, vec3s dir, const struct meeting *meeting)
 {
     const struct bvh_hit *hit = &meeting->hit;
+    if (hit->part == BVH_CRACKS)
+        return part_gap(whitted, dir, meeting);
     const struct frame_medium *surface = medium(whitted, hit->object);
     const uint32_t before = meeting->crossing.before;
     const float side = meeting->crossing.is_entering ? 1.0f : -1.0f;
@@ -189,9 +209,23 @@ static struct branch leave(const struct whitted *whitted, const struct branch *b
         .bounces = b->bounces + 1,
         .seed = microfacet_hash(b->seed, is_through),
     };
-    if (!medium(whitted, hit->object)->is_thin)
+    if (hit->part != BVH_CRACKS && !medium(whitted, hit->object)->is_thin)
         media_set_put(&next.inside, hit->object, next.ray.is_inside);
     return next;
+}
+
+/* Returns whether a branch is in an object itself, and not in a bubble. */
+static bool is_in(const struct whitted *whitted, const struct branch *b, uint32_t object)
+{
+    return media_top(whitted->media, &b->inside, MEDIA_NOTHING) == object;
+}
+
+/* Lets a branch go straight on from a sheet. */
+static void pass(struct branch *b, const struct bvh_hit *hit)
+{
+    b->ray.origin = hit->surface.position;
+    b->ray.near = 0.0f;
+    b->ray.from = BVH_NOWHERE;
 }
 
 /*
@@ -206,8 +240,14 @@ static bool advance(const struct whitted *whitted, struct branch *b, struct meet
         b->weight = absorbed(whitted, b, hit->distance);
         if (hit->part == BVH_SURROUNDINGS)
             return true;
-        meeting->crossing = crossing_at(whitted, &b->inside, b->ray.dir, hit);
         meeting->seed = b->seed;
+        if (hit->part == BVH_CRACKS) {
+            if (is_in(whitted, b, hit->object))
+                return true;
+            pass(b, hit);
+            continue;
+        }
+        meeting->crossing = crossing_at(whitted, &b->inside, b->ray.dir, hit);
         if (medium(whitted, hit->object)->is_thin ||
             !media_are_alike(whitted->media, meeting->crossing.before, meeting->crossing.after))
             return true;
@@ -253,6 +293,14 @@ static bool pass(const struct whitted *whitted, const struct bvh_hit *hit, struc
     return true;
 }
 
+/* Returns what a surface takes away of light that passes it: an object's, or nothing's. */
+static const struct frame_medium *surface_of(const struct whitted *whitted,
+                                             const struct meeting *meeting)
+{
+    const bool is_gap = meeting->hit.part == BVH_CRACKS;
+    return medium(whitted, is_gap ? whitted->media->outside : meeting->hit.object);
+}
+
 /* The two branches of light that meets a surface. */
 struct fork {
     struct parting parting;
@@ -262,7 +310,7 @@ struct fork {
 static struct fork fork_at(const struct whitted *whitted, const struct branch *b,
                            const struct meeting *meeting)
 {
-    const struct frame_medium *surface = medium(whitted, meeting->hit.object);
+    const struct frame_medium *surface = surface_of(whitted, meeting);
     struct fork fork = { .parting = part(whitted, b->ray.dir, meeting) };
     const struct parting *p = &fork.parting;
     fork.reflected = leave(whitted, b, meeting, p->reflected, false);
@@ -278,7 +326,7 @@ static struct fork fork_at(const struct whitted *whitted, const struct branch *b
 static void add_shine(const struct whitted *whitted, const struct branch *b,
                       const struct meeting *meeting, float fresnel, struct sum *sum)
 {
-    const struct frame_medium *surface = medium(whitted, meeting->hit.object);
+    const struct frame_medium *surface = surface_of(whitted, meeting);
     if (!(surface->shine > 0.0f))
         return;
     const struct radiance_point point = { .vertex = &meeting->hit.surface,

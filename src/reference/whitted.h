@@ -6,6 +6,9 @@
  * microfacet (microfacet.h). Both branches are traced until their weight is below reference.cutoff
  * or they have met reference.bounces surfaces. Pictures of smooth objects use no random numbers.
  *
+ * A crack in an object is a thin gap of what is outside: it reflects 2 R / (1 + R), and what passes
+ * it keeps its direction. Outside of objects it is nothing.
+ *
  * Limits: with interpolated normals a direction may be on the wrong side of a triangle: light then
  * continues in that direction, as from the smooth surface, and does not meet the object from the
  * side on which it is not; only light that is reflected inside is reflected by the triangle's own
@@ -14,7 +17,7 @@
 #ifndef FIRN_REFERENCE_WHITTED_H
 #define FIRN_REFERENCE_WHITTED_H
 
-#include "src/reference/bvh.h"
+#include "src/reference/inclusions.h"
 #include "src/reference/media.h"
 #include "src/reference/reference_layers.h"
 #include "src/tech/refract_reference.h"
@@ -27,6 +30,7 @@ struct whitted {
     const struct bvh *bvh;
     const struct radiance *radiance;
     const struct media *media;
+    const struct inclusions *inclusions;
     struct media_set eye_inside; /* whitted_immerse() of the eye */
     uint32_t sample;             /* of a pixel; its random numbers are those of this index */
     struct reference_params params;

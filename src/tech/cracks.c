@@ -327,6 +327,7 @@ const struct technique cracks = {
     .help = "cracks in the ice",
     .settings = { &cracks_settings, &ice_interval_settings },
     .is_on = is_on,
+    .is_traced = true,
     .is_of_ice = true,
     .parts = { { PHASE_NORMALS, .rows = make_normals },
                { PHASE_INCLUSIONS, .rows = make_color },

@@ -262,8 +262,8 @@ class Refused(LadderCase):
 
     def test_what_the_reference_leaves_out(self):
         done = self.succeed('ladder', 'sphere', *SIZE, '--rungs', 'paper', '--runs', 0, '--set',
-                            'cracks.count=2')
-        self.assertIn('cracks', done.stderr.decode())
+                            'light.count=1')
+        self.assertIn('highlights', done.stderr.decode())
 
 
 class Without(Case):

@@ -1,5 +1,5 @@
 /*
- * The traced reference of what is inside ice against closed forms: bubbles.
+ * The traced reference of what is inside ice against closed forms: bubbles, cracks.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -44,10 +44,28 @@ static void add_bubble(struct scene *scene, vec3s center, float radius)
     bubbles->spheres[bubbles->count++] = (struct bubbles_sphere){ center, radius };
 }
 
-/* The direction outside of light that leaves the block's far side, of an angle inside. */
-static struct vec outside_of(double inside)
+/* A sheet 20 m wide, in the plane z = at, that faces +Z. */
+static void add_crack(struct scene *scene, float at)
 {
-    return seen_direction(asin(ice / air * sin(inside)));
+    struct mesh sheet;
+    static const uint32_t corners[6] = { 0, 1, 3, 0, 3, 2 };
+    assert_true(mesh_init(&sheet, 4, 6));
+    for (uint32_t i = 0; i < 4; i++) {
+        sheet.vertices[i] = (struct mesh_vertex){
+            .position = { { i % 2 ? 10 : -10, i / 2 ? 10 : -10, at } },
+            .normal = { { 0, 0, 1 } },
+        };
+    }
+    for (uint32_t i = 0; i < 6; i++)
+        sheet.indices[i] = corners[i];
+    assert_true(mesh_append(&scene->cracks, &sheet));
+    mesh_finish(&sheet);
+}
+
+/* The angle outside of light that leaves the block, of one inside. */
+static double outside_of(double inside)
+{
+    return asin(ice / air * sin(inside));
 }
 
 /* ---- bubbles ---- */
@@ -68,7 +86,7 @@ static void test_bubble(void **state)
         const double turn = table[i][1] * SEEN_PI / 180;
         const struct seen seen =
             seen_look(&scene, &settings, (struct vec){ b, 0, 0 }, seen_direction(0));
-        assert_true(vec_angle_deg(seen.exit, outside_of(turn)) < 0.001);
+        assert_true(vec_angle_deg(seen.exit, seen_direction(outside_of(turn))) < 0.001);
         CHECK_NEAR(seen.fresnel, seen_fresnel(asin(b), ice, air), 1e-6);
         CHECK_NEAR(seen.position.x, b, 1e-6);
         CHECK_NEAR(seen.position.z, -5 + sqrt(1 - b * b), 1e-6);
@@ -80,8 +98,8 @@ static void test_bubble(void **state)
     scene_finish(&scene);
 }
 
-/* Where a bubble reaches out of the ice, its surface is between air and air; and the ice's is, where
- * it is inside the bubble. */
+/* Where a bubble reaches out of the ice, its surface is between air and air; so is that of the ice
+ * inside of the bubble. */
 static void test_bubble_in_the_surface(void **state)
 {
     const struct settings settings = settings_default();
@@ -98,11 +116,65 @@ static void test_bubble_in_the_surface(void **state)
     scene_finish(&scene);
 }
 
+/* ---- cracks ---- */
+
+/* A crack reflects R_gap, and sends the rest straight on; the eye is in the ice. From either side,
+ * and twice as many cracks reflect what stacks of plates do. */
+static void test_crack(void **state)
+{
+    static const double table[][2] = {
+        { 0, .0351309 }, { 30, .0433238 }, { 45, .1869719 }, { 48, .3850670 }, { 49.8, .9083175 }
+    };
+    const struct settings settings = SETTINGS("cracks.bump=0");
+    struct scene scene = block_scene();
+    (void)state;
+    add_crack(&scene, -2);
+    for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
+        const double in = table[i][0] * SEEN_PI / 180;
+        for (int back = 0; back < 2; back++) {
+            const double turn = back ? SEEN_PI - in : in;
+            const struct seen seen = seen_look(
+                &scene, &settings, (struct vec){ 0, 0, back ? -4 : 0 }, seen_direction(turn));
+            CHECK_NEAR(seen.fresnel, table[i][1], 1e-5);
+            CHECK_NEAR(seen.z, 2 / cos(in), 1e-4);
+            if (in > 0.7) /* it meets another side of the block first */
+                continue;
+            const double out = outside_of(in);
+            assert_true(vec_angle_deg(seen.exit, seen_direction(back ? SEEN_PI - out : out)) <
+                        0.01);
+        }
+    }
+    const struct seen beyond =
+        seen_look(&scene, &settings, (struct vec){ 0, 0, 0 }, seen_direction(0.9));
+    CHECK_NEAR(beyond.fresnel, 1, 0);
+    scene_finish(&scene);
+}
+
+/* Outside of the ice, and in a bubble, a crack is air in air. */
+static void test_crack_in_air(void **state)
+{
+    const struct settings settings = settings_default();
+    struct scene scene = block_scene();
+    (void)state;
+    add_crack(&scene, 52);
+    add_crack(&scene, -5);
+    add_bubble(&scene, (vec3s){ { 0, 0, -5 } }, 1);
+    struct seen seen = seen_look(&scene, &settings, (struct vec){ 0, 0, 60 }, seen_direction(0));
+    CHECK_NEAR(seen.z, 10, 1e-4);
+    seen = seen_look(&scene, &settings, (struct vec){ 0, 0, -4.5 }, seen_direction(0));
+    CHECK_NEAR(seen.z, 1.5, 1e-5);
+    seen = seen_look(&scene, &settings, (struct vec){ 1.5, 0, -4.5 }, seen_direction(0));
+    CHECK_NEAR(seen.z, 0.5, 1e-5);
+    scene_finish(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bubble),
         cmocka_unit_test(test_bubble_in_the_surface),
+        cmocka_unit_test(test_crack),
+        cmocka_unit_test(test_crack_in_air),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
