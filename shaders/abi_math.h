@@ -36,6 +36,7 @@
 #define glms_vec3_max(a)        max(max((a).x, (a).y), (a).z)
 #define glms_vec3_minv(a, b)    min(a, b)
 #define glms_vec3_mul(a, b)     ((a) * (b))
+#define glms_vec3_negate(a)     (-(a))
 #define glms_vec3_normalize(a)  normalize(a)
 #define glms_vec3_scale(a, s)   ((a) * (s))
 #define glms_vec3_sub(a, b)     ((a) - (b))

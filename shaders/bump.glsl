@@ -1,10 +1,4 @@
-/*
- * bump.glsl: the normal of the ice's uneven surface.
- *
- * The gradient of a height bends a normal independently of the mapping (Mikkelsen 2010, Bump
- * Mapping Unparametrized Surfaces on the GPU), so that the gradients of three planes can be added,
- * and no tangents are needed.
- */
+/* bump.glsl: the normal of the ice's uneven surface at a fragment. */
 #ifndef BUMP_GLSL
 #define BUMP_GLSL
 #include "bump_map.glsl"
@@ -33,8 +27,7 @@ vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 slope)
                    slope.y * v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-/* Returns the normal with bumps. It still faces the eye: normals that bumps would turn away become
- * nearly perpendicular to e. */
+/* Returns the normal with bumps, which still faces the eye. */
 vec3 bump_normal(vec3 e, vec3 point, vec3 normal)
 {
     vec3 gradient;
@@ -49,9 +42,7 @@ vec3 bump_normal(vec3 e, vec3 point, vec3 normal)
         smoothness = bump_mask_on(planes).r;
     }
     gradient *= bump_slope * (1.0 - smoothness);
-    vec3 bumped = normalize(normal - gradient + normal * dot(normal, gradient));
-    float beyond = dot(bumped, e) - max(dot(normal, e), -0.02);
-    return beyond > 0.0 ? normalize(bumped - beyond * e) : bumped;
+    return bump_facing(bump_bent(normal, gradient), normal, e);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #ifndef BUMP_MAP_GLSL
 #define BUMP_MAP_GLSL
 #include "bump.h"
+#include "bump_normal.h"
 #include "lib/constants.glsl"
 #include "lib/globals.glsl"
 #include "refract.h"
@@ -34,12 +35,10 @@ bump_planes bump_read_planes(vec3 normal)
     vec3 p = bump_at;
     vec3 n = transpose(bump_turn) * normal;
     bump_planes planes;
-    /* Without the offsets the middles of the three planes would be equal. */
     planes.texels[0] = bump_read(p.yz);
-    planes.texels[1] = bump_read(p.zx + vec2(0.37, 0.61));
-    planes.texels[2] = bump_read(p.xy + vec2(0.71, 0.23));
-    planes.shares = n * n * n * n;
-    planes.shares /= planes.shares.x + planes.shares.y + planes.shares.z;
+    planes.texels[1] = bump_read(p.zx + BUMP_OFFSET_Y);
+    planes.texels[2] = bump_read(p.xy + BUMP_OFFSET_Z);
+    planes.shares = bump_shares(n);
     return planes;
 }
 

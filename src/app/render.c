@@ -280,6 +280,13 @@ static enum status draw(struct job *job, struct frame *frame)
     return status;
 }
 
+static void *fill_scene(void *user)
+{
+    struct job *job = user;
+    job->lacking = app_fill_scene(&job->scene, &job->o.picture.scene);
+    return NULL;
+}
+
 static enum status open_reference(struct job *job, const struct renderer_params *params)
 {
     const struct reference_request request = {
@@ -296,6 +303,9 @@ static enum status open_reference(struct job *job, const struct renderer_params 
         .display = params->display,
     };
     char names[REFERENCE_NAMES_SIZE];
+    fill_scene(job);
+    if (job->lacking)
+        return app_fill_failed(job->lacking);
     enum status status = reference_create(&job->reference, &request);
     if (status == STATUS_OK && !job->o.run.quiet && !job->is_opened &&
         reference_leaves_out(params->settings, names, sizeof(names)))
@@ -309,13 +319,6 @@ static bool is_small(const struct job *job)
     const uint64_t pixels =
         (uint64_t)job->o.picture.width * job->o.picture.height * job->o.picture.samples;
     return pixels <= (1u << 17) / job->sequence.range.count;
-}
-
-static void *fill_scene(void *user)
-{
-    struct job *job = user;
-    job->lacking = app_fill_scene(&job->scene, &job->o.picture.scene);
-    return NULL;
 }
 
 /* The scene is filled meanwhile, by a thread that does not log: if both fail, the line and the

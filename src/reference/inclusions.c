@@ -1,15 +1,31 @@
-/* inclusions.c: normals of cracks. */
+/* inclusions.c: normals of cracks and of the uneven surface. */
 #include "src/reference/inclusions.h"
+#include <math.h>
+#include "shaders/bump_normal.h"
 #include "shaders/cracks_noise.h"
+#include "src/image/half.h"
+#include "src/reference/texel_pair.h"
+#include "src/tech/bump.h"
 #include "src/tech/cracks.h"
+#include "src/tech/frost.h"
 
 struct inclusions inclusions_of(const struct radiance *radiance, const struct settings *settings)
 {
     const struct cracks_params *cracks_params = settings_of(settings, &cracks_settings);
+    const struct bump_params *bump_params = settings_of(settings, &bump_settings);
+    const struct frost_params *frost_params = settings_of(settings, &frost_settings);
+    const bool has_map = radiance->scene->bump.texels != NULL;
+    const bool has_bumps = has_map && bump_params->strength > 0.0f;
+    const float frost_amount = has_map ? frost_params->amount : 0.0f;
     return (struct inclusions){
         .radiance = radiance,
         .world_from_object = glms_mat4_pick3(radiance->globals->world_from_object),
         .crack_slope = cracks_params->look.bump,
+        .is_uneven = has_bumps || frost_amount > 0.0f,
+        .has_bumps = has_bumps,
+        .is_mapped_by_uv = bump_params->mapping == BUMP_UV,
+        .frost = frost_amount,
+        .frost_roughness = frost_params->roughness,
     };
 }
 
@@ -32,4 +48,99 @@ vec3s inclusions_crack_normal(const struct inclusions *inclusions,
     const vec3s bent = crack_bent(to_object(inclusions, surface->normal),
                                   glms_vec3_divs(at, g->radius), inclusions->crack_slope);
     return glms_mat3_mulv(inclusions->world_from_object, bent);
+}
+
+/* ---- the surface ---- */
+
+static vec4s fetch_bump(const struct bump_maps *maps, uint32_t x, uint32_t y)
+{
+    const uint16_t *texel = &maps->texels[((size_t)y * maps->size + x) * 4];
+    return (vec4s){ { half_to_float(texel[0]), half_to_float(texel[1]), half_to_float(texel[2]),
+                      half_to_float(texel[3]) } };
+}
+
+/* Returns slopes, smoothness and crystals of the map. */
+static vec4s read_bump(const struct inclusions *inclusions, vec2s at)
+{
+    const struct bump_maps *maps = &inclusions->radiance->scene->bump;
+    const struct texel_pair x = texel_pair_at(at.x, maps->size, true);
+    const struct texel_pair y = texel_pair_at(at.y, maps->size, true);
+    const vec4s above = glms_vec4_lerp(fetch_bump(maps, x.first, y.first),
+                                       fetch_bump(maps, x.second, y.first), x.share);
+    const vec4s below = glms_vec4_lerp(fetch_bump(maps, x.first, y.second),
+                                       fetch_bump(maps, x.second, y.second), x.share);
+    return glms_vec4_lerp(above, below, y.share);
+}
+
+/* What the map has at a point: the gradient of its height in the world, smoothness and crystals. */
+struct dent {
+    vec3s gradient;
+    float smoothness, crystals;
+};
+
+static struct dent dent_on_planes(const struct inclusions *inclusions, vec3s point, vec3s normal)
+{
+    const struct globals *g = inclusions->radiance->globals;
+    const vec3s p =
+        glms_vec3_scale(to_object(inclusions, glms_vec3_sub(point, g->center)), g->bump_scale);
+    const vec3s shares = bump_shares(to_object(inclusions, normal));
+    const vec4s x = glms_vec4_scale(read_bump(inclusions, (vec2s){ { p.y, p.z } }), shares.x);
+    const vec2s at_y = glms_vec2_add((vec2s){ { p.z, p.x } }, BUMP_OFFSET_Y);
+    const vec4s y = glms_vec4_scale(read_bump(inclusions, at_y), shares.y);
+    const vec2s at_z = glms_vec2_add((vec2s){ { p.x, p.y } }, BUMP_OFFSET_Z);
+    const vec4s z = glms_vec4_scale(read_bump(inclusions, at_z), shares.z);
+    const vec3s gradient = { { y.y + z.x, z.y + x.x, x.y + y.x } };
+    return (struct dent){
+        glms_mat3_mulv(inclusions->world_from_object, gradient),
+        x.z + y.z + z.z,
+        x.w + y.w + z.w,
+    };
+}
+
+/* Returns a * s + b * t of unit length, or 0. */
+static vec3s along(vec3s a, float s, vec3s b, float t)
+{
+    const vec3s sum = glms_vec3_add(glms_vec3_scale(a, s), glms_vec3_scale(b, t));
+    return glms_vec3_scale(sum, 1.0f / sqrtf(fmaxf(glms_vec3_norm2(sum), 1e-30f)));
+}
+
+/* The directions in which u and v rise are those of the triangle; there are none without uv. */
+static struct dent dent_by_uv(const struct inclusions *inclusions, const struct bvh *bvh,
+                              const struct bvh_hit *hit, vec3s normal)
+{
+    const struct bvh_part *part = &bvh->parts[BVH_OBJECT];
+    const uint32_t *corners = &part->mesh->indices[(size_t)hit->triangle * 3];
+    const vec2s scaled =
+        glms_vec2_scale(hit->surface.uv, inclusions->radiance->globals->bump_scale);
+    const vec4s texel = read_bump(inclusions, scaled);
+    vec3s edges[2];
+    vec2s steps[2];
+    for (int k = 0; k < 2; k++) {
+        edges[k] = glms_vec3_sub(part->positions[corners[k + 1]], part->positions[corners[0]]);
+        steps[k] = glms_vec2_sub(part->mesh->vertices[corners[k + 1]].uv,
+                                 part->mesh->vertices[corners[0]].uv);
+    }
+    const vec3s across = glms_vec3_cross(edges[1], normal);
+    const vec3s down = glms_vec3_cross(normal, edges[0]);
+    const float side = glms_vec3_dot(edges[0], across) < 0.0f ? -1.0f : 1.0f;
+    const vec3s u = along(across, steps[0].x, down, steps[1].x);
+    const vec3s v = along(across, steps[0].y, down, steps[1].y);
+    const vec3s gradient =
+        glms_vec3_add(glms_vec3_scale(u, side * texel.x), glms_vec3_scale(v, side * texel.y));
+    return (struct dent){ gradient, texel.z, texel.w };
+}
+
+struct inclusions_surface inclusions_surface_at(const struct inclusions *inclusions,
+                                                const struct bvh *bvh, const struct bvh_hit *hit,
+                                                vec3s normal)
+{
+    const struct dent dent = inclusions->is_mapped_by_uv
+                                 ? dent_by_uv(inclusions, bvh, hit, normal)
+                                 : dent_on_planes(inclusions, hit->surface.position, normal);
+    const float rest = 1.0f - dent.smoothness;
+    const float slope = inclusions->radiance->globals->bump_strength * rest;
+    struct inclusions_surface surface = { normal, inclusions->frost * rest * dent.crystals };
+    if (inclusions->has_bumps)
+        surface.normal = bump_bent(normal, glms_vec3_scale(dent.gradient, slope));
+    return surface;
 }

@@ -1,7 +1,9 @@
 /*
- * inclusions.h: what the rasteriser draws in and on ice, as the reference meets it: cracks.
+ * inclusions.h: what the rasteriser draws in and on ice, as the reference meets it: cracks, bumps,
+ * frost.
  *
- * Fields and formulas are those of the shaders (shaders/cracks_noise.h).
+ * Fields and formulas are those of the shaders (shaders/cracks_noise.h, shaders/bump_normal.h).
+ * Maps are filtered bilinearly, without mip levels.
  */
 #ifndef FIRN_REFERENCE_INCLUSIONS_H
 #define FIRN_REFERENCE_INCLUSIONS_H
@@ -13,6 +15,11 @@ struct inclusions {
     const struct radiance *radiance; /* borrowed */
     mat3s world_from_object;         /* its rotation */
     float crack_slope;               /* of the cracks' roughness; 0: smooth */
+    bool is_uneven;                  /* has bumps or frost, which inclusions_surface_at() tells */
+    bool has_bumps;                  /* with a map */
+    bool is_mapped_by_uv;            /* the map, by the mesh's uv */
+    float frost;                     /* amount; 0: none, or there is no map */
+    float frost_roughness;
 };
 
 struct inclusions inclusions_of(const struct radiance *radiance, const struct settings *settings);
@@ -20,5 +27,16 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
 /* Returns the normal of a crack, with its roughness, on the side of its mesh's. */
 vec3s inclusions_crack_normal(const struct inclusions *inclusions,
                               const struct mesh_vertex *surface);
+
+/* What the map says of a point of the object. */
+struct inclusions_surface {
+    vec3s normal; /* outward, with bumps: bump_facing() is still to be called */
+    float frost;  /* share of the surface that is covered by crystals, 0 to 1 */
+};
+
+/* `normal` is the smooth one, unit, outward, in the world; `hit` is one of the object. */
+struct inclusions_surface inclusions_surface_at(const struct inclusions *inclusions,
+                                                const struct bvh *bvh, const struct bvh_hit *hit,
+                                                vec3s normal);
 
 #endif

@@ -6,6 +6,7 @@
 #include "shaders/sky.h"
 #include "src/image/half.h"
 #include "src/image/srgb.h"
+#include "src/reference/texel_pair.h"
 #include "src/scene/material_rows.h"
 
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals)
@@ -18,36 +19,10 @@ struct radiance radiance_of(const struct scene *scene, const struct globals *glo
 
 /* ---- textures ---- */
 
-/* The two texels around a coordinate, and the weight of the second one. */
-struct pair {
-    uint32_t first, second;
-    float share;
-};
-
-static uint32_t wrapped(double index, uint32_t count)
-{
-    return (uint32_t)(index - floor(index / count) * count);
-}
-
-static struct pair pair_at(float coordinate, uint32_t count, bool repeat)
-{
-    const double x = (double)coordinate * count - 0.5;
-    const double first = floor(x);
-    const double last = count - 1.0;
-    if (repeat)
-        return (struct pair){ wrapped(first, count), wrapped(first + 1, count),
-                              (float)(x - first) };
-    return (struct pair){
-        (uint32_t)fmin(fmax(first, 0), last),
-        (uint32_t)fmin(fmax(first + 1, 0), last),
-        (float)(x - first),
-    };
-}
-
 typedef vec4s fetch_fn(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y);
 
-static vec4s blend(const struct radiance *radiance, fetch_fn *fetch, uint32_t layer, struct pair x,
-                   struct pair y)
+static vec4s blend(const struct radiance *radiance, fetch_fn *fetch, uint32_t layer,
+                   struct texel_pair x, struct texel_pair y)
 {
     const vec4s above = glms_vec4_lerp(fetch(radiance, layer, x.first, y.first),
                                        fetch(radiance, layer, x.second, y.first), x.share);
@@ -107,8 +82,8 @@ vec4s radiance_texel(const struct radiance *radiance, uint32_t material, vec2s u
     const uint32_t size = radiance->scene->model.textures.size;
     if (!layer || !size)
         return glms_vec4_one();
-    return blend(radiance, fetch_texture, layer - 1, pair_at(uv.x, size, true),
-                 pair_at(uv.y, size, true));
+    return blend(radiance, fetch_texture, layer - 1, texel_pair_at(uv.x, size, true),
+                 texel_pair_at(uv.y, size, true));
 }
 
 /* ---- radiance ---- */
@@ -127,8 +102,9 @@ vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
     if (radiance->scene->background == SCENE_SKY)
         return scaled(g, sky_seen(dir, g->sun_dir, g->sun_strength));
     const vec2s uv = background_uv(dir, environment->turn);
-    return glms_vec3(blend(radiance, fetch_environment, 0, pair_at(uv.x, environment->width, true),
-                           pair_at(uv.y, environment->height, false)));
+    return glms_vec3(blend(radiance, fetch_environment, 0,
+                           texel_pair_at(uv.x, environment->width, true),
+                           texel_pair_at(uv.y, environment->height, false)));
 }
 
 /* ---- materials ---- */
@@ -165,7 +141,7 @@ static vec4s texel_of(const struct radiance *radiance, const struct material *ma
     const float u = wrap(glms_vec3_dot(texture->u_row, at), texture->wrap_u, (float)size);
     const float v = wrap(glms_vec3_dot(texture->v_row, at), texture->wrap_v, (float)size);
     return blend(radiance, is_color ? fetch_texture : fetch_number, texture->layer - 1,
-                 pair_at(u, size, true), pair_at(v, size, true));
+                 texel_pair_at(u, size, true), texel_pair_at(v, size, true));
 }
 
 static vec4s base_texel(const struct radiance *radiance, const struct mesh_vertex *vertex)
@@ -212,8 +188,8 @@ static vec3s bent(const struct radiance *radiance, const struct material *m,
 static vec3s environment_light(const struct radiance *radiance, uint32_t layer, vec3s dir)
 {
     const vec2s uv = background_uv(dir, radiance->scene->environment.turn);
-    return glms_vec3(blend(radiance, fetch_light, layer, pair_at(uv.x, LIT_WIDTH, true),
-                           pair_at(uv.y, LIT_HEIGHT, false)));
+    return glms_vec3(blend(radiance, fetch_light, layer, texel_pair_at(uv.x, LIT_WIDTH, true),
+                           texel_pair_at(uv.y, LIT_HEIGHT, false)));
 }
 
 static vec3s matt_light(const struct radiance *radiance, vec3s n)
@@ -243,8 +219,8 @@ static vec2s split_of(const struct radiance *radiance, float roughness, float n_
 {
     const vec2s at =
         glms_vec2_divs(glms_vec2_adds(lit_split_at(roughness, n_dot_v), 0.5f), LIT_SPLIT_SIDE);
-    const vec4s split = blend(radiance, fetch_split, 0, pair_at(at.x, LIT_SPLIT_SIDE, false),
-                              pair_at(at.y, LIT_SPLIT_SIDE, false));
+    const vec4s split = blend(radiance, fetch_split, 0, texel_pair_at(at.x, LIT_SPLIT_SIDE, false),
+                              texel_pair_at(at.y, LIT_SPLIT_SIDE, false));
     return (vec2s){ { split.x, split.y } };
 }
 

@@ -7,6 +7,7 @@
  */
 #include "src/reference/whitted.h"
 #include <math.h>
+#include "shaders/bump_normal.h"
 #include "src/reference/microfacet.h"
 #include "src/tech/gbuffer.h"
 
@@ -35,7 +36,8 @@ struct meeting {
 };
 
 enum {
-    CROSSINGS_MAX = 4096 /* of a ray that looks for the objects around the eye */
+    CROSSINGS_MAX = 4096, /* of a ray that looks for the objects around the eye */
+    FROST_SEED = 3,       /* what a seed is hashed with for a random number of its own */
 };
 
 /* Rougher surfaces are not smooth. */
@@ -102,20 +104,6 @@ static const struct frame_medium *medium(const struct whitted *whitted, uint32_t
     return &whitted->media->all[index];
 }
 
-/* Takes away from what a microfacet reflects and refracts the light that others are in the way of,
- * and that which a wrong side gets. The whole surface decides how much is reflected. */
-static void mask(struct parting *parting, vec3s dir, vec3s n, double eta,
-                 const struct frame_medium *surface)
-{
-    const bool is_refracted = parting->fresnel < 1.0f && dot(parting->refracted, n) < 0.0;
-    const bool is_reflected = dot(parting->reflected, n) > 0.0;
-    parting->fresnel = (surface->is_thin ? part_thin : part_at)(dir, n, eta).fresnel;
-    parting->reflected_share =
-        is_reflected ? microfacet_masking(n, parting->reflected, surface->roughness) : 0.0f;
-    parting->refracted_share =
-        is_refracted ? microfacet_masking(n, parting->refracted, surface->roughness) : 0.0f;
-}
-
 /* Parts light at a crack: a gap too thin to displace it, but wider than a wavelength. */
 static struct parting part_gap(const struct whitted *whitted, vec3s dir,
                                const struct meeting *meeting)
@@ -134,31 +122,104 @@ static struct parting part_gap(const struct whitted *whitted, vec3s dir,
     return parting;
 }
 
-/* Parts the light of a ray at a smooth surface or, at one of its microfacets, a rough one. */
-static struct parting part(const struct whitted *whitted, vec3s dir, const struct meeting *meeting)
+/* A point of an object's surface. */
+struct face {
+    vec3s n, facet; /* shading normal and the triangle's, on the incident side */
+    double eta;     /* index of the incident side over that of the other */
+    float roughness;
+    bool is_bumpy, is_thin;
+};
+
+/* Adds bumps and frost. Frost is in one sample of a pixel and not in another, by its share. */
+static void weather(const struct whitted *whitted, vec3s dir, const struct meeting *meeting,
+                    struct face *face)
+{
+    const struct inclusions *inclusions = whitted->inclusions;
+    const float side = meeting->crossing.is_entering ? 1.0f : -1.0f;
+    const struct inclusions_surface found = inclusions_surface_at(
+        inclusions, whitted->bvh, &meeting->hit, glms_vec3_scale(face->n, side));
+    face->is_bumpy = inclusions->has_bumps;
+    if (face->is_bumpy)
+        face->n = bump_facing(glms_vec3_scale(found.normal, side), face->n, dir);
+    if (!(dot(dir, face->n) < 0.0))
+        face->n = face->facet;
+    if (microfacet_point(whitted->sample, microfacet_hash(meeting->seed, FROST_SEED)).x <
+        found.frost)
+        face->roughness = inclusions->frost_roughness;
+}
+
+static struct face face_at(const struct whitted *whitted, vec3s dir, const struct meeting *meeting)
 {
     const struct bvh_hit *hit = &meeting->hit;
-    if (hit->part == BVH_CRACKS)
-        return part_gap(whitted, dir, meeting);
     const struct frame_medium *surface = medium(whitted, hit->object);
     const uint32_t before = meeting->crossing.before;
     const float side = meeting->crossing.is_entering ? 1.0f : -1.0f;
     const uint32_t after = surface->is_thin ? hit->object : meeting->crossing.after;
-    const double eta = (double)medium(whitted, before)->ior[meeting->channel] /
-                       (double)medium(whitted, after)->ior[meeting->channel];
-    const vec3s facet = glms_vec3_scale(hit->facet, side);
-    vec3s n = glms_vec3_scale(hit->surface.normal, side);
-    if (whitted->params.normals == REFERENCE_NORMALS_FLAT || !(dot(dir, n) < 0.0))
-        n = facet;
-    const bool is_rough = surface->roughness > ROUGHNESS_MIN;
-    const vec3s m = is_rough ? microfacet_sample(n, dir, surface->roughness,
-                                                 microfacet_point(whitted->sample, meeting->seed))
-                             : n;
-    struct parting parting = surface->is_thin ? part_thin(dir, m, eta) : part_at(dir, m, eta);
+    struct face face = {
+        .n = glms_vec3_scale(hit->surface.normal, side),
+        .facet = glms_vec3_scale(hit->facet, side),
+        .eta = (double)medium(whitted, before)->ior[meeting->channel] /
+               (double)medium(whitted, after)->ior[meeting->channel],
+        .roughness = surface->roughness,
+        .is_thin = surface->is_thin,
+    };
+    if (whitted->params.normals == REFERENCE_NORMALS_FLAT || !(dot(dir, face.n) < 0.0))
+        face.n = face.facet;
+    if (hit->part == BVH_OBJECT && whitted->inclusions->is_uneven)
+        weather(whitted, dir, meeting, &face);
+    return face;
+}
+
+/* Takes away from what a microfacet reflects and refracts the light that others are in the way of,
+ * and that which a wrong side gets. The whole surface decides how much is reflected. */
+static void mask(struct parting *parting, vec3s dir, const struct face *face)
+{
+    const bool is_refracted = parting->fresnel < 1.0f && dot(parting->refracted, face->n) < 0.0;
+    const bool is_reflected = dot(parting->reflected, face->n) > 0.0;
+    parting->fresnel = (face->is_thin ? part_thin : part_at)(dir, face->n, face->eta).fresnel;
+    parting->reflected_share =
+        is_reflected ? microfacet_masking(face->n, parting->reflected, face->roughness) : 0.0f;
+    parting->refracted_share =
+        is_refracted ? microfacet_masking(face->n, parting->refracted, face->roughness) : 0.0f;
+}
+
+/* On bumpy surfaces the triangle decides on which side light is. What a microfacet sends to the
+ * wrong side is lost; a smooth surface sends it as the triangle would. */
+static void keep_sides(struct parting *parting, vec3s dir, const struct face *face, bool is_rough)
+{
+    const struct parting even = part_at(dir, face->facet, face->eta);
+    const bool is_lost = parting->fresnel < 1.0f && dot(parting->refracted, face->facet) >= 0.0;
+    if (is_lost && is_rough)
+        parting->refracted_share = 0.0f;
+    else if (is_lost && even.fresnel < 1.0f)
+        parting->refracted = even.refracted;
+    else if (is_lost)
+        *parting = even;
+    if (dot(parting->reflected, face->facet) > 0.0)
+        return;
     if (is_rough)
-        mask(&parting, dir, n, eta, surface);
-    else if (!meeting->crossing.is_entering && dot(parting.reflected, facet) <= 0.0)
-        parting.reflected = part_at(dir, facet, eta).reflected;
+        parting->reflected_share = 0.0f;
+    parting->reflected = even.reflected;
+}
+
+/* Parts the light of a ray at a crack, at a smooth surface or, at one of its microfacets, a rough
+ * one. */
+static struct parting part(const struct whitted *whitted, vec3s dir, const struct meeting *meeting)
+{
+    if (meeting->hit.part == BVH_CRACKS)
+        return part_gap(whitted, dir, meeting);
+    const struct face face = face_at(whitted, dir, meeting);
+    const bool is_rough = face.roughness > ROUGHNESS_MIN;
+    const vec3s m = is_rough ? microfacet_sample(face.n, dir, face.roughness,
+                                                 microfacet_point(whitted->sample, meeting->seed))
+                             : face.n;
+    struct parting parting = face.is_thin ? part_thin(dir, m, face.eta) : part_at(dir, m, face.eta);
+    if (is_rough)
+        mask(&parting, dir, &face);
+    else if (!meeting->crossing.is_entering && dot(parting.reflected, face.facet) <= 0.0)
+        parting.reflected = part_at(dir, face.facet, face.eta).reflected;
+    if (face.is_bumpy)
+        keep_sides(&parting, dir, &face, is_rough);
     return parting;
 }
 

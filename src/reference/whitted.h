@@ -9,6 +9,8 @@
  * A crack in an object is a thin gap of what is outside: it reflects 2 R / (1 + R), and what passes
  * it keeps its direction. Outside of objects it is nothing.
  *
+ * Bumps bend the normals of objects, and frost is in a random share of a pixel's samples.
+ *
  * Limits: with interpolated normals a direction may be on the wrong side of a triangle: light then
  * continues in that direction, as from the smooth surface, and does not meet the object from the
  * side on which it is not; only light that is reflected inside is reflected by the triangle's own

@@ -109,6 +109,7 @@ const struct technique bump = {
     .help = "bumps of the ice's surface",
     .settings = { &bump_settings },
     .is_on = is_on,
+    .is_traced = true,
     .is_of_ice = true,
     .title = "bumps",
     .imports = imports,

@@ -123,6 +123,7 @@ const struct technique frost = {
     .help = "frost on the ice's surface",
     .settings = { &frost_settings },
     .is_on = is_on,
+    .is_traced = true,
     .is_of_ice = true,
     .parts = { { PHASE_FINISH, .graph = RG_TECHNIQUE("frost", passes) } },
 };

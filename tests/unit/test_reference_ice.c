@@ -1,10 +1,13 @@
 /*
- * The traced reference of what is inside ice against closed forms: bubbles, cracks.
+ * The traced reference of what is in and on ice against closed forms.
  */
 #include <math.h>
 #include <stdlib.h>
 
+#include "shaders/bump_normal.h"
+#include "src/reference/inclusions.h"
 #include "src/scene/generate/generate.h"
+#include "tests/support/bumps.h"
 #include "tests/support/check.h"
 #include "tests/support/picture.h"
 #include "tests/support/seen.h"
@@ -168,13 +171,156 @@ static void test_crack_in_air(void **state)
     scene_finish(&scene);
 }
 
+/* ---- bumps and frost ---- */
+
+static struct globals globals_of_turn(double turn)
+{
+    return (struct globals){
+        .world_from_object = glms_rotate_make((float)turn, (vec3s){ { 0, 1, 0 } }),
+        .bump_strength = 0.5F,
+        .bump_scale = 1,
+        .radius = 1,
+    };
+}
+
+static struct vec world_normal(const struct inclusions_surface *surface, struct vec n, struct vec e)
+{
+    const vec3s normal = { { (float)n.x, (float)n.y, (float)n.z } };
+    const vec3s from_eye = { { (float)e.x, (float)e.y, (float)e.z } };
+    return vec_from(bump_facing(surface->normal, normal, from_eye));
+}
+
+/* The normals of an even map on three planes are those that the rasteriser's test wants, too. */
+static void test_bumps_on_planes(void **state)
+{
+    static const struct vec e = { 0, 0, -1 };
+    const struct settings settings = SETTINGS("frost.amount=0.5");
+    struct scene scene = block_scene();
+    (void)state;
+    bumps_even(&scene, 0.8, -0.4, 0.25, 0.5);
+    for (int i = 0; i < 200; i++) {
+        const double up = 0.99 * sin(0.7 * i);
+        const double flat = sqrt(1 - up * up);
+        const struct vec n = { flat * sin(1.4 * cos(i)), up, flat * cos(1.4 * cos(i)) };
+        const struct bumps bumps = { 0.8 * 0.5 * 0.75, -0.4 * 0.5 * 0.75, 0.1 * i };
+        const struct globals globals = globals_of_turn(bumps.turn);
+        const struct radiance radiance = radiance_of(&scene, &globals);
+        const struct inclusions inclusions = inclusions_of(&radiance, &settings);
+        const vec3s normal = { { (float)n.x, (float)n.y, (float)n.z } };
+        const struct bvh_hit hit = { .surface = { .position = normal } };
+        const struct inclusions_surface found =
+            inclusions_surface_at(&inclusions, NULL, &hit, normal);
+        assert_true(vec_difference(world_normal(&found, n, e), bumps_normal(&bumps, n, e)) < 1e-3);
+        CHECK_NEAR(found.frost, 0.5 * 0.75 * 0.5, 1e-3);
+    }
+    scene_finish(&scene);
+}
+
+/* Slopes rise with u and v, whichever way these go, and the triangle is wound. */
+static void test_bumps_by_uv(void **state)
+{
+    const struct settings settings = SETTINGS("bump.mapping=uv");
+    struct scene scene = block_scene();
+    struct mesh *box = &scene.model.object;
+    vec3s positions[24];
+    (void)state;
+    bumps_even(&scene, 0.8, -0.4, 0, 0);
+    for (int mirrored = 0; mirrored < 2; mirrored++) {
+        const double sign = mirrored ? -1 : 1;
+        for (uint32_t i = 0; i < box->vertex_count; i++) {
+            const vec3s p = positions[i] = box->vertices[i].position;
+            box->vertices[i].uv = (vec2s){ { p.x * (float)sign, p.y * 0.3F } };
+        }
+        const struct globals globals = globals_of_turn(0);
+        const struct radiance radiance = radiance_of(&scene, &globals);
+        const struct inclusions inclusions = inclusions_of(&radiance, &settings);
+        const struct bvh bvh = { .parts[BVH_OBJECT] = { box, positions } };
+        for (uint32_t triangle = 10; triangle < 12; triangle++) { /* of the side at z = 50 */
+            const float out = triangle == 10 ? 1 : -1;
+            const struct vec n = { 0, 0, (double)out }, e = { 0, 0, -(double)out };
+            const struct bvh_hit hit = { .triangle = triangle };
+            const struct inclusions_surface found =
+                inclusions_surface_at(&inclusions, &bvh, &hit, (vec3s){ { 0, 0, out } });
+            const struct vec gradient = { 0.4 * sign, -0.2, 0 };
+            assert_true(vec_difference(world_normal(&found, n, e), bumps_bend(gradient, n, e)) <
+                        1e-3);
+        }
+    }
+    scene_finish(&scene);
+}
+
+/* Light meets the bumpy normal where it enters and where it leaves: a pane of parallel slopes sends
+ * it on in its direction, and Fresnel's share is that of the slope. */
+static void test_bumpy_pane(void **state)
+{
+    const struct settings settings = SETTINGS("bump.strength=0.5");
+    struct scene scene = block_scene();
+    (void)state;
+    bumps_even(&scene, 0.4, 0, 0, 0); /* on the sides across z: along x */
+    const struct seen seen =
+        seen_look(&scene, &settings, (struct vec){ 3, 2, 60 }, seen_direction(0));
+    CHECK_NEAR(seen.fresnel, seen_fresnel(atan(0.2), air, ice), 1e-4);
+    const double inside = atan(0.2) - asin(air / ice * sin(atan(0.2)));
+    const double in = atan(0.2) + inside; /* at the far side, which slopes the other way */
+    assert_true(vec_angle_deg(seen.exit, seen_direction(asin(ice / air * sin(in)) - atan(0.2))) <
+                0.05);
+    scene_finish(&scene);
+}
+
+/* What a map with crystals everywhere makes of ice is what a rough material is. */
+static void test_frost_is_roughness(void **state)
+{
+    struct render_result results[2];
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        const struct settings settings = SETTINGS(i ? "frost.amount=1" : "frost.amount=0",
+                                                  "bump.strength=0", "frost.roughness=0.5");
+        struct scene scene = picture_sphere_scene(glms_vec3_zero(), 960);
+        struct object object = { .index_count = scene.model.object.index_count, .rank = 1 };
+        struct material material = material_make("ice");
+        material.transmission = 1;
+        material.thickness = 1;
+        material.ior = 1.3F;
+        material.roughness = i ? 0 : 0.5F;
+        scene.background = SCENE_COLOR;
+        scene.background_color = glms_vec3_one();
+        scene.model.objects = &object;
+        scene.model.materials = &material;
+        scene.model.object_count = scene.model.material_count = 1;
+        bumps_even(&scene, 0, 0, 0, 1);
+        const struct reference_request request = {
+            .scene = &scene,
+            .settings = &settings,
+            .width = 16,
+            .height = 16,
+            .samples = 4,
+            .linear = true,
+        };
+        const struct renderer_shot shot = { .camera = { .eye = { { 0, 0, 6 } }, .fov_deg = 18 } };
+        results[i] = seen_trace(&request, &shot);
+        scene.model.objects = NULL;
+        scene.model.materials = NULL;
+        scene.model.object_count = scene.model.material_count = 0;
+        scene_finish(&scene);
+    }
+    const float *a = image_find(&results[0].image, "R"), *b = image_find(&results[1].image, "R");
+    double loss = 0;
+    for (size_t k = 0; k < 256; k++) {
+        assert_true(a[k] == b[k]);
+        loss += 1 - (double)a[k];
+    }
+    assert_true(loss > 10);
+    for (int i = 0; i < 2; i++)
+        render_result_finish(&results[i]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bubble),
-        cmocka_unit_test(test_bubble_in_the_surface),
-        cmocka_unit_test(test_crack),
-        cmocka_unit_test(test_crack_in_air),
+        cmocka_unit_test(test_bubble),          cmocka_unit_test(test_bubble_in_the_surface),
+        cmocka_unit_test(test_crack),           cmocka_unit_test(test_crack_in_air),
+        cmocka_unit_test(test_bumps_on_planes), cmocka_unit_test(test_bumps_by_uv),
+        cmocka_unit_test(test_bumpy_pane),      cmocka_unit_test(test_frost_is_roughness),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

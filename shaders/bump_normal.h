@@ -1,0 +1,44 @@
+/*
+ * bump_normal.h: the normal of the ice's uneven surface, for shaders and C.
+ *
+ * The gradient of a height bends a normal independently of the mapping (Mikkelsen 2010, Bump
+ * Mapping Unparametrized Surfaces on the GPU), so that the gradients of three planes can be added,
+ * and no tangents are needed.
+ */
+#ifndef SHADERS_BUMP_NORMAL_H
+#define SHADERS_BUMP_NORMAL_H
+#include "abi_math.h"
+
+/* Where the map lies on the planes perpendicular to y and z: without the offsets the middles of
+ * the three planes would be equal. */
+#define BUMP_OFFSET_Y ABI_VEC2(0.37f, 0.61f)
+#define BUMP_OFFSET_Z ABI_VEC2(0.71f, 0.23f)
+
+/* Returns the weights of the planes, whose sum is 1, by the normal in the object's space. */
+ABI_FUNCTION vec3s bump_shares(vec3s n)
+{
+    float x = n.x * n.x * n.x * n.x;
+    float y = n.y * n.y * n.y * n.y;
+    float z = n.z * n.z * n.z * n.z;
+    float all = x + y + z;
+    return ABI_VEC3(x / all, y / all, z / all);
+}
+
+/* Returns the normal on the side to which the height rises. */
+ABI_FUNCTION vec3s bump_bent(vec3s normal, vec3s gradient)
+{
+    vec3s aside = glms_vec3_sub(normal, gradient);
+    return glms_vec3_normalize(
+        glms_vec3_add(aside, glms_vec3_scale(normal, glms_vec3_dot(normal, gradient))));
+}
+
+/* Returns a bent normal that still faces the eye: those that bumps would turn away become nearly
+ * perpendicular to e. */
+ABI_FUNCTION vec3s bump_facing(vec3s bent, vec3s normal, vec3s e)
+{
+    float beyond = glms_vec3_dot(bent, e) - fmaxf(glms_vec3_dot(normal, e), -0.02f);
+    if (beyond > 0.0f)
+        return glms_vec3_normalize(glms_vec3_sub(bent, glms_vec3_scale(e, beyond)));
+    return bent;
+}
+#endif
