@@ -7,7 +7,7 @@
 
 /* Cosine between a plane's normal and the ray below which the plane fades out, because it would be
  * a line when seen edge on. */
-#define AIR_EDGE 0.3
+#define AIR_EDGE 0.3f
 
 struct air_push {
     float strength; /* opacity of a bubble at most */

@@ -65,8 +65,9 @@ static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
         args->valid[0] = 0;
 }
 
-/* A crack is not met again by light that it reflects, nor twice at an edge of its triangles. */
-static void filter_cracks(const struct RTCFilterFunctionNArguments *args)
+/* A sheet is not met again by light that it reflects or lets pass, nor twice at an edge of its
+ * triangles. */
+static void filter_sheets(const struct RTCFilterFunctionNArguments *args)
 {
     const struct bvh *bvh = args->geometryUserPtr;
     if (((const struct RTCRay *)(const void *)args->ray)->tfar < bvh->hair)
@@ -177,8 +178,8 @@ static bool add_part(struct bvh *bvh, RTCDevice device, uint32_t index)
     rtcSetGeometryUserData(geometry, bvh);
     if (index == BVH_OBJECT)
         rtcSetGeometryIntersectFilterFunction(geometry, filter_object);
-    else if (index == BVH_CRACKS)
-        rtcSetGeometryIntersectFilterFunction(geometry, filter_cracks);
+    else if (index == BVH_CRACKS || index == BVH_AIR)
+        rtcSetGeometryIntersectFilterFunction(geometry, filter_sheets);
     else if (has_holes(&bvh->radiance->scene->model, mesh))
         rtcSetGeometryIntersectFilterFunction(geometry, filter_surroundings);
     rtcCommitGeometry(geometry);
@@ -238,6 +239,7 @@ enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *r
         .parts[BVH_OBJECT].mesh = &radiance->scene->model.object,
         .parts[BVH_SURROUNDINGS].mesh = &radiance->scene->model.surroundings,
         .parts[BVH_CRACKS].mesh = &radiance->scene->cracks,
+        .parts[BVH_AIR].mesh = &radiance->scene->air,
     };
     enum status status = check_size(bvh, memory);
     if (status != STATUS_OK)

@@ -3,9 +3,9 @@
  *
  * A ray that begins on an object's surface does not intersect the triangle on which it begins, nor,
  * very near or if it is astray, faces of that object that it could only see from the other side.
- * Cracks are not intersected where they are nearer to its origin than `hair`, nor are holes of
- * cut-out materials. Bubbles are exact spheres: a ray that begins on one meets it again only where
- * it leaves its inside.
+ * Cracks and planes of air are not intersected where they are nearer to its origin than `hair`,
+ * nor are holes of cut-out materials. Bubbles are exact spheres: a ray that begins on one meets it
+ * again only where it leaves its inside.
  *
  * Thread-safety: several threads may call bvh_meet() at the same time.
  */
@@ -20,6 +20,7 @@ enum {
     BVH_OBJECT,
     BVH_SURROUNDINGS,
     BVH_CRACKS,
+    BVH_AIR,        /* planes of air */
     BVH_MESH_COUNT, /* the parts above are meshes */
     BVH_BUBBLES = BVH_MESH_COUNT,
 };

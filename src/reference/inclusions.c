@@ -1,18 +1,36 @@
-/* inclusions.c: normals of cracks and of the uneven surface. */
+/* inclusions.c: normals of cracks and of the uneven surface, opacities of planes of air. */
 #include "src/reference/inclusions.h"
 #include <math.h>
 #include "shaders/bump_normal.h"
 #include "shaders/cracks_noise.h"
+#include "shaders/sky.h"
 #include "src/image/half.h"
 #include "src/reference/texel_pair.h"
+#include "src/tech/air.h"
 #include "src/tech/bump.h"
 #include "src/tech/cracks.h"
 #include "src/tech/frost.h"
+
+/* The radiance of a white medium in which multiple scattering makes light isotropic, as of
+ * shaders/lib/air_light.glsl. */
+static vec3s light_of_air(const struct radiance *radiance)
+{
+    const struct globals *g = radiance->globals;
+    if (radiance->scene->background == SCENE_COLOR)
+        return g->background_color;
+    if (radiance->scene->background == SCENE_ENVIRONMENT)
+        return radiance_mean(radiance);
+    const vec3s away = glms_vec3_negate(g->sun_dir);
+    const vec3s light = glms_vec3_add(sky_reflected(g->sun_dir, g->sun_dir, g->sun_strength),
+                                      sky_reflected(away, g->sun_dir, g->sun_strength));
+    return glms_vec3_scale(light, 0.5f * g->sky_strength);
+}
 
 struct inclusions inclusions_of(const struct radiance *radiance, const struct settings *settings)
 {
     const struct cracks_params *cracks_params = settings_of(settings, &cracks_settings);
     const struct bump_params *bump_params = settings_of(settings, &bump_settings);
+    const struct air_params *air_params = settings_of(settings, &air_settings);
     const struct frost_params *frost_params = settings_of(settings, &frost_settings);
     const bool has_map = radiance->scene->bump.texels != NULL;
     const bool has_bumps = has_map && bump_params->strength > 0.0f;
@@ -26,6 +44,8 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
         .is_mapped_by_uv = bump_params->mapping == BUMP_UV,
         .frost = frost_amount,
         .frost_roughness = frost_params->roughness,
+        .air = { air_params->strength, air_params->haze },
+        .air_light = radiance->scene->air.index_count ? light_of_air(radiance) : glms_vec3_zero(),
     };
 }
 
@@ -48,6 +68,37 @@ vec3s inclusions_crack_normal(const struct inclusions *inclusions,
     const vec3s bent = crack_bent(to_object(inclusions, surface->normal),
                                   glms_vec3_divs(at, g->radius), inclusions->crack_slope);
     return glms_mat3_mulv(inclusions->world_from_object, bent);
+}
+
+/* ---- air ---- */
+
+/* Returns the opacities of bubbles and haze. */
+static vec2s fetch_air(const struct air_layers *layers, uint32_t layer, uint32_t x, uint32_t y)
+{
+    const size_t row = (size_t)layer * layers->size + y;
+    const uint8_t *texel = &layers->texels[(row * layers->size + x) * 2];
+    return (vec2s){ { (float)texel[0] / 255.0f, (float)texel[1] / 255.0f } };
+}
+
+float inclusions_air_cover(const struct inclusions *inclusions, const struct mesh_vertex *surface,
+                           vec3s dir)
+{
+    const struct air_layers *layers = &inclusions->radiance->scene->air_layers;
+    const uint32_t layer = (surface->material & MESH_TEXTURE_MASK) - 1;
+    if (layer >= layers->count)
+        return 0.0f;
+    const struct texel_pair x = texel_pair_at(surface->uv.x, layers->size, false);
+    const struct texel_pair y = texel_pair_at(surface->uv.y, layers->size, false);
+    const vec2s above = glms_vec2_lerp(fetch_air(layers, layer, x.first, y.first),
+                                       fetch_air(layers, layer, x.second, y.first), x.share);
+    const vec2s below = glms_vec2_lerp(fetch_air(layers, layer, x.first, y.second),
+                                       fetch_air(layers, layer, x.second, y.second), x.share);
+    const vec2s texel = glms_vec2_lerp(above, below, y.share);
+    const float cosine = fabsf(glms_vec3_dot(dir, surface->normal));
+    const float facing = glm_smoothstep(0.0f, AIR_EDGE, cosine);
+    const float bubbles_share = inclusions->air.strength * facing * texel.x;
+    const float haze_share = inclusions->air.haze * facing * texel.y;
+    return 1.0f - (1.0f - bubbles_share) * (1.0f - haze_share);
 }
 
 /* ---- the surface ---- */

@@ -1,6 +1,6 @@
 /*
- * inclusions.h: what the rasteriser draws in and on ice, as the reference meets it: cracks, bumps,
- * frost.
+ * inclusions.h: what the rasteriser draws in and on ice, as the reference meets it: cracks, planes
+ * of air, bumps, frost.
  *
  * Fields and formulas are those of the shaders (shaders/cracks_noise.h, shaders/bump_normal.h).
  * Maps are filtered bilinearly, without mip levels.
@@ -8,6 +8,7 @@
 #ifndef FIRN_REFERENCE_INCLUSIONS_H
 #define FIRN_REFERENCE_INCLUSIONS_H
 
+#include "shaders/air.h"
 #include "src/reference/bvh.h"
 #include "src/settings/settings.h"
 
@@ -20,6 +21,8 @@ struct inclusions {
     bool is_mapped_by_uv;            /* the map, by the mesh's uv */
     float frost;                     /* amount; 0: none, or there is no map */
     float frost_roughness;
+    struct air_push air; /* opacities of the planes of air */
+    vec3s air_light;     /* radiance of the planes of air */
 };
 
 struct inclusions inclusions_of(const struct radiance *radiance, const struct settings *settings);
@@ -27,6 +30,10 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
 /* Returns the normal of a crack, with its roughness, on the side of its mesh's. */
 vec3s inclusions_crack_normal(const struct inclusions *inclusions,
                               const struct mesh_vertex *surface);
+
+/* Returns the opacity of a plane of air that a ray along `dir` meets. */
+float inclusions_air_cover(const struct inclusions *inclusions, const struct mesh_vertex *surface,
+                           vec3s dir);
 
 /* What the map says of a point of the object. */
 struct inclusions_surface {

@@ -107,6 +107,24 @@ vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
                            texel_pair_at(uv.y, environment->height, false)));
 }
 
+vec3s radiance_mean(const struct radiance *radiance)
+{
+    const struct environment *environment = &radiance->scene->environment;
+    double sum[3] = { 0 };
+    double weights = 0.0;
+    for (uint32_t y = 0; y < environment->height; y++) {
+        const double weight = sin(((double)y + 0.5) / environment->height * 3.14159265358979);
+        for (uint32_t x = 0; x < environment->width; x++) {
+            const vec4s texel = fetch_environment(radiance, 0, x, y);
+            for (int c = 0; c < 3; c++)
+                sum[c] += weight * (double)texel.raw[c];
+        }
+        weights += weight * environment->width;
+    }
+    return (vec3s){ { (float)(sum[0] / weights), (float)(sum[1] / weights),
+                      (float)(sum[2] / weights) } };
+}
+
 /* ---- materials ---- */
 
 /* Returns the material of a vertex, or NULL: it has none, or is left to the settings. */

@@ -33,6 +33,9 @@ vec4s radiance_texel(const struct radiance *radiance, uint32_t material, vec2s u
 /* Returns the radiance of the sky, environment or background colour; `dir` is unit. */
 vec3s radiance_sky(const struct radiance *radiance, vec3s dir);
 
+/* Returns the mean of the environment picture over all directions. */
+vec3s radiance_mean(const struct radiance *radiance);
+
 /* Returns the radiance of a surface of the surroundings. */
 vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point);
 

@@ -23,6 +23,7 @@ struct branch {
     struct bvh_ray ray;
     struct media_set inside; /* the objects that the ray is in */
     vec3s weight;
+    vec3s air;        /* light that planes of air have added since its last surface */
     uint32_t bounces; /* surfaces that it has met */
     uint32_t seed;    /* of the random numbers at its next surface */
 };
@@ -281,9 +282,17 @@ static bool is_in(const struct whitted *whitted, const struct branch *b, uint32_
     return media_top(whitted->media, &b->inside, MEDIA_NOTHING) == object;
 }
 
-/* Lets a branch go straight on from a sheet. */
-static void pass(struct branch *b, const struct bvh_hit *hit)
+/* Lets a branch pass a sheet on which its light does not part: a plane of air, or a sheet that is
+ * not in the ice. */
+static void pass(const struct whitted *whitted, struct branch *b, const struct bvh_hit *hit)
 {
+    if (hit->part == BVH_AIR && is_in(whitted, b, hit->object)) {
+        const struct inclusions *inclusions = whitted->inclusions;
+        const float cover = inclusions_air_cover(inclusions, &hit->surface, b->ray.dir);
+        const vec3s light = glms_vec3_mul(b->weight, inclusions->air_light);
+        b->air = glms_vec3_muladds(light, cover, b->air);
+        b->weight = glms_vec3_scale(b->weight, 1.0f - cover);
+    }
     b->ray.origin = hit->surface.position;
     b->ray.near = 0.0f;
     b->ray.from = BVH_NOWHERE;
@@ -302,19 +311,20 @@ static bool advance(const struct whitted *whitted, struct branch *b, struct meet
         if (hit->part == BVH_SURROUNDINGS)
             return true;
         meeting->seed = b->seed;
-        if (hit->part == BVH_CRACKS) {
-            if (is_in(whitted, b, hit->object))
-                return true;
-            pass(b, hit);
+        if (hit->part == BVH_CRACKS && is_in(whitted, b, hit->object))
+            return true;
+        if (hit->part == BVH_CRACKS || hit->part == BVH_AIR) {
+            pass(whitted, b, hit);
             continue;
         }
         meeting->crossing = crossing_at(whitted, &b->inside, b->ray.dir, hit);
         if (medium(whitted, hit->object)->is_thin ||
             !media_are_alike(whitted->media, meeting->crossing.before, meeting->crossing.after))
             return true;
-        const vec3s weight = b->weight;
+        const struct branch before = *b;
         *b = leave(whitted, b, meeting, b->ray.dir, true);
-        b->weight = weight;
+        b->weight = before.weight;
+        b->air = before.air;
     }
     return false;
 }
@@ -409,6 +419,7 @@ static void follow(const struct whitted *whitted, struct branch first, uint32_t 
         struct branch b = stack[--count];
         struct meeting meeting = { .channel = channel };
         const bool is_met = advance(whitted, &b, &meeting);
+        sum->light = glms_vec3_add(sum->light, b.air);
         if (!is_met && b.bounces >= whitted->params.bounces) {
             sum->remaining = glms_vec3_add(sum->remaining, b.weight);
             continue;
@@ -546,6 +557,7 @@ struct reference_seen whitted_trace(const struct whitted *whitted, const struct 
     struct meeting meeting = { .channel = 1 };
     const bool is_met = advance(whitted, &eye, &meeting);
     const struct bvh_hit *hit = &meeting.hit;
+    seen.color = eye.air;
     if (is_met) {
         seen.z = glms_vec3_dot(glms_vec3_sub(hit->surface.position, ray->origin), forward);
         seen.normal = hit->surface.normal;

@@ -7,7 +7,8 @@
  * or they have met reference.bounces surfaces. Pictures of smooth objects use no random numbers.
  *
  * A crack in an object is a thin gap of what is outside: it reflects 2 R / (1 + R), and what passes
- * it keeps its direction. Outside of objects it is nothing.
+ * it keeps its direction. A plane of air covers what is behind it by its opacity. Outside of
+ * objects both are nothing.
  *
  * Bumps bend the normals of objects, and frost is in a random share of a pixel's samples.
  *

@@ -204,6 +204,7 @@ const struct technique air = {
     .help = "milky air planes in the ice (Seipel and Nivfors 2006)",
     .settings = { &air_settings },
     .is_on = is_on,
+    .is_traced = true,
     .is_of_ice = true,
     .layers = layers,
     .imports = imports,

@@ -215,9 +215,8 @@ class With(Case):
                                 '-o', 'a.##.exr', *arguments, env=NO_DRIVER).stderr.decode()
         said = words()
         self.assertEqual(said.count('draws only'), 1, said)
-        for name in ('air', 'highlights'):
-            self.assertIn(name, said)
-        for name in ('frost', 'bubbles', 'bumps', 'cracks'):
+        self.assertIn('highlights', said)
+        for name in ('frost', 'bubbles', 'bumps', 'cracks', 'air'):
             self.assertNotIn(name, said)
         self.assertEqual(words('-q'), '')
         self.assertNotIn('draws only', words(*SMOOTH))

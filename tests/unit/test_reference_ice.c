@@ -47,21 +47,24 @@ static void add_bubble(struct scene *scene, vec3s center, float radius)
     bubbles->spheres[bubbles->count++] = (struct bubbles_sphere){ center, radius };
 }
 
-/* A sheet 20 m wide, in the plane z = at, that faces +Z. */
-static void add_crack(struct scene *scene, float at)
+/* Adds a sheet 40 m wide, in the plane z = at, that faces +Z. */
+static void add_sheet(struct mesh *mesh, float at)
 {
-    struct mesh sheet;
     static const uint32_t corners[6] = { 0, 1, 3, 0, 3, 2 };
+    struct mesh sheet;
     assert_true(mesh_init(&sheet, 4, 6));
     for (uint32_t i = 0; i < 4; i++) {
+        const vec2s uv = { { (float)(i % 2), (float)(i / 2) } };
         sheet.vertices[i] = (struct mesh_vertex){
-            .position = { { i % 2 ? 10 : -10, i / 2 ? 10 : -10, at } },
+            .position = { { 40 * uv.x - 20, 40 * uv.y - 20, at } },
             .normal = { { 0, 0, 1 } },
+            .uv = uv,
+            .material = 1,
         };
     }
     for (uint32_t i = 0; i < 6; i++)
         sheet.indices[i] = corners[i];
-    assert_true(mesh_append(&scene->cracks, &sheet));
+    assert_true(mesh_append(mesh, &sheet));
     mesh_finish(&sheet);
 }
 
@@ -131,7 +134,7 @@ static void test_crack(void **state)
     const struct settings settings = SETTINGS("cracks.bump=0");
     struct scene scene = block_scene();
     (void)state;
-    add_crack(&scene, -2);
+    add_sheet(&scene.cracks, -2);
     for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
         const double in = table[i][0] * SEEN_PI / 180;
         for (int back = 0; back < 2; back++) {
@@ -159,8 +162,8 @@ static void test_crack_in_air(void **state)
     const struct settings settings = settings_default();
     struct scene scene = block_scene();
     (void)state;
-    add_crack(&scene, 52);
-    add_crack(&scene, -5);
+    add_sheet(&scene.cracks, 52);
+    add_sheet(&scene.cracks, -5);
     add_bubble(&scene, (vec3s){ { 0, 0, -5 } }, 1);
     struct seen seen = seen_look(&scene, &settings, (struct vec){ 0, 0, 60 }, seen_direction(0));
     CHECK_NEAR(seen.z, 10, 1e-4);
@@ -168,6 +171,39 @@ static void test_crack_in_air(void **state)
     CHECK_NEAR(seen.z, 1.5, 1e-5);
     seen = seen_look(&scene, &settings, (struct vec){ 1.5, 0, -4.5 }, seen_direction(0));
     CHECK_NEAR(seen.z, 0.5, 1e-5);
+    scene_finish(&scene);
+}
+
+/* ---- planes of air ---- */
+
+/* A plane covers what is behind by its bubbles and its haze, less when it is seen nearly edge on;
+ * it is as bright as the background. Outside of the ice it is nothing. */
+static void test_air(void **state)
+{
+    const struct settings settings =
+        SETTINGS("air.strength=0.5", "air.haze=0.25", "reference.bounces=1");
+    const double clear = (1 - 0.5 * 102 / 255) * (1 - 0.25 * 51 / 255);
+    const double edge = (1 - 0.25 * 102 / 255) * (1 - 0.125 * 51 / 255);
+    struct scene scene = block_scene();
+    uint8_t texels[8];
+    (void)state;
+    for (int i = 0; i < 8; i++)
+        texels[i] = i % 2 ? 51 : 102;
+    scene.air_layers = (struct air_layers){ texels, 2, 1 };
+    scene.background_color = (vec3s){ { 1, 0.5F, 2 } };
+    add_sheet(&scene.air, 52);
+    add_sheet(&scene.air, -1);
+    add_sheet(&scene.air, -2);
+    struct seen seen = seen_look(&scene, &settings, (struct vec){ 1, 2, 0 }, seen_direction(0));
+    const double cover = 1 - clear * clear;
+    assert_true(vec_difference(seen.color, (struct vec){ cover, cover / 2, cover * 2 }) < 1e-5);
+    CHECK_NEAR(seen.z, 50, 1e-3);
+    CHECK_NEAR(seen.remaining.x, 1 - cover, 1e-5);
+    seen = seen_look(&scene, &settings, (struct vec){ 0, 0, -1.5 }, seen_direction(acos(0.15)));
+    CHECK_NEAR(seen.color.x, 1 - edge, 1e-5);
+    seen = seen_look(&scene, &settings, (struct vec){ 0, 0, 60 }, seen_direction(0));
+    CHECK_NEAR(seen.color.x, 0, 0);
+    scene.air_layers = (struct air_layers){ 0 };
     scene_finish(&scene);
 }
 
@@ -267,6 +303,25 @@ static void test_bumpy_pane(void **state)
     scene_finish(&scene);
 }
 
+/* The triangle decides on which side light is: what bumps would send to the wrong one goes as from
+ * an even surface. */
+static void test_bumps_keep_sides(void **state)
+{
+    const struct settings settings = SETTINGS("bump.strength=0.5");
+    const double in = 75 * SEEN_PI / 180;
+    struct scene scene = block_scene();
+    (void)state;
+    bumps_even(&scene, -1.2, 0, 0, 0);
+    struct seen seen = seen_look(&scene, &settings, (struct vec){ 0, 0, -49 }, seen_direction(in));
+    CHECK_NEAR(seen.fresnel, 1, 0); /* as an even surface; by the slope it would leave upwards */
+    picture_use_directions(&scene, 1024);
+    bumps_even(&scene, -0.6, 0, 0, 0);
+    seen = seen_look(&scene, &settings, (struct vec){ -20, 0, 55 }, seen_direction(in));
+    const struct vec up = picture_direction_color(seen_direction(SEEN_PI - in));
+    assert_true(vec_difference(seen.reflection, up) < 0.02);
+    scene_finish(&scene);
+}
+
 /* What a map with crystals everywhere makes of ice is what a rough material is. */
 static void test_frost_is_roughness(void **state)
 {
@@ -314,13 +369,106 @@ static void test_frost_is_roughness(void **state)
         render_result_finish(&results[i]);
 }
 
+/* ---- all of it ---- */
+
+/* A cube of ice with all that ice may have. */
+static struct scene whole_scene(void)
+{
+    const struct generate_bubbles bubbles = { .count = 30, .seed = 1, .size = 0.1F };
+    const struct generate_air planes = { 5, 1, 0.02F, 12 };
+    const struct bump_maps_params bumps = { 0.4F, 0 };
+    struct scene scene = { .background = SCENE_COLOR, .background_color = glms_vec3_one() };
+    assert_true(generate_ice_cube(&scene.model.object, 1200));
+    scene.box = mesh_box(&scene.model.object);
+    assert_true(generate_bubbles(&scene.bubbles, &scene.model.object, &bubbles));
+    assert_true(generate_cracks(&scene.cracks, scene.box, 3, 1));
+    assert_true(generate_air_planes(&scene.air, scene.box, &planes));
+    assert_true(generate_air_layers(&scene.air_layers, &planes));
+    assert_true(bump_maps_init(&scene.bump, &bumps));
+    return scene;
+}
+
+enum {
+    WHOLE_SIDE = 20, /* pixels */
+};
+
+static struct render_result whole_picture(const struct scene *scene,
+                                          const struct settings *settings, uint32_t threads)
+{
+    const struct reference_request request = {
+        .scene = scene,
+        .settings = settings,
+        .width = WHOLE_SIDE,
+        .height = WHOLE_SIDE,
+        .samples = 2,
+        .layers = seen_layers(),
+        .linear = true,
+        .threads = threads,
+    };
+    const struct renderer_shot shot = { .camera = { .eye = { { 1, 1.5F, 3 } }, .fov_deg = 40 } };
+    return seen_trace(&request, &shot);
+}
+
+/* In light of 1, ice shows 1, but for what rough surfaces lose; never more. */
+static void test_white_furnace(void **state)
+{
+    static const char *const frosts[] = { "frost.amount=0", "frost.amount=0.7" };
+    struct scene scene = whole_scene();
+    (void)state;
+    for (int frosty = 0; frosty < 2; frosty++) {
+        const struct settings settings =
+            SETTINGS(frosts[frosty], "bump.strength=0.5", "reference.cutoff=0.01");
+        struct render_result result = whole_picture(&scene, &settings, 0);
+        const float *red = image_find(&result.image, "R");
+        const float *rest = image_find(&result.image, "remaining.R");
+        const float *path = image_find(&result.image, "path.Z");
+        double lost = 0;
+        size_t count = 0;
+        for (size_t k = 0; k < (size_t)WHOLE_SIDE * WHOLE_SIDE; k++) {
+            const double all = (double)red[k] + (double)rest[k];
+            assert_true(all < 1 + 1e-5);
+            assert_true(frosty || all > 1 - 1e-5);
+            count += path[k] > 0;
+            lost += 1 - all;
+        }
+        assert_true(count > 100);
+        assert_true(!frosty || (lost > 0.01 * (double)count && lost < 0.3 * (double)count));
+        render_result_finish(&result);
+    }
+    scene_finish(&scene);
+}
+
+/* The pixels of a picture do not depend on which thread traces them. */
+static void test_threads(void **state)
+{
+    const struct settings settings = SETTINGS("frost.amount=0.7", "reference.cutoff=0.05");
+    struct scene scene = whole_scene();
+    struct render_result one = whole_picture(&scene, &settings, 1);
+    struct render_result four = whole_picture(&scene, &settings, 4);
+    (void)state;
+    for (uint32_t i = 0; i < one.image.plane_count; i++)
+        assert_memory_equal(one.image.planes[i].texels, four.image.planes[i].texels,
+                            sizeof(float) * WHOLE_SIDE * WHOLE_SIDE);
+    render_result_finish(&one);
+    render_result_finish(&four);
+    scene_finish(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bubble),          cmocka_unit_test(test_bubble_in_the_surface),
-        cmocka_unit_test(test_crack),           cmocka_unit_test(test_crack_in_air),
-        cmocka_unit_test(test_bumps_on_planes), cmocka_unit_test(test_bumps_by_uv),
-        cmocka_unit_test(test_bumpy_pane),      cmocka_unit_test(test_frost_is_roughness),
+        cmocka_unit_test(test_bubble),
+        cmocka_unit_test(test_bubble_in_the_surface),
+        cmocka_unit_test(test_crack),
+        cmocka_unit_test(test_crack_in_air),
+        cmocka_unit_test(test_air),
+        cmocka_unit_test(test_bumps_on_planes),
+        cmocka_unit_test(test_bumps_by_uv),
+        cmocka_unit_test(test_bumpy_pane),
+        cmocka_unit_test(test_bumps_keep_sides),
+        cmocka_unit_test(test_frost_is_roughness),
+        cmocka_unit_test(test_white_furnace),
+        cmocka_unit_test(test_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
