@@ -342,8 +342,8 @@ static void grow(const struct whitted *whitted, struct branch *stack, uint32_t *
 
 /* Adds the light of what a branch has met around the objects, or of the sky. Through a blended
  * surface the branch goes on, with the weight that is left; returns whether any is. */
-static bool pass(const struct whitted *whitted, const struct bvh_hit *hit, struct branch *b,
-                 struct sum *sum)
+static bool meet_surroundings(const struct whitted *whitted, const struct bvh_hit *hit,
+                              struct branch *b, struct sum *sum)
 {
     const float passing = hit ? radiance_passing(whitted->radiance, &hit->surface) : 0.0f;
     const vec3s light =
@@ -425,7 +425,7 @@ static void follow(const struct whitted *whitted, struct branch first, uint32_t 
             continue;
         }
         if (!is_met || meeting.hit.part == BVH_SURROUNDINGS) {
-            if (pass(whitted, is_met ? &meeting.hit : NULL, &b, sum))
+            if (meet_surroundings(whitted, is_met ? &meeting.hit : NULL, &b, sum))
                 grow(whitted, stack, &count, b, sum);
             continue;
         }
@@ -569,7 +569,7 @@ struct reference_seen whitted_trace(const struct whitted *whitted, const struct 
     }
     if (!is_met || hit->part == BVH_SURROUNDINGS) {
         struct sum sum = { 0 };
-        if (pass(whitted, is_met ? hit : NULL, &eye, &sum))
+        if (meet_surroundings(whitted, is_met ? hit : NULL, &eye, &sum))
             look_through(whitted, &eye, &seen);
         seen.color = glms_vec3_add(seen.color, sum.light);
         return seen;
