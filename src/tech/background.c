@@ -151,6 +151,8 @@ static struct technique_texels find_numbers(const struct scene *scene)
 
 static struct technique_texels find_materials(const struct scene *scene)
 {
+    if (!scene->material_rows)
+        return (struct technique_texels){ 0 };
     return (struct technique_texels){
         .texels = scene->material_rows,
         .width = MATERIAL_ROW_WIDTH,
@@ -161,6 +163,8 @@ static struct technique_texels find_materials(const struct scene *scene)
 
 static struct technique_texels find_surface_light(const struct scene *scene)
 {
+    if (!scene->surface_light)
+        return (struct technique_texels){ 0 };
     return (struct technique_texels){
         .texels = scene->surface_light,
         .width = LIT_WIDTH,
@@ -172,6 +176,8 @@ static struct technique_texels find_surface_light(const struct scene *scene)
 
 static struct technique_texels find_surface_split(const struct scene *scene)
 {
+    if (!scene->surface_split)
+        return (struct technique_texels){ 0 };
     return (struct technique_texels){
         .texels = scene->surface_split,
         .width = LIT_SPLIT_SIDE,

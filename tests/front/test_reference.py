@@ -214,12 +214,12 @@ class With(Case):
             return self.succeed('render', 'sphere', '--size', '64x48', *TRACED, '--frames', '1-2',
                                 '-o', 'a.##.exr', *arguments, env=NO_DRIVER).stderr.decode()
         said = words()
-        self.assertEqual(said.count('draws only'), 1, said)
+        self.assertEqual(said.count('draws the scene without'), 1, said)
         self.assertIn('highlights', said)
         for name in ('frost', 'bubbles', 'bumps', 'cracks', 'air'):
             self.assertNotIn(name, said)
         self.assertEqual(words('-q'), '')
-        self.assertNotIn('draws only', words(*SMOOTH))
+        self.assertNotIn('draws the scene without', words(*SMOOTH))
 
 
 if __name__ == '__main__':
