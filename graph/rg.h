@@ -329,6 +329,12 @@ enum rg_sharing {
 
 /* What rg_compile() works on. All of it is borrowed, and must outlive the plan, but for `memory`
  * only while rg_compile() runs: techniques (the array), outputs, imports, device. */
+/* A size in place of the one that an image's table has; not for images of the view's size. */
+struct rg_size {
+    const struct rg_image *image;
+    VkExtent2D extent; /* texels */
+};
+
 struct rg_compile_params {
     const struct rg_technique *const *techniques; /* in the order in which they run */
     size_t technique_count;
@@ -339,6 +345,8 @@ struct rg_compile_params {
     size_t output_count;             /* 0 is a fault */
     const struct rg_import *imports;
     size_t import_count;
+    const struct rg_size *sizes; /* an import's own size takes precedence */
+    size_t size_count;
     const struct rg_device *device; /* NULL: tight sizes, alignment 256, no limits of formats */
     enum rg_sharing sharing;        /* fewer batches or less memory */
     /* Memory for the plan and for compiling it, aligned for any type. It outlives the plan, and may

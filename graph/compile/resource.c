@@ -21,11 +21,23 @@ static uint32_t full_chain(VkExtent2D extent)
     return mips;
 }
 
-static void size_image(struct resource *r, const struct rg_image *image, VkExtent2D view)
+static VkExtent2D extent_of(const struct rg_compile_params *params, const struct rg_image *image)
+{
+    for (size_t i = 0; i < params->size_count; i++) {
+        if (params->sizes[i].image == image)
+            return params->sizes[i].extent;
+    }
+    return (VkExtent2D){
+        .width = image->width ? image->width : scaled(params->view.width, image->scale),
+        .height = image->height ? image->height : scaled(params->view.height, image->scale),
+    };
+}
+
+static void size_image(struct resource *r, const struct rg_image *image,
+                       const struct rg_compile_params *params)
 {
     r->format = rg_format_info(image->format);
-    r->extent.width = image->width ? image->width : scaled(view.width, image->scale);
-    r->extent.height = image->height ? image->height : scaled(view.height, image->scale);
+    r->extent = extent_of(params, image);
     r->all.aspectMask = r->format ? r->format->aspects : VK_IMAGE_ASPECT_COLOR_BIT;
     r->all.layerCount = image->layers ? image->layers : image->cube ? 6 : 1;
     r->all.levelCount = image->mips == RG_ALL_MIPS ? full_chain(r->extent)
@@ -108,7 +120,7 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
     r->output = r->first = r->last = RG_NONE;
     r->plan_image = r->plan_buffer = r->item = r->last_barrier = RG_NONE;
     if (image)
-        size_image(r, image, c->params->view);
+        size_image(r, image, c->params);
     else
         size_buffer(r, buffer, c->plan->max_region);
     if (import)

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include "graph/rg_cmd.h"
 #include "src/base/log.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 
 /* The first use of a readback row is the image, the second one the buffer. */
@@ -148,6 +149,9 @@ static bool list_techniques(struct frame_plan *p)
 
 static enum status compile(struct frame_plan *p, const struct frame_request *request)
 {
+    const struct env_cube_params *cube = settings_of(request->choice.settings, &env_cube_settings);
+    const VkExtent2D face = { cube->size, cube->size };
+    const struct rg_size sizes[] = { { &frame_env_cube, face }, { &frame_env_cube_depth, face } };
     const struct rg_compile_params params = {
         .techniques = p->techniques,
         .technique_count = p->technique_count,
@@ -157,6 +161,8 @@ static enum status compile(struct frame_plan *p, const struct frame_request *req
         .output_count = p->output_count,
         .imports = p->imports,
         .import_count = p->import_count,
+        .sizes = sizes,
+        .size_count = sizeof(sizes) / sizeof(sizes[0]),
         .device = request->device,
         .sharing = request->sharing,
     };

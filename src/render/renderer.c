@@ -125,7 +125,8 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     if (!r)
         return log_out_of_memory(NULL);
     take_params(r, params);
-    r->face_size = frame_env_cube.width;
+    const struct env_cube_params *cube = settings_of(params->settings, &env_cube_settings);
+    r->face_size = cube->size;
     enum status status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
     if (status == STATUS_OK)
         status = uploaded_scene_check(params->gpu, params->scene);

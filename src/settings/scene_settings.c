@@ -179,6 +179,17 @@ static const struct setting env_cube_rows[] = {
         .max = 6,
         .help = "maximum number of cube faces redrawn per frame of a window, in turn",
     },
+    {
+        .name = "env_cube.size",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct env_cube_params, size),
+        .initial = 512,
+        .min = 16,
+        .max = 2048,
+        .unit = "texels",
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "width of the environment cube's faces; larger ones are sharper through the ice",
+    },
 };
 
 const struct setting_group env_cube_settings =

@@ -20,14 +20,6 @@
 static rg_record_fn record_surroundings, record_sky;
 static rg_when_fn is_due;
 
-static const struct rg_image env_cube_depth = {
-    .name = "env_cube.depth",
-    .format = VK_FORMAT_D32_SFLOAT,
-    .width = FRAME_FACE_SIZE,
-    .height = FRAME_FACE_SIZE,
-    .layers = 6,
-};
-
 static const struct rg_image env_cube_baked_depth = {
     .name = "env_cube.baked_depth",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -65,7 +57,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     const struct background_rows rows = {
         .name = "env_cube",
         .color = is_baked ? &frame_env_cube_baked : &frame_env_cube,
-        .depth = is_baked ? &env_cube_baked_depth : &env_cube_depth,
+        .depth = is_baked ? &env_cube_baked_depth : &frame_env_cube_depth,
         .shine = is_picture && ice_caustics.is_on(choice->settings),
         .has_materials = choice->has_materials,
         .repeat = RG_PER_LAYER,

@@ -58,13 +58,22 @@ const struct rg_image frame_display = {
     .format = VK_FORMAT_R8G8B8A8_UNORM,
 };
 
+/* The sizes of these are those of the setting's default; frame_plan_init() sets others. */
 const struct rg_image frame_env_cube = {
     .name = "env_cube.color",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-    .width = FRAME_FACE_SIZE,
-    .height = FRAME_FACE_SIZE,
+    .width = 512,
+    .height = 512,
     .cube = true,
     .persistent = true, /* faces that are not due keep their content */
+};
+
+const struct rg_image frame_env_cube_depth = {
+    .name = "env_cube.depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .width = 512,
+    .height = 512,
+    .layers = 6,
 };
 
 const struct rg_image frame_env_cube_baked = {
@@ -105,6 +114,13 @@ const struct rg_image frame_numbers = {
 
 const struct rg_image frame_materials = {
     .name = "frame.materials",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+    .width = 1,
+    .height = 1,
+};
+
+const struct rg_image frame_lights = {
+    .name = "frame.lights",
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
     .width = 1,
     .height = 1,

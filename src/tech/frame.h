@@ -86,13 +86,10 @@ extern const struct rg_image frame_color;   /* linear radiance, alpha 1 */
 extern const struct rg_image frame_depth;   /* reversed: 1 near, 0 infinitely far */
 extern const struct rg_image frame_display; /* for the eye: 8 bits, sRGB-encoded */
 
-enum {
-    FRAME_FACE_SIZE = 512 /* texels along the sides of an environment cube's face */
-};
-
-/* The environment cube: linear radiance; alpha: 1 / distance, 1 / metre. frame_env_cube_baked is
- * the one for files; its faces have the view's size. */
-extern const struct rg_image frame_env_cube, frame_env_cube_baked;
+/* The environment cube: linear radiance; alpha: 1 / distance, 1 / metre; and the depths of its
+ * faces, whose size is a setting. frame_env_cube_baked is the one for files; its faces have the
+ * view's size. */
+extern const struct rg_image frame_env_cube, frame_env_cube_depth, frame_env_cube_baked;
 
 /* The mean of many samples, which the renderer writes: texels of frame_color, rows tight. */
 extern const struct rg_buffer frame_samples;
@@ -102,6 +99,8 @@ extern const struct rg_image frame_environment; /* equirectangular; 1x1 if the s
 extern const struct rg_image frame_textures;    /* surroundings' textures; 1x1 if it has none */
 extern const struct rg_image frame_numbers;     /* those of what is no colour, likewise */
 extern const struct rg_image frame_materials;   /* shaders/material.h; 1x1 if nothing has any */
+/* The lights of files (shaders/lit.h); 1x1 if there are none. */
+extern const struct rg_image frame_lights;
 /* Tables of light on surfaces (shaders/lit.h); 1x1 if nothing needs them. */
 extern const struct rg_image frame_surface_light, frame_surface_split;
 

@@ -75,9 +75,9 @@ class Bake(Case):
 
     def test_walls_are_as_far_as_they_are(self):
         """The middles of the faces of a room whose walls are known."""
-        side = 512
+        side = 128
         walls = {0: 7.2, 1: 4.5, 2: 3.6, 4: 6.3, 5: 3.6}  # the table is below
-        alpha = self.planes(self.bake('room'))['A']
+        alpha = self.planes(self.bake('room', '--size', str(side)))['A']
         for face, distance in walls.items():
             at = face * side * side + side // 2 * side + side // 2
             self.assertAlmostEqual(alpha[at] * distance, 1, delta=2e-3)
@@ -91,7 +91,7 @@ class Bake(Case):
                 ('sphere', '--background', '0.2,0.4,0.6')):
             with self.subTest(scene=scene, arguments=arguments):
                 around = arguments if '--background' in arguments else ()
-                self.bake(scene, *around)
+                self.bake(scene, '--size', '64', *around)
                 drawn = self.draw('a.exr', scene, *SMALL, *arguments)
                 baked = self.draw('b.exr', scene, *SMALL, *arguments, '--env', 'env.exr')
                 self.assertIn('env_cube.dynamic=off', baked.text('firn/settings'))

@@ -34,7 +34,7 @@ TO_BE_WRITTEN = 'fog.density'
 SMALL = {
     'render': '--size 48x36', 'view': '--size 48x36 --frames 1 -q',
     'profile': '--runs 2 --warmup 0 --clock submits', 'ladder': '--size 48x36 --runs 0',
-    'graph': '', 'diff': '', 'list': '', 'bake': '', 'sheet': '--size 48x36',
+    'graph': '', 'diff': '', 'list': '', 'bake': '--size 64', 'sheet': '--size 48x36',
     'farm': '', 'merge': '', 'info': '',
 }
 # Of what costs most: words of a command, and fewer of the same.
@@ -42,7 +42,8 @@ FEWER = (
     (r'--frames (\d+)-\d+', r'--frames \1-\1'), (r'--samples \d+', '--samples 2'),
     (r'--time \d+', '--time 0.1'),
     (r'--sweep size=\S+', '--sweep size=16x16,32x24,48x36'),
-    (r'(--sweep cracks.count=\S*),64', r'\1'), (r'(object.triangles=\S*),100000', r'\1'),
+    (r'--sweep cracks.count=\S*', '--sweep cracks.count=0,1'),
+    (r'(object.triangles=\S*),100000', r'\1'),
     (r'(caustics.directions)=\d+', r'\1=4'),
 )
 # Takes minutes even so; test_profile.py measures its experiments.
@@ -71,8 +72,10 @@ def shrink(line):
         more += ' --size 48x36'
     if command == 'view':
         line = re.sub(r'--frames \S+', '', line)
-    if more and command != 'view':
-        more += ' --plain'
+    if command == 'ladder' and '--rungs' not in line + more:
+        more += ' --rungs paper'
+    if more and command not in ('view', 'bake'):
+        more += ' ' + ' '.join(PLAIN)
     before, to, after = line.partition(' > ')
     return f'{before} {more}{to}{after}'
 

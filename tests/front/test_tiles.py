@@ -3,11 +3,11 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, CRACKED, DATA, NO_DRIVER, NO_INPUT, USAGE, WRITE, Case, main)
+    CANT_CREATE, CRACKED, DATA, NO_DRIVER, NO_INPUT, SMALL_CUBE, USAGE, WRITE, Case, main)
 from exr_file import Exr  # noqa: E402
 
 ICE = ('ice-cube', '--refraction', 'bounce', '--size', '96x64', '--set', 'cracks.count=4', '--set',
-       'air.count=3', '--set', 'bump.strength=0', '--aov', 'Z,N,thickness', '-q')
+       'air.count=3', '--set', 'bump.strength=0', *SMALL_CUBE, '--aov', 'Z,N,thickness', '-q')
 
 
 class Tiled(Case):

@@ -102,6 +102,7 @@ struct settings picture_settings(const char *assignment)
     struct settings settings = settings_default();
     assert_int_equal(settings_set(&settings, "bump.strength=0"), STATUS_OK);
     assert_int_equal(settings_set(&settings, "light.count=0"), STATUS_OK);
+    assert_int_equal(settings_set(&settings, "env_cube.size=128"), STATUS_OK);
     assert_int_equal(settings_set(&settings, assignment), STATUS_OK);
     return settings;
 }

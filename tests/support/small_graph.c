@@ -23,6 +23,8 @@ struct rg_plan *small_graph_compile(const struct small_graph *graph)
         .view = graph->view,
         .outputs = graph->outputs,
         .imports = graph->imports,
+        .sizes = graph->sizes,
+        .size_count = graph->sizes[0].image != NULL,
         .sharing = graph->sharing,
     };
     while (graph->outputs[params.output_count].access)

@@ -46,6 +46,7 @@ struct small_graph {
     size_t pass_count;
     struct rg_output outputs[4];
     struct rg_import imports[2];
+    struct rg_size sizes[1];
     VkExtent2D view; /* 0 means SMALL_GRAPH_SIZE, both ways */
     enum rg_sharing sharing;
 };

@@ -228,6 +228,22 @@ static void test_sizes_relative_to_the_view(void **state)
     check_extent((VkExtent2D){ 1, 1 }, 0.001f, 1, 1);
 }
 
+static void test_size_instead_of_the_table_s(void **state)
+{
+    (void)state;
+    static const struct rg_image small = IMAGE(.name = "small", .width = 4, .height = 4);
+    const struct rg_pass passes[] = {
+        DRAW("draw", .color = RG_TARGETS({ CLEARED(small) })),
+        DRAW("over", .color = RG_TARGETS({ CLEARED(a) }), SAMPLING(small)),
+    };
+    struct rg_plan *plan = small_graph_compile(
+        &(struct small_graph){ PASSES(passes), WANTS(a), .sizes = { { &small, { 60, 70 } } } });
+    assert_int_equal(plan->passes[0].extent.width, 60);
+    assert_int_equal(image_of(plan, &small)->extent.height, 70);
+    assert_int_not_equal(image_of(plan, &a)->extent.width, 60);
+    rg_plan_destroy(plan);
+}
+
 /* Copies bring no more than the part; images are of the view all the same. */
 static void test_buffers_of_a_part(void **state)
 {
@@ -540,6 +556,7 @@ int main(void)
         cmocka_unit_test(test_row_per_face),
         cmocka_unit_test(test_row_per_mip),
         cmocka_unit_test(test_sizes_relative_to_the_view),
+        cmocka_unit_test(test_size_instead_of_the_table_s),
         cmocka_unit_test(test_buffers),
         cmocka_unit_test(test_buffers_of_a_part),
         cmocka_unit_test(test_size_of_an_import),
