@@ -87,5 +87,6 @@ void main()
     vec3 around = lit_by_environment(s, lit_split(s.roughness, n_dot_v),
                                      lit_glossy(mirrored, s.roughness, lod), lit_matt(n));
     sun *= lit_by_light(s, n, to_eye, frame.sun_dir, LIT_SUN_SPREAD);
-    color = vec4(around * mix(1.0, open, scales.y) + sun + glow, alpha);
+    vec3 lit = lit_by_lights(s, push.eye + eye_to_point, n, to_eye);
+    color = vec4(around * mix(1.0, open, scales.y) + sun + lit + glow, alpha);
 }

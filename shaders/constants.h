@@ -24,6 +24,7 @@
 #define CONSTANT_OBJECTS         13 /* 1: other objects may have been drawn before */
 #define CONSTANT_ENVIRONMENT     14 /* a float: environment.turn */
 #define CONSTANT_HIDDEN          15 /* 1: the background is seen in cubes and by rays alone */
-#define CONSTANT_COUNT           16
+#define CONSTANT_SCENE_LIGHTS    16 /* number of lights of the scene's files */
+#define CONSTANT_COUNT           17
 
 #endif

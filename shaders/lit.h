@@ -22,7 +22,16 @@
  * f90; in rows of equal roughness, 0 to 1, for cosines whose roots are 0 to 1. */
 #define LIT_SPLIT_SIDE 16
 
-#define LIT_SUN_SPREAD 0.065f /* width of the distribution that reflects the built-in sky's sun */
+#define LIT_LIGHT_SPREAD 0.001f /* of lights without a size: keeps the radiance of mirrors finite */
+#define LIT_SUN_SPREAD   0.065f /* width of the distribution that reflects the built-in sky's sun */
+
+/* The texture that holds the lights of files, a row each, of four floats a texel. Written by
+ * src/scene/light.c. */
+#define LIT_LIGHT_POSITION  0 /* world, metres; 1, or of one infinitely far away 0 */
+#define LIT_LIGHT_DIRECTION 1 /* unit; range, metres, 0: no limit */
+#define LIT_LIGHT_COLOR     2 /* lux or candela */
+#define LIT_LIGHT_CONE      3 /* cosines of the inner and the outer cone */
+#define LIT_LIGHT_WIDTH     4
 
 struct lit_surface {
     vec3s diffuse;   /* albedo of the matt base */
@@ -95,6 +104,16 @@ ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec
     vec3s matt = glms_vec3_scale(s.diffuse, 1.0f - glms_vec3_max(fresnel));
     return glms_vec3_scale(glms_vec3_add(matt, glms_vec3_scale(fresnel, distribution * visibility)),
                            n_dot_l);
+}
+
+/* Returns the share of a light's intensity that arrives after a distance in metres, as
+ * KHR_lights_punctual has it. `c` is the cosine between the light's axis and its way. */
+ABI_FUNCTION float lit_arriving(float distance, float range, float c, vec2s cone)
+{
+    float near = range > 0.0f ? distance / range : 0.0f;
+    float window = glm_clamp(1.0f - near * near * near * near, 0.0f, 1.0f);
+    float edge = glm_clamp((c - cone.y) / (cone.x - cone.y), 0.0f, 1.0f);
+    return window * edge * edge / fmaxf(distance * distance, 1e-8f);
 }
 
 #endif

@@ -12,6 +12,7 @@ layout(set = 0, binding = BACKGROUND_NUMBERS) uniform sampler2DArray numbers;
 layout(set = 0, binding = BACKGROUND_MATERIALS) uniform sampler2D materials;
 layout(set = 0, binding = BACKGROUND_LIGHT) uniform sampler2DArray environment_light;
 layout(set = 0, binding = BACKGROUND_SPLIT) uniform sampler2D splits;
+layout(set = 0, binding = BACKGROUND_LIGHTS) uniform sampler2D lights;
 
 vec4 material_texel(uint row, int column)
 {
@@ -104,6 +105,24 @@ vec3 lit_glossy(vec3 dir, float roughness, float lod)
     if (first == 0.0)
         sharper = textureLod(environment, at, lod).rgb;
     return mix(sharper, blurred, layer - first);
+}
+
+/* Returns what a surface at `point` reflects of the lights of files, which have no shadows. */
+vec3 lit_by_lights(lit_surface s, vec3 point, vec3 n, vec3 to_eye)
+{
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; i < constant_scene_lights; i++) {
+        vec4 position = texelFetch(lights, ivec2(LIT_LIGHT_POSITION, i), 0);
+        vec4 direction = texelFetch(lights, ivec2(LIT_LIGHT_DIRECTION, i), 0);
+        vec4 cone = texelFetch(lights, ivec2(LIT_LIGHT_CONE, i), 0);
+        vec3 way = position.w > 0.0 ? position.xyz - point : -direction.xyz;
+        float far = length(way);
+        vec3 l = way / max(far, 1e-6);
+        float arriving = lit_arriving(far, direction.w, dot(-l, direction.xyz), cone.xy);
+        vec3 light = texelFetch(lights, ivec2(LIT_LIGHT_COLOR, i), 0).rgb * arriving;
+        sum += light / 3.14159265 * lit_by_light(s, n, to_eye, l, LIT_LIGHT_SPREAD);
+    }
+    return sum;
 }
 
 /* Returns what a surface reflects of an even environment. */

@@ -88,10 +88,45 @@ static void print_objects(const struct model *model)
     }
 }
 
+/* Prints what an opaque surface is like, and which textures it has. */
+static void print_surface(const struct material *m)
+{
+    static const char *const uses[MATERIAL_TEXTURE_COUNT] = {
+        [MATERIAL_BASE_COLOR] = "base colour",
+        [MATERIAL_METALLIC_ROUGHNESS] = "metallic and roughness",
+        [MATERIAL_NORMAL] = "normal",
+        [MATERIAL_OCCLUSION] = "occlusion",
+        [MATERIAL_EMISSION] = "emission",
+        [MATERIAL_TRANSMISSION] = "transmission",
+        [MATERIAL_THICKNESS] = "thickness",
+        [MATERIAL_SPECULAR] = "specular",
+        [MATERIAL_SPECULAR_COLOR] = "specular colour",
+    };
+    const char *separator = "; textures: ";
+    printf(" %-6g %-10s %-9g colour %.3g,%.3g,%.3g, metallic %g", (double)m->ior, "",
+           (double)m->roughness, (double)m->base_color.x, (double)m->base_color.y,
+           (double)m->base_color.z, (double)m->metallic);
+    if (glms_vec3_max(m->emission) > 0.0f)
+        printf(", emits %.3g,%.3g,%.3g", (double)m->emission.x, (double)m->emission.y,
+               (double)m->emission.z);
+    if (m->flags & MATERIAL_IS_CUTOUT)
+        printf(", holes where alpha is below %g", (double)m->alpha_cutoff);
+    if (m->flags & MATERIAL_IS_BLENDED)
+        printf(", blended by alpha %g", (double)m->alpha);
+    for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++) {
+        if (m->textures[i].layer > 0) {
+            printf("%s%s", separator, uses[i]);
+            separator = ", ";
+        }
+    }
+}
+
 static void print_material(const struct material *m)
 {
     printf("  %-24s %-10s", m->name[0] ? m->name : "(no name)", kind_of(m));
-    if (m->transmission > 0.0f && !(m->flags & MATERIAL_IS_BARE)) {
+    if (!(m->transmission > 0.0f) && !(m->flags & MATERIAL_IS_BARE))
+        print_surface(m);
+    else if (m->transmission > 0.0f && !(m->flags & MATERIAL_IS_BARE)) {
         printf(" %-6g %-10g %-9g ", (double)m->ior, (double)m->dispersion, (double)m->roughness);
         if (m->attenuation_distance > 0.0f)
             printf("%.3g,%.3g,%.3g in %g m", (double)m->attenuation_color.x,
@@ -124,7 +159,7 @@ static void print_cameras(const struct model *model)
 static void print_lights(const struct model *model)
 {
     if (model->light_count)
-        printf("\nlights, which are not drawn:\n  %-24s %-11s %s\n", "name", "kind", "what it is");
+        printf("\nlights:\n  %-24s %-11s %s\n", "name", "kind", "what it is");
     for (uint32_t i = 0; i < model->light_count; i++) {
         const struct light *m = &model->lights[i];
         const bool is_far = m->kind == LIGHT_DIRECTIONAL;
@@ -199,7 +234,7 @@ static void print_text(struct scene *scene)
     print_objects(model);
     if (model->material_count)
         printf("\nmaterials:\n  %-24s %-10s %-6s %-10s %-9s %s\n", "name", "kind", "index",
-               "dispersion", "roughness", "light that is left");
+               "dispersion", "roughness", "light that is left, or the surface");
     for (uint32_t i = 0; i < model->material_count; i++)
         print_material(&model->materials[i]);
 }

@@ -45,11 +45,17 @@ static void switch_off(struct app_scene *given, const struct technique *techniqu
         settings_put(&given->settings, row, 0);
 }
 
+/* Returns whether the scene's objects are ice unless --material says otherwise. */
+static bool has_ice(const struct scene *scene)
+{
+    return scene->has_pool || (scene->model.object_count > 0 && frame_media_are_bare(scene));
+}
+
 /* Takes off what is not asked for: cracks and the like of whatever is no ice. */
 static void undress(struct app_scene *given, const struct scene *scene)
 {
-    const bool is_ice = given->material ? !strcmp(given->material, material_presets[0].name)
-                                        : frame_media_are_bare(scene);
+    const bool is_ice =
+        given->material ? !strcmp(given->material, material_presets[0].name) : has_ice(scene);
     for (const struct technique *const *t = techniques; *t; t++) {
         if ((*t)->is_of_ice && (given->plain || !is_ice))
             switch_off(given, *t);
@@ -68,6 +74,16 @@ static void check_inclusions(struct app_scene *given, const struct scene *scene)
                     (*t)->title ? (*t)->title : (*t)->name, scene->model.object_count);
         settings_put(&given->settings, &(*t)->settings[0]->rows[0], 0);
     }
+}
+
+/* Nothing shows the lights of a file but opaque surfaces. */
+static void check_lights(const struct app_scene *given, const struct scene *scene)
+{
+    if (scene->model.light_count > 0 && !scene->light_rows)
+        log_warning(
+            "%s: its %u lights are not seen: they light opaque surfaces that are not unlit, "
+            "and the scene has none",
+            given->name, scene->model.light_count);
 }
 
 /* No box is no error: a window's user may be about to say one. */
@@ -164,10 +180,9 @@ enum status app_check_rung(const struct app_picture *picture, const struct scene
 /* Whoever made a file may not have meant it to be ice. */
 static void note_ice(const struct app_scene *given, const struct scene *scene)
 {
-    if (!given->quiet && !given->material && !scene_is_known(given->name) &&
-        frame_media_are_bare(scene))
-        log_note("%s: has no transmissive material, so it is drawn as ice; for another one, such "
-                 "as glass, say --material glass",
+    if (!given->quiet && !given->material && !scene_is_known(given->name) && has_ice(scene))
+        log_note("%s: has no materials, so it is drawn as ice; for another one, such as glass, "
+                 "say --material glass",
                  given->name);
 }
 
@@ -200,6 +215,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
     return (struct scene_params){
         .name = given->name,
         .surroundings = given->surroundings,
+        .is_one_object = given->material != NULL,
         .place = given->is_placed ? &given->place : NULL,
         .pose = { .animation = is_at_rest ? NULL : given->animation,
                   .is_first = !given->animation },
@@ -325,6 +341,7 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
     } else {
         settle_ior(given, scene);
         check_box(given, scene);
+        check_lights(given, scene);
     }
     return status;
 }

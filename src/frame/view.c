@@ -284,6 +284,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
         [CONSTANT_HIDDEN] = scene->is_hidden,
+        [CONSTANT_SCENE_LIGHTS] = scene->light_rows ? scene->model.light_count : 0,
     } };
     memcpy(&constants.values[CONSTANT_ENVIRONMENT], &scene->environment.turn,
            sizeof(scene->environment.turn));

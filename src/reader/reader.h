@@ -43,6 +43,7 @@ enum {
 enum reader_kind {
     READER_OBJECT,
     READER_SURROUNDINGS,
+    READER_BY_MATERIALS,
     READER_ENVIRONMENT,
     READER_PICTURE,       /* sends its rows */
     READER_PICTURE_CHECK, /* reads it to its end, but sends only its header */

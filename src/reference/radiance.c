@@ -261,10 +261,44 @@ static vec3s sun_light(const struct radiance *radiance)
                : glms_vec3_zero();
 }
 
+/* Returns what a surface at `point` reflects of the lights of files, which have no shadows. */
+static vec3s lights_on(const struct radiance *radiance, const struct lit_surface *surface,
+                       vec3s point, vec3s n, vec3s to_eye)
+{
+    const struct scene *scene = radiance->scene;
+    vec3s sum = glms_vec3_zero();
+    for (uint32_t i = 0; scene->light_rows && i < scene->model.light_count; i++) {
+        const vec4s *row = &scene->light_rows[(size_t)i * LIT_LIGHT_WIDTH];
+        const vec3s axis = glms_vec3(row[LIT_LIGHT_DIRECTION]);
+        const vec4s cone = row[LIT_LIGHT_CONE];
+        const vec3s way = row[LIT_LIGHT_POSITION].w > 0.0f
+                              ? glms_vec3_sub(glms_vec3(row[LIT_LIGHT_POSITION]), point)
+                              : glms_vec3_negate(axis);
+        const float far = glms_vec3_norm(way);
+        const vec3s l = glms_vec3_divs(way, fmaxf(far, 1e-6f));
+        const float arriving = lit_arriving(far, row[LIT_LIGHT_DIRECTION].w,
+                                            -glms_vec3_dot(l, axis), (vec2s){ { cone.x, cone.y } });
+        const vec3s light =
+            glms_vec3_scale(glms_vec3(row[LIT_LIGHT_COLOR]), arriving / 3.14159265f);
+        sum = glms_vec3_muladd(light, lit_by_light(*surface, n, to_eye, l, LIT_LIGHT_SPREAD), sum);
+    }
+    return sum;
+}
+
 static vec3s light_of_matt(const struct radiance *radiance, vec3s n)
 {
     const float cosine = fmaxf(0.0f, glms_vec3_dot(n, radiance->globals->sun_dir));
     return glms_vec3_muladds(sun_light(radiance), cosine, matt_light(radiance, n));
+}
+
+/* Returns the radiance of a surface that is matt. */
+static vec3s light_of_base(const struct radiance *radiance, const struct radiance_point *point,
+                           vec3s n, vec3s albedo)
+{
+    const struct lit_surface surface = lit_surface_of(albedo, 0.0f, 1.0f, glms_vec3_zero(), 0.0f);
+    const vec3s lamps =
+        lights_on(radiance, &surface, point->vertex->position, n, glms_vec3_negate(point->dir));
+    return glms_vec3_muladd(albedo, light_of_matt(radiance, n), lamps);
 }
 
 /* Returns the radiance of a surface with a material. */
@@ -285,7 +319,9 @@ static vec3s light_of(const struct radiance *radiance, const struct material *m,
     const float open = texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x;
     const vec4s glow = texel_of(radiance, m, MATERIAL_EMISSION, uv);
     const vec3s shaded = glms_vec3_scale(around, 1.0f + m->occlusion_strength * (open - 1.0f));
-    return glms_vec3_muladd(m->emission, glms_vec3(glow), glms_vec3_add(shaded, sun));
+    const vec3s lamps = lights_on(radiance, &surface, point->vertex->position, n, to_eye);
+    return glms_vec3_muladd(m->emission, glms_vec3(glow),
+                            glms_vec3_add(shaded, glms_vec3_add(sun, lamps)));
 }
 
 vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point)
@@ -298,6 +334,6 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
     const bool is_back = glms_vec3_dot(vertex->normal, point->dir) > 0.0f;
     const vec3s n = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal;
     if (!m || point->is_base)
-        return glms_vec3_mul(albedo, light_of_matt(radiance, n));
+        return light_of_base(radiance, point, n, albedo);
     return light_of(radiance, m, point, bent(radiance, m, point, n), albedo);
 }

@@ -1,7 +1,9 @@
 /* light.c: what a light may be. */
 #include "src/scene/light.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+#include "shaders/lit.h"
 
 const char *light_kind_name(const struct light *light)
 {
@@ -33,4 +35,24 @@ bool light_is_sound(const struct light *light)
            light->inner_cone >= 0 && is_from(light->outer_cone, 0, half_pi) &&
            (is_spot ? light->inner_cone < light->outer_cone
                     : !(light->inner_cone > 0) && !(light->outer_cone > 0));
+}
+
+vec4s *light_rows_make(const struct light *lights, uint32_t count)
+{
+    vec4s *rows = aligned_alloc(16, (count + (size_t)1) * LIT_LIGHT_WIDTH * sizeof(*rows));
+    for (uint32_t i = 0; rows && i < count; i++) {
+        const struct light *m = &lights[i];
+        vec4s *row = &rows[(size_t)i * LIT_LIGHT_WIDTH];
+        const bool is_spot = m->kind == LIGHT_SPOT;
+        /* All of what is no spot is within a cone of more than the sphere. */
+        const vec2s cone = { { is_spot ? cosf(m->inner_cone) : -2.0f,
+                               is_spot ? cosf(m->outer_cone) : -3.0f } };
+        row[LIT_LIGHT_POSITION] =
+            glms_vec4(m->position, m->kind == LIGHT_DIRECTIONAL ? 0.0f : 1.0f);
+        row[LIT_LIGHT_DIRECTION] =
+            glms_vec4(m->direction, m->kind == LIGHT_DIRECTIONAL ? 0.0f : m->range);
+        row[LIT_LIGHT_COLOR] = glms_vec4(glms_vec3_scale(m->color, m->intensity), 0.0f);
+        row[LIT_LIGHT_CONE] = (vec4s){ { cone.x, cone.y, 0.0f, 0.0f } };
+    }
+    return rows;
 }

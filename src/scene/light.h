@@ -29,6 +29,9 @@ struct light {
                                       <= pi / 2; of others 0 */
 };
 
+/* Returns the lights as shaders read them (shaders/lit.h), malloc'd. NULL when out of memory. */
+vec4s *light_rows_make(const struct light *lights, uint32_t count);
+
 /* Returns "directional", "point" or "spot". */
 const char *light_kind_name(const struct light *light);
 

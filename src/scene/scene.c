@@ -137,7 +137,9 @@ static enum status load_file(struct model *model, const struct scene_params *par
     pose.objects = names;
     enum status status = locate(params->name, ASSET_SCENE, &path);
     if (status == STATUS_OK)
-        status = decode_model(model, path, MODEL_OBJECT, &pose, params->decode);
+        status =
+            decode_model(model, path, params->is_one_object ? MODEL_OBJECT : MODEL_BY_MATERIALS,
+                         &pose, params->decode);
     if (status == STATUS_OK)
         status = node_material_apply(model, params->node_materials, params->node_material_count);
     if (status == STATUS_OK && params->place)
@@ -324,7 +326,8 @@ static enum status fill_object(struct scene *scene, const struct scene_params *p
 static enum status add_surfaces(struct scene *scene)
 {
     const bool is_lit = material_rows_has_lit(&scene->model.surroundings);
-    const bool is_lit_otherwise = is_lit && scene->background != SCENE_SKY;
+    const bool has_lights = is_lit && scene->model.light_count > 0;
+    const bool is_lit_otherwise = has_lights || (is_lit && scene->background != SCENE_SKY);
     if (!is_lit_otherwise && !material_rows_has_rich(&scene->model))
         return STATUS_OK;
     scene->material_rows = material_rows_make(&scene->model);
@@ -332,7 +335,10 @@ static enum status add_surfaces(struct scene *scene)
     const bool needs_light = is_lit && scene->background == SCENE_ENVIRONMENT;
     if (needs_light)
         scene->surface_light = surface_light_make(&scene->environment);
-    const bool done = scene->material_rows && scene->surface_split;
+    if (has_lights)
+        scene->light_rows = light_rows_make(scene->model.lights, scene->model.light_count);
+    const bool done =
+        scene->material_rows && scene->surface_split && (scene->light_rows || !has_lights);
     return done && (scene->surface_light || !needs_light) ? STATUS_OK
                                                           : log_out_of_memory("materials");
 }
@@ -350,8 +356,9 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (status == STATUS_OK)
         status = object_rank_all(scene->model.objects, scene->model.object_count,
                                  &scene->model.object, scene->model.materials);
+    const bool has_object = scene->model.object.index_count > 0;
     if (!scene->has_pool)
-        scene->box = mesh_box(&scene->model.object);
+        scene->box = mesh_box(has_object ? &scene->model.object : &scene->model.surroundings);
     scene->framed = scene->box;
     scene->time = params->pose.time;
     scene->is_convex = mesh_is_convex(&scene->model.object);
@@ -372,7 +379,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = add_movers(scene, params->mover_count);
     if (status == STATUS_OK && !scene->has_pool)
         status = add_surfaces(scene);
-    if (status == STATUS_OK && !scene->has_pool)
+    if (status == STATUS_OK && has_object && !scene->has_pool)
         status = fill_object(scene, params);
     if (status != STATUS_OK)
         scene_finish(scene);
@@ -385,6 +392,7 @@ void scene_finish(struct scene *scene)
     environment_finish(&scene->environment);
     environment_finish(&scene->cube);
     free(scene->material_rows);
+    free(scene->light_rows);
     free(scene->surface_split);
     free(scene->surface_light);
     bump_maps_finish(&scene->bump);

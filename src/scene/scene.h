@@ -29,6 +29,7 @@ struct scene {
     struct environment environment;
     vec4s *material_rows;    /* material_rows.h; NULL: all surroundings are unlit, or matt and under
                                 the built-in sky */
+    vec4s *light_rows;       /* light.h; NULL: no light is on any surface */
     uint16_t *surface_split; /* surface_light.h; there if material_rows are */
     uint16_t *surface_light; /* surface_light.h; NULL: nothing is lit by `environment` */
     struct environment cube; /* replaces the environment cube that env_cube draws; may be {0} */
@@ -68,6 +69,7 @@ struct scene_params {
     uint32_t node_material_count;
     const vec3s *background;             /* colour; NULL: the sky */
     bool is_hidden;                      /* scene.is_hidden */
+    bool is_one_object;                  /* a model file is, without regard to its materials */
     uint32_t object_triangles;           /* of a built-in object; 0: its default */
     uint32_t landscape_triangles;        /* 0: default */
     bool flat;                           /* a level floor instead of the landscape */

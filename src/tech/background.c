@@ -27,6 +27,7 @@ static const struct rg_use material_uses[] = {
     FRAME_SAMPLE(frame_environment, BACKGROUND_ENVIRONMENT, .sampler = &frame_environment_sampler),
     FRAME_SAMPLE(frame_surface_light, BACKGROUND_LIGHT, .sampler = &frame_environment_sampler),
     FRAME_SAMPLE(frame_surface_split, BACKGROUND_SPLIT, .sampler = &frame_linear),
+    FRAME_SAMPLE(frame_lights, BACKGROUND_LIGHTS, .sampler = NULL),
     { 0 },
 };
 
@@ -161,6 +162,18 @@ static struct technique_texels find_materials(const struct scene *scene)
     };
 }
 
+static struct technique_texels find_lights(const struct scene *scene)
+{
+    if (!scene->light_rows)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->light_rows,
+        .width = LIT_LIGHT_WIDTH,
+        .height = scene->model.light_count,
+        .no_mips = true,
+    };
+}
+
 static struct technique_texels find_surface_light(const struct scene *scene)
 {
     if (!scene->surface_light)
@@ -195,6 +208,7 @@ static const struct technique_import imports[] = {
     { &frame_textures, find_textures, white },
     { &frame_numbers, find_numbers, white },
     { &frame_materials, find_materials, nothing },
+    { &frame_lights, find_lights, nothing },
     { &frame_surface_light, find_surface_light, black },
     { &frame_surface_split, find_surface_split, black },
     { 0 },

@@ -21,7 +21,7 @@ COLUMNS, ROWS, SIDE, DISTANCE = 8, 7, 8, 400  # SIDE: pixels of a card and the g
 HAS_REFERENCE = '--without' not in sys.argv
 NORMAL, UV = (0, 0, 1), ((0, 1), (1, 1), (1, 0), (0, 0))
 # Cards whose bytes, steps of alpha or table of sums are coarse.
-ROUND = {'scale of normals', 'normal texture', 'blend', 'blend by the factor', 'scaled', *(
+ROUND = {'lit', 'scale of normals', 'normal texture', 'blend', 'blend by the factor', 'scaled', *(
     f'metallic {m}, roughness {r}' for m in (0, 1) for r in (0.25, 0.5, 1))}
 TILT = (0.6, 0.28, 0.7493997597)
 
@@ -46,7 +46,7 @@ def encode(x):
 class Scene:
     """A glTF file while it is written."""
     def __init__(self):
-        self.data, self.nodes = b'', []
+        self.data, self.nodes, self.cards, self.lights = b'', [], 0, []
         self.gltf = {name: [] for name in ('nodes', 'meshes', 'materials', 'accessors',
                                            'bufferViews', 'images', 'textures', 'samplers')}
 
@@ -73,7 +73,8 @@ class Scene:
                                       'count': len(values), 'type': types[count], **more})
 
     def card(self, material, uv=UV, normal=NORMAL, colors=None, mode=None, **node):
-        place = len(self.nodes)
+        place = self.cards
+        self.cards += 1
         x, y = place % COLUMNS - (COLUMNS - 1) / 2, (ROWS - 1) / 2 - place // COLUMNS
         corners = [(-0.45, -0.45, 0), (0.45, -0.45, 0), (0.45, 0.45, 0), (-0.45, 0.45, 0)]
         order = {None: (0, 1, 2, 0, 2, 3), 5: (0, 1, 3, 2), 6: (0, 1, 2, 3)}[mode]
@@ -90,13 +91,20 @@ class Scene:
         self.nodes.append(self.add('nodes', {'mesh': mesh, 'translation': [x, y, 5], **node}))
         return place
 
+    def light(self, place, **light):
+        self.lights.append(light)
+        node = {'translation': place, 'extensions': {
+            'KHR_lights_punctual': {'light': len(self.lights) - 1}}}
+        self.nodes.append(self.add('nodes', node))
+
     def text(self):
         uri = 'data:application/octet-stream;base64,' + base64.b64encode(self.data).decode()
         used = {name for material in self.gltf['materials']
                 for name in material.get('extensions', {})}
         return json.dumps({
             'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': self.nodes}],
-            'extensionsUsed': sorted(used | {'KHR_texture_transform'}),
+            'extensionsUsed': sorted(used | {'KHR_texture_transform', 'KHR_lights_punctual'}),
+            'extensions': {'KHR_lights_punctual': {'lights': self.lights}},
             'buffers': [{'byteLength': len(self.data), 'uri': uri}],
             **{name: values for name, values in self.gltf.items() if values}})
 
@@ -312,6 +320,26 @@ class Surfaces(Cards):
                             emissiveFactor=[1, 1, 1], emissiveTexture=moved(four, offset=[0.5, 0])),
                         materials_specular={'specularFactor': 0})
         self.card('two transforms', glow, uv=at(0.25, 0.25), is_=(0, 1, 0))
+        self.check_all()
+
+    def test_lights(self):
+        matt = extended(pbr((0.5, 0.25, 1, 1)), materials_specular={'specularFactor': 0})
+        lamp = (0.5, 0, 7)
+        self.scene.light([9, 9, 9], type='directional', intensity=2, color=[1, 0.5, 0])
+        self.scene.light(lamp, type='point', intensity=5, range=8)
+        self.scene.light((-1.5, 1, 8), type='spot', intensity=9, spot={
+            'innerConeAngle': 0.2, 'outerConeAngle': 0.6})
+        for place in range(COLUMNS * ROWS):
+            x, y = place % COLUMNS - (COLUMNS - 1) / 2, (ROWS - 1) / 2 - place // COLUMNS
+            light = [2, 1, 0]
+            distance = math.dist((x, y, 5), lamp)
+            point = 5 / distance ** 2 * (1 - (distance / 8) ** 4) * 2 / distance
+            distance = math.dist((x, y, 5), (-1.5, 1, 8))
+            cone = (3 / distance - math.cos(0.6)) / (math.cos(0.2) - math.cos(0.6))
+            spot = 9 / distance ** 2 * min(max(cone, 0), 1) ** 2 * 3 / distance
+            self.card('lit', matt, is_=[
+                color * (1 + (lux + point + spot) / math.pi)
+                for color, lux in zip((0.5, 0.25, 1), light)])
         self.check_all()
 
     def test_alpha(self):

@@ -99,7 +99,7 @@ static bool load_material(const char *lines, struct material *found)
         const uint32_t surface = model.surroundings.vertices[0].material >> MESH_SURFACE_SHIFT;
         assert_true(surface > 0);
         assert_string_equal(model.materials[surface - 1].name, "b");
-        CHECK_NEAR(model.materials[surface - 1].roughness, 0.141421, 1e-5);
+        CHECK_NEAR(model.materials[surface - 1].roughness, 0.376060, 1e-5);
         assert_true(model.has_ior);
         CHECK_NEAR(model.ior, found->ior, 0);
     }
@@ -116,7 +116,7 @@ static void transmissive_materials_are_objects(void **state)
         float transmission, thickness, ior, roughness, green;
     } rows[] = {
         { "illum 4", 1, 0, 1.5F, 0, 1 },
-        { "illum 7\nNi 1.33\nNs 98", 1, 1, 1.33F, 0.141421F, 1 },
+        { "illum 7\nNi 1.33\nNs 98", 1, 1, 1.33F, 0.376060F, 1 },
         { "illum 9\nNi 1.45\nTf 1 .5 1", 1, 1, 1.45F, 0, 0.5F },
         { "d 0.25\nNi 1.5", 0.75F, 1, 1.5F, 0, 1 },
         { "Tf .5 .5 .5\nNi 2", 1, 1, 2, 0, 0.5F },

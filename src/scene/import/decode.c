@@ -41,6 +41,12 @@ static struct model_pose parse_pose(char *words)
     return pose;
 }
 
+static const enum reader_kind reader_kinds[] = {
+    [MODEL_OBJECT] = READER_OBJECT,
+    [MODEL_SURROUNDINGS] = READER_SURROUNDINGS,
+    [MODEL_BY_MATERIALS] = READER_BY_MATERIALS,
+};
+
 enum status decode_model(struct model *model, const char *path, enum model_part everything_is,
                          const struct model_pose *pose, const struct reader_params *params)
 {
@@ -54,9 +60,7 @@ enum status decode_model(struct model *model, const char *path, enum model_part 
     if (!words)
         return log_out_of_memory(path);
     posed.details = words;
-    const enum reader_kind kind =
-        everything_is == MODEL_OBJECT ? READER_OBJECT : READER_SURROUNDINGS;
-    enum status status = reader_start(&reader, &posed, kind, path);
+    enum status status = reader_start(&reader, &posed, reader_kinds[everything_is], path);
     if (status == STATUS_OK) {
         const struct pipe_source source = reader_source(reader);
         status = reader_end(reader, mesh_pipe_read_model(&source, model));
@@ -83,8 +87,10 @@ enum status decode_environment(struct environment *environment, const char *path
 
 static enum status send_model(const struct reader_job *job)
 {
-    const enum model_part part = job->kind == READER_OBJECT ? MODEL_OBJECT : MODEL_SURROUNDINGS;
+    enum model_part part = MODEL_OBJECT;
     struct model model;
+    while (reader_kinds[part] != job->kind)
+        part++;
     char *details = strdup(job->details);
     if (!details)
         return log_out_of_memory(job->path);
@@ -112,6 +118,7 @@ static enum status send_file(const struct reader_job *job)
     switch (job->kind) {
     case READER_OBJECT:
     case READER_SURROUNDINGS:
+    case READER_BY_MATERIALS:
         return send_model(job);
     case READER_ENVIRONMENT:
         return send_environment(job);

@@ -31,6 +31,18 @@ static bool has_transmission(const struct gltf *gltf)
     return false;
 }
 
+/* The last one is that of primitives that name none. */
+static bool has_materials(const struct gltf *gltf)
+{
+    for (uint32_t i = 0; i < gltf->mesh_count; i++) {
+        for (uint32_t k = 0; k < gltf->meshes[i].count; k++) {
+            if (gltf->meshes[i].primitives[k].material + 1 < gltf->material_count)
+                return true;
+        }
+    }
+    return false;
+}
+
 /* ---- objects by name ---- */
 
 /* Returns whether a name is that of the line. */
@@ -250,8 +262,9 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_part e
 {
     struct walk walk = {
         .gltf = gltf,
-        .everything_is = everything_is,
-        .is_split = has_transmission(gltf) || (gltf->objects && gltf->objects[0]),
+        .everything_is = everything_is == MODEL_BY_MATERIALS ? MODEL_OBJECT : everything_is,
+        .is_split = has_transmission(gltf) || (gltf->objects && gltf->objects[0]) ||
+                    (everything_is == MODEL_BY_MATERIALS && has_materials(gltf)),
         .is_counting = true,
     };
     model_build_init(&walk.build, gltf->import, model);

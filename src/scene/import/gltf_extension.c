@@ -4,28 +4,27 @@
 #include "src/base/log.h"
 #include "src/scene/import/gltf.h"
 
-/* Those that are read. What is ignored here is read for later. */
+/* Those that are read. */
 static const struct model_extension supported[] = {
     { "EXT_mesh_gpu_instancing", MODEL_DRAWN },
     { "EXT_meshopt_compression", MODEL_DRAWN },
     { "KHR_draco_mesh_compression", MODEL_DRAWN },
-    { "KHR_lights_punctual", MODEL_IGNORED },
+    { "KHR_lights_punctual", MODEL_APPROXIMATED }, /* without shadows, on opaque surfaces alone */
     { "KHR_materials_dispersion", MODEL_DRAWN },
-    { "KHR_materials_emissive_strength", MODEL_IGNORED },
+    { "KHR_materials_emissive_strength", MODEL_DRAWN },
     { "KHR_materials_ior", MODEL_DRAWN },
-    { "KHR_materials_specular", MODEL_IGNORED },
+    { "KHR_materials_specular", MODEL_APPROXIMATED },     /* of opaque materials alone */
     { "KHR_materials_transmission", MODEL_APPROXIMATED }, /* without textures */
     { "KHR_materials_unlit", MODEL_DRAWN },
     { "KHR_materials_volume", MODEL_APPROXIMATED }, /* without textures */
     { "KHR_mesh_quantization", MODEL_DRAWN },
-    { "KHR_texture_transform", MODEL_APPROXIMATED }, /* of the base colour's texture alone */
+    { "KHR_texture_transform", MODEL_DRAWN },
 };
 
 static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
     [GLTF_CLEAR_SURFACE] = "textures, emission, alpha and specular of transmissive materials",
     [GLTF_OTHER_SET] = "textures with other coordinates than the base colour's",
     [GLTF_PICTURELESS] = "textures without a picture in a known format",
-    [GLTF_LIGHTS] = "lights",
     [GLTF_ORTHOGRAPHIC] = "orthographic cameras",
     [GLTF_ANIMATION] = "animations, but the pose at rest",
     [GLTF_MORE_JOINTS] = "joints beyond four of a vertex",

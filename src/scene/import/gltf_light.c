@@ -76,7 +76,5 @@ enum status gltf_lights_read(struct gltf *gltf, struct model *model)
             read_light(gltf, &gltf->nodes[gltf->order[i]], index,
                        &model->lights[model->light_count++]);
     }
-    if (count > 0)
-        gltf->undrawn |= 1u << GLTF_LIGHTS;
     return gltf->status;
 }

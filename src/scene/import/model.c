@@ -103,6 +103,23 @@ static enum status add_materials(struct model *model, const struct model *other)
     return STATUS_OK;
 }
 
+/* Appends the lights of `other`. */
+static enum status add_lights(struct model *model, const struct model *other)
+{
+    const size_t count = (size_t)model->light_count + other->light_count;
+    if (count > MODEL_LIGHT_MAX) {
+        log_error("expected at most %d lights in all models together", MODEL_LIGHT_MAX);
+        return STATUS_DATA;
+    }
+    struct light *grown = realloc(model->lights, (count + 1) * sizeof(*grown));
+    if (!grown)
+        return log_out_of_memory("surroundings");
+    model->lights = grown;
+    for (uint32_t i = 0; i < other->light_count; i++)
+        grown[model->light_count + i] = other->lights[i];
+    return STATUS_OK;
+}
+
 enum status model_add_surroundings(struct model *model, struct model *other)
 {
     struct texture_layers textures = { 0 }, numbers = { 0 };
@@ -112,6 +129,8 @@ enum status model_add_surroundings(struct model *model, struct model *other)
     if (status != STATUS_OK)
         goto fail;
     status = add_materials(model, other);
+    if (status == STATUS_OK)
+        status = add_lights(model, other);
     if (status != STATUS_OK)
         goto fail;
     renumber(&other->object, model->textures.count, model->material_count);
@@ -122,6 +141,7 @@ enum status model_add_surroundings(struct model *model, struct model *other)
         goto fail;
     }
     model->material_count += other->material_count;
+    model->light_count += other->light_count;
     free(model->textures.texels);
     model->textures = textures;
     textures.texels = NULL;

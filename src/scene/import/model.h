@@ -5,8 +5,8 @@
  * transforms into two: the refractive objects and their surroundings. In a glTF file with a mesh
  * whose material has KHR_materials_transmission (factor > 0), and in an OBJ file whose MTL file has
  * a transmissive material (docs/models.md), such meshes are the objects and all others the
- * surroundings; in any other file `everything_is` decides. Coordinates are those of the
- * file. Each instance of a mesh in a node is an object; a file without materials has one alone.
+ * surroundings; in any other file `everything_is` decides. Coordinates are those of the file. Each
+ * instance of a mesh in a node is an object; a file without materials has one alone.
  * Points and lines are left out; polygons are triangulated; identical vertices are merged.
  *
  * Normals are taken from the file, and smooth ones are made where missing. Vertex colours, base
@@ -113,6 +113,7 @@ struct model {
 enum model_part {
     MODEL_OBJECT,
     MODEL_SURROUNDINGS,
+    MODEL_BY_MATERIALS, /* surroundings if the file has materials, else an object */
 };
 
 /* When a model is looked at, and what of it is an object. Only glTF files have animations. */
@@ -125,7 +126,7 @@ struct model_pose {
                               there are any, nothing else without transmission is; may be NULL */
 };
 
-/* Loads a file; `everything_is` is the part of files without a transmissive material. */
+/* Loads a file; `everything_is` is the part of all meshes if none has a transmissive material. */
 MUST_USE enum status model_load(struct model *model, const char *path,
                                 enum model_part everything_is);
 

@@ -64,7 +64,7 @@ static struct material translate(const struct aiMaterial *source, vec3s color)
     const float exponent = fmaxf(read_number(source, "$mat.shininess", 0), 0);
     const bool is_filter = filter.r < 1 || filter.g < 1 || filter.b < 1;
     material.base_color = color;
-    material.roughness = sqrtf(2 / (exponent + 2));
+    material.roughness = powf(2 / (exponent + 2), 0.25F); /* the width is its square */
     if (!(is_glass(source) || opacity < 1 || (is_filter && index > 1)))
         return material;
     material.base_color = (vec3s){ { filter.r, filter.g, filter.b } };

@@ -88,6 +88,17 @@ static bool has_transmission(const struct model_assimp *assimp)
     return false;
 }
 
+/* Returns whether the file gives any mesh a material. */
+static bool has_materials(const struct model_assimp *assimp)
+{
+    for (uint32_t i = 0; i < assimp->scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = assimp->scene->mMeshes[i];
+        if (triangle_count(mesh) > 0 && !assimp->materials[mesh->mMaterialIndex].is_made_up)
+            return true;
+    }
+    return false;
+}
+
 /* Lists an object whose triangles begin where the part ends. */
 static enum status add_object(struct model_build *build, const struct model_assimp *assimp,
                               const struct aiMesh *mesh)
@@ -187,12 +198,14 @@ enum status model_mesh_build(const struct model_assimp *assimp, struct model *mo
 {
     struct model_build build;
     model_build_init(&build, assimp->import, model);
-    const bool is_split = has_transmission(assimp);
-    enum status status = walk(&build, everything_is, is_split, assimp, true);
+    const bool by_materials = everything_is == MODEL_BY_MATERIALS;
+    const bool is_split = has_transmission(assimp) || (by_materials && has_materials(assimp));
+    const enum model_part part = by_materials ? MODEL_OBJECT : everything_is;
+    enum status status = walk(&build, part, is_split, assimp, true);
     if (status == STATUS_OK)
         status = model_build_allocate(&build);
     if (status == STATUS_OK)
-        status = walk(&build, everything_is, is_split, assimp, false);
+        status = walk(&build, part, is_split, assimp, false);
     if (status == STATUS_OK)
         status = is_split ? list_materials(assimp, model) : model_build_bare_object(&build);
     return status == STATUS_OK ? model_build_end(&build) : status;
