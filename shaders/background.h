@@ -3,11 +3,11 @@
 #define SHADERS_BACKGROUND_H
 #include "abi_math.h"
 
-#define BACKGROUND_ENVIRONMENT 1 /* equirectangular picture, -Z in the middle */
-#define BACKGROUND_TEXTURES    2 /* colours of the surroundings, one layer each */
-#define BACKGROUND_NUMBERS     3 /* textures of what is no colour */
-#define BACKGROUND_MATERIALS   4 /* a row of texels each (material.h) */
-#define BACKGROUND_LIGHT       5 /* of the environment on surfaces (lit.h) */
+#define BACKGROUND_ENVIRONMENT 1  /* equirectangular picture, -Z in the middle */
+#define BACKGROUND_TEXTURES    2  /* colours of the surroundings, one layer each */
+#define BACKGROUND_NUMBERS     3  /* textures of what is no colour */
+#define BACKGROUND_MATERIALS   4  /* a row of texels each (material.h) */
+#define BACKGROUND_LIGHT       5  /* of the environment on surfaces (lit.h) */
 #define BACKGROUND_LIGHTS      11 /* a row of texels for each light of a file (lit.h) */
 #define BACKGROUND_SPLIT       10 /* what surfaces reflect (lit.h); 6 to 9 are ice_caustics.h's */
 

@@ -61,7 +61,7 @@ static vec4s fetch_light(const struct radiance *radiance, uint32_t layer, uint32
 
 static vec4s fetch_split(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y)
 {
-    const uint16_t *texel = &radiance->scene->surface_split[(y * LIT_SPLIT_SIDE + x) * 2];
+    const uint16_t *texel = &radiance->scene->surface_split[((size_t)y * LIT_SPLIT_SIDE + x) * 2];
     (void)layer;
     return (vec4s){ { half_to_float(texel[0]), half_to_float(texel[1]), 0.0f, 0.0f } };
 }

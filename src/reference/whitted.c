@@ -345,23 +345,27 @@ static void grow(const struct whitted *whitted, struct branch *stack, uint32_t *
 static bool meet_surroundings(const struct whitted *whitted, const struct bvh_hit *hit,
                               struct branch *b, struct sum *sum)
 {
-    const float passing = hit ? radiance_passing(whitted->radiance, &hit->surface) : 0.0f;
-    const vec3s light =
-        hit ? radiance_surface(whitted->radiance, &(struct radiance_point){ .vertex = &hit->surface,
-                                                                            .along_u = hit->along_u,
-                                                                            .along_v = hit->along_v,
-                                                                            .dir = b->ray.dir })
-            : radiance_sky(whitted->radiance, b->ray.dir);
-    sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light), 1.0f - passing, sum->light);
-    if (!(passing > 0.0f))
+    if (!hit) {
+        const vec3s sky = radiance_sky(whitted->radiance, b->ray.dir);
+        sum->light = glms_vec3_muladd(b->weight, sky, sum->light);
         return false;
+    }
+    const struct radiance_point point = {
+        .vertex = &hit->surface,
+        .along_u = hit->along_u,
+        .along_v = hit->along_v,
+        .dir = b->ray.dir,
+    };
+    const vec3s light = radiance_surface(whitted->radiance, &point);
+    const float passing = radiance_passing(whitted->radiance, &hit->surface);
+    sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light), 1.0f - passing, sum->light);
     b->ray = (struct bvh_ray){ .origin = hit->surface.position,
                                .dir = b->ray.dir,
                                .near = whitted->bvh->hair,
                                .from = BVH_NOWHERE };
     b->weight = glms_vec3_scale(b->weight, passing);
     b->bounces++;
-    return true;
+    return passing > 0.0f;
 }
 
 /* Returns what a surface takes away of light that passes it: an object's, or nothing's. */

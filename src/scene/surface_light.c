@@ -31,13 +31,13 @@ struct levels {
 };
 
 /* Returns the mean of the environment's texels in one of the first level. */
-static vec3s mean_of(const struct environment *e, int x, int y, int width)
+static vec3s mean_of(const struct environment *e, uint32_t x, uint32_t y, uint32_t width)
 {
-    const uint32_t height = (uint32_t)width / 2;
-    const uint32_t left = (uint32_t)x * e->width / (uint32_t)width;
-    const uint32_t top = (uint32_t)y * e->height / height;
-    uint32_t right = ((uint32_t)x + 1) * e->width / (uint32_t)width;
-    uint32_t bottom = ((uint32_t)y + 1) * e->height / height;
+    const uint32_t height = width / 2;
+    const uint32_t left = x * e->width / width;
+    const uint32_t top = y * e->height / height;
+    uint32_t right = (x + 1) * e->width / width;
+    uint32_t bottom = (y + 1) * e->height / height;
     right = right > left ? right : left + 1;
     bottom = bottom > top ? bottom : top + 1;
     vec3s sum = glms_vec3_zero();
@@ -51,6 +51,15 @@ static vec3s mean_of(const struct environment *e, int x, int y, int width)
     return glms_vec3_divs(sum, (float)((right - left) * (bottom - top)));
 }
 
+/* Returns the mean of four texels of a level that is twice as wide. */
+static vec3s mean_of_four(const vec3s *finer, size_t x, size_t y, size_t width)
+{
+    const vec3s *above = &finer[4 * y * width + 2 * x];
+    const vec3s *below = above + 2 * width;
+    return glms_vec3_scale(
+        glms_vec3_add(glms_vec3_add(above[0], above[1]), glms_vec3_add(below[0], below[1])), 0.25f);
+}
+
 static bool make_levels(struct levels *levels, const struct environment *e)
 {
     int width = MATT_WIDTH;
@@ -58,22 +67,17 @@ static bool make_levels(struct levels *levels, const struct environment *e)
         width *= 2;
     *levels = (struct levels){ .count = 0 };
     for (; width >= 4 && levels->count < LEVEL_MAX; width /= 2, levels->count++) {
-        const int i = levels->count;
-        vec3s *texels = malloc((size_t)width * ((size_t)width / 2) * sizeof(*texels));
+        const size_t count = (size_t)width * ((size_t)width / 2);
+        vec3s *texels = malloc(count * sizeof(*texels));
         if (!texels)
             return false;
-        levels->texels[i] = texels;
-        levels->width[i] = width;
-        for (int y = 0; y < width / 2; y++) {
-            for (int x = 0; x < width; x++) {
-                const vec3s *of = i ? &levels->texels[i - 1][4 * y * width + 2 * x] : NULL;
-                texels[y * width + x] =
-                    of ? glms_vec3_scale(
-                             glms_vec3_add(glms_vec3_add(of[0], of[1]),
-                                           glms_vec3_add(of[2 * width], of[2 * width + 1])),
-                             0.25f)
-                       : mean_of(e, x, y, width);
-            }
+        levels->texels[levels->count] = texels;
+        levels->width[levels->count] = width;
+        for (size_t i = 0; i < count; i++) {
+            const size_t x = i % (size_t)width, y = i / (size_t)width;
+            texels[i] = levels->count
+                            ? mean_of_four(levels->texels[levels->count - 1], x, y, (size_t)width)
+                            : mean_of(e, (uint32_t)x, (uint32_t)y, (uint32_t)width);
         }
     }
     return true;
@@ -259,10 +263,12 @@ static vec2s split_of(float roughness, float cosine)
 
 uint16_t *surface_split_make(void)
 {
-    uint16_t *texels = malloc(2 * LIT_SPLIT_SIDE * LIT_SPLIT_SIDE * sizeof(*texels));
-    for (int i = 0; texels && i < LIT_SPLIT_SIDE * LIT_SPLIT_SIDE; i++) {
-        const float root = (float)(i % LIT_SPLIT_SIDE) / (LIT_SPLIT_SIDE - 1);
-        const float roughness = (float)(i / LIT_SPLIT_SIDE) / (LIT_SPLIT_SIDE - 1);
+    const size_t side = LIT_SPLIT_SIDE;
+    uint16_t *texels = malloc(2 * side * side * sizeof(*texels));
+    for (size_t i = 0; texels && i < side * side; i++) {
+        const size_t row = i / side, column = i % side;
+        const float root = (float)column / (float)(side - 1);
+        const float roughness = (float)row / (float)(side - 1);
         const vec2s split = split_of(fmaxf(roughness, 0.02f), fmaxf(root * root, 1e-3f));
         texels[2 * i] = half_from_float(split.x);
         texels[2 * i + 1] = half_from_float(split.y);

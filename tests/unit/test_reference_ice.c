@@ -54,7 +54,7 @@ static void add_sheet(struct mesh *mesh, float at)
     struct mesh sheet;
     assert_true(mesh_init(&sheet, 4, 6));
     for (uint32_t i = 0; i < 4; i++) {
-        const vec2s uv = { { (float)(i % 2), (float)(i / 2) } };
+        const vec2s uv = { { (float)(i % 2), (float)(i > 1) } };
         sheet.vertices[i] = (struct mesh_vertex){
             .position = { { 40 * uv.x - 20, 40 * uv.y - 20, at } },
             .normal = { { 0, 0, 1 } },
