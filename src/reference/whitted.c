@@ -364,6 +364,7 @@ static bool meet_surroundings(const struct whitted *whitted, const struct bvh_hi
                                .near = whitted->bvh->hair,
                                .from = BVH_NOWHERE };
     b->weight = glms_vec3_scale(b->weight, passing);
+    b->air = glms_vec3_zero(); /* has been counted */
     b->bounces++;
     return passing > 0.0f;
 }
