@@ -27,7 +27,7 @@ static bool is_matt(const struct material *m)
     return m->flags & (MATERIAL_IS_BARE | MATERIAL_IS_UNLIT);
 }
 
-bool material_is_rich(const struct material *m)
+static bool is_rich(const struct material *m)
 {
     const struct material_texture *base = &m->textures[MATERIAL_BASE_COLOR];
     const bool repeats = base->wrap_u == MATERIAL_REPEAT && base->wrap_v == MATERIAL_REPEAT;
@@ -92,7 +92,7 @@ bool material_rows_has_rich(const struct model *model)
     const struct mesh *mesh = &model->surroundings;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const uint32_t material = mesh->vertices[i].material >> MESH_SURFACE_SHIFT;
-        if (material > 0 && material_is_rich(&model->materials[material - 1]))
+        if (material > 0 && is_rich(&model->materials[material - 1]))
             return true;
     }
     return false;

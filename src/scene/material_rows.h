@@ -7,15 +7,15 @@
 /* Returns the reflectance of a dielectric at normal incidence, without its texture; not clamped. */
 vec3s material_f0(const struct material *material);
 
-/* Returns whether a material's surface is more than a matt one of one texture that repeats. */
-bool material_is_rich(const struct material *material);
-
 /* Returns the rows, malloc'd: one for vertices without a material, and one of each material. NULL
  * when out of memory. */
 vec4s *material_rows_make(const struct model *model);
 
-/* Returns whether surroundings that light falls on, or rich materials, are there. */
+/* Returns whether light falls on any triangle, which is not so if all are unlit. */
 bool material_rows_has_lit(const struct mesh *mesh);
+
+/* Returns whether surroundings have a surface that is more than a matt one of one texture that
+ * repeats. */
 bool material_rows_has_rich(const struct model *model);
 
 #endif
