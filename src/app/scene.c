@@ -80,10 +80,9 @@ static void check_inclusions(struct app_scene *given, const struct scene *scene)
 static void check_lights(const struct app_scene *given, const struct scene *scene)
 {
     if (scene->model.light_count > 0 && !scene->light_rows)
-        log_warning(
-            "%s: its %u lights are not seen: they light opaque surfaces that are not unlit, "
-            "and the scene has none",
-            given->name, scene->model.light_count);
+        log_warning("%s: its lights are not seen: they light opaque surfaces that are not unlit, "
+                    "and the scene has none",
+                    given->name);
 }
 
 /* No box is no error: a window's user may be about to say one. */
