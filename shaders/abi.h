@@ -19,7 +19,7 @@
 #else
 #include <stdint.h>
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 #define ABI_STRUCT(name) struct name
 #endif
 

@@ -41,6 +41,8 @@
 #define glms_vec3_scale(a, s)   ((a) * (s))
 #define glms_vec3_sub(a, b)     ((a) - (b))
 #else
+#include <cglm/struct.h>
+
 #define ABI_FUNCTION      static inline
 #define ABI_VEC2(x, y)    ((vec2s){ { (x), (y) } })
 #define ABI_VEC3(x, y, z) ((vec3s){ { (x), (y), (z) } })

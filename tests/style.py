@@ -73,7 +73,7 @@ C_STANDARD = tuple(f'{name}.h' for name in (
 MAY_INCLUDE_SYSTEM = {
     'graph/': (*C_STANDARD, 'vulkan/'),
     'src/tech/': (*C_STANDARD, 'cglm/struct.h'),
-    'shaders/': ('stdint.h', 'cglm/struct.h'),
+    'shaders/': ('stdint.h', 'cglm/struct.h', 'cglm/types-struct.h'),
 }
 
 # Words that tell of where a line was written, not of what it is for. Not looked for in this file.

@@ -1,4 +1,5 @@
 /* bake.c: firn bake: the environment cube of a scene, to a file that --env takes. */
+#include <cglm/struct.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/app/app.h"

@@ -1,4 +1,5 @@
 /* camera.c: the camera that the options name, place, or leave to the model. */
+#include <cglm/struct.h>
 #include <string.h>
 #include "src/app/app.h"
 #include "src/base/log.h"

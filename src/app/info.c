@@ -1,4 +1,5 @@
 /* info.c: firn info: what a scene holds. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/app/app.h"

@@ -1,5 +1,6 @@
 /* output.c: EXR and PNG files, and the words in them. */
 #include "src/app/output.h"
+#include <cglm/struct.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

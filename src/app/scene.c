@@ -1,4 +1,5 @@
 /* scene.c: what the options say of scene, camera and renderer. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

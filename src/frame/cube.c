@@ -1,5 +1,6 @@
 /* cube.c: finds the faces of the environment cube that are due. */
 #include "src/frame/cube.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "shaders/mesh.h"

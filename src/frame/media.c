@@ -3,6 +3,8 @@
 #include "src/tech/absorb.h"
 #include "src/tech/refract.h"
 
+#include <cglm/struct.h>
+
 /* KHR_materials_dispersion: the index of red is n - h and of blue n + h, where h = (n - 1) 0.025
  * dispersion. */
 static void spread(float ior[static 3], float middle, float dispersion)

@@ -1,5 +1,6 @@
 /* view.c: computes the uniform data of a frame from camera, time and scene. */
 #include "src/frame/view.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 #include "src/frame/media.h"

@@ -1,5 +1,6 @@
 /* flip.c: LDR-FLIP and HDR-FLIP. */
 #include "src/metric/flip.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/metric/flip_color.h"

@@ -8,7 +8,7 @@
 #ifndef FIRN_METRIC_FLIP_COLOR_H
 #define FIRN_METRIC_FLIP_COLOR_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 
 /* Converts linear colours to YCxCz; Y is from -16 to 100. */
 vec3s flip_color_opponent(vec3s linear);

@@ -1,5 +1,6 @@
 /* flip_tone.c: the tone curves and exposures of HDR-FLIP. */
 #include "src/metric/flip_tone.h"
+#include <cglm/struct.h>
 #include <math.h>
 
 const char *const flip_curve_names[FLIP_CURVE_COUNT] = {

@@ -9,7 +9,8 @@
 #ifndef FIRN_METRIC_FLIP_TONE_H
 #define FIRN_METRIC_FLIP_TONE_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
+#include <stdint.h>
 
 enum flip_curve {
     FLIP_ACES, /* the default of the paper */

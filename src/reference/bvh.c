@@ -1,5 +1,6 @@
 /* bvh.c: Embree's scene of the object, its bubbles and its surroundings. */
 #include "src/reference/bvh.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* inclusions.c: normals of cracks and of the uneven surface, opacities of planes of air. */
 #include "src/reference/inclusions.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include "shaders/bump_normal.h"
 #include "shaders/cracks_noise.h"

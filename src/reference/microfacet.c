@@ -1,5 +1,6 @@
 /* microfacet.c: visible normals of GGX, and evenly distributed points. */
 #include "src/reference/microfacet.h"
+#include <cglm/struct.h>
 #include <math.h>
 
 /* ---- points ---- */

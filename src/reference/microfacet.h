@@ -12,7 +12,7 @@
 #ifndef FIRN_REFERENCE_MICROFACET_H
 #define FIRN_REFERENCE_MICROFACET_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 #include <stdint.h>
 
 /* Returns the microfacet's normal for light from the direction -dir, where dot(dir, n) < 0. */

@@ -1,5 +1,6 @@
 /* radiance.c: radiance of sky, environment image, surfaces and their textures. */
 #include "src/reference/radiance.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include "shaders/background.h"
 #include "shaders/lit.h"

@@ -1,5 +1,6 @@
 /* reference.c: traces the tiles of a picture with many threads. */
 #include "src/reference/reference.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>

@@ -2,7 +2,7 @@
 #ifndef FIRN_REFERENCE_LAYERS_H
 #define FIRN_REFERENCE_LAYERS_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 #include "src/frame/layers.h"
 #include "src/settings/settings.h"
 

@@ -6,6 +6,7 @@
  * computed in double.
  */
 #include "src/reference/whitted.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include "shaders/bump_normal.h"
 #include "src/reference/microfacet.h"

@@ -4,7 +4,7 @@
 #ifndef FIRN_RENDER_ACCUMULATE_H
 #define FIRN_RENDER_ACCUMULATE_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 #include "src/base/status.h"
 #include "src/frame/layers.h"
 #include "src/image/image.h"

@@ -1,5 +1,6 @@
 /* frame_objects.c: sorts the objects of a scene for a frame. */
 #include "src/render/frame_objects.h"
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"

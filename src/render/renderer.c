@@ -1,6 +1,7 @@
 /* renderer.c: the plans, executors and frames of a picture. */
 #include "src/render/renderer.h"
 #include <assert.h>
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* bump_maps.c: dimples and noise on a tile whose edges fit each other. */
 #include "src/scene/bump_maps.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,6 +2,7 @@
 #include "src/scene/camera.h"
 
 #include <assert.h>
+#include <cglm/struct.h>
 #include <math.h>
 
 /* Normalises a vector; its squared length may underflow or overflow. */

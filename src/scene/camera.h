@@ -7,7 +7,7 @@
 #ifndef FIRN_SCENE_CAMERA_H
 #define FIRN_SCENE_CAMERA_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 #include <stdint.h>
 #include "src/scene/mesh.h"
 

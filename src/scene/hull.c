@@ -1,6 +1,7 @@
 /* hull.c: clips polygons plane by plane (Sutherland and Hodgman 1974). */
 #include "src/scene/hull.h"
 #include <assert.h>
+#include <cglm/struct.h>
 #include <math.h>
 
 struct hull hull_of(const struct mesh *mesh)

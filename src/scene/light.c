@@ -1,5 +1,6 @@
 /* light.c: what a light may be. */
 #include "src/scene/light.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,6 +4,7 @@
  * Indices: Fernando and Kilgard 2003, The Cg Tutorial, table 7-1; ice: Seipel and Nivfors 2006.
  */
 #include "src/scene/material.h"
+#include <cglm/struct.h>
 #include <float.h>
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #ifndef FIRN_SCENE_MATERIAL_H
 #define FIRN_SCENE_MATERIAL_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 #include <stdbool.h>
 #include <stdint.h>
 

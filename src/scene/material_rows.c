@@ -1,5 +1,6 @@
 /* material_rows.c: a row of texels for each material. */
 #include "src/scene/material_rows.h"
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include "shaders/material.h"
 

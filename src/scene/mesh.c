@@ -2,6 +2,7 @@
 #include "src/scene/mesh.h"
 
 #include <assert.h>
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -9,7 +9,7 @@
 #ifndef FIRN_SCENE_MESH_H
 #define FIRN_SCENE_MESH_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include "shaders/mesh.h"

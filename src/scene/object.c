@@ -1,5 +1,6 @@
 /* object.c: the order of media where objects overlap. */
 #include "src/scene/object.h"
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"

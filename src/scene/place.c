@@ -1,5 +1,6 @@
 /* place.c: turns and scales a model as it is loaded. */
 #include "src/scene/place.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include "src/base/log.h"
 

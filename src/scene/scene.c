@@ -1,5 +1,6 @@
 /* scene.c: built-in scenes, assets, model files, and their surroundings. */
 #include "src/scene/scene.h"
+#include <cglm/struct.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>

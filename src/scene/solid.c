@@ -1,5 +1,6 @@
 /* solid.c: tests points against a closed mesh, by columns of triangles. */
 #include "src/scene/solid.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 

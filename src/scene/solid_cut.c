@@ -1,4 +1,5 @@
 /* solid_cut.c: clips a sheet to the inside of a solid. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/scene/solid.h"

@@ -6,6 +6,7 @@
  * sampling"); matt ones are summed over a small picture.
  */
 #include "src/scene/surface_light.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "shaders/background.h"

@@ -15,6 +15,7 @@
  * for ice_depth.
  */
 #include "src/tech/bubbles.h"
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include "shaders/bubbles.h"
 #include "shaders/embedded.h"

@@ -17,6 +17,7 @@
  * Cracks, air, bubbles and frost transmit all light; surroundings cast no shadows.
  */
 #include "src/tech/ice_caustics.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include "shaders/background.h"
 #include "shaders/constants.h"

@@ -1,5 +1,6 @@
 /* orbit.c: turns, pans and zooms. */
 #include "src/view/orbit.h"
+#include <cglm/struct.h>
 #include <math.h>
 
 static const float steepest_deg = 89.0f;

@@ -2,6 +2,7 @@
  * Bytes become options that place the camera, one a line: "eye 1,2,3". Each is taken or refused;
  * a camera that comes of them sees: its matrices are finite, its axes unit and square.
  */
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 

@@ -2,6 +2,7 @@
  * The ice's uneven surface: in closed form where the slopes are the same everywhere, in the mean
  * where they are not. The layer `exit` tells of the normal, by eq. 1 and 2.
  */
+#include <cglm/struct.h>
 #include <stdlib.h>
 
 #include "tests/support/bumps.h"

@@ -2,6 +2,7 @@
  * Cracks inside the ice: what is kept of them is compared with rays traced here, in double, without
  * anything of the device's depths.
  */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,6 +4,8 @@
 #include "tests/support/feature.h"
 #include "tests/support/lavapipe.h"
 
+#include <cglm/struct.h>
+
 enum {
     FRAMES = 5,
     SAMPLES = 4,

@@ -9,6 +9,8 @@
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 
+#include <cglm/struct.h>
+
 static const struct box sides = { { { -3, -1.75F, -4 } }, { { 5, 4, 6 } } };
 static const double eta = 1.0003 / 1.3091;
 

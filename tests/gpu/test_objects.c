@@ -2,6 +2,7 @@
  * Several refractive objects in one picture: each looks as it does alone, the nearest hides the
  * others in whatever order the file has them, and layers show the one that is seen.
  */
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 

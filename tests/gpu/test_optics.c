@@ -5,6 +5,7 @@
  * Vectors: e goes towards the surface, the front normal against it; "inside" and "chord" are those
  * of a ray that enters a unit sphere of ice along -z, x being its impact parameter.
  */
+#include <cglm/struct.h>
 #include <math.h>
 
 #include "tests/support/check.h"

@@ -2,6 +2,7 @@
  * test_reference_radiance.c: what the traced reference shows around the object is what a device
  * draws: sky, surroundings, movers, textures, pictures; and the curve of PNG files.
  */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,6 +1,7 @@
 /*
  * test_rungs.c: the rungs of refraction against closed forms, a traced mesh and each other.
  */
+#include <cglm/struct.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

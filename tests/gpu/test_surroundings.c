@@ -1,4 +1,5 @@
 /* test_surroundings.c: textures, cut-outs, emitted colours and light on what lies around. */
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 

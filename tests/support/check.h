@@ -5,6 +5,7 @@
 #define TESTS_CHECK_H
 
 /* cmocka wants these four first */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -2,6 +2,8 @@
 #ifndef TESTS_GLTF_FILE_H
 #define TESTS_GLTF_FILE_H
 
+#include <stddef.h>
+
 #include "src/scene/import/model.h"
 
 enum {

@@ -1,6 +1,7 @@
 /* picture.c: scenes made by hand, and pictures of them. */
 #include "tests/support/picture.h"
 
+#include <cglm/struct.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef TESTS_VEC_H
 #define TESTS_VEC_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 #include <math.h>
 
 struct vec {

@@ -1,6 +1,7 @@
 /* test_camera.c: where points land in pictures and on the faces of cube maps. */
 #include "src/scene/camera.h"
 
+#include <cglm/struct.h>
 #include <math.h>
 
 #include "tests/support/check.h"

@@ -1,4 +1,5 @@
 /* Which faces of the environment cube are due, against a search through what moves. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "shaders/mesh.h"

@@ -1,4 +1,5 @@
 /* What shaders are told of camera and time, against closed forms. */
+#include <cglm/struct.h>
 #include <math.h>
 
 #include "shaders/bubbles.h"

@@ -1,6 +1,7 @@
 /* test_generate.c: the built-in objects are sound solids of the promised counts and sizes. */
 #include "src/scene/generate/generate.h"
 
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,4 +1,5 @@
 /* test_generate_air.c: planes through the middle of the object; pictures that are dense there. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 

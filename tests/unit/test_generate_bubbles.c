@@ -1,4 +1,5 @@
 /* test_generate_bubbles.c: spheres within the object that do not overlap. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 

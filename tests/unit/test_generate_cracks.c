@@ -1,4 +1,5 @@
 /* Cracks: curved, irregular sheets across a box, as their seed says. */
+#include <cglm/struct.h>
 #include <math.h>
 
 #include "shaders/cracks.h"

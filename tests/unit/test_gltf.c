@@ -1,4 +1,5 @@
 /* test_gltf.c: features of glTF, each compared with numbers by hand or with its plain twin. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <meshoptimizer.h>
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 /* test_gltf_nodes.c: what nodes of a glTF file hold beside meshes: cameras, lights, the
  * animations that move them, and names that make them refractive. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 #include "src/scene/place.h"

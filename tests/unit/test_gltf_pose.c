@@ -1,4 +1,5 @@
 /* test_gltf_pose.c: animations, skins and morph targets of glTF, compared with numbers by hand. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 #include "tests/support/check.h"

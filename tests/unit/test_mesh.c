@@ -1,6 +1,7 @@
 /* test_mesh.c: storage, appending, boxes, normals. */
 #include "src/scene/mesh.h"
 
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 

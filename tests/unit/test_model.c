@@ -1,5 +1,5 @@
 /* test_model.c: model files, written here and read back. */
-#include <math.h>
+#include <cglm/struct.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -133,8 +133,8 @@ static void check_outward(const struct mesh *mesh)
         const struct mesh_vertex *a = &mesh->vertices[mesh->indices[i]];
         const struct mesh_vertex *b = &mesh->vertices[mesh->indices[i + 1]];
         const struct mesh_vertex *c = &mesh->vertices[mesh->indices[i + 2]];
-        vec3s normal = glms_vec3_cross(glms_vec3_sub(b->position, a->position),
-                                       glms_vec3_sub(c->position, a->position));
+        const vec3s edge = glms_vec3_sub(b->position, a->position);
+        const vec3s normal = glms_vec3_cross(edge, glms_vec3_sub(c->position, a->position));
         assert_true(glms_vec3_dot(normal, a->normal) > 0);
         CHECK_NEAR(glms_vec3_norm(a->normal), 1, 1e-6);
     }

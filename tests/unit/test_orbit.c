@@ -1,6 +1,7 @@
 /* test_orbit.c: how a hand moves a camera, and which key does what. */
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,7 @@
 /* test_random.c: numbers are spread evenly, repeatable, and unrelated between seeds and parts. */
 #include "src/scene/generate/random.h"
 
+#include <cglm/struct.h>
 #include <math.h>
 
 #include "tests/support/check.h"

@@ -2,6 +2,7 @@
  * The traced reference against closed forms: sphere, slab, prism, absorption, dispersion, white
  * furnace. Pictures of one pixel, whose ray is the camera's axis.
  */
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 

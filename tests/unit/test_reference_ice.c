@@ -1,6 +1,7 @@
 /*
  * The traced reference of what is in and on ice against closed forms.
  */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 

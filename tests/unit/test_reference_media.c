@@ -2,6 +2,7 @@
  * The traced reference in several media against closed forms: slabs inside each other, the view
  * from under water, thin walls, rough balls; and which medium is where objects overlap.
  */
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,4 +1,5 @@
 /* How the traced reference runs: threads, samples, layers, progress, limits of memory. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

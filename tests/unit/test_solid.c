@@ -1,4 +1,5 @@
 /* Points inside closed meshes, and sheets cut at their surface. */
+#include <cglm/struct.h>
 #include <math.h>
 
 #include "src/scene/generate/generate.h"

@@ -1,4 +1,5 @@
 /* air.c: planes of air, and the textures of bubbles and haze on them. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/scene/generate/generate.h"

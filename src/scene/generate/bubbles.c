@@ -1,5 +1,6 @@
 /* bubbles.c: spheres inside a closed mesh that do not overlap. */
 #include <assert.h>
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/scene/generate/generate.h"

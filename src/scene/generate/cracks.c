@@ -6,6 +6,7 @@
  * square root are called, because other functions could differ between machines.
  */
 #include "shaders/cracks.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include "src/scene/generate/generate.h"
 #include "src/scene/generate/noise.h"

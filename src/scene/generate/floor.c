@@ -1,6 +1,8 @@
 /* floor.c: pale tiles on a level plane, with a plane of one colour around them. */
 #include "src/scene/generate/generate.h"
 
+#include <cglm/struct.h>
+
 enum {
     TILES = 48, /* along each side */
 };

@@ -6,6 +6,7 @@
  */
 #include "src/scene/generate/generate.h"
 
+#include <cglm/struct.h>
 #include <math.h>
 
 #include "src/scene/generate/noise.h"

@@ -1,4 +1,5 @@
 /* movers.c: balls that go around an object, so that its surroundings change. */
+#include <cglm/struct.h>
 #include <math.h>
 #include "src/scene/generate/generate.h"
 

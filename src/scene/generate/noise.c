@@ -1,6 +1,7 @@
 /* noise.c: value noise on a lattice of hashed whole numbers. */
 #include "src/scene/generate/noise.h"
 
+#include <cglm/struct.h>
 #include <math.h>
 
 /* An integer hash with good avalanche (Wellons, "Prospecting for Hash Functions", 2018). */

@@ -4,7 +4,7 @@
 #ifndef FIRN_SCENE_GENERATE_NOISE_H
 #define FIRN_SCENE_GENERATE_NOISE_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 #include <stdint.h>
 
 /* Returns a hash of x. */

@@ -3,6 +3,8 @@
 #include "shaders/water.h"
 #include "src/scene/generate/generate.h"
 
+#include <cglm/struct.h>
+
 static const vec3s stone = { { POOL_STONE } };
 static const vec3s paving = { { 0.400F, 0.385F, 0.360F } };
 static const float coping = 0.3F;   /* metres wide */

@@ -1,6 +1,8 @@
 /* random.c: a hash of the count, keyed by the seed. */
 #include "src/scene/generate/random.h"
 
+#include <cglm/struct.h>
+
 /* An integer hash with good avalanche (Wellons, "Prospecting for Hash Functions", 2018). */
 static uint32_t scramble(uint32_t x)
 {

@@ -4,7 +4,7 @@
 #ifndef FIRN_SCENE_GENERATE_RANDOM_H
 #define FIRN_SCENE_GENERATE_RANDOM_H
 
-#include <cglm/struct.h>
+#include <cglm/types-struct.h>
 #include <stdint.h>
 
 /* The state of a sequence. */

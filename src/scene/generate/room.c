@@ -4,6 +4,7 @@
  * Everything is made of boxes along the axes. Each vertex is lit by a lamp and a window, if no
  * furniture hides them, and by a constant ambient light.
  */
+#include <cglm/struct.h>
 #include <math.h>
 #include "src/scene/generate/generate.h"
 

@@ -1,6 +1,7 @@
 /* sphere.c: unit sphere of longitudes and latitudes. */
 #include "src/scene/generate/generate.h"
 
+#include <cglm/struct.h>
 #include <math.h>
 
 /* `rows` bands from pole to pole, each of `columns` quads; the first and last are triangles. */

@@ -17,6 +17,7 @@
 #include "src/scene/generate/generate.h"
 
 #include <assert.h>
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,4 +1,5 @@
 /* gltf_animation.c: moves the nodes of a glTF file to where they are at a time (3.11, App. C). */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,5 @@
 /* gltf_build.c: from the nodes of a glTF file to the objects and surroundings of a model. */
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"

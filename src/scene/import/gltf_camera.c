@@ -1,4 +1,5 @@
 /* gltf_camera.c: the cameras of a glTF file, and the box around its object. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

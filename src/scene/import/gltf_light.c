@@ -1,4 +1,5 @@
 /* gltf_light.c: the lights of a glTF file (KHR_lights_punctual). */
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/gltf.h"

@@ -1,4 +1,5 @@
 /* gltf_material.c: the materials of a glTF file (glTF 2.0, 3.9, and KHR_materials_*). */
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/gltf.h"

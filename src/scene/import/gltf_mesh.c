@@ -1,4 +1,5 @@
 /* gltf_mesh.c: the triangles of a glTF file's meshes (glTF 2.0, 3.7). */
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"

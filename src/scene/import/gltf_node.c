@@ -1,4 +1,5 @@
 /* gltf_node.c: the nodes of a glTF file's scene, and where they are. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,5 @@
 /* gltf_pose.c: morph targets and skins of a glTF file's meshes (glTF 2.0, 3.7.2.2 and 3.7.3). */
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/gltf.h"

@@ -1,5 +1,6 @@
 /* mesh_pipe.c: the format is a head with all counts, the arrays in its order, a final word. */
 #include "src/scene/import/mesh_pipe.h"
+#include <cglm/struct.h>
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -2,6 +2,7 @@
 #include "src/scene/import/model_assimp.h"
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"

@@ -1,4 +1,5 @@
 /* model_build.c: merges the shapes of a model file, one instance for each node. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/base/log.h"

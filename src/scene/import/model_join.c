@@ -1,4 +1,5 @@
 /* model_join.c: finds identical vertices, for smooth normals and small meshes. */
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/model_import.h"

@@ -1,5 +1,6 @@
 /* model_material.c: the materials that assimp has read. */
 #include <assimp/material.h>
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* ui_command.c: options in words. */
 #include "src/view/ui/ui_command.h"
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/shell_words.h"
