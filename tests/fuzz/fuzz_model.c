@@ -3,12 +3,11 @@
  * name. As in the program, a child reads it and sends the meshes through a pipe, and the parent
  * accepts them or reports why there are none.
  *
- * assimp, Draco and stb are large and not instrumented; some broken files make them crash, or work
+ * Draco and stb are large and not instrumented; some broken files make them crash, or work
  * for hours. That is why a child reads: there, and nowhere else, it is allowed. So their functions
  * are wrapped (the linker's --wrap), and say in shared memory that one of them runs. A crash at any
  * other time is a fault, and so is an end without a status of the reader, meshes that the parent
- * does not accept and anything that the sanitizers find in the parent. The functions by which
- * assimp opens files count as assimp's.
+ * does not accept and anything that the sanitizers find in the parent.
  *
  * The child is forked, which is a hundred times as fast as a new program. It returns its counters
  * of coverage, of which libFuzzer sees only the parent's.
@@ -26,13 +25,12 @@
 #include <unistd.h>
 #include "src/scene/import/gltf_draco.h"
 #include "src/scene/import/mesh_pipe.h"
-#include "src/scene/import/model_parser.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_scene.h"
 
 enum {
-    THEIR_MS = 250, /* CPU time of one call of assimp or stb */
+    THEIR_MS = 250, /* CPU time of one call of Draco or stb */
     OUR_MS = 20000,
     COUNTERS_SIZE = 1 << 20,
     SIZE_MAX_OF_ALL = 1 << 30,
@@ -43,7 +41,7 @@ enum {
 extern uint8_t counters_begin[], counters_end[];
 
 struct shared {
-    int their_calls; /* a function of assimp or stb runs */
+    int their_calls; /* a function of Draco or stb runs */
     uint8_t counters[COUNTERS_SIZE];
 };
 
@@ -51,7 +49,7 @@ static struct shared *shared;
 
 /* NOLINTBEGIN(readability-identifier-naming): names of AddressSanitizer and the linker */
 
-/* No allocation of assimp makes the fuzzer run out of memory. */
+/* No allocation of theirs makes the fuzzer run out of memory. */
 const char *__asan_default_options(void);
 
 const char *__asan_default_options(void)
@@ -91,28 +89,12 @@ static void leave(void)
         return result; \
     }
 
-WRAP(struct model_parser *, model_parser_new,
-     (const char *suffix, model_parser_open_fn *open, void *user), (suffix, open, user))
-WRAP(const struct aiScene *, model_parser_read, (struct model_parser * parser, const char *path),
-     (parser, path))
-WRAP(const struct aiScene *, model_parser_process, (struct model_parser * parser, unsigned steps),
-     (parser, steps))
 WRAP(struct gltf_draco *, gltf_draco_new, (const void *bytes, size_t size), (bytes, size))
 WRAP(stbi_uc *, stbi_load_from_memory,
      (const stbi_uc *bytes, int size, int *x, int *y, int *channels, int wanted),
      (bytes, size, x, y, channels, wanted))
 WRAP(int, stbi_info_from_memory, (const stbi_uc *bytes, int size, int *x, int *y, int *channels),
      (bytes, size, x, y, channels))
-
-void __real_model_parser_delete(struct model_parser *parser);
-void __wrap_model_parser_delete(struct model_parser *parser);
-
-void __wrap_model_parser_delete(struct model_parser *parser)
-{
-    enter();
-    __real_model_parser_delete(parser);
-    leave();
-}
 
 /* NOLINTEND(readability-identifier-naming) */
 

@@ -55,7 +55,7 @@ enum status model_load_posed(struct model *model, const char *path, enum model_p
     else if (pose->animation || (pose->objects && pose->objects[0]))
         status = refuse_names(path, pose->animation);
     else
-        status = model_load_assimp(&import, format->suffix, model, everything_is);
+        status = model_load_plain(&import, format->suffix, model, everything_is);
     if (status == STATUS_OK)
         model_color_warn(&import);
     else

@@ -1,10 +1,10 @@
 /*
  * model.h: loads model files.
  *
- * Reads .gltf and .glb (gltf.h), and .obj and .ply through assimp. All meshes are merged with their
- * transforms into two: the refractive objects and their surroundings. In a glTF file with a mesh
- * whose material has KHR_materials_transmission (factor > 0), and in an OBJ file whose MTL file has
- * a transmissive material (docs/models.md), such meshes are the objects and all others the
+ * Reads .gltf and .glb (gltf.h), and .obj and .ply (model_plain.h). All meshes are merged with
+ * their transforms into two: the refractive objects and their surroundings. In a glTF file with a
+ * mesh whose material has KHR_materials_transmission (factor > 0), and in an OBJ file whose MTL
+ * file has a transmissive material (docs/models.md), such meshes are the objects and all others the
  * surroundings; in any other file `everything_is` decides. Coordinates are those of the file. Each
  * instance of a mesh in a node is an object; a file without materials has one alone.
  * Points and lines are left out; polygons are triangulated; identical vertices are merged.

@@ -80,10 +80,8 @@ static bool is_allowed(struct model_import *import, const char *path)
     char *name = local_name(import, path);
     if (!name)
         return false;
-    /* For a missing file assimp tries again, with a slash or the folder before the name. */
-    const bool again = import->missed[0] && name[0] == '/';
-    const bool is_inside = !again && model_file_clean(name, false);
-    if (!again && !is_inside && import->refused[0] == '\0')
+    const bool is_inside = model_file_clean(name, false);
+    if (!is_inside && import->refused[0] == '\0')
         snprintf(import->refused, sizeof(import->refused), "%s", path);
     /* Only regular files are opened: opening a pipe would wait for its other end. */
     const bool is_there = is_inside && stat(path, &info) == 0 && S_ISREG(info.st_mode);

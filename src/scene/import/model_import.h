@@ -44,16 +44,16 @@ struct model_format {
  * does not begin as the format does. */
 MUST_USE enum status model_format_find(const char *path, const struct model_format **format);
 
-/* Read a file of glTF; of another format, by assimp. */
+/* Read a file of glTF; of another format, with a suffix in lower case, "obj" or "ply". */
 MUST_USE enum status model_load_gltf(struct model_import *import, struct model *model,
                                      enum model_part everything_is, const struct model_pose *pose);
-MUST_USE enum status model_load_assimp(struct model_import *import, const char *suffix,
-                                       struct model *model, enum model_part everything_is);
+MUST_USE enum status model_load_plain(struct model_import *import, const char *suffix,
+                                      struct model *model, enum model_part everything_is);
 
 /* ---- files ---- */
 
 /* Opens the model, or a file in its folder that it names, and notes others in *user, a struct
- * model_import; a model_parser_open_fn. */
+ * model_import. NULL: it is not there, or not allowed. */
 FILE *model_file_open(void *user, const char *path);
 
 /*

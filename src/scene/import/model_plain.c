@@ -1,0 +1,277 @@
+/* model_plain.c: turns what OBJ and PLY files hold into the meshes of a model. */
+#include "src/scene/import/model_plain.h"
+#include <cglm/struct.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "src/base/log.h"
+
+void *plain_array_grow(struct plain_array *array, size_t count, size_t item_size)
+{
+    size_t room = array->room > 0 ? array->room : 64;
+    while (room - array->count < count) {
+        if (room > SIZE_MAX / 2 / item_size)
+            return NULL;
+        room *= 2;
+    }
+    void *items = realloc(array->items, room * item_size);
+    if (!items)
+        return NULL;
+    array->items = items;
+    array->room = room;
+    array->count += count;
+    return (char *)items + (array->count - count) * item_size;
+}
+
+char *plain_read_file(struct model_import *import, const char *path, size_t *size, bool *is_found)
+{
+    struct stat info;
+    FILE *file = model_file_open(import, path);
+    char *bytes = NULL;
+    *is_found = file && fstat(fileno(file), &info) == 0;
+    if (!*is_found) {
+        if (file)
+            fclose(file);
+        return NULL;
+    }
+    const size_t room = info.st_size > 0 ? (size_t)info.st_size : 0;
+    bytes = malloc(room + 1);
+    if (bytes) {
+        *size = fread(bytes, 1, room, file);
+        bytes[*size] = '\0';
+    } else {
+        (void)log_out_of_memory(path);
+    }
+    if (bytes && ferror(file)) {
+        log_error("%s: %s", path, strerror(errno));
+        free(bytes);
+        bytes = NULL;
+    }
+    fclose(file);
+    return bytes;
+}
+
+/* ---- textures ---- */
+
+/* Appends the material's picture to the list unless it is there, and sets the material's layer. */
+static enum status add_picture(const struct plain *plain, struct plain_material *material,
+                               struct model_picture *pictures, uint32_t *count)
+{
+    const char *path = plain->import->path;
+    if (!model_file_clean(material->maps[PLAIN_COLOR].file, false)) {
+        log_error("%s: texture %s: expected a file within the model's folder", path,
+                  material->maps[PLAIN_COLOR].file);
+        return STATUS_DATA;
+    }
+    char *file = model_file_join(path, material->maps[PLAIN_COLOR].file);
+    if (!file)
+        return log_out_of_memory(path);
+    uint32_t layer = 0;
+    while (layer < *count && strcmp(file, pictures[layer].file) != 0)
+        layer++;
+    if (layer == MODEL_TEXTURE_MAX) {
+        log_error("%s: expected at most %d textures", path, MODEL_TEXTURE_MAX);
+        free(file);
+        return STATUS_DATA;
+    }
+    if (layer < *count)
+        free(file);
+    else
+        pictures[(*count)++] = (struct model_picture){ .name = file, .file = file };
+    material->layer = layer + 1;
+    return STATUS_OK;
+}
+
+/* Loads the pictures of materials whose parts have texture coordinates. */
+static enum status load_pictures(const struct plain *plain, struct texture_layers *layers)
+{
+    uint32_t count = 0;
+    struct model_picture *pictures = calloc(MODEL_TEXTURE_MAX, sizeof(*pictures));
+    enum status status = pictures ? STATUS_OK : log_out_of_memory(plain->import->path);
+    for (uint32_t i = 0; i < plain->part_count && status == STATUS_OK; i++) {
+        const struct plain_part *part = &plain->parts[i];
+        if (part->material == 0 || !part->has_uvs || part->index_count == 0)
+            continue;
+        struct plain_material *material = &plain->materials[part->material - 1];
+        if (material->maps[PLAIN_COLOR].file && material->layer == 0)
+            status = add_picture(plain, material, pictures, &count);
+    }
+    if (status == STATUS_OK)
+        status = model_picture_load(plain->import->path, pictures, count, false, layers);
+    for (uint32_t i = 0; i < count; i++)
+        free(pictures[i].file);
+    free(pictures);
+    return status;
+}
+
+/* ---- meshes ---- */
+
+/* Returns the material of a part, or NULL. */
+static const struct plain_material *material_of(const struct plain *plain,
+                                                const struct plain_part *part)
+{
+    return part->material > 0 ? &plain->materials[part->material - 1] : NULL;
+}
+
+static struct model_shape shape_of(const struct plain *plain, const struct plain_part *part,
+                                   char name[static 80])
+{
+    const struct plain_material *material = material_of(plain, part);
+    const size_t first = part->first_vertex;
+    const bool is_bare = plain->colors && !plain->normals && !material;
+    (void)snprintf(name, 80, "mesh %u \"%.40s\"", (unsigned)(part - plain->parts), part->name);
+    return (struct model_shape){
+        .name = name,
+        .positions = &plain->positions[3 * first],
+        .normals = plain->normals ? &plain->normals[3 * first] : NULL,
+        .colors = plain->colors ? &plain->colors[4 * first] : NULL,
+        .uvs = part->has_uvs ? &plain->uvs[2 * first] : NULL,
+        .uv_stride = 2,
+        .is_flipped = true,
+        .indices = &plain->indices[part->first_index],
+        .vertex_count = part->vertex_count,
+        .index_count = part->index_count,
+        .color = material ? material->color : glms_vec3_one(),
+        .material = (material && part->has_uvs ? material->layer : 0) | (is_bare ? MESH_UNLIT : 0u),
+    };
+}
+
+/* How the parts become objects and surroundings. */
+struct division {
+    enum model_part everything_is;
+    bool is_split; /* by materials; else everything_is holds */
+};
+
+static struct division divide(const struct plain *plain, enum model_part everything_is)
+{
+    struct division division = {
+        .everything_is = everything_is == MODEL_BY_MATERIALS ? MODEL_OBJECT : everything_is,
+    };
+    for (uint32_t i = 0; i < plain->part_count; i++) {
+        const struct plain_material *material = material_of(plain, &plain->parts[i]);
+        if (plain->parts[i].index_count > 0 && material)
+            division.is_split |=
+                everything_is == MODEL_BY_MATERIALS || material->material.transmission > 0;
+    }
+    return division;
+}
+
+/* Returns the row of a part's material: those without one share the last row. */
+static uint32_t row_of(const struct plain *plain, const struct plain_part *part)
+{
+    return part->material > 0 ? part->material - 1 : plain->material_count;
+}
+
+/* Lists an object whose triangles begin where the part ends. */
+static enum status add_object(struct model_build *build, const struct plain *plain,
+                              const struct plain_part *part)
+{
+    struct model *model = build->model;
+    struct object *grown =
+        realloc(model->objects, (model->object_count + (size_t)1) * sizeof(*grown));
+    if (!grown)
+        return log_out_of_memory(plain->import->path);
+    model->objects = grown;
+    struct object *object = &grown[model->object_count++];
+    *object = (struct object){
+        .first_index = (uint32_t)build->index_count[MODEL_OBJECT],
+        .index_count = part->index_count,
+        .material = row_of(plain, part),
+    };
+    memcpy(object->name, part->name, sizeof(object->name));
+    model->has_ior = true;
+    if (model->object_count == 1)
+        model->ior = material_of(plain, part)->material.ior;
+    return STATUS_OK;
+}
+
+static enum status list_materials(const struct plain *plain, struct model *model)
+{
+    const uint32_t count = plain->material_count + 1;
+    if (count > MESH_SURFACE_MAX) {
+        log_error("%s: expected at most %u materials, got %u", plain->import->path,
+                  MESH_SURFACE_MAX, count);
+        return STATUS_DATA;
+    }
+    model->materials = calloc(count, sizeof(*model->materials));
+    if (!model->materials)
+        return log_out_of_memory(plain->import->path);
+    for (uint32_t i = 0; i < plain->material_count; i++)
+        model->materials[i] = plain->materials[i].material;
+    model->materials[plain->material_count] = material_make("");
+    model->material_count = count;
+    for (uint32_t i = 0; i < plain->part_count; i++) {
+        if (plain->parts[i].index_count > 0 && plain->parts[i].material == 0)
+            return STATUS_OK;
+    }
+    model->material_count--; /* no part needs the last row */
+    return STATUS_OK;
+}
+
+/* Counts the parts that have triangles, or adds them. */
+static enum status walk(struct model_build *build, const struct plain *plain,
+                        const struct division *division, bool is_counting)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < plain->part_count && status == STATUS_OK; i++) {
+        const struct plain_part *part = &plain->parts[i];
+        const struct plain_material *material = material_of(plain, part);
+        const bool is_clear = material && material->material.transmission > 0;
+        const enum model_part target = !division->is_split ? division->everything_is
+                                       : is_clear          ? MODEL_OBJECT
+                                                           : MODEL_SURROUNDINGS;
+        char name[80];
+        if (part->index_count == 0)
+            continue;
+        struct model_shape shape = shape_of(plain, part, name);
+        if (is_counting) {
+            status = model_shape_check(plain->import, &shape);
+            if (status == STATUS_OK)
+                status = model_build_count(build, target, part->vertex_count, part->index_count);
+            continue;
+        }
+        if (division->is_split)
+            shape.material |= (row_of(plain, part) + 1) << MESH_SURFACE_SHIFT;
+        if (division->is_split && target == MODEL_OBJECT)
+            status = add_object(build, plain, part);
+        if (status == STATUS_OK)
+            status = model_build_add(build, target, &shape, glms_mat4_identity());
+    }
+    return status;
+}
+
+enum status plain_build(struct plain *plain, struct model *model, enum model_part everything_is)
+{
+    struct model_build build;
+    const struct division division = divide(plain, everything_is);
+    model_build_init(&build, plain->import, model);
+    enum status status = walk(&build, plain, &division, true);
+    if (status == STATUS_OK)
+        status = load_pictures(plain, &model->textures);
+    if (status == STATUS_OK)
+        status = model_build_allocate(&build);
+    if (status == STATUS_OK)
+        status = walk(&build, plain, &division, false);
+    if (status == STATUS_OK)
+        status = division.is_split ? list_materials(plain, model) : model_build_bare_object(&build);
+    return status == STATUS_OK ? model_build_end(&build) : status;
+}
+
+void plain_finish(struct plain *plain)
+{
+    free(plain->positions);
+    free(plain->normals);
+    free(plain->colors);
+    free(plain->uvs);
+    free(plain->indices);
+    free(plain->parts);
+    for (uint32_t i = 0; i < plain->material_count; i++) {
+        free(plain->materials[i].name);
+        for (int k = 0; k < PLAIN_MAP_COUNT; k++)
+            free(plain->materials[i].maps[k].file);
+    }
+    free(plain->materials);
+    *plain = (struct plain){ .import = plain->import };
+}

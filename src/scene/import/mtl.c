@@ -1,0 +1,367 @@
+/* mtl.c: reads materials of MTL (Wavefront, Advanced Visualizer, appendix B5, and the extension of
+ * Pr, Pm, Ke and norm). */
+#include <cglm/struct.h>
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/import/model_plain.h"
+
+struct mtl;
+
+/* A statement; `read` logs a line if it returns another status than STATUS_OK. */
+struct statement {
+    const char *word;
+    enum status (*read)(struct mtl *mtl, struct text_scan *line, const struct statement *statement);
+    uint32_t which; /* offset of a field of struct mtl, or enum plain_map_use */
+};
+
+/* A file, and the values of the material that it describes now. */
+struct mtl {
+    struct plain *plain;
+    const char *path;
+    uint32_t line;                   /* from 1 */
+    struct plain_material *material; /* NULL before the first newmtl */
+    vec3s diffuse, specular, emission, filter;
+    float exponent, opacity, clearness, index, model, roughness, metallic;
+};
+
+static enum status fault(const struct mtl *mtl, const char *what, const struct text_scan *got)
+{
+    char word[32];
+    text_show(word, sizeof(word), got);
+    log_error("%s: line %u: %s, got '%s'", mtl->path, mtl->line, what, word);
+    return STATUS_DATA;
+}
+
+static enum status no_memory(const struct mtl *mtl)
+{
+    return log_out_of_memory(mtl->path);
+}
+
+/* Notes a word that is not drawn, once. */
+static void note(struct mtl *mtl, const struct text_scan *text)
+{
+    char word[24];
+    char *list = mtl->plain->undrawn;
+    const size_t length = strlen(list);
+    text_show(word, sizeof(word), text);
+    const size_t size = strlen(word);
+    for (const char *at = list; (at = strstr(at, word)); at += size) {
+        const bool begins = at == list || at[-1] == ' ';
+        if (begins && (at[size] == ',' || at[size] == '\0'))
+            return;
+    }
+    if (length + size + 3 < sizeof(mtl->plain->undrawn))
+        (void)snprintf(list + length, sizeof(mtl->plain->undrawn) - length, "%s%s",
+                       length > 0 ? ", " : "", word);
+}
+
+/* ---- values ---- */
+
+static void *field_of(struct mtl *mtl, const struct statement *statement)
+{
+    return (char *)mtl + statement->which;
+}
+
+/* Reads red, green and blue, or one number for all of them. */
+static enum status read_color(struct mtl *mtl, struct text_scan *line,
+                              const struct statement *statement)
+{
+    vec3s *color = field_of(mtl, statement);
+    const struct text_scan all = text_rest(line);
+    struct text_scan word = all;
+    float numbers[3];
+    const uint32_t count = text_floats(line, numbers, 3);
+    if (text_take_word(&word, "spectral") || text_take_word(&word, "xyz")) {
+        note(mtl, &(struct text_scan){ all.at, word.at });
+        return STATUS_OK;
+    }
+    if (count != 1 && count < 3)
+        return fault(mtl, "expected three numbers of a colour", &all);
+    for (int k = 0; k < 3; k++) {
+        color->raw[k] = numbers[count == 1 ? 0 : k];
+        if (!isfinite(color->raw[k]))
+            return fault(mtl, "expected a colour that is finite", &all);
+    }
+    return STATUS_OK;
+}
+
+static enum status read_number(struct mtl *mtl, struct text_scan *line,
+                               const struct statement *statement)
+{
+    float *number = field_of(mtl, statement);
+    (void)text_take_word(line, "-halo");
+    const struct text_scan all = text_rest(line);
+    return text_float(line, number) && isfinite(*number)
+               ? STATUS_OK
+               : fault(mtl, "expected a finite number", &all);
+}
+
+/* ---- pictures ---- */
+
+/* Reads an option of a picture; returns false if its values are wrong. */
+static bool read_option(struct mtl *mtl, struct text_scan *line, struct plain_map *map)
+{
+    float numbers[3] = { 0 };
+    struct text_scan word = text_word(line);
+    const struct text_scan option = word;
+    if (text_take_word(&word, "-s") || text_take_word(&word, "-o")) {
+        const bool is_scale = option.at[1] == 's' || option.at[1] == 'S';
+        const uint32_t count = text_floats(line, numbers, 3);
+        for (uint32_t k = 0; k < 2 && k < count; k++)
+            (is_scale ? map->scale : map->offset)[k] = numbers[k];
+        return count > 0 && count <= 3 && isfinite(numbers[0]) && isfinite(numbers[1]) &&
+               !(is_scale && (map->scale[0] == 0 || map->scale[1] == 0));
+    }
+    if (text_take_word(&word, "-bm"))
+        return text_float(line, &map->strength) && isfinite(map->strength);
+    if (text_take_word(&word, "-clamp")) {
+        map->is_clamped = text_take_word(line, "on");
+        return map->is_clamped || text_take_word(line, "off");
+    }
+    note(mtl, &option);
+    if (text_take_word(&word, "-mm") || text_take_word(&word, "-t") ||
+        text_take_word(&word, "-boost") || text_take_word(&word, "-texres"))
+        return text_floats(line, numbers, 3) > 0;
+    const struct text_scan value = text_word(line); /* of -blendu, -blendv, -cc, -imfchan, -type */
+    return value.end > value.at;
+}
+
+static enum status read_map(struct mtl *mtl, struct text_scan *line,
+                            const struct statement *statement)
+{
+    struct plain_map map = { .scale = { 1, 1 }, .strength = 1 };
+    const struct text_scan all = text_rest(line);
+    while (text_skip(line) && *line->at == '-') {
+        if (!read_option(mtl, line, &map))
+            return fault(mtl, "expected options with their values before a picture", &all);
+    }
+    const struct text_scan name = text_rest(line);
+    if (name.at == name.end)
+        return fault(mtl, "expected the name of a picture", &all);
+    struct plain_map *to = &mtl->material->maps[statement->which];
+    map.file = malloc((size_t)(name.end - name.at) + 1);
+    if (!map.file)
+        return no_memory(mtl);
+    text_copy(map.file, (size_t)(name.end - name.at) + 1, &name);
+    free(to->file);
+    *to = map;
+    return STATUS_OK;
+}
+
+/* ---- materials ---- */
+
+/* Whether the illumination model refracts: glass, Fresnel and refraction. */
+static bool is_glass(const struct mtl *mtl)
+{
+    const int model = (int)fminf(fmaxf(mtl->model, 0), 99);
+    return model == 4 || model == 6 || model == 7 || model == 9;
+}
+
+/*
+ * A material is transmissive that has a refracting illum, a d below 1, or a Tf with a Ni: what d
+ * leaves passes, or all of it, tinted by Tf. Without a Ni above 1 it is a thin wall. Without Ns it
+ * is smooth. A d beside a map_d is alpha.
+ */
+static void make_medium(const struct mtl *mtl, struct material *m)
+{
+    const bool is_alpha = mtl->material->maps[PLAIN_ALPHA].file;
+    const float opacity = is_alpha ? 1 : mtl->clearness > 0 ? 1 - mtl->clearness : mtl->opacity;
+    const bool is_filter = mtl->filter.x < 1 || mtl->filter.y < 1 || mtl->filter.z < 1;
+    if (!(is_glass(mtl) || opacity < 1 || (is_filter && mtl->index > 1)))
+        return;
+    m->base_color = mtl->filter;
+    m->transmission = opacity < 1 ? 1 - opacity : 1;
+    m->roughness = mtl->exponent > 0 || mtl->roughness >= 0 ? m->roughness : 0;
+    m->thickness = mtl->index > 1 ? 1 : 0;
+    m->ior = mtl->index > 1 ? mtl->index : m->ior;
+    m->flags |= mtl->index > 1 ? MATERIAL_HAS_IOR : 0u;
+}
+
+/*
+ * Reflectance: .08 Ks at normal incidence, as Blender writes and reads it: .5, its default, is that
+ * of glass. Without highlights, illum 0 and 1, there is none.
+ */
+static void make_surface(const struct mtl *mtl, struct material *m)
+{
+    m->base_color = mtl->diffuse;
+    m->metallic = mtl->metallic;
+    m->emission = mtl->emission;
+    m->alpha = mtl->opacity;
+    /* the width of the highlight is the square */
+    m->roughness =
+        mtl->roughness >= 0 ? mtl->roughness : powf(2 / (fmaxf(mtl->exponent, 0) + 2), 0.25F);
+    if (mtl->specular.x >= 0)
+        m->specular_color = glms_vec3_scale(mtl->specular, 2);
+    if (mtl->model < 2 && mtl->model >= 0)
+        m->specular = 0;
+}
+
+/* Completes the material that the last statements have described. */
+static void end_material(struct mtl *mtl)
+{
+    struct plain_material *material = mtl->material;
+    if (!material)
+        return;
+    struct material *m = &material->material;
+    material->color = mtl->diffuse;
+    material->exponent = mtl->exponent;
+    make_surface(mtl, m);
+    make_medium(mtl, m);
+    if (material->maps[PLAIN_ALPHA].file && !(m->transmission > 0))
+        m->flags |= MATERIAL_IS_BLENDED;
+    else
+        m->alpha = 1;
+    mtl->plain->import->clamped_materials += model_color_clamp(&material->color, false);
+    (void)model_color_clamp(&m->base_color, false);
+    (void)material_clamp(m);
+}
+
+/* Begins a material. Of several with one name the first is used. */
+static enum status begin_material(struct mtl *mtl, struct text_scan *line,
+                                  const struct statement *statement)
+{
+    struct plain *plain = mtl->plain;
+    const struct text_scan text = text_rest(line);
+    const size_t size = (size_t)(text.end - text.at) + 1;
+    (void)statement;
+    end_material(mtl);
+    if (plain->material_count == MESH_SURFACE_MAX)
+        return fault(mtl, "expected at most 8191 materials", &text);
+    struct plain_material *grown =
+        realloc(plain->materials, (plain->material_count + (size_t)1) * sizeof(*grown));
+    if (!grown)
+        return no_memory(mtl);
+    plain->materials = grown;
+    mtl->material = &grown[plain->material_count];
+    *mtl->material = (struct plain_material){ .name = malloc(size) };
+    if (!mtl->material->name)
+        return no_memory(mtl);
+    text_copy(mtl->material->name, size, &text);
+    mtl->material->material = material_make(mtl->material->name);
+    plain->material_count++;
+    mtl->diffuse = glms_vec3_one();
+    mtl->filter = glms_vec3_one();
+    mtl->emission = glms_vec3_zero();
+    mtl->specular = glms_vec3_fill(-1);
+    mtl->exponent = 0;
+    mtl->opacity = 1;
+    mtl->clearness = 0;
+    mtl->index = 1;
+    mtl->model = -1;
+    mtl->roughness = -1;
+    mtl->metallic = 0;
+    return STATUS_OK;
+}
+
+static enum status skip(struct mtl *mtl, struct text_scan *line, const struct statement *statement)
+{
+    (void)mtl;
+    (void)line;
+    (void)statement;
+    return STATUS_OK;
+}
+
+static const struct statement statements[] = {
+    { "newmtl", begin_material, 0 },
+    { "Kd", read_color, offsetof(struct mtl, diffuse) },
+    { "Ks", read_color, offsetof(struct mtl, specular) },
+    { "Ke", read_color, offsetof(struct mtl, emission) },
+    { "Tf", read_color, offsetof(struct mtl, filter) },
+    { "Ns", read_number, offsetof(struct mtl, exponent) },
+    { "Ni", read_number, offsetof(struct mtl, index) },
+    { "d", read_number, offsetof(struct mtl, opacity) },
+    { "Tr", read_number, offsetof(struct mtl, clearness) },
+    { "illum", read_number, offsetof(struct mtl, model) },
+    { "Pr", read_number, offsetof(struct mtl, roughness) },
+    { "Pm", read_number, offsetof(struct mtl, metallic) },
+    { "map_Kd", read_map, PLAIN_COLOR },
+    { "map_d", read_map, PLAIN_ALPHA },
+    { "map_Ks", read_map, PLAIN_SPECULAR },
+    { "map_Ke", read_map, PLAIN_EMISSION },
+    { "map_Ns", read_map, PLAIN_SHININESS },
+    { "map_bump", read_map, PLAIN_BUMP },
+    { "bump", read_map, PLAIN_BUMP },
+    { "norm", read_map, PLAIN_BUMP },
+    { "Ka", skip, 0 }, /* ambient light is that of the environment */
+    { "map_Ka", skip, 0 },
+    { "map_aat", skip, 0 }, /* antialiasing */
+    { "sharpness", skip, 0 },
+};
+
+static enum status read_line(struct mtl *mtl, struct text_scan *line)
+{
+    if (!text_skip(line) || *line->at == '#')
+        return STATUS_OK;
+    for (size_t i = 0; i < sizeof(statements) / sizeof(statements[0]); i++) {
+        const struct statement *statement = &statements[i];
+        if (!text_take_word(line, statement->word))
+            continue;
+        if (!mtl->material && statement->read != begin_material)
+            return STATUS_OK; /* of no material */
+        return statement->read(mtl, line, statement);
+    }
+    const struct text_scan word = text_word(line);
+    note(mtl, &word);
+    return STATUS_OK;
+}
+
+/* Reads a library if its file is there. */
+static enum status read_file(struct plain *plain, const struct text_scan *name, bool *is_found)
+{
+    size_t size = 0;
+    enum status status = STATUS_OK;
+    const size_t length = (size_t)(name->end - name->at) + 1;
+    char *word = malloc(length);
+    char *path = NULL;
+    if (word) {
+        text_copy(word, length, name);
+        for (char *c = word; *c; c++)
+            *c = (char)(*c == '\\' ? '/' : *c);
+        path = model_file_join(plain->import->path, word);
+    }
+    free(word);
+    if (!path)
+        return log_out_of_memory(plain->import->path);
+    char *text = plain_read_file(plain->import, path, &size, is_found);
+    if (!text && *is_found)
+        status = STATUS_TRY_AGAIN;
+    struct mtl mtl = { .plain = plain, .path = path };
+    struct text_scan file = { text, text ? text + size : NULL };
+    if (size >= 3 && text && !memcmp(text, "\xef\xbb\xbf", 3))
+        file.at += 3; /* a mark of UTF-8 */
+    while (status == STATUS_OK && file.at < file.end) {
+        struct text_scan line = text_line(&file);
+        mtl.line++;
+        status = read_line(&mtl, &line);
+    }
+    end_material(&mtl);
+    free(text);
+    free(path);
+    return status;
+}
+
+enum status mtl_read(struct plain *plain, const struct text_scan *name)
+{
+    struct model_import *import = plain->import;
+    struct text_scan rest = *name;
+    struct text_scan word = text_word(&rest);
+    bool is_found = false;
+    if (word.at == word.end)
+        return STATUS_OK;
+    /* A name may have blanks; else it is a list of names. */
+    const bool is_list = text_skip(&rest);
+    const bool has_missed = import->missed[0] != '\0';
+    enum status status = read_file(plain, name, &is_found);
+    if (is_found || !is_list || status != STATUS_OK || import->refused[0])
+        return status;
+    if (!has_missed)
+        import->missed[0] = '\0';
+    for (rest = *name; status == STATUS_OK && text_skip(&rest);) {
+        word = text_word(&rest);
+        status = read_file(plain, &word, &is_found);
+    }
+    return status;
+}

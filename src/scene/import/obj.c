@@ -1,0 +1,498 @@
+/*
+ * obj.c: reads the statements of OBJ (Wavefront, Advanced Visualizer, appendix B1) that describe
+ * polygons. Curves, points and lines are left out.
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/import/model_plain.h"
+#include "src/scene/import/polygon.h"
+
+static const uint32_t none = UINT32_MAX;
+
+enum {
+    BUCKET_COUNT = 4096, /* of parts by their names */
+};
+
+/* What a corner of a face is made of: indices of the file's lists, or `none`. */
+struct corner {
+    uint32_t position, uv, normal;
+    uint32_t part;
+    uint32_t next; /* another corner at this position, or `none` */
+};
+
+/* Triangles of one part that follow each other. */
+struct run {
+    uint32_t part;
+    uint32_t first_index;
+};
+
+struct obj_part {
+    struct plain_part part;
+    uint32_t next; /* another one of its bucket, or `none` */
+};
+
+struct obj {
+    struct plain *plain;
+    uint32_t line; /* from 1 */
+    uint32_t last_index;
+    struct plain_array positions, colors, uvs, normals; /* of 3, 4, 2 and 3 floats */
+    struct plain_array first; /* uint32_t: a corner of each position, or `none` */
+    struct plain_array corners, indices, runs, polygons, parts;
+    uint32_t buckets[BUCKET_COUNT];
+    char group[MATERIAL_NAME_SIZE]; /* the name that o or g gave last */
+    uint32_t material;              /* index + 1; 0: none */
+    uint32_t part;                  /* of both, or `none` until a face needs it */
+};
+
+static enum status fault(const struct obj *obj, const char *what, const struct text_scan *got)
+{
+    char word[32];
+    text_show(word, sizeof(word), got);
+    log_error("%s: line %u: %s, got '%s'", obj->plain->import->path, obj->line, what, word);
+    return STATUS_DATA;
+}
+
+static enum status no_memory(const struct obj *obj)
+{
+    return log_out_of_memory(obj->plain->import->path);
+}
+
+/* ---- lists ---- */
+
+/* Stores the colour of the last position; positions before it without one are white. */
+static bool add_color(struct obj *obj, const float *color)
+{
+    const size_t missing = obj->positions.count - obj->colors.count;
+    float(*colors)[4] = plain_array_add(&obj->colors, missing, sizeof(*colors));
+    for (size_t i = 0; colors && i < missing; i++) {
+        for (int k = 0; k < 4; k++)
+            colors[i][k] = i + 1 < missing || k == 3 ? 1 : color[k];
+    }
+    return colors;
+}
+
+static enum status read_position(struct obj *obj, struct text_scan *line)
+{
+    float numbers[8];
+    const struct text_scan all = text_rest(line);
+    const uint32_t count = text_floats(line, numbers, 8);
+    float(*position)[3] = NULL;
+    if (count < 3)
+        return fault(obj, "expected three coordinates", &all);
+    if (obj->positions.count == MODEL_ELEMENT_MAX)
+        return fault(obj, "expected fewer vertices", &all);
+    position = plain_array_add(&obj->positions, 1, sizeof(*position));
+    if (!position)
+        return no_memory(obj);
+    /* A fourth number is a weight; a colour follows three or four numbers. */
+    const float weight = (count == 4 || count == 7) && numbers[3] != 0 ? numbers[3] : 1;
+    for (int k = 0; k < 3; k++)
+        (*position)[k] = numbers[k] / weight;
+    if (count >= 6 && !add_color(obj, &numbers[count == 7 ? 4 : 3]))
+        return no_memory(obj);
+    return STATUS_OK;
+}
+
+static enum status read_vector(struct obj *obj, struct text_scan *line, struct plain_array *array,
+                               uint32_t size, const char *what)
+{
+    float numbers[3] = { 0 };
+    const struct text_scan all = text_rest(line);
+    const uint32_t count = text_floats(line, numbers, 3);
+    if (count < size && !(size == 2 && count == 1))
+        return fault(obj, what, &all);
+    float *to =
+        array->count < MODEL_ELEMENT_MAX ? plain_array_add(array, 1, size * sizeof(float)) : NULL;
+    if (!to)
+        return no_memory(obj);
+    memcpy(to, numbers, size * sizeof(float));
+    return STATUS_OK;
+}
+
+/* ---- faces ---- */
+
+/* Reads a number of a list, from 1 or, below 0, from its end. Forward references are checked when
+ * the file has been read. */
+static bool read_index(const struct obj *obj, struct text_scan *word, size_t count, uint32_t *index)
+{
+    int64_t number;
+    if (!text_integer(word, &number) || number == 0)
+        return false;
+    number = number < 0 ? (int64_t)count + number : number - 1;
+    if (number < 0 || number > obj->last_index)
+        return false;
+    *index = (uint32_t)number;
+    return true;
+}
+
+static inline bool take_slash(struct text_scan *word)
+{
+    if (word->at == word->end || *word->at != '/')
+        return false;
+    word->at++;
+    return true;
+}
+
+/* Reads "1", "1/2", "1//3" or "1/2/3". */
+static bool read_corner(const struct obj *obj, struct text_scan *word, struct corner *corner)
+{
+    *corner = (struct corner){ none, none, none, none, none };
+    if (!read_index(obj, word, obj->positions.count, &corner->position))
+        return false;
+    if (take_slash(word)) {
+        const bool has_uv = word->at < word->end && *word->at != '/' && !text_is_blank(*word->at);
+        if (has_uv && !read_index(obj, word, obj->uvs.count, &corner->uv))
+            return false;
+        if (take_slash(word) && word->at < word->end && !text_is_blank(*word->at) &&
+            !read_index(obj, word, obj->normals.count, &corner->normal))
+            return false;
+    }
+    return word->at == word->end || text_is_blank(*word->at);
+}
+
+/* Finds or adds a corner; returns its index, or `none` when out of memory. */
+static uint32_t find_corner(struct obj *obj, const struct corner *wanted)
+{
+    if (wanted->position >= obj->first.count) {
+        size_t missing = wanted->position + (size_t)1 - obj->first.count;
+        missing = missing < obj->positions.count && obj->positions.count > wanted->position
+                      ? obj->positions.count - obj->first.count
+                      : missing;
+        void *added = plain_array_add(&obj->first, missing, sizeof(uint32_t));
+        if (!added)
+            return none;
+        memset(added, 0xff, missing * sizeof(uint32_t));
+    }
+    uint32_t *first = (uint32_t *)obj->first.items + wanted->position;
+    struct corner *corners = obj->corners.items;
+    for (uint32_t i = *first; i != none; i = corners[i].next) {
+        if (corners[i].uv == wanted->uv && corners[i].normal == wanted->normal &&
+            corners[i].part == wanted->part)
+            return i;
+    }
+    if (obj->corners.count >= MODEL_ELEMENT_MAX)
+        return none;
+    struct corner *added = plain_array_add(&obj->corners, 1, sizeof(*added));
+    if (!added)
+        return none;
+    *added = *wanted;
+    added->next = *first;
+    *first = (uint32_t)obj->corners.count - 1;
+    return *first;
+}
+
+/* Returns the part of the group and the material that hold now, or `none` when out of memory. */
+static uint32_t find_part(struct obj *obj)
+{
+    uint32_t bucket = obj->material * 31;
+    for (const char *c = obj->group; *c; c++)
+        bucket = bucket * 31 + (unsigned char)*c;
+    uint32_t *first = &obj->buckets[bucket % BUCKET_COUNT];
+    const struct obj_part *parts = obj->parts.items;
+    for (uint32_t i = *first; i != none; i = parts[i].next) {
+        if (parts[i].part.material == obj->material && !strcmp(parts[i].part.name, obj->group))
+            return i;
+    }
+    if (obj->parts.count >= MODEL_NODE_MAX)
+        return none;
+    struct obj_part *added = plain_array_add(&obj->parts, 1, sizeof(*added));
+    if (!added)
+        return none;
+    *added = (struct obj_part){ { .material = obj->material }, *first };
+    memcpy(added->part.name, obj->group, sizeof(obj->group));
+    return *first = (uint32_t)obj->parts.count - 1;
+}
+
+/* Begins a run of triangles of the part that holds now. */
+static bool begin_run(struct obj *obj)
+{
+    obj->part = find_part(obj);
+    struct run *run = obj->part == none ? NULL : plain_array_add(&obj->runs, 1, sizeof(*run));
+    if (run)
+        *run = (struct run){ obj->part, (uint32_t)obj->indices.count };
+    return run;
+}
+
+/* Adds a face as a fan of triangles. Faces of one or two corners are points and lines. */
+static enum status read_face(struct obj *obj, struct text_scan *line)
+{
+    const uint32_t first_index = (uint32_t)obj->indices.count;
+    uint32_t count = 0, first = none, last = none;
+    struct corner corner;
+    if (obj->part == none && !begin_run(obj))
+        return no_memory(obj);
+    for (; text_skip(line); count++) {
+        struct text_scan word = *line;
+        if (!read_corner(obj, line, &corner)) {
+            const struct text_scan got = text_word(&word);
+            return fault(obj, "expected indices of vertices that exist", &got);
+        }
+        corner.part = obj->part;
+        const uint32_t index = find_corner(obj, &corner);
+        if (index == none || obj->indices.count + 3 > MODEL_ELEMENT_MAX)
+            return no_memory(obj);
+        if (count >= 2) {
+            uint32_t *triangle = plain_array_add(&obj->indices, 3, sizeof(uint32_t));
+            if (!triangle)
+                return no_memory(obj);
+            triangle[0] = first;
+            triangle[1] = last;
+            triangle[2] = index;
+        }
+        first = count == 0 ? index : first;
+        last = index;
+    }
+    if (count > 3) {
+        struct polygon_at *polygon = plain_array_add(&obj->polygons, 1, sizeof(*polygon));
+        if (!polygon)
+            return no_memory(obj);
+        *polygon = (struct polygon_at){ first_index, count };
+    }
+    return STATUS_OK;
+}
+
+/* ---- materials ---- */
+
+static void use_material(struct obj *obj, const struct text_scan *line)
+{
+    const struct text_scan name = text_rest(line);
+    const size_t length = (size_t)(name.end - name.at);
+    obj->material = 0;
+    for (uint32_t i = 0; i < obj->plain->material_count && obj->material == 0; i++) {
+        const char *other = obj->plain->materials[i].name;
+        if (strlen(other) == length && !strncmp(other, name.at, length))
+            obj->material = i + 1;
+    }
+    obj->part = none;
+}
+
+/* ---- statements ---- */
+
+static enum status read_other(struct obj *obj, struct text_scan *line)
+{
+    if (text_take_word(line, "o") || text_take_word(line, "g")) {
+        const struct text_scan name = text_rest(line);
+        memset(obj->group, 0, sizeof(obj->group));
+        text_copy(obj->group, sizeof(obj->group), &name);
+        obj->part = none;
+    } else if (text_take_word(line, "usemtl")) {
+        use_material(obj, line);
+    } else if (text_take_word(line, "mtllib")) {
+        const struct text_scan name = text_rest(line);
+        return mtl_read(obj->plain, &name);
+    }
+    return STATUS_OK;
+}
+
+static enum status read_line(struct obj *obj, struct text_scan *line)
+{
+    if (!text_skip(line))
+        return STATUS_OK;
+    const char first = *line->at;
+    const char second = line->at + 1 < line->end ? line->at[1] : ' ';
+    const char third = line->at + 2 < line->end ? line->at[2] : ' ';
+    const bool is_short = text_is_blank(second);
+    const bool is_vector = first == 'v' && text_is_blank(third);
+    line->at += is_short && (first == 'v' || first == 'f') ? 1 : 0;
+    if (first == 'v' && is_short)
+        return read_position(obj, line);
+    if (first == 'f' && is_short)
+        return read_face(obj, line);
+    line->at += is_vector ? 2 : 0;
+    if (is_vector && second == 'n')
+        return read_vector(obj, line, &obj->normals, 3, "expected three numbers of a normal");
+    if (is_vector && second == 't')
+        return read_vector(obj, line, &obj->uvs, 2, "expected texture coordinates");
+    return is_vector ? STATUS_OK : read_other(obj, line);
+}
+
+/* Turns the ends of lines that continue into blanks. */
+static void join_lines(char *text, size_t size)
+{
+    char *end = text + size;
+    for (char *at = text; (at = memchr(at, '\\', (size_t)(end - at))); at++) {
+        char *next = at + 1;
+        if (next < end && *next == '\r')
+            next++;
+        if (next < end && *next == '\n')
+            next++;
+        if (next > at + 1)
+            memset(at, ' ', (size_t)(next - at));
+    }
+}
+
+/* ---- the whole file ---- */
+
+static enum status check_corners(const struct obj *obj)
+{
+    const struct corner *corners = obj->corners.items;
+    for (size_t i = 0; i < obj->corners.count; i++) {
+        const struct corner *corner = &corners[i];
+        if (corner->position < obj->positions.count &&
+            (corner->uv == none || corner->uv < obj->uvs.count) &&
+            (corner->normal == none || corner->normal < obj->normals.count))
+            continue;
+        log_error("%s: a face has the index of a vertex that does not exist",
+                  obj->plain->import->path);
+        return STATUS_DATA;
+    }
+    return STATUS_OK;
+}
+
+static bool allocate(struct obj *obj)
+{
+    struct plain *plain = obj->plain;
+    const size_t count = obj->corners.count + 1;
+    plain->positions = malloc(3 * sizeof(float) * count);
+    plain->indices = malloc(sizeof(uint32_t) * (obj->indices.count + 1));
+    plain->parts = calloc(obj->parts.count + 1, sizeof(*plain->parts));
+    if (obj->normals.count > 0)
+        plain->normals = malloc(3 * sizeof(float) * count);
+    if (obj->colors.count > 0)
+        plain->colors = malloc(4 * sizeof(float) * count);
+    if (obj->uvs.count > 0)
+        plain->uvs = malloc(2 * sizeof(float) * count);
+    return plain->positions && plain->indices && plain->parts &&
+           (plain->normals || obj->normals.count == 0) &&
+           (plain->colors || obj->colors.count == 0) && (plain->uvs || obj->uvs.count == 0);
+}
+
+/* Copies what a corner refers to. */
+static void put_vertex(const struct obj *obj, const struct corner *corner, uint32_t vertex)
+{
+    static const float nothing[3] = { 0 }, white[4] = { 1, 1, 1, 1 };
+    const float *positions = obj->positions.items, *normals = obj->normals.items;
+    const float *colors = obj->colors.items, *uvs = obj->uvs.items;
+    const struct plain *plain = obj->plain;
+    const size_t at = vertex;
+    memcpy(&plain->positions[3 * at], &positions[3 * (size_t)corner->position], 3 * sizeof(float));
+    if (plain->normals)
+        memcpy(&plain->normals[3 * at],
+               corner->normal == none ? nothing : &normals[3 * (size_t)corner->normal],
+               3 * sizeof(float));
+    if (plain->colors)
+        memcpy(&plain->colors[4 * at],
+               corner->position < obj->colors.count ? &colors[4 * (size_t)corner->position] : white,
+               4 * sizeof(float));
+    if (plain->uvs)
+        memcpy(&plain->uvs[2 * at], corner->uv == none ? nothing : &uvs[2 * (size_t)corner->uv],
+               2 * sizeof(float));
+}
+
+/* Appends the triangles of a run to its part, and the vertices that it is the first to use. */
+static void put_run(struct obj *obj, size_t index, uint32_t *vertex_count, uint32_t *index_count)
+{
+    const struct run *runs = obj->runs.items;
+    const uint32_t *indices = obj->indices.items;
+    struct corner *corners = obj->corners.items;
+    struct plain_part *part = &obj->plain->parts[runs[index].part];
+    const size_t end =
+        index + 1 < obj->runs.count ? runs[index + 1].first_index : obj->indices.count;
+    for (size_t i = runs[index].first_index; i < end; i++) {
+        struct corner *corner = &corners[indices[i]];
+        if (corner->next == none) {
+            corner->next = (*vertex_count)++;
+            part->has_uvs |= corner->uv != none;
+            put_vertex(obj, corner, corner->next);
+        }
+        obj->plain->indices[(*index_count)++] = corner->next - part->first_vertex;
+    }
+}
+
+/* Sorts triangles and vertices by part. The chains of the corners end here. */
+static enum status arrange(struct obj *obj)
+{
+    struct plain *plain = obj->plain;
+    const struct obj_part *parts = obj->parts.items;
+    const struct run *runs = obj->runs.items;
+    struct corner *corners = obj->corners.items;
+    uint32_t vertex_count = 0, index_count = 0;
+    uint32_t *first = calloc(obj->parts.count + 2, sizeof(*first)); /* run of each part */
+    uint32_t *sorted = malloc((obj->runs.count + 1) * sizeof(*sorted));
+    const bool is_done = first && sorted && allocate(obj);
+    for (size_t i = 0; is_done && i < obj->corners.count; i++)
+        corners[i].next = none;
+    for (size_t i = 0; is_done && i < obj->runs.count; i++)
+        first[runs[i].part + 2]++;
+    for (size_t i = 2; is_done && i < obj->parts.count + 2; i++)
+        first[i] += first[i - 1];
+    for (size_t i = 0; is_done && i < obj->runs.count; i++)
+        sorted[first[runs[i].part + 1]++] = (uint32_t)i;
+    for (size_t i = 0; is_done && i < obj->parts.count; i++) {
+        struct plain_part *part = &plain->parts[i];
+        *part = parts[i].part;
+        part->first_vertex = vertex_count;
+        part->first_index = index_count;
+        for (uint32_t k = first[i]; k < first[i + 1]; k++)
+            put_run(obj, sorted[k], &vertex_count, &index_count);
+        part->vertex_count = vertex_count - part->first_vertex;
+        part->index_count = index_count - part->first_index;
+    }
+    plain->part_count = is_done ? (uint32_t)obj->parts.count : 0;
+    free(first);
+    free(sorted);
+    return is_done ? STATUS_OK : no_memory(obj);
+}
+
+static enum status read_text(struct obj *obj, char *text, size_t size)
+{
+    struct text_scan file = { text, text + size };
+    enum status status = STATUS_OK;
+    memset(obj->buckets, 0xff, sizeof(obj->buckets));
+    obj->part = none;
+    obj->last_index = size / 4 < MODEL_ELEMENT_MAX ? (uint32_t)(size / 4) : MODEL_ELEMENT_MAX - 1;
+    if (size >= 3 && !memcmp(text, "\xef\xbb\xbf", 3))
+        file.at += 3; /* a mark of UTF-8 */
+    join_lines(text, size);
+    while (status == STATUS_OK && file.at < file.end) {
+        struct text_scan line = text_line(&file);
+        obj->line++;
+        status = read_line(obj, &line);
+    }
+    return status == STATUS_OK ? check_corners(obj) : status;
+}
+
+static void finish(struct obj *obj)
+{
+    free(obj->positions.items);
+    free(obj->colors.items);
+    free(obj->uvs.items);
+    free(obj->normals.items);
+    free(obj->first.items);
+    free(obj->corners.items);
+    free(obj->indices.items);
+    free(obj->runs.items);
+    free(obj->polygons.items);
+    free(obj->parts.items);
+    free(obj);
+}
+
+enum status obj_read(struct plain *plain)
+{
+    size_t size;
+    bool is_found;
+    struct obj *obj = calloc(1, sizeof(*obj));
+    char *text = plain_read_file(plain->import, plain->import->path, &size, &is_found);
+    enum status status = STATUS_TRY_AGAIN;
+    if (obj && text) {
+        obj->plain = plain;
+        status = read_text(obj, text, size);
+    }
+    free(text);
+    text = NULL;
+    const struct corner *corners = obj ? obj->corners.items : NULL;
+    const struct polygon polygon = {
+        .positions = obj ? obj->positions.items : NULL,
+        .vertex_of = corners ? &corners->position : NULL,
+        .vertex_stride = sizeof(*corners) / sizeof(uint32_t),
+    };
+    if (status == STATUS_OK &&
+        !polygon_divide_all(&polygon, obj->polygons.items, obj->polygons.count, obj->indices.items))
+        status = no_memory(obj);
+    if (status == STATUS_OK)
+        status = arrange(obj);
+    if (obj)
+        finish(obj);
+    return status;
+}

@@ -1,0 +1,539 @@
+/* ply.c: reads the vertices, faces and triangle strips of PLY (Turk 1994). */
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/import/model_plain.h"
+#include "src/scene/import/polygon.h"
+
+enum form {
+    FORM_TEXT,
+    FORM_LITTLE,
+    FORM_BIG,
+    FORM_COUNT,
+};
+
+enum {
+    ELEMENT_MAX = 64,
+    PROPERTY_MAX = 256, /* of all elements */
+};
+
+/* What a property is. Those of a vertex are in the order of their numbers in the arrays. */
+enum slot {
+    SLOT_X,
+    SLOT_NX = SLOT_X + 3,
+    SLOT_RED = SLOT_NX + 3,
+    SLOT_U = SLOT_RED + 3,
+    SLOT_CORNERS = SLOT_U + 2, /* of a face, or of strips */
+    SLOT_COUNT,
+    SLOT_OTHER = SLOT_COUNT,
+};
+
+struct type {
+    const char *names[2];
+    uint32_t size;
+    bool is_signed, is_float;
+};
+
+static const struct type types[] = {
+    { { "char", "int8" }, 1, true, false },    { { "uchar", "uint8" }, 1, false, false },
+    { { "short", "int16" }, 2, true, false },  { { "ushort", "uint16" }, 2, false, false },
+    { { "int", "int32" }, 4, true, false },    { { "uint", "uint32" }, 4, false, false },
+    { { "float", "float32" }, 4, true, true }, { { "double", "float64" }, 8, true, true },
+};
+
+struct property {
+    const struct type *type;
+    const struct type *count; /* of a list's length; NULL: no list */
+    enum slot slot;
+};
+
+enum kind {
+    KIND_OTHER,
+    KIND_VERTEX,
+    KIND_FACE,
+    KIND_STRIPS,
+};
+
+struct element {
+    char name[32];
+    enum kind kind;
+    uint64_t count;
+    uint32_t first, property_count;
+};
+
+struct ply {
+    struct plain *plain;
+    uint32_t form;
+    struct element elements[ELEMENT_MAX];
+    uint32_t element_count;
+    struct property properties[PROPERTY_MAX];
+    uint32_t property_count;
+    uint32_t vertex_count;
+    struct plain_array indices, polygons;
+    const struct element *element; /* that is read, and which one of it: for messages */
+    uint64_t row;
+};
+
+static enum status fault(const struct ply *ply, const char *what, const struct text_scan *got)
+{
+    char word[32];
+    text_show(word, sizeof(word), got);
+    log_error("%s: header: %s, got '%s'", ply->plain->import->path, what, word);
+    return STATUS_DATA;
+}
+
+static enum status bad_row(const struct ply *ply, const char *what)
+{
+    log_error("%s: %s %llu: %s", ply->plain->import->path, ply->element->name,
+              (unsigned long long)ply->row, what);
+    return STATUS_DATA;
+}
+
+static enum status no_memory(const struct ply *ply)
+{
+    return log_out_of_memory(ply->plain->import->path);
+}
+
+/* ---- header ---- */
+
+static enum status read_form(struct ply *ply, struct text_scan *line)
+{
+    static const char *const names[FORM_COUNT] = {
+        [FORM_TEXT] = "ascii",
+        [FORM_LITTLE] = "binary_little_endian",
+        [FORM_BIG] = "binary_big_endian",
+    };
+    const struct text_scan all = text_rest(line);
+    for (ply->form = 0; ply->form < FORM_COUNT; ply->form++) {
+        if (text_take_word(line, names[ply->form]))
+            return STATUS_OK;
+    }
+    return fault(ply, "expected ascii, binary_little_endian or binary_big_endian", &all);
+}
+
+static enum status read_element(struct ply *ply, struct text_scan *line)
+{
+    const struct text_scan all = text_rest(line);
+    struct element *element = &ply->elements[ply->element_count];
+    const struct text_scan name = text_word(line);
+    int64_t count;
+    if (!text_integer(line, &count) || count < 0 || text_skip(line))
+        return fault(ply, "expected the name of an element and its count", &all);
+    if (ply->element_count == ELEMENT_MAX)
+        return fault(ply, "expected at most 64 elements", &all);
+    *element = (struct element){ .count = (uint64_t)count, .first = ply->property_count };
+    text_show(element->name, sizeof(element->name), &name);
+    if (!strcmp(element->name, "vertex"))
+        element->kind = KIND_VERTEX;
+    else if (!strcmp(element->name, "face"))
+        element->kind = KIND_FACE;
+    else if (!strcmp(element->name, "tristrips"))
+        element->kind = KIND_STRIPS;
+    ply->element_count++;
+    return STATUS_OK;
+}
+
+static enum slot slot_of(enum kind kind, bool is_list, struct text_scan *name)
+{
+    static const struct {
+        const char *name;
+        enum slot slot;
+    } slots[] = {
+        { "x", SLOT_X },
+        { "y", SLOT_X + 1 },
+        { "z", SLOT_X + 2 },
+        { "nx", SLOT_NX },
+        { "ny", SLOT_NX + 1 },
+        { "nz", SLOT_NX + 2 },
+        { "red", SLOT_RED },
+        { "green", SLOT_RED + 1 },
+        { "blue", SLOT_RED + 2 },
+        { "r", SLOT_RED },
+        { "g", SLOT_RED + 1 },
+        { "b", SLOT_RED + 2 },
+        { "diffuse_red", SLOT_RED },
+        { "diffuse_green", SLOT_RED + 1 },
+        { "diffuse_blue", SLOT_RED + 2 },
+        { "u", SLOT_U },
+        { "v", SLOT_U + 1 },
+        { "s", SLOT_U },
+        { "t", SLOT_U + 1 },
+        { "texture_u", SLOT_U },
+        { "texture_v", SLOT_U + 1 },
+        { "vertex_indices", SLOT_CORNERS },
+        { "vertex_index", SLOT_CORNERS },
+    };
+
+    for (size_t i = 0; i < sizeof(slots) / sizeof(slots[0]); i++) {
+        const bool is_corners = slots[i].slot == SLOT_CORNERS;
+        const bool has_corners = kind == KIND_FACE || kind == KIND_STRIPS;
+        if (is_list == is_corners && (is_corners ? has_corners : kind == KIND_VERTEX) &&
+            text_take_word(name, slots[i].name))
+            return slots[i].slot;
+    }
+    return SLOT_OTHER;
+}
+
+static const struct type *read_type(struct text_scan *line)
+{
+    for (size_t i = 0; i < sizeof(types) / sizeof(types[0]); i++) {
+        if (text_take_word(line, types[i].names[0]) || text_take_word(line, types[i].names[1]))
+            return &types[i];
+    }
+    return NULL;
+}
+
+static enum status read_property(struct ply *ply, struct text_scan *line)
+{
+    const struct text_scan all = text_rest(line);
+    struct property property = { 0 };
+    const bool is_list = text_take_word(line, "list");
+    if (is_list)
+        property.count = read_type(line);
+    property.type = read_type(line);
+    if (!property.type || (is_list && (!property.count || property.count->is_float)))
+        return fault(ply, "expected a property's type", &all);
+    if (ply->element_count == 0 || ply->property_count == PROPERTY_MAX)
+        return fault(ply, "expected at most 256 properties, each after its element", &all);
+    struct element *element = &ply->elements[ply->element_count - 1];
+    property.slot = slot_of(element->kind, is_list, line);
+    if (property.slot == SLOT_OTHER && element->kind == KIND_FACE && text_take_word(line, "red"))
+        (void)snprintf(ply->plain->undrawn, sizeof(ply->plain->undrawn), "colours of faces");
+    ply->properties[ply->property_count++] = property;
+    element->property_count++;
+    return STATUS_OK;
+}
+
+/* "comment TextureFile NAME": the file has a material with a picture. */
+static enum status read_comment(struct ply *ply, struct text_scan *line)
+{
+    struct plain *plain = ply->plain;
+    if (!text_take_word(line, "TextureFile") || plain->material_count > 0)
+        return STATUS_OK;
+    const struct text_scan name = text_rest(line);
+    const size_t size = (size_t)(name.end - name.at) + 1;
+    plain->materials = calloc(1, sizeof(*plain->materials));
+    if (!plain->materials)
+        return no_memory(ply);
+    struct plain_material *material = plain->materials;
+    plain->material_count = 1;
+    material->color = glms_vec3_one();
+    material->material = material_make("");
+    material->maps[PLAIN_COLOR] = (struct plain_map){ .scale = { 1, 1 }, .strength = 1 };
+    material->maps[PLAIN_COLOR].file = malloc(size);
+    if (!material->maps[PLAIN_COLOR].file)
+        return no_memory(ply);
+    text_copy(material->maps[PLAIN_COLOR].file, size, &name);
+    return STATUS_OK;
+}
+
+static enum status read_header(struct ply *ply, struct text_scan *file)
+{
+    enum status status = STATUS_OK;
+    ply->form = FORM_COUNT;
+    while (status == STATUS_OK && file->at < file->end) {
+        struct text_scan line = text_line(file);
+        if (text_take_word(&line, "end_header"))
+            return ply->form < FORM_COUNT ? STATUS_OK : fault(ply, "expected a format", &line);
+        if (text_take_word(&line, "format"))
+            status = read_form(ply, &line);
+        else if (text_take_word(&line, "element"))
+            status = read_element(ply, &line);
+        else if (text_take_word(&line, "property"))
+            status = read_property(ply, &line);
+        else if (text_take_word(&line, "comment"))
+            status = read_comment(ply, &line);
+    }
+    return status == STATUS_OK ? fault(ply, "expected end_header", file) : status;
+}
+
+/* ---- values ---- */
+
+static double decode(const struct type *type, uint64_t bits)
+{
+    if (type->is_float && type->size == 4) {
+        const uint32_t low = (uint32_t)bits;
+        float number;
+        memcpy(&number, &low, sizeof(number));
+        return (double)number;
+    }
+    if (type->is_float) {
+        double number;
+        memcpy(&number, &bits, sizeof(number));
+        return number;
+    }
+    const uint64_t sign = type->is_signed ? (uint64_t)1 << (8 * type->size - 1) : 0;
+    return bits & sign ? -(double)(2 * sign - bits) : (double)bits;
+}
+
+/* Reads a value; returns false at the end of the file, or where there is no number. */
+static bool read_value(const struct ply *ply, struct text_scan *body, const struct type *type,
+                       double *value)
+{
+    if (ply->form == FORM_TEXT) {
+        float number;
+        int64_t integer;
+        struct text_scan next = *body;
+        if (!type->is_float && text_integer(&next, &integer) &&
+            (next.at == next.end || text_is_blank(*next.at))) {
+            *body = next;
+            *value = (double)integer;
+            return true;
+        }
+        const bool is_number = text_float(body, &number);
+        *value = is_number ? (double)number : 0;
+        return is_number;
+    }
+    uint64_t bits = 0;
+    if ((size_t)(body->end - body->at) < type->size)
+        return false;
+    for (uint32_t i = 0; i < type->size; i++) {
+        const uint32_t byte = ply->form == FORM_BIG ? i : type->size - 1 - i;
+        bits = bits << 8 | (unsigned char)body->at[byte];
+    }
+    body->at += type->size;
+    *value = decode(type, bits);
+    return true;
+}
+
+/* Reads the length of a list whose values are there. */
+static bool read_length(const struct ply *ply, struct text_scan *body,
+                        const struct property *property, uint64_t *length)
+{
+    double value;
+    const uint64_t size = ply->form == FORM_TEXT ? 1 : property->type->size;
+    if (!read_value(ply, body, property->count, &value) || !(value >= 0))
+        return false;
+    *length = (uint64_t)value;
+    return *length <= (uint64_t)(body->end - body->at) / size;
+}
+
+/* ---- vertices ---- */
+
+static bool has_slot(const struct ply *ply, const struct element *element, enum slot slot)
+{
+    for (uint32_t i = 0; i < element->property_count; i++) {
+        if (ply->properties[element->first + i].slot == slot)
+            return true;
+    }
+    return false;
+}
+
+static enum status allocate_vertices(struct ply *ply, const struct element *element)
+{
+    struct plain *plain = ply->plain;
+    const size_t count = (size_t)element->count + 1;
+    ply->element = element;
+    if (plain->positions)
+        return bad_row(ply, "expected the vertices once");
+    if (!has_slot(ply, element, SLOT_X) || !has_slot(ply, element, SLOT_X + 1) ||
+        !has_slot(ply, element, SLOT_X + 2))
+        return bad_row(ply, "expected the properties x, y and z");
+    plain->positions = calloc(count, 3 * sizeof(float));
+    if (has_slot(ply, element, SLOT_NX))
+        plain->normals = calloc(count, 3 * sizeof(float));
+    if (has_slot(ply, element, SLOT_RED))
+        plain->colors = calloc(count, 4 * sizeof(float));
+    if (has_slot(ply, element, SLOT_U))
+        plain->uvs = calloc(count, 2 * sizeof(float));
+    ply->vertex_count = (uint32_t)element->count;
+    return plain->positions && (plain->normals || !has_slot(ply, element, SLOT_NX)) &&
+                   (plain->colors || !has_slot(ply, element, SLOT_RED)) &&
+                   (plain->uvs || !has_slot(ply, element, SLOT_U))
+               ? STATUS_OK
+               : no_memory(ply);
+}
+
+static void put_value(const struct ply *ply, const struct property *property, double value)
+{
+    const struct plain *plain = ply->plain;
+    const struct type *type = property->type;
+    const size_t row = (size_t)ply->row;
+    const enum slot slot = property->slot;
+    if (slot < SLOT_NX)
+        plain->positions[3 * row + slot] = (float)value;
+    else if (slot < SLOT_RED && plain->normals)
+        plain->normals[3 * row + slot - SLOT_NX] = (float)value;
+    else if (slot >= SLOT_RED && slot < SLOT_U && plain->colors)
+        plain->colors[4 * row + slot - SLOT_RED] =
+            (float)(type->is_float
+                        ? value
+                        : value / (double)((1ull << (8 * type->size - type->is_signed)) - 1));
+    else if (slot >= SLOT_U && slot < SLOT_CORNERS && plain->uvs)
+        plain->uvs[2 * row + slot - SLOT_U] = (float)value;
+}
+
+/* ---- triangles ---- */
+
+static enum status add_corners(struct ply *ply, uint32_t a, uint32_t b, uint32_t c)
+{
+    uint32_t *triangle = ply->indices.count + 3 <= MODEL_ELEMENT_MAX
+                             ? plain_array_add(&ply->indices, 3, sizeof(*triangle))
+                             : NULL;
+    if (!triangle)
+        return no_memory(ply);
+    triangle[0] = a;
+    triangle[1] = b;
+    triangle[2] = c;
+    return STATUS_OK;
+}
+
+/* Reads the corners of a face as a fan, or of strips, between which is -1. */
+static enum status read_corners(struct ply *ply, struct text_scan *body,
+                                const struct property *property, uint64_t length)
+{
+    const bool is_face = ply->element->kind == KIND_FACE;
+    const uint32_t first_index = (uint32_t)ply->indices.count;
+    uint32_t corners[2] = { 0 };
+    uint64_t count = 0; /* of this face, or of this strip */
+    enum status status = STATUS_OK;
+    for (uint64_t i = 0; i < length && status == STATUS_OK; i++) {
+        double value;
+        if (!read_value(ply, body, property->type, &value))
+            return bad_row(ply, "the file ends within it, or a number is missing");
+        if (!is_face && value < 0) {
+            count = 0;
+            continue;
+        }
+        if (!(value >= 0 && value < MODEL_ELEMENT_MAX))
+            return bad_row(ply, "a face has the index of a vertex that does not exist");
+        const uint32_t c = (uint32_t)value;
+        const bool is_odd = !is_face && count & 1;
+        const bool is_flat = /* joins two strips */
+            !is_face && (corners[0] == corners[1] || corners[0] == c || corners[1] == c);
+        if (count >= 2 && !is_flat)
+            status = add_corners(ply, corners[is_odd], corners[!is_odd], c);
+        if (count < 2)
+            corners[count] = c;
+        else if (!is_face)
+            corners[0] = corners[1];
+        if (count >= 2)
+            corners[1] = c;
+        count++;
+    }
+    if (status == STATUS_OK && is_face && count > 3) {
+        struct polygon_at *polygon = plain_array_add(&ply->polygons, 1, sizeof(*polygon));
+        if (!polygon)
+            return no_memory(ply);
+        *polygon = (struct polygon_at){ first_index, (uint32_t)count };
+    }
+    return status;
+}
+
+/* ---- rows ---- */
+
+static enum status read_row(struct ply *ply, struct text_scan *body)
+{
+    const struct property *properties = &ply->properties[ply->element->first];
+    for (uint32_t i = 0; i < ply->element->property_count; i++) {
+        const struct property *property = &properties[i];
+        uint64_t length = 1;
+        double value;
+        if (property->count && !read_length(ply, body, property, &length))
+            return bad_row(ply, "the file ends within it, or a list has no length");
+        if (property->slot == SLOT_CORNERS) {
+            const enum status status = read_corners(ply, body, property, length);
+            if (status != STATUS_OK)
+                return status;
+            continue;
+        }
+        for (uint64_t k = 0; k < length; k++) {
+            if (!read_value(ply, body, property->type, &value))
+                return bad_row(ply, "the file ends within it, or a number is missing");
+        }
+        if (!property->count && ply->element->kind == KIND_VERTEX)
+            put_value(ply, property, value);
+    }
+    return STATUS_OK;
+}
+
+/* Each row has at least a byte, but those without properties, which have nothing. */
+static enum status read_elements(struct ply *ply, struct text_scan *body)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < ply->element_count && status == STATUS_OK; i++) {
+        const struct element *element = &ply->elements[i];
+        ply->element = element;
+        ply->row = 0;
+        if (element->property_count == 0)
+            continue;
+        if (element->count > (uint64_t)(body->end - body->at) + 1 ||
+            element->count > MODEL_ELEMENT_MAX)
+            return bad_row(ply, "the file is too short for as many as the header says");
+        if (element->kind == KIND_VERTEX)
+            status = allocate_vertices(ply, element);
+        for (; ply->row < element->count && status == STATUS_OK; ply->row++)
+            status = read_row(ply, body);
+    }
+    return status;
+}
+
+/* ---- the whole file ---- */
+
+static enum status finish_triangles(struct ply *ply)
+{
+    const struct polygon polygon = { .positions = ply->plain->positions };
+    uint32_t *indices = ply->indices.items;
+    for (size_t i = 0; i < ply->indices.count; i++) {
+        if (indices[i] >= ply->vertex_count) {
+            log_error("%s: a face has the index of a vertex that does not exist",
+                      ply->plain->import->path);
+            return STATUS_DATA;
+        }
+    }
+    if (!polygon_divide_all(&polygon, ply->polygons.items, ply->polygons.count, indices))
+        return no_memory(ply);
+    ply->plain->parts = calloc(1, sizeof(*ply->plain->parts));
+    if (!ply->plain->parts)
+        return no_memory(ply);
+    ply->plain->part_count = 1;
+    ply->plain->indices = indices;
+    ply->plain->parts[0] = (struct plain_part){
+        .material = ply->plain->material_count,
+        .vertex_count = ply->vertex_count,
+        .index_count = (uint32_t)ply->indices.count,
+        .has_uvs = ply->plain->uvs,
+    };
+    for (size_t i = 0; ply->plain->colors && i < ply->vertex_count; i++)
+        ply->plain->colors[4 * i + 3] = 1;
+    ply->indices.items = NULL; /* the file's now */
+    return STATUS_OK;
+}
+
+/* Text may be divided into lines as it likes. */
+static void join_lines(const struct ply *ply, char *text, const struct text_scan *body)
+{
+    if (ply->form != FORM_TEXT)
+        return;
+    for (char *c = text + (body->at - text); c < body->end; c++)
+        *c = (char)(text_is_break(*c) ? ' ' : *c);
+}
+
+enum status ply_read(struct plain *plain)
+{
+    size_t size = 0;
+    bool is_found;
+    struct ply *ply = calloc(1, sizeof(*ply));
+    char *text = plain_read_file(plain->import, plain->import->path, &size, &is_found);
+    enum status status = STATUS_TRY_AGAIN;
+    if (ply && text) {
+        struct text_scan file = { text, text + size };
+        ply->plain = plain;
+        status = read_header(ply, &file);
+        if (status == STATUS_OK) {
+            join_lines(ply, text, &file);
+            status = read_elements(ply, &file);
+        }
+        if (status == STATUS_OK)
+            status = finish_triangles(ply);
+    }
+    if (ply) {
+        free(ply->indices.items);
+        free(ply->polygons.items);
+    }
+    free(ply);
+    free(text);
+    return status;
+}
