@@ -23,6 +23,8 @@ NORMAL, UV = (0, 0, 1), ((0, 1), (1, 1), (1, 0), (0, 0))
 # Cards whose bytes, steps of alpha or table of sums are coarse.
 ROUND = {'lit', 'scale of normals', 'normal texture', 'blend', 'blend by the factor', 'scaled', *(
     f'metallic {m}, roughness {r}' for m in (0, 1) for r in (0.25, 0.5, 1))}
+UNEVEN = {c: [1 + math.sin(2 * math.pi * ((i % 32) / 32 + k / 3)) * (i // 32) / 32
+              for i in range(512)] for k, c in enumerate('RGB')}
 TILT = (0.6, 0.28, 0.7493997597)
 
 
@@ -144,8 +146,11 @@ class Cards(Case):
     def draw(self, sky, *words):
         """The colour in the middle of each card."""
         (self.folder / 'cards.gltf').write_text(self.scene.text())
+        return self.draw_file('cards.gltf', sky, *words)
+
+    def draw_file(self, name, sky, *words):
         (self.folder / 'sky.exr').write_bytes(write_exr((32, 16), sky))
-        done = self.succeed('render', 'sphere', '--plain', '--surroundings', 'cards.gltf',
+        done = self.succeed('render', 'sphere', '--plain', '--surroundings', name,
                             '--env', 'sky.exr', '--eye', f'0,0,{DISTANCE + 5}', '--target', '0,0,5',
                             '--fov', str(2 * math.degrees(math.atan(ROWS / 2 / DISTANCE))),
                             '--size', f'{COLUMNS * SIDE}x{ROWS * SIDE}', '-q', '-o', 'a.exr',
@@ -162,15 +167,13 @@ class Cards(Case):
 
     def check_all(self, samples='1'):
         even = {c: [1] * 512 for c in 'RGB'}
-        uneven = {c: [1 + math.sin(2 * math.pi * ((i % 32) / 32 + k / 3)) * (i // 32) / 32
-                      for i in range(512)] for k, c in enumerate('RGB')}
         for words in [()] + [('-r', 'reference', '--set', 'motion.count=0')] * HAS_REFERENCE:
             words += '--samples', samples
             with self.subTest(words=words):
                 found = self.draw(even, *words)
                 for place, color in self.known:
                     self.check(found[place], color, self.names[place], 8e-3)
-                found = self.draw(uneven, *words)
+                found = self.draw(UNEVEN, *words)
                 for place, like in self.same:
                     self.check(found[place], found[like], self.names[place], 8e-3)
 

@@ -68,18 +68,37 @@ char *model_file_join(const char *model, const char *name);
 
 /* ---- textures ---- */
 
+/* What a picture of an MTL file is turned into. */
+enum model_picture_change {
+    MODEL_PICTURE_SAME,
+    MODEL_PICTURE_TO_ALPHA,     /* white, with the picture's alpha or grey as alpha */
+    MODEL_PICTURE_TO_ROUGHNESS, /* factors on Ns to roughness, in green */
+    MODEL_PICTURE_TO_NORMALS,   /* heights to normals; normals, which are blue, stay */
+};
+
 /* A picture that becomes a layer: encoded bytes, or if they are NULL, a file. */
 struct model_picture {
     const char *name; /* for messages */
     const uint8_t *bytes;
     size_t size;
     char *file;
+    char *alpha; /* a file whose alpha, or if it has none whose grey, replaces that of the
+                       picture; NULL: none */
+    enum model_picture_change change;
+    float exponent; /* of MODEL_PICTURE_TO_ROUGHNESS: Ns */
 };
 
 /* Loads pictures as layers of one size, of sRGB colours or of numbers. */
 MUST_USE enum status model_picture_load(const char *path, const struct model_picture *pictures,
                                         uint32_t count, bool are_numbers,
                                         struct texture_layers *layers);
+
+/* Changes RGBA texels as the picture says. Returns false when out of memory. */
+MUST_USE bool model_picture_convert(uint8_t *texels, int width, int height,
+                                    const struct model_picture *picture);
+
+/* Returns the roughness whose highlight is that of an exponent of Phong's, Ns. */
+float model_roughness_of(float exponent);
 
 /* Copies the textures of both, resampled to the larger size; the caller frees both->texels. On
  * failure *both is {0}. */

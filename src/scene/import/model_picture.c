@@ -111,7 +111,8 @@ static enum status decode(const char *path, const struct model_picture *picture,
                                    &(int){ 0 }, CHANNELS);
     if (!texels)
         status = fault(path, picture, stbi_failure_reason());
-    else if (!resample(layer, side, texels, encoded.width, encoded.height, are_numbers))
+    else if (!model_picture_convert(texels, encoded.width, encoded.height, picture) ||
+             !resample(layer, side, texels, encoded.width, encoded.height, are_numbers))
         status = log_out_of_memory(path);
 fail:
     free(texels);
@@ -144,6 +145,29 @@ static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t 
     return texels;
 }
 
+/* Decodes a layer, and replaces its alpha by that of another picture. */
+static enum status decode_both(const char *path, const struct model_picture *picture,
+                               bool are_numbers, uint8_t *layer, uint32_t side)
+{
+    const size_t count = (size_t)side * side;
+    enum status status = decode(path, picture, are_numbers, layer, side);
+    if (status != STATUS_OK || !picture->alpha)
+        return status;
+    const struct model_picture other = {
+        .name = picture->alpha,
+        .file = picture->alpha,
+        .change = MODEL_PICTURE_TO_ALPHA,
+    };
+    uint8_t *alpha = malloc(count * CHANNELS);
+    if (!alpha)
+        return log_out_of_memory(path);
+    status = decode(path, &other, true, alpha, side);
+    for (size_t i = 0; i < count && status == STATUS_OK; i++)
+        layer[CHANNELS * i + 3] = alpha[CHANNELS * i + 3];
+    free(alpha);
+    return status;
+}
+
 enum status model_picture_load(const char *path, const struct model_picture *pictures,
                                uint32_t count, bool are_numbers, struct texture_layers *layers)
 {
@@ -163,7 +187,7 @@ enum status model_picture_load(const char *path, const struct model_picture *pic
         return log_out_of_memory(path);
     for (uint32_t i = 0; i < count; i++) {
         enum status status =
-            decode(path, &pictures[i], are_numbers, layer_at(layers, i), layers->size);
+            decode_both(path, &pictures[i], are_numbers, layer_at(layers, i), layers->size);
         if (status != STATUS_OK)
             return status;
     }

@@ -53,59 +53,6 @@ char *plain_read_file(struct model_import *import, const char *path, size_t *siz
     return bytes;
 }
 
-/* ---- textures ---- */
-
-/* Appends the material's picture to the list unless it is there, and sets the material's layer. */
-static enum status add_picture(const struct plain *plain, struct plain_material *material,
-                               struct model_picture *pictures, uint32_t *count)
-{
-    const char *path = plain->import->path;
-    if (!model_file_clean(material->maps[PLAIN_COLOR].file, false)) {
-        log_error("%s: texture %s: expected a file within the model's folder", path,
-                  material->maps[PLAIN_COLOR].file);
-        return STATUS_DATA;
-    }
-    char *file = model_file_join(path, material->maps[PLAIN_COLOR].file);
-    if (!file)
-        return log_out_of_memory(path);
-    uint32_t layer = 0;
-    while (layer < *count && strcmp(file, pictures[layer].file) != 0)
-        layer++;
-    if (layer == MODEL_TEXTURE_MAX) {
-        log_error("%s: expected at most %d textures", path, MODEL_TEXTURE_MAX);
-        free(file);
-        return STATUS_DATA;
-    }
-    if (layer < *count)
-        free(file);
-    else
-        pictures[(*count)++] = (struct model_picture){ .name = file, .file = file };
-    material->layer = layer + 1;
-    return STATUS_OK;
-}
-
-/* Loads the pictures of materials whose parts have texture coordinates. */
-static enum status load_pictures(const struct plain *plain, struct texture_layers *layers)
-{
-    uint32_t count = 0;
-    struct model_picture *pictures = calloc(MODEL_TEXTURE_MAX, sizeof(*pictures));
-    enum status status = pictures ? STATUS_OK : log_out_of_memory(plain->import->path);
-    for (uint32_t i = 0; i < plain->part_count && status == STATUS_OK; i++) {
-        const struct plain_part *part = &plain->parts[i];
-        if (part->material == 0 || !part->has_uvs || part->index_count == 0)
-            continue;
-        struct plain_material *material = &plain->materials[part->material - 1];
-        if (material->maps[PLAIN_COLOR].file && material->layer == 0)
-            status = add_picture(plain, material, pictures, &count);
-    }
-    if (status == STATUS_OK)
-        status = model_picture_load(plain->import->path, pictures, count, false, layers);
-    for (uint32_t i = 0; i < count; i++)
-        free(pictures[i].file);
-    free(pictures);
-    return status;
-}
-
 /* ---- meshes ---- */
 
 /* Returns the material of a part, or NULL. */
@@ -121,6 +68,8 @@ static struct model_shape shape_of(const struct plain *plain, const struct plain
     const struct plain_material *material = material_of(plain, part);
     const size_t first = part->first_vertex;
     const bool is_bare = plain->colors && !plain->normals && !material;
+    const uint32_t layer =
+        material && part->has_uvs ? material->material.textures[MATERIAL_BASE_COLOR].layer : 0;
     (void)snprintf(name, 80, "mesh %u \"%.40s\"", (unsigned)(part - plain->parts), part->name);
     return (struct model_shape){
         .name = name,
@@ -134,7 +83,7 @@ static struct model_shape shape_of(const struct plain *plain, const struct plain
         .vertex_count = part->vertex_count,
         .index_count = part->index_count,
         .color = material ? material->color : glms_vec3_one(),
-        .material = (material && part->has_uvs ? material->layer : 0) | (is_bare ? MESH_UNLIT : 0u),
+        .material = layer | (is_bare ? MESH_UNLIT : 0u),
     };
 }
 
@@ -153,7 +102,7 @@ static struct division divide(const struct plain *plain, enum model_part everyth
         const struct plain_material *material = material_of(plain, &plain->parts[i]);
         if (plain->parts[i].index_count > 0 && material)
             division.is_split |=
-                everything_is == MODEL_BY_MATERIALS || material->material.transmission > 0;
+                everything_is != MODEL_OBJECT || material->material.transmission > 0;
     }
     return division;
 }
@@ -249,7 +198,7 @@ enum status plain_build(struct plain *plain, struct model *model, enum model_par
     model_build_init(&build, plain->import, model);
     enum status status = walk(&build, plain, &division, true);
     if (status == STATUS_OK)
-        status = load_pictures(plain, &model->textures);
+        status = plain_load_pictures(plain, model);
     if (status == STATUS_OK)
         status = model_build_allocate(&build);
     if (status == STATUS_OK)

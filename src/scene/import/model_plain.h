@@ -35,7 +35,6 @@ struct plain_material {
     struct material material;
     struct plain_map maps[PLAIN_MAP_COUNT];
     float exponent; /* Ns */
-    uint32_t layer; /* of the base colour's picture, + 1; 0: none */
 };
 
 /* Triangles with one name and one material. Their indices count from the part's first vertex. */
@@ -72,6 +71,13 @@ MUST_USE enum status mtl_read(struct plain *plain, const struct text_scan *name)
 /* Builds both meshes, objects, materials and textures of a model. */
 MUST_USE enum status plain_build(struct plain *plain, struct model *model,
                                  enum model_part everything_is);
+
+/* Loads the pictures of materials whose parts have texture coordinates, sets the materials'
+ * textures, and moves the coordinates to those of the base colour. */
+MUST_USE enum status plain_load_pictures(struct plain *plain, struct model *model);
+
+/* Returns the map whose coordinates those of the vertices become: of the colour, else of alpha. */
+const struct plain_map *plain_base_map(const struct plain_material *material);
 
 void plain_finish(struct plain *plain);
 

@@ -8,6 +8,10 @@
 #include "src/base/log.h"
 #include "src/scene/import/model_plain.h"
 
+enum {
+    EXPONENT_OF_MAPS = 1000, /* that map_Ns is a factor of without Ns; the largest */
+};
+
 struct mtl;
 
 /* A statement; `read` logs a line if it returns another status than STATUS_OK. */
@@ -43,7 +47,7 @@ static enum status no_memory(const struct mtl *mtl)
 /* Notes a word that is not drawn, once. */
 static void note(struct mtl *mtl, const struct text_scan *text)
 {
-    char word[24];
+    char word[40];
     char *list = mtl->plain->undrawn;
     const size_t length = strlen(list);
     text_show(word, sizeof(word), text);
@@ -190,13 +194,29 @@ static void make_surface(const struct mtl *mtl, struct material *m)
     m->metallic = mtl->metallic;
     m->emission = mtl->emission;
     m->alpha = mtl->opacity;
-    /* the width of the highlight is the square */
-    m->roughness =
-        mtl->roughness >= 0 ? mtl->roughness : powf(2 / (fmaxf(mtl->exponent, 0) + 2), 0.25F);
+    m->roughness = mtl->roughness >= 0 ? mtl->roughness : model_roughness_of(mtl->exponent);
     if (mtl->specular.x >= 0)
         m->specular_color = glms_vec3_scale(mtl->specular, 2);
     if (mtl->model < 2 && mtl->model >= 0)
         m->specular = 0;
+}
+
+/* Notes the pictures that only opaque surfaces show, and what a picture of another's alpha has. */
+static void check_maps(struct mtl *mtl, const struct plain_material *material)
+{
+    static const char clear[] = "pictures of transmissive materials", alpha[] = "options of map_d";
+    const struct plain_map *maps = material->maps;
+    bool is_left_out = false;
+    for (int i = 0; i < PLAIN_MAP_COUNT; i++)
+        is_left_out |= maps[i].file && material->material.transmission > 0;
+    if (is_left_out)
+        note(mtl, &(struct text_scan){ clear, clear + sizeof(clear) - 1 });
+    bool is_moved = false;
+    for (int k = 0; k < 2; k++)
+        is_moved |= fabsf(maps[PLAIN_COLOR].scale[k] - maps[PLAIN_ALPHA].scale[k]) > 0 ||
+                    fabsf(maps[PLAIN_COLOR].offset[k] - maps[PLAIN_ALPHA].offset[k]) > 0;
+    if (is_moved && maps[PLAIN_COLOR].file && maps[PLAIN_ALPHA].file)
+        note(mtl, &(struct text_scan){ alpha, alpha + sizeof(alpha) - 1 });
 }
 
 /* Completes the material that the last statements have described. */
@@ -210,10 +230,16 @@ static void end_material(struct mtl *mtl)
     material->exponent = mtl->exponent;
     make_surface(mtl, m);
     make_medium(mtl, m);
+    m->normal_scale = material->maps[PLAIN_BUMP].file ? material->maps[PLAIN_BUMP].strength : 1;
+    if (material->maps[PLAIN_SHININESS].file && mtl->roughness < 0) {
+        material->exponent = mtl->exponent > 0 ? mtl->exponent : EXPONENT_OF_MAPS;
+        m->roughness = 1;
+    }
     if (material->maps[PLAIN_ALPHA].file && !(m->transmission > 0))
         m->flags |= MATERIAL_IS_BLENDED;
     else
         m->alpha = 1;
+    check_maps(mtl, material);
     mtl->plain->import->clamped_materials += model_color_clamp(&material->color, false);
     (void)model_color_clamp(&m->base_color, false);
     (void)material_clamp(m);

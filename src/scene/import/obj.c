@@ -290,8 +290,11 @@ static enum status read_line(struct obj *obj, struct text_scan *line)
     if (!text_skip(line))
         return STATUS_OK;
     const char first = *line->at;
-    const char second = line->at + 1 < line->end ? line->at[1] : ' ';
-    const char third = line->at + 2 < line->end ? line->at[2] : ' ';
+    char second = ' ', third = ' ';
+    if (line->at + 1 < line->end)
+        second = line->at[1];
+    if (line->at + 2 < line->end)
+        third = line->at[2];
     const bool is_short = text_is_blank(second);
     const bool is_vector = first == 'v' && text_is_blank(third);
     line->at += is_short && (first == 'v' || first == 'f') ? 1 : 0;

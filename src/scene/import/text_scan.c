@@ -180,7 +180,8 @@ void text_show(char *to, size_t size, const struct text_scan *text)
 {
     text_copy(to, size, text);
     for (char *c = to; *c; c++)
-        *c = *c >= ' ' && *c <= '~' ? *c : '?';
+        if (*c < ' ' || *c > '~')
+            *c = '?';
 }
 
 void text_copy(char *to, size_t size, const struct text_scan *text)
@@ -189,6 +190,10 @@ void text_copy(char *to, size_t size, const struct text_scan *text)
     if (length >= size)
         length = size - 1;
     for (size_t i = 0; i < length; i++)
-        to[i] = text->at[i] ? text->at[i] : ' ';
+        to[i] = text->at[i];
+    for (size_t i = 0; i < length; i++) {
+        if (to[i] == '\0')
+            to[i] = ' ';
+    }
     to[length] = '\0';
 }

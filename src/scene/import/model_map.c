@@ -1,0 +1,176 @@
+/* model_map.c: the pictures that an MTL file names, and how vertices' coordinates become theirs. */
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/import/model_plain.h"
+
+/* What a map is in a material; that of alpha is part of the base colour's. */
+static const enum material_texture_use uses[PLAIN_MAP_COUNT] = {
+    [PLAIN_COLOR] = MATERIAL_BASE_COLOR,
+    [PLAIN_ALPHA] = MATERIAL_BASE_COLOR,
+    [PLAIN_SPECULAR] = MATERIAL_SPECULAR_COLOR,
+    [PLAIN_EMISSION] = MATERIAL_EMISSION,
+    [PLAIN_SHININESS] = MATERIAL_METALLIC_ROUGHNESS,
+    [PLAIN_BUMP] = MATERIAL_NORMAL,
+};
+
+static const enum model_picture_change changes[PLAIN_MAP_COUNT] = {
+    [PLAIN_ALPHA] = MODEL_PICTURE_TO_ALPHA,
+    [PLAIN_SHININESS] = MODEL_PICTURE_TO_ROUGHNESS,
+    [PLAIN_BUMP] = MODEL_PICTURE_TO_NORMALS,
+};
+
+/* Pictures of one kind. */
+struct list {
+    struct model_picture *pictures;
+    uint32_t count;
+};
+
+static bool is_same(const char *a, const char *b)
+{
+    return a && b ? !strcmp(a, b) : a == b;
+}
+
+/* Returns the path of a map's file, which the caller frees; NULL after a failure. */
+static char *path_of(const struct plain *plain, struct plain_map *map, enum status *status)
+{
+    const char *path = plain->import->path;
+    if (!model_file_clean(map->file, false)) {
+        log_error("%s: texture %s: expected a file within the model's folder", path, map->file);
+        *status = STATUS_DATA;
+        return NULL;
+    }
+    char *file = model_file_join(path, map->file);
+    if (!file)
+        *status = log_out_of_memory(path);
+    return file;
+}
+
+/* Finds or adds a picture, which it takes over; returns its layer, + 1, or 0. */
+static uint32_t add_picture(const struct plain *plain, struct list *list,
+                            const struct model_picture *wanted)
+{
+    uint32_t layer = 0;
+    while (layer < list->count) {
+        const struct model_picture *other = &list->pictures[layer];
+        if (is_same(other->file, wanted->file) && is_same(other->alpha, wanted->alpha) &&
+            other->change == wanted->change && !(other->exponent < wanted->exponent) &&
+            !(other->exponent > wanted->exponent))
+            break;
+        layer++;
+    }
+    if (layer == list->count && layer < MODEL_TEXTURE_MAX) {
+        list->pictures[list->count++] = *wanted;
+        return layer + 1;
+    }
+    free(wanted->file);
+    free(wanted->alpha);
+    if (layer < MODEL_TEXTURE_MAX)
+        return layer + 1;
+    log_error("%s: expected at most %d textures", plain->import->path, MODEL_TEXTURE_MAX);
+    return 0;
+}
+
+/* Sets how coordinates of the vertices, which are those of the base colour with (0, 0) at the top,
+ * become those of another map. */
+static void relate(const struct plain_map *base, const struct plain_map *map,
+                   struct material_texture *texture)
+{
+    const float u = map->scale[0] / base->scale[0], v = map->scale[1] / base->scale[1];
+    const float moved = map->offset[1] - v * base->offset[1];
+    texture->u_row = (vec3s){ { u, 0, map->offset[0] - u * base->offset[0] } };
+    texture->v_row = (vec3s){ { 0, v, 1 - v - moved } };
+    texture->wrap_u = map->is_clamped ? MATERIAL_CLAMP : MATERIAL_REPEAT;
+    texture->wrap_v = texture->wrap_u;
+}
+
+const struct plain_map *plain_base_map(const struct plain_material *material)
+{
+    static const struct plain_map none = { .scale = { 1, 1 } };
+    if (material->maps[PLAIN_COLOR].file)
+        return &material->maps[PLAIN_COLOR];
+    return material->maps[PLAIN_ALPHA].file ? &material->maps[PLAIN_ALPHA] : &none;
+}
+
+/* Adds the picture of a map and sets the material's texture. */
+static enum status add_map(const struct plain *plain, struct list *list,
+                           struct plain_material *material, enum plain_map_use use)
+{
+    struct plain_map *map = &material->maps[use];
+    struct material_texture *texture = &material->material.textures[uses[use]];
+    enum status status = STATUS_OK;
+    struct model_picture picture = { .change = changes[use] };
+    if (use == PLAIN_SHININESS)
+        picture.exponent = material->exponent;
+    picture.file = path_of(plain, map, &status);
+    if (picture.file && use == PLAIN_COLOR && material->maps[PLAIN_ALPHA].file)
+        picture.alpha = path_of(plain, &material->maps[PLAIN_ALPHA], &status);
+    picture.name = picture.file;
+    if (status != STATUS_OK) {
+        free(picture.file);
+        return status;
+    }
+    relate(plain_base_map(material), map, texture);
+    if (uses[use] == MATERIAL_BASE_COLOR) { /* the vertices' coordinates are the texture's */
+        texture->u_row = (vec3s){ { 1, 0, 0 } };
+        texture->v_row = (vec3s){ { 0, 1, 0 } };
+    }
+    texture->layer = add_picture(plain, list, &picture);
+    return texture->layer > 0 ? STATUS_OK : STATUS_DATA;
+}
+
+/* Whether a map becomes a texture of one kind. That of alpha does if there is no colour's. */
+static bool is_wanted(const struct plain_material *material, enum plain_map_use use,
+                      bool are_numbers)
+{
+    if (!material->maps[use].file || material_texture_is_color(uses[use]) == are_numbers)
+        return false;
+    return (use != PLAIN_ALPHA || !material->maps[PLAIN_COLOR].file) &&
+           material->material.textures[uses[use]].layer == 0;
+}
+
+static enum status load_kind(struct plain *plain, bool are_numbers, struct texture_layers *layers)
+{
+    struct list list = { .pictures = calloc(MODEL_TEXTURE_MAX, sizeof(*list.pictures)) };
+    enum status status = list.pictures ? STATUS_OK : log_out_of_memory(plain->import->path);
+    for (uint32_t i = 0; i < plain->part_count && status == STATUS_OK; i++) {
+        const struct plain_part *part = &plain->parts[i];
+        if (part->material == 0 || !part->has_uvs || part->index_count == 0)
+            continue;
+        struct plain_material *material = &plain->materials[part->material - 1];
+        for (uint32_t use = 0; use < PLAIN_MAP_COUNT && status == STATUS_OK; use++) {
+            if (is_wanted(material, use, are_numbers))
+                status = add_map(plain, &list, material, use);
+        }
+    }
+    if (status == STATUS_OK)
+        status =
+            model_picture_load(plain->import->path, list.pictures, list.count, are_numbers, layers);
+    for (uint32_t i = 0; i < list.count; i++) {
+        free(list.pictures[i].file);
+        free(list.pictures[i].alpha);
+    }
+    free(list.pictures);
+    return status;
+}
+
+/* Moves the coordinates of a part's vertices to where the base colour's picture wants them. */
+static void move_part(const struct plain *plain, const struct plain_part *part)
+{
+    const struct plain_map *base = plain_base_map(&plain->materials[part->material - 1]);
+    for (size_t i = 0; i < part->vertex_count; i++) {
+        float *uv = &plain->uvs[2 * (part->first_vertex + i)];
+        for (int k = 0; k < 2; k++)
+            uv[k] = uv[k] * base->scale[k] + base->offset[k];
+    }
+}
+
+enum status plain_load_pictures(struct plain *plain, struct model *model)
+{
+    for (uint32_t i = 0; i < plain->part_count; i++) {
+        if (plain->parts[i].material > 0 && plain->parts[i].has_uvs)
+            move_part(plain, &plain->parts[i]);
+    }
+    const enum status status = load_kind(plain, false, &model->textures);
+    return status == STATUS_OK ? load_kind(plain, true, &model->numbers) : status;
+}
