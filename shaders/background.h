@@ -9,6 +9,7 @@
 #define BACKGROUND_MATERIALS   4  /* a row of texels each (material.h) */
 #define BACKGROUND_LIGHT       5  /* of the environment on surfaces (lit.h) */
 #define BACKGROUND_LIGHTS      11 /* a row of texels for each light of a file (lit.h) */
+#define BACKGROUND_EXTRAS      12 /* of the surroundings' vertices (mesh.h) */
 #define BACKGROUND_SPLIT       10 /* what surfaces reflect (lit.h); 6 to 9 are ice_caustics.h's */
 
 /* Push constants of one view: that of the picture, or a face of a cube. */

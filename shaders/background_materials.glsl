@@ -1,5 +1,5 @@
 /* background_materials.glsl: main() of surroundings with materials; with BACKGROUND_SHINE, with the
- * ice's caustics and shadow. */
+ * ice's caustics and shadow; with BACKGROUND_EXTRA, with struct mesh_extra of the vertices. */
 #include "background.h"
 #include "lib/lit.glsl"
 #include "mesh.h"
@@ -14,6 +14,10 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 base_color;
 layout(location = 3) in vec2 uv;
 layout(location = 4) flat in uint material;
+#ifdef BACKGROUND_EXTRA
+layout(location = 5) in vec2 other_uv;
+layout(location = 6) in vec4 tangent;
+#endif
 layout(location = 0) out vec4 color;
 
 #ifdef BACKGROUND_SHINE
@@ -51,6 +55,10 @@ vec3 sun_light(out vec3 through)
 
 void main()
 {
+#ifdef BACKGROUND_EXTRA
+    lit_other_uv = other_uv;
+    lit_tangent = tangent;
+#endif
     uint row = material >> MESH_SURFACE_SHIFT;
     float blur = constant_tiled != 0u && push.inverse == 0u ? exp2(frame.lod_bias) : 1.0;
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
@@ -71,7 +79,7 @@ void main()
     vec3 n = normalize(normal);
     n = dot(n, to_eye) < 0.0 ? -n : n;
     if (bent != vec4(1.0))
-        n = lit_bend(n, bent.rgb, scales.xy, eye_to_point, uv);
+        n = LIT_BEND(row, n, normal, bent.rgb, scales.xy, eye_to_point, uv);
     vec3 mirrored = reflect(-to_eye, n);
     float lod = lit_mirror_lod(mirrored, push.environment_lod);
     if (is_hole(base.a * factors.w, reflectance.w, emission.w, row))

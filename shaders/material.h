@@ -11,7 +11,8 @@
 #define MATERIAL_ROW_SCALES   3 /* of the normal's slopes, of the occlusion */
 #define MATERIAL_ROW_TEXTURES \
     4 /* two texels each of enum material_texture_use: the row of u and
-                                   layer + 1; the row of v and wraps, 3 * wrap_v + wrap_u */
+                                   layer + 1; the row of v and
+                                   9 * uv_set + 3 * wrap_v + wrap_u */
 #define MATERIAL_ROW_WIDTH 22
 
 /* kinds */
@@ -30,5 +31,6 @@
 #define MATERIAL_WRAPS_REPEAT           0
 #define MATERIAL_WRAPS_MIRROR           1
 #define MATERIAL_WRAPS_COUNT            3
+#define MATERIAL_OTHER_SET              9
 
 #endif

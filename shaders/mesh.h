@@ -16,4 +16,8 @@
 #define MESH_SURFACE_SHIFT 19u      /* bits from here: index of the material + 1; 0: none */
 #define MESH_SURFACE_MAX   8191u
 
+/* The texture of struct mesh_extra: a vertex's texels follow each other, row after row. */
+#define MESH_EXTRA_WIDTH  4096 /* texels */
+#define MESH_EXTRA_TEXELS 2    /* of a vertex: tangent; uv */
+
 #endif

@@ -21,6 +21,12 @@ vec4 material_texel(uint row, int column)
 
 /* ---- textures ---- */
 
+#ifdef BACKGROUND_EXTRA
+/* Of struct mesh_extra of the vertices; main() sets them. */
+vec2 lit_other_uv;
+vec4 lit_tangent;
+#endif
+
 /* Returns a coordinate where the sampler does not reach beyond the picture's edge. */
 float lit_wrap(float x, float wrap, float size)
 {
@@ -39,6 +45,12 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
     vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use + 1);
     if (constant_textured == 0u || u.w == 0.0)
         return vec4(1.0);
+#ifdef BACKGROUND_EXTRA
+    if (v.w >= float(MATERIAL_OTHER_SET)) {
+        v.w -= float(MATERIAL_OTHER_SET);
+        uv = lit_other_uv;
+    }
+#endif
     vec2 at = vec2(dot(u.xyz, vec3(uv, 1.0)), dot(v.xyz, vec3(uv, 1.0)));
     vec2 size = vec2(textureSize(of, 0).xy);
     float wrap_v = floor(v.w / float(MATERIAL_WRAPS_COUNT));
@@ -74,6 +86,28 @@ vec3 lit_bend(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2 uv)
     bitangent *= dot(bitangent, against_v) < 0.0 ? -1.0 : 1.0;
     return normalize(slope.x * tangent + slope.y * bitangent + slope.z * n);
 }
+
+/* Turns a normal as the normal texture of a row says; `outward` is that of the vertices. */
+#ifdef BACKGROUND_EXTRA
+#define LIT_BEND(row, n, outward, texel, scales, point, uv) \
+    lit_bend_extra(row, n, outward, texel, scales, point, uv)
+
+vec3 lit_bend_extra(uint row, vec3 n, vec3 outward, vec3 texel, vec2 scales, vec3 point, vec2 uv)
+{
+    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * MATERIAL_USE_NORMAL + 1);
+    vec2 own = v.w >= float(MATERIAL_OTHER_SET) ? lit_other_uv : uv;
+    vec3 tangent = lit_tangent.xyz - n * dot(n, lit_tangent.xyz);
+    if (lit_tangent.w == 0.0 || dot(tangent, tangent) == 0.0)
+        return lit_bend(n, texel, scales, point, own);
+    vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
+    float side = sign(lit_tangent.w) * (dot(n, outward) < 0.0 ? -1.0 : 1.0);
+    tangent = normalize(tangent);
+    vec3 bitangent = side * cross(n, tangent);
+    return normalize(slope.x * tangent + slope.y * bitangent + slope.z * n);
+}
+#else
+#define LIT_BEND(row, n, outward, texel, scales, point, uv) lit_bend(n, texel, scales, point, uv)
+#endif
 
 /* ---- light ---- */
 

@@ -306,6 +306,22 @@ static struct mesh_vertex blended(const struct bvh_part *part, uint32_t triangle
     return surface;
 }
 
+/* Interpolates the extras of a triangle's vertices. */
+static struct mesh_extra blended_extra(const struct bvh_part *part, uint32_t triangle, float u,
+                                       float v)
+{
+    const uint32_t *corners = &part->mesh->indices[(size_t)triangle * 3];
+    const float shares[3] = { 1.0f - u - v, u, v };
+    struct mesh_extra extra = { 0 };
+    for (int k = 0; k < 3; k++) {
+        const struct mesh_extra *corner = &part->mesh->extras[corners[k]];
+        extra.tangent = glms_vec3_muladds(corner->tangent, shares[k], extra.tangent);
+        extra.side += shares[k] * corner->side;
+        extra.uv = glms_vec2_muladds(corner->uv, shares[k], extra.uv);
+    }
+    return extra;
+}
+
 static vec3s facet_normal(const struct bvh_part *part, uint32_t triangle)
 {
     const uint32_t *corners = &part->mesh->indices[(size_t)triangle * 3];
@@ -314,23 +330,25 @@ static vec3s facet_normal(const struct bvh_part *part, uint32_t triangle)
                                                glms_vec3_sub(p[corners[2]], p[corners[0]])));
 }
 
-/* Sets the derivatives of the position by the vertices' uv. */
-static void find_tangents(const struct bvh_part *part, struct bvh_hit *hit)
+/* Sets the derivatives of the position by one of the vertices' two uv. */
+static void find_tangents(const struct bvh_part *part, struct bvh_hit *hit, int set)
 {
     const uint32_t *corners = &part->mesh->indices[(size_t)hit->triangle * 3];
-    const struct mesh_vertex *v = part->mesh->vertices;
-    const vec2s first = glms_vec2_sub(v[corners[1]].uv, v[corners[0]].uv);
-    const vec2s second = glms_vec2_sub(v[corners[2]].uv, v[corners[0]].uv);
+    vec2s uv[3];
+    for (int k = 0; k < 3; k++)
+        uv[k] = set == 0 ? part->mesh->vertices[corners[k]].uv : part->mesh->extras[corners[k]].uv;
+    const vec2s first = glms_vec2_sub(uv[1], uv[0]);
+    const vec2s second = glms_vec2_sub(uv[2], uv[0]);
     const vec3s *p = part->positions;
     const vec3s edges[2] = { glms_vec3_sub(p[corners[1]], p[corners[0]]),
                              glms_vec3_sub(p[corners[2]], p[corners[0]]) };
     const float area = first.x * second.y - second.x * first.y;
     if (!(fabsf(area) > 0.0f))
         return;
-    hit->along_u = glms_vec3_divs(
+    hit->along_u[set] = glms_vec3_divs(
         glms_vec3_sub(glms_vec3_scale(edges[0], second.y), glms_vec3_scale(edges[1], first.y)),
         area);
-    hit->along_v = glms_vec3_divs(
+    hit->along_v[set] = glms_vec3_divs(
         glms_vec3_sub(glms_vec3_scale(edges[1], first.x), glms_vec3_scale(edges[0], second.x)),
         area);
 }
@@ -395,7 +413,11 @@ bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *
         .surface = blended(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v),
     };
     if (hit->part == BVH_SURROUNDINGS)
-        find_tangents(part, hit);
+        find_tangents(part, hit, 0);
+    if (hit->part == BVH_SURROUNDINGS && part->mesh->extras) {
+        find_tangents(part, hit, 1);
+        hit->extra = blended_extra(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v);
+    }
     const mat3s turn = glms_mat4_pick3(pose(bvh, part, hit->surface.material));
     hit->surface.normal = glms_vec3_normalize(glms_mat3_mulv(turn, hit->surface.normal));
     return true;

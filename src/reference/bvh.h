@@ -39,15 +39,17 @@ struct bvh_ray {
 };
 
 struct bvh_hit {
-    uint32_t part;          /* BVH_OBJECT ... */
-    uint32_t triangle;      /* of the part's mesh; of BVH_BUBBLES: the bubble */
-    uint32_t object;        /* of the scene; of a bubble: that of its medium, frame_media_count();
+    uint32_t part;     /* BVH_OBJECT ... */
+    uint32_t triangle; /* of the part's mesh; of BVH_BUBBLES: the bubble */
+    uint32_t object;   /* of the scene; of a bubble: that of its medium, frame_media_count();
                           of other parts: 0 */
-    float distance;         /* metres */
-    vec3s facet;            /* unit normal of the triangle, by its winding; of a bubble: outward */
-    vec3s along_u, along_v; /* derivatives of the world position by the vertices' uv, of the
-                               surroundings; 0 without an area in the texture */
-    struct mesh_vertex surface; /* interpolated vertices in the world; the normal is unit */
+    float distance;    /* metres */
+    vec3s facet;       /* unit normal of the triangle, by its winding; of a bubble: outward */
+    vec3s along_u[2], along_v[2]; /* derivatives of the world position by the vertices' uv, and by
+                                     that of their extras, of the surroundings; 0 without an area in
+                                     the texture */
+    struct mesh_extra extra;      /* interpolated; {0} if there are none */
+    struct mesh_vertex surface;   /* interpolated vertices in the world; the normal is unit */
 };
 
 /* The hierarchy of a scene; {0} until bvh_init(). */

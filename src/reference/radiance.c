@@ -146,11 +146,25 @@ static float wrap(float x, uint32_t how, float size)
     return fminf(fmaxf(x, 0.5f / size), 1.0f - 0.5f / size);
 }
 
+/* The coordinates of a point. */
+struct coordinates {
+    vec2s uv, other_uv; /* of mesh_vertex and mesh_extra */
+};
+
+static struct coordinates coordinates_of(const struct radiance_point *point)
+{
+    return (struct coordinates){
+        .uv = point->vertex->uv,
+        .other_uv = point->extra ? point->extra->uv : glms_vec2_zero(),
+    };
+}
+
 /* Returns a texel of one of a material's textures, or white if it has none. */
 static vec4s texel_of(const struct radiance *radiance, const struct material *material,
-                      enum material_texture_use use, vec2s uv)
+                      enum material_texture_use use, struct coordinates coordinates)
 {
     const struct material_texture *texture = &material->textures[use];
+    const vec2s uv = texture->uv_set == 1 ? coordinates.other_uv : coordinates.uv;
     const struct model *model = &radiance->scene->model;
     const bool is_color = material_texture_is_color(use);
     const uint32_t size = is_color ? model->textures.size : model->numbers.size;
@@ -167,7 +181,8 @@ static vec4s base_texel(const struct radiance *radiance, const struct mesh_verte
 {
     const struct material *material = material_of(radiance, vertex->material);
     if (material && material->textures[MATERIAL_BASE_COLOR].layer)
-        return texel_of(radiance, material, MATERIAL_BASE_COLOR, vertex->uv);
+        return texel_of(radiance, material, MATERIAL_BASE_COLOR,
+                        (struct coordinates){ .uv = vertex->uv });
     return radiance_texel(radiance, vertex->material, vertex->uv);
 }
 
@@ -188,13 +203,21 @@ static vec3s bent(const struct radiance *radiance, const struct material *m,
 {
     if (!m->textures[MATERIAL_NORMAL].layer)
         return n;
-    const vec4s texel = texel_of(radiance, m, MATERIAL_NORMAL, point->vertex->uv);
-    const vec3s tangent = glms_vec3_muladds(n, -glms_vec3_dot(n, point->along_u), point->along_u);
+    const vec4s texel = texel_of(radiance, m, MATERIAL_NORMAL, coordinates_of(point));
+    const uint32_t set = m->textures[MATERIAL_NORMAL].uv_set;
+    const float side = point->extra ? point->extra->side : 0.0f;
+    const bool is_given = fabsf(side) > 0.0f;
+    const vec3s along_u = is_given ? point->extra->tangent : point->along_u[set];
+    const vec3s tangent = glms_vec3_muladds(n, -glms_vec3_dot(n, along_u), along_u);
     if (!(glms_vec3_norm2(tangent) > 0.0f))
         return n;
     const vec3s t = glms_vec3_normalize(tangent);
     vec3s b = glms_vec3_cross(n, t);
-    if (glms_vec3_dot(b, point->along_v) > 0.0f) /* v grows downwards in the texture */
+    const bool is_back = glms_vec3_dot(n, point->vertex->normal) < 0.0f;
+    /* v grows downwards in the texture */
+    const bool is_turned =
+        is_given ? (side < 0.0f) != is_back : glms_vec3_dot(b, point->along_v[set]) > 0.0f;
+    if (is_turned)
         b = glms_vec3_negate(b);
     const vec3s slope = { { (2.0f * texel.x - 1.0f) * m->normal_scale,
                             (2.0f * texel.y - 1.0f) * m->normal_scale, 2.0f * texel.z - 1.0f } };
@@ -244,7 +267,7 @@ static vec2s split_of(const struct radiance *radiance, float roughness, float n_
 }
 
 static struct lit_surface surface_of(const struct radiance *radiance, const struct material *m,
-                                     vec2s uv, vec3s albedo)
+                                     struct coordinates uv, vec3s albedo)
 {
     const vec4s rough = texel_of(radiance, m, MATERIAL_METALLIC_ROUGHNESS, uv);
     const vec4s tint = texel_of(radiance, m, MATERIAL_SPECULAR_COLOR, uv);
@@ -306,7 +329,7 @@ static vec3s light_of_base(const struct radiance *radiance, const struct radianc
 static vec3s light_of(const struct radiance *radiance, const struct material *m,
                       const struct radiance_point *point, vec3s n, vec3s albedo)
 {
-    const vec2s uv = point->vertex->uv;
+    const struct coordinates uv = coordinates_of(point);
     const vec3s to_eye = glms_vec3_negate(point->dir);
     const struct lit_surface surface = surface_of(radiance, m, uv, albedo);
     const float n_dot_v = glm_clamp(glms_vec3_dot(n, to_eye), 0.0f, 1.0f);

@@ -20,8 +20,10 @@ struct radiance {
 /* A point of a surface, as a ray along `dir` meets it. */
 struct radiance_point {
     const struct mesh_vertex *vertex; /* interpolated; a unit normal of either side in the world */
-    vec3s along_u, along_v;           /* derivatives of the world position by the vertices' uv */
-    vec3s dir;                        /* unit */
+    const struct mesh_extra *extra;   /* interpolated; NULL: none */
+    const vec3s *along_u, *along_v; /* derivatives of the world position by the two uv; may be NULL
+                                         where is_base */
+    vec3s dir;                      /* unit */
     bool is_base; /* only the light of the matt base is asked for: reflections are traced */
 };
 

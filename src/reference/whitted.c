@@ -353,6 +353,7 @@ static bool meet_surroundings(const struct whitted *whitted, const struct bvh_hi
     }
     const struct radiance_point point = {
         .vertex = &hit->surface,
+        .extra = &hit->extra,
         .along_u = hit->along_u,
         .along_v = hit->along_v,
         .dir = b->ray.dir,

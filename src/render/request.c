@@ -28,6 +28,7 @@ static struct technique_choice choose(const struct renderer_params *params,
         .is_convex = params->scene->is_convex,
         .has_pool = params->scene->has_pool,
         .has_materials = params->scene->material_rows != NULL,
+        .has_extras = params->scene->extra_rows != NULL,
         .has_cube = params->scene->cube.texels != NULL,
         .object_count = params->scene->has_pool ? 0 : params->scene->model.object_count,
     };

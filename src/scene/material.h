@@ -57,6 +57,7 @@ struct material_texture {
     uint32_t layer; /* of model.textures or, if it is no colour, of model.numbers, + 1; 0: none, as
                        if it were 1 everywhere */
     uint32_t wrap_u, wrap_v; /* enum material_wrap */
+    uint32_t uv_set;         /* 0: mesh_vertex.uv; 1: mesh_extra.uv */
     vec3s u_row, v_row;      /* its coordinates are their products with (uv, 1) of a vertex */
 };
 

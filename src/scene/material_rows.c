@@ -2,6 +2,7 @@
 #include "src/scene/material_rows.h"
 #include <cglm/struct.h>
 #include <stdlib.h>
+#include <string.h>
 #include "shaders/material.h"
 
 _Static_assert(MATERIAL_USE_METALLIC_ROUGHNESS == (int)MATERIAL_METALLIC_ROUGHNESS &&
@@ -13,7 +14,8 @@ _Static_assert(MATERIAL_USE_METALLIC_ROUGHNESS == (int)MATERIAL_METALLIC_ROUGHNE
                "as shaders number them");
 _Static_assert(MATERIAL_ROW_TEXTURES + 2 * MATERIAL_TEXTURE_COUNT == MATERIAL_ROW_WIDTH, "");
 _Static_assert(MATERIAL_WRAPS_COUNT == (int)MATERIAL_WRAP_COUNT &&
-                   MATERIAL_WRAPS_MIRROR == (int)MATERIAL_MIRROR,
+                   MATERIAL_WRAPS_MIRROR == (int)MATERIAL_MIRROR &&
+                   MATERIAL_OTHER_SET == (int)MATERIAL_WRAP_COUNT * MATERIAL_WRAP_COUNT,
                "");
 
 vec3s material_f0(const struct material *m)
@@ -50,7 +52,8 @@ static void fill_texture(vec4s *texels, const struct material_texture *texture)
 {
     texels[0] = glms_vec4(texture->u_row, (float)texture->layer);
     texels[1] = glms_vec4(texture->v_row,
-                          (float)(texture->wrap_v * MATERIAL_WRAPS_COUNT + texture->wrap_u));
+                          (float)(texture->uv_set * MATERIAL_OTHER_SET +
+                                  texture->wrap_v * MATERIAL_WRAPS_COUNT + texture->wrap_u));
 }
 
 static void fill(vec4s *row, const struct material *m)
@@ -76,6 +79,21 @@ vec4s *material_rows_make(const struct model *model)
     fill(rows, &none);
     for (uint32_t i = 0; i < model->material_count; i++)
         fill(&rows[(i + (size_t)1) * MATERIAL_ROW_WIDTH], &model->materials[i]);
+    return rows;
+}
+
+vec4s *material_rows_make_extras(const struct mesh *mesh)
+{
+    const size_t size = (size_t)MESH_EXTRA_WIDTH * mesh_extra_row_count(mesh->vertex_count);
+    vec4s *rows = mesh->extras && size > 0 ? aligned_alloc(16, size * sizeof(*rows)) : NULL;
+    if (!rows)
+        return NULL;
+    memset(rows, 0, size * sizeof(*rows));
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        const struct mesh_extra *extra = &mesh->extras[i];
+        rows[MESH_EXTRA_TEXELS * i] = glms_vec4(extra->tangent, extra->side);
+        rows[MESH_EXTRA_TEXELS * i + 1] = (vec4s){ { extra->uv.x, extra->uv.y, 0.0f, 0.0f } };
+    }
     return rows;
 }
 

@@ -11,6 +11,10 @@ vec3s material_f0(const struct material *material);
  * when out of memory. */
 vec4s *material_rows_make(const struct model *model);
 
+/* Returns the extras of a mesh that has some as vertex shaders read them (shaders/mesh.h),
+ * malloc'd: rows of MESH_EXTRA_WIDTH texels. NULL when out of memory. */
+vec4s *material_rows_make_extras(const struct mesh *mesh);
+
 /* Returns whether light falls on any triangle, which is not so if all are unlit. */
 bool material_rows_has_lit(const struct mesh *mesh);
 

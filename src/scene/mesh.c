@@ -29,9 +29,17 @@ fail:
     return false;
 }
 
+bool mesh_add_extras(struct mesh *mesh)
+{
+    if (!mesh->extras && mesh->vertex_count > 0)
+        mesh->extras = calloc(mesh->vertex_count, sizeof(*mesh->extras));
+    return mesh->extras || mesh->vertex_count == 0;
+}
+
 void mesh_finish(struct mesh *mesh)
 {
     free(mesh->vertices);
+    free(mesh->extras);
     free(mesh->indices);
     *mesh = (struct mesh){ 0 };
 }
@@ -44,9 +52,29 @@ static void *grown(void *array, uint32_t have, uint32_t count, size_t size)
     return realloc(array, (have + count) * size);
 }
 
+/* Makes room for the extras of both meshes, if any has some. */
+static bool grow_extras(struct mesh *mesh, const struct mesh *other)
+{
+    if (!mesh->extras && !other->extras)
+        return true;
+    void *extras =
+        grown(mesh->extras, mesh->vertex_count, other->vertex_count, sizeof(*mesh->extras));
+    if (extras == NULL)
+        return false;
+    if (!mesh->extras)
+        memset(extras, 0, mesh->vertex_count * sizeof(*mesh->extras));
+    mesh->extras = extras;
+    for (uint32_t i = 0; i < other->vertex_count; i++)
+        mesh->extras[mesh->vertex_count + i] =
+            other->extras ? other->extras[i] : (struct mesh_extra){ 0 };
+    return true;
+}
+
 bool mesh_append(struct mesh *mesh, const struct mesh *other)
 {
     assert(mesh != other);
+    if (other->vertex_count > 0 && !grow_extras(mesh, other))
+        return false;
     if (other->vertex_count > 0) {
         void *vertices =
             grown(mesh->vertices, mesh->vertex_count, other->vertex_count, sizeof(*mesh->vertices));

@@ -4,7 +4,7 @@
  * Space:     decided by the owner; the meshes of a scene are in world space (right-handed, +Y up,
  *            metres).
  * Winding:   counter-clockwise seen from outside.
- * Ownership: a mesh owns its two arrays (malloc'd); mesh_finish() frees them.
+ * Ownership: a mesh owns its arrays (malloc'd); mesh_finish() frees them.
  */
 #ifndef FIRN_SCENE_MESH_H
 #define FIRN_SCENE_MESH_H
@@ -22,9 +22,18 @@ struct mesh_vertex {
     uint32_t material; /* bits of shaders/mesh.h; the same at a triangle's three corners */
 };
 
+/* What few vertices have. */
+struct mesh_extra {
+    vec3s tangent; /* unit, along u; {0}: derived from the coordinates */
+    float side;    /* of the bitangent, which is against v: cross(normal, tangent) * side; 1, -1 or,
+                      without a tangent, 0 */
+    vec2s uv;      /* a second set of texture coordinates */
+};
+
 struct mesh {
     struct mesh_vertex *vertices;
-    uint32_t *indices; /* three per triangle */
+    struct mesh_extra *extras; /* of each vertex; NULL: none has any */
+    uint32_t *indices;         /* three per triangle */
     uint32_t vertex_count;
     uint32_t index_count;
 };
@@ -40,12 +49,23 @@ struct box {
  */
 bool mesh_init(struct mesh *mesh, uint32_t vertex_count, uint32_t index_count);
 
+/* Allocates the vertices' extras, all zero, unless they are there. Returns false when out of
+ * memory. */
+bool mesh_add_extras(struct mesh *mesh);
+
 /* Frees the arrays and leaves *mesh {0}. A {0} mesh is fine. */
 void mesh_finish(struct mesh *mesh);
 
 /* Appends a copy of `other`, which must be another mesh. Returns false when out of memory or if the
  * counts overflow; *mesh is then unchanged. */
 bool mesh_append(struct mesh *mesh, const struct mesh *other);
+
+/* Returns how many rows of MESH_EXTRA_WIDTH texels the extras of vertices are. */
+static inline uint32_t mesh_extra_row_count(uint32_t vertex_count)
+{
+    return (vertex_count + MESH_EXTRA_WIDTH / MESH_EXTRA_TEXELS - 1) /
+           (MESH_EXTRA_WIDTH / MESH_EXTRA_TEXELS);
+}
 
 struct box mesh_box(const struct mesh *mesh);
 

@@ -34,6 +34,10 @@ static bool place_mesh(struct mesh *mesh, const mat4s *turn, const struct place 
         struct mesh_vertex *vertex = &mesh->vertices[i];
         vertex->position = glms_vec3_scale(turned(turn, place, vertex->position), scale_of(place));
         vertex->normal = turned(turn, place, vertex->normal);
+        if (mesh->extras) {
+            vec3s *tangent = &mesh->extras[i].tangent;
+            *tangent = turned(turn, place, *tangent);
+        }
         for (int c = 0; c < 3; c++)
             is_near = is_near && fabsf(vertex->position.raw[c]) <= most;
     }

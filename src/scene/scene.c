@@ -333,13 +333,16 @@ static enum status add_surfaces(struct scene *scene)
         return STATUS_OK;
     scene->material_rows = material_rows_make(&scene->model);
     scene->surface_split = surface_split_make();
+    const bool has_extras = scene->model.surroundings.extras;
+    if (has_extras)
+        scene->extra_rows = material_rows_make_extras(&scene->model.surroundings);
     const bool needs_light = is_lit && scene->background == SCENE_ENVIRONMENT;
     if (needs_light)
         scene->surface_light = surface_light_make(&scene->environment);
     if (has_lights)
         scene->light_rows = light_rows_make(scene->model.lights, scene->model.light_count);
-    const bool done =
-        scene->material_rows && scene->surface_split && (scene->light_rows || !has_lights);
+    const bool done = scene->material_rows && scene->surface_split &&
+                      (scene->light_rows || !has_lights) && (scene->extra_rows || !has_extras);
     return done && (scene->surface_light || !needs_light) ? STATUS_OK
                                                           : log_out_of_memory("materials");
 }
@@ -393,6 +396,7 @@ void scene_finish(struct scene *scene)
     environment_finish(&scene->environment);
     environment_finish(&scene->cube);
     free(scene->material_rows);
+    free(scene->extra_rows);
     free(scene->light_rows);
     free(scene->surface_split);
     free(scene->surface_light);

@@ -30,6 +30,7 @@ struct scene {
     vec4s *material_rows;    /* material_rows.h; NULL: all surroundings are unlit, or matt and under
                                 the built-in sky */
     vec4s *light_rows;       /* light.h; NULL: no light is on any surface */
+    vec4s *extra_rows;       /* material_rows.h, of the surroundings; NULL: they have no extras */
     uint16_t *surface_split; /* surface_light.h; there if material_rows are */
     uint16_t *surface_light; /* surface_light.h; NULL: nothing is lit by `environment` */
     struct environment cube; /* replaces the environment cube that env_cube draws; may be {0} */

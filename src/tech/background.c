@@ -31,6 +31,12 @@ static const struct rg_use material_uses[] = {
     { 0 },
 };
 
+static const struct rg_use extra_uses[] = {
+    FRAME_SAMPLE(frame_extras, BACKGROUND_EXTRAS, .sampler = NULL,
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
+    { 0 },
+};
+
 static const struct rg_use sky_uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_SAMPLE(frame_environment, BACKGROUND_ENVIRONMENT, .sampler = &frame_environment_sampler),
@@ -55,9 +61,10 @@ static const struct rg_pass passes[] = {
     },
 };
 
-static const struct rg_shader *const frags[2][2] = {
+static const struct rg_shader *const frags[3][2] = {
     { &background_frag, &background_shine_frag },
     { &background_materials_frag, &background_materials_shine_frag },
+    { &background_extra_frag, &background_extra_shine_frag },
 };
 
 struct rg_technique background_make(struct row_builder *builder,
@@ -66,16 +73,20 @@ struct rg_technique background_make(struct row_builder *builder,
     /* The sky covers all pixels without surroundings, so the colours need no clear. */
     const enum rg_load color_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
     const enum rg_load depth_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
+    const bool has_extras = wanted->has_materials && wanted->has_extras;
     const struct rg_use *const uses[] = { wanted->has_materials ? material_uses : plain_uses,
-                                          wanted->shine ? ice_caustics_uses : NULL };
+                                          wanted->shine ? ice_caustics_uses : NULL,
+                                          has_extras ? extra_uses : NULL };
     struct rg_pass *rows = row_builder_rows(builder, passes, 2);
     if (!rows)
         return (struct rg_technique){ 0 };
     rows[0].name = row_builder_name(builder, wanted->name, "surroundings");
     rows[0].color = row_builder_target(builder, (struct rg_target){ wanted->color, color_load });
     rows[0].depth = (struct rg_target){ wanted->depth, depth_load };
-    rows[0].frag = frags[wanted->has_materials][wanted->shine];
-    rows[0].uses = row_builder_uses(builder, uses, 2);
+    if (has_extras)
+        rows[0].vert = &background_extra_vert;
+    rows[0].frag = frags[has_extras ? 2 : wanted->has_materials][wanted->shine];
+    rows[0].uses = row_builder_uses(builder, uses, 3);
     rows[0].record = wanted->record_surroundings;
     rows[1].name = row_builder_name(builder, wanted->name, "sky");
     rows[1].color = row_builder_target(builder, (struct rg_target){ wanted->color, RG_LOAD_KEEP });
@@ -100,6 +111,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
         .keep = !choice->has_pool,
         .shine = !choice->has_pool && ice_caustics.is_on(choice->settings),
         .has_materials = choice->has_materials,
+        .has_extras = choice->has_extras,
         .record_surroundings = record_surroundings,
         .record_sky = record_sky,
     };
@@ -162,6 +174,18 @@ static struct technique_texels find_materials(const struct scene *scene)
     };
 }
 
+static struct technique_texels find_extras(const struct scene *scene)
+{
+    if (!scene->extra_rows)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->extra_rows,
+        .width = MESH_EXTRA_WIDTH,
+        .height = mesh_extra_row_count(scene->model.surroundings.vertex_count),
+        .no_mips = true,
+    };
+}
+
 static struct technique_texels find_lights(const struct scene *scene)
 {
     if (!scene->light_rows)
@@ -208,6 +232,7 @@ static const struct technique_import imports[] = {
     { &frame_textures, find_textures, white },
     { &frame_numbers, find_numbers, white },
     { &frame_materials, find_materials, nothing },
+    { &frame_extras, find_extras, nothing },
     { &frame_lights, find_lights, nothing },
     { &frame_surface_light, find_surface_light, black },
     { &frame_surface_split, find_surface_split, black },

@@ -10,7 +10,7 @@ struct background_rows {
     const struct rg_image *color, *depth; /* reversed depth: 0 is infinity */
     bool keep;                            /* keep the images' content: the object, drawn before */
     bool shine;                           /* lit by ice_caustics.h */
-    bool has_materials;                   /* of technique_choice */
+    bool has_materials, has_extras;       /* of technique_choice */
     enum rg_repeat repeat;
     rg_record_fn *record_surroundings, *record_sky; /* both push a struct background_push */
     rg_when_fn *when;                               /* of both */

@@ -119,6 +119,13 @@ const struct rg_image frame_materials = {
     .height = 1,
 };
 
+const struct rg_image frame_extras = {
+    .name = "frame.extras",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+    .width = 1,
+    .height = 1,
+};
+
 const struct rg_image frame_lights = {
     .name = "frame.lights",
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,

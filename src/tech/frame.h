@@ -101,6 +101,8 @@ extern const struct rg_image frame_numbers;     /* those of what is no colour, l
 extern const struct rg_image frame_materials;   /* shaders/material.h; 1x1 if nothing has any */
 /* The lights of files (shaders/lit.h); 1x1 if there are none. */
 extern const struct rg_image frame_lights;
+/* Of the surroundings' vertices (shaders/mesh.h); 1x1 if they have none. */
+extern const struct rg_image frame_extras;
 /* Tables of light on surfaces (shaders/lit.h); 1x1 if nothing needs them. */
 extern const struct rg_image frame_surface_light, frame_surface_split;
 

@@ -37,6 +37,7 @@ struct technique_choice {
     bool is_convex;        /* the object is known to be convex */
     bool has_pool;         /* the scene is a pool of water */
     bool has_materials;    /* surroundings have materials (scene.material_rows) */
+    bool has_extras;       /* surroundings have scene.extra_rows */
     bool has_cube;         /* the scene has an environment cube of its own */
     bool keeps_depth;      /* the objects are drawn again, over the finished picture */
     uint32_t object_count; /* refractive objects, each drawn by rows of its own; 0 means 1 */

@@ -374,7 +374,8 @@ static void textures_of_materials(void **state)
         "'pbrMetallicRoughness':{'baseColorTexture':{'index':0,'texCoord':1,'extensions':{"
         "'KHR_texture_transform':{'offset':[10,20],'scale':[2,2],'rotation':1.57079633}}}},"
         "'normalTexture':{'index':1,'texCoord':1,'scale':0.5},'emissiveTexture':{'index':0,"
-        "'texCoord':1},'occlusionTexture':{'index':0}";
+        "'texCoord':1},'occlusionTexture':{'index':0},'extensions':{'KHR_materials_specular':{"
+        "'specularTexture':{'index':0,'texCoord':2}}}";
     assert_int_equal(gltf_file_material(&model, material, TEXTURES, said), STATUS_OK);
     const struct material *m = &model.materials[0];
     assert_int_equal(model.textures.count, 1);
@@ -382,7 +383,10 @@ static void textures_of_materials(void **state)
     assert_int_equal(m->textures[MATERIAL_BASE_COLOR].layer, 1);
     assert_int_equal(m->textures[MATERIAL_NORMAL].layer, 1);
     assert_int_equal(m->textures[MATERIAL_EMISSION].layer, 1);
-    assert_int_equal(m->textures[MATERIAL_OCCLUSION].layer, 0); /* another set of coordinates */
+    assert_int_equal(m->textures[MATERIAL_OCCLUSION].layer, 1);
+    assert_int_equal(m->textures[MATERIAL_OCCLUSION].uv_set, 1); /* another set of coordinates */
+    assert_int_equal(m->textures[MATERIAL_EMISSION].uv_set, 0);
+    assert_int_equal(m->textures[MATERIAL_SPECULAR].layer, 0); /* a third one */
     assert_int_equal(m->textures[MATERIAL_NORMAL].wrap_u, MATERIAL_CLAMP);
     assert_int_equal(m->textures[MATERIAL_NORMAL].wrap_v, MATERIAL_MIRROR);
     CHECK_NEAR(m->normal_scale, 0.5, 0);
@@ -393,12 +397,13 @@ static void textures_of_materials(void **state)
         const vec3s in = { { uv.x, uv.y, 1 } };
         CHECK_NEAR(uv.x, wanted[i][0], 1e-5);
         CHECK_NEAR(uv.y, wanted[i][1], 1e-5);
+        CHECK_NEAR(mesh->extras[mesh->indices[i]].uv.x, i == 1, 0);
         CHECK_NEAR(glms_vec3_dot(m->textures[MATERIAL_NORMAL].u_row, in), i == 1, 1e-5);
         CHECK_NEAR(glms_vec3_dot(m->textures[MATERIAL_NORMAL].v_row, in), i == 2, 1e-5);
     }
     model_finish(&model);
-    assert_string_equal(said, "firn: warning: m.gltf: not drawn: textures with other coordinates "
-                              "than the base colour's\n");
+    assert_string_equal(said, "firn: warning: m.gltf: not drawn: textures of a third set of "
+                              "coordinates\n");
 }
 
 static void extensions_are_named(void **state)

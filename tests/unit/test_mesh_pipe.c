@@ -29,7 +29,9 @@ enum {
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
     MESH_SIZE = 4 * VERTEX_SIZE + 6 * 4,
-    OBJECTS_AT = VERTICES_AT + 2 * MESH_SIZE,
+    EXTRAS_AT = VERTICES_AT + 2 * MESH_SIZE, /* of the surroundings */
+    EXTRA_SIZE = 24,
+    OBJECTS_AT = EXTRAS_AT + 4 * EXTRA_SIZE,
     MATERIALS_AT = OBJECTS_AT + 2 * (int)sizeof(struct object),
     CAMERAS_AT = MATERIALS_AT + 2 * (int)sizeof(struct material),
     LIGHTS_AT = CAMERAS_AT + 2 * (int)sizeof(struct model_camera),
@@ -104,6 +106,13 @@ static void add_extension(struct model *model)
     model->undrawn = 5;
 }
 
+static void add_extras(struct mesh *mesh)
+{
+    assert_true(mesh_add_extras(mesh));
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        mesh->extras[i] = (struct mesh_extra){ { { 1, 0, 0 } }, -1, { { 7, (float)i } } };
+}
+
 static void add_animations(struct model *model)
 {
     model->animations = calloc(2, sizeof(*model->animations));
@@ -129,6 +138,7 @@ static struct model make_model(void)
         .has_box = true,
         .has_ior = true,
     };
+    add_extras(&model.surroundings);
     add_objects(&model);
     add_cameras(&model);
     add_lights(&model);
@@ -163,6 +173,10 @@ static void check_mesh(const struct mesh *mesh, const struct mesh *wanted)
     assert_memory_equal(mesh->vertices, wanted->vertices,
                         mesh->vertex_count * sizeof(*mesh->vertices));
     assert_memory_equal(mesh->indices, wanted->indices, mesh->index_count * sizeof(uint32_t));
+    assert_int_equal(!mesh->extras, !wanted->extras);
+    if (mesh->extras)
+        assert_memory_equal(mesh->extras, wanted->extras,
+                            mesh->vertex_count * sizeof(*mesh->extras));
 }
 
 static void model_comes_through(void **state)
@@ -230,7 +244,7 @@ static void heads_are_checked(void **state)
 {
     (void)state;
     refuse_word(0, 0x464c457f, PIPE_HEAD);
-    refuse_word(FLAGS_AT, 8, PIPE_CAMERA);
+    refuse_word(FLAGS_AT, 32, PIPE_CAMERA);
     for (size_t i = 0; i < 4; i++) {
         refuse_word(COUNTS_AT + 4 * i, UINT32_MAX, PIPE_SIZE);
         refuse_word(COUNTS_AT + 4 * i, 0, PIPE_SIZE);
@@ -346,6 +360,12 @@ static void vertices_are_checked(void **state)
         refuse_number(VERTICES_AT + 3 * VERTEX_SIZE + 4 * i, NAN, PIPE_NUMBER);
         refuse_number(VERTICES_AT + 3 * VERTEX_SIZE + 4 * i, -INFINITY, PIPE_NUMBER);
     }
+    for (size_t i = 0; i < EXTRA_SIZE / 4; i++)
+        refuse_number(EXTRAS_AT + 3 * EXTRA_SIZE + 4 * i, NAN, PIPE_NUMBER);
+    refuse_number(EXTRAS_AT, 3, PIPE_NUMBER);
+    refuse_number(EXTRAS_AT + 12, 2, PIPE_NUMBER);
+    refuse_word(MATERIALS_AT + offsetof(struct material, textures[MATERIAL_NORMAL].uv_set), 2,
+                PIPE_MATERIAL);
     refuse_number(VERTICES_AT, 1.1e6F, PIPE_NUMBER);
     refuse_number(VERTICES_AT + 12, 3, PIPE_NUMBER);
     refuse_word(VERTICES_AT + 44, MESH_UNLIT | 3, PIPE_MATERIAL); /* of two textures */

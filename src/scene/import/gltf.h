@@ -37,11 +37,13 @@ struct gltf_primitive {
     uint32_t vertex_count, index_count;
     uint32_t *indices;
     float *positions;
-    float *normals; /* NULL: none, as in those below */
-    float *colors;  /* 4 of each vertex */
-    float *uvs;     /* mesh_vertex.uv; 2 */
-    float *joints;  /* 4 indices of joints of the node's skin */
-    float *weights; /* of them, 4; both or none are there */
+    float *normals;   /* NULL: none, as in those below */
+    float *colors;    /* 4 of each vertex */
+    float *uvs;       /* mesh_vertex.uv; 2 */
+    float *other_uvs; /* mesh_extra.uv; 2 */
+    float *tangents;  /* 4 */
+    float *joints;    /* 4 indices of joints of the node's skin */
+    float *weights;   /* of them, 4; both or none are there */
     struct gltf_target *targets;
     uint32_t target_count;
 };
@@ -80,9 +82,10 @@ struct gltf_material {
     struct material material; /* its layers are set by gltf_textures_read() */
     uint32_t mesh_flags;      /* MESH_UNLIT, MESH_CUTOUT */
     struct gltf_texture textures[MATERIAL_TEXTURE_COUNT];
-    uint32_t uv_set;  /* of which mesh_vertex.uv is made, or gltf_none */
-    vec3s uv_rows[2]; /* how */
-    float ior;        /* as the file has it; 0: not given, or legacy */
+    uint32_t uv_set;       /* of which mesh_vertex.uv is made, or gltf_none */
+    vec3s uv_rows[2];      /* how */
+    uint32_t other_uv_set; /* of which mesh_extra.uv is made, as it is, or gltf_none */
+    float ior;             /* as the file has it; 0: not given, or legacy */
 };
 
 /* What a file has, and this program reads but does not draw. */

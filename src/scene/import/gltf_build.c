@@ -142,6 +142,8 @@ static struct model_shape shape_of(const struct gltf *gltf, const struct gltf_pr
         .colors = primitive->colors,
         .uvs = primitive->uvs,
         .uv_stride = 2,
+        .other_uvs = primitive->other_uvs,
+        .tangents = primitive->tangents,
         .indices = primitive->indices,
         .vertex_count = primitive->vertex_count,
         .index_count = primitive->index_count,
@@ -182,6 +184,8 @@ static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s 
     if (walk->is_counting) {
         if (part == MODEL_OBJECT)
             read_ior(walk, &gltf->materials[primitive->material]);
+        else
+            walk->build.has_extras[part] |= primitive->other_uvs || primitive->tangents;
         return model_build_count(&walk->build, part, primitive->vertex_count,
                                  primitive->index_count);
     }
@@ -193,6 +197,7 @@ static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s 
         status = gltf_pose(gltf, node, primitive, &posed);
         shape.positions = posed.positions;
         shape.normals = posed.normals;
+        shape.tangents = NULL; /* not posed: derived from the texture coordinates */
         if (node->skin != gltf_none && primitive->joints)
             model_from_mesh = glms_mat4_identity();
     }

@@ -142,5 +142,6 @@ enum status gltf_materials_read(struct gltf *gltf)
     gltf->materials[count].material = material_make("");
     gltf->materials[count].material.metallic = 1;
     gltf->materials[count].uv_set = gltf_none;
+    gltf->materials[count].other_uv_set = gltf_none;
     return gltf->status;
 }

@@ -21,6 +21,8 @@ void gltf_primitive_finish(struct gltf_primitive *primitive)
     free(primitive->normals);
     free(primitive->colors);
     free(primitive->uvs);
+    free(primitive->other_uvs);
+    free(primitive->tangents);
     free(primitive->joints);
     free(primitive->weights);
     for (uint32_t i = 0; i < primitive->target_count; i++) {
@@ -90,6 +92,12 @@ static void read_uvs(const struct source *source, struct gltf_primitive *primiti
 {
     const struct gltf_material *material = &source->object.gltf->materials[primitive->material];
     char name[32];
+    if (material->other_uv_set != gltf_none) {
+        (void)snprintf(name, sizeof(name), "TEXCOORD_%u", material->other_uv_set);
+        primitive->other_uvs = read_attribute(source, name, 2);
+    }
+    if (material->textures[MATERIAL_NORMAL].image != gltf_none)
+        primitive->tangents = read_attribute(source, "TANGENT", 4);
     if (material->uv_set == gltf_none)
         return;
     (void)snprintf(name, sizeof(name), "TEXCOORD_%u", material->uv_set);

@@ -77,15 +77,28 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
     read_transform(info, texture);
 }
 
+/* Uses the second coordinates of the vertices, which are those of one set. Returns false if they
+ * are of another. */
+static bool use_other(struct gltf_material *material, const struct gltf_texture *texture,
+                      struct material_texture *out)
+{
+    if (material->other_uv_set == gltf_none)
+        material->other_uv_set = texture->uv_set;
+    out->uv_set = 1;
+    out->u_row = texture->rows[0];
+    out->v_row = texture->rows[1];
+    return material->other_uv_set == texture->uv_set;
+}
+
 /* Sets how coordinates of the vertices become those of a texture. Returns false if they cannot,
- * since the base colour's, which the vertices have, are of another set or all the same. */
-static bool relate(const struct gltf_material *material, const struct gltf_texture *texture,
+ * since the two that a vertex has are of other sets, or all the same. */
+static bool relate(struct gltf_material *material, const struct gltf_texture *texture,
                    struct material_texture *out)
 {
     const vec3s *from = material->uv_rows;
     const float det = from[0].x * from[1].y - from[0].y * from[1].x;
     if (texture->uv_set != material->uv_set || !(fabsf(det) > 1e-12F))
-        return false;
+        return use_other(material, texture, out);
     vec3s *to[2] = { &out->u_row, &out->v_row };
     for (int i = 0; i < 2; i++) {
         const vec3s row = texture->rows[i];
@@ -101,6 +114,7 @@ void gltf_material_textures(const struct gltf_object *object, struct gltf_materi
     static const vec3s same[2] = { { { 1, 0, 0 } }, { { 0, 1, 0 } } };
     struct gltf *gltf = object->gltf;
     material->uv_set = gltf_none;
+    material->other_uv_set = gltf_none;
     for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++) {
         const struct slot *slot = &slots[i];
         const struct gltf_object group = !slot->group[0] ? *object

@@ -14,6 +14,9 @@ enum {
     HAS_CAMERA = 1,
     HAS_IOR = 2,
     HAS_BOX = 4,
+    HAS_OBJECT_EXTRAS = 8,
+    HAS_SURROUNDINGS_EXTRAS = 16,
+    HEAD_FLAGS = 31,
     TEXEL_SIZE = 4,             /* bytes of a texture's texel */
     ENVIRONMENT_TEXEL_SIZE = 8, /* bytes of four halfs */
     HALF_MAX = 0x7bff,          /* bits of the largest finite half; negative ones have more */
@@ -46,7 +49,7 @@ struct environment_head {
     uint32_t width, height;
 };
 
-_Static_assert(sizeof(struct material) == 492, "no padding");
+_Static_assert(sizeof(struct material) == 528, "no padding");
 _Static_assert(sizeof(struct object) == 104, "no padding");
 _Static_assert(sizeof(struct model_camera) == 112, "no padding");
 _Static_assert(sizeof(struct light) == 120, "no padding");
@@ -59,7 +62,9 @@ _Static_assert(sizeof(struct model_head) == 140, "no padding, so no bytes of thi
 static bool write_mesh(const struct pipe_sink *sink, const struct mesh *mesh)
 {
     return pipe_write(sink, mesh->vertices, mesh->vertex_count * sizeof(*mesh->vertices)) &&
-           pipe_write(sink, mesh->indices, mesh->index_count * sizeof(*mesh->indices));
+           pipe_write(sink, mesh->indices, mesh->index_count * sizeof(*mesh->indices)) &&
+           (!mesh->extras ||
+            pipe_write(sink, mesh->extras, mesh->vertex_count * sizeof(*mesh->extras)));
 }
 
 static size_t texels_size(const struct texture_layers *layers)
@@ -72,7 +77,8 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
     const struct model_head head = {
         .magic = MAGIC_MODEL,
         .flags = (model->has_camera ? HAS_CAMERA : 0u) | (model->has_ior ? HAS_IOR : 0u) |
-                 (model->has_box ? HAS_BOX : 0u),
+                 (model->has_box ? HAS_BOX : 0u) | (model->object.extras ? HAS_OBJECT_EXTRAS : 0u) |
+                 (model->surroundings.extras ? HAS_SURROUNDINGS_EXTRAS : 0u),
         .object = { model->object.vertex_count, model->object.index_count },
         .surroundings = { model->surroundings.vertex_count, model->surroundings.index_count },
         .object_count = model->object_count,
@@ -131,6 +137,11 @@ static bool is_within(vec3s v, float max)
     return fabsf(v.x) <= max && fabsf(v.y) <= max && fabsf(v.z) <= max;
 }
 
+static bool is_from(float value, float min, float max)
+{
+    return value >= min && value <= max;
+}
+
 /* The light that a surface reflects or, if it is unlit, emits: passes rely on these limits. */
 static bool is_color(vec3s c, bool is_unlit)
 {
@@ -163,8 +174,24 @@ static enum pipe_fault check_triangle(const struct mesh *mesh, const uint32_t *c
     return PIPE_OK;
 }
 
+static enum pipe_fault read_extras(const struct pipe_source *source, struct mesh *mesh)
+{
+    if (!mesh_add_extras(mesh))
+        return PIPE_MEMORY;
+    enum pipe_fault fault =
+        pipe_read(source, mesh->extras, mesh->vertex_count * sizeof(*mesh->extras));
+    for (uint32_t i = 0; fault == PIPE_OK && i < mesh->vertex_count; i++) {
+        const struct mesh_extra *extra = &mesh->extras[i];
+        if (!is_within(extra->tangent, 2) || !is_from(extra->side, -1, 1) ||
+            !isfinite(extra->uv.x) || !isfinite(extra->uv.y))
+            fault = PIPE_NUMBER;
+    }
+    return fault;
+}
+
 static enum pipe_fault read_mesh(const struct pipe_source *source, struct mesh *mesh,
-                                 struct mesh_counts counts, const struct model_head *head)
+                                 struct mesh_counts counts, const struct model_head *head,
+                                 bool has_extras)
 {
     if (!mesh_init(mesh, counts.vertices, counts.indices))
         return PIPE_MEMORY;
@@ -174,14 +201,17 @@ static enum pipe_fault read_mesh(const struct pipe_source *source, struct mesh *
         fault = pipe_read(source, mesh->indices, counts.indices * sizeof(*mesh->indices));
     for (uint32_t i = 0; fault == PIPE_OK && i < counts.vertices; i++)
         fault = check_vertex(&mesh->vertices[i], head);
+    if (fault == PIPE_OK && has_extras)
+        fault = read_extras(source, mesh);
     for (uint32_t i = 0; fault == PIPE_OK && i < counts.indices; i += 3)
         fault = check_triangle(mesh, &mesh->indices[i]);
     return fault;
 }
 
-static uint64_t mesh_size(struct mesh_counts counts)
+static uint64_t mesh_size(struct mesh_counts counts, bool has_extras)
 {
     return counts.vertices * (uint64_t)sizeof(struct mesh_vertex) +
+           (has_extras ? counts.vertices * (uint64_t)sizeof(struct mesh_extra) : 0) +
            counts.indices * (uint64_t)sizeof(uint32_t);
 }
 
@@ -217,24 +247,21 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
         return PIPE_SIZE;
     if (!are_textures(&head->textures) || !are_textures(&head->numbers))
         return PIPE_SIZE;
-    if (textures_size(&head->textures) + textures_size(&head->numbers) + mesh_size(head->object) +
-            mesh_size(head->surroundings) + head->object_count * (uint64_t)sizeof(struct object) +
+    if (textures_size(&head->textures) + textures_size(&head->numbers) +
+            mesh_size(head->object, head->flags & HAS_OBJECT_EXTRAS) +
+            mesh_size(head->surroundings, head->flags & HAS_SURROUNDINGS_EXTRAS) +
+            head->object_count * (uint64_t)sizeof(struct object) +
             head->material_count * (uint64_t)sizeof(struct material) >
         source->size_max)
         return PIPE_SIZE;
     return PIPE_OK;
 }
 
-static bool is_from(float value, float min, float max)
-{
-    return value >= min && value <= max;
-}
-
 static bool is_texture(const struct material_texture *texture, uint32_t texture_count)
 {
     return texture->layer <= texture_count && texture->wrap_u < MATERIAL_WRAP_COUNT &&
-           texture->wrap_v < MATERIAL_WRAP_COUNT && is_within(texture->u_row, FLT_MAX) &&
-           is_within(texture->v_row, FLT_MAX);
+           texture->wrap_v < MATERIAL_WRAP_COUNT && texture->uv_set <= 1 &&
+           is_within(texture->u_row, FLT_MAX) && is_within(texture->v_row, FLT_MAX);
 }
 
 static bool is_surface(const struct material *m)
@@ -327,7 +354,7 @@ static bool is_camera(const struct camera *camera)
 
 static bool has_sound_optics(const struct model_head *head)
 {
-    if (head->flags & ~(uint32_t)(HAS_CAMERA | HAS_IOR | HAS_BOX))
+    if (head->flags & ~(uint32_t)HEAD_FLAGS)
         return false;
     if (head->flags & HAS_BOX && !is_box(&head->box))
         return false;
@@ -434,9 +461,11 @@ enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct mo
     if (fault == PIPE_OK)
         fault = check_sizes(source, &head);
     if (fault == PIPE_OK)
-        fault = read_mesh(source, &model->object, head.object, &head);
+        fault =
+            read_mesh(source, &model->object, head.object, &head, head.flags & HAS_OBJECT_EXTRAS);
     if (fault == PIPE_OK)
-        fault = read_mesh(source, &model->surroundings, head.surroundings, &head);
+        fault = read_mesh(source, &model->surroundings, head.surroundings, &head,
+                          head.flags & HAS_SURROUNDINGS_EXTRAS);
     if (fault == PIPE_OK)
         fault = read_objects(source, &head, model);
     if (fault == PIPE_OK)

@@ -36,6 +36,10 @@ enum status model_shape_check(const struct model_import *import, const struct mo
             return bad_vertex(import, shape, vertex, "the normal is not finite");
         if (shape->uvs && !are_finite(&shape->uvs[shape->uv_stride * i], 2))
             return bad_vertex(import, shape, vertex, "the texture coordinates are not finite");
+        if (shape->other_uvs && !are_finite(&shape->other_uvs[2 * i], 2))
+            return bad_vertex(import, shape, vertex, "the texture coordinates are not finite");
+        if (shape->tangents && !are_finite(&shape->tangents[4 * i], 4))
+            return bad_vertex(import, shape, vertex, "the tangent is not finite");
         if (shape->colors && !are_finite(&shape->colors[4 * i], 3))
             return bad_vertex(import, shape, vertex, "the colour is not finite");
     }
@@ -71,6 +75,8 @@ enum status model_build_allocate(struct model_build *build)
         index_count += build->index_count[i];
         if (!mesh_init(build->meshes[i], (uint32_t)build->vertex_count[i],
                        (uint32_t)build->index_count[i]))
+            return log_out_of_memory(build->import->path);
+        if (build->has_extras[i] && !mesh_add_extras(build->meshes[i]))
             return log_out_of_memory(build->import->path);
         build->vertex_count[i] = 0;
         build->index_count[i] = 0;
@@ -130,6 +136,23 @@ static bool fill_vertex(struct mesh_vertex *vertex, const struct model_shape *sh
     return true;
 }
 
+/* A reflection turns the side of the bitangent. A tangent without a direction is none. */
+static void fill_extra(struct mesh_extra *extra, const struct model_shape *shape,
+                       const mat3s *linear, bool is_mirrored, size_t i)
+{
+    if (shape->other_uvs)
+        extra->uv = (vec2s){ { shape->other_uvs[2 * i], shape->other_uvs[2 * i + 1] } };
+    if (!shape->tangents)
+        return;
+    const float *t = &shape->tangents[4 * i];
+    const vec3s tangent = glms_mat3_mulv(*linear, (vec3s){ { t[0], t[1], t[2] } });
+    const float length = glms_vec3_norm(tangent);
+    if (!(length > 0 && isfinite(length)))
+        return;
+    extra->tangent = glms_vec3_divs(tangent, length);
+    extra->side = (t[3] < 0) == is_mirrored ? 1 : -1;
+}
+
 enum status model_build_add(struct model_build *build, enum model_part part,
                             const struct model_shape *shape, mat4s model_from_shape)
 {
@@ -143,6 +166,8 @@ enum status model_build_add(struct model_build *build, enum model_part part,
         if (!fill_vertex(&mesh->vertices[base + i], shape, &model_from_shape, &normal_from_shape, i,
                          &build->import->clamped_vertices))
             return bad_vertex(build->import, shape, i, "the position is beyond 1000000 units");
+        if (mesh->extras)
+            fill_extra(&mesh->extras[base + i], shape, &linear, is_mirrored, i);
     }
     for (uint32_t i = 0; i < shape->index_count; i += 3) {
         indices[i] = base + shape->indices[i];

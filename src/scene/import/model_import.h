@@ -116,7 +116,9 @@ struct model_shape {
     const float *colors;    /* 4, linear; may be NULL */
     const float *uvs;       /* the first 2 of uv_stride; may be NULL */
     uint32_t uv_stride;
-    bool is_flipped; /* v = 0 is the bottom of the texture */
+    const float *other_uvs; /* 2, mesh_extra.uv; may be NULL */
+    const float *tangents;  /* 4, as glTF has them; may be NULL */
+    bool is_flipped;        /* v = 0 is the bottom of the texture */
     const uint32_t *indices;
     uint32_t vertex_count, index_count;
     vec3s color;       /* times the vertices' */
@@ -129,6 +131,7 @@ struct model_build {
     struct model *model;
     struct mesh *meshes[MODEL_PART_COUNT];
     uint64_t vertex_count[MODEL_PART_COUNT], index_count[MODEL_PART_COUNT];
+    bool has_extras[MODEL_PART_COUNT]; /* set before the meshes are allocated */
 };
 
 /* Checks that the numbers of a shape are finite, and its indices in range. */

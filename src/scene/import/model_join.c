@@ -8,6 +8,7 @@ static const uint32_t unused = UINT32_MAX;
 
 _Static_assert(offsetof(struct mesh_vertex, position) == 0, "a position is the first bytes");
 _Static_assert(sizeof(struct mesh_vertex) == 48, "no padding, so all bytes can be compared");
+_Static_assert(sizeof(struct mesh_extra) == 24, "no padding, so all bytes can be compared");
 
 static uint32_t hash(const void *key, size_t size)
 {
@@ -22,9 +23,18 @@ static uint32_t hash(const void *key, size_t size)
     return (uint32_t)state;
 }
 
+/* Whether two vertices have the same first key_size bytes and, if these are all, extras. */
+static bool is_alike(const struct mesh *mesh, uint32_t a, uint32_t b, size_t key_size)
+{
+    if (memcmp(&mesh->vertices[a], &mesh->vertices[b], key_size) != 0)
+        return false;
+    return !mesh->extras || key_size < sizeof(struct mesh_vertex) ||
+           memcmp(&mesh->extras[a], &mesh->extras[b], sizeof(*mesh->extras)) == 0;
+}
+
 /*
- * Returns for every vertex the index of the first one with the same first key_size bytes, in an
- * array that the caller frees; NULL when out of memory.
+ * Returns for every vertex the index of the first one that is alike, in an array that the caller
+ * frees; NULL when out of memory.
  */
 static uint32_t *find_alike(const struct mesh *mesh, size_t key_size)
 {
@@ -41,7 +51,7 @@ static uint32_t *find_alike(const struct mesh *mesh, size_t key_size)
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const void *key = &mesh->vertices[i];
         size_t slot = hash(key, key_size) & (slot_count - 1);
-        while (slots[slot] != 0 && memcmp(&mesh->vertices[slots[slot] - 1], key, key_size) != 0)
+        while (slots[slot] != 0 && !is_alike(mesh, slots[slot] - 1, i, key_size))
             slot = (slot + 1) & (slot_count - 1);
         if (slots[slot] == 0)
             slots[slot] = i + 1;
@@ -107,14 +117,20 @@ bool model_join_vertices(struct mesh *mesh)
     uint32_t *alike = find_alike(mesh, sizeof(struct mesh_vertex));
     bool is_done =
         number && alike && mesh_init(&joined, renumber(mesh, alike, number), mesh->index_count);
+    if (is_done && mesh->extras)
+        is_done = mesh_add_extras(&joined);
     if (is_done) {
         for (uint32_t i = 0; i < mesh->index_count; i++) {
             uint32_t vertex = alike[mesh->indices[i]];
             joined.indices[i] = number[vertex];
             joined.vertices[number[vertex]] = mesh->vertices[vertex];
+            if (joined.extras)
+                joined.extras[number[vertex]] = mesh->extras[vertex];
         }
         mesh_finish(mesh);
         *mesh = joined;
+    } else {
+        mesh_finish(&joined);
     }
     free(number);
     free(alike);

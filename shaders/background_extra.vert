@@ -1,0 +1,47 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "background.h"
+#include "lib/pose.glsl"
+
+layout(set = 0, binding = BACKGROUND_EXTRAS) uniform sampler2D extras;
+
+layout(push_constant, scalar) uniform Push
+{
+    background_push push;
+};
+
+layout(location = MESH_POSITION) in vec3 position;
+layout(location = MESH_NORMAL) in vec3 normal;
+layout(location = MESH_COLOR) in vec3 color;
+layout(location = MESH_UV) in vec2 uv;
+layout(location = MESH_MATERIAL) in uint material;
+
+layout(location = 0) out vec3 out_eye_to_point;
+layout(location = 1) out vec3 out_normal;
+layout(location = 2) out vec3 out_color;
+layout(location = 3) out vec2 out_uv;
+layout(location = 4) flat out uint out_material;
+layout(location = 5) out vec2 out_other_uv;
+layout(location = 6) out vec4 out_tangent;
+
+/* Returns a texel of this vertex. */
+vec4 extra_texel(int index)
+{
+    int at = gl_VertexIndex * MESH_EXTRA_TEXELS + index;
+    return texelFetch(extras, ivec2(at % MESH_EXTRA_WIDTH, at / MESH_EXTRA_WIDTH), 0);
+}
+
+void main()
+{
+    /* `precise`, because the layers' depth test compares with the depth of the picture's pass. */
+    precise vec3 point = pose_surroundings(position, material);
+    precise vec4 clip = push.clip_from_world * vec4(point, 1.0);
+    gl_Position = clip;
+    out_eye_to_point = point - push.eye;
+    out_normal = pose_surroundings_normal(normal, material);
+    out_color = color;
+    out_uv = uv;
+    out_material = material;
+    out_tangent = extra_texel(0);
+    out_other_uv = extra_texel(1).xy;
+}
