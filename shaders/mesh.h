@@ -18,6 +18,7 @@
 
 /* The texture of struct mesh_extra: a vertex's texels follow each other, row after row. */
 #define MESH_EXTRA_WIDTH  4096 /* texels */
+#define MESH_EXTRA_HEIGHT 4096 /* at most, as every device has it */
 #define MESH_EXTRA_TEXELS 2    /* of a vertex: tangent; uv */
 
 #endif

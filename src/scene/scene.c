@@ -323,6 +323,22 @@ static enum status fill_object(struct scene *scene, const struct scene_params *p
     return status;
 }
 
+/* Makes the texture of the vertices' extras, if there are any. */
+static enum status add_extras(struct scene *scene)
+{
+    const struct mesh *mesh = &scene->model.surroundings;
+    if (!mesh->extras)
+        return STATUS_OK;
+    if (mesh_extra_row_count(mesh->vertex_count) > MESH_EXTRA_HEIGHT) {
+        log_error("expected at most %d vertices around the objects, since some have tangents or a "
+                  "second set of texture coordinates, got %u: export them without",
+                  MESH_EXTRA_HEIGHT * (MESH_EXTRA_WIDTH / MESH_EXTRA_TEXELS), mesh->vertex_count);
+        return STATUS_DATA;
+    }
+    scene->extra_rows = material_rows_make_extras(mesh);
+    return scene->extra_rows ? STATUS_OK : log_out_of_memory("texture coordinates");
+}
+
 /* Makes what shaders need of surroundings that are not plain. */
 static enum status add_surfaces(struct scene *scene)
 {
@@ -333,18 +349,16 @@ static enum status add_surfaces(struct scene *scene)
         return STATUS_OK;
     scene->material_rows = material_rows_make(&scene->model);
     scene->surface_split = surface_split_make();
-    const bool has_extras = scene->model.surroundings.extras;
-    if (has_extras)
-        scene->extra_rows = material_rows_make_extras(&scene->model.surroundings);
     const bool needs_light = is_lit && scene->background == SCENE_ENVIRONMENT;
     if (needs_light)
         scene->surface_light = surface_light_make(&scene->environment);
     if (has_lights)
         scene->light_rows = light_rows_make(scene->model.lights, scene->model.light_count);
-    const bool done = scene->material_rows && scene->surface_split &&
-                      (scene->light_rows || !has_lights) && (scene->extra_rows || !has_extras);
-    return done && (scene->surface_light || !needs_light) ? STATUS_OK
-                                                          : log_out_of_memory("materials");
+    const bool done =
+        scene->material_rows && scene->surface_split && (scene->light_rows || !has_lights);
+    if (!done || (needs_light && !scene->surface_light))
+        return log_out_of_memory("materials");
+    return add_extras(scene);
 }
 
 enum status scene_load(struct scene *scene, const struct scene_params *given)

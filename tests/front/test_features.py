@@ -21,7 +21,8 @@ COLUMNS, ROWS, SIDE, DISTANCE = 8, 7, 8, 400  # SIDE: pixels of a card and the g
 HAS_REFERENCE = '--without' not in sys.argv
 NORMAL, UV = (0, 0, 1), ((0, 1), (1, 1), (1, 0), (0, 0))
 # Cards whose bytes, steps of alpha or table of sums are coarse.
-ROUND = {'lit', 'normals of the second set', 'scale of normals', 'normal texture', 'blend', 'blend by the factor', 'scaled', *(
+ROUND = {'lit', 'normals of the second set', 'scale of normals', 'normal texture', 'blend',
+         'blend by the factor', 'scaled', *(
     f'metallic {m}, roughness {r}' for m in (0, 1) for r in (0.25, 0.5, 1))}
 UNEVEN = {c: [1 + math.sin(2 * math.pi * ((i % 32) / 32 + k / 3)) * (i // 32) / 32
               for i in range(512)] for k, c in enumerate('RGB')}
