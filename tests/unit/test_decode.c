@@ -93,7 +93,7 @@ static void send(float x, uint32_t index, const char *end)
     struct object object = { .index_count = 3 };
     struct material material = material_make("ice");
     const struct model model = {
-        .object = { vertices, indices, 3, 3 },
+        .object = { .vertices = vertices, .indices = indices, .vertex_count = 3, .index_count = 3 },
         .objects = &object,
         .object_count = 1,
         .materials = &material,
