@@ -169,6 +169,8 @@ static void warn_of_rung(const struct app_picture *picture, const struct scene *
 enum status app_check_rung(const struct app_picture *picture, const struct scene *scene)
 {
     warn_of_rung(picture, scene);
+    if (picture->rung->rung.rows && air_is_medium(&picture->scene.settings))
+        log_warning("air.model=medium: drawn as planes; --refraction reference draws a medium");
     if (!scene->has_pool || picture->rung->rung.rows)
         return STATUS_OK;
     log_error(
@@ -231,6 +233,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
         .flat = landscape->flat,
         .mover_count = motion->count,
         .air = { planes->count, planes->seed, planes->size, planes->frequency },
+        .has_depth = air_is_medium(&given->settings),
         .bubbles = { spheres->count, spheres->seed, spheres->size },
         .bump = bump.is_on(&given->settings) || frost.is_on(&given->settings) ? maps : NULL,
         .cracks = { sheets->count, sheets->seed, sheets->clip == CRACKS_CLIP_PRECUT },

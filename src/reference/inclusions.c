@@ -45,7 +45,9 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
         .is_mapped_by_uv = bump_params->mapping == BUMP_UV,
         .frost = frost_amount,
         .frost_roughness = frost_params->roughness,
-        .air = { air_params->strength, air_params->haze },
+        .air = air_is_medium(settings)
+                   ? (struct air_push){ 0 }
+                   : (struct air_push){ air_params->strength, air_params->haze },
         .air_light = radiance->scene->air.index_count ? light_of_air(radiance) : glms_vec3_zero(),
     };
 }

@@ -65,8 +65,7 @@ vec2s microfacet_point(uint32_t index, uint32_t seed)
 
 /* ---- GGX ---- */
 
-/* Two unit vectors perpendicular to n and to each other (Duff and others 2017). */
-static void tangents(vec3s n, vec3s *first, vec3s *second)
+void microfacet_tangents(vec3s n, vec3s *first, vec3s *second)
 {
     const float sign = copysignf(1.0f, n.z);
     const float a = -1.0f / (sign + n.z);
@@ -79,7 +78,7 @@ vec3s microfacet_sample(vec3s n, vec3s dir, float roughness, vec2s at)
 {
     const float alpha = roughness * roughness;
     vec3s x, y;
-    tangents(n, &x, &y);
+    microfacet_tangents(n, &x, &y);
     /* The view, stretched so that the distribution becomes a hemisphere. */
     const vec3s view = glms_vec3_normalize((vec3s){ {
         -alpha * glms_vec3_dot(dir, x),

@@ -15,6 +15,9 @@
 #include <cglm/types-struct.h>
 #include <stdint.h>
 
+/* Two unit vectors perpendicular to n and to each other (Duff and others 2017). */
+void microfacet_tangents(vec3s n, vec3s *first, vec3s *second);
+
 /* Returns the microfacet's normal for light from the direction -dir, where dot(dir, n) < 0. */
 vec3s microfacet_sample(vec3s n, vec3s dir, float roughness, vec2s at);
 

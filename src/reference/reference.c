@@ -57,7 +57,7 @@ struct job {
     struct bvh bvh;
     struct media media;
     struct inclusions inclusions;
-    struct whitted whitted;
+    struct tracing tracing;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
     struct reference_session *session;
@@ -168,10 +168,10 @@ static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct ta
     double *sums = job->sums.sums ? &job->sums.sums[pixel * job->sums.count] : own;
     for (uint32_t s = job->begin; s < job->end; s++) {
         const struct bvh_ray ray = ray_of(job, x, y, accumulate_offset(filter, s));
-        struct whitted whitted = job->whitted;
-        whitted.sample = s;
+        struct tracing tracing = job->tracing;
+        tracing.sample = s;
         const struct reference_seen seen =
-            whitted_trace(&whitted, &ray, job->globals.forward, microfacet_hash(x, y));
+            whitted_trace(&tracing, &ray, job->globals.forward, microfacet_hash(x, y));
         reference_sums_add(&job->sums, sums, &seen);
         if (s == 0)
             write_first(job, pixel, &seen);
@@ -381,15 +381,16 @@ static uint64_t memory_of(const struct reference_request *request)
     return memory;
 }
 
-static struct whitted tree_of(const struct job *job)
+static struct tracing tree_of(const struct job *job)
 {
     const struct reference_params *params =
         settings_of(job->reference->request.settings, &reference_settings);
-    return (struct whitted){
+    return (struct tracing){
         .bvh = &job->bvh,
         .radiance = &job->radiance,
         .media = &job->media,
         .inclusions = &job->inclusions,
+        .cloud = cloud_of(&job->radiance, job->reference->request.settings),
         .params = *params,
     };
 }
@@ -410,13 +411,13 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     job->globals = frame_view_globals(&view, &job->push);
     job->radiance = radiance_of(request->scene, &job->globals);
     job->inclusions = inclusions_of(&job->radiance, request->settings);
-    job->whitted = tree_of(job);
+    job->tracing = tree_of(job);
     if (!media_init(&job->media, request->scene, request->settings))
         return log_out_of_memory("objects");
     enum status status =
         bvh_init(&job->bvh, job->reference->device, &job->radiance, memory_of(request));
     if (status == STATUS_OK) {
-        whitted_immerse(&job->whitted, job->push.eye, &job->whitted.eye_inside);
+        whitted_immerse(&job->tracing, job->push.eye, &job->tracing.eye_inside);
         status = run_rounds(job, progress, user);
     }
     media_finish(&job->media);

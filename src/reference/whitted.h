@@ -12,6 +12,9 @@
  *
  * Bumps bend the normals of objects, and frost is in a random share of a pixel's samples.
  *
+ * Where air is a medium (cloud.h), light is scattered at random. From then on a branch is one path,
+ * which a surface reflects or refracts by chance, so that no tree grows.
+ *
  * Limits: with interpolated normals a direction may be on the wrong side of a triangle: light then
  * continues in that direction, as from the smooth surface, and does not meet the object from the
  * side on which it is not; only light that is reflected inside is reflected by the triangle's own
@@ -20,30 +23,18 @@
 #ifndef FIRN_REFERENCE_WHITTED_H
 #define FIRN_REFERENCE_WHITTED_H
 
-#include "src/reference/inclusions.h"
-#include "src/reference/media.h"
 #include "src/reference/reference_layers.h"
-#include "src/tech/refract_reference.h"
+#include "src/reference/tracing.h"
 
 enum {
     WHITTED_CHANNEL_COUNT = 3 /* red, green, blue */
 };
 
-struct whitted {
-    const struct bvh *bvh;
-    const struct radiance *radiance;
-    const struct media *media;
-    const struct inclusions *inclusions;
-    struct media_set eye_inside; /* whitted_immerse() of the eye */
-    uint32_t sample;             /* of a pixel; its random numbers are those of this index */
-    struct reference_params params;
-};
-
 /* Finds the objects that a point is inside, by the surfaces between it and infinity. */
-void whitted_immerse(const struct whitted *whitted, vec3s point, struct media_set *inside);
+void whitted_immerse(const struct tracing *tracing, vec3s point, struct media_set *inside);
 
 /* Traces a ray from the eye. `forward` is the view's axis, unit; `seed` is the pixel's. */
-struct reference_seen whitted_trace(const struct whitted *whitted, const struct bvh_ray *ray,
+struct reference_seen whitted_trace(const struct tracing *tracing, const struct bvh_ray *ray,
                                     vec3s forward, uint32_t seed);
 
 #endif

@@ -295,6 +295,8 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
         return "maps of the surface";
     if (params->air.count && !generate_air_layers(&scene->air_layers, &params->air))
         return "air";
+    if (params->has_depth && !depth_field_init(&scene->depth, &scene->model.object))
+        return "depths below the surface";
     return NULL;
 }
 
@@ -415,6 +417,7 @@ void scene_finish(struct scene *scene)
     free(scene->surface_split);
     free(scene->surface_light);
     bump_maps_finish(&scene->bump);
+    depth_field_finish(&scene->depth);
     mesh_finish(&scene->air);
     free(scene->air_layers.texels);
     free(scene->bubbles.spheres);

@@ -7,6 +7,7 @@
 #define FIRN_SCENE_SCENE_H
 
 #include "src/scene/bump_maps.h"
+#include "src/scene/depth_field.h"
 #include "src/scene/environment.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/import/decode.h"
@@ -45,6 +46,7 @@ struct scene {
     struct mesh cracks; /* in the object's space; may be empty */
     struct mesh air;    /* planes of air in the object's space; may be empty */
     struct air_layers air_layers; /* textures of the planes of air */
+    struct depth_field depth;     /* of the object; {0}: nobody has asked for it */
     struct bubbles bubbles;       /* in the object's space */
     float settled_ior;            /* the value of refract.ior that comes from the model; 0: none */
     bool has_pool;                /* the scene is a pool, with the object, if any, in it */
@@ -76,6 +78,7 @@ struct scene_params {
     bool flat;                           /* a level floor instead of the landscape */
     uint32_t mover_count;                /* objects that move around the object */
     struct generate_air air;             /* count 0: none */
+    bool has_depth;                      /* make scene.depth */
     struct generate_bubbles bubbles;     /* count 0: none */
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
     struct scene_cracks cracks;

@@ -99,6 +99,12 @@ static void record_planes(struct rg_cmd *cmd, const struct rg_frame *frame)
     frame_draw_mesh(cmd, frame, &air);
 }
 
+static const char *const models[] = {
+    [AIR_PLANES] = "planes",
+    [AIR_MEDIUM] = "medium",
+    NULL,
+};
+
 static const struct setting rows[] = {
     {
         .name = "air.count",
@@ -154,6 +160,32 @@ static const struct setting rows[] = {
         .max = 1,
         .help = "maximum opacity of the haze on an air plane",
     },
+    {
+        .name = "air.model",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct air_params, model),
+        .max = AIR_MEDIUM,
+        .choices = models,
+        .affects = SETTING_AFFECTS_SCENE,
+        .help = "planes, or a medium that scatters light, which only the reference draws",
+    },
+    {
+        .name = "air.density",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct air_params, density),
+        .initial = 4,
+        .max = 1000,
+        .help = "medium: scatterings across the object's width, where the air is densest",
+    },
+    {
+        .name = "air.anisotropy",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct air_params, anisotropy),
+        .initial = 0.71,
+        .min = -0.95,
+        .max = 0.95,
+        .help = "medium: mean cosine of the angle by which light is scattered",
+    },
 };
 
 const struct setting_group air_settings = SETTING_GROUP("air", rows, struct air_params);
@@ -162,6 +194,12 @@ static bool is_on(const struct settings *settings)
 {
     const struct air_params *params = settings_of(settings, &air_settings);
     return params->count > 0;
+}
+
+bool air_is_medium(const struct settings *settings)
+{
+    const struct air_params *params = settings_of(settings, &air_settings);
+    return is_on(settings) && params->model == AIR_MEDIUM;
 }
 
 static const struct mesh *find_planes(const struct scene *scene)

@@ -12,8 +12,16 @@ extern const struct rg_image air_color; /* premultiplied colour, for the layer o
     FRAME_SAMPLE(frame_environment, OVER_ENVIRONMENT, .sampler = &frame_environment_sampler, \
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
 
+/* Returns whether there is air, and it is a medium. */
+bool air_is_medium(const struct settings *settings);
+
 extern const struct technique air;
 extern const struct setting_group air_settings;
+
+enum air_model {
+    AIR_PLANES, /* textures on planes */
+    AIR_MEDIUM, /* light is scattered at random: the reference alone draws it */
+};
 
 struct air_params {
     uint32_t count, seed; /* number of planes; seed of their poses and textures */
@@ -21,6 +29,9 @@ struct air_params {
     float frequency;      /* of the largest bubbles along that diagonal */
     float strength;       /* opacity of a plane's bubbles at most */
     float haze;           /* opacity of a plane's haze at most */
+    uint32_t model;       /* enum air_model */
+    float density;        /* of a medium: extinction where it is densest, by the object's width */
+    float anisotropy;     /* of a medium: mean cosine of the angle by which light is turned */
 };
 
 #endif

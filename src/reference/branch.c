@@ -1,0 +1,179 @@
+/* branch.c: the way of a branch through media, sheets and surfaces. */
+#include "src/reference/branch.h"
+#include <math.h>
+#include "src/reference/microfacet.h"
+
+enum {
+    CLOUDED = 0,             /* the object that has the inclusions */
+    SCATTERINGS_MAX = 65536, /* of a branch */
+    PATH_SEED = 5,           /* what seeds are hashed with for random numbers of their own */
+    TURN_SEED,
+    AFTER_SEED,
+    CHOICE_SEED,
+};
+
+static vec3s absorbed(const struct tracing *tracing, const struct branch *b, float length)
+{
+    const vec3s absorption =
+        tracing_medium(tracing, media_top(tracing->media, &b->inside, MEDIA_NOTHING))->absorption;
+    vec3s weight = b->weight;
+    for (int k = 0; k < 3; k++)
+        weight.raw[k] *= absorption.raw[k] > 0.0f ? expf(-absorption.raw[k] * length) : 1.0f;
+    return weight;
+}
+
+/* Returns the crossing of a ray that has met an object. A thin wall has no medium of its own. */
+static struct media_crossing crossing_at(const struct tracing *tracing,
+                                         const struct media_set *inside, vec3s dir,
+                                         const struct bvh_hit *hit)
+{
+    struct media_crossing crossing =
+        media_cross(tracing->media, inside, hit->object, parting_dot(hit->facet, dir) < 0.0);
+    if (tracing_medium(tracing, hit->object)->is_thin) {
+        crossing.before = media_top(tracing->media, inside, hit->object);
+        crossing.after = crossing.before;
+    }
+    return crossing;
+}
+
+/* Returns the branch that goes on at a surface, on the other side of it or on the same. */
+static struct branch leave(const struct tracing *tracing, const struct branch *b,
+                           const struct meeting *meeting, vec3s dir, bool is_through)
+{
+    const struct bvh_hit *hit = &meeting->hit;
+    const bool is_entering = meeting->crossing.is_entering;
+    struct branch next = {
+        .ray = {
+            .origin = hit->surface.position,
+            .dir = dir,
+            .is_inside = is_through ? is_entering : !is_entering,
+            .is_astray = is_through == is_entering ? parting_dot(dir, hit->facet) >= 0.0
+                                                   : parting_dot(dir, hit->facet) <= 0.0,
+            .from = hit->triangle,
+            .part = hit->part,
+            .object = hit->object,
+        },
+        .inside = b->inside,
+        .bounces = b->bounces + 1,
+        .seed = microfacet_hash(b->seed, is_through),
+        .scatterings = b->scatterings,
+        .is_straight = b->is_straight,
+    };
+    if (hit->part != BVH_CRACKS && !tracing_medium(tracing, hit->object)->is_thin)
+        media_set_put(&next.inside, hit->object, next.ray.is_inside);
+    return next;
+}
+
+bool branch_is_in(const struct tracing *tracing, const struct branch *b, uint32_t object)
+{
+    return media_top(tracing->media, &b->inside, MEDIA_NOTHING) == object;
+}
+
+/* Lets a branch pass a sheet on which its light does not part: a plane of air, or a sheet that is
+ * not in the ice. */
+static void pass(const struct tracing *tracing, struct branch *b, const struct bvh_hit *hit)
+{
+    if (hit->part == BVH_AIR && branch_is_in(tracing, b, hit->object)) {
+        const struct inclusions *inclusions = tracing->inclusions;
+        const float cover = inclusions_air_cover(inclusions, &hit->surface, b->ray.dir);
+        const vec3s light = glms_vec3_mul(b->weight, inclusions->air_light);
+        b->air = glms_vec3_muladds(light, cover, b->air);
+        b->weight = glms_vec3_scale(b->weight, 1.0f - cover);
+    }
+    b->ray.origin = hit->surface.position;
+    b->ray.near = 0.0f;
+    b->ray.from = BVH_NOWHERE;
+}
+
+bool branch_is_in_cloud(const struct tracing *tracing, const struct branch *b)
+{
+    return tracing->cloud.most > 0.0f && branch_is_in(tracing, b, CLOUDED);
+}
+
+/* Lets clouds scatter a branch before it has gone so far. Returns whether they do. */
+static bool scatter(const struct tracing *tracing, struct branch *b, float length)
+{
+    const struct cloud *cloud = &tracing->cloud;
+    const struct cloud_way way = { b->ray.origin, b->ray.dir, length };
+    float distance;
+    if (b->is_straight || !branch_is_in_cloud(tracing, b) ||
+        !cloud_scatters(cloud, &way, tracing->sample, microfacet_hash(b->seed, PATH_SEED),
+                        &distance))
+        return false;
+    const vec2s at = microfacet_point(tracing->sample, microfacet_hash(b->seed, TURN_SEED));
+    b->weight = absorbed(tracing, b, distance);
+    b->ray = (struct bvh_ray){
+        .origin = glms_vec3_muladds(b->ray.dir, distance, b->ray.origin),
+        .dir = cloud_turned(cloud, b->ray.dir, at),
+        .from = BVH_NOWHERE,
+    };
+    b->seed = microfacet_hash(b->seed, AFTER_SEED);
+    b->scatterings++;
+    return true;
+}
+
+bool branch_is_spent(const struct tracing *tracing, const struct branch *b)
+{
+    return b->bounces >= tracing->params.bounces || b->scatterings >= SCATTERINGS_MAX;
+}
+
+bool branch_advance(const struct tracing *tracing, struct branch *b, struct meeting *meeting)
+{
+    while (!branch_is_spent(tracing, b) && bvh_meet(tracing->bvh, &b->ray, &meeting->hit)) {
+        const struct bvh_hit *hit = &meeting->hit;
+        if (scatter(tracing, b, hit->distance))
+            continue;
+        b->weight = absorbed(tracing, b, hit->distance);
+        if (hit->part == BVH_SURROUNDINGS)
+            return true;
+        meeting->seed = b->seed;
+        if (hit->part == BVH_CRACKS && branch_is_in(tracing, b, hit->object))
+            return true;
+        if (hit->part == BVH_CRACKS || hit->part == BVH_AIR) {
+            pass(tracing, b, hit);
+            continue;
+        }
+        meeting->crossing = crossing_at(tracing, &b->inside, b->ray.dir, hit);
+        if (tracing_medium(tracing, hit->object)->is_thin ||
+            !media_are_alike(tracing->media, meeting->crossing.before, meeting->crossing.after))
+            return true;
+        const struct branch before = *b;
+        *b = leave(tracing, b, meeting, b->ray.dir, true);
+        b->weight = before.weight;
+        b->air = before.air;
+    }
+    return false;
+}
+
+const struct frame_medium *branch_surface(const struct tracing *tracing,
+                                          const struct meeting *meeting)
+{
+    const bool is_gap = meeting->hit.part == BVH_CRACKS;
+    return tracing_medium(tracing, is_gap ? tracing->media->outside : meeting->hit.object);
+}
+
+struct fork branch_fork(const struct tracing *tracing, const struct branch *b,
+                        const struct meeting *meeting)
+{
+    const struct frame_medium *surface = branch_surface(tracing, meeting);
+    struct fork fork = { .parting = parting_at(tracing, b->ray.dir, meeting) };
+    const struct parting *p = &fork.parting;
+    fork.reflected = leave(tracing, b, meeting, p->reflected, false);
+    fork.reflected.weight = glms_vec3_scale(b->weight, p->fresnel * p->reflected_share);
+    fork.refracted = leave(tracing, b, meeting, p->refracted, true);
+    fork.refracted.weight =
+        glms_vec3_scale(glms_vec3_mul(b->weight, surface->tint),
+                        (1.0f - p->fresnel) * p->refracted_share * (1.0f - surface->shine));
+    return fork;
+}
+
+struct branch branch_choose(const struct tracing *tracing, const struct branch *b,
+                            const struct fork *fork)
+{
+    const float share = fork->parting.fresnel;
+    const float at = microfacet_point(tracing->sample, microfacet_hash(b->seed, CHOICE_SEED)).x;
+    const bool is_reflected = at < share;
+    struct branch chosen = is_reflected ? fork->reflected : fork->refracted;
+    chosen.weight = glms_vec3_scale(chosen.weight, 1.0f / (is_reflected ? share : 1.0f - share));
+    return chosen;
+}

@@ -1,0 +1,52 @@
+/* branch.h: a ray with its weight, between two surfaces that part it. */
+#ifndef FIRN_REFERENCE_BRANCH_H
+#define FIRN_REFERENCE_BRANCH_H
+
+#include "src/reference/parting.h"
+#include "src/reference/tracing.h"
+
+struct branch {
+    struct bvh_ray ray;
+    struct media_set inside; /* the objects that the ray is in */
+    vec3s weight;
+    vec3s air;        /* light that planes of air have added since its last surface */
+    uint32_t bounces; /* surfaces that it has met */
+    uint32_t seed;    /* of the random numbers at its next surface */
+    uint32_t scatterings;
+    bool is_straight; /* it passes clouds, as if they were not there */
+};
+
+/* The two branches of light that meets a surface. */
+struct fork {
+    struct parting parting;
+    struct branch reflected, refracted;
+};
+
+/*
+ * Finds the next surface that parts the light of a branch, or a surface around the objects. What
+ * lies between two equal media is no surface. The branch then ends there, with the weight that is
+ * left; in clouds it may have been scattered before. Returns false if there is none.
+ */
+bool branch_advance(const struct tracing *tracing, struct branch *b, struct meeting *meeting);
+
+/* Returns whether it has met as much as any branch may. */
+bool branch_is_spent(const struct tracing *tracing, const struct branch *b);
+
+/* Returns whether a branch is in an object itself, and not in a bubble. */
+bool branch_is_in(const struct tracing *tracing, const struct branch *b, uint32_t object);
+
+/* Returns whether a branch is in ice that scatters light. */
+bool branch_is_in_cloud(const struct tracing *tracing, const struct branch *b);
+
+/* Returns what a surface takes away of light that passes it: an object's, or nothing's. */
+const struct frame_medium *branch_surface(const struct tracing *tracing,
+                                          const struct meeting *meeting);
+
+struct fork branch_fork(const struct tracing *tracing, const struct branch *b,
+                        const struct meeting *meeting);
+
+/* Returns which of both branches a scattered one becomes by chance, with its whole weight. */
+struct branch branch_choose(const struct tracing *tracing, const struct branch *b,
+                            const struct fork *fork);
+
+#endif
