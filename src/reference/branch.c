@@ -177,3 +177,15 @@ struct branch branch_choose(const struct tracing *tracing, const struct branch *
     chosen.weight = glms_vec3_scale(chosen.weight, 1.0f / (is_reflected ? share : 1.0f - share));
     return chosen;
 }
+
+void branch_pass(const struct tracing *tracing, struct branch *b, const struct bvh_hit *hit,
+                 float passing)
+{
+    b->ray = (struct bvh_ray){ .origin = hit->surface.position,
+                               .dir = b->ray.dir,
+                               .near = tracing->bvh->hair,
+                               .from = BVH_NOWHERE };
+    b->weight = glms_vec3_scale(b->weight, passing);
+    b->air = glms_vec3_zero(); /* has been counted */
+    b->bounces++;
+}

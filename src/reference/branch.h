@@ -29,6 +29,10 @@ struct fork {
  */
 bool branch_advance(const struct tracing *tracing, struct branch *b, struct meeting *meeting);
 
+/* Lets a branch go on behind a surface around the objects, with a share of its weight. */
+void branch_pass(const struct tracing *tracing, struct branch *b, const struct bvh_hit *hit,
+                 float passing);
+
 /* Returns whether it has met as much as any branch may. */
 bool branch_is_spent(const struct tracing *tracing, const struct branch *b);
 

@@ -10,6 +10,8 @@
 #include "src/reference/texel_pair.h"
 #include "src/scene/material_rows.h"
 
+#define LEAST_COSINE 0.05f /* by which irradiance is divided */
+
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals)
 {
     struct radiance radiance = { .scene = scene, .globals = globals };
@@ -309,10 +311,41 @@ static vec3s lights_on(const struct radiance *radiance, const struct lit_surface
     return sum;
 }
 
-static vec3s light_of_matt(const struct radiance *radiance, vec3s n)
+static const struct radiance_sun open_sun = { .own = 1.0f };
+
+static const struct radiance_sun *sun_at(const struct radiance_point *point)
 {
+    return point->sun ? point->sun : &open_sun;
+}
+
+/* Returns what a white matt surface reflects. */
+static vec3s light_of_matt(const struct radiance *radiance, const struct radiance_point *point,
+                           vec3s n)
+{
+    const struct radiance_sun *sun = sun_at(point);
     const float cosine = fmaxf(0.0f, glms_vec3_dot(n, radiance->globals->sun_dir));
-    return glms_vec3_muladds(sun_light(radiance), cosine, matt_light(radiance, n));
+    const vec3s direct = glms_vec3_scale(glms_vec3_one(), sun->own * cosine);
+    return glms_vec3_muladd(sun_light(radiance), glms_vec3_add(direct, sun->through),
+                            matt_light(radiance, n));
+}
+
+/* Returns what a surface with a material reflects of the sun. Refracted light is taken as if it all
+ * came from its mean direction. */
+static vec3s reflected_sun(const struct radiance *radiance, const struct lit_surface *surface,
+                           const struct radiance_point *point, vec3s n)
+{
+    const struct radiance_sun *sun = sun_at(point);
+    const vec3s to_eye = glms_vec3_negate(point->dir);
+    const vec3s direct =
+        lit_by_light(*surface, n, to_eye, radiance->globals->sun_dir, LIT_SUN_SPREAD);
+    const float cosine = glms_vec3_dot(n, sun->through_dir);
+    vec3s reflected = glms_vec3_scale(direct, sun->own);
+    if (cosine > 0.0f) {
+        const vec3s by_one = lit_by_light(*surface, n, to_eye, sun->through_dir, LIT_SUN_SPREAD);
+        const vec3s share = glms_vec3_scale(by_one, 1.0f / fmaxf(cosine, LEAST_COSINE));
+        reflected = glms_vec3_muladd(share, sun->through, reflected);
+    }
+    return glms_vec3_mul(sun_light(radiance), reflected);
 }
 
 /* Returns the radiance of a surface that is matt. */
@@ -322,7 +355,7 @@ static vec3s light_of_base(const struct radiance *radiance, const struct radianc
     const struct lit_surface surface = lit_surface_of(albedo, 0.0f, 1.0f, glms_vec3_zero(), 0.0f);
     const vec3s lamps =
         lights_on(radiance, &surface, point->vertex->position, n, glms_vec3_negate(point->dir));
-    return glms_vec3_muladd(albedo, light_of_matt(radiance, n), lamps);
+    return glms_vec3_muladd(albedo, light_of_matt(radiance, point, n), lamps);
 }
 
 /* Returns the radiance of a surface with a material. */
@@ -337,9 +370,7 @@ static vec3s light_of(const struct radiance *radiance, const struct material *m,
     const vec3s around = lit_by_environment(surface, split_of(radiance, surface.roughness, n_dot_v),
                                             glossy_light(radiance, mirrored, surface.roughness),
                                             matt_light(radiance, n));
-    const vec3s sun =
-        glms_vec3_mul(sun_light(radiance),
-                      lit_by_light(surface, n, to_eye, radiance->globals->sun_dir, LIT_SUN_SPREAD));
+    const vec3s sun = reflected_sun(radiance, &surface, point, n);
     const float open = texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x;
     const vec4s glow = texel_of(radiance, m, MATERIAL_EMISSION, uv);
     const vec3s shaded = glms_vec3_scale(around, 1.0f + m->occlusion_strength * (open - 1.0f));
@@ -354,7 +385,8 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
     const struct material *m = material_of(radiance, vertex->material);
     const vec3s albedo = glms_vec3_mul(vertex->color, glms_vec3(base_texel(radiance, vertex)));
     if (vertex->material & MESH_UNLIT)
-        return albedo;
+        return glms_vec3_muladd(glms_vec3_mul(albedo, sun_light(radiance)), sun_at(point)->through,
+                                albedo);
     const bool is_back = glms_vec3_dot(vertex->normal, point->dir) > 0.0f;
     const vec3s n = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal;
     if (!m || point->is_base)

@@ -17,6 +17,14 @@ struct radiance {
     float linear[256];             /* linear values of the textures' bytes */
 };
 
+/* The sun's light at a point. */
+struct radiance_sun {
+    float own; /* share of its direct light */
+    vec3s
+        through; /* irradiance by what objects refract and reflect; 1: as the sun's, square to it */
+    vec3s through_dir; /* unit, where that comes from, on the whole */
+};
+
 /* A point of a surface, as a ray along `dir` meets it. */
 struct radiance_point {
     const struct mesh_vertex *vertex; /* interpolated; a unit normal of either side in the world */
@@ -24,6 +32,7 @@ struct radiance_point {
     const vec3s *along_u, *along_v; /* derivatives of the world position by the two uv; may be NULL
                                          where is_base */
     vec3s dir;                      /* unit */
+    const struct radiance_sun *sun; /* NULL: no objects are in the way of light */
     bool is_base; /* only the light of the matt base is asked for: reflections are traced */
 };
 

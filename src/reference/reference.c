@@ -14,10 +14,13 @@
 #include "src/base/log.h"
 #include "src/frame/view.h"
 #include "src/reference/microfacet.h"
+#include "src/reference/photons.h"
 #include "src/reference/reference_layers.h"
 #include "src/reference/reference_sums.h"
 #include "src/reference/whitted.h"
 #include "src/render/accumulate.h"
+#include "src/tech/caustics.h"
+#include "src/tech/ice_caustics.h"
 #include "src/tech/tonemap.h"
 
 enum {
@@ -58,6 +61,7 @@ struct job {
     struct media media;
     struct inclusions inclusions;
     struct tracing tracing;
+    struct photons photons;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
     struct reference_session *session;
@@ -395,6 +399,26 @@ static struct tracing tree_of(const struct job *job)
     };
 }
 
+/* Traces the sun's photons where the rasteriser draws its light through the ice. */
+static enum status trace_photons(struct job *job)
+{
+    const struct settings *settings = job->reference->request.settings;
+    const struct ice_caustics_params *light = settings_of(settings, &ice_caustics_settings);
+    const struct caustics_params *pool = settings_of(settings, &caustics_settings);
+    const struct photons_params params = {
+        .count = job->tracing.params.photons,
+        .sun_deg = pool->sun,
+        .has_shadow = light->shadow,
+        .threads = thread_count(&job->reference->request),
+    };
+    if (!ice_caustics.is_on(settings) || !params.count ||
+        job->reference->request.scene->background != SCENE_SKY)
+        return STATUS_OK;
+    const enum status status = photons_init(&job->photons, &job->tracing, &params);
+    job->tracing.photons = status == STATUS_OK ? &job->photons : NULL;
+    return status;
+}
+
 static enum status trace(struct job *job, const struct renderer_shot *shot,
                          renderer_progress_fn *progress, void *user)
 {
@@ -416,10 +440,13 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
         return log_out_of_memory("objects");
     enum status status =
         bvh_init(&job->bvh, job->reference->device, &job->radiance, memory_of(request));
+    if (status == STATUS_OK)
+        status = trace_photons(job);
     if (status == STATUS_OK) {
         whitted_immerse(&job->tracing, job->push.eye, &job->tracing.eye_inside);
         status = run_rounds(job, progress, user);
     }
+    photons_finish(&job->photons);
     media_finish(&job->media);
     bvh_finish(&job->bvh);
     return status;

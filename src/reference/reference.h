@@ -6,11 +6,11 @@
  *     reference_continue()  traces some of them, and says how exact it is
  *
  * Traced are the object as a smooth dielectric (refract.ior, refract.dispersion, absorb.*), its
- * bubbles, cracks, planes of air, bumps, frost and surroundings, moving objects, sky, environment
- * image or colour, with the renderer's sample positions. Not traced are highlights of lights. Rays
- * intersect the surroundings instead of looking up a cube, and reflectance is that of Fresnel's
- * equations: env_cube.*, refract.fresnel and refract.lookup have no effect. whitted.h describes the
- * method and its errors.
+ * bubbles, cracks, air, bumps, frost and surroundings, moving objects, the sun's light through the
+ * object, sky, environment image or colour, with the renderer's sample positions. Not traced are
+ * highlights of lights. Rays intersect the surroundings instead of looking up a cube, and
+ * reflectance is that of Fresnel's equations: env_cube.*, refract.fresnel and refract.lookup have
+ * no effect. whitted.h describes the method and its errors.
  *
  * Equal pictures have equal bytes for any number of threads, and however their number of samples
  * was reached: as asked for, by a limit of noise or time, in one run or several.

@@ -7,14 +7,21 @@
 #include "src/reference/media.h"
 #include "src/tech/refract_reference.h"
 
+enum {
+    TRACING_CHANNEL_COUNT = 3 /* red, green, blue */
+};
+
+struct photons;
+
 struct tracing {
     const struct bvh *bvh;
     const struct radiance *radiance;
     const struct media *media;
     const struct inclusions *inclusions;
     struct cloud cloud;
-    struct media_set eye_inside; /* whitted_immerse() of the eye */
-    uint32_t sample;             /* of a pixel; its random numbers are those of this index */
+    const struct photons *photons; /* NULL: the sun shines everywhere, and is not refracted */
+    struct media_set eye_inside;   /* whitted_immerse() of the eye */
+    uint32_t sample;               /* of a pixel; its random numbers are those of this index */
     struct reference_params params;
 };
 
@@ -22,6 +29,22 @@ static inline const struct frame_medium *tracing_medium(const struct tracing *tr
                                                         uint32_t index)
 {
     return &tracing->media->all[index];
+}
+
+/* Returns the number of paths of a ray, one for each channel or one of all. */
+static inline uint32_t tracing_channel_count(const struct tracing *tracing)
+{
+    return tracing->media->is_dispersive ? TRACING_CHANNEL_COUNT : 1;
+}
+
+/* Returns the channels of a path, as factors. */
+static inline vec3s tracing_channels(const struct tracing *tracing, uint32_t path)
+{
+    vec3s channels = glms_vec3_zero();
+    if (!tracing->media->is_dispersive)
+        return glms_vec3_one();
+    channels.raw[path] = 1.0f;
+    return channels;
 }
 
 #endif

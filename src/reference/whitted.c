@@ -3,7 +3,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/reference/branch.h"
-#include "src/reference/microfacet.h"
+#include "src/reference/photons.h"
 #include "src/tech/gbuffer.h"
 
 enum {
@@ -37,23 +37,24 @@ static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hi
         sum->light = glms_vec3_muladd(b->weight, sky, sum->light);
         return false;
     }
-    const struct radiance_point point = {
+    struct radiance_point point = {
         .vertex = &hit->surface,
         .extra = &hit->extra,
         .along_u = hit->along_u,
         .along_v = hit->along_v,
         .dir = b->ray.dir,
     };
+    struct radiance_sun sun;
+    if (tracing->photons) {
+        const float side = parting_dot(hit->facet, b->ray.dir) > 0.0 ? -1.0f : 1.0f;
+        sun = photons_sun_at(tracing, hit->surface.position, glms_vec3_scale(hit->facet, side),
+                             b->seed);
+        point.sun = &sun;
+    }
     const vec3s light = radiance_surface(tracing->radiance, &point);
     const float passing = radiance_passing(tracing->radiance, &hit->surface);
     sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light), 1.0f - passing, sum->light);
-    b->ray = (struct bvh_ray){ .origin = hit->surface.position,
-                               .dir = b->ray.dir,
-                               .near = tracing->bvh->hair,
-                               .from = BVH_NOWHERE };
-    b->weight = glms_vec3_scale(b->weight, passing);
-    b->air = glms_vec3_zero(); /* has been counted */
-    b->bounces++;
+    branch_pass(tracing, b, hit, passing);
     return passing > 0.0f;
 }
 
@@ -183,30 +184,14 @@ void whitted_immerse(const struct tracing *tracing, vec3s point, struct media_se
     }
 }
 
-/* Returns the number of paths of a pixel, one for each channel or one of all, and the channels of
- * a path. */
-static uint32_t channel_count(const struct tracing *tracing)
-{
-    return tracing->media->is_dispersive ? WHITTED_CHANNEL_COUNT : 1;
-}
-
-static vec3s channels_of(const struct tracing *tracing, uint32_t path)
-{
-    vec3s channels = glms_vec3_zero();
-    if (!tracing->media->is_dispersive)
-        return glms_vec3_one();
-    channels.raw[path] = 1.0f;
-    return channels;
-}
-
 /* Adds all that a branch sees, from the eye in a cloud, or from behind a blended surface. */
 static void look_through(const struct tracing *tracing, const struct branch *from,
                          struct reference_seen *seen)
 {
-    for (uint32_t c = 0; c < channel_count(tracing); c++) {
+    for (uint32_t c = 0; c < tracing_channel_count(tracing); c++) {
         struct branch b = *from;
         struct sum sum = { 0 };
-        b.weight = glms_vec3_mul(b.weight, channels_of(tracing, c));
+        b.weight = glms_vec3_mul(b.weight, tracing_channels(tracing, c));
         follow(tracing, b, c, &sum);
         seen->color = glms_vec3_add(seen->color, sum.light);
         seen->remaining = glms_vec3_add(seen->remaining, sum.remaining);
@@ -254,7 +239,7 @@ struct reference_seen whitted_trace(const struct tracing *tracing, const struct 
     const struct fork straight = branch_fork(tracing, &eye, &meeting);
     seen.fresnel = straight.parting.fresnel;
     follow_straight(tracing, straight.refracted, &seen);
-    for (uint32_t c = 0; c < channel_count(tracing); c++)
-        look_at_object(tracing, &eye, &meeting, c, channels_of(tracing, c), &seen);
+    for (uint32_t c = 0; c < tracing_channel_count(tracing); c++)
+        look_at_object(tracing, &eye, &meeting, c, tracing_channels(tracing, c), &seen);
     return seen;
 }

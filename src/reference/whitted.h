@@ -26,10 +26,6 @@
 #include "src/reference/reference_layers.h"
 #include "src/reference/tracing.h"
 
-enum {
-    WHITTED_CHANNEL_COUNT = 3 /* red, green, blue */
-};
-
 /* Finds the objects that a point is inside, by the surfaces between it and infinity. */
 void whitted_immerse(const struct tracing *tracing, vec3s point, struct media_set *inside);
 

@@ -392,6 +392,7 @@ const struct technique ice_caustics = {
     .help = "sunlight through the ice, by photons from the sun's view",
     .settings = { &ice_caustics_settings },
     .is_on = is_on,
+    .is_traced = true,
     .relights = true, /* the caustics move with the ice */
     .title = "light through the ice",
     .parts = { { PHASE_LIGHT, .rows = make_maps }, { PHASE_FINISH, .rows = make_layer } },

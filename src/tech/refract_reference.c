@@ -31,6 +31,14 @@ static const struct setting rows[] = {
         .help = "maximum number of the object's surfaces on a light path",
     },
     {
+        .name = "reference.photons",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct reference_params, photons),
+        .initial = 1000000,
+        .max = 100000000,
+        .help = "photons of the sun with ice_caustics.light=sun (0: neither caustics nor shadow)",
+    },
+    {
         .name = "reference.normals",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct reference_params, normals),

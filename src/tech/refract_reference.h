@@ -15,6 +15,7 @@ enum {
 struct reference_params {
     float cutoff;     /* rays of less weight are terminated */
     uint32_t bounces; /* surfaces after which rays are terminated; at most REFERENCE_BOUNCES_MAX */
+    uint32_t photons; /* of the sun, where ice_caustics.light asks for its light; 0: none */
     uint32_t normals; /* of the object: enum reference_normals */
 };
 

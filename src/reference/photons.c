@@ -1,0 +1,315 @@
+/* photons.c: traces photons, sorts them into cells, counts them around points. */
+#include "src/reference/photons.h"
+#include <math.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/reference/branch.h"
+#include "src/reference/microfacet.h"
+
+enum {
+    CHUNK = 4096, /* photons that a thread traces at a time */
+    THREAD_COUNT_MAX = 256,
+    CROSSINGS_MAX = 4096, /* of a ray to the sun */
+    PLACE_SEED = 11,      /* of random numbers of their own */
+    SUN_SEED,
+    WAY_SEED,
+};
+
+#define RADIUS 2.0f  /* of the estimate for one photon, in radii of the objects' sphere */
+#define FLAT   0.25f /* how far from a point's plane its photons are, in radii of the estimate */
+
+/* The photons of a chunk that have landed. */
+struct landed {
+    struct photon *photons;
+    uint32_t count, capacity;
+    bool is_full; /* out of memory */
+};
+
+struct job {
+    const struct tracing *tracing;
+    const struct photons_params *params;
+    float sun;
+    struct landed *chunks;
+    uint32_t chunk_count;
+    atomic_uint next_chunk;
+};
+
+/* ---- ways of photons ---- */
+
+/* Returns a direction to the sun's disc. */
+static vec3s to_sun(vec3s sun_dir, float tangent, vec2s at)
+{
+    const float away = tangent * sqrtf(at.x);
+    const float angle = 6.28318531f * at.y;
+    vec3s x, y;
+    microfacet_tangents(sun_dir, &x, &y);
+    return glms_vec3_normalize(glms_vec3_muladds(
+        x, away * cosf(angle), glms_vec3_muladds(y, away * sinf(angle), sun_dir)));
+}
+
+/* Returns photon `index` where it enters the objects' sphere. */
+static struct branch leave_sun(const struct job *job, uint32_t index, vec3s channels)
+{
+    const struct globals *g = job->tracing->radiance->globals;
+    const vec2s at = microfacet_point(index, PLACE_SEED);
+    const vec3s up = to_sun(g->sun_dir, job->sun, microfacet_point(index, SUN_SEED));
+    const float out = g->radius * sqrtf(at.x);
+    const float angle = 6.28318531f * at.y;
+    const float area = 3.14159265f * g->radius * g->radius / (float)job->params->count;
+    vec3s x, y;
+    microfacet_tangents(up, &x, &y);
+    const vec3s side =
+        glms_vec3_add(glms_vec3_scale(x, out * cosf(angle)), glms_vec3_scale(y, out * sinf(angle)));
+    return (struct branch){
+        .ray = {
+            .origin = glms_vec3_muladds(up, 1.01f * g->radius, glms_vec3_add(g->center, side)),
+            .dir = glms_vec3_negate(up),
+            .from = BVH_NOWHERE,
+        },
+        .weight = glms_vec3_scale(channels, area),
+        .seed = WAY_SEED,
+    };
+}
+
+static void land(struct landed *landed, const struct branch *b, vec3s position, float share)
+{
+    if (landed->count == landed->capacity) {
+        const uint32_t capacity = landed->capacity ? 2 * landed->capacity : CHUNK / 4;
+        struct photon *grown = realloc(landed->photons, capacity * sizeof(*grown));
+        landed->is_full = landed->is_full || !grown;
+        if (!grown)
+            return;
+        landed->photons = grown;
+        landed->capacity = capacity;
+    }
+    landed->photons[landed->count++] =
+        (struct photon){ position, b->ray.dir, glms_vec3_scale(b->weight, share) };
+}
+
+/* Traces a photon; it lands on what it meets after an object. */
+static void follow(const struct tracing *tracing, struct branch b, uint32_t channel,
+                   struct landed *landed)
+{
+    const float least = tracing->params.cutoff * glms_vec3_max(b.weight);
+    struct meeting meeting = { .channel = channel };
+    bool is_parted = false;
+    while (glms_vec3_max(b.weight) > least && branch_advance(tracing, &b, &meeting)) {
+        const struct bvh_hit *hit = &meeting.hit;
+        if (hit->part != BVH_SURROUNDINGS) {
+            const struct fork fork = branch_fork(tracing, &b, &meeting);
+            b = branch_choose(tracing, &b, &fork);
+            is_parted = true;
+            continue;
+        }
+        const float passing = radiance_passing(tracing->radiance, &hit->surface);
+        if (is_parted)
+            land(landed, &b, hit->surface.position, 1.0f - passing);
+        branch_pass(tracing, &b, hit, passing);
+    }
+}
+
+static void trace_chunk(const struct job *job, uint32_t chunk)
+{
+    const uint32_t end =
+        job->params->count - chunk * CHUNK < CHUNK ? job->params->count : (chunk + 1) * CHUNK;
+    const uint32_t channels = tracing_channel_count(job->tracing);
+    for (uint32_t i = chunk * CHUNK; i < end; i++) {
+        struct tracing tracing = *job->tracing;
+        tracing.sample = i;
+        for (uint32_t c = 0; c < channels; c++) {
+            const vec3s of_channel = tracing_channels(job->tracing, c);
+            follow(&tracing, leave_sun(job, i, of_channel), c, &job->chunks[chunk]);
+        }
+    }
+}
+
+static void *work(void *user)
+{
+    struct job *job = user;
+    for (;;) {
+        const uint32_t chunk = atomic_fetch_add(&job->next_chunk, 1);
+        if (chunk >= job->chunk_count)
+            return NULL;
+        trace_chunk(job, chunk);
+    }
+}
+
+static void run(struct job *job)
+{
+    pthread_t threads[THREAD_COUNT_MAX];
+    uint32_t count = 0;
+    while (count + 1 < job->params->threads && count < THREAD_COUNT_MAX &&
+           !pthread_create(&threads[count], NULL, work, job))
+        count++;
+    work(job);
+    for (uint32_t i = 0; i < count; i++)
+        pthread_join(threads[i], NULL);
+}
+
+/* ---- cells ---- */
+
+struct cell {
+    int32_t at[3];
+};
+
+/* Cells are twice as wide as the radius: around a point are at most two along each axis. */
+static struct cell cell_of(const struct photons *photons, vec3s point)
+{
+    struct cell cell;
+    for (int k = 0; k < 3; k++) {
+        const float at = floorf(point.raw[k] / (2.0f * photons->radius));
+        cell.at[k] = (int32_t)glm_clamp(at, -1e9f, 1e9f);
+    }
+    return cell;
+}
+
+static uint32_t bucket_of(const struct photons *photons, struct cell cell)
+{
+    const uint32_t across = microfacet_hash((uint32_t)cell.at[0], (uint32_t)cell.at[2]);
+    return microfacet_hash(across, (uint32_t)cell.at[1]) & (photons->bucket_count - 1);
+}
+
+/* Sorts the photons of all chunks by buckets, in the order of their numbers. */
+static bool sort(struct photons *photons, const struct job *job)
+{
+    bool done = true;
+    for (uint32_t i = 0; i < job->chunk_count; i++) {
+        photons->count += job->chunks[i].count;
+        done = done && !job->chunks[i].is_full;
+    }
+    photons->bucket_count = 1;
+    while (photons->bucket_count < photons->count)
+        photons->bucket_count *= 2;
+    photons->all = malloc((photons->count + 1) * sizeof(*photons->all));
+    photons->first = calloc((size_t)photons->bucket_count + 2, sizeof(*photons->first));
+    if (!done || !photons->all || !photons->first)
+        return false;
+    uint32_t *next = photons->first + 1; /* first[b + 1] is where bucket b goes on */
+    for (uint32_t i = 0; i < job->chunk_count; i++) {
+        for (uint32_t k = 0; k < job->chunks[i].count; k++)
+            next[bucket_of(photons, cell_of(photons, job->chunks[i].photons[k].position)) + 1]++;
+    }
+    for (uint32_t b = 0; b < photons->bucket_count; b++)
+        next[b + 1] += next[b];
+    for (uint32_t i = 0; i < job->chunk_count; i++) {
+        for (uint32_t k = 0; k < job->chunks[i].count; k++) {
+            const struct photon *photon = &job->chunks[i].photons[k];
+            photons->all[next[bucket_of(photons, cell_of(photons, photon->position))]++] = *photon;
+        }
+    }
+    return true;
+}
+
+enum status photons_init(struct photons *photons, const struct tracing *tracing,
+                         const struct photons_params *params)
+{
+    const struct globals *g = tracing->radiance->globals;
+    struct job job = {
+        .tracing = tracing,
+        .params = params,
+        .sun = tanf(0.5f * params->sun_deg * 0.01745329252f),
+        .chunk_count = (params->count + CHUNK - 1) / CHUNK,
+    };
+    *photons = (struct photons){
+        .radius = RADIUS * g->radius / cbrtf((float)params->count),
+        .sun = job.sun,
+        .has_shadow = params->has_shadow,
+    };
+    job.chunks = calloc(job.chunk_count + 1, sizeof(*job.chunks));
+    bool done = job.chunks != NULL;
+    if (done) {
+        run(&job);
+        done = sort(photons, &job);
+    }
+    for (uint32_t i = 0; job.chunks && i < job.chunk_count; i++)
+        free(job.chunks[i].photons);
+    free(job.chunks);
+    if (done)
+        return STATUS_OK;
+    photons_finish(photons);
+    return log_out_of_memory("photons");
+}
+
+void photons_finish(struct photons *photons)
+{
+    free(photons->all);
+    free(photons->first);
+    *photons = (struct photons){ 0 };
+}
+
+/* ---- light of points ---- */
+
+/* Where photons are counted, and what they bring. */
+struct disc {
+    vec3s middle, normal;
+    vec3s light, along; /* sums of flux, and of directions by flux */
+};
+
+/* A photon counts less far from the middle (Epanechnikov's kernel). */
+static void count_cell(const struct photons *photons, struct cell cell, struct disc *disc)
+{
+    const float radius2 = photons->radius * photons->radius;
+    const uint32_t bucket = bucket_of(photons, cell);
+    for (uint32_t i = photons->first[bucket]; i < photons->first[bucket + 1]; i++) {
+        const struct photon *photon = &photons->all[i];
+        const vec3s away = glms_vec3_sub(photon->position, disc->middle);
+        const float distance2 = glms_vec3_norm2(away);
+        const struct cell own = cell_of(photons, photon->position);
+        if (!(distance2 < radius2) || memcmp(&own, &cell, sizeof(cell)) != 0 ||
+            fabsf(glms_vec3_dot(away, disc->normal)) > FLAT * photons->radius ||
+            glms_vec3_dot(photon->dir, disc->normal) >= 0.0f)
+            continue;
+        const float weight = 2.0f * (1.0f - distance2 / radius2);
+        disc->light = glms_vec3_muladds(photon->flux, weight, disc->light);
+        disc->along =
+            glms_vec3_muladds(photon->dir, -weight * glms_vec3_max(photon->flux), disc->along);
+    }
+}
+
+/* Returns the irradiance by photons, 1 where the sun shines at a right angle. */
+static struct disc count_around(const struct photons *photons, vec3s point, vec3s normal)
+{
+    const float radius = photons->radius;
+    const struct cell first = cell_of(photons, glms_vec3_subs(point, radius));
+    struct disc disc = { .middle = point, .normal = normal };
+    for (int i = 0; i < 8 && photons->count; i++) {
+        const struct cell cell = { { first.at[0] + (i & 1), first.at[1] + (i >> 1 & 1),
+                                     first.at[2] + (i >> 2) } };
+        count_cell(photons, cell, &disc);
+    }
+    disc.light = glms_vec3_scale(disc.light, 1.0f / (3.14159265f * radius * radius));
+    return disc;
+}
+
+/* Returns whether an object is between a point and infinity. */
+static bool is_hidden(const struct tracing *tracing, vec3s point, vec3s dir)
+{
+    struct bvh_hit hit;
+    struct bvh_ray ray = {
+        .origin = point, .dir = dir, .near = tracing->bvh->hair, .from = BVH_NOWHERE
+    };
+    for (uint32_t i = 0; i < CROSSINGS_MAX && bvh_meet(tracing->bvh, &ray, &hit); i++) {
+        if (hit.part == BVH_OBJECT)
+            return true;
+        ray.origin = hit.surface.position;
+    }
+    return false;
+}
+
+struct radiance_sun photons_sun_at(const struct tracing *tracing, vec3s point, vec3s normal,
+                                   uint32_t seed)
+{
+    const struct photons *photons = tracing->photons;
+    const vec3s sun_dir = tracing->radiance->globals->sun_dir;
+    const vec2s at = microfacet_point(tracing->sample, microfacet_hash(seed, SUN_SEED));
+    const struct disc disc = count_around(photons, point, normal);
+    struct radiance_sun sun = { .own = 1.0f, .through = disc.light, .through_dir = sun_dir };
+    if (photons->has_shadow && is_hidden(tracing, point, to_sun(sun_dir, photons->sun, at)))
+        sun.own = 0.0f;
+    if (glms_vec3_norm2(disc.along) > 0.0f)
+        sun.through_dir = glms_vec3_normalize(disc.along);
+    return sun;
+}
