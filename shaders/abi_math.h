@@ -18,12 +18,14 @@
 
 #define acosf          acos
 #define atan2f         atan
+#define cosf           cos
 #define exp2f          exp2
 #define floorf         floor
 #define fmaxf          max
 #define fminf          min
 #define log2f          log2
 #define powf           pow
+#define sinf           sin
 #define sqrtf          sqrt
 #define glm_clamp      clamp
 #define glm_lerp       mix

@@ -5,7 +5,7 @@
 #include "lib/caustics_map.glsl"
 #include "lib/optics.glsl"
 #include "lib/pool.glsl"
-#include "lib/wave.glsl"
+#include "wave.h"
 
 layout(push_constant, scalar) uniform Push
 {

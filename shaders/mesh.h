@@ -10,6 +10,7 @@
 
 /* the bits of mesh_vertex.material */
 #define MESH_TEXTURE_MASK  0xffffu  /* texture layer + 1; 0: none */
+#define MESH_TILES         0xffffu  /* as texture: the tiles of a pool, in the reference alone */
 #define MESH_UNLIT         0x10000u /* the colour is emitted radiance, not lit */
 #define MESH_CUTOUT        0x20000u /* texels with alpha below one half are holes */
 #define MESH_MOVES         0x40000u /* transformed by globals.world_from_movers */

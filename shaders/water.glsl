@@ -7,7 +7,8 @@
 #include "lib/environment.glsl"
 #include "lib/optics.glsl"
 #include "lib/pool.glsl"
-#include "lib/wave.glsl"
+#include "tiles.h"
+#include "wave.h"
 
 layout(push_constant, scalar) uniform Push
 {
@@ -20,38 +21,10 @@ const vec3 up = vec3(0.0, 0.0, 1.0);
 
 /* ---- the ground: floor and walls ---- */
 
-/* Returns the integral from 0 to x of stripes that cover `share` of each unit. */
-float stripes(float x, float share)
-{
-    return floor(x) * share + min(fract(x), share);
-}
-
-/* Returns the share of stripes in a pixel of a given width. */
-float stripes_within(float x, float width, float share)
-{
-    return (stripes(x + 0.5 * width, share) - stripes(x - 0.5 * width, share)) / width;
-}
-
-float tile_noise(vec2 cell)
-{
-    uvec2 u = uvec2(ivec2(cell));
-    uint h = (u.x * 0x9e3779b9u) ^ (u.y * 0x85ebca6bu);
-    h = (h ^ h >> 15) * 0x2c1b3c6du;
-    return float(h >> 8) / 16777216.0;
-}
-
-/* Square tiles of several blues, and light joints. */
 vec3 tiles(vec2 at)
 {
-    const float joint = 0.06;
     vec2 x = at / push.pool.tile;
-    vec2 width = clamp(fwidth(x) * exp2(frame.lod_bias), 1e-4, 16.0);
-    float shown = clamp(1.5 - max(width.x, width.y), 0.0, 1.0);
-    float shade = mix(0.5, tile_noise(floor(x)), shown);
-    vec3 tile = mix(vec3(0.20, 0.46, 0.56), vec3(0.34, 0.62, 0.68), shade);
-    float joints = 1.0 - (1.0 - stripes_within(x.x, width.x, joint)) *
-                             (1.0 - stripes_within(x.y, width.y, joint));
-    return mix(tile, vec3(0.80, 0.82, 0.80), joints);
+    return tiles_color(x, clamp(fwidth(x) * exp2(frame.lod_bias), 1e-4, 16.0));
 }
 
 /* ---- light ---- */

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pool.glsl"
 #include "lib/strip.glsl"
-#include "lib/wave.glsl"
+#include "wave.h"
 
 layout(push_constant, scalar) uniform Push
 {

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pool.glsl"
-#include "lib/wave.glsl"
+#include "wave.h"
 
 layout(push_constant, scalar) uniform Push
 {

@@ -271,8 +271,8 @@ enum status app_fill_failed(const char *lacking);
 MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene *given, float time,
                                     bool *is_changed);
 
-/* Whether the rung can draw the scene. Logs: STATUS_USAGE. */
-MUST_USE enum status app_check_rung(const struct app_picture *picture, const struct scene *scene);
+/* Logs what the rung leaves out that the reference draws. */
+void app_warn_of_rung(const struct app_picture *picture, const struct scene *scene);
 
 /* The camera of the options, which may name one of the model's, else the model's first, else one
  * that frames the object. */

@@ -544,7 +544,7 @@ static enum status run(struct job *job)
     if (status == STATUS_OK)
         status = app_begin_scene(&job->scene, &job->o.picture.scene);
     if (status == STATUS_OK)
-        status = app_check_rung(&job->o.picture, &job->scene);
+        app_warn_of_rung(&job->o.picture, &job->scene);
     if (status == STATUS_OK)
         status = app_camera(&job->camera, &job->scene, &job->o.picture);
     if (status == STATUS_OK)

@@ -142,7 +142,7 @@ static void add_count(char *words, size_t size, uint32_t count, const char *name
 }
 
 /* Names what only the reference makes of a scene's own materials. */
-static void warn_of_rung(const struct app_picture *picture, const struct scene *scene)
+static void warn_of_materials(const struct app_picture *picture, const struct scene *scene)
 {
     static const struct {
         const char *name;
@@ -165,18 +165,11 @@ static void warn_of_rung(const struct app_picture *picture, const struct scene *
                     picture->scene.name, model->object_count, words);
 }
 
-/* The rungs that are drawn leave the water alone; the tracer, which is no technique, knows none. */
-enum status app_check_rung(const struct app_picture *picture, const struct scene *scene)
+void app_warn_of_rung(const struct app_picture *picture, const struct scene *scene)
 {
-    warn_of_rung(picture, scene);
+    warn_of_materials(picture, scene);
     if (picture->rung->rung.rows && air_is_medium(&picture->scene.settings))
         log_warning("air.model=medium: drawn as planes; --refraction reference draws a medium");
-    if (!scene->has_pool || picture->rung->rung.rows)
-        return STATUS_OK;
-    log_error(
-        "--refraction %s: not available for the scene '%s', which has water; choose another rung",
-        picture->rung->rung.name, picture->scene.name);
-    return STATUS_USAGE;
 }
 
 /* Whoever made a file may not have meant it to be ice. */

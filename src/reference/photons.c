@@ -18,7 +18,7 @@ enum {
     WAY_SEED,
 };
 
-#define RADIUS 2.0f  /* of the estimate for one photon, in radii of the objects' sphere */
+#define RADIUS 1.0f  /* of the estimate for one photon, in radii of the objects' sphere */
 #define FLAT   0.25f /* how far from a point's plane its photons are, in radii of the estimate */
 
 /* The photons of a chunk that have landed. */
@@ -306,7 +306,9 @@ struct radiance_sun photons_sun_at(const struct tracing *tracing, vec3s point, v
     const vec3s sun_dir = tracing->radiance->globals->sun_dir;
     const vec2s at = microfacet_point(tracing->sample, microfacet_hash(seed, SUN_SEED));
     const struct disc disc = count_around(photons, point, normal);
-    struct radiance_sun sun = { .own = 1.0f, .through = disc.light, .through_dir = sun_dir };
+    struct radiance_sun sun = {
+        .sky = glms_vec3_one(), .own = 1.0f, .through = disc.light, .through_dir = sun_dir
+    };
     if (photons->has_shadow && is_hidden(tracing, point, to_sun(sun_dir, photons->sun, at)))
         sun.own = 0.0f;
     if (glms_vec3_norm2(disc.along) > 0.0f)

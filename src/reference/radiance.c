@@ -5,12 +5,14 @@
 #include "shaders/background.h"
 #include "shaders/lit.h"
 #include "shaders/sky.h"
+#include "shaders/tiles.h"
 #include "src/image/half.h"
 #include "src/image/srgb.h"
 #include "src/reference/texel_pair.h"
 #include "src/scene/material_rows.h"
 
-#define LEAST_COSINE 0.05f /* by which irradiance is divided */
+#define TILES_WIDTH  ABI_VEC2(1e-4f, 1e-4f) /* over which tiles are averaged */
+#define LEAST_COSINE 0.05f                  /* by which irradiance is divided */
 
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals)
 {
@@ -182,6 +184,8 @@ static vec4s texel_of(const struct radiance *radiance, const struct material *ma
 static vec4s base_texel(const struct radiance *radiance, const struct mesh_vertex *vertex)
 {
     const struct material *material = material_of(radiance, vertex->material);
+    if ((vertex->material & MESH_TEXTURE_MASK) == MESH_TILES)
+        return glms_vec4(tiles_color(vertex->uv, TILES_WIDTH), 1.0f);
     if (material && material->textures[MATERIAL_BASE_COLOR].layer)
         return texel_of(radiance, material, MATERIAL_BASE_COLOR,
                         (struct coordinates){ .uv = vertex->uv });
@@ -311,7 +315,7 @@ static vec3s lights_on(const struct radiance *radiance, const struct lit_surface
     return sum;
 }
 
-static const struct radiance_sun open_sun = { .own = 1.0f };
+static const struct radiance_sun open_sun = { .sky = { { 1.0f, 1.0f, 1.0f } }, .own = 1.0f };
 
 static const struct radiance_sun *sun_at(const struct radiance_point *point)
 {
@@ -326,7 +330,7 @@ static vec3s light_of_matt(const struct radiance *radiance, const struct radianc
     const float cosine = fmaxf(0.0f, glms_vec3_dot(n, radiance->globals->sun_dir));
     const vec3s direct = glms_vec3_scale(glms_vec3_one(), sun->own * cosine);
     return glms_vec3_muladd(sun_light(radiance), glms_vec3_add(direct, sun->through),
-                            matt_light(radiance, n));
+                            glms_vec3_mul(sun->sky, matt_light(radiance, n)));
 }
 
 /* Returns what a surface with a material reflects of the sun. Refracted light is taken as if it all

@@ -17,11 +17,11 @@ struct radiance {
     float linear[256];             /* linear values of the textures' bytes */
 };
 
-/* The sun's light at a point. */
+/* What objects make of the light at a point. */
 struct radiance_sun {
-    float own; /* share of its direct light */
-    vec3s
-        through; /* irradiance by what objects refract and reflect; 1: as the sun's, square to it */
+    vec3s sky;         /* share of the light of what is around */
+    float own;         /* share of the sun's direct light */
+    vec3s through;     /* irradiance by the sun's other light; 1: the sun's, square to it */
     vec3s through_dir; /* unit, where that comes from, on the whole */
 };
 

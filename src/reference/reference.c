@@ -13,6 +13,7 @@
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/frame/view.h"
+#include "src/reference/basin.h"
 #include "src/reference/microfacet.h"
 #include "src/reference/photons.h"
 #include "src/reference/reference_layers.h"
@@ -62,6 +63,7 @@ struct job {
     struct inclusions inclusions;
     struct tracing tracing;
     struct photons photons;
+    struct basin basin;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
     struct reference_session *session;
@@ -385,7 +387,7 @@ static uint64_t memory_of(const struct reference_request *request)
     return memory;
 }
 
-static struct tracing tree_of(const struct job *job)
+static struct tracing tracing_of(const struct job *job)
 {
     const struct reference_params *params =
         settings_of(job->reference->request.settings, &reference_settings);
@@ -395,23 +397,25 @@ static struct tracing tree_of(const struct job *job)
         .media = &job->media,
         .inclusions = &job->inclusions,
         .cloud = cloud_of(&job->radiance, job->reference->request.settings),
+        .basin = job->reference->request.scene->has_pool ? &job->basin : NULL,
         .params = *params,
     };
 }
 
-/* Traces the sun's photons where the rasteriser draws its light through the ice. */
+/* Traces the sun's photons where the rasteriser draws its light through ice or water. */
 static enum status trace_photons(struct job *job)
 {
     const struct settings *settings = job->reference->request.settings;
     const struct ice_caustics_params *light = settings_of(settings, &ice_caustics_settings);
     const struct caustics_params *pool = settings_of(settings, &caustics_settings);
+    const bool has_pool = job->reference->request.scene->has_pool;
     const struct photons_params params = {
         .count = job->tracing.params.photons,
         .sun_deg = pool->sun,
-        .has_shadow = light->shadow,
+        .has_shadow = light->shadow || has_pool,
         .threads = thread_count(&job->reference->request),
     };
-    if (!ice_caustics.is_on(settings) || !params.count ||
+    if (!(has_pool ? caustics_are_lit(settings) : ice_caustics.is_on(settings)) || !params.count ||
         job->reference->request.scene->background != SCENE_SKY)
         return STATUS_OK;
     const enum status status = photons_init(&job->photons, &job->tracing, &params);
@@ -419,11 +423,24 @@ static enum status trace_photons(struct job *job)
     return status;
 }
 
-static enum status trace(struct job *job, const struct renderer_shot *shot,
-                         renderer_progress_fn *progress, void *user)
+/* Replaces the scene of a pool by one of meshes. Returns false when out of memory. */
+static bool fill_pool(struct job *job, struct frame_view *view)
+{
+    if (!view->scene->has_pool)
+        return true;
+    if (!basin_init(&job->basin, view->scene, view->settings, &job->globals))
+        return false;
+    view->scene = &job->basin.scene;
+    job->globals = frame_view_globals(view, &job->push);
+    job->globals.world_from_object = glms_mat4_identity(); /* the ice has been turned */
+    return true;
+}
+
+/* Makes what rays need, but for the hierarchy. Returns false when out of memory. */
+static bool prepare(struct job *job, const struct renderer_shot *shot)
 {
     const struct reference_request *request = &job->reference->request;
-    const struct frame_view view = {
+    struct frame_view view = {
         .scene = request->scene,
         .settings = request->settings,
         .camera = shot->camera,
@@ -433,13 +450,23 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     };
     job->push = frame_view_push(&view);
     job->globals = frame_view_globals(&view, &job->push);
-    job->radiance = radiance_of(request->scene, &job->globals);
+    if (!fill_pool(job, &view) || !media_init(&job->media, view.scene, request->settings))
+        return false;
+    if (request->scene->has_pool)
+        basin_set_media(&job->basin, request->scene, request->settings, &job->media);
+    job->radiance = radiance_of(view.scene, &job->globals);
     job->inclusions = inclusions_of(&job->radiance, request->settings);
-    job->tracing = tree_of(job);
-    if (!media_init(&job->media, request->scene, request->settings))
+    job->tracing = tracing_of(job);
+    return true;
+}
+
+static enum status trace(struct job *job, const struct renderer_shot *shot,
+                         renderer_progress_fn *progress, void *user)
+{
+    if (!prepare(job, shot))
         return log_out_of_memory("objects");
-    enum status status =
-        bvh_init(&job->bvh, job->reference->device, &job->radiance, memory_of(request));
+    enum status status = bvh_init(&job->bvh, job->reference->device, &job->radiance,
+                                  memory_of(&job->reference->request));
     if (status == STATUS_OK)
         status = trace_photons(job);
     if (status == STATUS_OK) {
@@ -496,6 +523,7 @@ enum status reference_continue(struct reference *r, const struct renderer_shot *
         status = log_out_of_memory(NULL);
     }
     if (job) {
+        basin_finish(&job->basin);
         reference_sums_finish(&job->sums);
         free(job->tallies);
     }

@@ -11,6 +11,7 @@ enum {
     TRACING_CHANNEL_COUNT = 3 /* red, green, blue */
 };
 
+struct basin;
 struct photons;
 
 struct tracing {
@@ -19,6 +20,7 @@ struct tracing {
     const struct media *media;
     const struct inclusions *inclusions;
     struct cloud cloud;
+    const struct basin *basin;     /* NULL: the scene is no pool */
     const struct photons *photons; /* NULL: the sun shines everywhere, and is not refracted */
     struct media_set eye_inside;   /* whitted_immerse() of the eye */
     uint32_t sample;               /* of a pixel; its random numbers are those of this index */

@@ -2,6 +2,7 @@
 #include "src/reference/whitted.h"
 #include <cglm/struct.h>
 #include <math.h>
+#include "src/reference/basin.h"
 #include "src/reference/branch.h"
 #include "src/reference/photons.h"
 #include "src/tech/gbuffer.h"
@@ -27,6 +28,25 @@ static void grow(const struct tracing *tracing, struct branch *stack, uint32_t *
         stack[(*count)++] = branch;
 }
 
+/* Finds what objects make of the light where a branch has met something around them. Returns false
+ * if none is in the way. */
+static bool find_sun(const struct tracing *tracing, const struct bvh_hit *hit,
+                     const struct branch *b, struct radiance_sun *sun)
+{
+    const bool is_tile =
+        tracing->basin && (hit->surface.material & MESH_TEXTURE_MASK) == MESH_TILES;
+    const float side = parting_dot(hit->facet, b->ray.dir) > 0.0 ? -1.0f : 1.0f;
+    const vec3s n = glms_vec3_scale(hit->facet, side);
+    const vec3s point = hit->surface.position;
+    if (tracing->photons)
+        *sun = photons_sun_at(tracing, point, n, b->seed);
+    else if (is_tile)
+        *sun = basin_light(tracing->basin, tracing->radiance->globals, point, n);
+    if (is_tile)
+        sun->sky = basin_passed(tracing->basin, fmaxf(-point.y, 0.0f));
+    return tracing->photons || is_tile;
+}
+
 /* Adds the light of what a branch has met around the objects, or of the sky. Through a blended
  * surface the branch goes on, with the weight that is left; returns whether any is. */
 static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hit *hit,
@@ -45,12 +65,8 @@ static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hi
         .dir = b->ray.dir,
     };
     struct radiance_sun sun;
-    if (tracing->photons) {
-        const float side = parting_dot(hit->facet, b->ray.dir) > 0.0 ? -1.0f : 1.0f;
-        sun = photons_sun_at(tracing, hit->surface.position, glms_vec3_scale(hit->facet, side),
-                             b->seed);
+    if (find_sun(tracing, hit, b, &sun))
         point.sun = &sun;
-    }
     const vec3s light = radiance_surface(tracing->radiance, &point);
     const float passing = radiance_passing(tracing->radiance, &hit->surface);
     sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light), 1.0f - passing, sum->light);

@@ -1,7 +1,7 @@
 /*
  * water.c: a pool of water: waves, their reflection, and the ground seen by refraction.
  *
- * The waves of shaders/lib/wave.glsl have exact normals. The surface is drawn as a grid; in each
+ * The waves of shaders/wave.h have exact normals. The surface is drawn as a grid; in each
  * pixel the ray is refracted once, meets the floor or a wall of the pool exactly, and is absorbed
  * along its path through the water by the law of Beer and Lambert. Reflectances are those of
  * Fresnel's equations. The sun's light falls as through water at rest, multiplied by the light map

@@ -163,8 +163,7 @@ class CommandLine(Case):
                         names=[name])
         self.assertEqual(self.files(), [])
 
-    def test_no_reference_of_water(self):
-        self.refuse(USAGE, 'render', 'pool', '-r', 'reference', '-o', 'a.exr', names=['pool'])
+    def test_ice_that_the_pool_is_too_small_for(self):
         for wrong in ('pool.ice=3', 'pool.ice=1.4'):  # too wide, too deep
             self.refuse(USAGE, 'render', 'pool', '--set', wrong, '-o', 'a.exr', names=[wrong])
         self.assertEqual(self.files(), [])

@@ -209,6 +209,13 @@ class With(Case):
         self.assertEqual(said.count('up to date'), 2)
         self.assertTrue(first == (self.folder / 'a.02.exr').read_bytes())
 
+    def test_a_pool(self):
+        words = ('render', 'pool', '--size', '32x24', *TRACED, '--set', 'reference.photons=5000')
+        for ice in ('0', '1'):
+            self.succeed(*words, '--set', f'pool.ice={ice}', '-o', f'{ice}.exr', env=NO_DRIVER)
+        pictures = [Exr((self.folder / f'{ice}.exr').read_bytes()).pixels for ice in '01']
+        self.assertNotEqual(*pictures)
+
     def test_what_is_left_out_is_said_once(self):
         def words(*arguments):
             return self.succeed('render', 'sphere', '--size', '64x48', *TRACED, '--frames', '1-2',

@@ -1,10 +1,10 @@
-/* optics.comp: asks all that lib/optics, bubble, local_cube and wave.glsl know. */
+/* optics.comp: asks all that lib/optics, bubble and local_cube.glsl and wave.h know. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/bubble.glsl"
 #include "shaders/lib/local_cube.glsl"
 #include "shaders/lib/optics.glsl"
-#include "shaders/lib/wave.glsl"
+#include "shaders/wave.h"
 #include "tests/gpu/shaders/optics.h"
 
 layout(binding = OPTICS_QUESTIONS, scalar) readonly buffer Questions
