@@ -161,6 +161,7 @@ struct app_ladder {
     uint32_t rungs;     /* bit i: techniques_rung(i); 0: all */
     uint32_t run_count; /* frames of each rung against the clock */
     bool furnace;
+    bool whole;        /* with the inclusions of ice */
     const char *truth; /* file; NULL: none */
 };
 

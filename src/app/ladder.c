@@ -16,6 +16,7 @@
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/air.h"
 
 static const char default_scene[] = "ice-cube";
 
@@ -37,19 +38,28 @@ struct job {
 static enum status refuse_furnace(const struct app_options *o)
 {
     const struct app_scene *scene = &o->picture.scene;
-    const char *option = scene->environment           ? "--env"
-                         : scene->surroundings        ? "--surroundings"
-                         : scene->background.is_given ? "--background"
-                         : scene->no_background       ? "--background"
-                         : o->ladder.truth            ? "--truth"
-                         : o->run.outputs.count       ? "--output"
-                                                      : NULL;
-    if (!option)
-        return STATUS_OK;
-    log_error("%s: not available with --furnace, which has a constant environment and prints only "
-              "numbers",
-              option);
-    return STATUS_USAGE;
+
+    const struct {
+        const char *option;
+        bool is_given;
+    } options[] = {
+        { "--env", scene->environment != NULL },
+        { "--surroundings", scene->surroundings != NULL },
+        { "--background", scene->background.is_given || scene->no_background },
+        { "--whole", o->ladder.whole },
+        { "--truth", o->ladder.truth != NULL },
+        { "--output", o->run.outputs.count > 0 },
+    };
+
+    for (size_t i = 0; i < sizeof(options) / sizeof(options[0]); i++) {
+        if (options[i].is_given) {
+            log_error("%s: not available with --furnace, which has a constant environment and "
+                      "prints only numbers",
+                      options[i].option);
+            return STATUS_USAGE;
+        }
+    }
+    return STATUS_OK;
 }
 
 static enum status check(struct job *job)
@@ -134,6 +144,7 @@ static enum status measure(struct job *job)
         .samples = p->samples,
         .filter = p->filter,
         .rungs = o->ladder.rungs,
+        .is_whole = o->ladder.whole,
         .run_count = o->ladder.run_count,
         .truth = job->truth.plane_count ? &job->truth : NULL,
         .truth_counted = job->truth_counted,
@@ -147,6 +158,8 @@ static enum status measure(struct job *job)
         return status;
     if (!o->run.quiet && reference_leaves_out(&p->scene.settings, names, sizeof(names)))
         log_warning("firn ladder: the reference draws the scene without %s", names);
+    if (!o->run.quiet && air_is_medium(&p->scene.settings))
+        log_warning("air.model=medium: the rungs draw planes, and the reference a medium");
     progress_begin(&job->progress, ladder_stages(&params), "steps", o->run.quiet);
     status = ladder_run(&job->ladder, &params, show_progress, job);
     progress_clear(&job->progress);

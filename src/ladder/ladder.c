@@ -12,6 +12,7 @@
 #include "src/metric/difference.h"
 #include "src/metric/flip.h"
 #include "src/reference/reference.h"
+#include "src/reference/reference_layers.h"
 
 static const char *const colors[3] = { "R", "G", "B" };
 static const char *const directions[3] = { "exit.X", "exit.Y", "exit.Z" };
@@ -20,6 +21,13 @@ const char *const ladder_cause_names[LADDER_CAUSE_COUNT] = {
     [LADDER_REFRACTED] = "refracted",
     [LADDER_REFLECTED] = "reflected",
     [LADDER_TRAPPED] = "trapped",
+};
+
+const char *const ladder_inclusion_names[LADDER_INCLUSION_COUNT] = {
+    [LADDER_CLEAR] = "clear",
+    [LADDER_BUBBLES] = "bubbles",
+    [LADDER_CRACKS] = "cracks",
+    [LADDER_AIR] = "air",
 };
 
 /* The state of the progress callback. */
@@ -43,8 +51,8 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
 /* Returns the bits of the layers that comparisons need. */
 static uint32_t find_layers(bool of_reference)
 {
-    static const char *const names[] = { "exit", "path", "bounces", "tir", "remaining" };
-    const size_t count = sizeof(names) / sizeof(names[0]) - !of_reference;
+    static const char *const names[] = { "exit", "path", "bounces", "tir", "remaining", "met" };
+    const size_t count = sizeof(names) / sizeof(names[0]) - (of_reference ? 0 : 2);
     uint32_t bits = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         for (size_t k = 0; k < count; k++)
@@ -128,13 +136,24 @@ static enum status draw(struct ladder_rung *rung, const struct ladder_params *pa
 
 /* The pixels to measure. */
 struct masks {
-    bool *object, *straight, *causes[LADDER_CAUSE_COUNT];
+    bool *object, *straight, *causes[LADDER_CAUSE_COUNT], *inclusions[LADDER_INCLUSION_COUNT];
     const bool *truth;
 };
 
 static enum ladder_cause cause_of(float bounces)
 {
     return bounces < 0.5f ? LADDER_REFRACTED : bounces < 1.5f ? LADDER_REFLECTED : LADDER_TRAPPED;
+}
+
+/* `met` has the bits of enum reference_met. */
+static bool has_inclusion(uint32_t met, enum ladder_inclusion inclusion)
+{
+    static const uint32_t bits[LADDER_INCLUSION_COUNT] = {
+        [LADDER_BUBBLES] = REFERENCE_MET_BUBBLES,
+        [LADDER_CRACKS] = REFERENCE_MET_CRACKS,
+        [LADDER_AIR] = REFERENCE_MET_AIR,
+    };
+    return inclusion == LADDER_CLEAR ? met == 0 : met & bits[inclusion];
 }
 
 static enum status make_masks(struct masks *masks, struct ladder *ladder,
@@ -144,12 +163,16 @@ static enum status make_masks(struct masks *masks, struct ladder *ladder,
     const float *tir = image_find(&ladder->reference.image, "tir.Z");
     const float *bounces = image_find(&ladder->reference.image, "bounces.Z");
     const size_t count = pixel_count(ladder);
-    masks->object = calloc((2 + LADDER_CAUSE_COUNT) * count, sizeof(*masks->object));
-    if (!masks->object || !path || !tir || !bounces)
+    const float *met = image_find(&ladder->reference.image, "met.Z");
+    masks->object =
+        calloc((2 + LADDER_CAUSE_COUNT + LADDER_INCLUSION_COUNT) * count, sizeof(*masks->object));
+    if (!masks->object || !path || !tir || !bounces || !met)
         return log_out_of_memory(NULL);
     masks->straight = masks->object + count;
     for (size_t c = 0; c < LADDER_CAUSE_COUNT; c++)
         masks->causes[c] = masks->object + (2 + c) * count;
+    for (size_t c = 0; c < LADDER_INCLUSION_COUNT; c++)
+        masks->inclusions[c] = masks->object + (2 + LADDER_CAUSE_COUNT + c) * count;
     masks->truth = params->truth_counted ? params->truth_counted : masks->object;
     for (size_t i = 0; i < count; i++) {
         masks->object[i] = path[i] > 0.0f;
@@ -158,6 +181,10 @@ static enum status make_masks(struct masks *masks, struct ladder *ladder,
             const enum ladder_cause cause = cause_of(bounces[i]);
             masks->causes[cause][i] = true;
             ladder->cause_counts[cause]++;
+        }
+        for (int c = 0; c < LADDER_INCLUSION_COUNT && masks->object[i]; c++) {
+            masks->inclusions[c][i] = has_inclusion((uint32_t)met[i], c);
+            ladder->inclusion_counts[c] += masks->inclusions[c][i];
         }
         ladder->object_count += masks->object[i];
         ladder->straight_count += masks->straight[i];
@@ -249,6 +276,11 @@ static enum status compare(struct ladder_rung *rung, const struct ladder *ladder
             measure_colors(&ladder->reference.image, &rung->result.image, masks->causes[c]);
         rung->error.cause_mae[c] = difference_mae(&part);
     }
+    for (int c = 0; c < LADDER_INCLUSION_COUNT; c++) {
+        const struct difference part =
+            measure_colors(&ladder->reference.image, &rung->result.image, masks->inclusions[c]);
+        rung->error.inclusion_mae[c] = difference_mae(&part);
+    }
     rung->error.tir_differs = measure_tir(rung, ladder, masks);
     enum status status = measure_flip(rung, ladder);
     return status == STATUS_OK ? measure_angle(rung, ladder, masks) : status;
@@ -325,7 +357,9 @@ enum status ladder_run(struct ladder *ladder, const struct ladder_params *params
                        ladder_progress_fn *progress, void *user)
 {
     struct work work = { progress, user, 0 };
-    *ladder = (struct ladder){ .width = params->width, .height = params->height };
+    *ladder = (struct ladder){ .width = params->width,
+                               .height = params->height,
+                               .is_whole = params->is_whole };
     choose_rungs(ladder, params);
     enum status status = trace(ladder, params, &work);
     if (status == STATUS_OK)

@@ -29,15 +29,27 @@ enum ladder_cause {
 
 extern const char *const ladder_cause_names[LADDER_CAUSE_COUNT]; /* "refracted", ... */
 
+/* What that light meets: inclusions, or none. A pixel may have several. */
+enum ladder_inclusion {
+    LADDER_CLEAR,
+    LADDER_BUBBLES,
+    LADDER_CRACKS,
+    LADDER_AIR,
+    LADDER_INCLUSION_COUNT,
+};
+
+extern const char *const ladder_inclusion_names[LADDER_INCLUSION_COUNT]; /* "clear", ... */
+
 /* Errors of a picture; they are NaN if no pixel is measured. */
 struct ladder_error {
     double flip;      /* LDR-FLIP (src/metric/flip.h), exposure 0, mean of all pixels */
     double mae, rmse; /* of the object's pixels, linear; mae clipped to 0 and 1 */
-    double cause_mae[LADDER_CAUSE_COUNT]; /* mae of the pixels of each cause */
-    double angle;                         /* mean angle between the directions of `exit`, degrees */
-    double angle_95;                      /* 95th percentile of that angle, degrees */
-    double tir_differs;                   /* share of the object's pixels in which `tir` differs */
-    double truth;                         /* mae against ladder_params.truth */
+    double cause_mae[LADDER_CAUSE_COUNT];         /* mae of the pixels of each cause */
+    double inclusion_mae[LADDER_INCLUSION_COUNT]; /* mae of the pixels that have each */
+    double angle;        /* mean angle between the directions of `exit`, degrees */
+    double angle_95;     /* 95th percentile of that angle, degrees */
+    double tir_differs;  /* share of the object's pixels in which `tir` differs */
+    double truth;        /* mae against ladder_params.truth */
     uint64_t not_finite; /* values of the object that are NaN or infinite; the errors ignore them */
 };
 
@@ -53,10 +65,12 @@ struct ladder {
     uint32_t width, height;
     uint64_t object_count, straight_count;     /* pixels measured for mae and rmse; for angles */
     uint64_t cause_counts[LADDER_CAUSE_COUNT]; /* pixels of the object */
-    struct render_result reference;            /* the layers of rungs, and `remaining` */
-    struct ladder_error reference_error;       /* zeros, except for truth */
-    double reference_cost;                     /* milliseconds of one picture */
-    char tracer[64];                           /* reference_device() */
+    uint64_t inclusion_counts[LADDER_INCLUSION_COUNT];
+    bool is_whole;                       /* ladder_params.is_whole */
+    struct render_result reference;      /* the layers of rungs, and `remaining` */
+    struct ladder_error reference_error; /* zeros, except for truth */
+    double reference_cost;               /* milliseconds of one picture */
+    char tracer[64];                     /* reference_device() */
     struct ladder_rung rungs[LADDER_RUNG_COUNT];
     uint32_t rung_count;
 };
@@ -71,6 +85,7 @@ struct ladder_params {
     uint32_t rungs;            /* bit i: techniques_rung(i); 0: all */
     const struct image *truth; /* R, G, B of this size, by another program; NULL: none */
     const bool *truth_counted; /* pixels of it to measure; NULL: the object's */
+    bool is_whole;             /* the object has inclusions: errors are told by these, too */
     uint32_t run_count;        /* timed frames of each rung; 0: costs are not measured */
     enum rg_sharing sharing;
 };

@@ -86,10 +86,10 @@ static void put_number(double number, int digits, FILE *out)
 
 static void put_table(const struct ladder *ladder, FILE *out)
 {
-    fputs("<table>\n<tr><th>rung<th>FLIP<th>MAE<th>refracted<th>reflected<th>trapped<th>RMSE<th>"
-          "degrees<th>95 %<th>other class"
-          "<th>ms<th>cost\n",
-          out);
+    fputs("<table>\n<tr><th>rung<th>FLIP<th>MAE<th>refracted<th>reflected<th>trapped", out);
+    for (int c = 0; c < LADDER_INCLUSION_COUNT && ladder->is_whole; c++)
+        fprintf(out, "<th>%s", ladder_inclusion_names[c]);
+    fputs("<th>RMSE<th>degrees<th>95 %<th>other class<th>ms<th>cost\n", out);
     for (uint32_t i = 0; i < ladder->rung_count; i++) {
         const struct ladder_rung *rung = &ladder->rungs[i];
         const struct ladder_error *e = &rung->error;
@@ -98,6 +98,8 @@ static void put_table(const struct ladder *ladder, FILE *out)
         put_number(e->mae, 4, out);
         for (int c = 0; c < LADDER_CAUSE_COUNT; c++)
             put_number(e->cause_mae[c], 4, out);
+        for (int c = 0; c < LADDER_INCLUSION_COUNT && ladder->is_whole; c++)
+            put_number(e->inclusion_mae[c], 4, out);
         put_number(e->rmse, 4, out);
         put_number(e->angle, 3, out);
         put_number(e->angle_95, 3, out);

@@ -68,24 +68,50 @@ static void print_rows(const struct ladder *l, FILE *out)
               base > 0.0 ? l->reference_cost / base : none, out);
 }
 
-/* The causes of the errors, in a table of its own: lines have at most 100 columns. */
-static void print_causes(const struct ladder *l, FILE *out)
+/* Columns of pixels and their errors. */
+struct columns {
+    const char *title;
+    const char *const *names;
+    const uint64_t *counts;
+    int count;
+    size_t offset; /* of the errors in struct ladder_error */
+};
+
+static void print_columns(const struct ladder *l, const struct columns *columns, FILE *out)
 {
-    fprintf(out, "\n%-*s", NAME_COLUMNS, "MAE by path");
-    for (int c = 0; c < LADDER_CAUSE_COUNT; c++)
-        fprintf(out, " %9s", ladder_cause_names[c]);
+    fprintf(out, "\n%-*s", NAME_COLUMNS, columns->title);
+    for (int c = 0; c < columns->count; c++)
+        fprintf(out, " %9s", columns->names[c]);
     fprintf(out, "\n%-*s", NAME_COLUMNS, "pixels");
-    for (int c = 0; c < LADDER_CAUSE_COUNT; c++)
-        fprintf(out, " %9llu", (unsigned long long)l->cause_counts[c]);
+    for (int c = 0; c < columns->count; c++)
+        fprintf(out, " %9llu", (unsigned long long)columns->counts[c]);
     putc('\n', out);
     for (uint32_t i = 0; i < l->rung_count; i++) {
+        const char *error = (const char *)&l->rungs[i].error + columns->offset;
         fprintf(out, "%-*s", NAME_COLUMNS, l->rungs[i].rung->rung.name);
-        for (int c = 0; c < LADDER_CAUSE_COUNT; c++)
-            print_number(l->rungs[i].error.cause_mae[c], 4, out);
+        for (int c = 0; c < columns->count; c++)
+            print_number(((const double *)(const void *)error)[c], 4, out);
         putc('\n', out);
     }
+}
+
+/* The causes of the errors, in tables of their own: lines have at most 100 columns. */
+static void print_causes(const struct ladder *l, FILE *out)
+{
+    const struct columns paths = { "MAE by path", ladder_cause_names, l->cause_counts,
+                                   LADDER_CAUSE_COUNT, offsetof(struct ladder_error, cause_mae) };
+    const struct columns inclusions = { "MAE, meets", ladder_inclusion_names, l->inclusion_counts,
+                                        LADDER_INCLUSION_COUNT,
+                                        offsetof(struct ladder_error, inclusion_mae) };
+    print_columns(l, &paths, out);
     fputs("\nrefracted: light that leaves at the first surface inside; reflected: that is totally "
           "reflected there\nonce before it leaves; trapped: more often.\n",
+          out);
+    if (!l->is_whole)
+        return;
+    print_columns(l, &inclusions, out);
+    fputs("\nmeets: what this light meets on its way; clear: nothing. A pixel may count more than "
+          "once.\n",
           out);
 }
 
@@ -145,15 +171,25 @@ static bool put_text(json_t *object, const char *key, const char *text)
 }
 
 /* "mae_refracted", "refracted_pixels", ... */
-static bool put_causes(json_t *object, const double *errors, const uint64_t *counts)
+static bool put_named(json_t *object, const char *const *names, int count, const double *errors,
+                      const uint64_t *counts)
 {
     bool ok = true;
-    for (int c = 0; c < LADDER_CAUSE_COUNT && ok; c++) {
+    for (int c = 0; c < count && ok; c++) {
         char key[32];
-        snprintf(key, sizeof(key), errors ? "mae_%s" : "%s_pixels", ladder_cause_names[c]);
+        snprintf(key, sizeof(key), errors ? "mae_%s" : "%s_pixels", names[c]);
         ok = errors ? put_number(object, key, errors[c]) : put_count(object, key, counts[c]);
     }
     return ok;
+}
+
+/* The errors by cause, or, without any, the numbers of pixels. */
+static bool put_causes(json_t *object, const struct ladder *l, const struct ladder_error *error)
+{
+    return put_named(object, ladder_cause_names, LADDER_CAUSE_COUNT,
+                     error ? error->cause_mae : NULL, l->cause_counts) &&
+           (!l->is_whole || put_named(object, ladder_inclusion_names, LADDER_INCLUSION_COUNT,
+                                      error ? error->inclusion_mae : NULL, l->inclusion_counts));
 }
 
 static json_t *make_rung(const struct ladder *ladder, const struct ladder_rung *rung)
@@ -163,7 +199,7 @@ static json_t *make_rung(const struct ladder *ladder, const struct ladder_rung *
     const bool ok =
         put_text(object, "name", rung->rung->rung.name) && put_number(object, "flip", e->flip) &&
         put_number(object, "mae", e->mae) && put_number(object, "rmse", e->rmse) &&
-        put_causes(object, e->cause_mae, NULL) && put_number(object, "angle", e->angle) &&
+        put_causes(object, ladder, e) && put_number(object, "angle", e->angle) &&
         put_number(object, "angle_95", e->angle_95) && put_number(object, "tir", e->tir_differs) &&
         put_number(object, "truth", e->truth) && put_count(object, "not_finite", e->not_finite) &&
         put_number(object, "ms", rung->cost > 0.0 ? rung->cost : (double)NAN) &&
@@ -182,8 +218,8 @@ static bool fill(json_t *root, const struct ladder_report *report)
               put_text(root, "command", report->command) && put_count(root, "width", l->width) &&
               put_count(root, "height", l->height) && put_count(root, "samples", report->samples) &&
               put_count(root, "object_pixels", l->object_count) &&
-              put_count(root, "straight_pixels", l->straight_count) &&
-              put_causes(root, NULL, l->cause_counts) && put_text(root, "reference", l->tracer) &&
+              put_count(root, "straight_pixels", l->straight_count) && put_causes(root, l, NULL) &&
+              put_text(root, "reference", l->tracer) &&
               put_number(root, "reference_ms", l->reference_cost) &&
               put_number(root, "reference_truth", l->reference_error.truth) &&
               put_text(root, "device", report->device ? report->device : "");

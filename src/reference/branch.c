@@ -12,6 +12,9 @@ enum {
     CHOICE_SEED,
 };
 
+/* Planes of air that cover less are not counted as met. */
+#define COVER_MIN 0.05f
+
 static vec3s absorbed(const struct tracing *tracing, const struct branch *b, float length)
 {
     const vec3s absorption =
@@ -36,6 +39,13 @@ static struct media_crossing crossing_at(const struct tracing *tracing,
     return crossing;
 }
 
+static uint32_t met_by(const struct bvh_hit *hit)
+{
+    return hit->part == BVH_BUBBLES  ? REFERENCE_MET_BUBBLES
+           : hit->part == BVH_CRACKS ? REFERENCE_MET_CRACKS
+                                     : 0;
+}
+
 /* Returns the branch that goes on at a surface, on the other side of it or on the same. */
 static struct branch leave(const struct tracing *tracing, const struct branch *b,
                            const struct meeting *meeting, vec3s dir, bool is_through)
@@ -57,6 +67,7 @@ static struct branch leave(const struct tracing *tracing, const struct branch *b
         .bounces = b->bounces + 1,
         .seed = microfacet_hash(b->seed, is_through),
         .scatterings = b->scatterings,
+        .met = b->met | met_by(hit),
         .is_straight = b->is_straight,
     };
     if (hit->part != BVH_CRACKS && !tracing_medium(tracing, hit->object)->is_thin)
@@ -78,6 +89,7 @@ static void pass(const struct tracing *tracing, struct branch *b, const struct b
         const float cover = inclusions_air_cover(inclusions, &hit->surface, b->ray.dir);
         const vec3s light = glms_vec3_mul(b->weight, inclusions->air_light);
         b->air = glms_vec3_muladds(light, cover, b->air);
+        b->met |= cover > COVER_MIN ? REFERENCE_MET_AIR : 0;
         b->weight = glms_vec3_scale(b->weight, 1.0f - cover);
     }
     b->ray.origin = hit->surface.position;
@@ -96,9 +108,12 @@ static bool scatter(const struct tracing *tracing, struct branch *b, float lengt
     const struct cloud *cloud = &tracing->cloud;
     const struct cloud_way way = { b->ray.origin, b->ray.dir, length };
     float distance;
-    if (b->is_straight || !branch_is_in_cloud(tracing, b) ||
+    if (!branch_is_in_cloud(tracing, b) ||
         !cloud_scatters(cloud, &way, tracing->sample, microfacet_hash(b->seed, PATH_SEED),
                         &distance))
+        return false;
+    b->met |= REFERENCE_MET_AIR;
+    if (b->is_straight)
         return false;
     const vec2s at = microfacet_point(tracing->sample, microfacet_hash(b->seed, TURN_SEED));
     b->weight = absorbed(tracing, b, distance);

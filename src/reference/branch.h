@@ -3,6 +3,7 @@
 #define FIRN_REFERENCE_BRANCH_H
 
 #include "src/reference/parting.h"
+#include "src/reference/reference_layers.h"
 #include "src/reference/tracing.h"
 
 struct branch {
@@ -13,6 +14,7 @@ struct branch {
     uint32_t bounces; /* surfaces that it has met */
     uint32_t seed;    /* of the random numbers at its next surface */
     uint32_t scatterings;
+    uint32_t met;     /* enum reference_met */
     bool is_straight; /* it passes clouds, as if they were not there */
 };
 

@@ -6,6 +6,14 @@
 #include "src/frame/layers.h"
 #include "src/settings/settings.h"
 
+/* What a path has met: the bits of the layer `met`. */
+enum reference_met {
+    REFERENCE_MET_BUBBLES = 1,
+    REFERENCE_MET_CRACKS = 2,
+    REFERENCE_MET_AIR =
+        4, /* a plane that covers more than a twentieth, or a medium that scatters */
+};
+
 /* The values of a ray from the eye, all of them floats; 0 without a surface. */
 struct reference_seen {
     vec3s color; /* linear radiance */
@@ -16,6 +24,7 @@ struct reference_seen {
      * the object in metres, number of total reflections, 1 if its first inner surface has one. */
     vec3s exit;
     float path, bounces, tir;
+    float met;                    /* by the same path: enum reference_met */
     vec3s refraction, reflection; /* radiance of both branches at the first surface */
     float fresnel;                /* weight of the reflection (with dispersion, of green) */
     vec3s remaining;              /* weight of rays that were terminated */

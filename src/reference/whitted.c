@@ -147,6 +147,7 @@ static void follow_straight(const struct tracing *tracing, struct branch b,
     seen->exit = b.ray.dir;
     seen->path = length;
     seen->bounces = (float)bounces;
+    seen->met = (float)b.met;
     seen->tir =
         bounces ? 1.0f : 0.0f; /* without total reflection it leaves at the first inner surface */
 }

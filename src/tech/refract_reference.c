@@ -59,6 +59,11 @@ static const struct frame_layer layers[] = {
         .help = "share of the light on paths that were terminated",
     },
     {
+        .name = "met",
+        .planes = { "met.Z" },
+        .help = "inclusions on the path of exit, added: 1 bubbles, 2 cracks, 4 air",
+    },
+    {
         .name = "error",
         .planes = { "error.Z" },
         .mean = true,

@@ -91,6 +91,33 @@ class Numbers(LadderCase):
             else:
                 self.assertIsNone(rung[f'mae_{cause}'])
 
+    def test_with_all_that_ice_has(self):
+        """Errors by what the reference's paths meet are those of pictures made one by one."""
+        said = self.ladder('ice-cube', *SIZE, '--whole', '--rungs', 'bounce', '--runs', 0,
+                           '--set', 'bubbles.count=60')
+        same = ('--set', 'light.count=0', '--set', 'refract.fresnel=exact', '--set',
+                'refract.lookup=distance', '--set', 'env_cube.dynamic=off', '--set',
+                'cracks.refract=gap', '--set', 'bubbles.count=60')
+        for rung in ('reference', 'bounce'):
+            self.succeed('render', 'ice-cube', *SIZE, *same, '--refraction', rung, '--aov',
+                         'path,met' if rung == 'reference' else 'path', '-o', f'{rung}.exr')
+        ours, test = (Exr((self.folder / f'{name}.exr').read_bytes())
+                      for name in ('reference', 'bounce'))
+        ours = ours.read_planes([*'RGB', 'path.Z', 'met.Z'])
+        test = test.read_planes([*'RGB'])
+        for name, bit in (('clear', 0), ('bubbles', 1), ('cracks', 2), ('air', 4)):
+            inside = [i for i, (path, met) in enumerate(zip(ours['path.Z'], ours['met.Z']))
+                      if path > 0 and (int(met) & bit if bit else met == 0)]
+            self.assertEqual(said[f'{name}_pixels'], len(inside))
+            errors = [abs(min(max(ours[c][i], 0), 1) - min(max(test[c][i], 0), 1))
+                      for c in 'RGB' for i in inside]
+            self.assertGreater(len(errors), 20)
+            self.near(said['rungs']['bounce'][f'mae_{name}'], sum(errors) / len(errors), 1e-4)
+        plain = self.ladder('ice-cube', *SIZE, '--rungs', 'bounce', '--runs', 0)
+        self.assertNotIn('clear_pixels', plain)
+        for furnace in (('--furnace', '--whole'), ('--whole', '--furnace')):
+            self.refuse(USAGE, 'ladder', 'ice-cube', *furnace, names=['--whole', '--furnace'])
+
     def test_costs(self):
         said = self.ladder('sphere', *SIZE, '--rungs', 'one-sided,paper', '--runs', 2)
         self.assertEqual(said['rungs']['paper']['cost'], 1)

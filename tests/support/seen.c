@@ -73,6 +73,7 @@ struct seen seen_look(const struct scene *scene, const struct settings *settings
         .path = value(image, "path.Z"),
         .bounces = value(image, "bounces.Z"),
         .tir = value(image, "tir.Z"),
+        .met = value(image, "met.Z"),
         .z = value(image, "Z"),
     };
     render_result_finish(&result);

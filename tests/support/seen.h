@@ -10,7 +10,7 @@
 /* What one ray gives. */
 struct seen {
     struct vec color, exit, refraction, reflection, remaining, normal, position;
-    double fresnel, path, bounces, tir, z;
+    double fresnel, path, bounces, tir, met, z;
 };
 
 /* The defaults with assignments, "refract.ior=1.5"; the list ends at NULL. */

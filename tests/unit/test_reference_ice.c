@@ -208,6 +208,35 @@ static void test_air(void **state)
     scene_finish(&scene);
 }
 
+/* A path notes what it meets on its way out: nothing, or any of the three, added. */
+static void test_met(void **state)
+{
+    const struct settings settings = SETTINGS("cracks.bump=0", "air.strength=0.5", "air.haze=0");
+    struct scene scene = block_scene();
+    uint8_t texels[8];
+    (void)state;
+    for (int i = 0; i < 8; i++)
+        texels[i] = 255;
+    scene.air_layers = (struct air_layers){ texels, 2, 1 };
+    add_bubble(&scene, (vec3s){ { 0, 0, -5 } }, 1);
+    add_bubble(&scene, (vec3s){ { 30, 0, -5 } }, 1);
+    add_sheet(&scene.cracks, -10);
+    add_sheet(&scene.air, -20);
+
+    static const struct {
+        double x, z, met;
+    } table[] = { { 40, 0, 0 }, { 30, 0, 1 }, { 10, -15, 4 }, { 10, 0, 6 }, { 0.1, 0, 7 } };
+
+    for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
+        const struct vec eye = { table[i].x, 0, 60 }, inner = { table[i].x, 0, table[i].z };
+        CHECK_NEAR(seen_look(&scene, &settings, inner, seen_direction(0)).met, table[i].met, 0);
+        if (table[i].z >= 0)
+            CHECK_NEAR(seen_look(&scene, &settings, eye, seen_direction(0)).met, table[i].met, 0);
+    }
+    scene.air_layers = (struct air_layers){ 0 };
+    scene_finish(&scene);
+}
+
 /* ---- bumps and frost ---- */
 
 static struct globals globals_of_turn(double turn)
@@ -463,6 +492,7 @@ int main(void)
         cmocka_unit_test(test_crack),
         cmocka_unit_test(test_crack_in_air),
         cmocka_unit_test(test_air),
+        cmocka_unit_test(test_met),
         cmocka_unit_test(test_bumps_on_planes),
         cmocka_unit_test(test_bumps_by_uv),
         cmocka_unit_test(test_bumpy_pane),

@@ -28,6 +28,7 @@ static const char *const examples[] = {
                     "  firn ladder sphere --size 256x256 -o ladder.html -o ladder.exr\n"
                     "  firn ladder statue.glb --rungs paper,search,bounce --runs 0 --json\n"
                     "  firn ladder sphere ice-cube teapot --rungs search,bounce --runs 0\n"
+                    "  firn ladder ice-cube --whole --rungs bounce\n"
                     "  firn ladder ice-cube --furnace\n"),
     [APP_BAKE] = ("  firn bake room -o env.exr\n"
                   "  firn bake room --size 1024 -o fine.exr\n"
@@ -95,7 +96,7 @@ void option_help(enum app_command command, const struct option *options, size_t 
     if (command == APP_LADDER)
         printf("\nThe default SCENE is ice-cube. firn ladder draws the smooth object alone, "
                "with\nrefract.fresnel=exact and refract.lookup=distance; --set changes these "
-               "settings.\n");
+               "settings. --whole draws ice with all that is in it, and cracks as gaps.\n");
     if (command == APP_DIFF)
         printf(
             "\nREFERENCE and TEST are both .exr or .hdr, or both .png, and have the same size.\n");

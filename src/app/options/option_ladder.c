@@ -4,6 +4,7 @@
 #include "src/app/options/option_values.h"
 #include "src/base/path.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/cracks.h"
 #include "src/tech/refract.h"
 #include "src/tech/techniques.h"
 
@@ -55,4 +56,22 @@ void option_ladder_settings(struct settings *s)
                  REFRACT_FRESNEL_EXACT);
     settings_put(s, settings_row(&refract_settings, offsetof(struct refract_params, lookup)),
                  REFRACT_LOOKUP_DISTANCE);
+}
+
+static void put(struct app_scene *scene, const struct setting *row, double value)
+{
+    const size_t index = settings_index(row);
+    if (!scene->is_set[index] && !scene->is_preset[index])
+        settings_put(&scene->settings, row, value);
+}
+
+void option_ladder_whole(struct app_scene *scene)
+{
+    for (const struct technique *const *t = techniques; *t; t++) {
+        const struct setting *row = (*t)->settings[0] ? &(*t)->settings[0]->rows[0] : NULL;
+        if ((*t)->is_of_ice && (*t)->is_traced && row)
+            put(scene, row, row->initial);
+    }
+    put(scene, settings_row(&cracks_settings, offsetof(struct cracks_params, refract)),
+        CRACKS_REFRACT_GAP);
 }

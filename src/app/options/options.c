@@ -166,6 +166,8 @@ static const struct option options[] = {
       "number of timed frames per rung, 0 to 10000; 0 skips the timing (10)", 0, 10000 },
     { "Ladder", "furnace", 0, NULL, APP_LADDER, FLAG(ladder.furnace),
       "white furnace test; exit code 1 if a rung gains or loses light" },
+    { "Ladder", "whole", 0, NULL, APP_LADDER, FLAG(ladder.whole),
+      "with the bubbles, cracks, air, bumps and frost of ice, and errors by these" },
     { "Ladder", "truth", 0, "FILE", APP_LADDER, INPUT(ladder.truth),
       "second reference: a picture of the same view by another program" },
     { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, PICTURE(option_refraction),
@@ -496,6 +498,8 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     if (!(command & (APP_RENDER | APP_FARM)) && refuse_traced(&o->picture) != STATUS_OK)
         return STATUS_USAGE;
     o->picture.scene.quiet = o->run.quiet;
+    if (o->ladder.whole)
+        option_ladder_whole(&o->picture.scene);
     if (command != APP_FARM) /* its words tell whether it has outputs */
         app_name_output(o, command);
     enum status status = settle_layers(&o->picture);
