@@ -145,8 +145,8 @@ static enum ladder_cause cause_of(float bounces)
     return bounces < 0.5f ? LADDER_REFRACTED : bounces < 1.5f ? LADDER_REFLECTED : LADDER_TRAPPED;
 }
 
-/* `met` has the bits of enum reference_met. */
-static bool has_inclusion(uint32_t met, enum ladder_inclusion inclusion)
+/* `met` has the bits of enum reference_met; `inclusion` is enum ladder_inclusion. */
+static bool has_inclusion(uint32_t met, uint32_t inclusion)
 {
     static const uint32_t bits[LADDER_INCLUSION_COUNT] = {
         [LADDER_BUBBLES] = REFERENCE_MET_BUBBLES,
@@ -182,7 +182,7 @@ static enum status make_masks(struct masks *masks, struct ladder *ladder,
             masks->causes[cause][i] = true;
             ladder->cause_counts[cause]++;
         }
-        for (int c = 0; c < LADDER_INCLUSION_COUNT && masks->object[i]; c++) {
+        for (uint32_t c = 0; c < LADDER_INCLUSION_COUNT && masks->object[i]; c++) {
             masks->inclusions[c][i] = has_inclusion((uint32_t)met[i], c);
             ladder->inclusion_counts[c] += masks->inclusions[c][i];
         }

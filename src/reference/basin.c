@@ -1,5 +1,6 @@
 /* basin.c: meshes of water and tiles, and light below water at rest. */
 #include "src/reference/basin.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 #include "shaders/wave.h"

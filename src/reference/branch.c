@@ -1,5 +1,6 @@
 /* branch.c: the way of a branch through media, sheets and surfaces. */
 #include "src/reference/branch.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include "src/reference/microfacet.h"
 

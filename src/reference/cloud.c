@@ -1,5 +1,6 @@
 /* cloud.c: free paths and directions of light in cloudy ice. */
 #include "src/reference/cloud.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include "shaders/cloud.h"
 #include "src/reference/microfacet.h"

@@ -1,5 +1,6 @@
 /* photons.c: traces photons, sorts them into cells, counts them around points. */
 #include "src/reference/photons.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>

@@ -42,11 +42,9 @@ static inline uint32_t tracing_channel_count(const struct tracing *tracing)
 /* Returns the channels of a path, as factors. */
 static inline vec3s tracing_channels(const struct tracing *tracing, uint32_t path)
 {
-    vec3s channels = glms_vec3_zero();
-    if (!tracing->media->is_dispersive)
-        return glms_vec3_one();
-    channels.raw[path] = 1.0f;
-    return channels;
+    const bool all = !tracing->media->is_dispersive;
+    return (vec3s){ { all || path == 0 ? 1.0f : 0.0f, all || path == 1 ? 1.0f : 0.0f,
+                      all || path == 2 ? 1.0f : 0.0f } };
 }
 
 #endif

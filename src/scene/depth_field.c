@@ -6,6 +6,7 @@
  * function using grids), with exact distances.
  */
 #include "src/scene/depth_field.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "shaders/cloud.h"

@@ -2,6 +2,7 @@
  * Cloudy ice in the traced reference against closed forms: depths below a surface, what passes
  * along a straight ray, how light is turned, and that none is lost.
  */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 

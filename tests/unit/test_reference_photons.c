@@ -2,6 +2,7 @@
  * The sun's light through ice in the traced reference against closed forms: a slab, a ball's focus,
  * the shadow's edge.
  */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 

@@ -2,6 +2,7 @@
  * The pool in the traced reference against closed forms: the view from under water, the sun's light
  * on the floor below water at rest and below one cosine.
  */
+#include <cglm/struct.h>
 #include <math.h>
 
 #include "src/scene/scene.h"
