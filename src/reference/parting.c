@@ -5,6 +5,7 @@
  * Snell's law. Differences of nearly equal numbers are computed in double.
  */
 #include "src/reference/parting.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include "shaders/bump_normal.h"
 #include "src/reference/microfacet.h"
@@ -17,11 +18,6 @@ enum {
 #define ROUGHNESS_MIN 1e-3f
 
 /* ---- at the surface ---- */
-
-double parting_dot(vec3s a, vec3s b)
-{
-    return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
-}
 
 /* Returns a d + b n, normalised. */
 static vec3s combined(double a, vec3s d, double b, vec3s n)

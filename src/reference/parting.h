@@ -24,6 +24,10 @@ struct meeting {
  * one. */
 struct parting parting_at(const struct tracing *tracing, vec3s dir, const struct meeting *meeting);
 
-double parting_dot(vec3s a, vec3s b); /* in double */
+/* In double. */
+static inline double parting_dot(vec3s a, vec3s b)
+{
+    return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
+}
 
 #endif
