@@ -29,7 +29,7 @@ class Both(Case):
         self.assertRegex(text, r'(?m)^ +reference .*\bCPU\b')
         layers = self.succeed('list', 'layers', env=NO_DRIVER).stdout.decode()
         self.assertRegex(layers, r'(?m)^ +remaining .*\(only with --refraction reference\)$')
-        self.assertEqual(layers.count('only with'), 2)
+        self.assertEqual(layers.count('only with'), 3)
 
     def test_layers_that_are_not_made(self):
         for option in ('--aov', '--show'):

@@ -96,7 +96,7 @@ void option_help(enum app_command command, const struct option *options, size_t 
     if (command == APP_LADDER)
         printf("\nThe default SCENE is ice-cube. firn ladder draws the smooth object alone, "
                "with\nrefract.fresnel=exact and refract.lookup=distance; --set changes these "
-               "settings. --whole draws ice with all that is in it, and cracks as gaps.\n");
+               "settings.\n--whole draws ice with all that is in it, and cracks as gaps.\n");
     if (command == APP_DIFF)
         printf(
             "\nREFERENCE and TEST are both .exr or .hdr, or both .png, and have the same size.\n");
