@@ -78,7 +78,7 @@ static void make(struct pipe_stream *stream, bool is_model)
     struct light light = { .kind = LIGHT_SPOT, .direction = { { 1, 0, 0 } }, .outer_cone = 1 };
     struct model_extension extension = { "EXT_any", MODEL_DRAWN };
     const struct model model = {
-        .object = { vertices, indices, 4, 6 },
+        .object = { .vertices = vertices, .indices = indices, .vertex_count = 4, .index_count = 6 },
         .objects = objects,
         .object_count = 2,
         .materials = &material,
