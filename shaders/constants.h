@@ -25,6 +25,7 @@
 #define CONSTANT_ENVIRONMENT     14 /* a float: environment.turn */
 #define CONSTANT_HIDDEN          15 /* 1: the background is seen in cubes and by rays alone */
 #define CONSTANT_SCENE_LIGHTS    16 /* number of lights of the scene's files */
-#define CONSTANT_COUNT           17
+#define CONSTANT_REFRACT_EXITS   17 /* refract_bounce.exits */
+#define CONSTANT_COUNT           18
 
 #endif

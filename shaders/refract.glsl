@@ -53,15 +53,26 @@ float refract_share(vec3 e, vec3 n_f)
     return clamp(fresnel_paper, 0.0, 1.0);
 }
 
+#ifndef REFRACT_EXITS
+/* Returns the light that is refracted, and its path. */
+vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
+{
+    way = refract_follow(e, n_f, channel);
+    return refract_transmitted(way);
+}
+#else
+#include "refract_exits.glsl"
+#endif
+
 /* Shades a point. The layers have the path of green. */
 refract_result refract_shade(vec3 e, vec3 n_f)
 {
     refract_result r;
-    r.way = refract_follow(e, n_f, 1);
-    r.refraction = refract_transmitted(r.way);
+    r.refraction = refract_gather(e, n_f, 1, r.way);
     if (constant_refract_colors > 1u) {
+        refract_way other;
         for (int channel = 0; channel < 3; channel += 2)
-            r.refraction[channel] = refract_transmitted(refract_follow(e, n_f, channel))[channel];
+            r.refraction[channel] = refract_gather(e, n_f, channel, other)[channel];
     }
     r.reflection = refract_environment(refract_front_point(), refract_mirrored(e, n_f));
     r.fresnel = refract_share(e, n_f);

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define REFRACT_BOUNCE
+#define REFRACT_EXITS
 #define REFRACT_SEEN
 #include "refract.glsl"
-#include "refract_march.glsl"

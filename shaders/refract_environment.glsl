@@ -2,11 +2,11 @@
  * refract_environment.glsl: looks up the environment from a point near the ice in a direction.
  *
  * The cube was drawn from the objects' centre. With REFRACT_LOOKUP_INFINITE only the direction is
- * used, as if everything were infinitely far away. With REFRACT_LOOKUP_DISTANCE a ray is traced
- * through the distances that the cube stores: each step intersects the ray with a sphere around the
- * centre whose radius is the distance found by the step before (after Szirmay-Kalos and others
- * 2005, Approximate Ray-Tracing on the GPU with Distance Impostors). This is wrong where a surface
- * is hidden only from the centre. With REFRACT_LOOKUP_BOX a ray ends on the box's sides
+ * used, as if everything were infinitely far away. With REFRACT_LOOKUP_DISTANCE a ray is marched
+ * through the distances that the cube stores, to the first place behind what the cube shows (after
+ * Szirmay-Kalos and others 2005, Approximate Ray-Tracing on the GPU with Distance Impostors). This
+ * is wrong where a surface is hidden only from the centre. With REFRACT_LOOKUP_BOX a ray ends on
+ * the box's sides
  * (lib/local_cube.glsl).
  */
 #ifndef REFRACT_ENVIRONMENT_GLSL
@@ -17,20 +17,74 @@
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
 
-/* Returns the direction in which a ray looks the cube up. */
+const int cube_divisions = 3; /* of the step that went behind a surface */
+
+/* Returns how far a place, homogeneous and relative to the centre, is behind what the cube shows:
+ * below 0, before it. Along a line this is linear where the surface is flat. The sky hides
+ * nothing. */
+float cube_behind(vec4 place)
+{
+    return length(place.xyz) * textureLod(env_cube, place.xyz, 0.0).a - place.w;
+}
+
+/* Two places of a ray, 0 to 1, between which it meets a surface. */
+struct cube_ends {
+    float before, behind;
+    float at_before, at_behind; /* cube_behind() */
+};
+
+/* Returns the place between the ends at which linearly interpolated depth is 0. */
+float cube_divide(cube_ends ends)
+{
+    float share = ends.at_before / min(ends.at_before - ends.at_behind, -1e-9);
+    return mix(ends.before, ends.behind, share);
+}
+
+/* Returns the ends of the first step that goes behind a surface, or both at 1 if none does. */
+cube_ends cube_find(vec4 from, vec4 to)
+{
+    cube_ends ends = cube_ends(0.0, 1.0, -1.0, 0.0);
+    bool found = false;
+    for (uint i = 1u; i <= constant_refract_steps; i++) {
+        float u = float(i) / float(constant_refract_steps);
+        float at = cube_behind(mix(from, to, u));
+        if (!found && at > 0.0) {
+            ends.behind = u;
+            ends.at_behind = at;
+            found = true;
+        } else if (!found) {
+            ends.before = u;
+            ends.at_before = at;
+        }
+    }
+    return ends;
+}
+
+/*
+ * Returns the direction in which a ray looks the cube up.
+ *
+ * Steps are even on the line from the ray's beginning to its end at infinity, as homogeneous
+ * points, so that the directions that are tried are about evenly spaced, too.
+ */
 vec3 refract_cube_dir(vec3 point, vec3 dir)
 {
     vec3 from_center = point - frame.cube_center;
-    float middle = dot(from_center, dir);
-    float room = dot(from_center, from_center) - middle * middle;
-    vec3 found = dir;
-    for (uint i = 0u; i < constant_refract_steps; i++) {
-        float near = texture(env_cube, found).a;
-        float reach = 1.0 / max(near, 1e-6);
-        float t = sqrt(max(reach * reach - room, 0.0)) - middle;
-        found = from_center + max(t, 0.0) * dir;
+    float scale = max(length(from_center), 0.01 * refract_frame.radius);
+    vec4 from = vec4(from_center, 1.0);
+    vec4 to = vec4(scale * dir, 0.0);
+    cube_ends ends = cube_find(from, to);
+    for (int i = 0; i < cube_divisions; i++) {
+        float u = i % 2 == 0 ? cube_divide(ends) : 0.5 * (ends.before + ends.behind);
+        float at = cube_behind(mix(from, to, u));
+        if (at > 0.0) {
+            ends.behind = u;
+            ends.at_behind = at;
+        } else {
+            ends.before = u;
+            ends.at_before = at;
+        }
     }
-    return found;
+    return mix(from, to, cube_divide(ends)).xyz;
 }
 
 vec3 refract_environment(vec3 point, vec3 dir)
@@ -40,7 +94,7 @@ vec3 refract_environment(vec3 point, vec3 dir)
         found = local_cube_dir(point, dir, frame.local_min, frame.local_max, frame.cube_center);
     else if (constant_refract_lookup == REFRACT_LOOKUP_DISTANCE)
         found = refract_cube_dir(point, normalize(dir));
-    return texture(env_cube, found).rgb;
+    return textureLod(env_cube, found, 0.0).rgb;
 }
 
 #endif

@@ -97,11 +97,13 @@ struct march_ends {
 };
 
 /*
- * Finds the step that goes outside. Two steps are taken at a time, because they do not depend on
+ * Finds the step that goes outside. A ray that is hidden begins behind a face that it has not
+ * crossed: its points count as inside until one is between the faces again, or beside them. Two
+ * steps are taken at a time, because they do not depend on
  * each other: the latency of the address computation dominates here, not the fetch.
  */
 march_ends march_step_outside(march_space space, vec4 from, vec4 way, float first,
-                              float step_length)
+                              float step_length, bool hidden)
 {
     march_ends ends;
     ends.within = first;
@@ -114,16 +116,19 @@ march_ends march_step_outside(march_space space, vec4 from, vec4 way, float firs
         vec2 rooms_far = march_rooms(space, fma(vec4(far), way, from));
         float room_near = march_less(rooms_near);
         float room_far = march_less(rooms_far);
-        bool near_outside = room_near < 0.0;
+        bool near_hidden = hidden && room_near < 0.0 && room_near > march_beside;
+        bool near_outside = room_near < 0.0 && !near_hidden;
+        bool far_hidden = near_hidden && room_far < 0.0 && room_far > march_beside;
         ends.beyond = near_outside ? near : far;
         ends.room_beyond = near_outside ? room_near : room_far;
         if (!near_outside) {
-            bool far_outside = room_far < 0.0;
+            bool far_outside = room_far < 0.0 && !far_hidden;
             ends.within = far_outside ? near : far;
             ends.room_within = far_outside ? room_near : room_far;
             ends.near_front = march_is_near_front(far_outside ? rooms_near : rooms_far);
         }
-        if (ends.room_beyond < 0.0 || i + 2u > space.march.steps)
+        hidden = far_hidden;
+        if ((ends.room_beyond < 0.0 && !hidden) || i + 2u > space.march.steps)
             break;
     }
     return ends;
@@ -143,12 +148,14 @@ float march_divide(march_ends ends, float exact)
  * Returns the length of a ray inside, and whether its end is nearer to the front faces. The step
  * that goes outside is divided until it is as exact as `halvings` would make it: once for a flat
  * face. Whenever the new point is outside, the room inside is halved (the Illinois method), so that
- * both ends converge.
+ * both ends converge. `jumps` tells that the ray ends where the map goes from one face to another,
+ * and so at none of them.
  *
  * The loops test their condition at the end, because a vector unit executes whole iterations until
  * its last ray has finished.
  */
-float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
+float march_seek(march_space space, vec3 point, vec3 dir, bool hidden, out bool near_front,
+                 out bool jumps)
 {
     vec4 from = space.map_from_world * vec4(point, 1.0);
     vec4 way = space.map_from_world * vec4(dir, 0.0);
@@ -156,7 +163,8 @@ float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
     float step_length =
         (max(march_room(space, point, dir), first) - first) / float(space.march.steps);
     float exact = ldexp(step_length, -int(space.march.halvings));
-    march_ends ends = march_step_outside(space, from, way, first, step_length);
+    march_ends ends = march_step_outside(space, from, way, first, step_length, hidden);
+    float difference = ends.room_within - ends.room_beyond;
     float t = march_divide(ends, exact);
     bool done = t - ends.within < 0.5 * exact || space.march.halvings == 0u;
     for (uint i = 1u;; i++) {
@@ -177,7 +185,17 @@ float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
             break;
     }
     near_front = ends.near_front;
+    /* Where the room is continuous, four times the exactness changes it by far less. */
+    float probe = march_less(march_rooms(space, fma(vec4(ends.within + 4.0 * exact), way, from)));
+    jumps = probe < -0.25 * difference && probe > march_beside;
     return ends.within;
+}
+
+/* The same for a ray that ends where it first seems to. */
+float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
+{
+    bool jumps;
+    return march_seek(space, point, dir, false, near_front, jumps);
 }
 
 /* Returns the outward normal at the end of a ray: of the nearer face, or of the other one if the
@@ -196,5 +214,17 @@ vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
     return back;
 #endif
 }
+
+#ifdef REFRACT_BOUNCE
+/* Returns the outward normal of the nearer face at the end of a ray. */
+vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
+{
+    vec4 at = space.map_from_world * vec4(point, 1.0);
+    vec2 uv = fma(at.xy / at.w, space.texel, 0.5 * space.texel);
+    vec3 back = refract_normal_at(normal_back, uv);
+    vec3 front = refract_normal_at(normal_front, uv);
+    return near_front ? front : back;
+}
+#endif
 
 #endif

@@ -12,6 +12,7 @@ layout(constant_id = CONSTANT_REFRACT_COLORS) const uint constant_refract_colors
 layout(constant_id = CONSTANT_REFRACT_FRESNEL) const uint constant_refract_fresnel = 0u;
 layout(constant_id = CONSTANT_REFRACT_LOOKUP) const uint constant_refract_lookup = 0u;
 layout(constant_id = CONSTANT_REFRACT_STEPS) const uint constant_refract_steps = 0u;
+layout(constant_id = CONSTANT_REFRACT_EXITS) const uint constant_refract_exits = 1u;
 layout(constant_id = CONSTANT_TONEMAP_CURVE) const uint constant_tonemap_curve = 0u;
 layout(constant_id = CONSTANT_TILED) const uint constant_tiled = 0u;
 layout(constant_id = CONSTANT_ICE_SHADOW) const uint constant_ice_shadow = 1u;

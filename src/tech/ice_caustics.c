@@ -218,10 +218,11 @@ static void record_ground(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 static void record_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct refract_march *march = settings_of(frame->settings, &refract_bounce_settings);
+    const struct refract_bounce_params *bounce =
+        settings_of(frame->settings, &refract_bounce_settings);
     const struct caustics_params *pool = settings_of(frame->settings, &caustics_settings);
     const struct ice_caustics_push push = {
-        .march = *march,
+        .march = bounce->march,
         .sun_x = frame->light_jitter.x,
         .sun_y = frame->light_jitter.y,
         .sun = pool->sun,

@@ -218,11 +218,11 @@ static const struct setting rows[] = {
         .name = "refract.steps",
         .type = SETTING_COUNT,
         .offset = offsetof(struct refract_params, steps),
-        .initial = 4,
+        .initial = 8,
         .min = 1,
-        .max = 32,
+        .max = 64,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "iterations of the distance search with refract.lookup=distance",
+        .help = "steps of the distance search with refract.lookup=distance",
     },
 };
 

@@ -2,16 +2,17 @@
  * refract_bounce.c: light followed inside the ice through total reflections.
  *
  * The ray is searched as in refract_search.c, but among front and back faces, and continued where
- * it is totally reflected. After the last bounce it leaves in its direction.
+ * it is reflected, totally or in part. The last of refract_bounce.exits faces through which it
+ * leaves gets all the light that remains; after the last bounce it leaves in its direction.
  *
  * Error: as small as that of refract_search.c; on paths with total reflections one or a few degrees
  * on average on convex objects, because small errors grow from bounce to bounce. Of a concave
- * object only the nearest faces are known. Light that is partly reflected inside, 2 % at
- * perpendicular incidence and more near the critical angle, is treated as transmitted.
+ * object only the nearest faces are known, and faces beyond the picture's edges are not.
  */
 #include "src/tech/refract_bounce.h"
+#include "shaders/constants.h"
 #include "shaders/embedded.h"
-#include "shaders/refract_march.h"
+#include "shaders/refract_bounce.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
@@ -30,14 +31,14 @@ static const struct refract_rung rung = {
     .frag = &refract_bounce_frag,
     .layers_frag = &refract_bounce_aov_frag,
     .uses = uses,
-    .push_size = sizeof(struct refract_march),
+    .push_size = sizeof(struct refract_bounce_params),
     .record = record_screen,
 };
 
 static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_push(cmd, settings_of(frame->settings, &refract_bounce_settings),
-                sizeof(struct refract_march));
+                sizeof(struct refract_bounce_params));
     rg_cmd_scissor(cmd, frame_object_area(cmd, frame));
     rg_cmd_draw(cmd, 3);
 }
@@ -46,7 +47,7 @@ static const struct setting rows[] = {
     {
         .name = "refract_bounce.steps",
         .type = SETTING_COUNT,
-        .offset = offsetof(struct refract_march, steps),
+        .offset = offsetof(struct refract_bounce_params, march.steps),
         .initial = 8,
         .min = 1,
         .max = 256,
@@ -55,28 +56,52 @@ static const struct setting rows[] = {
     {
         .name = "refract_bounce.halvings",
         .type = SETTING_COUNT,
-        .offset = offsetof(struct refract_march, halvings),
-        .initial = 8,
+        .offset = offsetof(struct refract_bounce_params, march.halvings),
+        .initial = 12,
         .max = 32,
         .help = "maximum number of bisections where a ray leaves the object; flat faces need fewer",
     },
     {
         .name = "refract_bounce.count",
         .type = SETTING_COUNT,
-        .offset = offsetof(struct refract_march, bounces),
-        .initial = 4,
+        .offset = offsetof(struct refract_bounce_params, march.bounces),
+        .initial = 8,
         .max = 16,
-        .help = "maximum number of total reflections per ray",
+        .help = "maximum number of reflections per ray",
+    },
+    {
+        .name = "refract_bounce.exits",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct refract_bounce_params, exits),
+        .initial = 2,
+        .min = 1,
+        .max = 16,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "maximum number of faces through which a ray's light leaves",
+    },
+    {
+        .name = "refract_bounce.least",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_bounce_params, least),
+        .max = 1,
+        .help = "share of a ray's light that is followed to a further exit, at least",
     },
 };
 
 const struct setting_group refract_bounce_settings =
-    SETTING_GROUP("refract_bounce", rows, struct refract_march);
+    SETTING_GROUP("refract_bounce", rows, struct refract_bounce_params);
+
+static void write_constants(const struct settings *settings, uint32_t *values)
+{
+    const struct refract_bounce_params *params = settings_of(settings, &refract_bounce_settings);
+    values[CONSTANT_REFRACT_EXITS] = params->exits;
+}
 
 const struct technique refract_bounce = {
     .name = "refract_bounce",
     .help = "two refractions and the total reflections between them, searched among all faces",
     .settings = { &refract_bounce_settings },
     .parts = REFRACT_PARTS,
+    .write_constants = write_constants,
     .rung = { .name = "bounce", .rows = &rung, .by_pixel = true },
 };

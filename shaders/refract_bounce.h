@@ -1,0 +1,12 @@
+/* refract_bounce.h: what refract_bounce.c and refract_exits.glsl agree on. */
+#ifndef SHADERS_REFRACT_BOUNCE_H
+#define SHADERS_REFRACT_BOUNCE_H
+#include "refract_march.h"
+
+struct refract_bounce_params {
+    ABI_STRUCT(refract_march) march;
+    uint32_t exits; /* faces through which a ray's light leaves, at most */
+    float least;    /* share of a ray's light that is followed beyond its first exit, at least */
+};
+
+#endif

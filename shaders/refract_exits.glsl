@@ -1,0 +1,98 @@
+/*
+ * refract_exits.glsl: gathers the light that leaves a body through several faces.
+ *
+ * Where a ray inside meets a face it leaves with the share 1 - F of its light, and the share F goes
+ * on inside to the next face. So the way inside a body never branches: it is one chain of faces,
+ * and each that does not reflect totally is an exit. The last one gets all that remains.
+ *
+ * Both loops test their limit at the beginning and have another way out at the end. With a single
+ * one at the end, lavapipe gives the values of a later iteration to rays that have left (Mesa 22.3).
+ */
+#ifndef REFRACT_EXITS_GLSL
+#define REFRACT_EXITS_GLSL
+#include "refract_bounce.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    refract_bounce_params params;
+};
+
+#define REFRACT_MARCH params.march
+#include "refract_march.glsl"
+
+/* Places at which a ray only seems to leave, at most. */
+const uint exits_mistakes = 2u;
+
+/* A ray inside. */
+struct exits_ray {
+    refract_way way; /* its direction is that towards the face */
+    vec3 n;          /* outward normal of the face; 0 where none was found */
+    float share;     /* that is reflected there */
+    uint faces;      /* that have reflected it */
+};
+
+/*
+ * Follows a ray to a face through which it leaves: at the latest, after the last reflection.
+ *
+ * A ray seems to leave where another part of the body hides its way, and beside a surface that it
+ * has just left, because texels are coarse. There the room jumps, or the face looks the other way;
+ * the ray goes on behind the face that hides it.
+ */
+void exits_next(march_space space, float inverse_eta, inout exits_ray ray)
+{
+    const uint most = space.march.bounces + exits_mistakes;
+    bool hidden = false;
+    ray.share = 0.0;
+    ray.n = vec3(0.0);
+    for (uint i = 0u; ray.faces <= space.march.bounces && i <= most; i++) {
+        bool near_front, jumps;
+        float t = march_seek(space, ray.way.point, ray.way.dir, hidden, near_front, jumps);
+        ray.way.point += t * ray.way.dir;
+        ray.way.path += t;
+        vec3 n = march_nearer_normal(space, ray.way.point, near_front);
+        bool is_found = dot(n, ray.way.dir) > 0.0;
+        hidden = (!is_found || jumps) && i < most;
+        if (hidden)
+            continue;
+        float share = is_found ? optics_fresnel(ray.way.dir, n, inverse_eta) : 0.0;
+        if (share < 1.0) {
+            ray.share = share;
+            ray.n = is_found ? n : ray.n;
+            break;
+        }
+        ray.way.tir = ray.faces == 0u ? 1.0 : ray.way.tir;
+        ray.way.bounces += 1.0;
+        ray.faces++;
+        ray.way.dir = reflect(ray.way.dir, n);
+    }
+}
+
+vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
+{
+    float eta = refract_frame.etas[channel];
+    march_space space = march_space_of_frame();
+    exits_ray ray;
+    ray.way = refract_leave_at_front(optics_refract(e, n_f, eta));
+    ray.faces = 0u;
+    way = ray.way;
+    vec3 light = vec3(0.0);
+    float left = 1.0;
+    for (uint i = 1u; i <= constant_refract_exits; i++) {
+        exits_next(space, 1.0 / eta, ray);
+        refract_way leaving = ray.way;
+        leaving.dir = optics_refract(ray.way.dir, -ray.n, 1.0 / eta);
+        if (i == 1u)
+            way = leaving;
+        bool is_last = i == constant_refract_exits || ray.faces >= space.march.bounces ||
+                       left * ray.share < params.least;
+        light += left * (is_last ? 1.0 : 1.0 - ray.share) * refract_transmitted(leaving);
+        if (is_last)
+            break;
+        left *= ray.share;
+        ray.faces++;
+        ray.way.dir = reflect(ray.way.dir, ray.n);
+    }
+    return light;
+}
+
+#endif
