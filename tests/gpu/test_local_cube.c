@@ -154,7 +154,8 @@ static struct errors measure(struct gpu *gpu, const struct scene *scene, const c
                              const char *lookup)
 {
     struct errors errors = { 0 };
-    struct shown s = draw(gpu, scene, rung, (const char *const[]){ lookup, NULL });
+    struct shown s =
+        draw(gpu, scene, rung, (const char *const[]){ lookup, "refract_bounce.exits=1", NULL });
     for (size_t i = 0; i < (size_t)SIZE * SIZE; i++)
         add_errors(&errors, &s, i);
     assert_true(errors.count > 1000);

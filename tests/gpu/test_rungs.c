@@ -372,8 +372,10 @@ static void white_furnace_is_white(void **state)
 /* In white light, the share of refraction times what the way has left of it. */
 static void light_is_absorbed_along_the_way(void **state)
 {
-    static const char *const blue[] = { "absorb.red=2", "absorb.green=0.5",
-                                        "refract.fresnel=crossfade", "refract.crossfade=1", NULL };
+    static const char *const blue[] = {
+        "absorb.red=2",        "absorb.green=0.5",       "refract.fresnel=crossfade",
+        "refract.crossfade=1", "refract_bounce.exits=1", NULL
+    };
     const struct settings settings = set_all(blue);
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 4800);
     scene.background = SCENE_COLOR;
@@ -525,7 +527,7 @@ static double ball_error(struct gpu *gpu, const char *rung, const char *lookup)
 {
     const vec3s center = { { 0.8F, -0.5F, 0.6F } };
     const char *const assignments[] = { lookup, "refract.fresnel=crossfade", "refract.crossfade=1",
-                                        NULL };
+                                        "refract_bounce.exits=1", NULL };
     const struct settings settings = set_all(assignments);
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000);
     picture_add_directions(&scene, center, 5);

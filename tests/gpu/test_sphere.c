@@ -270,6 +270,52 @@ static void beauty_is_composed_of_the_layers(void **state)
     }
 }
 
+/* Share of light that the unit sphere reflects inside where a chord of that length ends. */
+static double reflected_inside(double chord)
+{
+    const double inside = fmin(chord / 2, 1);
+    const double outside = sqrt(fmax(1 - (1 - inside * inside) / (eta * eta), 0));
+    const double s = (inside - eta * outside) / (inside + eta * outside);
+    const double p = (eta * inside - outside) / (eta * inside + outside);
+    return (s * s + p * p) / 2;
+}
+
+/* All chords of a ray are equal: the share 1 - F leaves after one, and the rest after two. */
+static void second_exit_has_the_rest(void **state)
+{
+    struct settings settings = picture_settings("light.count=0");
+    static const char *const all[] = { "absorb.red=2", "refract.fresnel=crossfade",
+                                       "refract.crossfade=1" };
+    for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
+        assert_int_equal(settings_set(&settings, all[i]), STATUS_OK);
+    struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000);
+    scene.background = SCENE_COLOR;
+    scene.background_color = (vec3s){ { 1, 1, 1 } };
+    const struct picture_request request = {
+        .scene = &scene,
+        .settings = &settings,
+        .rung = "bounce",
+        .camera = { .eye = fifth, .fov_deg = 45 },
+        .width = 192,
+        .height = 144,
+        .layers = picture_layer_bit("path"),
+    };
+    struct render_result result = picture_render(*state, &request);
+    const float *path = image_find(&result.image, "path.Z");
+    const float *red = image_find(&result.image, "R");
+    double most = 0;
+    for (size_t i = 0; i < (size_t)192 * 144; i++) {
+        const double share = reflected_inside((double)path[i]), left = exp(-2 * (double)path[i]);
+        if (!(path[i] > 0) || share > 0.3) /* at the rim the share changes within a texel */
+            continue;
+        CHECK_NEAR((double)red[i], (1 - share) * left + share * left * left, 2e-3);
+        most = fmax(most, share);
+    }
+    assert_true(most > 0.1);
+    render_result_finish(&result);
+    scene_finish(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -278,6 +324,7 @@ int main(void)
         cmocka_unit_test(exit_follows_from_the_normals),
         cmocka_unit_test(light_is_deviated_as_known),
         cmocka_unit_test(beauty_is_composed_of_the_layers),
+        cmocka_unit_test(second_exit_has_the_rest),
     };
     return RUN_ON_DEVICE(tests);
 }
