@@ -284,7 +284,7 @@ static double reflected_inside(double chord)
 static void second_exit_has_the_rest(void **state)
 {
     struct settings settings = picture_settings("light.count=0");
-    static const char *const all[] = { "absorb.red=2", "refract.fresnel=crossfade",
+    static const char *const all[] = { "absorb.red=0.3", "refract.fresnel=crossfade",
                                        "refract.crossfade=1" };
     for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
         assert_int_equal(settings_set(&settings, all[i]), STATUS_OK);
@@ -305,7 +305,7 @@ static void second_exit_has_the_rest(void **state)
     const float *red = image_find(&result.image, "R");
     double most = 0;
     for (size_t i = 0; i < (size_t)192 * 144; i++) {
-        const double share = reflected_inside((double)path[i]), left = exp(-2 * (double)path[i]);
+        const double share = reflected_inside((double)path[i]), left = exp(-0.3 * (double)path[i]);
         if (!(path[i] > 0) || share > 0.3) /* at the rim the share changes within a texel */
             continue;
         CHECK_NEAR((double)red[i], (1 - share) * left + share * left * left, 2e-3);
@@ -314,6 +314,74 @@ static void second_exit_has_the_rest(void **state)
     assert_true(most > 0.1);
     render_result_finish(&result);
     scene_finish(&scene);
+}
+
+/* The colour of a ball of directions that a ray from outside meets, or white before it. */
+static struct vec ball_or_white(struct vec from, struct vec dir, struct vec center, double radius)
+{
+    const struct vec m = vec_add(from, -1, center);
+    const double middle = -vec_dot(m, dir);
+    const double root = middle * middle - vec_dot(m, m) + radius * radius;
+    if (root < 0 || middle < 0)
+        return (struct vec){ 1, 1, 1 };
+    const struct vec end = vec_add(m, middle - sqrt(root), dir);
+    return picture_direction_color(vec_scale(end, 1 / radius));
+}
+
+static struct vec bent(struct vec e, struct vec n, double ratio)
+{
+    const double c = vec_dot(n, e);
+    const double k = 1 - ratio * ratio * (1 - c * c);
+    return vec_add(vec_scale(e, ratio), -(ratio * c + sqrt(k)), n);
+}
+
+/* Mean difference of what is seen through the sphere of a ball before a white sky. */
+static double ball_error(struct gpu *gpu, const char *lookup)
+{
+    const char *const all[] = { lookup, "refract.fresnel=crossfade", "refract.crossfade=1",
+                                "refract_bounce.exits=1" };
+    const vec3s center = { { -0.5F, 0.1F, -2.6F } };
+    struct settings settings = picture_settings("light.count=0");
+    for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
+        assert_int_equal(settings_set(&settings, all[i]), STATUS_OK);
+    struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000);
+    scene.background = SCENE_COLOR;
+    scene.background_color = (vec3s){ { 1, 1, 1 } };
+    picture_add_directions(&scene, center, 1);
+    const struct picture_request request = {
+        .scene = &scene,
+        .settings = &settings,
+        .rung = "bounce",
+        .camera = { .eye = fifth, .fov_deg = 45 },
+        .width = 192,
+        .height = 144,
+        .layers = picture_layer_bit("exit"),
+    };
+    struct render_result result = picture_render(gpu, &request);
+    const struct picture_layer beauty = picture_layer(&result.image, "");
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < (size_t)192 * 144; i++) {
+        const struct vec e = picture_pixel_ray(&request, i);
+        struct crossing c;
+        if (impact(vec_from(fifth), e) > 0.95 || !cross_sphere(vec_from(fifth), e, &c))
+            continue;
+        const struct vec inside = bent(e, c.front, eta);
+        const struct vec exit = vec_add(c.front, -2 * vec_dot(c.front, inside), inside);
+        const struct vec dir = bent(inside, vec_scale(exit, -1), 1 / eta);
+        sum += vec_difference(picture_at(beauty, i), ball_or_white(exit, dir, vec_from(center), 1));
+        count++;
+    }
+    render_result_finish(&result);
+    scene_finish(&scene);
+    return sum / count;
+}
+
+static void objects_before_the_sky_are_where_they_are(void **state)
+{
+    const double infinite = ball_error(*state, "refract.lookup=infinite");
+    const double distance = ball_error(*state, "refract.lookup=distance");
+    print_message("ball before the sky: infinite %.4f, distance %.4f\n", infinite, distance);
+    assert_true(distance < 0.25 * infinite);
 }
 
 int main(void)
@@ -325,6 +393,7 @@ int main(void)
         cmocka_unit_test(light_is_deviated_as_known),
         cmocka_unit_test(beauty_is_composed_of_the_layers),
         cmocka_unit_test(second_exit_has_the_rest),
+        cmocka_unit_test(objects_before_the_sky_are_where_they_are),
     };
     return RUN_ON_DEVICE(tests);
 }
