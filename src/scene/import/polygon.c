@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 enum {
-    TESTS_MAX = 1 << 22, /* of a corner in an ear; what is left then becomes a fan */
+    TESTS_MAX = 1 << 26, /* of a corner in an ear; what is left then becomes a fan */
     FEW = 16,            /* corners that need no memory */
 };
 
