@@ -32,6 +32,12 @@ const struct asset assets[] = {
         .kind = ASSET_ENVIRONMENT,
         .help = "dark studio with soft boxes",
     },
+    {
+        .name = "alps",
+        .file = "alps.exr",
+        .kind = ASSET_ENVIRONMENT,
+        .help = "mountains around a lake, in the morning",
+    },
     { 0 },
 };
 

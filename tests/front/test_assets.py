@@ -1,24 +1,29 @@
 """test_assets.py: models and panoramas that come with firn, and where it finds them.
 
-Usage: see case.py. With --without after FIRN: of a build that cannot trace.
+Usage: test_assets.py FIRN ALPS [--without] [TEST...]
+    ALPS: the program that makes alps.exr; --without: FIRN cannot trace
 """
 import collections
 import importlib
 import json
 import pathlib
 import shutil
+import statistics
 import struct
+import subprocess
 import sys
 import unittest
 import zlib
 
 sys.dont_write_bytecode = True  # the source tree stays clean
+from exr_file import Exr  # noqa: E402
 from case import DATA, NO_DRIVER, NO_INPUT, PLAIN, Case, main  # noqa: E402
 
 ASSETS = pathlib.Path(__file__).parents[2] / 'assets'
 sys.path.append(str(ASSETS / 'generate'))
 SCENES = ('drink', 'amber', 'hollow')
 FILES = sorted(path.name for path in ASSETS.iterdir() if path.suffix in ('.glb', '.exr'))
+ALPS = pathlib.Path(sys.argv.pop(2)).resolve()
 TRACED = ['--refraction', 'reference']
 
 
@@ -26,16 +31,33 @@ class Generators(Case):
     @unittest.skipIf('ng' in zlib.ZLIB_RUNTIME_VERSION, 'zlib-ng packs other bytes')
     def test_they_make_the_files(self):
         importlib.import_module('make').main(self.folder)
-        self.assertEqual(self.files(), FILES)
-        for name in FILES:
+        made = self.files()
+        self.assertEqual([*made, 'alps.exr'], [*FILES[1:], FILES[0]])
+        for name in made:
             with self.subTest(name):
                 self.assertTrue((self.folder / name).read_bytes() == (ASSETS / name).read_bytes(),
                                 'python3 assets/generate/make.py assets makes other bytes')
 
+    def test_mountains(self):
+        """Smaller, and with fewer heights, than those of the asset."""
+        path = self.folder / 'a.exr'
+        subprocess.run([ALPS, path, '96'], check=True)
+        exr = Exr(path.read_bytes())
+        rows = [[plane[start:start + 96] for start in range(0, 96 * 48, 96)]
+                for plane in exr.read_planes('RGB').values()]
+        self.assertTrue(all(0 < value < 40 for plane in rows for row in plane for value in row))
+        for row in range(12):  # the sky is blue but around the sun, and darkest at its top
+            median = [statistics.median(plane[row]) for plane in rows]
+            self.assertEqual(median, sorted(median), row)
+        self.assertLess(statistics.median(rows[1][0]), 0.5 * statistics.median(rows[1][18]))
+        sun = max(range(96), key=rows[1][18].__getitem__)  # 22 degrees up, at an azimuth of 82
+        self.assertAlmostEqual((180 - 360 * ((sun + 0.5) / 96 - 0.5)) % 360, 82, delta=8)
+        self.assertLess(max(rows[1][47]), 0.5)  # the ground below
+
     def test_a_line_of_where_each_is_from(self):
         text = (ASSETS / 'README.md').read_text(encoding='utf-8')
         for name in FILES:
-            self.assertRegex(text, rf'(?m)^\| `{name}` \| .* \| made by `generate/\w+\.py` ')
+            self.assertRegex(text, rf'(?m)^\| `{name}` \| .* \| made by `generate/\w+\.(py|c)` ')
 
 
 class Shells(Case):
