@@ -4,6 +4,7 @@
 #include "ice_depth.h"
 #include "lib/constants.glsl"
 #include "lib/globals.glsl"
+#include "lib/view_ray.glsl"
 
 layout(set = 0, binding = AIR_LAYERS) uniform sampler2DArray layers;
 
@@ -27,7 +28,7 @@ void main()
         texel = texture(layers, uv, frame.lod_bias).rg;
     if (gl_FragCoord.z < texelFetch(ice_front, ivec2(gl_FragCoord.xy), 0).r)
         discard;
-    texel *= smoothstep(0.0, AIR_EDGE, abs(dot(normalize(eye_to_point), normal)));
+    texel *= smoothstep(0.0, AIR_EDGE, abs(dot(view_dir(eye_to_point), normal)));
     float clear = (1.0 - push.strength * texel.r) * (1.0 - push.haze * texel.g);
     cover = vec4(1.0 - clear);
 }

@@ -20,6 +20,12 @@ layout(location = 3) in vec2 uv;
 layout(location = 4) flat in uint material;
 layout(location = 0) out vec4 color;
 
+/* Returns a vector along the ray that sees the point. */
+vec3 seen_along()
+{
+    return constant_orthographic != 0u && push.inverse == 0u ? push.forward : eye_to_point;
+}
+
 #ifdef BACKGROUND_SHINE
 #include "lib/ice_shine.glsl"
 
@@ -53,6 +59,6 @@ void main()
         albedo *= texel.rgb;
     }
     vec3 n = normalize(normal);
-    albedo *= light_on(dot(n, eye_to_point) > 0.0 ? -n : n, (material & MESH_UNLIT) != 0u);
+    albedo *= light_on(dot(n, seen_along()) > 0.0 ? -n : n, (material & MESH_UNLIT) != 0u);
     color = vec4(albedo, push.inverse != 0u ? 1.0 / length(eye_to_point) : 1.0);
 }

@@ -20,6 +20,12 @@ layout(location = 6) in vec4 tangent;
 #endif
 layout(location = 0) out vec4 color;
 
+/* Returns a vector along the ray that sees the point. */
+vec3 seen_along()
+{
+    return constant_orthographic != 0u && push.inverse == 0u ? push.forward : eye_to_point;
+}
+
 #ifdef BACKGROUND_SHINE
 #include "lib/ice_shine.glsl"
 #endif
@@ -75,7 +81,7 @@ void main()
 
     vec3 albedo = base_color * base.rgb;
     float alpha = push.inverse != 0u ? 1.0 / length(eye_to_point) : 1.0;
-    vec3 to_eye = -normalize(eye_to_point);
+    vec3 to_eye = -normalize(seen_along());
     vec3 n = normalize(normal);
     n = dot(n, to_eye) < 0.0 ? -n : n;
     if (bent != vec4(1.0))

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "background.h"
+#include "lib/constants.glsl"
 
 layout(push_constant, scalar) uniform Push
 {
@@ -14,5 +15,7 @@ void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
     gl_Position = vec4(corner, 0.0, 1.0);
-    dir = push.forward + corner.x * push.right - corner.y * push.up;
+    dir = push.forward;
+    if (constant_orthographic == 0u || push.inverse != 0u)
+        dir += corner.x * push.right - corner.y * push.up;
 }

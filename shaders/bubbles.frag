@@ -5,6 +5,7 @@
 #include "lib/globals.glsl"
 #include "lib/ice_clip.glsl"
 #include "lib/optics.glsl"
+#include "lib/view_ray.glsl"
 
 layout(set = 0, binding = BUBBLES_ENV_CUBE) uniform samplerCube env_cube;
 
@@ -16,13 +17,17 @@ layout(location = 0) out vec4 bubble; /* premultiplied */
 
 void main()
 {
-    vec3 e = normalize(eye_to_point);
+    vec3 e = view_dir(eye_to_point);
     float along = dot(eye_to_center, e);
     vec3 aside = along * e - eye_to_center; /* from the centre to the ray, perpendicular to it */
+    if (constant_orthographic != 0u)
+        aside = eye_to_point - eye_to_center;
     float b = length(aside) / radius;
     if (b >= 1.0)
         discard;
     vec3 hit = (along - radius * sqrt(1.0 - b * b)) * e;
+    if (constant_orthographic != 0u)
+        hit = eye_to_center + aside - radius * sqrt(1.0 - b * b) * e;
     vec4 clip = frame.fitted_clip_from_world * vec4(frame.eye + hit, 1.0);
     if (!ice_clip_keeps(clip.z / clip.w))
         discard;

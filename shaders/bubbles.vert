@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "bubbles.h"
+#include "lib/constants.glsl"
 #include "lib/globals.glsl"
 
 layout(set = 0, binding = BUBBLES_SPHERES, scalar) readonly buffer Spheres
@@ -27,6 +28,12 @@ void main()
     vec3 other = axis.y * axis.y < 0.5 * d2 ? vec3(0, 1, 0) : vec3(1, 0, 0);
     vec3 right = normalize(cross(axis, other));
     vec3 up = normalize(cross(right, axis));
+    if (constant_orthographic != 0u) {
+        other = abs(frame.forward.y) < 0.7 ? vec3(0, 1, 0) : vec3(1, 0, 0);
+        right = normalize(cross(frame.forward, other));
+        up = cross(right, frame.forward);
+        side = sphere.radius;
+    }
     out_eye_to_point = axis + side * (corner.x * right + corner.y * up);
     out_eye_to_center = axis;
     out_radius = sphere.radius;

@@ -26,6 +26,7 @@
 #define CONSTANT_HIDDEN          15 /* 1: the background is seen in cubes and by rays alone */
 #define CONSTANT_SCENE_LIGHTS    16 /* number of lights of the scene's files */
 #define CONSTANT_REFRACT_EXITS   17 /* refract_bounce.exits */
-#define CONSTANT_COUNT           18
+#define CONSTANT_ORTHOGRAPHIC    18 /* 1: all rays of the picture have one direction */
+#define CONSTANT_COUNT           19
 
 #endif

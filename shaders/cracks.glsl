@@ -16,7 +16,7 @@ const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* colour with look.surface */
 
 /* A point of a crack, in the object's space. */
 struct crack_point {
-    vec3 e; /* from the eye to it */
+    vec3 e; /* direction of the ray that sees it */
     vec3 n; /* towards the eye */
 };
 
@@ -24,7 +24,8 @@ crack_point crack_here()
 {
     vec3 n = normalize(normal);
     crack_point c;
-    c.e = normalize(eye_to_point);
+    c.e = constant_orthographic != 0u ? transpose(mat3(frame.world_from_object)) * frame.forward
+                                      : normalize(eye_to_point);
     c.n = look.bump > 0.0 ? crack_bent(n, position, look.bump) : n;
     if (dot(n, c.e) > 0.0) /* cracks are visible from both sides */
         c.n = -c.n;

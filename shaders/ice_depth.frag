@@ -12,7 +12,7 @@ layout(location = 0) out vec4 layers; /* metres: front, back, thickness */
 /* Returns the length of this pixel's ray per length along the view's axis. */
 float slant()
 {
-    return length(view_ray(gl_FragCoord.xy / vec2(textureSize(front, 0)) * 2.0 - 1.0));
+    return view_slant(view_ray(gl_FragCoord.xy / vec2(textureSize(front, 0)) * 2.0 - 1.0));
 }
 
 void main()

@@ -89,7 +89,7 @@ layout(location = REFRACT_OUT_WAY) out vec4 out_way;
 void main()
 {
     refract_front_find();
-    refract_result r = refract_shade(normalize(eye_to_point), refract_front_normal());
+    refract_result r = refract_shade(view_dir(eye_to_point), refract_front_normal());
     out_exit = vec4(normalize(r.way.dir), 0.0);
     out_refraction = vec4(r.refraction, 0.0);
     out_reflection = vec4(r.reflection, 0.0);
@@ -103,7 +103,7 @@ layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;
 void main()
 {
     refract_front_find();
-    vec3 e = normalize(eye_to_point);
+    vec3 e = view_dir(eye_to_point);
     vec3 n_f = refract_front_normal();
     refract_result r = refract_shade(e, n_f);
     color = vec4(optics_compose(r.reflection, r.refraction, r.fresnel), 1.0);

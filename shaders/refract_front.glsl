@@ -4,6 +4,7 @@
  */
 #ifndef REFRACT_FRONT_GLSL
 #define REFRACT_FRONT_GLSL
+#include "lib/view_ray.glsl"
 #include "refract_frame.glsl"
 
 #ifdef REFRACT_SEEN
@@ -18,7 +19,7 @@ layout(location = REFRACT_FRESNEL) in float fresnel_paper; /* eq. 4, from the ve
 
 vec3 refract_front_normal()
 {
-    return bump_normal(normalize(eye_to_point), eye_to_point, normalize(normal));
+    return bump_normal(view_dir(eye_to_point), eye_to_point, normalize(normal));
 }
 #else
 vec3 refract_front_normal()

@@ -34,7 +34,7 @@ void refract_front_find()
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(depth_front, pixel, 0).r;
     vec4 texel = texelFetch(shading, pixel, 0);
-    eye_to_point = view_distance(refract_frame.clip_from_world, depth) * ray;
+    eye_to_point = view_at(ray, view_distance(refract_frame.clip_from_world, depth));
     normal = texel.xyz;
     fresnel_paper = texel.w;
 #ifdef REFRACT_LAYERS

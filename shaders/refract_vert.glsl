@@ -3,6 +3,7 @@
 #include "lib/constants.glsl"
 #include "lib/optics.glsl"
 #include "lib/pose.glsl"
+#include "lib/view_ray.glsl"
 #include "refract.h"
 #include "surface.glsl"
 
@@ -32,7 +33,7 @@ void main()
     gl_Position = clip;
     out_eye_to_point = point - frame.eye;
     out_normal = pose_object_normal(normal);
-    out_fresnel = optics_fresnel_paper(normalize(out_eye_to_point), out_normal);
+    out_fresnel = optics_fresnel_paper(view_dir(out_eye_to_point), out_normal);
     surface_hand_on();
 #ifdef REFRACT_BUMP
     out_bump_turn = mat3(frame.world_from_object);
@@ -42,7 +43,7 @@ void main()
     out_bump_slope = frame.bump_strength;
 #endif
 #ifdef REFRACT_PER_VERTEX
-    vec3 e = normalize(out_eye_to_point);
+    vec3 e = view_dir(out_eye_to_point);
     out_reflected = optics_reflect(e, out_normal);
     for (int channel = 0; channel < 3; channel++)
         out_refracted[channel] = optics_refract(e, out_normal, frame.etas[channel]);

@@ -13,7 +13,11 @@ float thickness_along(vec3 point, vec3 n_f)
         vec4 clip = refract_clip(end);
         float back = texelFetch(depth_back, refract_texel(clip), 0).r;
         if (back > 0.0 && clip.w > 0.0) {
-            end = frame.eye + (end - frame.eye) * (clip.z / clip.w / back);
+            if (constant_orthographic != 0u)
+                end += frame.forward * (view_distance(frame.clip_from_world, back) -
+                                        view_distance(frame.clip_from_world, clip.z));
+            else
+                end = frame.eye + (end - frame.eye) * (clip.z / clip.w / back);
             return max(dot(point - end, n_f), 0.0);
         }
         guess *= 0.5;

@@ -10,7 +10,8 @@ layout(location = 0) out vec4 color;
 void main()
 {
     vec3 point = pool_from_world(frame.eye + eye_to_point);
-    vec3 e = normalize(pool_from_world(eye_to_point));
+    vec3 e = pool_from_world(constant_orthographic != 0u ? frame.forward : eye_to_point);
+    e = normalize(e);
     vec3 n = normalize(pool_from_world(normal));
     vec3 inside = optics_refract(e, n, frame.eta);
     water_ground ground = look_along(ice_through(water_ray(point, inside, false, vec3(1.0))));

@@ -24,7 +24,8 @@ vec3 water_normal(vec3 e)
 water_view water_look()
 {
     water_view view;
-    vec3 e = normalize(point - pool_from_world(frame.eye));
+    vec3 e = constant_orthographic != 0u ? pool_from_world(frame.forward)
+                                         : normalize(point - pool_from_world(frame.eye));
     vec3 n = water_normal(e);
     vec3 r = optics_reflect(e, n);
     vec3 t = optics_refract(e, n, 1.0 / push.water.ior);

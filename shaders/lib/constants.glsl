@@ -21,5 +21,6 @@ layout(constant_id = CONSTANT_OVER) const uint constant_over = 0u;
 layout(constant_id = CONSTANT_ENVIRONMENT) const float constant_environment_turn = 0.0;
 layout(constant_id = CONSTANT_HIDDEN) const uint constant_hidden = 0u;
 layout(constant_id = CONSTANT_SCENE_LIGHTS) const uint constant_scene_lights = 0u;
+layout(constant_id = CONSTANT_ORTHOGRAPHIC) const uint constant_orthographic = 0u;
 
 #endif

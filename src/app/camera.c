@@ -1,5 +1,6 @@
 /* camera.c: the camera that the options name, place, or leave to the model. */
 #include <cglm/struct.h>
+#include <math.h>
 #include <string.h>
 #include "src/app/app.h"
 #include "src/base/log.h"
@@ -29,7 +30,7 @@ static enum status refuse_name(const struct model *model, const struct app_pictu
 
 /* Finds the camera of --camera, by its name or else its number; those of surroundings are not
  * meant. */
-static enum status find_named(const struct camera **found, const struct model *model,
+static enum status find_named(const struct model_camera **found, const struct model *model,
                               const struct app_picture *p)
 {
     const struct model_camera *named = NULL;
@@ -42,14 +43,36 @@ static enum status find_named(const struct camera **found, const struct model *m
     }
     if (!named)
         return refuse_name(model, p);
-    if (named->kind != MODEL_PERSPECTIVE) {
-        log_error("--camera %s: the camera is orthographic, which is not supported; choose a "
-                  "perspective one (firn info)",
+    if (named->kind == MODEL_ORTHOGRAPHIC && p->fov_deg > 0.0f) {
+        log_error("--fov conflicts with --camera %s: the camera is orthographic, so it has no "
+                  "angle of view; leave out --fov",
                   p->camera);
         return STATUS_USAGE;
     }
-    *found = &named->camera;
+    *found = named;
     return STATUS_OK;
+}
+
+static void reach(const struct mesh *mesh, vec3s center, float *radius)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        *radius = fmaxf(*radius, glms_vec3_distance(mesh->vertices[i].position, center));
+}
+
+/* Returns a camera of the file; an orthographic one reaches beyond all that turns around the
+ * object, also from twice as far. */
+static struct camera camera_of(const struct model_camera *m, const struct scene *scene)
+{
+    struct camera camera = m->camera;
+    if (m->kind == MODEL_ORTHOGRAPHIC) {
+        const vec3s center = box_center(scene->box);
+        float radius = m->height;
+        reach(&scene->model.object, center, &radius);
+        reach(&scene->model.surroundings, center, &radius);
+        camera.height = m->height;
+        camera.depth = 2.0f * (glms_vec3_distance(camera.eye, center) + radius);
+    }
+    return camera;
 }
 
 /* ---- of a picture ---- */
@@ -89,13 +112,18 @@ static enum status check_conflicts(const struct app_picture *p)
 enum status app_camera(struct camera *camera, const struct scene *scene,
                        const struct app_picture *p)
 {
-    const struct camera *own = scene->model.has_camera ? &scene->model.camera : NULL;
+    const struct model *model = &scene->model;
+    const struct model_camera *named = model->camera_count ? &model->cameras[0] : NULL;
+    struct camera own = model->camera;
     enum status status = check_conflicts(p);
     if (status == STATUS_OK && p->camera)
-        status = find_named(&own, &scene->model, p);
+        status = find_named(&named, model, p);
     if (status != STATUS_OK)
         return status;
-    *camera = choose(scene, p, own);
+    const bool is_named = p->camera || (named && !model->has_camera && !(p->fov_deg > 0.0f));
+    if (is_named)
+        own = camera_of(named, scene);
+    *camera = choose(scene, p, is_named || model->has_camera ? &own : NULL);
     if (!glms_vec3_eqv(camera->eye, camera->target))
         return STATUS_OK;
     /* maybe only as floats go: there is no millimetre a thousand kilometres away */

@@ -120,6 +120,8 @@ static bool describe(const struct output *output, bool is_png, char **text)
             fprintf(out, " camera=%s", p->camera);
         print_vector(out, "eye", camera->eye);
         print_vector(out, "target", camera->target);
+        if (camera->height > 0.0f)
+            fprintf(out, " height=%.9g", (double)camera->height);
         fprintf(out, " fov=%.9g", (double)camera->fov_deg);
         print_settings(out, &settings);
         print_cube_time(out, &p->scene.settings, output->scene);

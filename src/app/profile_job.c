@@ -119,6 +119,7 @@ enum status profile_job_measure(struct profile_job *job, const struct app_pictur
         const struct motion_params *motion = settings_of(&p.scene.settings, &motion_settings);
         request.time = (double)motion->time;
         request.renderer = app_renderer_params(&p, &job->gpu, &scene);
+        request.renderer.is_orthographic = request.camera.height > 0.0f;
         status = profile_measure(profile, &request, show_progress, job);
         progress_clear(&job->progress);
     }

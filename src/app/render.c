@@ -348,6 +348,7 @@ static enum status open_renderer(struct job *job)
     struct renderer_params params = app_renderer_params(p, &job->gpu, &job->scene);
     params.samples = p->samples;
     params.warm_up = true;
+    params.is_orthographic = job->camera.height > 0.0f;
     for (uint32_t i = 0; i < outputs->count; i++) {
         if (!path_ends_in(outputs->paths[i], ".png"))
             params.linear = true;

@@ -133,6 +133,7 @@ static enum status draw(struct job *job, const struct app_picture *p, const stru
     struct renderer *renderer = NULL;
     enum status status = app_camera(&shot.camera, scene, p);
     params.samples = p->samples;
+    params.is_orthographic = shot.camera.height > 0.0f;
     params.display = true;
     if (status == STATUS_OK)
         status = renderer_create(&renderer, &params);

@@ -35,7 +35,8 @@ struct background_push frame_view_push(const struct frame_view *view)
     const struct camera_basis basis = camera_basis(camera);
     float width = (float)view->width;
     float height = (float)view->height;
-    float up = tanf(radians(camera->fov_deg) / 2.0f);
+    const bool is_flat = camera->height > 0.0f;
+    float up = is_flat ? camera->height / 2.0f : tanf(radians(camera->fov_deg) / 2.0f);
     float right = up * width / height;
     /* A pixel to the right is 2 right / width, a pixel down is -2 up / height. */
     const vec2s at = glms_vec2_add(view->jitter, view->tile);
@@ -44,11 +45,11 @@ struct background_push frame_view_push(const struct frame_view *view)
     return (struct background_push){
         .clip_from_world = camera_clip_from_world(camera, view->width, view->height,
                                                   scene_near_plane(view->scene), at),
-        .eye = camera->eye,
-        .environment_lod = environment_lod(view->scene, 2.0f * up / height),
+        .eye = is_flat ? glms_vec3_add(camera->eye, shift) : camera->eye,
+        .environment_lod = is_flat ? 0.0f : environment_lod(view->scene, 2.0f * up / height),
         .right = glms_vec3_scale(basis.right, right),
         .up = glms_vec3_scale(basis.up, up),
-        .forward = glms_vec3_add(basis.forward, shift),
+        .forward = is_flat ? basis.forward : glms_vec3_add(basis.forward, shift),
     };
 }
 
@@ -74,6 +75,13 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
     float middle = glms_vec3_dot(glms_vec3_sub(center, camera->eye), forward);
     float far = fmaxf(middle + radius, 2e-3f * radius);
     float near = fmaxf(middle - radius, 1e-3f * radius);
+    if (camera->height > 0.0f) { /* z = (distance - near) / (far - near) */
+        for (int column = 0; column < 3; column++)
+            clip_from_world.raw[column][2] = forward.raw[column] / (far - near);
+        clip_from_world.raw[3][2] = -(glms_vec3_dot(forward, camera->eye) + near) / (far - near);
+        *fitted = (vec2s){ { near, far } };
+        return clip_from_world;
+    }
     /* z = far / (far - near) (w - near), where w is the distance along the camera's axis. */
     float scale = far / (far - near);
     for (int column = 0; column < 4; column++)
@@ -100,6 +108,16 @@ static void span(float aside, float ahead, float radius, float half, float edge,
     ends[1] = (int32_t)ceilf(half + fminf(fmaxf(high * half, -most), most)) + REACH_MARGIN;
 }
 
+/* Of an orthographic picture, in which a metre has `scale` pixels. */
+static void span_flat(float aside, float radius, float half, float scale, int32_t ends[2])
+{
+    const float most = 4.0f * half;
+    const float low = (aside - radius) * scale;
+    const float high = (aside + radius) * scale;
+    ends[0] = (int32_t)floorf(half + fmaxf(fminf(low, most), -most)) - REACH_MARGIN;
+    ends[1] = (int32_t)ceilf(half + fmaxf(fminf(high, most), -most)) + REACH_MARGIN;
+}
+
 /* Clips the range `ends` to the picture; at least one pixel is left. */
 static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t *extent)
 {
@@ -120,10 +138,16 @@ VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *g
     const float width = (float)view->width, height = (float)view->height;
     VkRect2D reach = { .extent = { view->width, view->height } };
     int32_t x[2], y[2];
-    if (!(ahead > 1.01f * radius))
+    if (view->camera.height > 0.0f) {
+        const float scale = height / view->camera.height;
+        span_flat(glms_vec3_dot(to, basis.right), radius, width / 2.0f, scale, x);
+        span_flat(-glms_vec3_dot(to, basis.up), radius, height / 2.0f, scale, y);
+    } else if (ahead > 1.01f * radius) {
+        span(glms_vec3_dot(to, basis.right), ahead, radius, width / 2.0f, up * width / height, x);
+        span(-glms_vec3_dot(to, basis.up), ahead, radius, height / 2.0f, up, y);
+    } else {
         return reach;
-    span(glms_vec3_dot(to, basis.right), ahead, radius, width / 2.0f, up * width / height, x);
-    span(-glms_vec3_dot(to, basis.up), ahead, radius, height / 2.0f, up, y);
+    }
     clip(x, view->width, &reach.offset.x, &reach.extent.width);
     clip(y, view->height, &reach.offset.y, &reach.extent.height);
     return reach;
@@ -143,10 +167,11 @@ VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals
             clip_from_object,
             (vec4s){ { corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
                        corner & 4 ? box.max.z : box.min.z, 1.0f } });
+        const bool is_before = view->camera.height > 0.0f || point.w > near;
         for (int axis = 0; axis < 2; axis++) {
             const float at = point.raw[axis] / point.w;
-            low[axis] = point.w > near ? fminf(low[axis], at) : -1.0f;
-            high[axis] = point.w > near ? fmaxf(high[axis], at) : 1.0f;
+            low[axis] = is_before ? fminf(low[axis], at) : -1.0f;
+            high[axis] = is_before ? fmaxf(high[axis], at) : 1.0f;
         }
     }
     const uint32_t sides[2] = { size.width, size.height };

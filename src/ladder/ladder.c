@@ -114,6 +114,7 @@ static struct renderer_params renderer_params_of(const struct ladder_params *par
         .height = params->height,
         .samples = params->samples,
         .filter = params->filter,
+        .is_orthographic = params->shot.camera.height > 0.0f,
         .sharing = params->sharing,
     };
 }

@@ -68,6 +68,7 @@ struct job {
     uint32_t plane_count;
     struct reference_session *session;
     struct reference_sums sums;
+    bool is_flat;        /* the camera is orthographic */
     uint32_t begin, end; /* samples of the round */
     struct tally *tallies;
     uint32_t tile_columns, tile_count;
@@ -131,6 +132,15 @@ static struct bvh_ray ray_of(const struct job *job, uint32_t x, uint32_t y, vec2
     const vec3s along =
         glms_vec3_muladds(push->up, -down, glms_vec3_muladds(push->right, right, push->forward));
     const vec3s dir = glms_vec3_normalize(along);
+    if (job->is_flat) {
+        const vec3s aside = glms_vec3_sub(along, push->forward);
+        return (struct bvh_ray){
+            .origin = glms_vec3_add(push->eye, aside),
+            .dir = push->forward,
+            .near = scene_near_plane(request->scene),
+            .from = BVH_NOWHERE,
+        };
+    }
     return (struct bvh_ray){
         .origin = push->eye,
         .dir = dir,
@@ -176,6 +186,8 @@ static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct ta
         const struct bvh_ray ray = ray_of(job, x, y, accumulate_offset(filter, s));
         struct tracing tracing = job->tracing;
         tracing.sample = s;
+        if (job->is_flat)
+            whitted_immerse(&tracing, ray.origin, &tracing.eye_inside);
         const struct reference_seen seen =
             whitted_trace(&tracing, &ray, job->globals.forward, microfacet_hash(x, y));
         reference_sums_add(&job->sums, sums, &seen);
@@ -448,6 +460,7 @@ static bool prepare(struct job *job, const struct renderer_shot *shot)
         .width = request->width,
         .height = request->height,
     };
+    job->is_flat = shot->camera.height > 0.0f;
     job->push = frame_view_push(&view);
     job->globals = frame_view_globals(&view, &job->push);
     if (!fill_pool(job, &view) || !media_init(&job->media, view.scene, request->settings))

@@ -65,6 +65,7 @@ void frame_exec_describe(struct frame_exec_params *described, const struct frame
     struct frame_exec_params *d = described;
     d->constants = frame_view_constants(params->scene, params->settings);
     d->constants.values[CONSTANT_TILED] = renderer_is_interleaved(params);
+    d->constants.values[CONSTANT_ORTHOGRAPHIC] = params->is_orthographic;
     for (uint32_t i = 0; i < CONSTANT_COUNT; i++)
         d->entries[i] = (VkSpecializationMapEntry){ i, i * sizeof(uint32_t), sizeof(uint32_t) };
     d->info =

@@ -6,7 +6,8 @@
 #include "src/base/log.h"
 
 struct frame_object_distance {
-    float distance; /* from the eye to the middle of the object's box, metres */
+    float distance; /* from the eye, or an orthographic camera's plane, to the middle of the
+                       object's box, metres */
     uint32_t object;
 };
 
@@ -51,7 +52,8 @@ static void sort(struct frame_object_distance *order, const struct frame_view *v
         const vec3s middle =
             glms_mat4_mulv3(globals->world_from_object, box_center(model->objects[i].box), 1.0f);
         order[i] = (struct frame_object_distance){
-            .distance = glms_vec3_distance(middle, view->camera.eye),
+            .distance = view->camera.height > 0.0f ? glms_vec3_dot(middle, globals->forward)
+                                                   : glms_vec3_distance(middle, view->camera.eye),
             .object = i,
         };
     }

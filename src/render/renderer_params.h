@@ -18,6 +18,7 @@ struct renderer_params {
     const struct technique *rung;
     uint32_t width, height; /* pixels */
     uint32_t columns, rows; /* of tiles; each shot draws one tile; 0 means 1 */
+    bool is_orthographic;   /* the cameras of all shots are */
     bool interleaved;       /* tiles are interleaved: see renderer_shot */
     uint32_t samples;       /* per pixel; 0 means 1 */
     enum pixel_filter filter;

@@ -53,9 +53,34 @@ static mat4s project(vec3s right, vec3s down, vec3s forward, vec3s eye, float ne
     return clip_from_world;
 }
 
+float camera_half_height(const struct camera *camera)
+{
+    return camera->height > 0 ? camera->height / 2 : tanf(glm_rad(camera->fov_deg) / 2);
+}
+
+/* Depth is (far - distance) / (far - near). */
+static mat4s project_flat(const struct camera *camera, float aspect, float near, vec2s jitter)
+{
+    const struct camera_basis basis = camera_basis(camera);
+    const float half = camera->height / 2;
+    const float far = fmaxf(camera->depth, 2 * near);
+    const vec3s right = glms_vec3_scale(basis.right, 1 / (half * aspect));
+    const vec3s down = glms_vec3_scale(basis.up, -1 / half);
+    const vec3s back = glms_vec3_scale(basis.forward, -1 / (far - near));
+    mat4s clip_from_world = { 0 };
+    set_row(&clip_from_world, 0, right, -glms_vec3_dot(right, camera->eye) - jitter.x);
+    set_row(&clip_from_world, 1, down, -glms_vec3_dot(down, camera->eye) - jitter.y);
+    set_row(&clip_from_world, 2, back, far / (far - near) - glms_vec3_dot(back, camera->eye));
+    set_row(&clip_from_world, 3, (vec3s){ 0 }, 1);
+    return clip_from_world;
+}
+
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter)
 {
+    const vec2s moved = { { 2 * jitter.x / (float)width, 2 * jitter.y / (float)height } };
+    if (camera->height > 0)
+        return project_flat(camera, (float)width / (float)height, near, moved);
     struct camera_basis basis = camera_basis(camera);
     float scale_y = 1 / tanf(glm_rad(camera->fov_deg) / 2);
     float scale_x = scale_y * (float)height / (float)width;

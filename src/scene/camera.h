@@ -2,7 +2,8 @@
  * camera.h: the camera of a picture, and its matrices.
  *
  * World: right-handed, +Y up, metres. Clip space: Vulkan's, y down, with reversed depth and no far
- * plane: 1 at the near plane, 0 at infinity, so that a float depth buffer keeps its precision.
+ * plane: 1 at the near plane, 0 at infinity, so that a float depth buffer keeps its precision. In
+ * an orthographic picture w is 1, and depth is linear: 1 at the near plane, 0 at `depth`.
  */
 #ifndef FIRN_SCENE_CAMERA_H
 #define FIRN_SCENE_CAMERA_H
@@ -16,6 +17,8 @@ struct camera {
     vec3s target;  /* not equal to eye */
     vec3s up;      /* {0} means +Y; need not be perpendicular to the view */
     float fov_deg; /* full vertical angle of view, degrees, in (0, 180) */
+    float height;  /* of what an orthographic picture shows, metres; 0: a perspective one */
+    float depth;   /* of what an orthographic picture shows, metres from the eye, above 0 */
 };
 
 /* The axes of a picture: unit vectors, perpendicular to each other. */
@@ -33,6 +36,9 @@ struct camera_basis camera_basis(const struct camera *camera);
  */
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter);
+
+/* Returns half of what the picture shows upward at distance 1; of an orthographic one at any. */
+float camera_half_height(const struct camera *camera);
 
 /* Returns the matrix to camera space (+X right, +Y up, looking down -Z), for column vectors. EXR's
  * worldToCamera is its transpose, because EXR multiplies row vectors. */

@@ -121,7 +121,8 @@ static bool is_on(const struct settings *settings)
 
 struct far_sphere {
     struct bubbles_sphere sphere;
-    float power; /* of the eye: squared length of its tangents to the sphere */
+    float power; /* of the eye: squared length of its tangents to the sphere; of an orthographic
+                    camera: distance along its axis */
 };
 
 static int compare_far(const void *a, const void *b)
@@ -141,8 +142,10 @@ void bubbles_write(void *memory, const struct frame_view *view, const struct glo
     for (uint32_t i = 0; i < all->count; i++) {
         struct bubbles_sphere s = all->spheres[i];
         s.center = glms_mat4_mulv3(globals->world_from_object, s.center, 1.0f);
-        float distance2 = glms_vec3_distance2(s.center, globals->eye);
-        order[i] = (struct far_sphere){ s, distance2 - s.radius * s.radius };
+        const vec3s to = glms_vec3_sub(s.center, globals->eye);
+        const float power = view->camera.height > 0.0f ? glms_vec3_dot(to, globals->forward)
+                                                       : glms_vec3_norm2(to) - s.radius * s.radius;
+        order[i] = (struct far_sphere){ s, power };
     }
     qsort(order, all->count, sizeof(order[0]), compare_far);
     for (uint32_t i = 0; i < all->count; i++)

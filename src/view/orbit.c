@@ -14,15 +14,20 @@ void orbit_turn(struct camera *camera, float azimuth_deg, float elevation_deg)
     const float elevation = glm_deg(asinf(glm_clamp(away.y / distance, -1.0f, 1.0f)));
     /* from beyond the limits one can only come back */
     const float limit = fmaxf(steepest_deg, fabsf(elevation));
+    const struct camera before = *camera;
     *camera = camera_orbit(azimuth, glm_clamp(elevation + elevation_deg, -limit, limit), distance,
                            camera->target, camera->fov_deg);
+    camera->height = before.height;
+    camera->depth = before.depth;
 }
 
 void orbit_pan(struct camera *camera, float right, float up)
 {
     const struct camera_basis basis = camera_basis(camera);
     const float distance = glms_vec3_distance(camera->eye, camera->target);
-    const float height = 2.0f * distance * tanf(glm_rad(camera->fov_deg) / 2.0f);
+    const float height = camera->height > 0.0f
+                             ? camera->height
+                             : 2.0f * distance * tanf(glm_rad(camera->fov_deg) / 2.0f);
     const vec3s move = glms_vec3_add(glms_vec3_scale(basis.right, right * height),
                                      glms_vec3_scale(basis.up, up * height));
     camera->eye = glms_vec3_add(camera->eye, move);
@@ -34,6 +39,12 @@ void orbit_zoom(struct camera *camera, float steps, float nearest, float farthes
     const vec3s away = glms_vec3_sub(camera->eye, camera->target);
     const float distance = glms_vec3_norm(away);
     const float wanted = distance * powf(step_factor, steps);
+    if (camera->height > 0.0f) {
+        const float height = camera->height * powf(step_factor, steps);
+        camera->height =
+            glm_clamp(height, fminf(nearest, camera->height), fmaxf(farthest, camera->height));
+        return;
+    }
     /* from beyond the limits one can only come back */
     const float clamped = glm_clamp(wanted, fminf(nearest, distance), fmaxf(farthest, distance));
     camera->eye = glms_vec3_muladds(away, clamped / distance, camera->target);

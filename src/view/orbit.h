@@ -17,7 +17,8 @@ void orbit_turn(struct camera *camera, float azimuth_deg, float elevation_deg);
 void orbit_pan(struct camera *camera, float right, float up);
 
 /* Goes nearer to the target (steps > 0) or away, a tenth of the distance a step; the distance stays
- * within nearest and farthest, metres. */
+ * within nearest and farthest, metres. An orthographic camera stays where it is, and its picture
+ * shows less or more. */
 void orbit_zoom(struct camera *camera, float steps, float nearest, float farthest);
 
 #endif

@@ -84,6 +84,7 @@ struct renderer_params picture_params(struct picture *p)
 {
     struct renderer_params params = app_renderer_params(&p->state, p->gpu, &p->scene);
     params.uploaded = &p->uploaded;
+    params.is_orthographic = p->camera.height > 0.0f;
     params.replace = p->watch ? watch_replace : NULL;
     params.replace_user = p->watch;
     return params;

@@ -1,6 +1,7 @@
 """test_scenes.py: scenes of model files: their objects, and what these are dressed with. Usage: see
 case.py."""
 import json
+import math
 import re
 import sys
 
@@ -216,9 +217,44 @@ class Scenes(Case):
             self.assertEqual(done.returncode, USAGE, said)
             for name in names:
                 self.assertIn(name, said[-1])
-        done = self.firn('render', 'seen.gltf', '--camera', 'Plan', '-o', 'a.exr', env=NO_DRIVER)
-        self.assertEqual(done.returncode, USAGE)
-        self.assertIn(b'orthographic, which is not supported', done.stderr)
+        self.refuse(USAGE, 'render', 'seen.gltf', '--camera', 'Plan', '--fov', '30', '-o', 'a.exr',
+                    names=('Plan', 'orthographic'), env=NO_DRIVER)
+
+    def orthographic(self, *words):
+        """A picture of it, as lines of pixels."""
+        self.succeed('render', 'flat.gltf', '--size', '64x48', *PLAIN, *words, '-o', 'a.exr')
+        planes = Exr((self.folder / 'a.exr').read_bytes()).read_planes(['R', 'G', 'B'])
+        pixels = list(zip(planes['R'], planes['G'], planes['B']))
+        return [pixels[i:i + 64] for i in range(0, len(pixels), 64)]
+
+    def test_orthographic(self):
+        """4 m are 48 pixels, so boxes of 1 m are 12, near and far; a rung is like the truth."""
+        flat = {'type': 'orthographic',
+                'orthographic': {'xmag': 1, 'ymag': 2, 'znear': 0, 'zfar': 9}}
+        red = {'pbrMetallicRoughness': {'baseColorFactor': [1, 0.1, 0.1, 1]},
+               'extensions': {'KHR_materials_unlit': {}}}
+        aside = [math.sin(math.radians(-15)), 0, 0, math.cos(math.radians(15))]
+        (self.folder / 'flat.gltf').write_text(with_nodes(
+            boxes((glass(1.3), [0, 0, 0], 0.5), (red, [1.5, 0, -2], 0.5),
+                  (red, [-1.5, 1, 3], 0.5)),
+            {'name': 'front', 'camera': 0, 'translation': [0, 0, 9]},
+            {'name': 'above', 'camera': 0, 'translation': [0, 3, 5.196], 'rotation': aside},
+            cameras=[flat]))
+        lines = self.orthographic('-r', 'bounce')
+        is_red = [[x for x, (r, g, _) in enumerate(line)
+                   if r > 0.6 and g < 0.2 and x not in range(26, 38)] for line in lines]
+        self.assertEqual(is_red[6:18], [list(range(8, 20))] * 12)
+        self.assertEqual(is_red[18:30], [list(range(44, 56))] * 12)
+        self.assertFalse(sum(is_red[:6] + is_red[30:], []))
+        for camera in ('front', 'above'):
+            truth = self.orthographic('-r', 'reference', '--camera', camera)
+            for rung in ('bounce', 'wyman'):
+                found = self.orthographic('-r', rung, '--camera', camera)
+                mean = sum(abs(a - b) for x, y in zip(truth, found)
+                           for p, q in zip(x, y) for a, b in zip(p, q)) / (64 * 48 * 3)
+                self.assertLess(mean, 0.01, (camera, rung))
+        parts = self.orthographic('-r', 'bounce', '--camera', 'above', '--tiles', '2x2')
+        self.assertEqual(parts, self.orthographic('-r', 'bounce', '--camera', 'above'))
 
     def test_lights(self):
         lights = [{'type': 'directional', 'intensity': 10.5},

@@ -36,7 +36,7 @@ static void cameras_are_listed(void **state)
                 "{'name':'eye','camera':0,'translation':[0,1,0],'rotation':[0,1,0,0]}",
                 ",'cameras':[" PERSPECTIVE "," ORTHOGRAPHIC("-3") "]");
     assert_int_equal(gltf_file_load(&model, said), STATUS_OK);
-    assert_non_null(strstr(said, "not drawn: orthographic cameras"));
+    assert_null(strstr(said, "not drawn"));
     assert_int_equal(model.camera_count, 3);
     assert_string_equal(model.cameras[0].name, "plan");
     assert_int_equal(model.cameras[0].kind, MODEL_ORTHOGRAPHIC);

@@ -22,10 +22,10 @@ enum {
     UNDRAWN_AT = 60,
     ANIMATION_COUNT_AT = 64,
     ANIMATION_AT = 68,
-    CAMERA_AT = 72, /* eye, target, up, angle */
-    IOR_AT = 112,
-    BOX_AT = 116,
-    VERTICES_AT = 140,
+    CAMERA_AT = 72, /* eye, target, up, angle, height, depth */
+    IOR_AT = 120,
+    BOX_AT = 124,
+    VERTICES_AT = 148,
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
     MESH_SIZE = 4 * VERTEX_SIZE + 6 * 4,
@@ -265,12 +265,14 @@ static void heads_are_checked(void **state)
 static void cameras_are_checked(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < 10; i++) {
+    for (size_t i = 0; i < 12; i++) {
         refuse_number(CAMERA_AT + 4 * i, NAN, PIPE_CAMERA);
         refuse_number(CAMERA_AT + 4 * i, INFINITY, PIPE_CAMERA);
     }
     refuse_number(CAMERA_AT + 36, 180, PIPE_CAMERA);
     refuse_number(CAMERA_AT + 36, 0, PIPE_CAMERA);
+    refuse_number(CAMERA_AT + 40, 1, PIPE_CAMERA);
+    refuse_number(CAMERA_AT + 44, 1, PIPE_CAMERA);
     refuse(CAMERA_AT, &(vec3s){ { 0, 0, 0 } }, sizeof(vec3s), PIPE_CAMERA);
     refuse_number(IOR_AT, NAN, PIPE_CAMERA);
     refuse_number(IOR_AT, 0.9F, PIPE_CAMERA);
@@ -292,7 +294,7 @@ static void listed_cameras_are_checked(void **state)
     refuse(CAMERAS_AT, endless, sizeof(endless), PIPE_CAMERA);
     refuse_word(CAMERAS_AT + offsetof(struct model_camera, kind), 2, PIPE_CAMERA);
     refuse_number(CAMERAS_AT + offsetof(struct model_camera, height), 1, PIPE_CAMERA);
-    for (size_t i = 0; i < 10; i++)
+    for (size_t i = 0; i < 12; i++)
         refuse_number(camera + 4 * i, NAN, PIPE_CAMERA);
     refuse(camera, &(vec3s){ { 0, 0, 0 } }, sizeof(vec3s), PIPE_CAMERA);
     refuse_number(second + offsetof(struct model_camera, height), 0, PIPE_CAMERA);

@@ -36,6 +36,25 @@ static void turning_goes_around_the_target(void **state)
     check_near(camera.eye, wanted.eye);
 }
 
+static void orthographic_cameras_stay_so(void **state)
+{
+    (void)state;
+    struct camera camera = camera_at(20, 10, 5);
+    camera.height = 4;
+    camera.depth = 50;
+    const vec3s eye = camera.eye;
+    orbit_zoom(&camera, 1, 0.1F, 100);
+    check_near(camera.eye, eye);
+    CHECK_NEAR(camera.height, 3.6, tolerance);
+    orbit_zoom(&camera, -99, 0.1F, 40);
+    CHECK_NEAR(camera.height, 40, tolerance);
+    orbit_pan(&camera, 0, 0.5F);
+    CHECK_NEAR(glms_vec3_distance(camera.eye, eye), 20, tolerance);
+    orbit_turn(&camera, 30, -25);
+    CHECK_NEAR(camera.height, 40, tolerance);
+    CHECK_NEAR(camera.depth, 50, 0);
+}
+
 static void turning_stops_short_of_the_poles(void **state)
 {
     (void)state;
@@ -116,6 +135,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(turning_goes_around_the_target),
+        cmocka_unit_test(orthographic_cameras_stay_so),
         cmocka_unit_test(turning_stops_short_of_the_poles),
         cmocka_unit_test(turning_puts_a_leaning_camera_upright),
         cmocka_unit_test(panning_moves_by_heights_of_the_picture),

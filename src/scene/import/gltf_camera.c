@@ -41,7 +41,7 @@ static bool fill(struct model_camera *camera, const struct gltf_object *object,
         camera->camera.fov_deg = glm_deg(gltf_number(&perspective, "yfov", 0));
     } else {
         camera->kind = MODEL_ORTHOGRAPHIC;
-        camera->camera.fov_deg = 45; /* never drawn, but as sound as the others' */
+        camera->camera.fov_deg = 45; /* means nothing, but is as sound as the others' */
         camera->height = 2 * fabsf(gltf_number(&orthographic, "ymag", 0));
     }
     const bool is_seen = camera->kind == MODEL_PERSPECTIVE
@@ -76,9 +76,7 @@ enum status gltf_cameras_read(struct gltf *gltf, struct model *model)
         struct model_camera *camera = &model->cameras[model->camera_count++];
         if (!fill(camera, &object, node, &model->object))
             return gltf_fault(&object, "field of view or position out of range");
-        if (camera->kind == MODEL_ORTHOGRAPHIC) {
-            gltf->undrawn |= 1u << GLTF_ORTHOGRAPHIC;
-        } else if (!model->has_camera) {
+        if (camera->kind == MODEL_PERSPECTIVE && !model->has_camera) {
             model->has_camera = true;
             model->camera = camera->camera;
         }

@@ -25,7 +25,6 @@ static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
     [GLTF_CLEAR_SURFACE] = "textures, emission, alpha and specular of transmissive materials",
     [GLTF_OTHER_SET] = "textures of a third set of coordinates",
     [GLTF_PICTURELESS] = "textures without a picture in a known format",
-    [GLTF_ORTHOGRAPHIC] = "orthographic cameras",
     [GLTF_ANIMATION] = "animations, but the pose at rest",
     [GLTF_MORE_JOINTS] = "joints beyond four of a vertex",
     [GLTF_POINTS] = "points and lines",

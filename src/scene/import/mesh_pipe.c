@@ -51,11 +51,11 @@ struct environment_head {
 
 _Static_assert(sizeof(struct material) == 528, "no padding");
 _Static_assert(sizeof(struct object) == 104, "no padding");
-_Static_assert(sizeof(struct model_camera) == 112, "no padding");
+_Static_assert(sizeof(struct model_camera) == 120, "no padding");
 _Static_assert(sizeof(struct light) == 120, "no padding");
 _Static_assert(sizeof(struct model_extension) == 68, "no padding");
 _Static_assert(sizeof(struct model_animation) == 68, "no padding");
-_Static_assert(sizeof(struct model_head) == 140, "no padding, so no bytes of this process in it");
+_Static_assert(sizeof(struct model_head) == 148, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */
 
@@ -349,7 +349,7 @@ static bool is_camera(const struct camera *camera)
            is_within(camera->up, MODEL_COORDINATE_MAX) &&
            is_within(camera->target, 8.0F * MODEL_COORDINATE_MAX) &&
            glms_vec3_distance(camera->eye, camera->target) > 0 && camera->fov_deg > 0 &&
-           camera->fov_deg < 180;
+           camera->fov_deg < 180 && camera->height == 0 && camera->depth == 0;
 }
 
 static bool has_sound_optics(const struct model_head *head)

@@ -46,7 +46,8 @@ static void print_fov(FILE *out, float fov_deg)
 static bool same_camera(const struct camera *a, const struct camera *b)
 {
     return glms_vec3_eqv(a->eye, b->eye) && glms_vec3_eqv(a->target, b->target) &&
-           glms_vec3_eqv(a->up, b->up) && !(a->fov_deg < b->fov_deg || a->fov_deg > b->fov_deg);
+           glms_vec3_eqv(a->up, b->up) && !(a->fov_deg < b->fov_deg || a->fov_deg > b->fov_deg) &&
+           !(a->height < b->height || a->height > b->height);
 }
 
 static bool leans(const struct camera *camera)
@@ -73,6 +74,9 @@ static void print_camera(FILE *out, const struct ui_command *c)
     if (leans(c->camera))
         log_warning("the camera is tilted sideways, which no option of firn render supports: the "
                     "copied view is level");
+    if (c->camera->height > 0.0f)
+        log_warning("the camera is orthographic and was moved, which no option of firn render "
+                    "supports: the copied view is a perspective one");
     print_vector(out, "eye", c->camera->eye);
     print_vector(out, "target", c->camera->target);
     print_fov(out, c->camera->fov_deg);
