@@ -11,7 +11,7 @@
 /* Planes of a layer, and what they are stretched between. */
 struct source {
     const float *planes[3];
-    uint32_t count; /* 1 or 3 */
+    uint32_t count; /* one is grey; two have no blue */
     float least[3], greatest[3];
 };
 
@@ -100,11 +100,18 @@ static float shade(const struct source *source, enum frame_shown shown, uint32_t
 
 static struct source open_source(const struct image *image, const struct frame_layer *layer)
 {
-    struct source source = { .count = layer->planes[1] ? 3 : 1 };
+    struct source source = { .count = 1 };
+    while (source.count < 3 && layer->planes[source.count])
+        source.count++;
     for (uint32_t p = 0; p < source.count; p++)
         source.planes[p] = image_find(image, layer->planes[p]);
     find_range(&source, (size_t)image->width * image->height);
     return source;
+}
+
+static uint32_t shown_count(const struct source *source)
+{
+    return source->count == 2 ? 2 : 3;
 }
 
 uint8_t *layer_picture_rgba(const struct image *image, const struct frame_layer *layer)
@@ -118,7 +125,7 @@ uint8_t *layer_picture_rgba(const struct image *image, const struct frame_layer 
     const struct source source = open_source(image, layer);
     for (size_t i = 0; i < pixels; i++) {
         const bool has = layer->shown == FRAME_SHOWN_COLOR || has_value(&source, i);
-        for (uint32_t c = 0; c < 3 && has; c++)
+        for (uint32_t c = 0; c < shown_count(&source) && has; c++)
             rgba[i * 4 + c] = quantise(shade(&source, layer->shown, c % source.count, i));
         rgba[i * 4 + 3] = 255;
     }
@@ -136,7 +143,7 @@ uint16_t *layer_picture_rgba_16(const struct image *image, const struct frame_la
     const struct source source = open_source(image, layer);
     for (size_t i = 0; i < pixels; i++) {
         const bool is_color = layer->shown == FRAME_SHOWN_COLOR;
-        for (uint32_t c = 0; c < 3 && (is_color || has_value(&source, i)); c++) {
+        for (uint32_t c = 0; c < shown_count(&source) && (is_color || has_value(&source, i)); c++) {
             const uint32_t p = c % source.count;
             rgba[i * 4 + c] = quantise_16(is_color ? srgb_encode(source.planes[p][i])
                                                    : shade(&source, layer->shown, p, i));

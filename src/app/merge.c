@@ -219,7 +219,8 @@ static enum status fill_rows(void *user, uint32_t y, struct image *rows)
 /* The header is that of the tiles, without their numbers. */
 static enum status write_picture(struct job *job, const char *path)
 {
-    static const char *const names[] = { "firn/version", "firn/settings", "firn/device" };
+    static const char *const names[] = { "firn/version", "firn/settings", "firn/device",
+                                         "firn/objects" };
     const struct picture_head *first = &job->first->head;
     struct image_text texts[sizeof(names) / sizeof(names[0])];
     struct exr_header header = {

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/app/layer_picture.h"
+#include "src/app/object_names.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/base/tile.h"
@@ -21,7 +22,7 @@
 
 /* In the order of the files; what does not count in comparisons comes last. */
 enum {
-    TEXT_COUNT_MAX = 6
+    TEXT_COUNT_MAX = 7
 };
 
 /* The words of a file. */
@@ -348,7 +349,14 @@ enum status output_encode(const struct output *output, const char *path,
 {
     struct texts texts;
     const bool is_png = path_ends_in(path, ".png");
+    char *objects = NULL;
     fill_texts(&texts, output, is_png, device);
+    if (!is_png && image_find(&result->image, "object.Z")) {
+        objects = object_names(output->scene);
+        if (!objects)
+            return log_out_of_memory("firn/objects");
+        add_text(&texts, "firn/objects", objects);
+    }
     const struct png_picture picture = {
         .rgba = result->rgba,
         .width = pixels_of(output->picture).width,
@@ -358,6 +366,8 @@ enum status output_encode(const struct output *output, const char *path,
         .rgba_16 = result->rgba_16,
         .has_alpha = has_alpha(output->picture),
     };
-    return is_png ? png_encode(&picture, data, size)
-                  : encode_exr(output, result, &texts, data, size);
+    const enum status status =
+        is_png ? png_encode(&picture, data, size) : encode_exr(output, result, &texts, data, size);
+    free(objects);
+    return status;
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/app/app.h"
+#include "src/app/earlier.h"
 #include "src/app/layer_picture.h"
 #include "src/app/options/option_reference.h"
 #include "src/app/output.h"
@@ -426,7 +427,8 @@ static void note(struct job *job, uint32_t index, struct report_frame news)
 static enum status pose(struct job *job, struct frame *frame)
 {
     struct renderer_shot *shot = &frame->output.shot;
-    bool is_changed;
+    struct earlier earlier;
+    bool is_changed = false;
     if (!job->scene.model.animation)
         return STATUS_OK;
     if (job->scene.time < shot->time || job->scene.time > shot->time) {
@@ -436,7 +438,10 @@ static enum status pose(struct job *job, struct frame *frame)
         job->reference = NULL;
     }
     enum status status =
-        app_pose_scene(&job->scene, &job->o.picture.scene, shot->time, &is_changed);
+        earlier_pose(&earlier, &shot->earlier, &job->scene, &job->o.picture, shot->time);
+    if (status == STATUS_OK)
+        status = app_pose_scene(&job->scene, &job->o.picture.scene, shot->time, &is_changed);
+    earlier_give(&earlier, &job->scene);
     job->is_filled = job->is_filled || (status == STATUS_OK && is_changed);
     return status == STATUS_OK ? app_camera(&shot->camera, &job->scene, &job->o.picture) : status;
 }

@@ -53,6 +53,13 @@ struct background_push frame_view_push(const struct frame_view *view)
     };
 }
 
+mat4s frame_view_earlier(const struct frame_view *view, const struct camera *earlier)
+{
+    return camera_clip_from_world(earlier->fov_deg > 0.0f ? earlier : &view->camera, view->width,
+                                  view->height, scene_near_plane(view->scene),
+                                  glms_vec2_add(view->jitter, view->tile));
+}
+
 struct background_push frame_view_face(const struct frame_view *view, uint32_t face)
 {
     const struct camera_basis basis = camera_cube_basis(face);
@@ -187,14 +194,6 @@ VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals
     return area;
 }
 
-/* Returns a rotation about the vertical axis through `center` by `turn` radians. */
-static mat4s turned(vec3s center, float turn)
-{
-    mat4s there = glms_translate(glms_mat4_identity(), center);
-    mat4s turned = glms_rotate(there, turn, (vec3s){ { 0.0f, 1.0f, 0.0f } });
-    return glms_translate(turned, glms_vec3_negate(center));
-}
-
 static vec3s direction(float azimuth, float elevation)
 {
     return (vec3s){ { sinf(azimuth) * cosf(elevation), sinf(elevation),
@@ -252,15 +251,12 @@ struct globals frame_view_object_globals(const struct frame_view *view, const st
 struct globals frame_view_globals(const struct frame_view *view, const struct background_push *push)
 {
     const struct sky_params *sky = settings_of(view->settings, &sky_settings);
-    const struct motion_params *motion = settings_of(view->settings, &motion_settings);
     const struct scene *scene = view->scene;
     const struct box box =
         scene->has_pool && scene->model.object.index_count ? scene->floe : scene->box;
     vec3s center = box_center(box);
     struct globals g = {
         .clip_from_world = push->clip_from_world,
-        .world_from_object = turned(center, radians(motion->ice * view->time)),
-        .world_from_movers = turned(center, radians(motion->objects * view->time)),
         .eye = view->camera.eye,
         .forward = camera_basis(&view->camera).forward,
         .background_color = view->scene->background_color,
@@ -274,6 +270,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .lod_bias = view->lod_bias,
         .sample_share = view->light_jitter.x + 0.5f,
     };
+    frame_turn(view, center, view->time, &g.world_from_object, &g.world_from_movers);
     fit_depth(view, &g);
     place_lights(view, &g);
     for (const struct technique *const *technique = techniques; *technique; technique++) {

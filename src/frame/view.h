@@ -10,6 +10,9 @@
 /* Returns the push constants of the picture's camera. */
 struct background_push frame_view_push(const struct frame_view *view);
 
+/* Returns the clip_from_world of the frame before; fov_deg 0: it had the picture's camera. */
+mat4s frame_view_earlier(const struct frame_view *view, const struct camera *earlier);
+
 /*
  * Returns the pixels of the picture that may show points within `radii` (0 means 1) bounding radii
  * of the object's centre, with a margin for rays that overshoot; the whole picture if the eye is

@@ -80,8 +80,8 @@ static bool has_holes(const struct model *model, const struct mesh *mesh)
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const uint32_t material = mesh->vertices[i].material;
         const uint32_t index = material >> MESH_SURFACE_SHIFT;
-        if (material & MESH_CUTOUT ||
-            (index > 0 && model->materials[index - 1].flags & MATERIAL_IS_BLENDED))
+        const uint32_t flags = MATERIAL_IS_CUTOUT | MATERIAL_IS_BLENDED;
+        if (material & MESH_CUTOUT || (index > 0 && model->materials[index - 1].flags & flags))
             return true;
     }
     return false;
@@ -408,6 +408,8 @@ bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *
         .part = rayhit.hit.geomID,
         .triangle = rayhit.hit.primID,
         .object = part == &bvh->parts[BVH_OBJECT] ? object_of(bvh, rayhit.hit.primID) : 0,
+        .u = rayhit.hit.u,
+        .v = rayhit.hit.v,
         .distance = rayhit.ray.tfar,
         .facet = facet_normal(part, rayhit.hit.primID),
         .surface = blended(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v),

@@ -43,6 +43,7 @@ struct bvh_hit {
     uint32_t triangle; /* of the part's mesh; of BVH_BUBBLES: the bubble */
     uint32_t object;   /* of the scene; of a bubble: that of its medium, frame_media_count();
                           of other parts: 0 */
+    float u, v;        /* shares of the triangle's second and third vertex */
     float distance;    /* metres */
     vec3s facet;       /* unit normal of the triangle, by its winding; of a bubble: outward */
     vec3s along_u[2], along_v[2]; /* derivatives of the world position by the vertices' uv, and by

@@ -195,10 +195,12 @@ static vec4s base_texel(const struct radiance *radiance, const struct mesh_verte
 float radiance_passing(const struct radiance *radiance, const struct mesh_vertex *vertex)
 {
     const struct material *material = material_of(radiance, vertex->material);
-    if (!(vertex->material & MESH_CUTOUT) && !(material && material->flags & MATERIAL_IS_BLENDED))
+    const bool is_cutout =
+        vertex->material & MESH_CUTOUT || (material && material->flags & MATERIAL_IS_CUTOUT);
+    if (!is_cutout && !(material && material->flags & MATERIAL_IS_BLENDED))
         return 0.0f;
     const float alpha = base_texel(radiance, vertex).w * (material ? material->alpha : 1.0f);
-    if (vertex->material & MESH_CUTOUT)
+    if (is_cutout)
         return alpha < (material ? material->alpha_cutoff : 0.5f) ? 1.0f : 0.0f;
     return 1.0f - alpha;
 }
@@ -383,11 +385,16 @@ static vec3s light_of(const struct radiance *radiance, const struct material *m,
                             glms_vec3_add(shaded, glms_vec3_add(sun, lamps)));
 }
 
+vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex *vertex)
+{
+    return glms_vec3_mul(vertex->color, glms_vec3(base_texel(radiance, vertex)));
+}
+
 vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point)
 {
     const struct mesh_vertex *vertex = point->vertex;
     const struct material *m = material_of(radiance, vertex->material);
-    const vec3s albedo = glms_vec3_mul(vertex->color, glms_vec3(base_texel(radiance, vertex)));
+    const vec3s albedo = radiance_albedo(radiance, vertex);
     if (vertex->material & MESH_UNLIT)
         return glms_vec3_muladd(glms_vec3_mul(albedo, sun_light(radiance)), sun_at(point)->through,
                                 albedo);

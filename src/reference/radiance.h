@@ -47,6 +47,9 @@ vec3s radiance_sky(const struct radiance *radiance, vec3s dir);
 /* Returns the mean of the environment picture over all directions. */
 vec3s radiance_mean(const struct radiance *radiance);
 
+/* Returns the base colour of a surface. */
+vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex *vertex);
+
 /* Returns the radiance of a surface of the surroundings. */
 vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point);
 

@@ -21,6 +21,7 @@
 #include "src/reference/whitted.h"
 #include "src/render/accumulate.h"
 #include "src/tech/caustics.h"
+#include "src/tech/first_surface.h"
 #include "src/tech/ice_caustics.h"
 #include "src/tech/tonemap.h"
 
@@ -58,6 +59,7 @@ struct job {
     struct radiance radiance;
     struct globals globals;
     struct background_push push;
+    struct first_surface_earlier earlier;
     struct bvh bvh;
     struct media media;
     struct inclusions inclusions;
@@ -410,6 +412,7 @@ static struct tracing tracing_of(const struct job *job)
         .inclusions = &job->inclusions,
         .cloud = cloud_of(&job->radiance, job->reference->request.settings),
         .basin = job->reference->request.scene->has_pool ? &job->basin : NULL,
+        .earlier = &job->earlier,
         .params = *params,
     };
 }
@@ -463,6 +466,8 @@ static bool prepare(struct job *job, const struct renderer_shot *shot)
     job->is_flat = shot->camera.height > 0.0f;
     job->push = frame_view_push(&view);
     job->globals = frame_view_globals(&view, &job->push);
+    view.clip_from_world_earlier = frame_view_earlier(&view, &shot->earlier);
+    first_surface_write(&job->earlier, &view, &job->globals);
     if (!fill_pool(job, &view) || !media_init(&job->media, view.scene, request->settings))
         return false;
     if (request->scene->has_pool)

@@ -41,6 +41,12 @@ static const struct {
     SEEN("remaining.R", remaining.x),
     SEEN("remaining.G", remaining.y),
     SEEN("remaining.B", remaining.z),
+    SEEN("albedo.R", albedo.x),
+    SEEN("albedo.G", albedo.y),
+    SEEN("albedo.B", albedo.z),
+    SEEN("object.Z", object),
+    SEEN("motion.X", motion.x),
+    SEEN("motion.Y", motion.y),
 };
 
 size_t reference_layers_find(const char *plane)

@@ -28,6 +28,9 @@ struct reference_seen {
     vec3s refraction, reflection; /* radiance of both branches at the first surface */
     float fresnel;                /* weight of the reflection (with dispersion, of green) */
     vec3s remaining;              /* weight of rays that were terminated */
+    vec3s albedo;
+    float object; /* number of the first surface's object or material */
+    vec2s motion; /* pixels since the frame before, right and down */
 };
 
 enum {

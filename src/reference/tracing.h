@@ -22,8 +22,9 @@ struct tracing {
     struct cloud cloud;
     const struct basin *basin;     /* NULL: the scene is no pool */
     const struct photons *photons; /* NULL: the sun shines everywhere, and is not refracted */
-    struct media_set eye_inside;   /* whitted_immerse() of the eye */
-    uint32_t sample;               /* of a pixel; its random numbers are those of this index */
+    const struct first_surface_earlier *earlier; /* for layers; NULL: nothing moves */
+    struct media_set eye_inside;                 /* whitted_immerse() of the eye */
+    uint32_t sample; /* of a pixel; its random numbers are those of this index */
     struct reference_params params;
 };
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include "src/reference/basin.h"
 #include "src/reference/branch.h"
+#include "src/reference/first.h"
 #include "src/reference/photons.h"
 #include "src/tech/gbuffer.h"
 
@@ -233,9 +234,8 @@ struct reference_seen whitted_trace(const struct tracing *tracing, const struct 
     eye.is_straight = false;
     const struct bvh_hit *hit = &meeting.hit;
     if (is_met) {
-        seen.z = glms_vec3_dot(glms_vec3_sub(hit->surface.position, ray->origin), forward);
-        seen.normal = hit->surface.normal;
-        seen.position = hit->surface.position;
+        const struct first look = { tracing->bvh, tracing->radiance, tracing->earlier };
+        first_look(&look, ray, forward, hit, &seen);
     }
     if (!is_met && tracing->radiance->scene->is_hidden) {
         seen.alpha = 0.0f;

@@ -223,7 +223,7 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
                                   const struct renderer_shot *shot, uint32_t sample, uint32_t *slot)
 {
     const struct uploaded_scene *s = r->scene;
-    const struct frame_view view = {
+    struct frame_view view = {
         .scene = r->params.scene,
         .settings = r->params.settings,
         .camera = shot->camera,
@@ -238,6 +238,7 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
                         : 0.0f,
         .face_size = r->face_size,
     };
+    view.clip_from_world_earlier = frame_view_earlier(&view, &shot->earlier);
     struct rg_frame frame = {
         .settings = r->params.settings,
         .scene = r->params.scene,

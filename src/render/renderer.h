@@ -50,8 +50,9 @@ MUST_USE enum status renderer_create(struct renderer **renderer,
  */
 struct renderer_shot {
     struct camera camera;
-    float time;    /* seconds since objects and lights began to move */
-    uint32_t tile; /* below columns * rows */
+    float time;            /* seconds since objects and lights began to move */
+    uint32_t tile;         /* below columns * rows */
+    struct camera earlier; /* of the frame before; fov_deg 0: `camera` */
 };
 
 /* Draws all samples of a shot. *result must be {0} or finished; on failure it is {0}. With tiles it

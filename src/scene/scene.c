@@ -413,6 +413,7 @@ void scene_finish(struct scene *scene)
     environment_finish(&scene->cube);
     free(scene->material_rows);
     free(scene->extra_rows);
+    free(scene->earlier);
     free(scene->light_rows);
     free(scene->surface_split);
     free(scene->surface_light);

@@ -37,14 +37,17 @@ struct scene {
     struct environment cube; /* replaces the environment cube that env_cube draws; may be {0} */
     struct bump_maps bump;   /* of the object's surface; {0}: none */
     struct box box;          /* of the object, or of the pool */
-    struct box framed;  /* what a camera that nobody places shows: `box`, of an animated model that
+    struct box framed; /* what a camera that nobody places shows: `box`, of an animated model that
                         * at time 0 */
-    float time;         /* that an animated model is posed for, seconds */
-    struct box floe;    /* of the object in the pool; {0}: there is none */
-    struct box around;  /* for refract.lookup=box: the box that a model names, or that of
+    float time;        /* that an animated model is posed for, seconds */
+    vec4s *earlier;    /* positions of the vertices in the frame before, in rows of
+                     * FIRST_SURFACE_WIDTH: objects, then surroundings; NULL: as they are */
+    uint32_t earlier_rows;
+    struct box floe;              /* of the object in the pool; {0}: there is none */
+    struct box around;            /* for refract.lookup=box: the box that a model names, or that of
                                    * the surroundings without moving objects; {0}: none */
-    struct mesh cracks; /* in the object's space; may be empty */
-    struct mesh air;    /* planes of air in the object's space; may be empty */
+    struct mesh cracks;           /* in the object's space; may be empty */
+    struct mesh air;              /* planes of air in the object's space; may be empty */
     struct air_layers air_layers; /* textures of the planes of air */
     struct depth_field depth;     /* of the object; {0}: nobody has asked for it */
     struct bubbles bubbles;       /* in the object's space */

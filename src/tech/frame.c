@@ -1,6 +1,8 @@
 /* frame.c: images, samplers and record functions that techniques share. */
 #include "src/tech/frame.h"
+#include <math.h>
 #include "src/scene/mesh.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
 
 static const VkVertexInputAttributeDescription mesh_attributes[] = {
@@ -208,4 +210,29 @@ void frame_draw_mesh(struct rg_cmd *cmd, const struct rg_frame *frame,
                      const struct technique *technique)
 {
     rg_cmd_draw_mesh(cmd, &frame->meshes[techniques_index(technique)]);
+}
+
+/* ---- poses ---- */
+
+float frame_time_before(const struct settings *settings, float time)
+{
+    const struct motion_params *motion = settings_of(settings, &motion_settings);
+    return fmaxf(time - 1.0f / motion->fps, 0.0f);
+}
+
+/* Returns a rotation about the vertical axis through `center` by `turn` radians. */
+static mat4s turned(vec3s center, float turn)
+{
+    mat4s there = glms_translate(glms_mat4_identity(), center);
+    mat4s turned = glms_rotate(there, turn, (vec3s){ { 0.0f, 1.0f, 0.0f } });
+    return glms_translate(turned, glms_vec3_negate(center));
+}
+
+void frame_turn(const struct frame_view *view, vec3s center, float time, mat4s *world_from_object,
+                mat4s *world_from_movers)
+{
+    const struct motion_params *motion = settings_of(view->settings, &motion_settings);
+    const float radians = 0.01745329252f;
+    *world_from_object = turned(center, motion->ice * time * radians);
+    *world_from_movers = turned(center, motion->objects * time * radians);
 }

@@ -28,7 +28,15 @@ struct frame_view {
                                picture, from the middle of each block of all tiles' pixels */
     float lod_bias;         /* of an interleaved tile: -log2 of the distance of its pixels in the
                                picture; else 0 */
+    mat4s clip_from_world_earlier; /* of the frame before */
 };
+
+/* Returns the time of the frame before, seconds, at least 0. */
+float frame_time_before(const struct settings *settings, float time);
+
+/* Computes the poses of the objects, which turn about `center`, and of what moves around them. */
+void frame_turn(const struct frame_view *view, vec3s center, float time, mat4s *world_from_object,
+                mat4s *world_from_movers);
 
 /* The rows that draw one of several refractive objects, and which one in this frame. */
 struct frame_object {

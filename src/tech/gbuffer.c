@@ -2,7 +2,8 @@
  * gbuffer.c: normal, position and depth of the nearest surface: the layers N, P and Z.
  *
  * Both rows draw into the same targets and use a depth buffer of their own, so that these layers
- * can be drawn without a picture.
+ * can be drawn without a picture. Holes of materials show what is behind them, and so does a
+ * blended surface where its alpha is below one half.
  */
 #include "src/tech/gbuffer.h"
 #include "shaders/embedded.h"
@@ -25,6 +26,13 @@ const struct rg_image gbuffer_depth = {
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
+static const struct rg_use uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler),
+    FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL),
+    { 0 },
+};
+
 static const struct rg_pass passes[] = {
     {
         .name = "gbuffer.surroundings",
@@ -34,7 +42,7 @@ static const struct rg_pass passes[] = {
                               { .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } } }),
         .depth = { &gbuffer_depth, RG_LOAD_CLEAR },
         .depth_compare = VK_COMPARE_OP_GREATER,
-        .uses = RG_USES(FRAME_USE_GLOBALS),
+        .uses = uses,
         .vert = &gbuffer_vert,
         .frag = &gbuffer_frag,
         .vertices = &frame_mesh_layout,
@@ -46,7 +54,7 @@ static const struct rg_pass passes[] = {
         .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP }),
         .depth = { &gbuffer_depth, RG_LOAD_KEEP },
         .depth_compare = VK_COMPARE_OP_GREATER,
-        .uses = RG_USES(FRAME_USE_GLOBALS),
+        .uses = uses,
         .vert = &gbuffer_vert,
         .frag = &gbuffer_frag,
         .vertices = &frame_mesh_layout,

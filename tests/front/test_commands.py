@@ -18,7 +18,9 @@ COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'she
 
 # Layer by layer, what `--aov all` adds to the picture.
 LAYERS = (
-    'Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z', 'back.N.X', 'back.N.Y', 'back.N.Z',
+    'Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z',
+    'albedo.R', 'albedo.G', 'albedo.B', 'object.Z', 'motion.X', 'motion.Y',
+    'back.N.X', 'back.N.Y', 'back.N.Z',
     'front.Z', 'back.Z', 'thickness.Z', 'intervals.Z', 'exit.X', 'exit.Y', 'exit.Z',
     'refraction.R', 'refraction.G', 'refraction.B',
     'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z', 'path.Z', 'bounces.Z', 'tir.Z',

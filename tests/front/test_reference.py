@@ -13,7 +13,9 @@ from case import DATA, NO_DEVICE, NO_DRIVER, SMALL, USAGE, Case, environment, ma
 from exr_file import Exr  # noqa: E402
 
 TRACED = ('--refraction', 'reference')
-LAYERS = ('Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z', 'exit.X', 'exit.Y', 'exit.Z',
+LAYERS = ('Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z',
+          'albedo.R', 'albedo.G', 'albedo.B', 'object.Z', 'motion.X', 'motion.Y',
+          'exit.X', 'exit.Y', 'exit.Z',
           'refraction.R', 'refraction.G', 'refraction.B',
           'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z', 'path.Z', 'bounces.Z',
           'tir.Z', 'met.Z', 'remaining.R', 'remaining.G', 'remaining.B', 'error.Z')

@@ -1,0 +1,99 @@
+/* material.glsl: the materials of surfaces and their textures. */
+#ifndef LIB_MATERIAL_GLSL
+#define LIB_MATERIAL_GLSL
+#include "background.h"
+#include "lib/constants.glsl"
+#include "material.h"
+#include "mesh.h"
+
+layout(set = 0, binding = BACKGROUND_TEXTURES) uniform sampler2DArray textures;
+layout(set = 0, binding = BACKGROUND_MATERIALS) uniform sampler2D materials;
+
+vec4 material_texel(uint row, int column)
+{
+    return texelFetch(materials, ivec2(column, int(row)), 0);
+}
+
+/* ---- textures ---- */
+
+#ifdef BACKGROUND_EXTRA
+/* Of struct mesh_extra of the vertices; main() sets them. */
+vec2 lit_other_uv;
+vec4 lit_tangent;
+#endif
+
+/* Returns a coordinate where the sampler does not reach beyond the picture's edge. */
+float lit_wrap(float x, float wrap, float size)
+{
+    if (wrap == float(MATERIAL_WRAPS_REPEAT))
+        return x;
+    if (wrap == float(MATERIAL_WRAPS_MIRROR))
+        x = 1.0 - abs(1.0 - 2.0 * fract(0.5 * x));
+    return clamp(x, 0.5 / size, 1.0 - 0.5 / size);
+}
+
+/* Returns a texel of one of a material's textures; white if it has none. `blur` is a factor on a
+ * pixel's size. */
+vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
+{
+    vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
+    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use + 1);
+    if (constant_textured == 0u || u.w == 0.0)
+        return vec4(1.0);
+#ifdef BACKGROUND_EXTRA
+    if (v.w >= float(MATERIAL_OTHER_SET)) {
+        v.w -= float(MATERIAL_OTHER_SET);
+        uv = lit_other_uv;
+    }
+#else
+    v.w -= v.w >= float(MATERIAL_OTHER_SET) ? float(MATERIAL_OTHER_SET) : 0.0;
+#endif
+    vec2 at = vec2(dot(u.xyz, vec3(uv, 1.0)), dot(v.xyz, vec3(uv, 1.0)));
+    vec2 size = vec2(textureSize(of, 0).xy);
+    float wrap_v = floor(v.w / float(MATERIAL_WRAPS_COUNT));
+    vec2 wrapped = vec2(lit_wrap(at.x, v.w - wrap_v * float(MATERIAL_WRAPS_COUNT), size.x),
+                        lit_wrap(at.y, wrap_v, size.y));
+    return textureGrad(of, vec3(wrapped, u.w - 1.0), blur * dFdx(at), blur * dFdy(at));
+}
+
+/* Returns a texel of the base colour, of a vertex whose texture has this layer + 1: vertices
+ * without a material may have one, too. */
+vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
+{
+    bool is_of_row = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;
+    if (constant_textured == 0u || is_of_row || layer == 0u)
+        return lit_texel(textures, row, MATERIAL_USE_BASE_COLOR, uv, blur);
+    return textureGrad(textures, vec3(uv, float(layer - 1u)), blur * dFdx(uv), blur * dFdy(uv));
+}
+
+/* Returns the base colour and alpha of a surface for layers, without the vertices' colour; scenes
+ * may have no rows. */
+vec4 material_base(uint material, vec2 uv)
+{
+    uint layer = material & MESH_TEXTURE_MASK;
+    uint row = material >> MESH_SURFACE_SHIFT;
+    if (textureSize(materials, 0).x == MATERIAL_ROW_WIDTH) {
+        vec4 base = lit_base(row, layer, uv, 1.0);
+        return vec4(base.rgb, base.a * material_texel(row, MATERIAL_ROW_FACTORS).w);
+    }
+    if (constant_textured == 0u || layer == 0u)
+        return vec4(1.0);
+    return textureGrad(textures, vec3(uv, float(layer - 1u)), dFdx(uv), dFdy(uv));
+}
+
+/* Returns whether layers look through a point: a hole, or where a blended surface is less than half
+ * there. */
+bool material_is_hole(uint material, float alpha)
+{
+    uint row = material >> MESH_SURFACE_SHIFT;
+    if (textureSize(materials, 0).x != MATERIAL_ROW_WIDTH)
+        return (material & MESH_CUTOUT) != 0u && alpha < 0.5;
+    float kind = material_texel(row, MATERIAL_ROW_F0).w;
+    if (kind == float(MATERIAL_KIND_CUTOUT))
+        return alpha < material_texel(row, MATERIAL_ROW_EMISSION).w;
+    if (kind == float(MATERIAL_KIND_BLENDED))
+        return alpha < 0.5;
+    return (material & MESH_CUTOUT) != 0u && alpha < 0.5;
+}
+
+#endif

@@ -1,0 +1,59 @@
+/* earlier.c: poses a model for the frame before. */
+#include "src/app/earlier.h"
+#include <stdlib.h>
+#include <string.h>
+#include "shaders/first_surface.h"
+#include "src/app/layer_picture.h"
+#include "src/base/log.h"
+#include "src/tech/frame.h"
+
+bool earlier_is_wanted(const struct app_picture *picture)
+{
+    const struct frame_layer *motion = layer_picture_find("motion");
+    return picture->show == motion || picture->layers & layer_picture_bit(motion);
+}
+
+static enum status copy(struct earlier *earlier, const struct model *model)
+{
+    const struct mesh *const meshes[] = { &model->object, &model->surroundings };
+    const size_t count = (size_t)model->object.vertex_count + model->surroundings.vertex_count;
+    const size_t rows = count / FIRST_SURFACE_WIDTH + 1;
+    vec4s *to = calloc(rows * FIRST_SURFACE_WIDTH, sizeof(*to));
+    *earlier = (struct earlier){ to, (uint32_t)rows, model->object.vertex_count,
+                                 model->surroundings.vertex_count };
+    if (!to)
+        return log_out_of_memory("the layer motion");
+    for (size_t m = 0; m < 2; m++) {
+        for (uint32_t i = 0; i < meshes[m]->vertex_count; i++)
+            *to++ = glms_vec4(meshes[m]->vertices[i].position, 1.0f);
+    }
+    return STATUS_OK;
+}
+
+enum status earlier_pose(struct earlier *earlier, struct camera *camera, struct scene *scene,
+                         const struct app_picture *picture, float time)
+{
+    const float before = frame_time_before(&picture->scene.settings, time);
+    bool is_changed;
+    *earlier = (struct earlier){ 0 };
+    if (!scene->model.animation || !earlier_is_wanted(picture) || !(before < time))
+        return STATUS_OK;
+    enum status status = app_pose_scene(scene, &picture->scene, before, &is_changed);
+    if (status == STATUS_OK)
+        status = app_camera(camera, scene, picture);
+    return status == STATUS_OK ? copy(earlier, &scene->model) : status;
+}
+
+void earlier_give(struct earlier *earlier, struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    if (earlier->positions && earlier->object_count == model->object.vertex_count &&
+        earlier->surroundings_count == model->surroundings.vertex_count) {
+        free(scene->earlier);
+        scene->earlier = earlier->positions;
+        scene->earlier_rows = earlier->rows;
+        earlier->positions = NULL;
+    }
+    free(earlier->positions);
+    *earlier = (struct earlier){ 0 };
+}

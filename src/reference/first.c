@@ -1,0 +1,85 @@
+/* first.c: the layers of the first surface. */
+#include "src/reference/first.h"
+
+enum {
+    SHEETS_MAX = 256, /* that a ray passes */
+};
+
+static bool is_first(const struct first *first, const struct bvh_hit *hit)
+{
+    if (hit->part == BVH_SURROUNDINGS)
+        return !(radiance_passing(first->radiance, &hit->surface) > 0.5f);
+    return hit->part != BVH_AIR;
+}
+
+/* Returns false if there is none. */
+static bool find(const struct first *first, const struct bvh_ray *ray, struct bvh_hit *hit)
+{
+    struct bvh_ray next = *ray;
+    next.from = BVH_NOWHERE;
+    next.near = first->bvh->hair;
+    for (uint32_t i = 0; i < SHEETS_MAX; i++) {
+        if (is_first(first, hit))
+            return true;
+        next.origin = hit->surface.position;
+        if (!bvh_meet(first->bvh, &next, hit))
+            return false;
+    }
+    return false;
+}
+
+/* Returns the point of the surface in the frame before, in the space of its mesh. */
+static vec3s point_earlier(const struct first *first, const struct bvh_hit *hit)
+{
+    const struct scene *scene = first->radiance->scene;
+    const struct mesh *mesh = first->bvh->parts[hit->part].mesh;
+    const uint32_t *corners = &mesh->indices[(size_t)hit->triangle * 3];
+    const size_t offset =
+        hit->part == BVH_SURROUNDINGS ? scene->model.object.vertex_count : (size_t)0;
+    const float shares[3] = { 1.0f - hit->u - hit->v, hit->u, hit->v };
+    vec3s point = glms_vec3_zero();
+    for (int k = 0; k < 3; k++) {
+        const vec3s corner = scene->earlier ? glms_vec3(scene->earlier[offset + corners[k]])
+                                            : mesh->vertices[corners[k]].position;
+        point = glms_vec3_muladds(corner, shares[k], point);
+    }
+    return point;
+}
+
+static vec2s motion_of(const struct first *first, const struct bvh_hit *hit)
+{
+    const struct first_surface_earlier *e = first->earlier;
+    const struct globals *g = first->radiance->globals;
+    const vec3s was = point_earlier(first, hit);
+    vec4s before = glms_vec4(was, 1.0f);
+    if (hit->part == BVH_OBJECT)
+        before = glms_mat4_mulv(e->world_from_object, before);
+    else if (hit->surface.material & MESH_MOVES)
+        before = glms_mat4_mulv(e->world_from_movers, before);
+    const vec4s now = glms_mat4_mulv(g->clip_from_world, glms_vec4(hit->surface.position, 1.0f));
+    before = glms_mat4_mulv(e->clip_from_world, before);
+    if (!(before.w > 0.0f))
+        return glms_vec2_zero();
+    return (vec2s){ { (now.x / now.w - before.x / before.w) * e->half_size.x,
+                      (now.y / now.w - before.y / before.w) * e->half_size.y } };
+}
+
+void first_look(const struct first *first, const struct bvh_ray *ray, vec3s forward,
+                const struct bvh_hit *met, struct reference_seen *seen)
+{
+    const uint32_t count = first->radiance->scene->model.object_count;
+    struct bvh_hit hit = *met;
+    if (!find(first, ray, &hit))
+        return;
+    const bool is_object = hit.part == BVH_OBJECT;
+    seen->z = glms_vec3_dot(glms_vec3_sub(hit.surface.position, ray->origin), forward);
+    seen->normal = hit.surface.normal;
+    seen->position = hit.surface.position;
+    if (!is_object && hit.part != BVH_SURROUNDINGS) /* the eye is in the ice */
+        return;
+    seen->albedo = radiance_albedo(first->radiance, &hit.surface);
+    seen->object = (float)(is_object ? hit.object + 1
+                                     : count + 1 + (hit.surface.material >> MESH_SURFACE_SHIFT));
+    if (first->earlier)
+        seen->motion = motion_of(first, &hit);
+}

@@ -1,0 +1,181 @@
+/*
+ * first_surface.c: what the nearest surface is: the layers albedo, object and motion.
+ *
+ * Holes of materials show what is behind them, and so does a blended surface where its alpha is
+ * below one half. Motion is that of the surface itself, not of what is seen in it or through it.
+ */
+#include "src/tech/first_surface.h"
+#include "shaders/embedded.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/frame.h"
+#include "src/tech/technique.h"
+
+static rg_record_fn record_surroundings, record_objects;
+
+static const struct rg_image first_surface_albedo = {
+    .name = "first_surface.albedo",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+static const struct rg_image first_surface_object = {
+    .name = "first_surface.object",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+static const struct rg_image first_surface_motion = {
+    .name = "first_surface.motion",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+
+static const struct rg_image first_surface_depth = {
+    .name = "first_surface.depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+};
+
+/* Imported: positions of vertices in the frame before, of an animated model. */
+static const struct rg_image first_surface_positions = {
+    .name = "first_surface.positions",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+    .width = 1,
+    .height = 1,
+};
+
+static const struct rg_buffer first_surface_earlier = {
+    .name = "first_surface.earlier",
+    .size = sizeof(struct first_surface_earlier),
+    .memory = RG_MEMORY_UPLOAD,
+};
+
+static const struct rg_use uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler),
+    FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL),
+    FRAME_SAMPLE(first_surface_positions, FIRST_SURFACE_POSITIONS, .sampler = NULL),
+    { .buffer = &first_surface_earlier, .access = RG_UNIFORM, .binding = FIRST_SURFACE_EARLIER },
+    { 0 },
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "first_surface.surroundings",
+        .color = RG_TARGETS({ &first_surface_albedo, RG_LOAD_CLEAR },
+                            { &first_surface_object, RG_LOAD_CLEAR },
+                            { &first_surface_motion, RG_LOAD_CLEAR }),
+        .depth = { &first_surface_depth, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = uses,
+        .vert = &first_surface_vert,
+        .frag = &first_surface_frag,
+        .vertices = &frame_mesh_layout,
+        .push_size = sizeof(struct first_surface_push),
+        .record = record_surroundings,
+    },
+    {
+        .name = "first_surface.objects",
+        .color = RG_TARGETS({ &first_surface_albedo, RG_LOAD_KEEP },
+                            { &first_surface_object, RG_LOAD_KEEP },
+                            { &first_surface_motion, RG_LOAD_KEEP }),
+        .depth = { &first_surface_depth, RG_LOAD_KEEP },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = uses,
+        .vert = &first_surface_vert,
+        .frag = &first_surface_frag,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_BACK_BIT,
+        .push_size = sizeof(struct first_surface_push),
+        .record = record_objects,
+    },
+};
+
+static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct model *model = &frame->scene->model;
+    const struct first_surface_push push = {
+        .id = model->object_count + 1,
+        .first = model->object.vertex_count,
+    };
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw_mesh(cmd, &frame->surroundings);
+}
+
+static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct model *model = &frame->scene->model;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        const struct first_surface_push push = { .id = i + 1, .object = 1 };
+        rg_cmd_push(cmd, &push, sizeof(push));
+        rg_cmd_draw_mesh_part(cmd, &frame->object, object->first_index, object->index_count);
+    }
+}
+
+void first_surface_write(void *memory, const struct frame_view *view, const struct globals *globals)
+{
+    struct first_surface_earlier *earlier = memory;
+    *earlier = (struct first_surface_earlier){
+        .clip_from_world = view->clip_from_world_earlier,
+        .world_from_object = globals->world_from_object,
+        .world_from_movers = globals->world_from_movers,
+        .half_size = { { 0.5f * (float)view->width, 0.5f * (float)view->height } },
+    };
+    frame_turn(view, globals->center, frame_time_before(view->settings, view->time),
+               &earlier->world_from_object, &earlier->world_from_movers);
+}
+
+static const struct technique_upload uploads[] = {
+    { &first_surface_earlier, first_surface_write },
+    { 0 },
+};
+
+static struct technique_texels find_positions(const struct scene *scene)
+{
+    if (!scene->earlier)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->earlier,
+        .width = FIRST_SURFACE_WIDTH,
+        .height = scene->earlier_rows,
+        .no_mips = true,
+    };
+}
+
+static const float nowhere[4] = { 0 };
+
+static const struct technique_import imports[] = {
+    { &first_surface_positions, find_positions, nowhere },
+    { 0 },
+};
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "albedo",
+        .image = &first_surface_albedo,
+        .planes = { "albedo.R", "albedo.G", "albedo.B" },
+        .help = "base colour of the first surface, linear",
+    },
+    {
+        .name = "object",
+        .image = &first_surface_object,
+        .planes = { "object.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "number of the first surface's object or material, as firn/objects names it; 0: no "
+                "surface",
+    },
+    {
+        .name = "motion",
+        .image = &first_surface_motion,
+        .planes = { "motion.X", "motion.Y" },
+        .shown = FRAME_SHOWN_POSITION,
+        .help = "pixels by which the first surface moved since the frame before, right and down",
+    },
+    { 0 },
+};
+
+const struct technique first_surface = {
+    .name = "first_surface",
+    .help = "base colour, object and motion of the nearest surface",
+    .layers = layers,
+    .uploads = uploads,
+    .imports = imports,
+    .parts = { { PHASE_SURFACES, .graph = RG_TECHNIQUE("first_surface", passes) } },
+};

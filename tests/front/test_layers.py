@@ -1,0 +1,76 @@
+"""test_layers.py: layers of the first surface: object, albedo and motion. Usage: see case.py."""
+import math
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import BARE, Case, main  # noqa: E402
+from exr_file import Exr  # noqa: E402
+from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
+
+PLANES = ('object.Z', 'albedo.R', 'albedo.G', 'albedo.B', 'motion.X', 'motion.Y', 'Z')
+FLAT = {'type': 'orthographic', 'orthographic': {'xmag': 4, 'ymag': 3, 'znear': 0, 'zfar': 99}}
+RUNGS = ('bounce', 'reference') if '--without' not in sys.argv else ('bounce',)
+BLUE = (0.1, 0.2, 0.8)
+
+
+def matt(name, *color, **more):
+    return {'name': name, 'pbrMetallicRoughness': {'baseColorFactor': color, 'metallicFactor': 0},
+            **more}
+
+
+class Layers(Case):
+    """Six metres are 48 pixels. Boxes of 1 m: glass in the middle; on the left a hole, on the right
+    a pane of alpha 0.4, each before a blue box; below a pane of alpha 0.6."""
+    def setUp(self):
+        super().setUp()
+        text = boxes((glass(), [0, 0, 0], 0.5), (matt('blue', *BLUE, 1), [-2, 0, -2], 0.5),
+                     (matt('hole', 1, 0, 0, 0.3, alphaMode='MASK'), [-2, 0, 0], 0.5),
+                     (matt('far', *BLUE, 1), [2, 0, -2], 0.5),
+                     (matt('thin', 1, 0, 0, 0.4, alphaMode='BLEND'), [2, 0, 0], 0.5),
+                     (matt('thick', 0, 1, 0, 0.6, alphaMode='BLEND'), [0, -2, 0], 0.5))
+        text = with_nodes(text, {'name': 'front', 'camera': 0, 'translation': [0, 0, 9]},
+                          cameras=[FLAT])
+        (self.folder / 'a.gltf').write_text(slide(text, 3, 2, ([2, 0, -2], [4, -4, -2])))
+
+    def draw(self, *words):
+        """The names and a function, from metres to a pixel, of a rung and of the reference."""
+        for rung in RUNGS:
+            self.succeed('render', 'a.gltf', *BARE, '-r', rung, '--aov', 'object,albedo,motion,Z',
+                         *words, '-o', 'a.exr')
+            exr = Exr((self.folder / 'a.exr').read_bytes())
+            planes = exr.read_planes(PLANES)
+            names = dict(line.split(' ', 1) for line in exr.text('firn/objects').splitlines())
+            yield names, lambda x, y, planes=planes: [
+                round(planes[name][int(24 - 8 * y) * 64 + int(32 + 8 * x)], 3) for name in PLANES]
+
+    def test_first_surfaces(self):
+        for names, at in self.draw():
+            self.assertEqual(at(3.8, 2.8), [0, 0, 0, 0, 0, 0, 1e10])
+            for x, y, name, color, z in ((-1.9, 0.1, 'blue', BLUE, 10.5),
+                                         (2.1, 0.1, 'far', BLUE, 10.5),
+                                         (0.1, -1.9, 'thick', (0, 1, 0), 8.5),
+                                         (0.1, 0.1, 'box 0', (1, 1, 1), 8.5)):
+                pixel = at(x, y)
+                self.assertEqual(names[str(int(pixel[0]))], name)
+                for found, wanted in zip(pixel[1:], (*color, 0, 0, z)):
+                    self.assertAlmostEqual(found, wanted, delta=0.001)
+
+    def test_motion(self):
+        """A box moves by 1 and -2 m a second, at 4 frames a second; at first it rests."""
+        for words, place, moved in ((('--set', 'motion.time=0.5'), (2.7, -1.1), [2, 4]),
+                                    ((), (2.1, 0.1), [0, 0])):
+            for _, at in self.draw('--set', 'motion.fps=4', '--set', 'motion.ice=0', *words):
+                self.assertEqual(at(*place)[4:6], moved)
+                self.assertEqual(at(-1.9, 0.1)[4:6], [0, 0])
+
+    def test_turning(self):
+        """The middle of a turning box's front, 0.5 m from the axis, at 8 pixels a metre."""
+        for _, at in self.draw('--set', 'motion.fps=10', '--set', 'motion.ice=90', '--set',
+                               'motion.time=4', '--animation', 'none'):
+            self.assertAlmostEqual(at(0, 0)[4], 4 * math.sin(math.radians(9)), delta=0.02)
+
+
+if __name__ == '__main__':
+    if '--without' in sys.argv:
+        sys.argv.remove('--without')
+    main()
