@@ -249,6 +249,10 @@ static bool fill_head(const struct exr_file *file, struct picture_head *head)
     head->has_world_to_camera = find_matrix(file, "worldToCamera", head->world_to_camera);
     head->has_world_to_ndc = find_matrix(file, "worldToNDC", head->world_to_ndc);
     head->has_primaries = find_primaries(file, &head->primaries);
+    exr_envmap_t envmap;
+    head->is_cube_map =
+        exr_attr_get_envmap(file->context, file->part, "envmap", &envmap) == EXR_ERR_SUCCESS &&
+        envmap == EXR_ENVMAP_CUBE;
     return done && add_texts(file, head);
 }
 

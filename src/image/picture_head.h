@@ -37,6 +37,7 @@ struct picture_head {
     bool has_place; /* false: the image is partly outside of the picture */
     struct picture_place place;
     bool has_world_to_camera, has_world_to_ndc;
+    bool is_cube_map;   /* an EXR's attribute `envmap`; not sent by reader processes */
     bool has_primaries; /* of an EXR; not sent by reader processes */
     struct primaries primaries;
     float world_to_camera[16], world_to_ndc[16]; /* EXR's row-vector order */

@@ -8,6 +8,7 @@
 #include "src/image/exr.h"
 #include "src/image/half.h"
 #include "src/image/hdr.h"
+#include "src/scene/panorama.h"
 
 /* Colours of Rec.709; gray is gray everywhere. */
 static void convert_colors(struct image *image, const struct primaries *primaries, const char *path)
@@ -27,22 +28,23 @@ static void convert_colors(struct image *image, const struct primaries *primarie
     }
 }
 
-static enum status read_exr(const char *path, struct image *image)
+static enum status read_exr(const char *path, struct image *image, bool *is_cube_map)
 {
     struct picture_head head;
     const enum status status = exr_read_all(path, image, &head);
     if (status == STATUS_OK && head.has_primaries)
         convert_colors(image, &head.primaries, path);
+    *is_cube_map = head.is_cube_map;
     picture_head_finish(&head);
     return status;
 }
 
-static enum status read_picture(const char *path, struct image *image)
+static enum status read_picture(const char *path, struct image *image, bool *is_cube_map)
 {
     if (path_ends_in(path, ".hdr"))
         return hdr_read(path, image);
     if (path_ends_in(path, ".exr"))
-        return read_exr(path, image);
+        return read_exr(path, image, is_cube_map);
     log_error("%s: expected an environment file that ends in .exr or .hdr", path);
     return STATUS_DATA;
 }
@@ -59,9 +61,19 @@ static enum status check_shape(const struct image *image, const char *path)
     if (image->width == 2 * (uint64_t)image->height || image->height == 6 * (uint64_t)image->width)
         return STATUS_OK;
     log_error(
-        "%s: expected an equirectangular picture (2:1) or a cube of six faces (1:6), got %u x %u",
+        "%s: expected an equirectangular picture (2:1) or six faces of a cube (1:6, 6:1, or a "
+        "cross on black), got %u x %u",
         path, image->width, image->height);
     return STATUS_DATA;
+}
+
+/* Unfolds a cube that is infinitely far away. */
+static enum status unfold(struct image *image, bool is_cube_map, const char *path)
+{
+    const enum panorama kind = panorama_find(image);
+    if (is_cube_map && image->height == 6 * (uint64_t)image->width)
+        return panorama_unfold(image, PANORAMA_OPENEXR, path);
+    return kind == PANORAMA_NONE ? STATUS_OK : panorama_unfold(image, kind, path);
 }
 
 static enum status convert(struct environment *environment, const struct image *image,
@@ -103,7 +115,10 @@ enum status environment_load(struct environment *environment, const char *path)
 {
     struct image image = { 0 };
     *environment = (struct environment){ 0 };
-    enum status status = read_picture(path, &image);
+    bool is_cube_map = false;
+    enum status status = read_picture(path, &image, &is_cube_map);
+    if (status == STATUS_OK)
+        status = unfold(&image, is_cube_map, path);
     if (status == STATUS_OK)
         status = check_shape(&image, path);
     if (status == STATUS_OK)
