@@ -1,5 +1,6 @@
 /* earlier.c: poses a model for the frame before. */
 #include "src/app/earlier.h"
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "shaders/first_surface.h"

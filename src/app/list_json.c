@@ -38,9 +38,11 @@ static json_t *scenes(void)
 
 static json_t *environments(void)
 {
-    return json_text_append(append_assets(json_array(), ASSET_ENVIRONMENT),
-                            json_pack("{s:s, s:s}", "name", "FILE", "help",
-                                      "equirectangular .exr or .hdr, or firn bake's cube"));
+    json_t *all = append_assets(json_array(), ASSET_ENVIRONMENT);
+    all = json_text_append(
+        all, json_pack("{s:s, s:s}", "name", "sky", "help", "the built-in sky over a landscape"));
+    return json_text_append(all, json_pack("{s:s, s:s}", "name", "FILE", "help",
+                                           "equirectangular .exr or .hdr, or firn bake's cube"));
 }
 
 static json_t *rung_of(const struct technique *rung, bool is_available)

@@ -8,6 +8,7 @@
 #include "src/frame/media.h"
 #include "src/frame/view.h"
 #include "src/render/renderer.h"
+#include "src/scene/asset.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
@@ -195,6 +196,27 @@ static void settle(void *user, const struct scene *scene, struct scene_params *p
     *params = app_describe_scene(settling->given, settling->maps);
 }
 
+/* --env sky: the built-in sky, also around a file. */
+static bool is_sky(const struct app_scene *given)
+{
+    return given->environment && !strcmp(given->environment, "sky");
+}
+
+/* A person's file is in the studio, unless options say what surrounds it. */
+static void choose_studio(struct app_scene *given)
+{
+    const struct asset *studio = asset_find("studio", ASSET_ENVIRONMENT);
+    if (given->environment || given->surroundings || given->background.is_given ||
+        scene_is_known(given->name))
+        return;
+    if (asset_is_there(studio))
+        given->environment = studio->name;
+    else if (!given->quiet)
+        log_note("%s: not found, so the surroundings are the built-in sky; set FIRN_ASSETS to the "
+                 "folder of firn's assets",
+                 studio->file);
+}
+
 struct scene_params app_describe_scene(const struct app_scene *given, struct bump_maps_params *maps)
 {
     const struct object_params *object = settings_of(&given->settings, &object_settings);
@@ -216,7 +238,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
                   .is_first = !given->animation },
         .node_materials = given->node_materials,
         .node_material_count = given->node_material_count,
-        .environment = given->environment,
+        .environment = is_sky(given) ? NULL : given->environment,
         .environment_turn = given->env_rotate / 360.0f - floorf(given->env_rotate / 360.0f),
         .environment_exposure = given->env_exposure,
         .background = given->background.is_given ? &given->background.value : NULL,
@@ -307,7 +329,7 @@ static enum status check_environment(const struct app_scene *given, const struct
 {
     const bool is_turned = fabsf(given->env_rotate) > 0.0f;
     const bool is_exposed = fabsf(given->env_exposure) > 0.0f;
-    if (!given->environment && (is_turned || is_exposed)) {
+    if ((!given->environment || is_sky(given)) && (is_turned || is_exposed)) {
         log_error("--env-%s: --env is missing", is_turned ? "rotate" : "exposure");
         return STATUS_USAGE;
     }
@@ -322,13 +344,14 @@ static enum status check_environment(const struct app_scene *given, const struct
 enum status app_begin_scene(struct scene *scene, struct app_scene *given)
 {
     struct bump_maps_params maps;
-    struct scene_params params = app_describe_scene(given, &maps);
     struct settling settling = { given, &maps };
-    params.settle = settle;
-    params.user = &settling;
     *scene = (struct scene){ 0 };
     if (app_need_scene(given) != STATUS_OK || check_place(given) != STATUS_OK)
         return STATUS_USAGE;
+    choose_studio(given);
+    struct scene_params params = app_describe_scene(given, &maps);
+    params.settle = settle;
+    params.user = &settling;
     enum status status = scene_load(scene, &params);
     if (status == STATUS_OK)
         status = check_environment(given, scene);

@@ -1,5 +1,6 @@
 /* first.c: the layers of the first surface. */
 #include "src/reference/first.h"
+#include <cglm/struct.h>
 
 enum {
     SHEETS_MAX = 256, /* that a ray passes */

@@ -75,16 +75,34 @@ static char *try_folder(const char *a, const char *b, const char *file, bool *la
     return NULL;
 }
 
-enum status asset_locate(const struct asset *asset, char **path)
+static const char *const beside[] = { "../share/firn", "assets" };
+
+/* Returns the path, which the caller frees, or NULL. */
+static char *find(const struct asset *asset, const char *program, bool *lacks_memory)
 {
-    static const char *const beside[] = { "../share/firn", "assets" };
     const char *stated = getenv("FIRN_ASSETS");
+    char *path = stated && stated[0] ? try_folder(stated, "", asset->file, lacks_memory) : NULL;
+    for (size_t i = 0; program[0] && !path && i < sizeof(beside) / sizeof(beside[0]); i++)
+        path = try_folder(program, beside[i], asset->file, lacks_memory);
+    return path;
+}
+
+bool asset_is_there(const struct asset *asset)
+{
     char program[4096];
     bool lacks_memory = false;
     find_program_folder(program, sizeof(program));
-    *path = stated && stated[0] ? try_folder(stated, "", asset->file, &lacks_memory) : NULL;
-    for (size_t i = 0; program[0] && !*path && i < sizeof(beside) / sizeof(beside[0]); i++)
-        *path = try_folder(program, beside[i], asset->file, &lacks_memory);
+    char *path = find(asset, program, &lacks_memory);
+    free(path);
+    return path != NULL;
+}
+
+enum status asset_locate(const struct asset *asset, char **path)
+{
+    char program[4096];
+    bool lacks_memory = false;
+    find_program_folder(program, sizeof(program));
+    *path = find(asset, program, &lacks_memory);
     if (*path)
         return STATUS_OK;
     if (lacks_memory)

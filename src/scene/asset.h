@@ -7,6 +7,7 @@
 #ifndef FIRN_SCENE_ASSET_H
 #define FIRN_SCENE_ASSET_H
 
+#include <stdbool.h>
 #include "src/base/status.h"
 
 enum asset_kind {
@@ -22,6 +23,9 @@ struct asset {
 };
 
 extern const struct asset assets[]; /* ends at a row of zeros */
+
+/* Returns whether a folder has the asset's file; false, too, when out of memory. */
+bool asset_is_there(const struct asset *asset);
 
 /* Returns the asset of this name and kind, or NULL. */
 const struct asset *asset_find(const char *name, enum asset_kind kind);

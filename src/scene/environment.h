@@ -24,10 +24,10 @@ struct environment {
  * Loads a .exr file (channels R, G, B or Y; of a cube also A, without which everything is
  * infinitely far away) or a .hdr file. An image six times as high as wide is a cube, but a panorama
  * if its attribute `envmap` says so; that, and other cubes of panorama.h, become equirectangular.
- * Others that are not twice as wide as high are refused. Colours of an .exr with other chromaticities than
- * those of Rec.709 are converted; white stays white. Values below 0 or not finite become 0; values
- * beyond half's range become its largest. Logs and returns STATUS_NO_INPUT, STATUS_DATA or
- * STATUS_TRY_AGAIN; *environment is then {0}.
+ * Others that are not twice as wide as high are refused. Colours of an .exr with other
+ * chromaticities than those of Rec.709 are converted; white stays white. Values below 0 or not
+ * finite become 0; values beyond half's range become its largest. Logs and returns STATUS_NO_INPUT,
+ * STATUS_DATA or STATUS_TRY_AGAIN; *environment is then {0}.
  */
 MUST_USE enum status environment_load(struct environment *environment, const char *path);
 

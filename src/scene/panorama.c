@@ -1,6 +1,7 @@
 /* panorama.c: unfolds cubes. OpenEXR's orientation is that of ImfEnvmap.cpp (CubeMap), whose +Z is
  * in the middle of an equirectangular picture. */
 #include "src/scene/panorama.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 #include "src/base/log.h"

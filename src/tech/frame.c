@@ -1,5 +1,6 @@
 /* frame.c: images, samplers and record functions that techniques share. */
 #include "src/tech/frame.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include "src/scene/mesh.h"
 #include "src/settings/scene_settings.h"

@@ -16,8 +16,9 @@ import unittest
 import zlib
 
 sys.dont_write_bytecode = True  # the source tree stays clean
+from case import DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
-from case import DATA, NO_DRIVER, NO_INPUT, PLAIN, Case, main  # noqa: E402
+from gltf_file import boxes, glass  # noqa: E402
 
 ASSETS = pathlib.Path(__file__).parents[2] / 'assets'
 sys.path.append(str(ASSETS / 'generate'))
@@ -145,11 +146,34 @@ class Folders(Case):
         built, Case.program = Case.program, str(program)
         try:
             self.refuse(NO_INPUT, 'graph', 'drink', names=["'drink'", 'FIRN_ASSETS'])
+            (self.folder / 'a.gltf').write_text(boxes((glass(), [0, 0, 0], 1)))
+            done = self.succeed('graph', 'a.gltf')
+            self.assertEqual(len(done.stderr.splitlines()), 1)
+            self.assertIn(b'studio.exr: not found, so the surroundings are', done.stderr)
             (self.folder / 'share').mkdir()
             (self.folder / 'share' / 'firn').symlink_to(ASSETS)
             self.succeed('graph', 'drink', '--env', 'studio')
         finally:
             Case.program = built
+
+
+class Studio(Case):
+    def draw(self, scene, *words):
+        self.succeed('render', scene, *SMALL, *words, '-r', 'one-sided', '-o', 'a.exr')
+        exr = Exr((self.folder / 'a.exr').read_bytes())
+        return exr.read_planes(['R', 'G', 'B']), exr.text('firn/settings')
+
+    def test_it_surrounds_a_file(self):
+        (self.folder / 'a.gltf').write_text(boxes((glass(), [0, 0, 0], 1)))
+        pixels, words = self.draw('a.gltf')
+        self.assertIn(' env=studio ', words)
+        self.assertEqual(pixels, self.draw('a.gltf', '--env', 'studio')[0])
+        sky, words = self.draw('a.gltf', '--env', 'sky')
+        self.assertIn(' env=sky ', words)
+        self.assertNotEqual(pixels, sky)
+        self.assertNotEqual(pixels, self.draw('a.gltf', '--env-rotate', '90')[0])
+        for words in ('sphere',), ('a.gltf', '--background', '1,1,1'):
+            self.assertNotIn(' env=', self.draw(*words)[1])
 
 
 if __name__ == '__main__':

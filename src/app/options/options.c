@@ -191,7 +191,7 @@ static const struct option options[] = {
     { "Scene", "animation", 0, "NAME|N", SCENES, TEXT(picture.scene.animation),
       "animation of a model file, name, number from 0, or none (the first)" },
     { "Scene", "env", 'e', "FILE", SCENES, INPUT(picture.scene.environment),
-      "environment: name (firn list environments), .exr, .hdr or firn bake's cube (sky)" },
+      "environment: name, .exr, .hdr or firn bake's cube (sky; of a model file: studio)" },
     { "Scene", "env-rotate", 0, "DEG", SCENES, SCENE(option_env_rotate),
       "rotation of the --env panorama about +Y, degrees, -360 to 360 (0)" },
     { "Scene", "env-exposure", 0, "EV", SCENES, SCENE(option_env_exposure),
