@@ -5,6 +5,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import DATA, NO_DRIVER, PLAIN, Case, main  # noqa: E402
 from exr_file import Exr, attribute, write_exr  # noqa: E402
+from gltf_file import boxes, glass  # noqa: E402
 
 SIDE = 32
 CUBE = attribute('envmap', 'envmap', b'\1')
@@ -97,6 +98,20 @@ class Panorama(Case):
             self.assertLess(worst, 0.01, name)
         turned = self.draw(data, '--env-rotate', '90')
         self.assertGreater(max(abs(a - b) for a, b in zip(truth['R'], turned['R'])), 0.1)
+
+    def test_it_lights_partly_transmissive_objects(self):
+        """What is white shows an even light everywhere."""
+        half = glass()
+        half['extensions']['KHR_materials_transmission']['transmissionFactor'] = 0.4
+        (self.folder / 'a.gltf').write_text(boxes((half, [0, 0, 0], 1)))
+        (self.folder / 'even.exr').write_bytes(sheet([[(0.5, 0.25, 0.125)] * 16] * 8))
+        self.succeed('render', 'a.gltf', '--size', '16x12', '-q', '-r', 'reference', '--env',
+                     'even.exr', '--aov', 'remaining', '-o', 'a.exr', env=NO_DRIVER)
+        planes = Exr((self.folder / 'a.exr').read_bytes()).read_planes(
+            ['R', 'G', 'B', 'remaining.R'])
+        for name, wanted in zip('RGB', (0.5, 0.25, 0.125)):
+            for found, cut in zip(planes[name], planes['remaining.R']):
+                self.assertAlmostEqual(found / wanted + cut, 1, delta=0.02)
 
     def test_an_ordinary_picture_is_no_cross(self):
         (self.folder / 'env.exr').write_bytes(sheet([[(0.1, 0.2, 0.3)] * 64] * 48))
