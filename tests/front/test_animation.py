@@ -61,6 +61,18 @@ class Animation(Case):
         far = max(abs(a - b) for a, b in zip(eye['G'], frames[2]['G']))
         self.assertLess(far, 0.05)
 
+    def test_sixty_frames(self):
+        """A whole sequence and its parts: the same bytes, and each frame is another picture."""
+        words = ('render', 'a.gltf', '--size', '8x6', '-q', *TRACED, '--background', '0.4,0.5,0.6',
+                 *STILL, '--frames', '0-59', '--set', 'motion.fps=30', '--aov', 'P')
+        self.succeed(*words, '-o', 'all.##.exr', env=NO_DRIVER)
+        for part in (1, 2, 3):
+            self.succeed(*words, '--chunk', f'{part}/3', '-o', 'part.##.exr', env=NO_DRIVER)
+        files = [(self.folder / f'all.{i:02}.exr').read_bytes() for i in range(60)]
+        self.assertEqual(len(set(files)), 60)
+        for i, file in enumerate(files):
+            self.assertEqual((self.folder / f'part.{i:02}.exr').read_bytes(), file)
+
     def test_drawn_sequences(self):
         self.check_sequence('a.gltf', '--tiles', '2x1')
 
