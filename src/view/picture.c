@@ -1,5 +1,7 @@
 /* picture.c: loads, draws, changes. */
 #include "src/view/picture.h"
+#include <cglm/struct.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "shaders/present.h"
@@ -179,6 +181,49 @@ uint32_t picture_line(const struct picture *p)
     return p->state.split ? (uint32_t)(p->divider * p->state.width + 0.5) : PRESENT_NO_LINE;
 }
 
+/* ---- poses ---- */
+
+/* An animated model rests when its animation has ended. */
+static float pose_time(const struct picture *p, float time)
+{
+    const struct model *model = &p->scene.model;
+    return model->animation ? fminf(time, model->animations[model->animation - 1].seconds)
+                            : p->scene.time;
+}
+
+bool picture_is_posed(const struct picture *p, float time)
+{
+    const float wanted = pose_time(p, time);
+    return !(wanted < p->scene.time || wanted > p->scene.time);
+}
+
+/* A camera that a hand has moved stays where it is. */
+static enum status follow_camera(struct picture *p)
+{
+    struct camera camera;
+    const enum status status = app_camera(&camera, &p->scene, &p->state);
+    if (status != STATUS_OK)
+        return status;
+    if (glms_vec3_eqv(p->camera.eye, p->first_camera.eye) &&
+        glms_vec3_eqv(p->camera.target, p->first_camera.target))
+        p->camera = camera;
+    p->first_camera = camera;
+    return STATUS_OK;
+}
+
+enum status picture_pose(struct picture *p, float time)
+{
+    bool is_changed;
+    enum status status = p->renderer ? picture_wait(p) : STATUS_OK;
+    if (status == STATUS_OK)
+        status = app_pose_scene(&p->scene, &p->state.scene, pose_time(p, time), &is_changed);
+    if (status != STATUS_OK)
+        return status;
+    picture_leave_device(p);
+    status = follow_camera(p);
+    return status == STATUS_OK ? picture_upload(p) : status;
+}
+
 /* ---- changes ---- */
 
 /* Takes the place of *picture, which is destroyed, with a renderer of the same size. */
@@ -217,14 +262,6 @@ static bool same_frame(const struct picture *p, const struct app_picture *a,
            frame_draws_cube(&b->scene.settings, &p->scene);
 }
 
-/* Whether the model has to be loaded again for its pose at another motion.time. */
-static bool changes_pose(const struct picture *p, const struct settings *settings)
-{
-    const struct motion_params *motion = settings_of(settings, &motion_settings);
-    return p->scene.model.animation &&
-           (motion->time < p->scene.time || motion->time > p->scene.time);
-}
-
 enum status picture_change(struct picture **picture, const struct settings *settings,
                            const struct technique *rung, bool *remade)
 {
@@ -235,8 +272,7 @@ enum status picture_change(struct picture **picture, const struct settings *sett
     wanted.scene.settings = *settings;
     wanted.rung = rung;
     memset(wanted.scene.is_set, true, sizeof(wanted.scene.is_set)); /* all is in the settings */
-    if (settings_changed(&before.scene.settings, settings) == SETTING_AFFECTS_SCENE ||
-        changes_pose(p, settings)) {
+    if (settings_changed(&before.scene.settings, settings) == SETTING_AFFECTS_SCENE) {
         *remade = true;
         return replace(picture, &wanted, true);
     }

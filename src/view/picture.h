@@ -68,6 +68,13 @@ MUST_USE enum status picture_split(struct picture *picture, const struct techniq
  * before stay. */
 MUST_USE enum status picture_remake(struct picture *picture);
 
+/* Returns whether an animated model has the pose of a time, seconds; true of others. */
+bool picture_is_posed(const struct picture *picture, float time);
+
+/* Poses an animated model for a time, and frees the renderers: picture_resize() makes others. If
+ * the file cannot be read, all stays. The camera follows that of the file, unless it was moved. */
+MUST_USE enum status picture_pose(struct picture *picture, float time);
+
 /* What of renderer.h the window needs, for one renderer or two. */
 MUST_USE enum status picture_draw(struct picture *picture, const struct renderer_shot *shot);
 MUST_USE enum status picture_wait(struct picture *picture);

@@ -59,13 +59,8 @@ static enum status load(void *user)
     struct view *v = user;
     if (v->picture)
         return picture_upload(v->picture);
-    const enum status status =
-        picture_create(&v->picture, &v->gpu, &v->options->picture, v->watch, v->options->run.quiet);
-    if (status == STATUS_OK && v->picture->scene.model.animation && !v->options->run.quiet)
-        log_warning("%s: the window shows the model's animation at motion.time=%g alone; firn "
-                    "render --frames draws it",
-                    v->options->picture.scene.name, (double)v->picture->scene.time);
-    return status;
+    return picture_create(&v->picture, &v->gpu, &v->options->picture, v->watch,
+                          v->options->run.quiet);
 }
 
 void view_show_ui(struct view *v, bool shown)
@@ -163,6 +158,23 @@ static struct renderer_shot shot_now(const struct view *v)
     };
 }
 
+/* Plays the animation of a model. One that cannot be read any more stops, as it is. */
+static void pose(struct view *v)
+{
+    const double start = clock_seconds();
+    const float time = shot_now(v).time;
+    if (picture_is_posed(v->picture, time))
+        return;
+    screen_disconnect(&v->screen);
+    v->changed = true;
+    if (picture_pose(v->picture, time) != STATUS_OK) {
+        v->elapsed += (double)v->picture->scene.time - (double)time;
+        v->paused = true;
+        view_show_name(v);
+    }
+    view_costs_rest(&v->costs, start);
+}
+
 /* Unless it is the one that is there. */
 static enum status draw_picture(struct view *v)
 {
@@ -224,6 +236,7 @@ static enum status run_frame(struct view *v)
     if (v->quit || !wait_for_turn(v, size))
         return STATUS_OK;
     view_run_ui(v, size);
+    pose(v);
     enum status status = fit(v, size, &ready);
     if (status == STATUS_OK && ready)
         status = draw(v, &ready);

@@ -11,6 +11,7 @@ import time
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import NO_DEVICE, NO_INPUT, PLAIN, SMALL, USAGE, Case, environment, main  # noqa: E402
 from desktop import PATIENCE, Desktop, wait_until  # noqa: E402
+from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
 SIZE = '200x150'
 CHECKED = ('--validate', '--size', SIZE, '--set', 'motion.count=2', '--overlay', 'off')
@@ -236,6 +237,21 @@ class Automatic(WindowCase):
                      '-o', 'b.png', '--samples', 4)
         self.assertEqual((self.folder / 'a.png').read_bytes(),
                          (self.folder / 'b.png').read_bytes())
+
+    def test_animations_play(self):
+        """As frames of a sequence; the camera follows that of the file."""
+        lens = {'type': 'perspective', 'perspective': {'yfov': 0.8, 'znear': 0.1}}
+        text = with_nodes(boxes((glass(), [0, 0, 0], 1)), {'camera': 0, 'translation': [0, 0, 6]},
+                          cameras=[lens])
+        for node, path in ((0, ([0, 0, 0], [4, 0, 0])), (1, ([0, 0, 6], [2, 0, 6]))):
+            (self.folder / 'a.gltf').write_text(slide(text, node, 2, path))
+            self.view('a.gltf', *SMALL, '--frames', 4, '--time-step', 0.25, '--screenshot', 'a.png')
+            for name, when in (('b.png', 0.75), ('c.png', 0)):
+                self.succeed('render', 'a.gltf', *SMALL, '--set', f'motion.time={when}', '-o', name)
+            played, drawn, first = (png_pixels(self.folder / name)
+                                    for name in ('a.png', 'b.png', 'c.png'))
+            self.assertEqual(played, drawn)
+            self.assertNotEqual(played, first)
 
     def test_every_present_mode(self):
         for mode in ('fifo', 'mailbox', 'immediate'):
