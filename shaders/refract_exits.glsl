@@ -6,7 +6,8 @@
  * and each that does not reflect totally is an exit. The last one gets all that remains.
  *
  * Both loops test their limit at the beginning and have another way out at the end. With a single
- * one at the end, lavapipe gives the values of a later iteration to rays that have left (Mesa 22.3).
+ * way out at the end, lavapipe gives rays that have left the values of a later iteration (Mesa
+ * 22.3).
  */
 #ifndef REFRACT_EXITS_GLSL
 #define REFRACT_EXITS_GLSL
