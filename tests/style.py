@@ -164,7 +164,8 @@ def include_fault(path, header, system):
     elif path.startswith('shaders/'):  # -Ishaders: GLSL compilers know no other root
         if header.startswith(('shaders/', 'src/', 'graph/', 'tests/', '.')):
             return f'shaders/ include each other, from shaders/, and nothing else: "{header}"'
-    elif not header.startswith(('src/', 'graph/', 'shaders/', 'tests/')) or '..' in header:
+    elif not header.startswith(('assets/', 'src/', 'graph/', 'shaders/',
+                                'tests/')) or '..' in header:
         return f'include "{header}" does not start from the root'
     elif path.startswith('src/') and not row_for(path, MAY_INCLUDE):
         return f'{os.path.dirname(path)}/ has no row of what it may include in tests/style.py'

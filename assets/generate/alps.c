@@ -214,7 +214,8 @@ static void paint_land(const struct scene *scene, float azimuth, uint32_t rows, 
 {
     const float ax = sinf(azimuth), az = cosf(azimuth);
     int painted = (int)rows; /* the highest row so far, counted from the top */
-    for (float t = 40.0F; t < farthest; t += fmaxf(1.5F, 0.0016F * t)) {
+    float t = 40.0F;
+    while ((t += fmaxf(1.5F, 0.0016F * t)) < farthest) {
         struct ground g = { .distance = t };
         const float height = alps_height(&scene->alps, ax * t, az * t, &g.flow);
         if (height < 0.0F)

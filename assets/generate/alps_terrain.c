@@ -11,6 +11,7 @@
 
 enum {
     BRUSH = 3,
+    BRUSH_NODES = (2 * BRUSH + 1) * (2 * BRUSH + 1),
     DROP_STEPS = 48,
     SLIDES = 24
 };
@@ -187,25 +188,29 @@ static void drop_soil(struct alps_grid *grid, float x, float z, float amount)
     h[side + 1] += amount * u * v;
 }
 
-/* Takes soil from a cone of nodes around a place. */
-static void take_soil(struct alps_grid *grid, float x, float z, float amount)
+/* Shares of the nodes around a node that soil is taken from: a cone. Returns their sum. */
+static float cone(const struct alps_grid *grid, int x, int z, float *shares)
 {
-    const int ix = (int)x, iz = (int)z, last = (int)grid->side - 1;
-    float whole = 0.0F, shares[(2 * BRUSH + 1) * (2 * BRUSH + 1)];
-    for (int pass = 0; pass < 2; pass++) {
-        for (int k = 0, j = -BRUSH; j <= BRUSH; j++) {
-            for (int i = -BRUSH; i <= BRUSH; i++, k++) {
-                if (ix + i < 0 || iz + j < 0 || ix + i > last || iz + j > last)
-                    continue;
-                if (pass) {
-                    grid->heights[(size_t)(iz + j) * grid->side + (size_t)(ix + i)] -=
-                        amount * shares[k] / whole;
-                } else {
-                    shares[k] = fmaxf(0.0F, BRUSH - sqrtf((float)(i * i + j * j)));
-                    whole += shares[k];
-                }
-            }
-        }
+    const int last = (int)grid->side - 1;
+    float whole = 0.0F;
+    for (int k = 0; k < BRUSH_NODES; k++) {
+        const int i = k % (2 * BRUSH + 1) - BRUSH, j = k / (2 * BRUSH + 1) - BRUSH;
+        const bool inside = x + i >= 0 && z + j >= 0 && x + i <= last && z + j <= last;
+        shares[k] = inside ? fmaxf(0.0F, BRUSH - sqrtf((float)(i * i + j * j))) : 0.0F;
+        whole += shares[k];
+    }
+    return whole;
+}
+
+static void take_soil(struct alps_grid *grid, int x, int z, float amount)
+{
+    float shares[BRUSH_NODES];
+    const float whole = cone(grid, x, z, shares);
+    for (int k = 0; k < BRUSH_NODES; k++) {
+        const int i = k % (2 * BRUSH + 1) - BRUSH, j = k / (2 * BRUSH + 1) - BRUSH;
+        if (shares[k] > 0.0F)
+            grid->heights[(size_t)(z + j) * grid->side + (size_t)(x + i)] -=
+                amount * shares[k] / whole;
     }
 }
 
@@ -236,7 +241,7 @@ static void run_droplet(struct alps_grid *grid, uint32_t *random)
         } else {
             const float taken = fminf((room - soil) * 0.3F, fall);
             soil += taken;
-            take_soil(grid, x, z, taken);
+            take_soil(grid, (int)x, (int)z, taken);
         }
         grid->flow[(size_t)z * grid->side + (size_t)x] += water;
         speed = sqrtf(fmaxf(0.0F, speed * speed + fall * 4.0F));
@@ -246,23 +251,23 @@ static void run_droplet(struct alps_grid *grid, uint32_t *random)
     }
 }
 
-/* Half of what is too steep slides to the neighbour below. */
+/* Part of what is too steep slides to the neighbours below. */
+static void slide_from(float *height, ptrdiff_t row, float steepest)
+{
+    const ptrdiff_t neighbours[] = { 1, row, -1, -row };
+    for (int i = 0; i < 4; i++) {
+        float *other = height + neighbours[i];
+        const float excess = fmaxf(0.0F, *height - *other - steepest);
+        *height -= 0.25F * excess;
+        *other += 0.25F * excess;
+    }
+}
+
 static void slide(struct alps_grid *grid, float steepest)
 {
-    static const int steps[4][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
-    for (uint32_t z = 1; z + 1 < grid->side; z++) {
-        for (uint32_t x = 1; x + 1 < grid->side; x++) {
-            float *h = &grid->heights[(size_t)z * grid->side + x];
-            for (int i = 0; i < 4; i++) {
-                float *other = h + (ptrdiff_t)steps[i][1] * (ptrdiff_t)grid->side + steps[i][0];
-                const float excess = *h - *other - steepest;
-                if (excess > 0.0F) {
-                    *h -= 0.25F * excess;
-                    *other += 0.25F * excess;
-                }
-            }
-        }
-    }
+    for (uint32_t z = 1; z + 1 < grid->side; z++)
+        for (uint32_t x = 1; x + 1 < grid->side; x++)
+            slide_from(&grid->heights[(size_t)z * grid->side + x], (ptrdiff_t)grid->side, steepest);
 }
 
 static bool make_grid(struct alps_grid *grid, float width, uint32_t side, uint32_t droplets)
