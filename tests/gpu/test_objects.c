@@ -95,7 +95,8 @@ static struct render_result draw(struct gpu *gpu, const char *rung, uint32_t lay
          sizeof((const struct ball *const[]){ __VA_ARGS__ }) / sizeof(struct ball *))
 
 /* Each half is that of a picture of one ball, in all layers that the rung has; but where the rung
- * looks faces up far from the object, the back faces are those of the object drawn last. */
+ * looks faces up far from the object, the back faces are those of the object drawn last, and the
+ * ball that is the first alone is the second beside the other. */
 static void check_halves(const char *rung, const struct image *both, const struct image *one,
                          const struct image *other)
 {
@@ -107,7 +108,10 @@ static void check_halves(const char *rung, const struct image *both, const struc
             continue;
         const float *halves[2] = { image_find(one, name), image_find(other, name) };
         for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
-            const float wanted = halves[i % WIDTH >= WIDTH / 2][i];
+            const bool of_other = i % WIDTH >= WIDTH / 2;
+            float wanted = halves[of_other][i];
+            if (of_other && wanted == 1 && !strcmp(name, "object.Z"))
+                wanted = 2; /* the second of the two */
             if (!(fabsf(texels[i] - wanted) <= 4e-3F * (1 + fabsf(wanted))))
                 fail_msg("%s at %zu, %zu: %g, alone %g", name, i % WIDTH, i / WIDTH,
                          (double)texels[i], (double)wanted);
