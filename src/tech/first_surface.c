@@ -50,7 +50,8 @@ static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler),
     FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL),
-    FRAME_SAMPLE(first_surface_positions, FIRST_SURFACE_POSITIONS, .sampler = NULL),
+    FRAME_SAMPLE(first_surface_positions, FIRST_SURFACE_POSITIONS, .sampler = NULL,
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
     { .buffer = &first_surface_earlier, .access = RG_UNIFORM, .binding = FIRST_SURFACE_EARLIER },
     { 0 },
 };
