@@ -188,11 +188,12 @@ struct rg_target {
     uint32_t resolve_mip, resolve_layer; /* of `resolve`, counted as `mip` and `layer` are */
 };
 
-/* The SPIR-V code of one shader stage; its entry point is "main". */
+/* The SPIR-V code of one shader stage; its entry point is "main", its descriptors are in set 0.
+ * rg_compile() compares it with the rows that name it. */
 struct rg_shader {
     const char *name;      /* for captures and messages */
     const uint32_t *words; /* the module; borrowed */
-    size_t word_count;     /* 32-bit words */
+    size_t word_count;     /* 32-bit words; 0: the code is not known yet, and nothing is compared */
 };
 
 /* The layout of the vertex buffer at binding 0. */
@@ -349,6 +350,9 @@ struct rg_compile_params {
     size_t size_count;
     const struct rg_device *device; /* NULL: tight sizes, alignment 256, no limits of formats */
     enum rg_sharing sharing;        /* fewer batches or less memory */
+    /* What rg_exec_params.constants will be: each must be in a shader of the list. NULL: shaders'
+     * constants are not checked. */
+    const VkSpecializationInfo *constants;
     /* Memory for the plan and for compiling it, aligned for any type. It outlives the plan, and may
      * be used again after rg_plan_destroy(). What it lacks comes from malloc(); rg_plan.arena_size
      * says how much is enough. NULL: everything comes from malloc(). */
@@ -386,6 +390,13 @@ enum rg_error {
     RG_ERROR_VALUE,  /* a number that a field cannot have, as 9 where an enum ends at 2 */
     RG_ERROR_TABLE,  /* a table that is NULL, or longer than any may be */
     RG_ERROR_DEVICE, /* a device whose answer cannot be true */
+    RG_ERROR_SHADER, /* code that is no SPIR-V, or without an entry point `main` of its stage */
+    RG_ERROR_SHADER_PUSH,    /* push constants of another size than the shaders' */
+    RG_ERROR_SHADER_BINDING, /* a binding that is missing, of another kind, or in no shader */
+    RG_ERROR_SHADER_VERTEX,  /* a vertex attribute that is missing or of another type */
+    RG_ERROR_SHADER_INPUT,   /* a fragment input that the vertex shader does not write */
+    RG_ERROR_SHADER_OUTPUT,  /* a fragment output without a target, or the other way around */
+    RG_ERROR_CONSTANT,       /* a specialization constant that no shader has, or of another size */
     RG_ERROR_COUNT,
 };
 

@@ -10,6 +10,7 @@
 
 #include "graph/compile/arena.h"
 #include "graph/compile/map.h"
+#include "graph/compile/spirv.h"
 #include "graph/rg.h"
 
 /* struct cell.filled: whether earlier passes have given the cell content. */
@@ -133,6 +134,9 @@ struct compiler {
     uint32_t row_first_fault;
     uint32_t target_samples; /* of its pass at work; 0: no target yet */
     uint32_t *bindings;      /* bits, all 0 unless the bindings of the row are being checked */
+    struct spirv modules[2]; /* its shaders */
+    bool *known_constants;   /* entries of params->constants that shaders have had so far */
+    bool has_wordless_shaders;
 
     struct pass *passes;
     struct rg_plan_pass *plan_passes; /* as many; in the end the plan's alone */
@@ -317,6 +321,13 @@ void rg_check_output_memory(struct compiler *c, const struct resource *r);
 
 /* Finds what is wrong with a row by itself, its name left out. */
 void rg_check_row(struct compiler *c, const struct rg_pass *pass);
+
+/* check_shaders.c: compares a row without faults with its shaders, if their code is known. */
+void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
+
+/* Before and after all rows: finds constants that no shader has. */
+void rg_begin_constants(struct compiler *c);
+void rg_end_constants(struct compiler *c);
 
 /* fallback.c: binds a use to its fallback, if it has one and nothing provides its image. Returns
  * whether it does. */

@@ -283,6 +283,8 @@ static void expand_row(struct compiler *c, const struct rg_pass *row)
     rg_fault_if(c, row->name && rg_map_has(c->arena, &c->pass_names, row->name),
                 RG_ERROR_DUPLICATE_NAME, NULL, "give each a name of its own");
     rg_check_row(c, row);
+    if (c->fault_count == c->row_first_fault)
+        rg_check_shaders(c, row);
     uint32_t count = repetition_count(c, row);
     rg_fault_if(c, !count, RG_ERROR_REPEAT, NULL,
                 "a repeated row writes an image, whose layers or mips it counts");
@@ -302,6 +304,7 @@ static void check_output(struct compiler *c, const struct resource *r)
 
 void rg_expand(struct compiler *c)
 {
+    rg_begin_constants(c);
     for (uint32_t t = 0; t < c->params->technique_count; t++) {
         c->technique = c->params->techniques[t];
         c->row = RG_NONE;
@@ -309,7 +312,10 @@ void rg_expand(struct compiler *c)
         for (c->row = 0; c->row < c->technique->pass_count && !c->arena->failed; c->row++)
             expand_row(c, &c->technique->passes[c->row]);
     }
+    c->technique = NULL;
+    c->row = RG_NONE;
     c->row_first_fault = c->fault_count;
+    rg_end_constants(c);
     for (uint32_t i = 0; i < c->boundary_count; i++) {
         if (c->resources[i]->output != RG_NONE)
             check_output(c, c->resources[i]);

@@ -30,6 +30,13 @@ static const char *const messages[RG_ERROR_COUNT] = {
     [RG_ERROR_PERSISTENT] = "cannot be persistent or imported",
     [RG_ERROR_VALUE] = "has a value that does not exist",
     [RG_ERROR_TABLE] = "has a table that is NULL or too long",
+    [RG_ERROR_SHADER] = "cannot be read",
+    [RG_ERROR_SHADER_PUSH] = "push constants differ from those of the shader",
+    [RG_ERROR_SHADER_BINDING] = "binding differs from that of the shader",
+    [RG_ERROR_SHADER_VERTEX] = "vertex attribute differs from that of the shader",
+    [RG_ERROR_SHADER_INPUT] = "is not passed from the vertex shader",
+    [RG_ERROR_SHADER_OUTPUT] = "target differs from the output of the shader",
+    [RG_ERROR_CONSTANT] = "specialization constant differs from those of the shaders",
     [RG_ERROR_DEVICE] = "got an impossible answer from the device",
 };
 
@@ -58,7 +65,8 @@ static bool is_known(const struct compiler *c, const struct rg_fault *fault)
     for (uint32_t i = c->row_first_fault; i < c->fault_count; i++) {
         const struct rg_fault *f = &c->faults[i];
         if (f->error == fault->error && f->technique == fault->technique && f->row == fault->row &&
-            f->resource == fault->resource && f->hint == fault->hint)
+            f->resource == fault->resource &&
+            (f->hint == fault->hint || !strcmp(f->hint, fault->hint)))
             return true;
     }
     return false;

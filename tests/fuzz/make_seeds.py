@@ -4,6 +4,7 @@ Those of the fuzzer NAME are in FOLDER/NAME. Files of readers are those of tests
 and malformed ones.
 """
 import pathlib
+import struct
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -29,6 +30,27 @@ def beside(text, content):
     return text + b'\0' + content
 
 
+def spirv(*instructions):
+    """A module of the instructions, tuples of an opcode and operands; `main` is of each stage."""
+    entries = [(15, model, 1, 0x6e69616d, 0, 2, 3, 4) for model in (0, 4, 5)]
+    words = [0x07230203, 0x10600, 0, 32, 0]
+    for op, *operands in (*entries, *instructions, (54, 10, 1, 0, 11), (61, 12, 13, 2),
+                          (61, 12, 20, 3), (61, 12, 21, 4), (56,)):
+        words += [(len(operands) + 1) << 16 | op, *operands]
+    return struct.pack(f'<{len(words)}I', *words)
+
+
+def seeds_of_shaders():
+    """A byte for the stage, and code with push constants, an array of images, an input."""
+    interface = ((5, 3, 0x70), (71, 3, 33, 0), (71, 3, 34, 0), (71, 4, 30, 0), (72, 6, 0, 35, 4),
+                 (71, 9, 1, 3), (22, 5, 32), (30, 6, 5), (32, 7, 9, 6), (59, 7, 2, 9),
+                 (21, 8, 32, 0), (50, 8, 9, 2), (25, 14, 5, 1, 0, 0, 0, 1, 0), (27, 15, 14),
+                 (28, 16, 15, 9), (32, 17, 0, 16), (59, 17, 3, 0), (23, 18, 5, 4),
+                 (32, 19, 1, 18), (59, 19, 4, 1))
+    for stage in range(3):
+        yield bytes([stage]) + spirv(*interface)
+
+
 def seeds():
     """Pairs of a fuzzer's name and bytes."""
     for name, texts in TEXTS.items():
@@ -37,6 +59,7 @@ def seeds():
             yield name, text.encode()
     for number in range(64):  # the random graphs themselves
         yield 'rg_compile', bytes([number])
+    yield from (('rg_shaders', content) for content in seeds_of_shaders())
     for entry in corpus():
         if len(entry.content) <= SIZE_MAX and entry.kind not in SLOW:
             yield READERS[entry.name.rsplit('.', 1)[1]], entry.content

@@ -281,7 +281,7 @@ static void test_every_case(void **state)
     };
     bool provoked[RG_ERROR_COUNT] = { false };
     fault_case_check(tables, sizeof(tables) / sizeof(tables[0]), provoked);
-    for (int error = RG_ERROR_VALUE; error < RG_ERROR_COUNT; error++)
+    for (int error = RG_ERROR_VALUE; error <= RG_ERROR_DEVICE; error++)
         assert_true(provoked[error]);
 }
 

@@ -1,16 +1,15 @@
 /*
- * Rows and shaders agree: bindings, push constants, the layout of shared structs, vertex fields,
- * targets. Looked up in the embedded SPIR-V of every row that a frame can have: all techniques are
- * asked for their rows, with each two values of all settings that may change these.
+ * Rows and shaders agree, as rg_compile() checks, and so do the structs that C and GLSL share. Each
+ * row that a frame can have is looked at: all techniques are asked for their rows, with each two
+ * values of all settings that may change these.
  */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "graph/compile/spirv.h"
 #include "src/frame/list.h"
 #include "src/tech/techniques.h"
 #include "tests/support/check.h"
-#include "tests/support/spirv.h"
 #include "tests/unit/shared_headers.inc"
 
 extern const struct technique VIEW_DECLARED;
@@ -34,19 +33,10 @@ static const struct shared shared_structs[] = {
 };
 
 enum {
-    SHARED_COUNT = sizeof(shared_structs) / sizeof(shared_structs[0]),
-    LOCATIONS = 32,
-    BINDINGS = 32,
+    SHARED_COUNT = sizeof(shared_structs) / sizeof(shared_structs[0])
 };
 
 /* ---- one row ---- */
-
-/* What the shaders of a row were seen to use. */
-struct seen {
-    const struct rg_pass *row;
-    uint32_t bindings;  /* bit b: binding b */
-    uint32_t push_size; /* bytes of the C struct */
-};
 
 /* What failed is said in words. */
 #define CHECK(condition, ...) \
@@ -58,7 +48,7 @@ struct seen {
     } while (0)
 
 /* A block holds one struct that C knows, member by member. */
-static const struct shared *check_block(const struct spirv *s, uint32_t type)
+static void check_block(const struct spirv *s, uint32_t type)
 {
     const char *shader = s->shader->name;
     uint32_t count;
@@ -83,154 +73,48 @@ static const struct shared *check_block(const struct spirv *s, uint32_t type)
     }
     CHECK(!shared->fields[count].name, "%s: %s lacks %s\n", shader, name,
           shared->fields[count].name);
-    return shared;
 }
 
-static const struct rg_use *find_binding(const struct rg_pass *row, uint32_t binding)
+static void check_blocks(const struct rg_shader *shader, VkShaderStageFlagBits stage)
 {
-    for (const struct rg_use *use = row->uses; use && use->access; use++) {
-        const struct rg_access_info *info = rg_access_info(use->access);
-        VkDescriptorType type = use->image ? info->image_descriptor : info->buffer_descriptor;
-        if (type != VK_DESCRIPTOR_TYPE_MAX_ENUM && use->binding == binding)
-            return use;
-    }
-    return NULL;
-}
-
-static VkDescriptorType descriptor_type(const struct spirv *s, const struct spirv_variable *v)
-{
-    struct spirv_image image;
-    if (v->storage == SPIRV_UNIFORM)
-        return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    if (v->storage == SPIRV_STORAGE_BUFFER)
-        return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    if (!spirv_image(s, v->type, &image))
-        return VK_DESCRIPTOR_TYPE_MAX_ENUM;
-    return image.sampled ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-                         : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-}
-
-static void check_image(const struct spirv *s, const struct spirv_variable *v,
-                        const struct rg_image *image)
-{
-    struct spirv_image shown;
-    assert_true(spirv_image(s, v->type, &shown));
-    bool array = !image->cube && (image->array || image->layers > 1);
-    CHECK((shown.dim == SPIRV_DIM_CUBE) == image->cube, "%s: %s is or is no cube\n",
-          s->shader->name, image->name);
-    CHECK(shown.arrayed == array, "%s: %s is or is no array\n", s->shader->name, image->name);
-}
-
-static void check_descriptor(const struct spirv *s, const struct spirv_variable *v,
-                             struct seen *seen)
-{
-    const char *shader = s->shader->name;
-    CHECK(v->set == 0 && v->binding < BINDINGS, "%s: set %u, binding %u\n", shader, v->set,
-          v->binding);
-    const struct rg_use *use = find_binding(seen->row, v->binding);
-    CHECK(use, "%s: %s has no binding %u\n", seen->row->name, shader, v->binding);
-    const struct rg_access_info *info = rg_access_info(use->access);
-    CHECK(descriptor_type(s, v) == (use->image ? info->image_descriptor : info->buffer_descriptor),
-          "%s: binding %u is something else in %s\n", seen->row->name, v->binding, shader);
-    seen->bindings |= 1u << v->binding;
-    if (use->image)
-        check_image(s, v, use->image);
-    else if (v->storage == SPIRV_UNIFORM)
-        assert_int_equal(check_block(s, v->type)->size, use->buffer->size);
-}
-
-static void check_vertex_input(const struct spirv *s, const struct spirv_variable *v,
-                               const struct rg_pass *row)
-{
-    const VkVertexInputAttributeDescription *field = NULL;
-    for (uint32_t i = 0; row->vertices && i < row->vertices->attribute_count; i++) {
-        if (row->vertices->attributes[i].location == v->location)
-            field = &row->vertices->attributes[i];
-    }
-    CHECK(field, "%s: no vertex field at location %u\n", row->name, v->location);
-    char component = field && field->format == VK_FORMAT_R32_UINT ? 'u' : 'f';
-    CHECK(spirv_component(s, v->type) == component, "%s: location %u is another type\n", row->name,
-          v->location);
-}
-
-/* Returns the locations of a shader's inputs or outputs, bit l for location l. */
-static uint32_t locations(const struct spirv *s, uint32_t storage)
-{
-    uint32_t bits = 0;
-    for (uint32_t i = 0; i < s->variable_count; i++) {
-        const struct spirv_variable *v = &s->variables[i];
-        if (v->storage != storage || v->location == SPIRV_NONE)
-            continue;
-        assert_true(v->location < LOCATIONS);
-        bits |= 1u << v->location;
-    }
-    return bits;
-}
-
-static void check_resources(const struct spirv *s, struct seen *seen)
-{
-    for (uint32_t i = 0; i < s->variable_count; i++) {
-        const struct spirv_variable *v = &s->variables[i];
-        bool descriptor = v->storage == SPIRV_UNIFORM || v->storage == SPIRV_UNIFORM_CONSTANT ||
-                          v->storage == SPIRV_STORAGE_BUFFER;
-        if (descriptor && v->used)
-            check_descriptor(s, v, seen);
-        if (v->storage == SPIRV_PUSH_CONSTANT)
-            seen->push_size = (uint32_t)check_block(s, v->type)->size;
-    }
-}
-
-static void open_shader(struct spirv *s, const struct rg_shader *shader)
-{
-    CHECK(spirv_init(s, shader), "%s is no SPIR-V\n", shader->name);
-}
-
-static void check_raster(const struct rg_pass *row, struct seen *seen)
-{
-    struct spirv vert;
-    open_shader(&vert, row->vert);
-    check_resources(&vert, seen);
-    for (uint32_t i = 0; i < vert.variable_count; i++) {
-        const struct spirv_variable *v = &vert.variables[i];
-        if (v->storage == SPIRV_INPUT && v->location != SPIRV_NONE)
-            check_vertex_input(&vert, v, row);
-    }
-    uint32_t passed = locations(&vert, SPIRV_OUTPUT);
-    spirv_finish(&vert);
-    uint32_t color_count = 0;
-    while (color_count < row->color_count && row->color[color_count].image)
-        color_count++;
-    if (!row->frag) {
-        assert_int_equal(color_count, 0);
+    struct arena arena;
+    struct spirv s = { 0 };
+    if (!shader)
         return;
+    rg_arena_init(&arena, NULL, 0);
+    const char *trouble = spirv_read(&s, &arena, shader, stage);
+    CHECK(!trouble && !arena.failed, "%s: %s\n", shader->name, trouble);
+    for (uint32_t i = 0; i < s.variable_count; i++) {
+        const struct spirv_variable *v = &s.variables[i];
+        if (v->storage == SPIRV_PUSH_CONSTANT || (v->storage == SPIRV_UNIFORM && v->used))
+            check_block(&s, v->type);
     }
-    struct spirv frag;
-    open_shader(&frag, row->frag);
-    check_resources(&frag, seen);
-    CHECK(!(locations(&frag, SPIRV_INPUT) & ~passed), "%s: %s does not write all that %s reads\n",
-          row->name, row->vert->name, row->frag->name);
-    CHECK(locations(&frag, SPIRV_OUTPUT) == (1u << color_count) - 1,
-          "%s: %u targets are not what %s writes\n", row->name, color_count, row->frag->name);
-    spirv_finish(&frag);
+    rg_arena_finish(&arena);
 }
 
-static void check_row(const struct rg_pass *row, struct seen *seen)
+/* The row alone, which has faults of other kinds: it reads what nothing writes. */
+static void check_row(const struct rg_pass *row)
 {
-    seen->row = row;
-    seen->bindings = seen->push_size = 0;
-    if (row->kind == RG_RASTER) {
-        check_raster(row, seen);
-    } else if (row->kind == RG_COMPUTE) {
-        struct spirv comp;
-        open_shader(&comp, row->comp);
-        check_resources(&comp, seen);
-        spirv_finish(&comp);
+    const struct rg_technique technique = { "row", row, 1 };
+    const struct rg_technique *const list[] = { &technique };
+    struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
+        .techniques = list,
+        .technique_count = 1,
+        .view = { 64, 64 },
+    });
+    assert_non_null(plan);
+    for (uint32_t i = 0; i < plan->fault_count; i++) {
+        char text[512];
+        rg_fault_text(&plan->faults[i], text, sizeof(text));
+        CHECK(plan->faults[i].error < RG_ERROR_SHADER, "%s\n", text);
+        CHECK(plan->faults[i].error == RG_ERROR_NO_OUTPUT ||
+                  plan->faults[i].error == RG_ERROR_READ_BEFORE_WRITE,
+              "not compared with its shaders: %s\n", text);
     }
-    for (uint32_t b = 0; b < BINDINGS; b++)
-        CHECK(!find_binding(row, b) || (seen->bindings & 1u << b),
-              "%s: no shader uses binding %u\n", row->name, b);
-    CHECK(row->push_size == seen->push_size, "%s pushes %u bytes, its shaders read %u\n", row->name,
-          row->push_size, seen->push_size);
+    rg_plan_destroy(plan);
+    check_blocks(row->vert, VK_SHADER_STAGE_VERTEX_BIT);
+    check_blocks(row->frag, VK_SHADER_STAGE_FRAGMENT_BIT);
+    check_blocks(row->comp, VK_SHADER_STAGE_COMPUTE_BIT);
 }
 
 /* ---- all rows ---- */
@@ -239,7 +123,6 @@ static void check_row(const struct rg_pass *row, struct seen *seen)
 struct checked {
     uint64_t *hashes;
     size_t count, room;
-    struct seen seen;
 };
 
 static uint64_t mix(uint64_t hash, const void *data, size_t size)
@@ -280,7 +163,7 @@ static void check_once(const struct rg_pass *row, struct checked *checked)
         assert_non_null(checked->hashes);
     }
     checked->hashes[checked->count++] = hash;
-    check_row(row, &checked->seen);
+    check_row(row);
 }
 
 static void check_table(const struct rg_technique *technique, struct checked *checked)

@@ -1,0 +1,543 @@
+/* check_shaders.c: what is wrong between a row and the SPIR-V of its shaders. */
+#include <stdarg.h>
+#include "graph/compile/compiler.h"
+
+/* The shaders of the row at work. */
+struct shaders {
+    struct compiler *c;
+    const struct rg_pass *row;
+    const struct spirv *stages[2]; /* vertex and fragment, or compute */
+    uint32_t count;
+};
+
+/* Adds a fault whose hint is made like printf() makes it. */
+__attribute__((cold, format(printf, 4, 5))) static void
+fault(const struct shaders *s, enum rg_error error, const char *resource, const char *format, ...)
+{
+    char text[256];
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(text, sizeof(text), format, arguments);
+    va_end(arguments);
+    size_t size = length < (int)sizeof(text) ? (size_t)length + 1 : sizeof(text);
+    char *hint = ARENA_ARRAY(s->c->arena, char, size);
+    if (!hint)
+        return;
+    for (size_t i = 0; i < size; i++)
+        hint[i] = text[i];
+    rg_fault(s->c, error, resource, hint);
+}
+
+static const char *shader_of(const struct spirv *s)
+{
+    return s->shader->name ? s->shader->name : "?";
+}
+
+/* ---- push constants ---- */
+
+static void check_push(const struct shaders *s)
+{
+    uint32_t least = 0; /* bytes that shaders read */
+    uint32_t most = 0;  /* bytes that they declare */
+    const char *shader = "its shaders";
+    const char *block = NULL;
+    for (uint32_t i = 0; i < s->count; i++) {
+        for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
+            const struct spirv_variable *v = &s->stages[i]->variables[k];
+            uint32_t size = v->storage == SPIRV_PUSH_CONSTANT
+                                ? (spirv_struct_size(s->stages[i], v->type) + 3) & ~3u
+                                : 0;
+            most = size > most ? size : most;
+            if (!v->used || size <= least)
+                continue;
+            least = size;
+            shader = shader_of(s->stages[i]);
+            block = spirv_name(s->stages[i], v);
+        }
+    }
+    uint32_t size = s->row->push_size;
+    if (size < least || size > (most + 15) / 16 * 16) /* C may pad a struct */
+        fault(s, RG_ERROR_SHADER_PUSH, block, "push_size: expected the %u bytes of %s, got %u",
+              least ? least : most, shader, size);
+}
+
+/* ---- descriptors ---- */
+
+static const char *descriptor_name(VkDescriptorType type)
+{
+    static const char *const names[] = {
+        [VK_DESCRIPTOR_TYPE_SAMPLER] = "a sampler",
+        [VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER] = "an image with a sampler",
+        [VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE] = "an image to sample",
+        [VK_DESCRIPTOR_TYPE_STORAGE_IMAGE] = "a storage image",
+        [VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER] = "a uniform texel buffer",
+        [VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER] = "a storage texel buffer",
+        [VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER] = "a uniform buffer",
+        [VK_DESCRIPTOR_TYPE_STORAGE_BUFFER] = "a storage buffer",
+    };
+    return (unsigned)type < sizeof(names) / sizeof(names[0]) && names[type] ? names[type]
+                                                                            : "something else";
+}
+
+static VkDescriptorType use_descriptor(const struct rg_use *use)
+{
+    const struct rg_access_info *info = &rg_access_table[use->access];
+    return use->image ? info->image_descriptor : info->buffer_descriptor;
+}
+
+static const char *use_name(const struct rg_use *use)
+{
+    const char *name = use->image ? use->image->name : use->buffer->name;
+    return name ? name : "?";
+}
+
+/* Whether a descriptor of the first type serves a variable of the second. */
+static bool serves(VkDescriptorType type, VkDescriptorType variable)
+{
+    return type == variable || (type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER &&
+                                (variable == VK_DESCRIPTOR_TYPE_SAMPLER ||
+                                 variable == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE));
+}
+
+static const struct rg_use *find_binding(const struct rg_pass *row, uint32_t binding)
+{
+    for (const struct rg_use *use = row->uses; use && rg_is_use(use); use++) {
+        if (rg_is_shader_access(use->access) && use->binding == binding)
+            return use;
+    }
+    return NULL;
+}
+
+/* Whether one of the first `count` shaders uses a binding. */
+static bool is_bound(const struct shaders *s, uint32_t count, uint32_t binding)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
+            const struct spirv_variable *v = &s->stages[i]->variables[k];
+            uint32_t number;
+            if (v->used && v->binding == binding &&
+                spirv_descriptor(s->stages[i], v, &number) != VK_DESCRIPTOR_TYPE_MAX_ENUM)
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Returns the use that no shader reads with the number `index` among these. */
+static const struct rg_use *find_unused(const struct shaders *s, uint32_t index)
+{
+    for (const struct rg_use *use = s->row->uses; use && rg_is_use(use); use++) {
+        if (rg_is_shader_access(use->access) && !is_bound(s, s->count, use->binding) && !index--)
+            return use;
+    }
+    return NULL;
+}
+
+/* The formats of SPIR-V, in the order of their numbers. */
+static const VkFormat storage_formats[] = {
+    VK_FORMAT_UNDEFINED,
+    VK_FORMAT_R32G32B32A32_SFLOAT,
+    VK_FORMAT_R16G16B16A16_SFLOAT,
+    VK_FORMAT_R32_SFLOAT,
+    VK_FORMAT_R8G8B8A8_UNORM,
+    VK_FORMAT_R8G8B8A8_SNORM,
+    VK_FORMAT_R32G32_SFLOAT,
+    VK_FORMAT_R16G16_SFLOAT,
+    VK_FORMAT_B10G11R11_UFLOAT_PACK32,
+    VK_FORMAT_R16_SFLOAT,
+    VK_FORMAT_R16G16B16A16_UNORM,
+    VK_FORMAT_A2B10G10R10_UNORM_PACK32,
+    VK_FORMAT_R16G16_UNORM,
+    VK_FORMAT_R8G8_UNORM,
+    VK_FORMAT_R16_UNORM,
+    VK_FORMAT_R8_UNORM,
+    VK_FORMAT_R16G16B16A16_SNORM,
+    VK_FORMAT_R16G16_SNORM,
+    VK_FORMAT_R8G8_SNORM,
+    VK_FORMAT_R16_SNORM,
+    VK_FORMAT_R8_SNORM,
+    VK_FORMAT_R32G32B32A32_SINT,
+    VK_FORMAT_R16G16B16A16_SINT,
+    VK_FORMAT_R8G8B8A8_SINT,
+    VK_FORMAT_R32_SINT,
+    VK_FORMAT_R32G32_SINT,
+    VK_FORMAT_R16G16_SINT,
+    VK_FORMAT_R8G8_SINT,
+    VK_FORMAT_R16_SINT,
+    VK_FORMAT_R8_SINT,
+    VK_FORMAT_R32G32B32A32_UINT,
+    VK_FORMAT_R16G16B16A16_UINT,
+    VK_FORMAT_R8G8B8A8_UINT,
+    VK_FORMAT_R32_UINT,
+    VK_FORMAT_A2B10G10R10_UINT_PACK32,
+    VK_FORMAT_R32G32_UINT,
+    VK_FORMAT_R16G16_UINT,
+    VK_FORMAT_R8G8_UINT,
+    VK_FORMAT_R16_UINT,
+    VK_FORMAT_R8_UINT,
+};
+
+static const char *format_name(VkFormat format)
+{
+    const struct rg_format_info *info = rg_format_info(format);
+    return info ? info->name : "a format that the graph lacks";
+}
+
+/* The component type that shaders see in an aspect of an image; '?': unknown. */
+static char component_of(const struct rg_image *image, VkImageAspectFlags aspect)
+{
+    const struct rg_format_info *format = rg_format_info(image->format);
+    if (!format)
+        return '?';
+    if (format->is_uint || aspect == VK_IMAGE_ASPECT_STENCIL_BIT)
+        return 'u';
+    return format->is_sint ? 'i' : 'f';
+}
+
+static const char *component_name(char component)
+{
+    return component == 'f' ? "float" : component == 'i' ? "int" : component == 'u' ? "uint" : "?";
+}
+
+/* An import may have another number of layers than it was declared with. */
+static uint32_t layer_count(const struct shaders *s, const struct rg_image *image)
+{
+    const struct rg_compile_params *params = s->c->params;
+    for (size_t i = 0; i < params->import_count; i++) {
+        if (params->imports[i].image == image && params->imports[i].layers)
+            return params->imports[i].layers;
+    }
+    return image->layers ? image->layers : image->cube ? 6 : 1;
+}
+
+static void check_image(const struct shaders *s, const struct spirv *stage,
+                        const struct spirv_variable *v, const struct spirv_image *seen,
+                        const struct rg_use *use)
+{
+    const char *name = spirv_name(stage, v);
+    const struct rg_image *image = use->image;
+    const struct rg_range *range = &use->range;
+    uint32_t layers = layer_count(s, image);
+    uint32_t named = range->each && s->row->repeat == RG_PER_LAYER ? 1
+                     : range->layer_count                          ? range->layer_count
+                                                                   : layers - range->layer;
+    bool cube = image->cube && use->access == RG_SAMPLED && named == 6;
+    bool array = !cube && (layers > 1 || image->array);
+    bool several = image->samples > 1;
+    const char *is = cube ? "a cube" : array ? "a 2D array" : several ? "multisampled" : "2D";
+    VkFormat format = seen->format < sizeof(storage_formats) / sizeof(storage_formats[0])
+                          ? storage_formats[seen->format]
+                          : VK_FORMAT_UNDEFINED;
+    char component = component_of(image, range->aspect);
+    if ((seen->dim == SPIRV_DIM_CUBE) != cube || (seen->dim != SPIRV_DIM_2D && !cube) ||
+        seen->arrayed != array || seen->multisampled != several)
+        fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' is %s in the row", v->binding,
+              use_name(use), is);
+    else if (format && format != image->format)
+        fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: format %s is not the %s of '%s'",
+              v->binding, format_name(format), format_name(image->format), use_name(use));
+    else if (component != '?' && seen->component != component)
+        fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' has texels of %s, not of %s",
+              v->binding, use_name(use), component_name(component),
+              component_name(seen->component));
+}
+
+static void check_uniform(const struct shaders *s, const struct spirv *stage,
+                          const struct spirv_variable *v, const struct rg_use *use)
+{
+    const struct rg_compile_params *params = s->c->params;
+    uint32_t needed = spirv_struct_size(stage, v->type);
+    VkDeviceSize size = use->buffer->size;
+    for (size_t i = 0; i < params->import_count; i++) {
+        if (params->imports[i].buffer == use->buffer && params->imports[i].size)
+            size = params->imports[i].size;
+    }
+    if (!use->buffer->size_per_texel && size < needed)
+        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+              "binding %u: expected %u bytes or more, '%s' has %llu", v->binding, needed,
+              use_name(use), (unsigned long long)size);
+}
+
+static void check_use(const struct shaders *s, const struct spirv *stage,
+                      const struct spirv_variable *v, const struct rg_use *use,
+                      VkPipelineStageFlags2 in)
+{
+    struct spirv_image image;
+    uint32_t count;
+    VkDescriptorType type = spirv_descriptor(stage, v, &count);
+    if (!serves(use_descriptor(use), type))
+        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+              "binding %u is %s in '%s', '%s' is %s", v->binding, descriptor_name(type),
+              shader_of(stage), use_name(use), descriptor_name(use_descriptor(use)));
+    else if (count != 1)
+        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+              "binding %u: an array of %u descriptors; a use is one", v->binding, count);
+    else if (!(rg_use_stages(s->row, use) & in))
+        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+              "binding %u: name the stage of '%s' in .stages of '%s'", v->binding, shader_of(stage),
+              use_name(use));
+    else if (use->image && spirv_image(stage, v->type, &image))
+        check_image(s, stage, v, &image, use);
+    else if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
+        check_uniform(s, stage, v, use);
+}
+
+/* A shader uses a binding that the row lacks: often it is a use of the row with another number. */
+static void miss_binding(const struct shaders *s, const struct spirv *stage,
+                         const struct spirv_variable *v, uint32_t *missing)
+{
+    const struct rg_use *other = find_unused(s, (*missing)++);
+    if (v->set)
+        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+              "it is in set %u of '%s': use set 0", v->set, shader_of(stage));
+    else if (other)
+        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+              "binding %u of '%s' is not in the row; no shader uses binding %u ('%s')", v->binding,
+              shader_of(stage), other->binding, use_name(other));
+    else
+        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+              "binding %u of '%s' is not in the row", v->binding, shader_of(stage));
+}
+
+static void check_bindings(const struct shaders *s)
+{
+    static const VkPipelineStageFlags2 raster[] = { VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
+                                                    VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT };
+    uint32_t missing = 0;
+    for (uint32_t i = 0; i < s->count; i++) {
+        for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
+            const struct spirv_variable *v = &s->stages[i]->variables[k];
+            uint32_t number;
+            if (!v->used ||
+                spirv_descriptor(s->stages[i], v, &number) == VK_DESCRIPTOR_TYPE_MAX_ENUM)
+                continue;
+            const struct rg_use *use = v->set ? NULL : find_binding(s->row, v->binding);
+            if (use)
+                check_use(s, s->stages[i], v, use,
+                          s->row->kind == RG_COMPUTE ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
+                                                     : raster[i]);
+            else if (!is_bound(s, i, v->binding))
+                miss_binding(s, s->stages[i], v, &missing);
+        }
+    }
+    for (const struct rg_use *use; (use = find_unused(s, missing)); missing++)
+        fault(s, RG_ERROR_SHADER_BINDING, use_name(use), "binding %u: no shader of the row uses it",
+              use->binding);
+}
+
+/* ---- vertices and targets ---- */
+
+/* Formats of as many components, one kind of number after another: 'f', 'u', 'i'. */
+struct format_group {
+    VkFormat first;
+    uint32_t components;
+    const char *kinds;
+};
+
+static const struct format_group format_groups[] = {
+    { VK_FORMAT_R4G4_UNORM_PACK8, 2, "f" },
+    { VK_FORMAT_R4G4B4A4_UNORM_PACK16, 4, "ff" },
+    { VK_FORMAT_R5G6B5_UNORM_PACK16, 3, "ff" },
+    { VK_FORMAT_R5G5B5A1_UNORM_PACK16, 4, "fff" },
+    { VK_FORMAT_R8_UNORM, 1, "ffffuif" },
+    { VK_FORMAT_R8G8_UNORM, 2, "ffffuif" },
+    { VK_FORMAT_R8G8B8_UNORM, 3, "ffffuifffffuif" },
+    { VK_FORMAT_R8G8B8A8_UNORM, 4, "ffffuifffffuifffffuifffffuiffffui" },
+    { VK_FORMAT_R16_UNORM, 1, "ffffuif" },
+    { VK_FORMAT_R16G16_UNORM, 2, "ffffuif" },
+    { VK_FORMAT_R16G16B16_UNORM, 3, "ffffuif" },
+    { VK_FORMAT_R16G16B16A16_UNORM, 4, "ffffuif" },
+    { VK_FORMAT_R32_UINT, 1, "uif" },
+    { VK_FORMAT_R32G32_UINT, 2, "uif" },
+    { VK_FORMAT_R32G32B32_UINT, 3, "uif" },
+    { VK_FORMAT_R32G32B32A32_UINT, 4, "uif" },
+    { VK_FORMAT_R64_UINT, 1, "????????????" },
+    { VK_FORMAT_B10G11R11_UFLOAT_PACK32, 3, "ff" },
+    { VK_FORMAT_E5B9G9R9_UFLOAT_PACK32 + 1, 0, "" },
+};
+
+static char vertex_component(VkFormat format, uint32_t *count)
+{
+    const struct format_group *group = format_groups;
+    while (group[1].components && format >= group[1].first)
+        group++;
+    *count = group->components;
+    return group->kinds[format - group->first];
+}
+
+static void check_attribute(const struct shaders *s, const struct spirv_variable *v,
+                            uint32_t location)
+{
+    const struct rg_vertex_layout *layout = s->row->vertices;
+    const VkVertexInputAttributeDescription *a = NULL;
+    uint32_t count, given = 0;
+    for (uint32_t i = 0; layout && i < layout->attribute_count; i++) {
+        if (layout->attributes[i].location == location)
+            a = &layout->attributes[i];
+    }
+    char component = spirv_component(s->stages[0], v->type, &count);
+    char kind = '?';
+    if (a)
+        kind = vertex_component(a->format, &given);
+    if (!a)
+        fault(s, RG_ERROR_SHADER_VERTEX, spirv_name(s->stages[0], v),
+              "location %u of '%s' is in no vertex layout", location, shader_of(s->stages[0]));
+    else if (component != '?' && kind != '?' && (count > given || component != kind))
+        fault(s, RG_ERROR_SHADER_VERTEX, spirv_name(s->stages[0], v),
+              "location %u: '%s' reads %u x %s, the format has %u x %s", location,
+              shader_of(s->stages[0]), count, component_name(component), given,
+              component_name(kind));
+}
+
+/* Returns the locations of inputs or outputs. Bit 31: some that are higher. */
+static uint32_t locations(const struct spirv *s, uint32_t storage)
+{
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < s->variable_count; i++) {
+        const struct spirv_variable *v = &s->variables[i];
+        uint32_t count = spirv_locations(s, v->type);
+        if (v->storage != storage || !v->in_interface || v->location == SPIRV_NONE)
+            continue;
+        for (uint32_t k = 0; k < count && k < 32; k++)
+            bits |= v->location < 31 - k ? 1u << (v->location + k) : 1u << 31;
+    }
+    return bits;
+}
+
+static void check_vertices(const struct shaders *s)
+{
+    const struct spirv *vert = s->stages[0];
+    for (uint32_t i = 0; i < vert->variable_count; i++) {
+        const struct spirv_variable *v = &vert->variables[i];
+        uint32_t count = spirv_locations(vert, v->type);
+        bool is_input = v->storage == SPIRV_INPUT && v->used && v->location < RG_MAX_ATTRIBUTES;
+        for (uint32_t k = 0; is_input && k < count && k < RG_MAX_ATTRIBUTES; k++)
+            check_attribute(s, v, v->location + k);
+    }
+}
+
+static void check_output(const struct shaders *s, const struct spirv_variable *v)
+{
+    const struct spirv *frag = s->stages[1];
+    uint32_t color_count = rg_color_count(s->row);
+    uint32_t last = v->location + spirv_locations(frag, v->type) - 1;
+    if (last >= color_count) {
+        fault(s, RG_ERROR_SHADER_OUTPUT, spirv_name(frag, v), "output %u of '%s' has no target",
+              last, shader_of(frag));
+        return;
+    }
+    char component = spirv_component(frag, v->type, NULL);
+    const struct rg_image *image = s->row->color[v->location].image;
+    char wanted = component_of(image, 0);
+    if (component != '?' && wanted != '?' && component != wanted)
+        fault(s, RG_ERROR_SHADER_OUTPUT, spirv_name(frag, v),
+              "output %u of '%s' is %s, the target has %s", v->location, shader_of(frag),
+              component_name(component), component_name(wanted));
+}
+
+/* What the fragment shader reads of the vertex shader, and what it draws. */
+static void check_fragments(const struct shaders *s)
+{
+    const struct spirv *frag = s->stages[1];
+    uint32_t passed = locations(s->stages[0], SPIRV_OUTPUT);
+    uint32_t drawn = locations(frag, SPIRV_OUTPUT);
+    for (uint32_t i = 0; i < frag->variable_count; i++) {
+        const struct spirv_variable *v = &frag->variables[i];
+        bool is_placed = v->in_interface && v->location < 31;
+        if (is_placed && v->storage == SPIRV_OUTPUT)
+            check_output(s, v);
+        if (is_placed && v->used && v->storage == SPIRV_INPUT && !(passed >> v->location & 1))
+            fault(s, RG_ERROR_SHADER_INPUT, spirv_name(frag, v),
+                  "location %u of '%s' is no output of '%s'", v->location, shader_of(frag),
+                  shader_of(s->stages[0]));
+    }
+    for (uint32_t i = 0; i < rg_color_count(s->row); i++) {
+        if (!(drawn >> i & 1))
+            fault(s, RG_ERROR_SHADER_OUTPUT, s->row->color[i].image->name,
+                  "'%s' has no output %u for it", shader_of(frag), i);
+    }
+}
+
+/* ---- specialization constants ---- */
+
+/* Notes which constants of the params the shaders know. */
+static void check_constants(const struct shaders *s)
+{
+    const VkSpecializationInfo *given = s->c->params->constants;
+    for (uint32_t i = 0; i < s->count; i++) {
+        for (uint32_t k = 0; k < s->stages[i]->constant_count; k++) {
+            const struct spirv_constant *constant = &s->stages[i]->constants[k];
+            for (uint32_t g = 0; s->c->known_constants && g < given->mapEntryCount; g++) {
+                if (given->pMapEntries[g].constantID != constant->id)
+                    continue;
+                s->c->known_constants[g] = true;
+                if (given->pMapEntries[g].size != constant->size)
+                    fault(s, RG_ERROR_CONSTANT, NULL, "id %u has %u bytes in '%s', %zu here",
+                          constant->id, constant->size, shader_of(s->stages[i]),
+                          given->pMapEntries[g].size);
+            }
+        }
+    }
+}
+
+void rg_begin_constants(struct compiler *c)
+{
+    const VkSpecializationInfo *given = c->params->constants;
+    if (!given)
+        return;
+    RG_CHECK_TABLE(c, given, pMapEntries, mapEntryCount, RG_MAX_ROWS, NULL);
+    if (!rg_is_no_table(given->pMapEntries, given->mapEntryCount, RG_MAX_ROWS))
+        c->known_constants = ARENA_ZEROED(c->arena, bool, given->mapEntryCount);
+}
+
+void rg_end_constants(struct compiler *c)
+{
+    const struct shaders none = { .c = c };
+    const VkSpecializationInfo *given = c->params->constants;
+    for (uint32_t g = 0; c->known_constants && g < given->mapEntryCount; g++) {
+        if (!c->known_constants[g] && !c->has_wordless_shaders)
+            fault(&none, RG_ERROR_CONSTANT, NULL, "no shader has the id %u",
+                  given->pMapEntries[g].constantID);
+    }
+}
+
+/* ---- a row ---- */
+
+static bool open_stage(struct shaders *s, const struct rg_shader *shader,
+                       VkShaderStageFlagBits stage)
+{
+    struct spirv *module = &s->c->modules[s->count];
+    const char *trouble = spirv_read(module, s->c->arena, shader, stage);
+    if (trouble)
+        rg_fault(s->c, RG_ERROR_SHADER, shader->name ? shader->name : "?", trouble);
+    s->stages[s->count++] = module;
+    return !trouble && !s->c->arena->failed;
+}
+
+static bool has_words(const struct rg_shader *shader)
+{
+    return !shader || shader->word_count;
+}
+
+void rg_check_shaders(struct compiler *c, const struct rg_pass *row)
+{
+    struct shaders s = { .c = c, .row = row };
+    bool is_raster = row->kind == RG_RASTER;
+    if (row->kind == RG_TRANSFER)
+        return;
+    if (!(is_raster ? has_words(row->vert) && has_words(row->frag) : has_words(row->comp))) {
+        c->has_wordless_shaders = true;
+        return;
+    }
+    if (is_raster ? !open_stage(&s, row->vert, VK_SHADER_STAGE_VERTEX_BIT) ||
+                        (row->frag && !open_stage(&s, row->frag, VK_SHADER_STAGE_FRAGMENT_BIT))
+                  : !open_stage(&s, row->comp, VK_SHADER_STAGE_COMPUTE_BIT))
+        return;
+    check_push(&s);
+    check_bindings(&s);
+    check_constants(&s);
+    if (is_raster)
+        check_vertices(&s);
+    if (is_raster && row->frag)
+        check_fragments(&s);
+}

@@ -1,0 +1,323 @@
+/* Faults between a row and its shaders: each mistake is one fault, with the names of both. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "graph/rg.h"
+#include "tests/gpu/test_shaders.h"
+#include "tests/support/check.h"
+#include "tests/support/fault_case.h"
+
+#define COLOR_FORMAT VK_FORMAT_R8G8B8A8_UNORM
+
+static const struct rg_image target = { "target", COLOR_FORMAT };
+static const struct rg_image second = { "second", COLOR_FORMAT };
+static const struct rg_image thin = { "thin", VK_FORMAT_R16_SFLOAT };
+static const struct rg_image whole = { "whole", VK_FORMAT_R8G8B8A8_UINT };
+static const struct rg_image cube = { "cube", COLOR_FORMAT, .width = 8, .height = 8, .cube = true };
+static const struct rg_buffer camera = { "camera", 76, .memory = RG_MEMORY_UPLOAD };
+static const struct rg_buffer small = { "small", 64, .memory = RG_MEMORY_UPLOAD };
+static const struct rg_buffer lights = { "lights", 64, .memory = RG_MEMORY_UPLOAD };
+
+static const VkVertexInputAttributeDescription vec3[] = { { 0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0 } };
+static const VkVertexInputAttributeDescription vec2[] = { { 0, 0, VK_FORMAT_R32G32_SFLOAT, 0 } };
+static const VkVertexInputAttributeDescription uvec3[] = { { 0, 0, VK_FORMAT_R32G32B32_UINT, 0 } };
+static const VkVertexInputAttributeDescription late[] = { { 1, 0, VK_FORMAT_R32G32B32_SFLOAT, 0 } };
+static const struct rg_vertex_layout positions = { 12, 1, vec3 };
+static const struct rg_vertex_layout flat = { 12, 1, vec2 };
+static const struct rg_vertex_layout numbers = { 12, 1, uvec3 };
+static const struct rg_vertex_layout elsewhere = { 12, 1, late };
+
+/* ---- rows ---- */
+
+#define PICTURE(number) \
+    { \
+        .image = &fault_case_picture, .access = RG_SAMPLED, .binding = (number) \
+    }
+#define PICTURE_OF_VERTICES \
+    { \
+        .image = &fault_case_picture, .access = RG_SAMPLED, .binding = 2, \
+        .stages = 0x8 /* that of vertices */ \
+    }
+#define STORE(to) \
+    { \
+        .image = &(to), .access = RG_STORAGE_WRITE, .binding = 0 \
+    }
+#define STORE_SECOND \
+    { \
+        .image = &second, .access = RG_STORAGE_WRITE, .binding = 2 \
+    }
+#define UNIFORM(of) \
+    { \
+        .buffer = &(of), .access = RG_UNIFORM, .binding = 3 \
+    }
+#define LIGHTS \
+    { \
+        .buffer = &lights, .access = RG_STORAGE_READ, .binding = 4 \
+    }
+#define COMPUTES(push, ...) \
+    { \
+        .name = "compute", .kind = RG_COMPUTE, .comp = &match_comp, .push_size = (push), \
+        .record = small_graph_record, .uses = RG_USES(__VA_ARGS__) \
+    }
+#define DRAWS(push, layout, source, ...) \
+    { \
+        .name = "draw", .vert = &match_vert, .frag = &match_frag, .push_size = (push), \
+        .vertices = (layout), .record = small_graph_record, .color = RG_TARGETS(__VA_ARGS__), \
+        .uses = RG_USES(source) \
+    }
+#define SHADER(stage_, shader) \
+    { \
+        .name = "compute", .kind = RG_COMPUTE, .stage_ = &(shader), .record = small_graph_record, \
+        .uses = RG_USES(STORE(target)) \
+    }
+
+#define BOTH \
+    { &target, RG_LOAD_CLEAR }, \
+    { \
+        &second, RG_LOAD_CLEAR \
+    }
+
+static const struct rg_pass good_rows[] = {
+    COMPUTES(12, STORE(target), PICTURE(2), UNIFORM(camera), LIGHTS),
+    DRAWS(12, &positions, PICTURE(2), BOTH),
+};
+
+/* Code that is damaged, or has not what the row wants of it. */
+static const uint32_t no_words[] = { 1, 2, 3, 4, 5, 6, 7, 8 };
+static const struct rg_shader no_spirv = { "no_spirv", no_words, 8 };
+
+#define IS(kind, line, ...) \
+    { \
+        .error = (kind), .text = "bad row 0 " line, .row = true, .row_count = 1, .rows = { \
+            __VA_ARGS__ \
+        } \
+    }
+
+static const struct fault_case push_cases[] = {
+    IS(RG_ERROR_SHADER_PUSH,
+       "(draw): push push constants differ from those of the shader; push_size: expected the 12 "
+       "bytes of match_vert, got 0",
+       DRAWS(0, &positions, PICTURE(2), BOTH)),
+    IS(RG_ERROR_SHADER_PUSH,
+       "(draw): push push constants differ from those of the shader; push_size: expected the 12 "
+       "bytes of match_vert, got 8",
+       DRAWS(8, &positions, PICTURE(2), BOTH)),
+    IS(RG_ERROR_SHADER_PUSH,
+       "(draw): push push constants differ from those of the shader; push_size: expected the 12 "
+       "bytes of match_vert, got 20",
+       DRAWS(20, &positions, PICTURE(2), BOTH)),
+};
+
+#define BINDING "binding differs from that of the shader; "
+
+static const struct fault_case binding_cases[] = {
+    IS(RG_ERROR_SHADER_BINDING,
+       "(draw): source " BINDING
+       "binding 2 of 'match_frag' is not in the row; no shader uses binding 1 ('picture')",
+       DRAWS(12, &positions, PICTURE(1), BOTH)),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): Lights " BINDING "binding 4 of 'match_comp' is not in the row",
+       COMPUTES(12, STORE(target), PICTURE(2), UNIFORM(camera))),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): picture " BINDING "binding 1: no shader of the row uses it",
+       COMPUTES(12, STORE(target), PICTURE(1), PICTURE(2), UNIFORM(camera), LIGHTS)),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): source " BINDING
+       "binding 2 is an image with a sampler in 'match_comp', 'second' "
+       "is a storage image",
+       COMPUTES(12, STORE(target), STORE_SECOND, UNIFORM(camera), LIGHTS)),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): target " BINDING
+       "binding 0: format R8G8B8A8_UNORM is not the R16_SFLOAT of 'thin'",
+       COMPUTES(12, STORE(thin), PICTURE(2), UNIFORM(camera), LIGHTS)),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): target " BINDING
+       "binding 0: format R8G8B8A8_UNORM is not the R8G8B8A8_UINT of 'whole'",
+       COMPUTES(12, STORE(whole), PICTURE(2), UNIFORM(camera), LIGHTS)),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): target " BINDING "binding 0: 'cube' is a 2D array in the row",
+       COMPUTES(12, STORE(cube), PICTURE(2), UNIFORM(camera), LIGHTS)),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): camera " BINDING "binding 3: expected 76 bytes or more, 'small' has 64",
+       COMPUTES(12, STORE(target), PICTURE(2), UNIFORM(small), LIGHTS)),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(draw): source " BINDING
+       "binding 2: name the stage of 'match_frag' in .stages of 'picture'",
+       DRAWS(12, &positions, PICTURE_OF_VERTICES, BOTH)),
+};
+
+#define VERTEX         "vertex attribute differs from that of the shader; "
+#define OUTPUT_DIFFERS "target differs from the output of the shader; "
+
+static const struct fault_case raster_cases[] = {
+    IS(RG_ERROR_SHADER_VERTEX,
+       "(draw): position " VERTEX
+       "location 0: 'match_vert' reads 3 x float, the format has 2 x float",
+       DRAWS(12, &flat, PICTURE(2), BOTH)),
+    IS(RG_ERROR_SHADER_VERTEX,
+       "(draw): position " VERTEX
+       "location 0: 'match_vert' reads 3 x float, the format has 3 x uint",
+       DRAWS(12, &numbers, PICTURE(2), BOTH)),
+    IS(RG_ERROR_SHADER_VERTEX,
+       "(draw): position " VERTEX "location 0 of 'match_vert' is in no vertex layout",
+       DRAWS(12, &elsewhere, PICTURE(2), BOTH)),
+    IS(RG_ERROR_SHADER_OUTPUT,
+       "(draw): normal " OUTPUT_DIFFERS "output 1 of 'match_frag' has no target",
+       DRAWS(12, &positions, PICTURE(2), { &target, RG_LOAD_CLEAR })),
+    IS(RG_ERROR_SHADER_OUTPUT,
+       "(draw): other " OUTPUT_DIFFERS "'match_frag' has no output 2 for it",
+       DRAWS(12, &positions, PICTURE(2), BOTH, { &fault_case_other, RG_LOAD_CLEAR })),
+    IS(RG_ERROR_SHADER_OUTPUT,
+       "(draw): normal " OUTPUT_DIFFERS "output 1 of 'match_frag' is float, the target has uint",
+       DRAWS(12, &positions, PICTURE(2), { &target, RG_LOAD_CLEAR }, { &whole, RG_LOAD_CLEAR })),
+    { ROW(RG_ERROR_SHADER_INPUT, "uv",
+          { .name = "draw",
+            .vert = &triangle_vert,
+            .frag = &match_frag,
+            .push_size = 36,
+            .record = small_graph_record,
+            .color = RG_TARGETS(BOTH),
+            .uses = RG_USES(PICTURE(2)) }) },
+};
+
+static const struct fault_case shader_cases[] = {
+    IS(RG_ERROR_SHADER,
+       "(compute): no_spirv cannot be read; expected a SPIR-V module of this machine's byte order",
+       SHADER(comp, no_spirv)),
+    IS(RG_ERROR_SHADER,
+       "(compute): match_frag cannot be read; expected an entry point 'main' of this stage",
+       SHADER(comp, match_frag)),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): sources " BINDING "binding 1: an array of 2 descriptors; a use is one",
+       { .name = "compute",
+         .kind = RG_COMPUTE,
+         .comp = &match_array_comp,
+         .record = small_graph_record,
+         .uses = RG_USES(STORE(target), PICTURE(1)) }),
+};
+
+/* ---- constants ---- */
+
+static const float values[] = { 2.0F, 3.0F };
+static const VkSpecializationMapEntry known[] = { { 3, 0, 4 } };
+static const VkSpecializationMapEntry unknown[] = { { 3, 0, 4 }, { 9, 4, 4 } };
+static const VkSpecializationMapEntry wide[] = { { 3, 0, 8 } };
+static const VkSpecializationInfo known_info = { 1, known, 8, values };
+static const VkSpecializationInfo unknown_info = { 2, unknown, 8, values };
+static const VkSpecializationInfo wide_info = { 1, wide, 8, values };
+
+static const struct rg_pass fill_rows[] = {
+    DRAW("fill", .color = RG_TARGETS({ CLEARED(fault_case_picture) })),
+};
+static const struct rg_technique fill = RG_TECHNIQUE("fill", fill_rows);
+static const struct rg_technique good = RG_TECHNIQUE("good", good_rows);
+
+static struct rg_plan *compile_good(const VkSpecializationInfo *constants)
+{
+    static const struct rg_technique *const both[] = { &fill, &good };
+    const struct rg_technique *const list[] = { &good };
+    const struct rg_output output = { .image = &target, .access = RG_SAMPLED };
+    const struct rg_import picture = { .image = &fault_case_picture, .access = RG_SAMPLED };
+    /* all code is known if the picture comes from outside */
+    return rg_compile(&(struct rg_compile_params){
+        .techniques = constants ? list : both,
+        .technique_count = constants ? 1 : 2,
+        .view = { 64, 64 },
+        .outputs = &output,
+        .output_count = 1,
+        .imports = &picture,
+        .import_count = constants ? 1 : 0,
+        .constants = constants,
+    });
+}
+
+static void check_constants(const VkSpecializationInfo *constants, const char *expected)
+{
+    char text[256] = "";
+    struct rg_plan *plan = compile_good(constants);
+    assert_non_null(plan);
+    if (plan->fault_count != (expected ? 1 : 0))
+        rg_dump(plan, stderr);
+    assert_int_equal(plan->fault_count, expected ? 1 : 0);
+    if (expected) {
+        assert_int_equal(plan->faults[0].error, RG_ERROR_CONSTANT);
+        rg_fault_text(&plan->faults[0], text, sizeof(text));
+        assert_non_null(strstr(text, expected));
+    }
+    rg_plan_destroy(plan);
+}
+
+static void test_constants(void **state)
+{
+    (void)state;
+    check_constants(NULL, NULL);
+    check_constants(&known_info, NULL);
+    check_constants(&unknown_info, "no shader has the id 9");
+    check_constants(&wide_info, "id 3 has 4 bytes in 'match_comp', 8 here");
+}
+
+/* ---- rows ---- */
+
+static void test_every_case(void **state)
+{
+    static const struct fault_cases tables[] = {
+        FAULT_CASES(push_cases),
+        FAULT_CASES(binding_cases),
+        FAULT_CASES(raster_cases),
+        FAULT_CASES(shader_cases),
+    };
+    bool provoked[RG_ERROR_COUNT] = { false };
+    (void)state;
+    fault_case_check(tables, sizeof(tables) / sizeof(tables[0]), provoked);
+    for (int error = RG_ERROR_SHADER; error < RG_ERROR_CONSTANT; error++)
+        assert_true(provoked[error]);
+}
+
+/* Compiles a good row with damaged code. Nothing but the allocated words may be read. */
+static void compile_damaged(const uint32_t *words, size_t count)
+{
+    uint32_t *copy = malloc(count * sizeof(*copy));
+    assert_non_null(copy);
+    memcpy(copy, words, count * sizeof(*copy));
+    const struct rg_shader shader = { "damaged", copy, count };
+    struct rg_pass row = good_rows[0];
+    row.comp = &shader;
+    struct rg_plan *plan = fault_case_compile(&(struct fault_case){
+        .row_count = 1,
+        .rows = { row },
+    });
+    assert_non_null(plan);
+    rg_plan_destroy(plan);
+    free(copy);
+}
+
+/* Each word in turn becomes several others, and the module ends after each. */
+static void test_damaged_code(void **state)
+{
+    static const uint32_t instead[] = { 0, 1, UINT32_MAX, 0x00010000, 0x7fffffff };
+    const size_t count = match_comp.word_count;
+    (void)state;
+    uint32_t *words = malloc(count * sizeof(*words));
+    assert_non_null(words);
+    for (size_t i = 0; i < count; i++) {
+        memcpy(words, match_comp.words, count * sizeof(*words));
+        compile_damaged(words, i + 1);
+        for (size_t k = 0; k < sizeof(instead) / sizeof(instead[0]); k++) {
+            words[i] = instead[k];
+            compile_damaged(words, count);
+        }
+        words[i] = match_comp.words[(i * 7) % count];
+        compile_damaged(words, count);
+    }
+    free(words);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_case),
+        cmocka_unit_test(test_constants),
+        cmocka_unit_test(test_damaged_code),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
