@@ -340,6 +340,9 @@ struct rg_compile_params {
     const struct rg_technique *const *techniques; /* in the order in which they run */
     size_t technique_count;
     VkExtent2D view;       /* texels; required */
+    VkExtent2D max_view;   /* texels: each resource gets the memory that it needs in a view of this
+                              size, so that plans of all smaller views have equal memory, which
+                              rg_exec_update() keeps; 0x0 means the view */
     VkExtent2D max_region; /* texels: the largest one for rg_exec_set_region(), no larger than the
                               view; 0x0 means the view */
     const struct rg_output *outputs; /* what the frame is for; passes that none needs are culled */
@@ -421,19 +424,20 @@ struct rg_plan_image {
     uint32_t import;           /* index into the params' imports, or RG_NONE */
     uint32_t first, last;      /* plan passes that access it; an output's last is pass_count */
     uint32_t block;            /* index into blocks; RG_NONE unless transient */
-    VkDeviceSize offset, size; /* bytes, in the block */
+    VkDeviceSize offset, size; /* bytes, in the block; the size that its memory has */
 };
 
 /* A buffer that living passes access. */
 struct rg_plan_buffer {
     const struct rg_buffer *buffer;   /* the declaration */
     VkDeviceSize size;                /* bytes, without alignment */
+    VkDeviceSize max_size;            /* bytes in a view of max_view; in host memory it has them */
     VkBufferUsageFlags usage;         /* of all accesses */
     bool imported, persistent;        /* neither: transient */
     uint32_t import;                  /* index into the params' imports, or RG_NONE */
     uint32_t first, last;             /* plan passes, as of an image */
     uint32_t block;                   /* RG_NONE unless transient and RG_MEMORY_DEVICE */
-    VkDeviceSize offset, memory_size; /* bytes, in the block */
+    VkDeviceSize offset, memory_size; /* bytes, in the block; 0 in host memory */
 };
 
 /* Memory that transient images, or transient buffers, share. */

@@ -3,8 +3,8 @@
  *
  * When a record function is called, the pipeline, descriptor set 0, targets, viewport and scissor
  * of its row are bound: what is left is push constants, buffers and draws. All functions here write
- * into the command buffer of the pass, in the thread of rg_exec_submit(). None can fail, and a
- * `cmd` is valid only until its record function returns.
+ * into the command buffer of the pass, in the thread of rg_exec_submit(). None returns an error, and
+ * a `cmd` is valid only until its record function returns.
  */
 #ifndef RG_CMD_H
 #define RG_CMD_H
@@ -73,7 +73,8 @@ RG_API void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer 
 /*
  * Copies the first mip of the range that the row names of an image to a buffer, from byte `offset`
  * on: one layer after another, rows tight. The row names the image as RG_COPY_SRC and the buffer as
- * RG_COPY_DST.
+ * RG_COPY_DST. A copy beyond the end of the buffer is reported to rg_exec_params.log, and the
+ * frame is not submitted: rg_exec_submit() returns VK_ERROR_VALIDATION_FAILED_EXT.
  */
 RG_API void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *image,
                                         const struct rg_buffer *buffer, VkDeviceSize offset);

@@ -4,9 +4,11 @@
  * rg_exec_create() makes everything that a plan needs: memory, images, views, samplers,
  * descriptors, pipelines, command buffers. A frame allocates nothing. The device needs Vulkan 1.3
  * with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
- * separateDepthStencilLayouts enabled, and independentBlend where the targets of a row blend
- * differently. Functions are found through the program's own vkGetInstanceProcAddr: no loader is
- * linked, nothing is global, and executors of several instances can exist side by side.
+ * separateDepthStencilLayouts enabled, independentBlend where the targets of a row blend
+ * differently, fragmentStoresAndAtomics or vertexPipelineStoresAndAtomics where such shaders write.
+ * rg_exec_create() tells the log each feature that is missing. Functions are found through the
+ * program's own vkGetInstanceProcAddr: no loader is linked, nothing is global, and executors of
+ * several instances can exist side by side.
  *
  *     while (...) {
  *         rg_exec_begin(exec, &slot);                    waits until the slot is free
@@ -76,8 +78,11 @@ struct rg_exec_params {
     const VkSpecializationInfo *constants;
     rg_replace_shader_fn
         *replace_shader; /* called by rg_exec_create(); NULL: no shader is replaced */
-    rg_log_fn *log;      /* NULL: failures are not told */
-    void *user;          /* passed to both functions */
+    /* What the device was created with, with VkPhysicalDeviceVulkan12Features and ...13Features in
+     * pNext. NULL: all that it supports. Only read by rg_exec_create(). */
+    const VkPhysicalDeviceFeatures2 *features;
+    rg_log_fn *log; /* NULL: failures are not told */
+    void *user;     /* passed to both functions */
 };
 
 struct rg_exec; /* an executor of one plan */
@@ -85,6 +90,21 @@ struct rg_exec; /* an executor of one plan */
 /* Makes an executor. Returns NULL on failure. *result gets the reason, or VK_SUCCESS; `result` may
  * be NULL. The caller destroys the executor. */
 RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result);
+
+/*
+ * Puts another plan in the place of the executor's. What is the same in both stays: memory, images
+ * with their content if they are persistent, descriptors, pipelines (by their content, not by their
+ * address). So a change of the view, of a technique or of constants costs what has changed, and
+ * with rg_compile_params.max_view a change of the view keeps all memory and pipelines. Pipelines
+ * that the plan does not need stay for one more update, so that switching to and fro is cheap.
+ *
+ * Of `params` only plan, imports, constants, replace_shader and user count; all else stays as it
+ * was created. Waits for all submitted frames; not to be called between rg_exec_begin() and a
+ * submit. The former plan and its tables must exist until it returns. What rg_exec_image(),
+ * rg_exec_block() and rg_exec_mapped() have returned becomes invalid, and no region is set.
+ * Returns an error if a call fails.
+ */
+RG_API VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params);
 
 /* Waits for all submitted frames and frees everything. NULL is allowed. */
 RG_API void rg_exec_destroy(struct rg_exec *exec);

@@ -54,6 +54,8 @@ bool rg_check_params(struct compiler *c)
                 "max_region: expected two sides, or 0x0 for the view's");
     rg_fault_if(c, region.width > view.width || region.height > view.height, RG_ERROR_TOO_LARGE,
                 NULL, "max_region: expected no more than the view");
+    rg_fault_if(c, c->max_view.width < view.width || c->max_view.height < view.height,
+                RG_ERROR_TOO_LARGE, NULL, "view: expected no more than max_view");
     rg_fault_if(c, !params->output_count, RG_ERROR_NO_OUTPUT, NULL,
                 "without an output every pass is culled");
     RG_CHECK_ENUM(c, params, sharing, RG_SHARE_NOTHING, NULL, "enum rg_sharing");
@@ -78,6 +80,8 @@ static const char *image_trouble(const struct compiler *c, const struct resource
 {
     const VkImageSubresourceRange *all = &r->all;
     uint32_t side = r->extent.width > r->extent.height ? r->extent.width : r->extent.height;
+    uint32_t most =
+        r->max_extent.width > r->max_extent.height ? r->max_extent.width : r->max_extent.height;
     uint32_t samples = r->image->samples;
     *error = RG_ERROR_FORMAT;
     if (!r->format)
@@ -86,7 +90,7 @@ static const char *image_trouble(const struct compiler *c, const struct resource
     if (!(r->image->scale >= 0.0f))
         return "a scale is a positive number";
     *error = RG_ERROR_TOO_LARGE;
-    if (side > c->max_image_size || all->layerCount > c->max_layers)
+    if (most > c->max_image_size || all->layerCount > c->max_layers)
         return "make it smaller: the device has no images of this size";
     *error = RG_ERROR_CUBE;
     if (r->image->cube && (all->layerCount % 6 || r->extent.width != r->extent.height))
@@ -111,7 +115,7 @@ static const char *buffer_trouble(const struct resource *r, enum rg_error *error
     if (!r->size)
         return "give the buffer a size";
     *error = RG_ERROR_TOO_LARGE;
-    if (r->size == RG_SIZE_OVERFLOW)
+    if (r->size == RG_SIZE_OVERFLOW || r->max_size == RG_SIZE_OVERFLOW)
         return "make it smaller: no memory holds it";
     *error = RG_ERROR_PERSISTENT;
     if ((r->persistent || r->import != RG_NONE) && r->buffer->memory != RG_MEMORY_DEVICE)

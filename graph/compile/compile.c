@@ -76,6 +76,7 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
         .max_image_size = limit(device ? device->max_image_size : 0, 1u << 16),
         .max_layers = limit(device ? device->max_layers : 0, 1u << 14),
     };
+    c.max_view = params->max_view.width ? params->max_view : params->view;
     owned->plan.view = params->view;
     owned->plan.max_region = params->max_region.width ? params->max_region : params->view;
     rg_fault_if(&c, !given, RG_ERROR_TABLE, NULL, "rg_compile(): expected params, got NULL");

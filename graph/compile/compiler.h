@@ -66,9 +66,9 @@ struct resource {
     bool persistent;
     bool shared;                         /* transient: its memory is part of a block */
     VkImageSubresourceRange all;         /* of a buffer: one mip and layer of the colour aspect */
-    VkExtent2D extent;                   /* of an image */
+    VkExtent2D extent, max_extent;       /* of an image; and in a view of params->max_view */
     const struct rg_format_info *format; /* NULL: unknown, or a buffer */
-    VkDeviceSize size;                   /* of a buffer, bytes; or RG_SIZE_OVERFLOW */
+    VkDeviceSize size, max_size;         /* of a buffer, bytes; or RG_SIZE_OVERFLOW */
     uint32_t import, output;             /* index into the params' imports, outputs; or RG_NONE */
     uint32_t first, last;                /* plan passes that access it; first RG_NONE: unused */
     VkFlags usage;                       /* VkImageUsageFlags or VkBufferUsageFlags */
@@ -118,6 +118,7 @@ struct compiler {
     struct rg_plan *plan;
     struct arena *arena;
     uint32_t max_image_size, max_layers; /* the device's, or the compiler's own */
+    VkExtent2D max_view;
     uint32_t row_count;          /* of all techniques, about: how large arrays are at first */
     struct resource **resources; /* imports and outputs come first */
     uint32_t resource_count, resource_room;
@@ -366,6 +367,9 @@ static inline uint32_t rg_color_count(const struct rg_pass *pass)
 
 /* Adds imports and outputs, with their faults. */
 void rg_add_boundary(struct compiler *c);
+
+/* Returns the mip levels of a whole chain. */
+uint32_t rg_full_chain(VkExtent2D extent);
 
 /* Returns the resource of an image or a buffer; a new one is sized and checked. NULL: memory is
  * short. */

@@ -130,18 +130,28 @@ static struct rg_memory_requirements image_memory(const struct compiler *c,
     return device->image_memory(device->user, &info);
 }
 
-static struct rg_memory_requirements buffer_memory(const struct compiler *c,
-                                                   const struct rg_plan_buffer *buffer)
+static struct rg_memory_requirements buffer_memory(const struct compiler *c, VkDeviceSize size,
+                                                   VkBufferUsageFlags usage)
 {
     const struct rg_device *device = c->params->device;
     const VkBufferCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-        .size = buffer->size,
-        .usage = buffer->usage,
+        .size = size,
+        .usage = usage,
     };
     if (!device || !device->buffer_memory)
-        return (struct rg_memory_requirements){ buffer->size, 256, 1 };
+        return (struct rg_memory_requirements){ size, 256, 1 };
     return device->buffer_memory(device->user, &info);
+}
+
+/* Returns what suits an image, or buffer, both in the view and in the largest one. */
+static struct rg_memory_requirements both(struct rg_memory_requirements a,
+                                          const struct rg_memory_requirements *b)
+{
+    a.size = a.size > b->size ? a.size : b->size;
+    a.alignment = a.alignment > b->alignment ? a.alignment : b->alignment;
+    a.type_bits &= b->type_bits;
+    return a;
 }
 
 /* Of an item, or of a resource that shares its memory with nothing. */
@@ -190,7 +200,15 @@ static void list_image(struct compiler *c, struct resource *r)
     if (image->imported)
         return;
     check_samples(c, image);
-    const struct rg_memory_requirements needs = image_memory(c, image);
+    struct rg_memory_requirements needs = image_memory(c, image);
+    if (r->max_extent.width != r->extent.width || r->max_extent.height != r->extent.height) {
+        struct rg_plan_image largest = *image;
+        largest.extent = r->max_extent;
+        if (r->image->mips == RG_ALL_MIPS)
+            largest.mips = rg_full_chain(r->max_extent);
+        const struct rg_memory_requirements most = image_memory(c, &largest);
+        needs = both(needs, &most);
+    }
     image->size = needs.size;
     need_memory(c, r, &needs);
 }
@@ -209,9 +227,14 @@ static void list_buffer(struct compiler *c, struct resource *r)
         .last = r->last,
         .block = RG_NONE,
     };
+    buffer->max_size = r->max_size;
     if (buffer->imported || r->buffer->memory != RG_MEMORY_DEVICE)
         return;
-    const struct rg_memory_requirements needs = buffer_memory(c, buffer);
+    struct rg_memory_requirements needs = buffer_memory(c, buffer->size, buffer->usage);
+    if (r->max_size != r->size) {
+        const struct rg_memory_requirements most = buffer_memory(c, r->max_size, buffer->usage);
+        needs = both(needs, &most);
+    }
     buffer->memory_size = needs.size;
     need_memory(c, r, &needs);
 }

@@ -12,7 +12,7 @@ static uint32_t scaled(uint32_t view, float scale)
     return !(texels >= 1.0) ? 1 : texels > (double)UINT32_MAX ? UINT32_MAX : (uint32_t)texels;
 }
 
-static uint32_t full_chain(VkExtent2D extent)
+uint32_t rg_full_chain(VkExtent2D extent)
 {
     uint32_t side = extent.width > extent.height ? extent.width : extent.height;
     uint32_t mips = 1;
@@ -21,37 +21,48 @@ static uint32_t full_chain(VkExtent2D extent)
     return mips;
 }
 
-static VkExtent2D extent_of(const struct rg_compile_params *params, const struct rg_image *image)
+static VkExtent2D extent_of(const struct rg_compile_params *params, const struct rg_image *image,
+                            VkExtent2D view)
 {
     for (size_t i = 0; i < params->size_count; i++) {
         if (params->sizes[i].image == image)
             return params->sizes[i].extent;
     }
     return (VkExtent2D){
-        .width = image->width ? image->width : scaled(params->view.width, image->scale),
-        .height = image->height ? image->height : scaled(params->view.height, image->scale),
+        .width = image->width ? image->width : scaled(view.width, image->scale),
+        .height = image->height ? image->height : scaled(view.height, image->scale),
     };
 }
 
-static void size_image(struct resource *r, const struct rg_image *image,
-                       const struct rg_compile_params *params)
+static void size_image(struct resource *r, const struct rg_image *image, const struct compiler *c)
 {
     r->format = rg_format_info(image->format);
-    r->extent = extent_of(params, image);
+    r->extent = extent_of(c->params, image, c->params->view);
+    r->max_extent = extent_of(c->params, image, c->max_view);
     r->all.aspectMask = r->format ? r->format->aspects : VK_IMAGE_ASPECT_COLOR_BIT;
     r->all.layerCount = image->layers ? image->layers : image->cube ? 6 : 1;
-    r->all.levelCount = image->mips == RG_ALL_MIPS ? full_chain(r->extent)
+    r->all.levelCount = image->mips == RG_ALL_MIPS ? rg_full_chain(r->extent)
                         : image->mips              ? image->mips
                                                    : 1;
     r->persistent = image->persistent;
 }
 
-static void size_buffer(struct resource *r, const struct rg_buffer *buffer, VkExtent2D region)
+static VkDeviceSize buffer_size(const struct rg_buffer *buffer, VkExtent2D region)
 {
     uint64_t texels = (uint64_t)region.width * region.height;
-    if (__builtin_mul_overflow(texels, buffer->size_per_texel, &r->size) ||
-        __builtin_add_overflow(r->size, buffer->size, &r->size) || r->size > UINT64_MAX >> 16)
-        r->size = RG_SIZE_OVERFLOW;
+    VkDeviceSize size;
+    if (__builtin_mul_overflow(texels, buffer->size_per_texel, &size) ||
+        __builtin_add_overflow(size, buffer->size, &size) || size > UINT64_MAX >> 16)
+        return RG_SIZE_OVERFLOW;
+    return size;
+}
+
+static void size_buffer(struct resource *r, const struct rg_buffer *buffer,
+                        const struct compiler *c)
+{
+    r->size = buffer_size(buffer, c->plan->max_region);
+    r->max_size =
+        buffer_size(buffer, c->params->max_region.width ? c->plan->max_region : c->max_view);
     r->persistent = buffer->persistent;
 }
 
@@ -60,11 +71,11 @@ static void size_import(struct resource *r, const struct rg_import *import)
 {
     r->persistent = false;
     if (import->size)
-        r->size = import->size;
+        r->size = r->max_size = import->size;
     if (import->extent.width && import->extent.height) {
-        r->extent = import->extent;
+        r->extent = r->max_extent = import->extent;
         if (r->image && r->image->mips == RG_ALL_MIPS)
-            r->all.levelCount = full_chain(r->extent);
+            r->all.levelCount = rg_full_chain(r->extent);
     }
     if (r->image && import->layers)
         r->all.layerCount = import->layers;
@@ -120,9 +131,9 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
     r->output = r->first = r->last = RG_NONE;
     r->plan_image = r->plan_buffer = r->item = r->last_barrier = RG_NONE;
     if (image)
-        size_image(r, image, c->params);
+        size_image(r, image, c);
     else
-        size_buffer(r, buffer, c->plan->max_region);
+        size_buffer(r, buffer, c);
     if (import)
         size_import(r, import);
     r->shared = !import && !r->persistent && (image || buffer->memory == RG_MEMORY_DEVICE);

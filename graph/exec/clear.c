@@ -1,5 +1,5 @@
-/* clear.c: what is done before the first frame: persistent resources become zero, and are brought
- * into the layouts that the plan's frames expect. */
+/* clear.c: what is done before the first frame of a plan: persistent resources become zero, unless
+ * they have content of the former plan, and are brought into the layouts that frames expect. */
 #include "graph/exec/exec.h"
 
 static const VkImageLayout clear_layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
@@ -39,17 +39,64 @@ void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer comm
         exec->vk.CmdClearDepthStencilImage(commands, image, clear_layout, &depth, 1, range);
 }
 
+/* Adds the layouts that a persistent image has after the frames of the former plan. */
+static void add_moves(struct rg_exec *exec, const struct rg_exec *former, uint32_t index)
+{
+    const struct rg_plan *plan = former->plan;
+    VkImage image = former->image_sets->images[index];
+    for (uint32_t i = 0; i < plan->initial_barrier_count && former->filled; i++) {
+        const struct rg_barrier *b = &plan->barriers[plan->first_initial_barrier + i];
+        if (b->image == index)
+            exec->moves[exec->move_count++] = (struct exec_move){ image, b->range, b->new_layout };
+    }
+    for (uint32_t i = 0; i < former->move_count && !former->filled; i++) { /* not done yet */
+        if (former->moves[i].image == image)
+            exec->moves[exec->move_count++] = former->moves[i];
+    }
+}
+
+VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former)
+{
+    const struct rg_plan *plan = exec->plan;
+    const struct rg_plan *before = former->plan;
+    if (!RG_MAKE_ARRAY(exec, exec->moves,
+                       (size_t)before->initial_barrier_count + former->move_count))
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    for (uint32_t i = 0; i < plan->image_count; i++) {
+        uint32_t k = 0;
+        while (exec->has_content[i] && /* then the former plan has it */
+               former->image_sets->images[k] != exec->image_sets->images[i])
+            k++;
+        exec->has_content[i] &= former->filled || former->has_content[k];
+        if (exec->has_content[i])
+            add_moves(exec, former, k);
+    }
+    for (uint32_t i = 0; i < plan->buffer_count; i++) {
+        bool *has_content = &exec->has_content[plan->image_count + i];
+        uint32_t k = 0;
+        while (*has_content &&
+               rg_exec_buffer(former, k, 0)->buffer != rg_exec_buffer(exec, i, 0)->buffer)
+            k++;
+        *has_content &= former->filled || former->has_content[before->image_count + k];
+    }
+    return VK_SUCCESS;
+}
+
 void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands)
 {
     const struct rg_plan *plan = exec->plan;
     const VkClearColorValue zero = { { 0 } };
+    for (uint32_t i = 0; i < exec->move_count; i++) {
+        const struct exec_move *move = &exec->moves[i];
+        rg_exec_record_move(exec, commands, move->image, &move->range, move->from, clear_layout);
+    }
     for (uint32_t i = 0; i < plan->image_count; i++) {
         const VkImageSubresourceRange all = rg_exec_whole(&plan->images[i]);
-        if (plan->images[i].persistent)
+        if (plan->images[i].persistent && !exec->has_content[i])
             rg_exec_record_clear_image(exec, commands, exec->image_set->images[i], &all, &zero);
     }
     for (uint32_t i = 0; i < plan->buffer_count; i++) {
-        if (plan->buffers[i].persistent)
+        if (plan->buffers[i].persistent && !exec->has_content[plan->image_count + i])
             exec->vk.CmdFillBuffer(commands, rg_exec_buffer(exec, i, exec->slot)->buffer, 0,
                                    VK_WHOLE_SIZE, 0);
     }

@@ -23,13 +23,6 @@ static VkImageViewType view_type(const struct rg_plan_image *image, const struct
     return VK_IMAGE_VIEW_TYPE_2D;
 }
 
-static bool same_sampler(const struct rg_sampler *a, const struct rg_sampler *b)
-{
-    return a->linear == b->linear && a->mips == b->mips && a->repeat_u == b->repeat_u &&
-           a->repeat_v == b->repeat_v && !(a->anisotropy < b->anisotropy) &&
-           !(a->anisotropy > b->anisotropy);
-}
-
 static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct rg_sampler *key)
 {
     float anisotropy = key->anisotropy < exec->params.max_anisotropy ? key->anisotropy
@@ -55,29 +48,15 @@ static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct
 static VkResult find_sampler(struct rg_exec *exec, const struct rg_use *use, VkSampler *sampler)
 {
     static const struct rg_sampler nearest = { 0 };
-    const struct rg_sampler *key = use->sampler ? use->sampler : &nearest;
-    VkResult result = VK_SUCCESS;
-    uint32_t i = 0;
-    while (i < exec->sampler_count && !same_sampler(&exec->samplers[i].key, key))
-        i++;
-    if (i == exec->sampler_count) {
-        const VkSamplerCreateInfo info = sampler_info(exec, key);
-        RG_MAKE(exec, use->image->name, SAMPLER, CreateSampler, &exec->samplers[i].sampler, &info);
-        exec->samplers[i].key = *key;
-        exec->sampler_count++;
-    }
-    *sampler = exec->samplers[i].sampler;
+    const struct rg_sampler *s = use->sampler ? use->sampler : &nearest;
+    const VkSamplerCreateInfo info = sampler_info(exec, s);
+    uint64_t key = rg_exec_key(RG_NO_KEY, &info.maxAnisotropy, sizeof(info.maxAnisotropy));
+    VkResult result;
+    RG_KEY(key, s->linear | s->mips << 1 | s->repeat_u << 2 | s->repeat_v << 3);
+    RG_MAKE_KEYED(exec, use->image->name, key, SAMPLER, CreateSampler, sampler, &info);
 fail:
     return result;
 }
-
-/* What a use of a pass binds, and where. */
-struct descriptor {
-    const struct rg_use *use;
-    VkDescriptorType type; /* VK_DESCRIPTOR_TYPE_MAX_ENUM: nothing */
-    uint32_t buffer;       /* index into the plan's, or RG_NONE */
-    VkDescriptorImageInfo image;
-};
 
 /* Returns how many descriptors a pass has: uses, then uses that are bound to their fallback. */
 static uint32_t descriptor_count(const struct rg_plan_pass *pass)
@@ -85,12 +64,12 @@ static uint32_t descriptor_count(const struct rg_plan_pass *pass)
     return pass->use_count + pass->fallback_count;
 }
 
-static struct descriptor descriptor_of(const struct rg_exec *exec, const struct rg_plan_pass *pass,
-                                       uint32_t index)
+static struct exec_descriptor descriptor_of(const struct rg_exec *exec,
+                                            const struct rg_plan_pass *pass, uint32_t index)
 {
     if (index >= pass->use_count) {
         uint32_t fallback = pass->first_fallback + index - pass->use_count;
-        return (struct descriptor){
+        return (struct exec_descriptor){
             .use = exec->plan->fallbacks[fallback],
             .type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
             .buffer = RG_NONE,
@@ -100,7 +79,7 @@ static struct descriptor descriptor_of(const struct rg_exec *exec, const struct 
     }
     const struct rg_plan_use *use = &exec->plan->uses[pass->first_use + index];
     const struct rg_access_info *info = rg_access_info(use->use->access);
-    return (struct descriptor){
+    return (struct exec_descriptor){
         .use = use->use,
         .type = use->image != RG_NONE ? info->image_descriptor : info->buffer_descriptor,
         .buffer = use->buffer,
@@ -113,35 +92,74 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
 {
     VkResult result;
     uint32_t count = 0;
-    VkDescriptorSetLayoutBinding *bindings;
-    if (!RG_MAKE_ARRAY(exec, bindings, descriptor_count(plan)))
-        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    VkDescriptorSetLayoutBinding *bindings = exec->bindings;
+    uint64_t key = RG_NO_KEY;
     for (uint32_t i = 0; i < descriptor_count(plan); i++) {
-        const struct descriptor d = descriptor_of(exec, plan, i);
-        if (d.type != VK_DESCRIPTOR_TYPE_MAX_ENUM)
-            bindings[count++] = (VkDescriptorSetLayoutBinding){
-                .binding = d.use->binding,
-                .descriptorType = d.type,
-                .descriptorCount = 1,
-                .stageFlags = use_stages(plan->pass, d.use),
-            };
+        const struct exec_descriptor d = descriptor_of(exec, plan, i);
+        if (d.type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
+            continue;
+        bindings[count] = (VkDescriptorSetLayoutBinding){
+            .binding = d.use->binding,
+            .descriptorType = d.type,
+            .descriptorCount = 1,
+            .stageFlags = use_stages(plan->pass, d.use),
+        };
+        RG_KEY(key, (uint64_t)bindings[count].binding << 32 | bindings[count].stageFlags);
+        RG_KEY(key, d.type);
+        count++;
     }
-    RG_MAKE(exec, plan->pass->name, DESCRIPTOR_SET_LAYOUT, CreateDescriptorSetLayout, layout,
-            &(VkDescriptorSetLayoutCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                .bindingCount = count,
-                .pBindings = bindings,
-            });
+    RG_KEY(key, count);
+    RG_MAKE_KEYED(exec, plan->pass->name, key, DESCRIPTOR_SET_LAYOUT, CreateDescriptorSetLayout,
+                  layout,
+                  &(VkDescriptorSetLayoutCreateInfo){
+                      .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                      .bindingCount = count,
+                      .pBindings = bindings,
+                  });
+fail:
+    return result;
+}
+
+/* Finishes the descriptors of a pass in exec->descriptors. *key gets what they bind; RG_NO_KEY if
+ * it is a program's own buffer, which may end and come again under its handle. */
+static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_set *set,
+                                 const struct rg_plan_pass *plan, uint64_t *key)
+{
+    bool is_foreign = false;
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < descriptor_count(plan); i++) {
+        struct exec_descriptor *d = &exec->descriptors[i];
+        *d = descriptor_of(exec, plan, i);
+        if (d->type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
+            continue;
+        if (d->use->access == RG_SAMPLED)
+            RG_PASS(find_sampler(exec, d->use, &d->image.sampler));
+        if (d->buffer == RG_NONE && !d->image.imageView) {
+            const struct rg_plan_use *use = &exec->plan->uses[plan->first_use + i];
+            const struct rg_plan_image *image = &exec->plan->images[use->image];
+            RG_PASS(rg_exec_make_view(exec, image, set->images[use->image], view_type(image, use),
+                                      &use->range, &d->image.imageView));
+        }
+        RG_KEY(*key, d->image.imageView);
+        RG_KEY(*key, d->image.sampler);
+        RG_KEY(*key, d->image.imageLayout);
+        for (uint32_t slot = 0; slot < exec->slot_count && d->buffer != RG_NONE; slot++)
+            RG_KEY(*key, rg_exec_buffer(exec, d->buffer, slot)->buffer);
+        is_foreign =
+            is_foreign || (d->buffer != RG_NONE &&
+                           rg_exec_is_foreign(exec, exec->plan->buffers[d->buffer].imported));
+    }
+    if (is_foreign)
+        *key = RG_NO_KEY;
 fail:
     return result;
 }
 
 /* Has room for each descriptor to be of any type. */
-static VkResult make_pool(struct rg_exec *exec)
+static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan, uint64_t key,
+                          VkDescriptorPool *pool)
 {
-    const struct rg_plan *plan = exec->plan;
-    uint32_t set_count = exec->slot_count * exec->image_set_count; /* of a pass */
-    uint32_t count = (plan->use_count + plan->fallback_count) * set_count + 1;
+    uint32_t count = descriptor_count(plan) * exec->slot_count + 1;
     const VkDescriptorPoolSize sizes[] = {
         { VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count },
         { VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, count },
@@ -149,28 +167,31 @@ static VkResult make_pool(struct rg_exec *exec)
         { VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count },
     };
     VkResult result;
-    RG_MAKE(exec, NULL, DESCRIPTOR_POOL, CreateDescriptorPool, &exec->descriptor_pool,
-            &(VkDescriptorPoolCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
-                .maxSets = set_count * plan->pass_count + 1,
-                .poolSizeCount = sizeof(sizes) / sizeof(sizes[0]),
-                .pPoolSizes = sizes,
-            });
+    RG_MAKE_KEYED(exec, plan->pass->name, key, DESCRIPTOR_POOL, CreateDescriptorPool, pool,
+                  &(VkDescriptorPoolCreateInfo){
+                      .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                      .maxSets = exec->slot_count,
+                      .poolSizeCount = sizeof(sizes) / sizeof(sizes[0]),
+                      .pPoolSizes = sizes,
+                  });
 fail:
     return result;
 }
 
-/* Writes a descriptor into the sets of all slots. */
-static void write_descriptor(const struct rg_exec *exec, const struct descriptor *d,
-                             const VkDescriptorSet *sets)
+/* Writes the descriptors of a pass into the set of a slot. */
+static void write_set(const struct rg_exec *exec, const struct rg_plan_pass *plan, uint32_t slot,
+                      VkDescriptorSet set)
 {
-    for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
+    for (uint32_t i = 0; i < descriptor_count(plan); i++) {
+        const struct exec_descriptor *d = &exec->descriptors[i];
         VkDescriptorBufferInfo buffer = { .range = VK_WHOLE_SIZE };
+        if (d->type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
+            continue;
         if (d->buffer != RG_NONE)
             buffer.buffer = rg_exec_buffer(exec, d->buffer, slot)->buffer;
         const VkWriteDescriptorSet write = {
             .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-            .dstSet = sets[slot],
+            .dstSet = set,
             .dstBinding = d->use->binding,
             .descriptorCount = 1,
             .descriptorType = d->type,
@@ -181,55 +202,51 @@ static void write_descriptor(const struct rg_exec *exec, const struct descriptor
     }
 }
 
-static VkResult make_descriptor(struct rg_exec *exec, const struct exec_image_set *set,
-                                uint32_t pass, uint32_t index)
+/* Makes the sets of a pass, one for each slot. */
+static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set, uint32_t pass)
 {
     const struct rg_plan_pass *plan = &exec->plan->passes[pass];
-    struct descriptor d = descriptor_of(exec, plan, index);
-    VkResult result = VK_SUCCESS;
-    if (d.type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
-        return result;
-    if (d.use->access == RG_SAMPLED)
-        RG_PASS(find_sampler(exec, d.use, &d.image.sampler));
-    if (d.buffer == RG_NONE && !d.image.imageView) {
-        const struct rg_plan_use *use = &exec->plan->uses[plan->first_use + index];
-        const struct rg_plan_image *image = &exec->plan->images[use->image];
-        RG_PASS(rg_exec_make_view(exec, image, set->images[use->image], view_type(image, use),
-                                  &use->range, &d.image.imageView));
+    const VkDescriptorSetLayout *layout = &exec->passes[pass].set_layout;
+    uint64_t key = rg_exec_key(RG_NO_KEY, layout, sizeof(*layout));
+    VkDescriptorSet *sets;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    VkResult result;
+    RG_PASS(find_descriptors(exec, set, plan, &key));
+    if (!RG_MAKE_KEYED_ARRAY(exec, key, sets, exec->slot_count))
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    set->descriptors[pass] = sets;
+    RG_PASS(make_pool(exec, plan, key, &pool));
+    for (uint32_t slot = 0; slot < exec->slot_count && !exec->found; slot++) {
+        RG_CALL(exec, plan->pass->name, AllocateDescriptorSets, exec->device,
+                &(VkDescriptorSetAllocateInfo){
+                    .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                    .descriptorPool = pool,
+                    .descriptorSetCount = 1,
+                    .pSetLayouts = layout,
+                },
+                &sets[slot]);
+        write_set(exec, plan, slot, sets[slot]);
     }
-    write_descriptor(exec, &d, &set->descriptors[(size_t)pass * exec->slot_count]);
 fail:
     return result;
 }
 
-static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set, uint32_t pass)
+static bool make_room(struct rg_exec *exec)
 {
-    const struct rg_plan_pass *plan = &exec->plan->passes[pass];
-    VkResult result = VK_SUCCESS;
-    for (uint32_t slot = 0; slot < exec->slot_count; slot++)
-        RG_CALL(exec, plan->pass->name, AllocateDescriptorSets, exec->device,
-                &(VkDescriptorSetAllocateInfo){
-                    .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
-                    .descriptorPool = exec->descriptor_pool,
-                    .descriptorSetCount = 1,
-                    .pSetLayouts = &exec->passes[pass].set_layout,
-                },
-                &set->descriptors[(size_t)pass * exec->slot_count + slot]);
-    for (uint32_t i = 0; i < descriptor_count(plan); i++)
-        RG_PASS(make_descriptor(exec, set, pass, i));
-fail:
-    return result;
+    uint32_t most = 0;
+    for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
+        uint32_t count = descriptor_count(&exec->plan->passes[p]);
+        most = count > most ? count : most;
+    }
+    return RG_MAKE_ARRAY(exec, exec->bindings, most) &&
+           RG_MAKE_ARRAY(exec, exec->descriptors, most);
 }
 
 VkResult rg_exec_make_descriptors(struct rg_exec *exec)
 {
-    const struct rg_plan_pass *plan = exec->plan->passes;
-    VkResult result = make_pool(exec);
+    VkResult result = make_room(exec) ? VK_SUCCESS : VK_ERROR_OUT_OF_HOST_MEMORY;
     for (uint32_t p = 0; p < exec->plan->pass_count && result == VK_SUCCESS; p++) {
-        if (p > 0 && plan[p - 1].pass == plan[p].pass)
-            exec->passes[p].set_layout = exec->passes[p - 1].set_layout;
-        else
-            result = make_set_layout(exec, &plan[p], &exec->passes[p].set_layout);
+        result = make_set_layout(exec, &exec->plan->passes[p], &exec->passes[p].set_layout);
         for (uint32_t i = 0; i < exec->image_set_count && result == VK_SUCCESS; i++)
             result = make_sets(exec, &exec->image_sets[i], p);
     }

@@ -3,17 +3,23 @@
 #include <assert.h>
 #include <stdlib.h>
 
+/* They outlive the plan. */
 static VkResult make_slots(struct rg_exec *exec)
 {
     VkResult result;
-    RG_MAKE(exec, NULL, COMMAND_POOL, CreateCommandPool, &exec->command_pool,
-            &(VkCommandPoolCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-                .queueFamilyIndex = exec->params.queue_family,
-            });
+    RG_MAKE_KEYED(exec, NULL, 1, COMMAND_POOL, CreateCommandPool, &exec->command_pool,
+                  &(VkCommandPoolCreateInfo){
+                      .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                      .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                      .queueFamilyIndex = exec->params.queue_family,
+                  });
     for (uint32_t i = 0; i < exec->slot_count; i++) {
         struct exec_slot *slot = &exec->slots[i];
+        slot->passes = NULL; /* they were the former plan's */
+        RG_MAKE_KEYED(exec, NULL, i + 1, FENCE, CreateFence, &slot->fence,
+                      &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
+        if (exec->found)
+            continue;
         RG_CALL(exec, NULL, AllocateCommandBuffers, exec->device,
                 &(VkCommandBufferAllocateInfo){
                     .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
@@ -22,8 +28,6 @@ static VkResult make_slots(struct rg_exec *exec)
                     .commandBufferCount = 1,
                 },
                 &slot->commands);
-        RG_MAKE(exec, NULL, FENCE, CreateFence, &slot->fence,
-                &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
     }
 fail:
     return result;
@@ -48,13 +52,13 @@ static VkResult make_arrays(struct rg_exec *exec)
     const struct rg_plan *plan = exec->plan;
     size_t slot_count = exec->slot_count;
     size_t barrier_count = (size_t)plan->barrier_count + plan->initial_barrier_count;
-    size_t sampled_count = (size_t)plan->use_count + plan->fallback_count;
+    size_t resource_count = (size_t)plan->image_count + plan->buffer_count;
     bool done = RG_MAKE_ARRAY(exec, exec->blocks, plan->block_count) &&
                 RG_MAKE_ARRAY(exec, exec->buffers, plan->buffer_count * slot_count) &&
                 RG_MAKE_ARRAY(exec, exec->fallbacks, plan->fallback_count) &&
-                RG_MAKE_ARRAY(exec, exec->samplers, sampled_count) &&
+                RG_MAKE_ARRAY(exec, exec->has_content, resource_count) &&
                 RG_MAKE_ARRAY(exec, exec->passes, plan->pass_count) &&
-                RG_MAKE_ARRAY(exec, exec->slots, slot_count) &&
+                RG_MAKE_KEYED_ARRAY(exec, 1, exec->slots, slot_count) &&
                 RG_MAKE_ARRAY(exec, exec->image_batch, barrier_count) &&
                 RG_MAKE_ARRAY(exec, exec->buffer_batch, barrier_count) &&
                 RG_MAKE_ARRAY(exec, exec->image_sets, exec->image_set_count);
@@ -62,7 +66,7 @@ static VkResult make_arrays(struct rg_exec *exec)
         struct exec_image_set *set = &exec->image_sets[i];
         done = RG_MAKE_ARRAY(exec, set->images, plan->image_count) &&
                RG_MAKE_ARRAY(exec, set->targets, plan->pass_count) &&
-               RG_MAKE_ARRAY(exec, set->descriptors, plan->pass_count * slot_count);
+               RG_MAKE_ARRAY(exec, set->descriptors, plan->pass_count);
     }
     exec->image_set = exec->image_sets;
     return done ? VK_SUCCESS : VK_ERROR_OUT_OF_HOST_MEMORY;
@@ -71,10 +75,10 @@ static VkResult make_arrays(struct rg_exec *exec)
 static VkResult make_all(struct rg_exec *exec)
 {
     VkResult (*const steps[])(struct rg_exec *) = {
-        count_image_sets,       make_arrays,          rg_exec_make_memory,
-        rg_exec_make_fallbacks, rg_exec_make_targets, rg_exec_make_descriptors,
-        rg_exec_make_pipelines, make_slots,           rg_exec_make_time,
-        rg_exec_make_coverage,  rg_exec_make_warm_up,
+        rg_exec_check_features,   count_image_sets,       make_arrays,
+        rg_exec_make_memory,      rg_exec_make_fallbacks, rg_exec_make_targets,
+        rg_exec_make_descriptors, rg_exec_make_pipelines, make_slots,
+        rg_exec_make_time,        rg_exec_make_coverage,  rg_exec_make_warm_up,
     };
     VkResult result = VK_SUCCESS;
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
@@ -141,6 +145,39 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
     return NULL;
 }
 
+VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t slot = 0; slot < exec->slot_count; slot++)
+        RG_PASS(rg_exec_wait(exec, slot));
+    const struct rg_exec former = *exec;
+    struct rg_exec next = {
+        .params = former.params,
+        .vk = former.vk,
+        .plan = params->plan,
+        .device = former.device,
+        .slot_count = former.slot_count,
+        .slot = former.slot,
+        .former = former.objects,
+    };
+    next.params.plan = params->plan;
+    next.params.imports = params->imports;
+    next.params.import_count = former.params.warm_up_only ? 0 : params->import_count;
+    next.params.constants = params->constants;
+    next.params.replace_shader = params->replace_shader;
+    next.params.user = params->user;
+    const char *wrong = params_trouble(&next.params);
+    if (wrong)
+        return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_update", wrong);
+    *exec = next;
+    RG_PASS(make_all(exec));
+    RG_PASS(rg_exec_keep_content(exec, &former));
+    rg_time_keep(exec, &former);
+    rg_exec_end_former(exec);
+fail:
+    return result;
+}
+
 static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
 {
     return exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX);
@@ -154,7 +191,8 @@ void rg_exec_destroy(struct rg_exec *exec)
         if (exec->slots[i].submitted) /* lost or not, it goes */
             (void)wait_fence(exec, &exec->slots[i]);
     }
-    rg_exec_free_objects(exec);
+    rg_exec_free_objects(exec, &exec->objects);
+    rg_exec_free_objects(exec, &exec->former);
     free(exec);
 }
 

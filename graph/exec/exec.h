@@ -26,16 +26,16 @@ struct exec_targets {
 /* What depends on which of the images of imports that have several a frame uses. One of each is
  * made for every image index beforehand, so that a frame allocates nothing. */
 struct exec_image_set {
-    VkImage *images;              /* per plan image */
-    struct exec_targets *targets; /* per pass */
-    VkDescriptorSet *descriptors; /* per pass and slot */
+    VkImage *images;               /* per plan image */
+    struct exec_targets *targets;  /* per pass */
+    VkDescriptorSet **descriptors; /* per pass, of each slot */
 };
 
 struct exec_pass {
     VkDescriptorSetLayout set_layout; /* shared by the repetitions of a row */
     VkPipelineLayout layout;          /* this and the next also by rows that draw alike */
     VkPipeline pipeline;
-    bool first; /* of those that share a pipeline */
+    bool first; /* its pipeline has been made for it: no other pass, nor a former plan, had it */
     VkRenderPass render_pass;
     uint32_t coverage; /* how much of a region it draws (region.c) */
 };
@@ -48,6 +48,14 @@ struct exec_fallback {
     VkImageView view;
 };
 
+/* What a use of a pass binds, and where. */
+struct exec_descriptor {
+    const struct rg_use *use;
+    VkDescriptorType type; /* VK_DESCRIPTOR_TYPE_MAX_ENUM: nothing */
+    uint32_t buffer;       /* index into the plan's, or RG_NONE */
+    VkDescriptorImageInfo image;
+};
+
 struct exec_slot {
     VkCommandBuffer commands;
     VkFence fence;
@@ -56,9 +64,18 @@ struct exec_slot {
     struct rg_pass_time *passes; /* of its frame; NULL: not measured */
 };
 
-struct exec_sampler {
-    struct rg_sampler key;
-    VkSampler sampler;
+/* The list of what is freed with an executor. */
+struct exec_objects {
+    struct exec_object *entries;
+    uint32_t count, room;
+    uint32_t next; /* where the search for the next object begins */
+};
+
+/* A layout that a persistent image has kept from the former plan. */
+struct exec_move {
+    VkImage image;
+    VkImageSubresourceRange range;
+    VkImageLayout from;
 };
 
 struct rg_exec {
@@ -66,8 +83,15 @@ struct rg_exec {
     struct rg_functions vk;
     const struct rg_plan *plan;
     VkDevice device;
-    struct exec_object *objects; /* what is freed with the executor (objects.c) */
-    uint32_t object_count, object_room;
+    struct exec_objects objects; /* of the plan (objects.c) */
+    struct exec_objects former;  /* while a plan takes the place of another: the rest of it */
+
+    enum {
+        RG_NOT_FOUND,
+        RG_FOUND_HERE,   /* another part of the plan has it */
+        RG_FOUND_FORMER, /* the former plan had it */
+    } found;             /* whether the latest object with a key was there already */
+
     uint32_t slot_count, slot;                     /* `slot`: begun last */
     uint32_t image_set_count;                      /* 1 unless imports have several images */
     struct exec_image_set *image_sets, *image_set; /* all of them, and that in use */
@@ -75,16 +99,19 @@ struct rg_exec {
     VkDeviceMemory *blocks;
     struct exec_buffer *buffers;     /* per slot and plan buffer */
     struct exec_fallback *fallbacks; /* per fallback of the plan */
-    struct exec_sampler *samplers;
-    uint32_t sampler_count;
     struct exec_pass *passes;
-    VkDescriptorPool descriptor_pool;
+    struct exec_descriptor *descriptors; /* room for those of any pass, while they are made */
+    VkDescriptorSetLayoutBinding *bindings;
     VkCommandPool command_pool;
     struct exec_slot *slots;
     struct rg_exec_region region;               /* {0}: the whole view */
     struct rg_exec_external_sync external_sync; /* of the frame submitted last */
     struct exec_time *time;                     /* NULL: made without `measured` */
     bool filled;       /* a frame has given persistent resources and fallbacks their content */
+    bool *has_content; /* persistent images, then buffers, whose content is the former plan's */
+    struct exec_move *moves;
+    uint32_t move_count;
+    VkResult refused;  /* a record function did what cannot be done */
     VkBuffer triangle; /* made with `warm_up_only`: vertices and indices, all zero */
     VkImageMemoryBarrier2 *image_batch; /* room for all barriers of the plan */
     VkBufferMemoryBarrier2 *buffer_batch;
@@ -119,36 +146,61 @@ VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *
 #define RG_CALL(exec, of, function, ...) \
     RG_PASS(rg_exec_check((exec), (exec)->vk.function(__VA_ARGS__), "vk" #function, (of)))
 
-/* Calls one that makes *handle, an object that has its name and is freed with the executor. */
-#define RG_MAKE(exec, of, type, function, handle, ...) \
+#define RG_NO_KEY 0
+
+/* Adds data to a key, which begins as RG_NO_KEY; no padding may be among it. */
+uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
+
+/* Adds a number, an enum or a handle. */
+#define RG_KEY(key, value) \
+    ((key) = rg_exec_key((key), &(uint64_t){ (uint64_t)(value) }, sizeof(uint64_t)))
+
+/* Finds an object with a key, or makes *handle by a function; it has its name, and is freed with
+ * the plan. */
+#define RG_MAKE_KEYED(exec, of, key, type, function, handle, ...) \
     do { \
         RG_PASS(rg_exec_make_room(exec)); \
+        if (rg_exec_find((exec), VK_OBJECT_TYPE_##type, (key), (handle), sizeof(*(handle)))) \
+            break; \
         RG_CALL(exec, of, function, (exec)->device, __VA_ARGS__, NULL, handle); \
-        rg_exec_keep((exec), VK_OBJECT_TYPE_##type, (uint64_t) * (handle), (of)); \
+        rg_exec_keep((exec), VK_OBJECT_TYPE_##type, (key), (uint64_t) * (handle), (of)); \
     } while (0)
 
-/* Makes an array of zeros that is freed with the executor; false if memory is short. */
-#define RG_MAKE_ARRAY(exec, array, count) \
-    ((array) = rg_exec_make_array((exec), (count), sizeof(*(array))), (array) != NULL)
+#define RG_MAKE(exec, of, type, function, handle, ...) \
+    RG_MAKE_KEYED(exec, of, RG_NO_KEY, type, function, handle, __VA_ARGS__)
 
-void *rg_exec_make_array(struct rg_exec *exec, size_t count, size_t size);
+/* Makes an array of zeros that is freed with the plan; false if memory is short. With a key it may
+ * be that of the former plan, as it was left. */
+#define RG_MAKE_KEYED_ARRAY(exec, key, array, count) \
+    ((array) = rg_exec_make_array((exec), (key), (count), sizeof(*(array))), (array) != NULL)
+#define RG_MAKE_ARRAY(exec, array, count) RG_MAKE_KEYED_ARRAY(exec, RG_NO_KEY, array, count)
+
+void *rg_exec_make_array(struct rg_exec *exec, uint64_t key, size_t count, size_t size);
 VkResult rg_exec_make_room(struct rg_exec *exec); /* in the list of what is freed, for one more */
-void rg_exec_keep(struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name);
-void rg_exec_free_objects(struct rg_exec *exec);
+bool rg_exec_find(struct rg_exec *exec, VkObjectType type, uint64_t key, void *handle, size_t size);
+void rg_exec_keep(struct rg_exec *exec, VkObjectType type, uint64_t key, uint64_t handle,
+                  const char *name);
+/* Frees what the plan has not found, but keeps pipelines for one more plan, which may be the one
+ * before: programs switch to and fro. */
+void rg_exec_end_former(struct rg_exec *exec);
+void rg_exec_free_objects(const struct rg_exec *exec, struct exec_objects *list);
 
 /* ---- the other files, in the order in which an executor is made ---- */
 
 /* memory.c */
 VkResult rg_exec_make_memory(struct rg_exec *exec);
-/* Makes an image and its memory, in a block or its own. */
-VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage *image);
+/* Makes an image and its memory, in a block or its own. `salt` tells it from others of the name. */
+VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan, uint64_t salt,
+                            VkImage *image);
 VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
                            VkImageViewType type, const VkImageSubresourceRange *range,
                            VkImageView *view);
-/* Makes a buffer in host memory. `wanted`: properties of its memory that it may lack. */
+/* Makes a buffer of a slot in host memory. `wanted`: properties of its memory that it may lack. */
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
-                                  VkMemoryPropertyFlags wanted, const char *name,
+                                  VkMemoryPropertyFlags wanted, const char *name, uint32_t slot,
                                   struct exec_buffer *buffer);
+/* Whether a resource is a program's own object, which may end and come again under its handle. */
+bool rg_exec_is_foreign(const struct rg_exec *exec, bool imported);
 VkImageSubresourceRange rg_exec_whole(const struct rg_plan_image *image);
 struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);
 VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory memory);
@@ -173,6 +225,7 @@ VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
 
 /* time.c */
 VkResult rg_exec_make_time(struct rg_exec *exec);
+void rg_time_keep(struct rg_exec *exec, const struct rg_exec *former); /* what is measured */
 uint64_t rg_time_now(void); /* nanoseconds, CLOCK_MONOTONIC */
 void rg_time_begin(struct rg_exec *exec, uint64_t start);
 void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands);
@@ -190,7 +243,12 @@ VkRect2D rg_exec_within(VkRect2D inner, VkRect2D outer); /* the common part */
 /* warm_up.c: the triangle of an executor made with `warm_up_only` */
 VkResult rg_exec_make_warm_up(struct rg_exec *exec);
 
-/* clear.c: what is done before the first frame */
+/* features.c: what the device must have for the plan */
+VkResult rg_exec_check_features(struct rg_exec *exec);
+
+/* clear.c: what is done before the first frame of a plan */
+/* Finds which of the persistent resources that the former plan had too have content. */
+VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former);
 void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands);
 /* Waits for all work, and changes the layout of an image for all that follows. */
 void rg_exec_record_move(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,

@@ -41,7 +41,9 @@ static VkResult make_fallback(struct rg_exec *exec, const struct rg_use *use,
     VkImageSubresourceRange seen = rg_exec_whole(&fallback->described);
     if (use->range.aspect)
         seen.aspectMask = use->range.aspect;
-    RG_PASS(rg_exec_make_image(exec, &fallback->described, &fallback->image));
+    uint64_t salt = rg_exec_key(RG_NO_KEY, use->fallback, sizeof(*use->fallback));
+    RG_KEY(salt, use->range.aspect);
+    RG_PASS(rg_exec_make_image(exec, &fallback->described, salt, &fallback->image));
     RG_PASS(rg_exec_make_view(exec, &fallback->described, fallback->image,
                               cube    ? VK_IMAGE_VIEW_TYPE_CUBE
                               : array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY

@@ -1,4 +1,5 @@
 /* memory.c: blocks of device memory, the images and buffers in them, and host buffers. */
+#include <string.h>
 #include "graph/exec/exec.h"
 
 /* Returns the first memory type that has all of `wanted` and `needed`, else of `needed`; RG_NONE if
@@ -17,27 +18,37 @@ static uint32_t find_type(const struct rg_exec *exec, uint32_t bits, VkMemoryPro
     return RG_NONE;
 }
 
-static VkResult allocate(struct rg_exec *exec, VkDeviceSize size, uint32_t type, const char *name,
-                         VkDeviceMemory *memory)
+/* Begins the key of something that a name tells from others. */
+static uint64_t name_key(const char *name, uint64_t salt)
 {
+    uint64_t key = rg_exec_key(RG_NO_KEY, name, strlen(name));
+    return RG_KEY(key, salt);
+}
+
+static VkResult allocate(struct rg_exec *exec, VkDeviceSize size, uint32_t type, const char *name,
+                         uint64_t salt, VkDeviceMemory *memory)
+{
+    uint64_t key = name_key(name, salt);
     VkResult result;
     if (type == RG_NONE)
         return rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT, "the memory type", name);
-    RG_MAKE(exec, name, DEVICE_MEMORY, AllocateMemory, memory,
-            &(VkMemoryAllocateInfo){
-                .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                .allocationSize = size,
-                .memoryTypeIndex = type,
-            });
+    RG_KEY(key, size);
+    RG_KEY(key, type);
+    RG_MAKE_KEYED(exec, name, key, DEVICE_MEMORY, AllocateMemory, memory,
+                  &(VkMemoryAllocateInfo){
+                      .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                      .allocationSize = size,
+                      .memoryTypeIndex = type,
+                  });
 fail:
     return result;
 }
 
 static VkResult allocate_local(struct rg_exec *exec, VkDeviceSize size, uint32_t type_bits,
-                               const char *name, VkDeviceMemory *memory)
+                               const char *name, uint64_t salt, VkDeviceMemory *memory)
 {
     uint32_t type = find_type(exec, type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0);
-    return allocate(exec, size, type, name, memory);
+    return allocate(exec, size, type, name, salt, memory);
 }
 
 static VkResult make_blocks(struct rg_exec *exec)
@@ -46,7 +57,7 @@ static VkResult make_blocks(struct rg_exec *exec)
     for (uint32_t i = 0; i < exec->plan->block_count && result == VK_SUCCESS; i++) {
         const struct rg_block *block = &exec->plan->blocks[i];
         const char *name = block->buffers ? "transient buffers" : "transient images";
-        result = allocate_local(exec, block->size, block->type_bits, name, &exec->blocks[i]);
+        result = allocate_local(exec, block->size, block->type_bits, name, 0, &exec->blocks[i]);
     }
     return result;
 }
@@ -56,6 +67,7 @@ struct place {
     const char *name; /* of the resource */
     uint32_t block;   /* RG_NONE: memory of its own */
     VkDeviceSize offset, size;
+    uint64_t salt; /* of its key */
 };
 
 /* Finds the memory of a place. A plan that was compiled without this device, or for another one,
@@ -63,8 +75,9 @@ struct place {
 static VkResult find_memory(struct rg_exec *exec, const struct place *place,
                             const VkMemoryRequirements *needs, VkDeviceMemory *memory)
 {
+    VkDeviceSize size = needs->size > place->size ? needs->size : place->size;
     if (place->block == RG_NONE)
-        return allocate_local(exec, needs->size, needs->memoryTypeBits, place->name, memory);
+        return allocate_local(exec, size, needs->memoryTypeBits, place->name, place->salt, memory);
     const struct rg_block *block = &exec->plan->blocks[place->block];
     *memory = exec->blocks[place->block];
     if (needs->size > place->size || place->offset % needs->alignment ||
@@ -85,7 +98,7 @@ static const struct rg_exec_import *find_import(const struct rg_exec *exec, uint
 }
 
 /* An executor made with `warm_up_only` makes the objects that others import. */
-static bool is_foreign(const struct rg_exec *exec, bool imported)
+bool rg_exec_is_foreign(const struct rg_exec *exec, bool imported)
 {
     return imported && !exec->params.warm_up_only;
 }
@@ -97,17 +110,35 @@ VkImageSubresourceRange rg_exec_whole(const struct rg_plan_image *image)
     return (VkImageSubresourceRange){ image->aspects, 0, image->mips, 0, image->layers };
 }
 
-VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage *image)
+/* An image in a block is bound to the memory that its key holds. */
+static uint64_t image_key(const struct rg_exec *exec, const struct rg_plan_image *plan,
+                          uint64_t salt)
 {
-    const struct place place = { plan->image->name, plan->block, plan->offset, plan->size };
+    const uint32_t fields[] = { plan->flags,        (uint32_t)plan->image->format,
+                                plan->extent.width, plan->extent.height,
+                                plan->layers,       plan->mips,
+                                plan->samples,      plan->usage };
+    uint64_t key = rg_exec_key(name_key(plan->image->name, salt), fields, sizeof(fields));
+    RG_KEY(key, plan->size);
+    RG_KEY(key, plan->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[plan->block]);
+    return RG_KEY(key, plan->offset);
+}
+
+VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan, uint64_t salt,
+                            VkImage *image)
+{
+    const struct place place = { plan->image->name, plan->block, plan->offset, plan->size, salt };
     const VkImageCreateInfo info = rg_image_create_info(plan);
     VkMemoryRequirements needs;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkResult result;
-    RG_MAKE(exec, place.name, IMAGE, CreateImage, image, &info);
+    RG_MAKE_KEYED(exec, place.name, image_key(exec, plan, salt), IMAGE, CreateImage, image, &info);
+    const bool is_bound = exec->found;
     exec->vk.GetImageMemoryRequirements(exec->device, *image, &needs);
     RG_PASS(find_memory(exec, &place, &needs, &memory));
-    RG_CALL(exec, place.name, BindImageMemory, exec->device, *image, memory, place.offset);
+    if (!is_bound)
+        RG_CALL(exec, place.name, BindImageMemory, exec->device, *image, memory, place.offset);
+    exec->found = is_bound ? RG_FOUND_FORMER : RG_NOT_FOUND;
 fail:
     return result;
 }
@@ -117,14 +148,19 @@ VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *pla
                            VkImageView *view)
 {
     VkResult result;
-    RG_MAKE(exec, plan->image->name, IMAGE_VIEW, CreateImageView, view,
-            &(VkImageViewCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-                .image = image,
-                .viewType = type,
-                .format = plan->image->format,
-                .subresourceRange = *range,
-            });
+    uint64_t key = rg_exec_key(RG_NO_KEY, range, sizeof(*range));
+    RG_KEY(key, image);
+    RG_KEY(key, type);
+    if (rg_exec_is_foreign(exec, plan->imported))
+        key = RG_NO_KEY;
+    RG_MAKE_KEYED(exec, plan->image->name, key, IMAGE_VIEW, CreateImageView, view,
+                  &(VkImageViewCreateInfo){
+                      .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                      .image = image,
+                      .viewType = type,
+                      .format = plan->image->format,
+                      .subresourceRange = *range,
+                  });
 fail:
     return result;
 }
@@ -137,10 +173,11 @@ static VkResult find_images(struct rg_exec *exec, uint32_t index)
     const struct rg_exec_import *import = &own;
     VkImage image = VK_NULL_HANDLE;
     VkResult result = VK_SUCCESS;
-    if (is_foreign(exec, plan->imported))
+    if (rg_exec_is_foreign(exec, plan->imported))
         import = find_import(exec, plan->import, plan->image->name);
     else
-        result = rg_exec_make_image(exec, plan, &image);
+        result = rg_exec_make_image(exec, plan, 0, &image);
+    exec->has_content[index] = image && plan->persistent && exec->found;
     if (!import)
         return VK_ERROR_INITIALIZATION_FAILED;
     for (uint32_t i = 0; i < exec->image_set_count; i++)
@@ -153,21 +190,32 @@ static VkResult find_images(struct rg_exec *exec, uint32_t index)
 /* ---- buffers ---- */
 
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
-                                  VkMemoryPropertyFlags wanted, const char *name,
+                                  VkMemoryPropertyFlags wanted, const char *name, uint32_t slot,
                                   struct exec_buffer *buffer)
 {
+    uint64_t key = name_key(name, slot);
     VkMemoryRequirements needs;
+    struct exec_buffer *known;
     VkResult result;
-    RG_MAKE(exec, name, BUFFER, CreateBuffer, &buffer->buffer, info);
+    RG_KEY(key, info->size);
+    RG_KEY(key, info->usage);
+    RG_KEY(key, wanted);
+    if (!RG_MAKE_KEYED_ARRAY(exec, key, known, 1))
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    *buffer = *known;
+    RG_MAKE_KEYED(exec, name, key, BUFFER, CreateBuffer, &buffer->buffer, info);
     exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffer, &needs);
     uint32_t type =
         find_type(exec, needs.memoryTypeBits, wanted, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
-    RG_PASS(allocate(exec, needs.size, type, name, &buffer->host));
+    RG_PASS(allocate(exec, needs.size, type, name, key, &buffer->host));
+    if (known->mapped)
+        return VK_SUCCESS;
     buffer->coherent = exec->memory_properties.memoryTypes[type].propertyFlags &
                        VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffer, buffer->host, 0);
     RG_CALL(exec, name, MapMemory, exec->device, buffer->host, 0, VK_WHOLE_SIZE, 0,
             &buffer->mapped); /* freeing the memory unmaps it */
+    *known = *buffer;
 fail:
     return result;
 }
@@ -178,10 +226,18 @@ static VkResult make_device_buffer(struct rg_exec *exec, const VkBufferCreateInf
     VkMemoryRequirements needs;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkResult result;
-    RG_MAKE(exec, place->name, BUFFER, CreateBuffer, buffer, info);
+    uint64_t key = name_key(place->name, info->usage);
+    RG_KEY(key, info->size);
+    RG_KEY(key, place->size);
+    RG_KEY(key, place->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[place->block]);
+    RG_KEY(key, place->offset);
+    RG_MAKE_KEYED(exec, place->name, key, BUFFER, CreateBuffer, buffer, info);
+    const bool is_bound = exec->found;
     exec->vk.GetBufferMemoryRequirements(exec->device, *buffer, &needs);
     RG_PASS(find_memory(exec, place, &needs, &memory));
-    RG_CALL(exec, place->name, BindBufferMemory, exec->device, *buffer, memory, place->offset);
+    if (!is_bound)
+        RG_CALL(exec, place->name, BindBufferMemory, exec->device, *buffer, memory, place->offset);
+    exec->found = is_bound ? RG_FOUND_FORMER : RG_NOT_FOUND;
 fail:
     return result;
 }
@@ -190,27 +246,31 @@ fail:
 static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
 {
     const struct rg_plan_buffer *plan = &exec->plan->buffers[index];
-    const struct place place = { plan->buffer->name, plan->block, plan->offset, plan->memory_size };
+    const struct place place = { plan->buffer->name, plan->block, plan->offset, plan->memory_size,
+                                 0 };
+    bool is_host = !plan->imported && plan->buffer->memory != RG_MEMORY_DEVICE;
     const VkBufferCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
         /* vkCmdFillBuffer() fills whole words of 4 bytes */
-        .size = plan->persistent ? (plan->size + 3) / 4 * 4 : plan->size,
+        .size = is_host            ? plan->max_size
+                : plan->persistent ? (plan->size + 3) / 4 * 4
+                                   : plan->size,
         .usage = plan->usage,
     };
     VkMemoryPropertyFlags wanted = plan->buffer->memory == RG_MEMORY_READBACK
                                        ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
                                        : VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    bool is_host = !plan->imported && plan->buffer->memory != RG_MEMORY_DEVICE;
     VkResult result = VK_SUCCESS;
     for (uint32_t slot = 0; slot < exec->slot_count && result == VK_SUCCESS; slot++) {
         struct exec_buffer *buffer = rg_exec_buffer(exec, index, slot);
         const struct rg_exec_import *import;
         if (is_host) {
-            result = rg_exec_make_host_buffer(exec, &info, wanted, place.name, buffer);
+            result = rg_exec_make_host_buffer(exec, &info, wanted, place.name, slot, buffer);
         } else if (slot > 0) {
             *buffer = *rg_exec_buffer(exec, index, 0);
-        } else if (!is_foreign(exec, plan->imported)) {
+        } else if (!rg_exec_is_foreign(exec, plan->imported)) {
             result = make_device_buffer(exec, &info, &place, &buffer->buffer);
+            exec->has_content[exec->plan->image_count + index] = plan->persistent && exec->found;
         } else {
             import = find_import(exec, plan->import, place.name);
             buffer->buffer = import ? import->buffer : VK_NULL_HANDLE;

@@ -1,10 +1,19 @@
-/* objects.c: calls that may fail, and the list of what they make, which frees all of it. */
+/*
+ * objects.c: calls that may fail, and the list of what they make, which frees all of it.
+ *
+ * An object with a key is found again by it: a second one with the same content in one plan, and
+ * the one that the former plan had. Keys hold handles of other objects. This is safe, since every
+ * object of a list has been made or found with the handles of objects of that list.
+ */
 #include <stdlib.h>
+#include <string.h>
 #include "graph/exec/exec.h"
 
 struct exec_object {
-    VkObjectType type; /* VK_OBJECT_TYPE_UNKNOWN: memory of the host */
+    VkObjectType type; /* VK_OBJECT_TYPE_UNKNOWN: memory of the host; MAX_ENUM: taken over */
     uint64_t handle;
+    uint64_t key;  /* RG_NO_KEY: it is unlike any other */
+    bool is_spare; /* the plan does not use it, but the former one did */
 };
 
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
@@ -23,18 +32,83 @@ VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *
 
 VkResult rg_exec_make_room(struct rg_exec *exec)
 {
-    if (exec->object_count < exec->object_room)
+    struct exec_objects *list = &exec->objects;
+    if (list->count < list->room)
         return VK_SUCCESS;
-    uint32_t room = exec->object_room * 2 + 64;
-    struct exec_object *objects = realloc(exec->objects, room * sizeof(*objects));
-    if (!objects)
+    uint32_t room = list->room * 2 + 64;
+    struct exec_object *entries = realloc(list->entries, room * sizeof(*entries));
+    if (!entries)
         return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "realloc", NULL);
-    exec->objects = objects;
-    exec->object_room = room;
+    list->entries = entries;
+    list->room = room;
     return VK_SUCCESS;
 }
 
-void rg_exec_keep(struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name)
+uint64_t rg_exec_key(uint64_t key, const void *data, size_t size)
+{
+    const unsigned char *bytes = data;
+    uint64_t word = 0;
+    for (; size; bytes += sizeof(word)) {
+        size_t part = size < sizeof(word) ? size : sizeof(word);
+        memcpy(&word, bytes, part);
+        key = (key ^ word) * UINT64_C(0x9e3779b97f4a7c15);
+        key ^= key >> 29;
+        size -= part;
+    }
+    return key ? key : 1;
+}
+
+/* Whether two users can have one object: it has neither content nor state. */
+static bool can_be_shared(VkObjectType type)
+{
+    return type == VK_OBJECT_TYPE_SAMPLER || type == VK_OBJECT_TYPE_IMAGE_VIEW ||
+           type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT || type == VK_OBJECT_TYPE_PIPELINE_LAYOUT ||
+           type == VK_OBJECT_TYPE_PIPELINE || type == VK_OBJECT_TYPE_RENDER_PASS ||
+           type == VK_OBJECT_TYPE_FRAMEBUFFER;
+}
+
+/* Both plans make things in about the same order, so the search goes on where it ended. */
+static struct exec_object *find_former(struct exec_objects *former, VkObjectType type, uint64_t key)
+{
+    for (uint32_t i = 0; i < former->count; i++) {
+        uint32_t at = (former->next + i) % former->count;
+        if (former->entries[at].key == key && former->entries[at].type == type) {
+            former->next = at + 1;
+            return &former->entries[at];
+        }
+    }
+    return NULL;
+}
+
+bool rg_exec_find(struct rg_exec *exec, VkObjectType type, uint64_t key, void *handle, size_t size)
+{
+    const struct exec_objects *own = &exec->objects;
+    const struct exec_object *found = NULL;
+    exec->found = RG_NOT_FOUND;
+    if (key == RG_NO_KEY)
+        return false;
+    for (uint32_t i = 0; i < own->count && !found && can_be_shared(type); i++) {
+        if (own->entries[i].key == key && own->entries[i].type == type)
+            found = &own->entries[i];
+    }
+    if (found) {
+        exec->found = RG_FOUND_HERE;
+    } else {
+        struct exec_object *former = find_former(&exec->former, type, key);
+        if (!former)
+            return false;
+        exec->found = RG_FOUND_FORMER;
+        exec->objects.entries[exec->objects.count++] = *former;
+        former->type = VK_OBJECT_TYPE_MAX_ENUM;
+        exec->objects.entries[exec->objects.count - 1].is_spare = false;
+        found = &exec->objects.entries[exec->objects.count - 1];
+    }
+    memcpy(handle, &found->handle, size);
+    return true;
+}
+
+void rg_exec_keep(struct rg_exec *exec, VkObjectType type, uint64_t key, uint64_t handle,
+                  const char *name)
 {
     const VkDebugUtilsObjectNameInfoEXT info = {
         .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
@@ -42,19 +116,22 @@ void rg_exec_keep(struct rg_exec *exec, VkObjectType type, uint64_t handle, cons
         .objectHandle = handle,
         .pObjectName = name,
     };
-    exec->objects[exec->object_count++] = (struct exec_object){ type, handle };
+    exec->objects.entries[exec->objects.count++] = (struct exec_object){ type, handle, key, false };
     if (name && exec->vk.SetDebugUtilsObjectNameEXT)
         exec->vk.SetDebugUtilsObjectNameEXT(exec->device, &info);
 }
 
 /* At least one element: calloc() may return NULL for none, which would look like a failure. */
-void *rg_exec_make_array(struct rg_exec *exec, size_t count, size_t size)
+void *rg_exec_make_array(struct rg_exec *exec, uint64_t key, size_t count, size_t size)
 {
+    void *array;
     if (rg_exec_make_room(exec) != VK_SUCCESS)
         return NULL;
-    void *array = calloc(count ? count : 1, size);
+    if (rg_exec_find(exec, VK_OBJECT_TYPE_UNKNOWN, key, &array, sizeof(array)))
+        return array;
+    array = calloc(count ? count : 1, size);
     if (array)
-        rg_exec_keep(exec, VK_OBJECT_TYPE_UNKNOWN, (uintptr_t)array, NULL);
+        rg_exec_keep(exec, VK_OBJECT_TYPE_UNKNOWN, key, (uintptr_t)array, NULL);
     else
         rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
     return array;
@@ -84,9 +161,31 @@ static void free_object(const struct rg_exec *exec, const struct exec_object *ob
         free((void *)(uintptr_t)object->handle);
 }
 
-void rg_exec_free_objects(struct rg_exec *exec)
+void rg_exec_free_objects(const struct rg_exec *exec, struct exec_objects *list)
 {
-    while (exec->object_count)
-        free_object(exec, &exec->objects[--exec->object_count]);
-    free(exec->objects);
+    while (list->count)
+        free_object(exec, &list->entries[--list->count]);
+    free(list->entries);
+    *list = (struct exec_objects){ 0 };
+}
+
+/* What pipelines are made of, and is not of the size of a view. */
+static bool is_worth_keeping(const struct exec_object *object)
+{
+    return !object->is_spare && (object->type == VK_OBJECT_TYPE_PIPELINE ||
+                                 object->type == VK_OBJECT_TYPE_PIPELINE_LAYOUT ||
+                                 object->type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT);
+}
+
+void rg_exec_end_former(struct rg_exec *exec)
+{
+    for (uint32_t i = 0; i < exec->former.count; i++) {
+        struct exec_object *object = &exec->former.entries[i];
+        if (!is_worth_keeping(object) || rg_exec_make_room(exec) != VK_SUCCESS)
+            continue;
+        exec->objects.entries[exec->objects.count++] = *object;
+        exec->objects.entries[exec->objects.count - 1].is_spare = true;
+        object->type = VK_OBJECT_TYPE_MAX_ENUM;
+    }
+    rg_exec_free_objects(exec, &exec->former);
 }

@@ -11,17 +11,25 @@ VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass)
 static VkResult make_layout(struct rg_exec *exec, const struct rg_pass *row, struct exec_pass *pass)
 {
     const VkPushConstantRange push = { rg_exec_stages(row), 0, row->push_size };
+    uint64_t key = rg_exec_key(RG_NO_KEY, &push, sizeof(push));
     VkResult result;
-    RG_MAKE(exec, row->name, PIPELINE_LAYOUT, CreatePipelineLayout, &pass->layout,
-            &(VkPipelineLayoutCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                .setLayoutCount = 1,
-                .pSetLayouts = &pass->set_layout,
-                .pushConstantRangeCount = row->push_size ? 1 : 0,
-                .pPushConstantRanges = &push,
-            });
+    RG_KEY(key, pass->set_layout);
+    RG_MAKE_KEYED(exec, row->name, key, PIPELINE_LAYOUT, CreatePipelineLayout, &pass->layout,
+                  &(VkPipelineLayoutCreateInfo){
+                      .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                      .setLayoutCount = 1,
+                      .pSetLayouts = &pass->set_layout,
+                      .pushConstantRangeCount = row->push_size ? 1 : 0,
+                      .pPushConstantRanges = &push,
+                  });
 fail:
     return result;
+}
+
+static const struct rg_shader *code_of(const struct rg_exec *exec, const struct rg_shader *shader)
+{
+    const struct rg_exec_params *params = &exec->params;
+    return params->replace_shader ? params->replace_shader(params->user, shader) : shader;
 }
 
 /* VkPipelineShaderStageCreateInfo needs a module; it is destroyed once the pipeline is made. */
@@ -29,8 +37,7 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
                            VkShaderStageFlagBits stage, VkPipelineShaderStageCreateInfo *info)
 {
     const struct rg_exec_params *params = &exec->params;
-    const struct rg_shader *code =
-        params->replace_shader ? params->replace_shader(params->user, shader) : shader;
+    const struct rg_shader *code = code_of(exec, shader);
     const VkShaderModuleCreateInfo module = {
         .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
         .codeSize = code->word_count * sizeof(uint32_t),
@@ -106,7 +113,8 @@ vertex_input(const struct rg_vertex_layout *layout, const VkVertexInputBindingDe
 
 /* Makes a graphics pipeline from one or two shader stages. */
 static VkResult make_graphics(struct rg_exec *exec, const struct rg_plan_pass *plan,
-                              struct exec_pass *pass, const VkPipelineShaderStageCreateInfo *stages)
+                              struct exec_pass *pass, uint64_t key,
+                              const VkPipelineShaderStageCreateInfo *stages)
 {
     static const VkDynamicState dynamic[] = { VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR };
     const struct rg_pass *row = plan->pass;
@@ -162,8 +170,105 @@ static VkResult make_graphics(struct rg_exec *exec, const struct rg_plan_pass *p
         .dynamicStateCount = 2,
         .pDynamicStates = dynamic,
     };
-    RG_MAKE(exec, row->name, PIPELINE, CreateGraphicsPipelines, &pass->pipeline,
-            exec->params.pipeline_cache, 1, &info);
+    RG_MAKE_KEYED(exec, row->name, key, PIPELINE, CreateGraphicsPipelines, &pass->pipeline,
+                  exec->params.pipeline_cache, 1, &info);
+fail:
+    return result;
+}
+
+/* ---- keys ---- */
+
+/* Whether code has a specialization constant; it is that of a pipeline, which is sound SPIR-V. */
+static bool has_constant(const struct rg_shader *code, uint32_t id)
+{
+    enum {
+        HEADER_WORDS = 5,
+        OP_FUNCTION = 54,
+        OP_DECORATE = 71,
+        SPEC_ID = 1,
+    };
+
+    uint32_t count;
+    for (size_t i = HEADER_WORDS; i + 3 < code->word_count; i += count) {
+        const uint32_t *words = &code->words[i];
+        count = words[0] >> 16;
+        if ((words[0] & 0xffff) == OP_FUNCTION || !count)
+            return false;
+        if ((words[0] & 0xffff) == OP_DECORATE && words[2] == SPEC_ID && words[3] == id)
+            return true;
+    }
+    return false;
+}
+
+/* Adds the code of a shader, and the constants that it has. */
+static void add_shader(uint64_t *key, const struct rg_exec *exec, const struct rg_shader *shader)
+{
+    const VkSpecializationInfo *constants = exec->params.constants;
+    const struct rg_shader *code = shader ? code_of(exec, shader) : NULL;
+    RG_KEY(*key, code ? code->word_count : 0);
+    if (!code || !code->words)
+        return;
+    *key = rg_exec_key(*key, code->words, code->word_count * sizeof(uint32_t));
+    for (uint32_t i = 0; constants && i < constants->mapEntryCount; i++) {
+        const VkSpecializationMapEntry *entry = &constants->pMapEntries[i];
+        if (!has_constant(code, entry->constantID))
+            continue;
+        RG_KEY(*key, entry->constantID);
+        *key = rg_exec_key(*key, (const char *)constants->pData + entry->offset, entry->size);
+    }
+}
+
+static void add_vertices(uint64_t *key, const struct rg_vertex_layout *layout)
+{
+    RG_KEY(*key, layout ? layout->stride : RG_NONE);
+    if (layout && layout->attribute_count)
+        *key = rg_exec_key(*key, layout->attributes,
+                           layout->attribute_count * sizeof(*layout->attributes));
+}
+
+/* Drivers compile equal pipelines again, so rows that draw alike share one. All that a pipeline is
+ * made of is in the key, but for the VkRenderPass: that is compatible if the targets are alike. */
+static uint64_t pipeline_key(const struct rg_exec *exec, const struct rg_plan_pass *plan,
+                             const struct exec_pass *pass)
+{
+    const struct rg_pass *row = plan->pass;
+    uint64_t key = rg_exec_key(RG_NO_KEY, &pass->layout, sizeof(pass->layout));
+    add_shader(&key, exec, row->vert);
+    add_shader(&key, exec, row->frag);
+    add_shader(&key, exec, row->comp);
+    if (row->kind == RG_COMPUTE)
+        return key;
+    const uint32_t state[] = { (uint32_t)row->topology,
+                               row->cull,
+                               (uint32_t)row->front,
+                               (uint32_t)row->depth_compare,
+                               row->depth_read_only,
+                               plan->color_count,
+                               (uint32_t)rg_exec_samples(exec, plan),
+                               pass->render_pass != VK_NULL_HANDLE };
+    struct target_state targets;
+    add_vertices(&key, row->vertices);
+    key = rg_exec_key(key, state, sizeof(state));
+    fill_target_state(&targets, exec, plan);
+    for (uint32_t i = 0; i < plan->color_count; i++)
+        RG_KEY(key, (uint64_t)targets.formats[i] << 32 | (uint32_t)row->color[i].blend);
+    return RG_KEY(key, targets.rendering.depthAttachmentFormat);
+}
+
+/* ---- pipelines ---- */
+
+static VkResult make_compute(struct rg_exec *exec, const struct rg_pass *row,
+                             struct exec_pass *pass, uint64_t key,
+                             const VkPipelineShaderStageCreateInfo *stage)
+{
+    VkResult result;
+    RG_MAKE_KEYED(exec, row->name, key, PIPELINE, CreateComputePipelines, &pass->pipeline,
+                  exec->params.pipeline_cache, 1,
+                  &(VkComputePipelineCreateInfo){
+                      .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                      .stage = *stage,
+                      .layout = pass->layout,
+                  });
 fail:
     return result;
 }
@@ -173,24 +278,22 @@ static VkResult make_pipeline(struct rg_exec *exec, const struct rg_plan_pass *p
 {
     const struct rg_pass *row = plan->pass;
     VkPipelineShaderStageCreateInfo stages[2] = { 0 };
-    VkResult result = VK_SUCCESS;
-    if (row->kind == RG_TRANSFER)
-        return VK_SUCCESS;
+    VkResult result;
     RG_PASS(make_layout(exec, row, pass));
+    const uint64_t key = pipeline_key(exec, plan, pass);
+    RG_PASS(rg_exec_make_room(exec));
+    pass->first =
+        !rg_exec_find(exec, VK_OBJECT_TYPE_PIPELINE, key, &pass->pipeline, sizeof(pass->pipeline));
+    if (!pass->first)
+        return VK_SUCCESS;
     if (row->kind == RG_COMPUTE) {
         RG_PASS(make_stage(exec, row->comp, VK_SHADER_STAGE_COMPUTE_BIT, &stages[0]));
-        RG_MAKE(exec, row->name, PIPELINE, CreateComputePipelines, &pass->pipeline,
-                exec->params.pipeline_cache, 1,
-                &(VkComputePipelineCreateInfo){
-                    .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                    .stage = stages[0],
-                    .layout = pass->layout,
-                });
+        RG_PASS(make_compute(exec, row, pass, key, stages));
     } else {
         RG_PASS(make_stage(exec, row->vert, VK_SHADER_STAGE_VERTEX_BIT, &stages[0]));
         if (row->frag)
             RG_PASS(make_stage(exec, row->frag, VK_SHADER_STAGE_FRAGMENT_BIT, &stages[1]));
-        RG_PASS(make_graphics(exec, plan, pass, stages));
+        RG_PASS(make_graphics(exec, plan, pass, key, stages));
     }
 fail:
     exec->vk.DestroyShaderModule(exec->device, stages[0].module, NULL);
@@ -198,72 +301,19 @@ fail:
     return result;
 }
 
-static bool same_target(const struct rg_exec *exec, const struct rg_plan_target *a,
-                        const struct rg_plan_target *b)
-{
-    const struct rg_plan_image *images = exec->plan->images;
-    if (a->image == RG_NONE || b->image == RG_NONE)
-        return a->image == b->image;
-    return images[a->image].image->format == images[b->image].image->format;
-}
-
-/* Whether uses bind the same kinds of descriptors, so that their set layouts are compatible. */
-static bool bind_alike(const struct rg_use *a, const struct rg_use *b)
-{
-    if (a == b || !a || !b)
-        return a == b;
-    while (a->access && a->access == b->access && a->binding == b->binding &&
-           a->stages == b->stages && !a->image == !b->image) {
-        a++;
-        b++;
-    }
-    return a->access == b->access && !a->access;
-}
-
-/* Whether two rows can share a pipeline. */
-static bool draw_alike(const struct rg_exec *exec, const struct rg_plan_pass *a,
-                       const struct rg_plan_pass *b)
-{
-    const struct rg_pass *x = a->pass, *y = b->pass;
-    bool same = x->vert == y->vert && x->frag == y->frag && bind_alike(x->uses, y->uses) &&
-                x->vertices == y->vertices && x->topology == y->topology && x->cull == y->cull &&
-                x->front == y->front && x->depth_compare == y->depth_compare &&
-                x->depth_read_only == y->depth_read_only && x->push_size == y->push_size &&
-                a->color_count == b->color_count && same_target(exec, &a->depth, &b->depth) &&
-                rg_exec_samples(exec, a) == rg_exec_samples(exec, b);
-    for (uint32_t i = 0; same && i < a->color_count; i++)
-        same =
-            x->color[i].blend == y->color[i].blend && same_target(exec, &a->color[i], &b->color[i]);
-    return same;
-}
-
-/* Returns the first pass that a pass can share the pipeline with, since drivers compile equal
- * pipelines again; it may be the pass itself. A pipeline made for a VkRenderPass is only shared by
- * repetitions. */
-static uint32_t find_alike(const struct rg_exec *exec, uint32_t p)
-{
-    const struct rg_plan_pass *passes = exec->plan->passes;
-    if (p > 0 && passes[p - 1].pass == passes[p].pass)
-        return p - 1;
-    for (uint32_t q = 0; q < p && passes[p].pass->kind == RG_RASTER; q++) {
-        if (exec->passes[q].first && passes[q].pass->kind == RG_RASTER &&
-            !exec->passes[p].render_pass && draw_alike(exec, &passes[p], &passes[q]))
-            return q;
-    }
-    return p;
-}
-
 VkResult rg_exec_make_pipelines(struct rg_exec *exec)
 {
+    const struct rg_plan_pass *plans = exec->plan->passes;
     VkResult result = VK_SUCCESS;
     for (uint32_t p = 0; p < exec->plan->pass_count && result == VK_SUCCESS; p++) {
         struct exec_pass *pass = &exec->passes[p];
-        uint32_t alike = find_alike(exec, p);
-        pass->first = alike == p;
-        if (pass->first)
-            result = make_pipeline(exec, &exec->plan->passes[p], pass);
-        pass->layout = exec->passes[alike].layout;
-        pass->pipeline = exec->passes[alike].pipeline;
+        bool repeats = p > 0 && plans[p - 1].pass == plans[p].pass;
+        if (repeats) {
+            pass->layout = exec->passes[p - 1].layout;
+            pass->pipeline = exec->passes[p - 1].pipeline;
+        } else if (plans[p].pass->kind != RG_TRANSFER) {
+            result = make_pipeline(exec, &plans[p], pass);
+        }
     }
     return result;
 }

@@ -138,8 +138,7 @@ static void bind(const struct rg_cmd *cmd)
     if (plan->pass->kind == RG_TRANSFER)
         return;
     cmd->exec->vk.CmdBindPipeline(cmd->commands, point, cmd->pass->pipeline);
-    const VkDescriptorSet *sets =
-        &cmd->exec->image_set->descriptors[(size_t)cmd->index * cmd->exec->slot_count];
+    const VkDescriptorSet *sets = cmd->exec->image_set->descriptors[cmd->index];
     cmd->exec->vk.CmdBindDescriptorSets(cmd->commands, point, cmd->pass->layout, 0, 1,
                                         &sets[cmd->exec->slot], 0, NULL);
     if (plan->pass->kind != RG_RASTER)
@@ -219,6 +218,7 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint
     if (first + count == plan->pass_count)
         rg_exec_record_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
     RG_CALL(exec, NULL, EndCommandBuffer, commands);
+    result = exec->refused;
 fail:
     return result;
 }
@@ -356,24 +356,52 @@ static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_p
     };
 }
 
+/* Whether a copy stays within the buffer; if not, the frame is not submitted. */
+static bool fits(const struct rg_cmd *cmd, const struct rg_plan_use *image,
+                 const struct rg_plan_use *buffer, const VkBufferImageCopy *region)
+{
+    struct rg_exec *exec = cmd->exec;
+    const struct rg_plan_buffer *to = &exec->plan->buffers[buffer->buffer];
+    const struct rg_format_info *format =
+        rg_format_info(exec->plan->images[image->image].image->format);
+    VkDeviceSize texel = image->range.aspectMask == VK_IMAGE_ASPECT_STENCIL_BIT ? 1
+                         : format->aspects & VK_IMAGE_ASPECT_STENCIL_BIT        ? 4
+                                                                                : format->size;
+    VkDeviceSize size = texel * region->imageExtent.width * region->imageExtent.height *
+                        region->imageSubresource.layerCount;
+    char what[256];
+    if (size <= to->size && region->bufferOffset <= to->size - size)
+        return true;
+    snprintf(what, sizeof(what),
+             "%s: a copy of %llu bytes from byte %llu on, beyond the %llu bytes",
+             cmd->plan_pass->pass->name, (unsigned long long)size,
+             (unsigned long long)region->bufferOffset, (unsigned long long)to->size);
+    exec->refused = rg_exec_check(exec, VK_ERROR_VALIDATION_FAILED_EXT, what, to->buffer->name);
+    return false;
+}
+
 void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *image,
                                  const struct rg_buffer *buffer, VkDeviceSize offset)
 {
     const struct rg_plan_use *from = find_use(cmd, image, RG_COPY_SRC);
+    const struct rg_plan_use *to = find_use(cmd, buffer, RG_COPY_DST);
     const VkBufferImageCopy region = copy_region(cmd, from, offset);
-    cmd->exec->vk.CmdCopyImageToBuffer(cmd->commands, cmd->exec->image_set->images[from->image],
-                                       from->layout, find_buffer(cmd, buffer, RG_COPY_DST), 1,
-                                       &region);
+    if (fits(cmd, from, to, &region))
+        cmd->exec->vk.CmdCopyImageToBuffer(
+            cmd->commands, cmd->exec->image_set->images[from->image], from->layout,
+            rg_exec_buffer(cmd->exec, to->buffer, cmd->exec->slot)->buffer, 1, &region);
 }
 
 void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                  VkDeviceSize offset, const struct rg_image *image)
 {
     const struct rg_plan_use *to = find_use(cmd, image, RG_COPY_DST);
+    const struct rg_plan_use *from = find_use(cmd, buffer, RG_COPY_SRC);
     const VkBufferImageCopy region = copy_region(cmd, to, offset);
-    cmd->exec->vk.CmdCopyBufferToImage(cmd->commands, find_buffer(cmd, buffer, RG_COPY_SRC),
-                                       cmd->exec->image_set->images[to->image], to->layout, 1,
-                                       &region);
+    if (fits(cmd, to, from, &region))
+        cmd->exec->vk.CmdCopyBufferToImage(
+            cmd->commands, rg_exec_buffer(cmd->exec, from->buffer, cmd->exec->slot)->buffer,
+            cmd->exec->image_set->images[to->image], to->layout, 1, &region);
 }
 
 VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd)

@@ -110,6 +110,12 @@ void rg_exec_measure(struct rg_exec *exec, const struct rg_measure *measure)
     };
 }
 
+void rg_time_keep(struct rg_exec *exec, const struct rg_exec *former)
+{
+    if (exec->time)
+        exec->time->measure = former->time->measure;
+}
+
 struct rg_times rg_exec_times(const struct rg_exec *exec)
 {
     return exec->time ? exec->time->times : (struct rg_times){ 0 };

@@ -17,7 +17,7 @@ VkResult rg_exec_make_warm_up(struct rg_exec *exec)
     if (!exec->params.warm_up_only)
         return result;
     RG_PASS(rg_exec_make_host_buffer(exec, &info, VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
-                                     "blank triangle", &blank));
+                                     "blank triangle", 0, &blank));
     exec->triangle = blank.buffer;
     memset(blank.mapped, 0, blank_size); /* every buffer may have coherent memory */
 fail:

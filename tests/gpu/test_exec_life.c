@@ -307,6 +307,27 @@ static void every_vulkan_call_may_fail(void **state)
     every_call_may_fail(*state, true);
 }
 
+/* Whatever an update has changed by then, all of it goes with the executor. */
+static void every_call_of_an_update_may_fail(void **state)
+{
+    struct run_params larger = params;
+    VkResult result = VK_ERROR_UNKNOWN;
+    larger.view = (VkExtent2D){ 16, 8 };
+    for (uint32_t failing = 1; result != VK_SUCCESS; failing++) {
+        struct run run;
+        run_compile(&run, *state, &params);
+        let_fail(0);
+        assert_int_equal(run_create(&run, run.plan), VK_SUCCESS);
+        assert_int_equal(try_frame(&run), VK_SUCCESS);
+        vulkan_calls = (struct calls){ .failing = failing };
+        result = run_try_update(&run, &larger);
+        let_succeed();
+        assert_int_equal(run.line_count, result == VK_SUCCESS ? 0 : 1);
+        run_close(&run);
+    }
+    assert_true(vulkan_calls.count > 20);
+}
+
 /* Tight sizes are no device's; a driver whose own are as tight would be in its right to succeed. */
 static void plan_without_device_is_refused(void **state)
 {
@@ -536,7 +557,7 @@ int main(void)
         ON_DEVICE(missing_function_is_refused), ON_DEVICE(debug_utils_may_be_missing),
         ON_DEVICE(missing_import_is_refused),   ON_DEVICE(shader_without_words_is_refused),
         ON_DEVICE(strangers_have_nothing),      ON_DEVICE(targets_are_not_kept_in_vain),
-        ON_DEVICE(other_memory_is_flushed),
+        ON_DEVICE(other_memory_is_flushed),     ON_DEVICE(every_call_of_an_update_may_fail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,6 +49,7 @@ void run_tables_init(struct run_tables *tables, const struct run_params *params,
         .techniques = &tables->technique,
         .technique_count = 1,
         .view = params->view.width ? params->view : (VkExtent2D){ 8, 8 },
+        .max_view = params->max_view,
         .max_region = params->max_region,
         .outputs = tables->outputs,
         .output_count = output_count,
@@ -81,35 +82,57 @@ void run_compile(struct run *run, struct gpu *gpu, const struct run_params *para
     run->plan = run_plan(&run->params, params->no_device ? NULL : &device);
 }
 
+static struct rg_exec_params exec_params(struct run *run, const struct rg_plan *plan)
+{
+    return (struct rg_exec_params){
+        .plan = plan,
+        .instance = run->gpu->instance,
+        .get_proc_addr = find_function,
+        .physical = run->gpu->physical,
+        .device = run->gpu->device,
+        .queue = run->gpu->queue,
+        .queue_family = run->gpu->queue_family,
+        .pipeline_cache = run->gpu->pipeline_cache,
+        .frames_in_flight = run->params.frames_in_flight,
+        .imports = run->params.objects,
+        .import_count = run->params.import_count,
+        .max_anisotropy = run->gpu->max_anisotropy,
+        .render_passes = run->params.render_passes,
+        .measured = run->params.measure.clock || run->params.measure.statistics,
+        .statistics = run->gpu->has_statistics,
+        .constants = run->params.constants,
+        .log = log_line,
+        .user = run,
+    };
+}
+
 VkResult run_create(struct run *run, const struct rg_plan *plan)
 {
+    const struct rg_exec_params params = exec_params(run, plan);
     VkResult result = VK_ERROR_UNKNOWN;
-    run->exec = rg_exec_create(
-        &(struct rg_exec_params){
-            .plan = plan,
-            .instance = run->gpu->instance,
-            .get_proc_addr = find_function,
-            .physical = run->gpu->physical,
-            .device = run->gpu->device,
-            .queue = run->gpu->queue,
-            .queue_family = run->gpu->queue_family,
-            .pipeline_cache = run->gpu->pipeline_cache,
-            .frames_in_flight = run->params.frames_in_flight,
-            .imports = run->params.objects,
-            .import_count = run->params.import_count,
-            .max_anisotropy = run->gpu->max_anisotropy,
-            .render_passes = run->params.render_passes,
-            .measured = run->params.measure.clock || run->params.measure.statistics,
-            .statistics = run->gpu->has_statistics,
-            .constants = run->params.constants,
-            .log = log_line,
-            .user = run,
-        },
-        &result);
+    run->exec = rg_exec_create(&params, &result);
     if (run->exec)
         rg_exec_measure(run->exec, &run->params.measure);
     assert_int_equal(!run->exec, result != VK_SUCCESS);
     return result;
+}
+
+VkResult run_try_update(struct run *run, const struct run_params *params)
+{
+    const struct rg_device device = rg_exec_device(&run->vulkan);
+    struct rg_plan *former = run->plan;
+    run->params = *params;
+    run->plan = run_plan(&run->params, &device);
+    const struct rg_exec_params changed = exec_params(run, run->plan);
+    VkResult result = rg_exec_update(run->exec, &changed);
+    rg_plan_destroy(former);
+    return result;
+}
+
+void run_update(struct run *run, const struct run_params *params)
+{
+    if (run_try_update(run, params) != VK_SUCCESS)
+        fail_msg("%s", run->line);
 }
 
 void run_open(struct run *run, struct gpu *gpu, const struct run_params *params)

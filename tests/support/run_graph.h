@@ -15,8 +15,8 @@ enum {
 
 struct run_params {
     struct rg_technique technique;
-    VkExtent2D view;       /* texels; 0 means 8 x 8 */
-    VkExtent2D max_region; /* of rg_compile_params, as is */
+    VkExtent2D view;                 /* texels; 0 means 8 x 8 */
+    VkExtent2D max_view, max_region; /* of rg_compile_params, as is */
     /* read back after the frame, in memory that the host reads; ends at NULL */
     const struct rg_buffer *outputs[RUN_OUTPUT_COUNT + 1];
     struct rg_output kept[RUN_KEPT_COUNT + 1]; /* more outputs; ends at {0} */
@@ -65,6 +65,10 @@ VkResult run_create(struct run *run, const struct rg_plan *plan);
 /* run_compile(), and run_create() without failure. */
 void run_open(struct run *run, struct gpu *gpu, const struct run_params *params);
 void run_close(struct run *run);
+
+/* Puts the plan of other params in the place of run->plan. May fail. */
+VkResult run_try_update(struct run *run, const struct run_params *params);
+void run_update(struct run *run, const struct run_params *params); /* without failure */
 
 /* Runs a frame in the next slot and waits for it. */
 void run_frame(struct run *run, const struct rg_frame *frame);

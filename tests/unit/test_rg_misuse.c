@@ -82,6 +82,11 @@ static void flat_region(struct rg_compile_params *params)
     params->max_region.width = 1;
 }
 
+static void small_view(struct rg_compile_params *params)
+{
+    params->max_view = (VkExtent2D){ FAULT_CASE_VIEW, FAULT_CASE_VIEW - 1 };
+}
+
 static void vast_region(struct rg_compile_params *params)
 {
     params->max_region = (VkExtent2D){ FAULT_CASE_VIEW, FAULT_CASE_VIEW + 1 };
@@ -113,6 +118,8 @@ static const struct fault_case params_cases[] = {
       .text = "has no size; max_region: expected two sides, or 0x0 for the view's" },
     { RG_ERROR_TOO_LARGE, .edit = vast_region,
       .text = "is too large; max_region: expected no more than the view" },
+    { RG_ERROR_TOO_LARGE, .edit = small_view,
+      .text = "is too large; view: expected no more than max_view" },
     { RG_ERROR_VALUE, .edit = wild_sharing,
       .text = NO_VALUE "sharing: expected a constant of enum rg_sharing" },
     { IMPORT(RG_ERROR_NO_SIZE, NULL, { .image = &OTHER, .extent = { 0, 9 } }),
