@@ -251,25 +251,6 @@ struct rg_technique {
     size_t pass_count;
 };
 
-/* Initialises a technique from its name and an array of passes. */
-#define RG_TECHNIQUE(title, table) \
-    { \
-        .name = (title), .passes = (table), .pass_count = sizeof(table) / sizeof((table)[0]) \
-    }
-
-/*
- * The colour targets of a row and their number:
- * .color = RG_TARGETS({ &a, RG_LOAD_CLEAR }, { &b, RG_LOAD_KEEP }). A compound literal, as that of
- * RG_USES(): it lives as long as the scope it is in. Rows made in a loop need arrays of their own.
- */
-#define RG_TARGETS(...) \
-    (const struct rg_target[]){ __VA_ARGS__ }, \
-        .color_count = \
-            sizeof((const struct rg_target[]){ __VA_ARGS__ }) / sizeof(struct rg_target)
-
-/* The uses of a row, with their end: .uses = RG_USES({ .image = &a, .access = RG_SAMPLED }, ...) */
-#define RG_USES(...) ((const struct rg_use[]){ __VA_ARGS__, { 0 } })
-
 /*
  * A resource that exists outside of the plan. It arrives in the layout of `access`. If that only
  * reads, earlier writes are visible to it (to vertex, fragment and compute shaders, if shaders do
@@ -585,5 +566,7 @@ RG_API const struct rg_format_info *rg_format_info(VkFormat format);
 #ifdef __cplusplus
 }
 #endif
+
+#include "graph/rg_table.h"
 
 #endif

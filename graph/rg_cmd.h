@@ -3,8 +3,8 @@
  *
  * When a record function is called, the pipeline, descriptor set 0, targets, viewport and scissor
  * of its row are bound: what is left is push constants, buffers and draws. All functions here write
- * into the command buffer of the pass, in the thread of rg_exec_submit(). None returns an error, and
- * a `cmd` is valid only until its record function returns.
+ * into the command buffer of the pass, in the thread of rg_exec_submit(). None returns an error,
+ * and a `cmd` is valid only until its record function returns.
  */
 #ifndef RG_CMD_H
 #define RG_CMD_H

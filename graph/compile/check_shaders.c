@@ -45,14 +45,14 @@ static void check_push(const struct shaders *s)
         for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
             const struct spirv_variable *v = &s->stages[i]->variables[k];
             uint32_t size = v->storage == SPIRV_PUSH_CONSTANT
-                                ? (spirv_struct_size(s->stages[i], v->type) + 3) & ~3u
+                                ? (rg_spirv_struct_size(s->stages[i], v->type) + 3) & ~3u
                                 : 0;
             most = size > most ? size : most;
             if (!v->used || size <= least)
                 continue;
             least = size;
             shader = shader_of(s->stages[i]);
-            block = spirv_name(s->stages[i], v);
+            block = rg_spirv_name(s->stages[i], v);
         }
     }
     uint32_t size = s->row->push_size;
@@ -116,7 +116,7 @@ static bool is_bound(const struct shaders *s, uint32_t count, uint32_t binding)
             const struct spirv_variable *v = &s->stages[i]->variables[k];
             uint32_t number;
             if (v->used && v->binding == binding &&
-                spirv_descriptor(s->stages[i], v, &number) != VK_DESCRIPTOR_TYPE_MAX_ENUM)
+                rg_spirv_descriptor(s->stages[i], v, &number) != VK_DESCRIPTOR_TYPE_MAX_ENUM)
                 return true;
         }
     }
@@ -214,7 +214,7 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
                         const struct spirv_variable *v, const struct spirv_image *seen,
                         const struct rg_use *use)
 {
-    const char *name = spirv_name(stage, v);
+    const char *name = rg_spirv_name(stage, v);
     const struct rg_image *image = use->image;
     const struct rg_range *range = &use->range;
     uint32_t layers = layer_count(s, image);
@@ -246,14 +246,14 @@ static void check_uniform(const struct shaders *s, const struct spirv *stage,
                           const struct spirv_variable *v, const struct rg_use *use)
 {
     const struct rg_compile_params *params = s->c->params;
-    uint32_t needed = spirv_struct_size(stage, v->type);
+    uint32_t needed = rg_spirv_struct_size(stage, v->type);
     VkDeviceSize size = use->buffer->size;
     for (size_t i = 0; i < params->import_count; i++) {
         if (params->imports[i].buffer == use->buffer && params->imports[i].size)
             size = params->imports[i].size;
     }
     if (!use->buffer->size_per_texel && size < needed)
-        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u: expected %u bytes or more, '%s' has %llu", v->binding, needed,
               use_name(use), (unsigned long long)size);
 }
@@ -264,19 +264,19 @@ static void check_use(const struct shaders *s, const struct spirv *stage,
 {
     struct spirv_image image;
     uint32_t count;
-    VkDescriptorType type = spirv_descriptor(stage, v, &count);
+    VkDescriptorType type = rg_spirv_descriptor(stage, v, &count);
     if (!serves(use_descriptor(use), type))
-        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u is %s in '%s', '%s' is %s", v->binding, descriptor_name(type),
               shader_of(stage), use_name(use), descriptor_name(use_descriptor(use)));
     else if (count != 1)
-        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u: an array of %u descriptors; a use is one", v->binding, count);
     else if (!(rg_use_stages(s->row, use) & in))
-        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u: name the stage of '%s' in .stages of '%s'", v->binding, shader_of(stage),
               use_name(use));
-    else if (use->image && spirv_image(stage, v->type, &image))
+    else if (use->image && rg_spirv_image(stage, v->type, &image))
         check_image(s, stage, v, &image, use);
     else if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
         check_uniform(s, stage, v, use);
@@ -288,14 +288,14 @@ static void miss_binding(const struct shaders *s, const struct spirv *stage,
 {
     const struct rg_use *other = find_unused(s, (*missing)++);
     if (v->set)
-        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "it is in set %u of '%s': use set 0", v->set, shader_of(stage));
     else if (other)
-        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u of '%s' is not in the row; no shader uses binding %u ('%s')", v->binding,
               shader_of(stage), other->binding, use_name(other));
     else
-        fault(s, RG_ERROR_SHADER_BINDING, spirv_name(stage, v),
+        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u of '%s' is not in the row", v->binding, shader_of(stage));
 }
 
@@ -309,7 +309,7 @@ static void check_bindings(const struct shaders *s)
             const struct spirv_variable *v = &s->stages[i]->variables[k];
             uint32_t number;
             if (!v->used ||
-                spirv_descriptor(s->stages[i], v, &number) == VK_DESCRIPTOR_TYPE_MAX_ENUM)
+                rg_spirv_descriptor(s->stages[i], v, &number) == VK_DESCRIPTOR_TYPE_MAX_ENUM)
                 continue;
             const struct rg_use *use = v->set ? NULL : find_binding(s->row, v->binding);
             if (use)
@@ -375,15 +375,15 @@ static void check_attribute(const struct shaders *s, const struct spirv_variable
         if (layout->attributes[i].location == location)
             a = &layout->attributes[i];
     }
-    char component = spirv_component(s->stages[0], v->type, &count);
+    char component = rg_spirv_component(s->stages[0], v->type, &count);
     char kind = '?';
     if (a)
         kind = vertex_component(a->format, &given);
     if (!a)
-        fault(s, RG_ERROR_SHADER_VERTEX, spirv_name(s->stages[0], v),
+        fault(s, RG_ERROR_SHADER_VERTEX, rg_spirv_name(s->stages[0], v),
               "location %u of '%s' is in no vertex layout", location, shader_of(s->stages[0]));
     else if (component != '?' && kind != '?' && (count > given || component != kind))
-        fault(s, RG_ERROR_SHADER_VERTEX, spirv_name(s->stages[0], v),
+        fault(s, RG_ERROR_SHADER_VERTEX, rg_spirv_name(s->stages[0], v),
               "location %u: '%s' reads %u x %s, the format has %u x %s", location,
               shader_of(s->stages[0]), count, component_name(component), given,
               component_name(kind));
@@ -395,7 +395,7 @@ static uint32_t locations(const struct spirv *s, uint32_t storage)
     uint32_t bits = 0;
     for (uint32_t i = 0; i < s->variable_count; i++) {
         const struct spirv_variable *v = &s->variables[i];
-        uint32_t count = spirv_locations(s, v->type);
+        uint32_t count = rg_spirv_locations(s, v->type);
         if (v->storage != storage || !v->in_interface || v->location == SPIRV_NONE)
             continue;
         for (uint32_t k = 0; k < count && k < 32; k++)
@@ -409,7 +409,7 @@ static void check_vertices(const struct shaders *s)
     const struct spirv *vert = s->stages[0];
     for (uint32_t i = 0; i < vert->variable_count; i++) {
         const struct spirv_variable *v = &vert->variables[i];
-        uint32_t count = spirv_locations(vert, v->type);
+        uint32_t count = rg_spirv_locations(vert, v->type);
         bool is_input = v->storage == SPIRV_INPUT && v->used && v->location < RG_MAX_ATTRIBUTES;
         for (uint32_t k = 0; is_input && k < count && k < RG_MAX_ATTRIBUTES; k++)
             check_attribute(s, v, v->location + k);
@@ -420,17 +420,17 @@ static void check_output(const struct shaders *s, const struct spirv_variable *v
 {
     const struct spirv *frag = s->stages[1];
     uint32_t color_count = rg_color_count(s->row);
-    uint32_t last = v->location + spirv_locations(frag, v->type) - 1;
+    uint32_t last = v->location + rg_spirv_locations(frag, v->type) - 1;
     if (last >= color_count) {
-        fault(s, RG_ERROR_SHADER_OUTPUT, spirv_name(frag, v), "output %u of '%s' has no target",
+        fault(s, RG_ERROR_SHADER_OUTPUT, rg_spirv_name(frag, v), "output %u of '%s' has no target",
               last, shader_of(frag));
         return;
     }
-    char component = spirv_component(frag, v->type, NULL);
+    char component = rg_spirv_component(frag, v->type, NULL);
     const struct rg_image *image = s->row->color[v->location].image;
     char wanted = component_of(image, 0);
     if (component != '?' && wanted != '?' && component != wanted)
-        fault(s, RG_ERROR_SHADER_OUTPUT, spirv_name(frag, v),
+        fault(s, RG_ERROR_SHADER_OUTPUT, rg_spirv_name(frag, v),
               "output %u of '%s' is %s, the target has %s", v->location, shader_of(frag),
               component_name(component), component_name(wanted));
 }
@@ -447,7 +447,7 @@ static void check_fragments(const struct shaders *s)
         if (is_placed && v->storage == SPIRV_OUTPUT)
             check_output(s, v);
         if (is_placed && v->used && v->storage == SPIRV_INPUT && !(passed >> v->location & 1))
-            fault(s, RG_ERROR_SHADER_INPUT, spirv_name(frag, v),
+            fault(s, RG_ERROR_SHADER_INPUT, rg_spirv_name(frag, v),
                   "location %u of '%s' is no output of '%s'", v->location, shader_of(frag),
                   shader_of(s->stages[0]));
     }
@@ -507,7 +507,7 @@ static bool open_stage(struct shaders *s, const struct rg_shader *shader,
                        VkShaderStageFlagBits stage)
 {
     struct spirv *module = &s->c->modules[s->count];
-    const char *trouble = spirv_read(module, s->c->arena, shader, stage);
+    const char *trouble = rg_spirv_read(module, s->c->arena, shader, stage);
     if (trouble)
         rg_fault(s->c, RG_ERROR_SHADER, shader->name ? shader->name : "?", trouble);
     s->stages[s->count++] = module;

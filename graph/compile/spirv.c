@@ -104,7 +104,7 @@ static const uint32_t *made_by(const struct spirv *s, uint32_t id, uint32_t op, 
     return words && (words[0] & 0xffff) == op && words[0] >> 16 >= count ? words : NULL;
 }
 
-const char *spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count)
+const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count)
 {
     const uint32_t *words = made_by(s, type, OP_TYPE_STRUCT, 2);
     *member_count = words ? (words[0] >> 16) - 2 : 0;
@@ -163,7 +163,7 @@ static uint32_t size_of(const struct spirv *s, uint32_t type, const struct membe
     if (depth == DEEPEST)
         return 0;
     if (words) {
-        spirv_component(s, words[2], &count);
+        rg_spirv_component(s, words[2], &count);
         return (layout->row_major ? count : words[3]) * layout->stride;
     }
     if ((words = made_by(s, type, OP_TYPE_VECTOR, 4)))
@@ -204,12 +204,12 @@ static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth
            size_of(s, words[2 + last], &layout, depth);
 }
 
-uint32_t spirv_struct_size(const struct spirv *s, uint32_t type)
+uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type)
 {
     return struct_size(s, type, 0);
 }
 
-struct spirv_member spirv_member(const struct spirv *s, uint32_t type, uint32_t index)
+struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index)
 {
     const uint32_t *words = made_by(s, type, OP_TYPE_STRUCT, 3 + index);
     if (!words)
@@ -219,7 +219,7 @@ struct spirv_member spirv_member(const struct spirv *s, uint32_t type, uint32_t 
                                   size_of(s, words[2 + index], &layout, 0) };
 }
 
-bool spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image)
+bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image)
 {
     const uint32_t *sampled = made_by(s, type, OP_TYPE_SAMPLED_IMAGE, 3);
     const uint32_t *words = made_by(s, sampled ? sampled[2] : type, OP_TYPE_IMAGE, 9);
@@ -228,14 +228,14 @@ bool spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image
     *image = (struct spirv_image){
         .dim = words[3],
         .format = words[8],
-        .component = spirv_component(s, words[2], NULL),
+        .component = rg_spirv_component(s, words[2], NULL),
         .arrayed = words[5],
         .multisampled = words[6],
     };
     return true;
 }
 
-char spirv_component(const struct spirv *s, uint32_t type, uint32_t *count)
+char rg_spirv_component(const struct spirv *s, uint32_t type, uint32_t *count)
 {
     const uint32_t *vector = made_by(s, type, OP_TYPE_VECTOR, 4);
     uint32_t scalar = vector ? vector[2] : type;
@@ -264,13 +264,13 @@ static uint32_t locations(const struct spirv *s, uint32_t type, uint32_t depth)
     return count;
 }
 
-uint32_t spirv_locations(const struct spirv *s, uint32_t type)
+uint32_t rg_spirv_locations(const struct spirv *s, uint32_t type)
 {
     return locations(s, type, 0);
 }
 
-VkDescriptorType spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
-                                  uint32_t *count)
+VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
+                                     uint32_t *count)
 {
     uint32_t type = v->type;
     const uint32_t *array = made_by(s, type, OP_TYPE_RUNTIME_ARRAY, 3);
@@ -289,7 +289,7 @@ VkDescriptorType spirv_descriptor(const struct spirv *s, const struct spirv_vari
     if (made_by(s, type, OP_TYPE_ACCELERATION_STRUCTURE, 2))
         return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
     struct spirv_image image;
-    if (!spirv_image(s, type, &image))
+    if (!rg_spirv_image(s, type, &image))
         return VK_DESCRIPTOR_TYPE_MAX_ENUM;
     const uint32_t *plain = made_by(s, type, OP_TYPE_IMAGE, 9);
     bool storage = plain && plain[7] == 2;
@@ -303,10 +303,10 @@ VkDescriptorType spirv_descriptor(const struct spirv *s, const struct spirv_vari
                    : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 }
 
-const char *spirv_name(const struct spirv *s, const struct spirv_variable *v)
+const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v)
 {
     uint32_t count;
-    const char *block = v->name[0] ? v->name : spirv_struct(s, v->type, &count);
+    const char *block = v->name[0] ? v->name : rg_spirv_struct(s, v->type, &count);
     return block && block[0] ? block : "?";
 }
 
@@ -439,8 +439,8 @@ static void follow(struct spirv *s, const struct instruction *in, bool all_liste
     }
 }
 
-const char *spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
-                       VkShaderStageFlagBits stage)
+const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
+                          VkShaderStageFlagBits stage)
 {
     const uint32_t model = stage == VK_SHADER_STAGE_VERTEX_BIT     ? 0
                            : stage == VK_SHADER_STAGE_FRAGMENT_BIT ? 4

@@ -47,7 +47,7 @@ struct spirv_member {
 
 struct spirv_image {
     uint32_t dim, format; /* the format as of SPIR-V; 0: unknown */
-    char component;       /* as of spirv_component() */
+    char component;       /* as of rg_spirv_component() */
     bool arrayed, multisampled;
 };
 
@@ -63,32 +63,32 @@ struct spirv {
 
 /* Reads the entry point `main` of a stage, and what it can reach. Returns NULL, or what is wrong
  * with the module; then, or if memory is short, the rest must not be called. */
-const char *spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
-                       VkShaderStageFlagBits stage);
+const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
+                          VkShaderStageFlagBits stage);
 
 /* Returns the descriptor of a variable, and the number of them in *count (0: not known before it
  * runs); VK_DESCRIPTOR_TYPE_MAX_ENUM: it is none. */
-VkDescriptorType spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
-                                  uint32_t *count);
+VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
+                                     uint32_t *count);
 
 /* Returns the name of a variable, or of the block that has none itself; "?" without names. */
-const char *spirv_name(const struct spirv *s, const struct spirv_variable *v);
+const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v);
 
 /* Name and number of members of a struct type; NULL for other types. */
-const char *spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count);
-struct spirv_member spirv_member(const struct spirv *s, uint32_t type, uint32_t index);
+const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count);
+struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index);
 
 /* Returns the bytes of a struct, without padding behind its last member; 0 of anything else. */
-uint32_t spirv_struct_size(const struct spirv *s, uint32_t type);
+uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type);
 
 /* Returns false for types that are no image, sampled or not. */
-bool spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image);
+bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image);
 
 /* Of a number or vector: the type of its components ('f' float, 'i' or 'u' integer of 32 bits or
  * less, else '?') and, unless `count` is NULL, their number. */
-char spirv_component(const struct spirv *s, uint32_t type, uint32_t *count);
+char rg_spirv_component(const struct spirv *s, uint32_t type, uint32_t *count);
 
 /* Returns the number of locations that an input or output of a type takes. */
-uint32_t spirv_locations(const struct spirv *s, uint32_t type);
+uint32_t rg_spirv_locations(const struct spirv *s, uint32_t type);
 
 #endif

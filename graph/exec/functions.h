@@ -29,7 +29,8 @@
     row(DestroyImageView) row(DestroyPipeline) row(DestroyPipelineLayout) row(DestroyQueryPool) \
     row(DestroyRenderPass) row(DestroySampler) row(DestroyShaderModule) row(EndCommandBuffer) \
     row(FlushMappedMemoryRanges) row(FreeMemory) row(GetBufferMemoryRequirements) \
-    row(GetImageMemoryRequirements) row(GetPhysicalDeviceFeatures2) row(GetPhysicalDeviceMemoryProperties) \
+    row(GetImageMemoryRequirements) row(GetPhysicalDeviceFeatures2) \
+    row(GetPhysicalDeviceMemoryProperties) \
     row(GetPhysicalDeviceProperties) row(GetPhysicalDeviceQueueFamilyProperties) \
     row(GetQueryPoolResults) row(InvalidateMappedMemoryRanges) row(MapMemory) row(QueueSubmit2) \
     row(ResetFences) row(UnmapMemory) row(UpdateDescriptorSets) row(WaitForFences)

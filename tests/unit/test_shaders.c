@@ -52,18 +52,18 @@ static void check_block(const struct spirv *s, uint32_t type)
 {
     const char *shader = s->shader->name;
     uint32_t count;
-    const char *block = spirv_struct(s, type, &count);
+    const char *block = rg_spirv_struct(s, type, &count);
     CHECK(block && count == 1, "%s: a block is not one struct\n", shader);
-    struct spirv_member whole = spirv_member(s, type, 0);
+    struct spirv_member whole = rg_spirv_member(s, type, 0);
     assert_int_equal(whole.offset, 0);
-    const char *name = spirv_struct(s, whole.type, &count);
+    const char *name = rg_spirv_struct(s, whole.type, &count);
     size_t k = 0;
     while (k < SHARED_COUNT && name && strcmp(shared_structs[k].name, name) != 0)
         k++;
     CHECK(name && k < SHARED_COUNT, "%s: block %s: no struct that C shares\n", shader, block);
     const struct shared *shared = &shared_structs[k];
     for (uint32_t i = 0; i < count; i++) {
-        struct spirv_member member = spirv_member(s, whole.type, i);
+        struct spirv_member member = rg_spirv_member(s, whole.type, i);
         const struct field *field = &shared->fields[i];
         CHECK(field->name && !strcmp(field->name, member.name), "%s: %s.%s is not C's member %u\n",
               shader, name, member.name, i);
@@ -82,7 +82,7 @@ static void check_blocks(const struct rg_shader *shader, VkShaderStageFlagBits s
     if (!shader)
         return;
     rg_arena_init(&arena, NULL, 0);
-    const char *trouble = spirv_read(&s, &arena, shader, stage);
+    const char *trouble = rg_spirv_read(&s, &arena, shader, stage);
     CHECK(!trouble && !arena.failed, "%s: %s\n", shader->name, trouble);
     for (uint32_t i = 0; i < s.variable_count; i++) {
         const struct spirv_variable *v = &s.variables[i];
