@@ -2,19 +2,29 @@
 
 Usage: installed.py ROOT MESON BUILD   BUILD: a folder in which everything is built
 Installs the libraries, shared and static, and builds the programs of docs/render-graph.md outside
-the tree, with the page's commands: the programs must print the page's output. The libraries must
+the tree, with the page's commands: the programs must print the page's output. Those of examples/
+must draw their pictures. The libraries must
 export the headers' declarations and nothing else, and have the SONAME of the version. Installed to
 a folder that is not its prefix, the program must find its assets.
 """
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 
 HEADERS = {'rg': ['rg.h'], 'rg-exec': ['rg_exec.h', 'rg_cmd.h', 'rg_time.h']}  # of each library
 WARNINGS = '-Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers'
+EXAMPLES = {  # pixels of their pictures: x, y, colour
+    'blur.c': {(128, 128): (255, 255, 255), (64, 128): (119, 119, 119), (4, 4): (0, 0, 0)},
+    'deferred.c': {(160, 20): (123, 138, 161), (110, 105): (158, 96, 74),
+                   (215, 115): (75, 113, 168), (160, 130): (255, 255, 254),
+                   (85, 123): (85, 95, 108), (160, 220): (184, 187, 190)},  # sky ... shadow, ground
+    'particles.cpp': {(160, 211): (255, 255, 255), (10, 10): (0, 0, 0)},
+}
+TOLERANCE = 6  # of 255
 CPLUSPLUS = '''\
 #include "graph/rg_cmd.h"
 #include "graph/rg_exec.h"
@@ -135,6 +145,34 @@ def check_cplusplus(prefix, environment):
     compile_and_run(command, prefix / 'other.cpp', CPLUSPLUS, environment)
 
 
+def check_example(folder, environment, name, pixels):
+    """Builds an example as its page says, runs it and looks at some pixels."""
+    program = pathlib.Path(name).stem
+    compiler = (f'{os.environ.get("CC", "cc")} -std=c17 {WARNINGS}' if name.endswith('.c') else
+                f'{os.environ.get("CXX", "c++")} -std=c++20 -Wall -Wextra -Werror')
+    command = f'{compiler} -o {program} {name} $(pkg-config --cflags --libs rg-exec vulkan) -lm'
+    subprocess.run(['sh', '-e', '-c', command], cwd=folder, env=environment, check=True)
+    expect(f'{name} prints', '', output([folder / program, folder / 'out.ppm'], env=environment))
+    _, size, _, texels = (folder / 'out.ppm').read_bytes().split(b'\n', 3)
+    width = int(size.split()[0])
+    for (x, y), color in pixels.items():
+        found = tuple(texels[3 * (y * width + x):][:3])
+        if any(abs(a - b) > TOLERANCE for a, b in zip(color, found)):
+            sys.exit(f'{name}: pixel {x}, {y}: wanted {color}, found {found}')
+
+
+def check_examples(root, prefix, environment):
+    folder = prefix / 'examples'
+    shutil.copytree(pathlib.Path(root) / 'examples', folder)
+    for shader in sorted(folder.iterdir()):
+        if shader.suffix in ('.comp', '.vert', '.frag'):
+            subprocess.run(['glslangValidator', '--quiet', '--target-env', 'vulkan1.3', '--vn',
+                            shader.name.replace('.', '_'), '-o', f'{shader.name}.h', shader.name],
+                           cwd=folder, check=True)
+    for name, pixels in EXAMPLES.items():
+        check_example(folder, environment, name, pixels)
+
+
 def check_assets(meson, build):
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([meson, 'install', '--no-rebuild', '-C', build, '--destdir', folder],
@@ -162,6 +200,8 @@ def main(root, meson, build):
         for static, check in ((False, check_shared), (True, check_static)):
             if static:
                 remove_shared(prefix)
+            else:
+                check_examples(root, prefix, environment)
             check(prefix, environment)
             check_programs(prefix, environment, static, page)
             check_cplusplus(prefix, environment)
