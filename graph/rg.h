@@ -334,6 +334,8 @@ struct rg_compile_params {
     size_t size_count;
     const struct rg_device *device; /* NULL: tight sizes, alignment 256, no limits of formats */
     enum rg_sharing sharing;        /* fewer batches or less memory */
+    bool skip_shaders;              /* rows are not compared with their shaders, which takes some 5
+                                       us a shader: for programs that compile known tables often */
     /* What rg_exec_params.constants will be: each must be in a shader of the list. NULL: shaders'
      * constants are not checked. */
     const VkSpecializationInfo *constants;

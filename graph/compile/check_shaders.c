@@ -483,7 +483,7 @@ static void check_constants(const struct shaders *s)
 void rg_begin_constants(struct compiler *c)
 {
     const VkSpecializationInfo *given = c->params->constants;
-    if (!given)
+    if (!given || c->params->skip_shaders)
         return;
     RG_CHECK_TABLE(c, given, pMapEntries, mapEntryCount, RG_MAX_ROWS, NULL);
     if (!rg_is_no_table(given->pMapEntries, given->mapEntryCount, RG_MAX_ROWS))
@@ -523,7 +523,7 @@ void rg_check_shaders(struct compiler *c, const struct rg_pass *row)
 {
     struct shaders s = { .c = c, .row = row };
     bool is_raster = row->kind == RG_RASTER;
-    if (row->kind == RG_TRANSFER)
+    if (row->kind == RG_TRANSFER || c->params->skip_shaders)
         return;
     if (!(is_raster ? has_words(row->vert) && has_words(row->frag) : has_words(row->comp))) {
         c->has_wordless_shaders = true;

@@ -132,7 +132,7 @@ static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_s
         *d = descriptor_of(exec, plan, i);
         if (d->type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
             continue;
-        if (d->use->access == RG_SAMPLED)
+        if (d->type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
             RG_PASS(find_sampler(exec, d->use, &d->image.sampler));
         if (d->buffer == RG_NONE && !d->image.imageView) {
             const struct rg_plan_use *use = &exec->plan->uses[plan->first_use + i];

@@ -247,6 +247,22 @@ static void check_constants(const VkSpecializationInfo *constants, const char *e
     rg_plan_destroy(plan);
 }
 
+static void skip_shaders(struct rg_compile_params *params)
+{
+    params->skip_shaders = true;
+}
+
+static void test_skipped(void **state)
+{
+    (void)state;
+    struct fault_case fc = push_cases[0];
+    fc.edit = skip_shaders;
+    struct rg_plan *plan = fault_case_compile(&fc);
+    assert_non_null(plan);
+    assert_int_equal(plan->fault_count, 0);
+    rg_plan_destroy(plan);
+}
+
 static void test_constants(void **state)
 {
     (void)state;
@@ -316,6 +332,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_case),
+        cmocka_unit_test(test_skipped),
         cmocka_unit_test(test_constants),
         cmocka_unit_test(test_damaged_code),
     };
