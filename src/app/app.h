@@ -24,6 +24,9 @@ enum {
     APP_LADDER_SCENE_COUNT = 8, /* of firn ladder; all but the first are positionals */
 };
 
+#define APP_UI_SCALE_MIN 0.5f /* --ui-scale */
+#define APP_UI_SCALE_MAX 4.0f
+
 /* How a command prints what it prints. */
 enum app_format {
     APP_FORMAT_TEXT,
@@ -122,6 +125,7 @@ struct app_view {
     const char *watch;    /* folder of shaders; NULL: none */
     VkPresentModeKHR present;
     enum app_overlay overlay;
+    float ui_scale; /* of the panels; 0: the desktop's */
 };
 
 /* Of firn profile. */

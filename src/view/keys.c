@@ -15,6 +15,7 @@ static const struct {
     const char *characters;
     bool repeats;
     const char *name, *help;
+    const char *controlled; /* characters with Ctrl; NULL: none */
 } actions[VIEW_ACTION_COUNT] = {
     [VIEW_NOTHING] = { .characters = "" },
     [VIEW_LEFT] = { { GLFW_KEY_LEFT }, "", true, "Left", "orbit to the left around the object" },
@@ -48,6 +49,9 @@ static const struct {
                     "C",
                     "copy and print the command that renders this picture" },
     [VIEW_HELP] = { { GLFW_KEY_F1 }, "?", false, "F1, ?", "show or hide this list, and print it" },
+    [VIEW_LARGER] = { { 0 }, "", false, "Ctrl++", "enlarge text and panels", "+=" },
+    [VIEW_SMALLER] = { { 0 }, "", false, "Ctrl+-", "shrink text and panels", "-" },
+    [VIEW_USUAL_SIZE] = { { 0 }, "", false, "Ctrl+0", "text and panels as large as at first", "0" },
     [VIEW_QUIT] = { { GLFW_KEY_ESCAPE }, "qQ", false, "Esc, Q", "close the window" },
 };
 
@@ -71,13 +75,18 @@ static bool has_key(enum view_action action, int key)
     return false;
 }
 
-enum view_action keys_find(int key, unsigned character, bool repeated)
+static bool is_typed(enum view_action action, const struct key_press *press)
+{
+    const char *from = press->control ? actions[action].controlled : actions[action].characters;
+    return from && press->character && press->character < 128 &&
+           strchr(from, (int)press->character);
+}
+
+enum view_action keys_find(const struct key_press *press)
 {
     for (enum view_action a = VIEW_NOTHING; a < VIEW_ACTION_COUNT; a++) {
-        const bool typed =
-            character && character < 128 && strchr(actions[a].characters, (int)character);
-        if (typed || has_key(a, key))
-            return repeated && !actions[a].repeats ? VIEW_NOTHING : a;
+        if (is_typed(a, press) || (!press->control && has_key(a, press->key)))
+            return press->repeated && !actions[a].repeats ? VIEW_NOTHING : a;
     }
     return VIEW_NOTHING;
 }

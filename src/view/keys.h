@@ -29,13 +29,22 @@ enum view_action {
     VIEW_PLAN,
     VIEW_COPY,
     VIEW_HELP,
+    VIEW_LARGER,
+    VIEW_SMALLER,
+    VIEW_USUAL_SIZE,
     VIEW_QUIT,
     VIEW_ACTION_COUNT,
 };
 
-/* What a key does, as GLFW names keys, or a character that is typed; 0: none. `repeated`: it is
- * held down; only movements are done again then. */
-enum view_action keys_find(int key, unsigned character, bool repeated);
+/* How a key went down. */
+struct key_press {
+    int key;            /* as GLFW names keys; 0: none */
+    unsigned character; /* that is typed, or with Ctrl would be without; 0: none */
+    bool repeated;      /* it is held down; only movements are done again then */
+    bool control, shift;
+};
+
+enum view_action keys_find(const struct key_press *press);
 
 /* Row i of that table: a key's name and what it does; false: there are no more. */
 bool keys_row(uint32_t i, const char **name, const char **help);

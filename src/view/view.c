@@ -73,7 +73,9 @@ static enum status open_ui(struct view *v)
 {
     const struct app_options *o = v->options;
     const bool hands = !o->view.frame_count && !o->run.outputs.count;
-    const enum status status = ui_create(&v->ui, &v->gpu, window_scale(&v->window));
+    if (!(v->ui_scale > 0.0f))
+        v->ui_scale = o->view.ui_scale > 0.0f ? o->view.ui_scale : window_scale(&v->window);
+    const enum status status = ui_create(&v->ui, &v->gpu, v->ui_scale, o->run.quiet);
     if (status != STATUS_OK)
         return status;
     v->window.listen = ui_hear;

@@ -1,4 +1,5 @@
 /* view_input.c: keys, drags, drops, panels. */
+#include <math.h>
 #include <stdlib.h>
 #include "src/base/clock.h"
 #include "src/view/orbit.h"
@@ -9,7 +10,8 @@
 
 static const float key_turn_deg = 5.0f;
 static const float drag_turn_deg = 180.0f; /* over the window's height */
-static const double key_slide = 1.0 / 32;  /* of the window's width */
+static const float ui_scale_step = 0.25f;
+static const double key_slide = 1.0 / 32; /* of the window's width */
 
 /* ---- actions ---- */
 
@@ -69,6 +71,24 @@ static void open_panel(struct view *v, enum view_action action)
     ui_toggle(v->ui, action);
     if (!ui_is_shown(v->ui))
         view_show_ui(v, true);
+}
+
+/* Of text and panels; what is shown stays so. */
+static void resize_ui(struct view *v, float scale)
+{
+    const bool shown = ui_is_shown(v->ui);
+    v->ui_scale = fminf(fmaxf(scale, APP_UI_SCALE_MIN), APP_UI_SCALE_MAX);
+    screen_lay_over(&v->screen, NULL);
+    if (ui_rescale(v->ui, v->ui_scale) == STATUS_OK)
+        view_show_ui(v, shown);
+    else
+        v->quit = true; /* has been logged */
+}
+
+static float usual_scale(const struct view *v)
+{
+    const float given = v->options->view.ui_scale;
+    return given > 0.0f ? given : window_scale(&v->window);
 }
 
 static void slide(struct view *v, double to)
@@ -131,6 +151,13 @@ static void act(struct view *v, enum view_action action)
         break;
     case VIEW_COPY:
         copy_command(v);
+        break;
+    case VIEW_LARGER:
+    case VIEW_SMALLER:
+        resize_ui(v, v->ui_scale + (action == VIEW_LARGER ? ui_scale_step : -ui_scale_step));
+        break;
+    case VIEW_USUAL_SIZE:
+        resize_ui(v, usual_scale(v));
         break;
     case VIEW_QUIT:
         v->quit = true;

@@ -20,6 +20,7 @@ struct view {
     struct picture *picture;
     struct watch *watch; /* NULL: no shaders are watched */
     struct ui *ui;
+    float ui_scale; /* of the panels; 0: not known yet */
     double now;     /* of the loop, seconds */
     double elapsed; /* of the scene's time, seconds, from motion.time */
     float shown;    /* time of the frame drawn last, seconds */

@@ -30,6 +30,13 @@ static void add_action(struct window *w, enum view_action action)
         w->input.actions[w->input.action_count++] = action;
 }
 
+/* What the key writes alone, on this keyboard; with Ctrl nothing is typed. */
+static unsigned written(int key, int code)
+{
+    const char *name = glfwGetKeyName(key, code);
+    return name && name[0] && !name[1] ? (unsigned char)name[0] : 0;
+}
+
 static void on_key(GLFWwindow *handle, int key, int code, int event, int modifiers)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
@@ -41,10 +48,16 @@ static void on_key(GLFWwindow *handle, int key, int code, int event, int modifie
         .shift = modifiers & GLFW_MOD_SHIFT,
         .alt = modifiers & GLFW_MOD_ALT,
     };
-    (void)code;
     w->repeated = event == GLFW_REPEAT;
-    if (!tell(w, &told) && told.down && key != GLFW_KEY_UNKNOWN)
-        add_action(w, keys_find(key, 0, w->repeated));
+    const struct key_press press = {
+        .key = key == GLFW_KEY_UNKNOWN ? 0 : key,
+        .character = told.control ? written(key, code) : 0,
+        .repeated = w->repeated,
+        .control = told.control,
+        .shift = told.shift,
+    };
+    if (!tell(w, &told) && told.down)
+        add_action(w, keys_find(&press));
 }
 
 static void on_character(GLFWwindow *handle, unsigned character)
@@ -52,7 +65,8 @@ static void on_character(GLFWwindow *handle, unsigned character)
     struct window *w = glfwGetWindowUserPointer(handle);
     const struct window_event told = { .kind = WINDOW_CHARACTER, .code = (int)character };
     if (!tell(w, &told))
-        add_action(w, keys_find(0, character, w->repeated));
+        add_action(
+            w, keys_find(&(struct key_press){ .character = character, .repeated = w->repeated }));
 }
 
 static bool is_down(GLFWwindow *handle, int button)

@@ -114,26 +114,51 @@ static void zooming_keeps_the_target_and_its_limits(void **state)
     CHECK_NEAR(glms_vec3_distance(camera.eye, camera.target), 180, 1e-2);
 }
 
+static enum view_action find(int key, unsigned character, bool repeated)
+{
+    const struct key_press press = { .key = key, .character = character, .repeated = repeated };
+    return keys_find(&press);
+}
+
+/* With Ctrl. */
+static enum view_action find_controlled(unsigned character)
+{
+    return keys_find(&(struct key_press){ .character = character, .control = true });
+}
+
+static void control_makes_another_key(void **state)
+{
+    (void)state;
+    assert_int_equal(find_controlled('+'), VIEW_LARGER);
+    assert_int_equal(find_controlled('='), VIEW_LARGER);
+    assert_int_equal(find_controlled('-'), VIEW_SMALLER);
+    assert_int_equal(find_controlled('0'), VIEW_USUAL_SIZE);
+    assert_int_equal(find_controlled('s'), VIEW_NOTHING);
+    assert_int_equal(keys_find(&(struct key_press){ .key = GLFW_KEY_F12, .control = true }),
+                     VIEW_NOTHING);
+}
+
 static void every_key_has_one_meaning(void **state)
 {
     (void)state;
-    assert_int_equal(keys_find(GLFW_KEY_LEFT, 0, false), VIEW_LEFT);
-    assert_int_equal(keys_find(GLFW_KEY_LEFT, 0, true), VIEW_LEFT);
-    assert_int_equal(keys_find(GLFW_KEY_F12, 0, false), VIEW_SCREENSHOT);
-    assert_int_equal(keys_find(GLFW_KEY_F12, 0, true), VIEW_NOTHING);
-    assert_int_equal(keys_find(0, 'q', false), VIEW_QUIT);
-    assert_int_equal(keys_find(0, '?', false), VIEW_HELP);
-    assert_int_equal(keys_find(0, ' ', true), VIEW_NOTHING);
-    assert_int_equal(keys_find(0, '+', true), VIEW_NEARER);
-    assert_int_equal(keys_find(0, 0x263a, false), VIEW_NOTHING);
+    assert_int_equal(find(GLFW_KEY_LEFT, 0, false), VIEW_LEFT);
+    assert_int_equal(find(GLFW_KEY_LEFT, 0, true), VIEW_LEFT);
+    assert_int_equal(find(GLFW_KEY_F12, 0, false), VIEW_SCREENSHOT);
+    assert_int_equal(find(GLFW_KEY_F12, 0, true), VIEW_NOTHING);
+    assert_int_equal(find(0, 'q', false), VIEW_QUIT);
+    assert_int_equal(find(0, '?', false), VIEW_HELP);
+    assert_int_equal(find(0, ' ', true), VIEW_NOTHING);
+    assert_int_equal(find(0, '+', true), VIEW_NEARER);
+    assert_int_equal(find(0, 0x263a, false), VIEW_NOTHING);
     /* GLFW names letters by their capitals: those come as characters */
-    assert_int_equal(keys_find(GLFW_KEY_Q, 0, false), VIEW_NOTHING);
-    assert_int_equal(keys_find(0, 0, false), VIEW_NOTHING);
+    assert_int_equal(find(GLFW_KEY_Q, 0, false), VIEW_NOTHING);
+    assert_int_equal(find(0, 0, false), VIEW_NOTHING);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(control_makes_another_key),
         cmocka_unit_test(turning_goes_around_the_target),
         cmocka_unit_test(orthographic_cameras_stay_so),
         cmocka_unit_test(turning_stops_short_of_the_poles),

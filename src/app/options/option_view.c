@@ -35,3 +35,14 @@ enum status option_overlay(const struct option *option, void *at, const char *va
     view->overlay = value[1] == 'n' ? APP_OVERLAY_ON : APP_OVERLAY_OFF;
     return STATUS_OK;
 }
+
+enum status option_ui_scale(const struct option *option, void *at, const char *value)
+{
+    struct app_view *view = at;
+    float scale;
+    if (!option_parse_numbers(value, ',', &scale, 1) || scale < APP_UI_SCALE_MIN ||
+        scale > APP_UI_SCALE_MAX)
+        return option_refuse(option, value, "a factor from 0.5 to 4");
+    view->ui_scale = scale;
+    return STATUS_OK;
+}

@@ -4,7 +4,7 @@
 
 #include "src/app/options/option.h"
 
-option_fn option_present, option_overlay, option_watch; /* of struct app_view */
-option_fn option_split;                                 /* of struct app_picture */
+option_fn option_present, option_overlay, option_ui_scale, option_watch; /* of struct app_view */
+option_fn option_split;                                                  /* of struct app_picture */
 
 #endif

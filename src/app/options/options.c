@@ -116,6 +116,8 @@ static const struct option options[] = {
       "limit of the frame rate, frames per second, 1 to 1000 (none)", 1, 1000 },
     { "Window", "overlay", 0, "on|off", APP_VIEW, VIEW(option_overlay),
       "panels over the picture (on; off with --frames or --screenshot)" },
+    { "Window", "ui-scale", 0, "FACTOR", APP_VIEW, VIEW(option_ui_scale),
+      "size of text and panels, 0.5 to 4 (as the desktop's); Ctrl and +, -, 0" },
     { "Window", "split", 0, "RUNG", APP_VIEW, PICTURE(option_split),
       "rung right of a divider, --refraction left of it; keys S, [ and ]" },
     { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, VIEW(option_watch),

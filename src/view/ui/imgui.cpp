@@ -3,14 +3,22 @@
 #include <cstring>
 #include <imgui.h>
 #include <new>
+#ifdef IMGUI_FREETYPE
+#include <imgui_freetype.h>
+#endif
 
 namespace
 {
 
-constexpr float font_size = 13.0f; /* of the built-in one, pixels */
+constexpr float text_size = 15.0f;        /* pixels at scale 1 */
+constexpr float bitmap_text_size = 13.0f; /* of the built-in font, which has one size */
 constexpr int panel_count_max = 8;
 
-constexpr ImGuiKey_ keys[IMGUI_KEY_COUNT] = {
+/* Latin with all accents, Greek, Cyrillic, punctuation, arrows, mathematics. */
+constexpr ImWchar characters[] = { 0x20,   0x24f,  0x370,  0x3ff,  0x400,  0x4ff, 0x2000,
+                                   0x206f, 0x2190, 0x21ff, 0x2200, 0x22ff, 0 };
+
+constexpr ImGuiKey keys[IMGUI_KEY_COUNT] = {
     ImGuiKey_Tab,       ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_UpArrow,
     ImGuiKey_DownArrow, ImGuiKey_PageUp,    ImGuiKey_PageDown,   ImGuiKey_Home,
     ImGuiKey_End,       ImGuiKey_Delete,    ImGuiKey_Backspace,  ImGuiKey_Space,
@@ -40,6 +48,8 @@ struct imgui {
     imgui_place panels[panel_count_max]; /* of the frame */
     int panel_count;
     bool popup; /* a list is open */
+    float scale;
+    font system; /* path "": the built-in one */
 };
 
 /* ---- life ---- */
@@ -47,6 +57,7 @@ struct imgui {
 static void set_look(float scale)
 {
     ImGuiStyle &style = ImGui::GetStyle();
+    style = ImGuiStyle();
     ImGui::StyleColorsDark();
     style.WindowRounding = 4.0f;
     style.FrameRounding = 3.0f;
@@ -71,7 +82,44 @@ static void lose_first_focus()
     ImGui::SetWindowFocus(nullptr);
 }
 
-struct imgui *imgui_create(float scale)
+/* False: the file is no font that can be used. */
+static bool add_font(const imgui *ui)
+{
+    ImGuiIO &io = ImGui::GetIO();
+    ImFontConfig config;
+    config.FontNo = ui->system.index;
+    const float size = static_cast<float>(static_cast<int>(text_size * ui->scale));
+#ifdef IMGUI_FREETYPE
+    io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+    io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+#endif
+    return *ui->system.path &&
+           io.Fonts->AddFontFromFileTTF(ui->system.path, size, &config, characters) &&
+           io.Fonts->Build();
+}
+
+static void add_bitmap_font(float scale)
+{
+    ImFontAtlas *fonts = ImGui::GetIO().Fonts;
+    ImFontConfig config;
+    fonts->Clear();
+    config.SizePixels = static_cast<float>(static_cast<int>(bitmap_text_size * scale));
+    fonts->AddFontDefault(&config);
+    fonts->Build();
+}
+
+bool imgui_rescale(struct imgui *ui, float scale)
+{
+    ui->scale = scale;
+    set_look(scale);
+    ImGui::GetIO().Fonts->Clear();
+    if (add_font(ui))
+        return true;
+    add_bitmap_font(scale);
+    return false;
+}
+
+struct imgui *imgui_create(const struct font *font)
 {
     struct imgui *ui = new (std::nothrow) imgui();
     if (!ui)
@@ -85,11 +133,9 @@ struct imgui *imgui_create(float scale)
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     for (int k = 0; k < IMGUI_KEY_COUNT; k++)
         io.KeyMap[keys[k]] = k;
-    set_look(scale);
-    ImFontConfig font;
-    font.SizePixels = static_cast<float>(static_cast<int>(font_size * scale));
-    io.Fonts->AddFontDefault(&font);
-    io.Fonts->Build();
+    io.UserData = ui;
+    ui->system = *font;
+    add_bitmap_font(1.0f);
     lose_first_focus();
     return ui;
 }
@@ -260,7 +306,7 @@ bool imgui_is_active(void)
 
 float imgui_scale(void)
 {
-    return ImGui::GetFontSize() / font_size;
+    return static_cast<const imgui *>(ImGui::GetIO().UserData)->scale;
 }
 
 float imgui_line(void)

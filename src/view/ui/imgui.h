@@ -16,6 +16,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "src/view/overlay_list.h"
+#include "src/view/ui/font.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,11 +65,17 @@ struct imgui_input {
 
 struct imgui;
 
-/* All sizes are multiplied by `scale`. NULL: out of memory. There is at most one. */
-struct imgui *imgui_create(float scale);
+/* Text is written in the font; path "": the built-in bitmap font. NULL: out of memory. There is at
+ * most one. imgui_rescale() comes next. */
+struct imgui *imgui_create(const struct font *font);
+
+/* All sizes are multiplied by `scale` from now on; the font's image is another one. Between frames.
+ * False: the font cannot be read, the built-in one is used. */
+bool imgui_rescale(struct imgui *ui, float scale);
 void imgui_destroy(struct imgui *ui); /* may be NULL */
 
-/* The font's image, a byte a texel: how much is covered. Valid until imgui_destroy(). */
+/* The font's image, a byte a texel: how much is covered. Valid until
+ * imgui_rescale() or imgui_destroy(). */
 const uint8_t *imgui_font(const struct imgui *ui, uint32_t *width, uint32_t *height);
 
 void imgui_begin(struct imgui *ui, const struct imgui_input *input);
@@ -98,7 +105,7 @@ bool imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_place p
 void imgui_panel_end(void);
 void imgui_focus_panel(const char *title); /* keys go there; NULL: to none */
 bool imgui_is_active(void);                /* something is being dragged, typed or chosen */
-float imgui_scale(void);                   /* of imgui_create() */
+float imgui_scale(void);                   /* of imgui_rescale() */
 float imgui_line(void);                    /* height of a row */
 float imgui_room(void);                    /* width that is left in this row */
 

@@ -24,18 +24,38 @@ static enum status make_font(struct ui *ui)
     return gpu_image_create(ui->gpu, &ui->font, &params);
 }
 
-enum status ui_create(struct ui **ui, struct gpu *gpu, float scale)
+enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, bool quiet)
 {
     struct ui *u = calloc(1, sizeof(*u));
+    struct font font;
     *ui = u;
-    if (u) {
+    const bool found = font_find(&font, "sans");
+    if (u)
         u->gpu = gpu;
-        u->scale = scale;
-        u->imgui = imgui_create(scale);
-    }
-    if (u && u->imgui)
-        return make_font(u);
-    return log_out_of_memory(NULL);
+    if (u)
+        u->imgui = imgui_create(&font);
+    if (!u || !u->imgui)
+        return log_out_of_memory(NULL);
+    const enum status status = ui_rescale(u, scale);
+    if (!u->has_font && !quiet)
+        log_warning("%s%s: using the built-in bitmap font",
+                    found ? font.path : "no scalable font was found",
+                    found ? ": the font cannot be read" : " by fontconfig");
+    return status;
+}
+
+enum status ui_rescale(struct ui *ui, float scale)
+{
+    gpu_image_destroy(ui->gpu, &ui->font);
+    ui->scale = scale;
+    ui->settle = SETTLE_COUNT;
+    ui->has_font = imgui_rescale(ui->imgui, scale);
+    return make_font(ui);
+}
+
+float ui_scale(const struct ui *ui)
+{
+    return ui->scale;
 }
 
 void ui_destroy(struct ui *ui)
@@ -115,7 +135,9 @@ static bool has_keys(const struct ui *ui)
 static bool hear_key(struct ui *ui, const struct window_event *event)
 {
     const bool function = event->code >= GLFW_KEY_F1 && event->code <= GLFW_KEY_F25;
-    const bool kept = !function && (ui->held || has_keys(ui));
+    /* with Ctrl only a line of text has keys of its own */
+    const bool kept =
+        !function && (event->control ? imgui_has_text(ui->imgui) : ui->held || has_keys(ui));
     if (event->down && event->code == GLFW_KEY_TAB && !kept) {
         ui->focus_panel = true;
         ui->searches = false;

@@ -15,8 +15,8 @@
 
 struct ui;
 
-/* `scale`: of all sizes. Logs. */
-MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale);
+/* `scale`: of all sizes. Logs; where there is no font but the built-in one, unless `quiet`. */
+MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, bool quiet);
 void ui_destroy(struct ui *ui); /* may be NULL */
 
 window_listen_fn ui_hear; /* user: the ui */
@@ -26,6 +26,10 @@ bool ui_is_shown(const struct ui *ui);
 
 /* Shown, and not yet up to date with what hands did. */
 bool ui_is_busy(const struct ui *ui);
+
+/* Another size of all there is. ui_font() is another one afterwards: nothing may use it. */
+MUST_USE enum status ui_rescale(struct ui *ui, float scale);
+float ui_scale(const struct ui *ui);
 
 /* For screen_lay_over(). */
 const struct gpu_image *ui_font(const struct ui *ui);

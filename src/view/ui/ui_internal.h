@@ -11,6 +11,7 @@ struct ui {
     struct imgui *imgui;
     struct gpu_image font;
     float scale;
+    bool has_font; /* of the system */
     struct ui_input input;
     struct ui_pace pace;
     struct ui_times frame_times, right_times, window_times;

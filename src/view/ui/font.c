@@ -1,0 +1,54 @@
+/* font.c: asks fontconfig. */
+#include "src/view/ui/font.h"
+#ifdef FONT_CONFIG
+#include <fontconfig/fontconfig.h>
+#include <stdio.h>
+
+/* A pattern is only a wish: the answer may be a bitmap font where there is no other. */
+static bool take(struct font *font, const FcPattern *found)
+{
+    FcChar8 *path;
+    FcBool scalable = FcFalse;
+    if (FcPatternGetString(found, FC_FILE, 0, &path) != FcResultMatch ||
+        FcPatternGetBool(found, FC_SCALABLE, 0, &scalable) != FcResultMatch || !scalable)
+        return false;
+    if (FcPatternGetInteger(found, FC_INDEX, 0, &font->index) != FcResultMatch)
+        font->index = 0;
+    font->index &= 0xffff; /* above are the instances of variable fonts */
+    const int length = snprintf(font->path, sizeof(font->path), "%s", (const char *)path);
+    return length > 0 && length < FONT_PATH_SIZE;
+}
+
+bool font_find(struct font *font, const char *family)
+{
+    FcResult result;
+    bool found = false;
+    *font = (struct font){ .index = 0 };
+    FcConfig *config = FcInitLoadConfigAndFonts();
+    FcPattern *wanted = FcNameParse((const FcChar8 *)family);
+    if (config && wanted) {
+        FcPatternAddBool(wanted, FC_SCALABLE, FcTrue);
+        FcPatternAddBool(wanted, FC_COLOR, FcFalse);
+        FcConfigSubstitute(config, wanted, FcMatchPattern);
+        FcDefaultSubstitute(wanted);
+        FcPattern *match = FcFontMatch(config, wanted, &result);
+        found = match && take(font, match);
+        if (match)
+            FcPatternDestroy(match);
+    }
+    if (wanted)
+        FcPatternDestroy(wanted);
+    if (config)
+        FcConfigDestroy(config);
+    if (!found)
+        *font = (struct font){ .index = 0 };
+    return found;
+}
+#else
+bool font_find(struct font *font, const char *family)
+{
+    (void)family;
+    *font = (struct font){ .index = 0 };
+    return false;
+}
+#endif
