@@ -12,8 +12,13 @@
 
 struct present_push {
     uint32_t encodes; /* 1: the window's format encodes the shader's output as sRGB */
-    uint32_t line;    /* first column of the separating line; PRESENT_NO_LINE: one picture */
-    float left;       /* left edge of the drawn part, clip space */
+    uint32_t
+        line; /* first column of the line, from the picture's left; PRESENT_NO_LINE: one picture */
+    float left;                         /* left edge of the drawn part, clip space */
+    uint32_t x, y;                      /* of the shown picture in the window, pixels */
+    uint32_t width, height;             /* as it is shown, pixels */
+    uint32_t texel_columns, texel_rows; /* as it was drawn; the same: texel by texel */
+    uint32_t surround;                  /* what is around it, 0xRRGGBB, sRGB-encoded */
 };
 
 #endif

@@ -125,7 +125,9 @@ struct app_view {
     const char *watch;    /* folder of shaders; NULL: none */
     VkPresentModeKHR present;
     enum app_overlay overlay;
-    float ui_scale; /* of the panels; 0: the desktop's */
+    float ui_scale;      /* of the panels; 0: the desktop's */
+    uint32_t theme;      /* index into app_themes */
+    const char *ui_dump; /* file for the places of controls; NULL: none */
 };
 
 /* Of firn profile. */
@@ -192,6 +194,9 @@ struct app_options {
     struct app_ladder ladder;
     struct app_farm farm;
 };
+
+/* Colours of the window; ends at NULL. */
+extern const char *const app_themes[];
 
 enum app_command {
     APP_RENDER = 1,

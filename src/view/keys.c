@@ -1,4 +1,4 @@
-/* keys.c: the table of keys. */
+/* keys.c: the table of actions. */
 #define GLFW_INCLUDE_NONE
 #include "src/view/keys.h"
 #include <GLFW/glfw3.h>
@@ -11,59 +11,252 @@ enum {
 
 /* Letters and signs are found by what is typed: where they lie depends on the keyboard. */
 static const struct {
-    int keys[KEYS_MAX]; /* 0: none */
-    const char *characters;
+    int keys[KEYS_MAX];             /* 0: none */
+    const char *characters;         /* NULL: none */
+    const char *controlled;         /* with Ctrl */
+    const char *controlled_shifted; /* with both */
     bool repeats;
-    const char *name, *help;
-    const char *controlled; /* characters with Ctrl; NULL: none */
+    const char *name;   /* of its keys; NULL: none */
+    const char *label;  /* a few words */
+    const char *help;   /* what it does, where the label does not say all; NULL: it does */
+    const char *button; /* a word; NULL: the label */
 } actions[VIEW_ACTION_COUNT] = {
-    [VIEW_NOTHING] = { .characters = "" },
-    [VIEW_LEFT] = { { GLFW_KEY_LEFT }, "", true, "Left", "orbit to the left around the object" },
-    [VIEW_RIGHT] = { { GLFW_KEY_RIGHT }, "", true, "Right", "orbit to the right" },
-    [VIEW_UP] = { { GLFW_KEY_UP }, "", true, "Up", "orbit upwards" },
-    [VIEW_DOWN] = { { GLFW_KEY_DOWN }, "", true, "Down", "orbit downwards" },
-    [VIEW_NEARER] = { { GLFW_KEY_PAGE_UP }, "+=", true, "+, Page Up", "move closer" },
-    [VIEW_FARTHER] = { { GLFW_KEY_PAGE_DOWN }, "-", true, "-, Page Down", "move away" },
-    [VIEW_RESET] = { { GLFW_KEY_HOME }, "rR", false, "R, Home", "reset the camera" },
-    [VIEW_PAUSE] = { { 0 }, " ", false, "Space", "pause or resume time" },
-    [VIEW_SCREENSHOT] = { { GLFW_KEY_F12 },
-                          "p",
-                          false,
-                          "P, F12",
-                          "save the picture as firn-0001.png and firn-0001.exr" },
-    [VIEW_FULLSCREEN] = { { GLFW_KEY_F11 }, "fF", false, "F, F11", "toggle full screen" },
-    [VIEW_SPLIT] = { { 0 }, "sS", false, "S", "toggle the divider between two rungs" },
-    [VIEW_DIVIDER_LEFT] = { { 0 }, "[", true, "[", "move the divider to the left" },
-    [VIEW_DIVIDER_RIGHT] = { { 0 }, "]", true, "]", "move the divider to the right" },
-    [VIEW_SHOT_OF_ALL] = { { 0 },
-                           "P",
-                           false,
-                           "Shift+P",
-                           "save only a PNG, as the window shows it, with panels" },
-    [VIEW_HIDE] = { { 0 }, "hH", false, "H", "hide or show the panels" },
-    [VIEW_TIMES] = { { 0 }, "tT", false, "T", "show or hide the time of each pass" },
-    [VIEW_PLAN] = { { 0 }, "gG", false, "G", "show or hide the plan of the frame" },
-    [VIEW_COPY] = { { 0 },
-                    "cC",
-                    false,
-                    "C",
-                    "copy and print the command that renders this picture" },
-    [VIEW_HELP] = { { GLFW_KEY_F1 }, "?", false, "F1, ?", "show or hide this list, and print it" },
-    [VIEW_LARGER] = { { 0 }, "", false, "Ctrl++", "enlarge text and panels", "+=" },
-    [VIEW_SMALLER] = { { 0 }, "", false, "Ctrl+-", "shrink text and panels", "-" },
-    [VIEW_USUAL_SIZE] = { { 0 }, "", false, "Ctrl+0", "text and panels as large as at first", "0" },
-    [VIEW_QUIT] = { { GLFW_KEY_ESCAPE }, "qQ", false, "Esc, Q", "close the window" },
+    [VIEW_LEFT] = {
+        .keys = { GLFW_KEY_LEFT },
+        .repeats = true,
+        .name = "Left",
+        .label = "orbit to the left",
+    },
+    [VIEW_RIGHT] = {
+        .keys = { GLFW_KEY_RIGHT },
+        .repeats = true,
+        .name = "Right",
+        .label = "orbit to the right",
+    },
+    [VIEW_UP] = {
+        .keys = { GLFW_KEY_UP },
+        .repeats = true,
+        .name = "Up",
+        .label = "orbit upwards",
+    },
+    [VIEW_DOWN] = {
+        .keys = { GLFW_KEY_DOWN },
+        .repeats = true,
+        .name = "Down",
+        .label = "orbit downwards",
+    },
+    [VIEW_NEARER] = {
+        .characters = "+=",
+        .repeats = true,
+        .name = "+",
+        .label = "move closer",
+    },
+    [VIEW_FARTHER] = {
+        .characters = "-",
+        .repeats = true,
+        .name = "-",
+        .label = "move away",
+    },
+    [VIEW_RESET] = {
+        .keys = { GLFW_KEY_HOME },
+        .characters = "rR",
+        .name = "R, Home",
+        .label = "reset the camera",
+        .button = "Camera",
+    },
+    [VIEW_FRONT] = {
+        .keys = { GLFW_KEY_KP_1 },
+        .characters = "1",
+        .name = "1",
+        .label = "look from the front",
+    },
+    [VIEW_SIDE] = {
+        .keys = { GLFW_KEY_KP_3 },
+        .characters = "3",
+        .name = "3",
+        .label = "look from the right",
+    },
+    [VIEW_TOP] = {
+        .keys = { GLFW_KEY_KP_7 },
+        .characters = "7",
+        .name = "7",
+        .label = "look from above",
+    },
+    [VIEW_GO_1] = {
+        .controlled = "1",
+        .name = "Ctrl 1 to 4",
+        .label = "go to stored camera 1",
+    },
+    [VIEW_GO_2] = { .controlled = "2", .label = "go to stored camera 2" },
+    [VIEW_GO_3] = { .controlled = "3", .label = "go to stored camera 3" },
+    [VIEW_GO_4] = { .controlled = "4", .label = "go to stored camera 4" },
+    [VIEW_STORE_1] = {
+        .controlled_shifted = "1",
+        .name = "with Shift",
+        .label = "store camera 1",
+    },
+    [VIEW_STORE_2] = { .controlled_shifted = "2", .label = "store camera 2" },
+    [VIEW_STORE_3] = { .controlled_shifted = "3", .label = "store camera 3" },
+    [VIEW_STORE_4] = { .controlled_shifted = "4", .label = "store camera 4" },
+    [VIEW_UNDO] = {
+        .controlled = "z",
+        .name = "Ctrl Z",
+        .label = "undo a change of settings",
+        .button = "Undo",
+    },
+    [VIEW_REDO] = {
+        .controlled = "y",
+        .controlled_shifted = "z",
+        .name = "Ctrl Shift Z",
+        .label = "redo it",
+        .help = "redo the change of settings that was undone last (also Ctrl Y)",
+        .button = "Redo",
+    },
+    [VIEW_NEXT_FILE] = {
+        .keys = { GLFW_KEY_PAGE_DOWN },
+        .name = "Page Down",
+        .label = "next model of the folder",
+        .help = "open the next model of the folder, or the next built-in scene",
+    },
+    [VIEW_LAST_FILE] = {
+        .keys = { GLFW_KEY_PAGE_UP },
+        .name = "Page Up",
+        .label = "previous model of the folder",
+        .help = "open the previous model of the folder, or the previous built-in scene",
+    },
+    [VIEW_SAVE_PRESET] = {
+        .controlled_shifted = "s",
+        .name = "Ctrl Shift S",
+        .label = "save a preset of the settings",
+        .help = "save the settings that are not the defaults as a preset, for --preset, in "
+                "~/.local/share/firn/presets",
+    },
+    [VIEW_PAUSE] = {
+        .characters = " ",
+        .name = "Space",
+        .label = "pause or resume time",
+        .button = "Pause",
+    },
+    [VIEW_SCREENSHOT] = {
+        .keys = { GLFW_KEY_F12 },
+        .characters = "p",
+        .name = "P, F12",
+        .label = "save the picture",
+        .help = "save the picture as firn-0001.png and firn-0001.exr: all samples and layers, "
+                "without panels",
+        .button = "Save",
+    },
+    [VIEW_SHOT_OF_ALL] = {
+        .characters = "P",
+        .name = "Shift+P",
+        .label = "save the window, with panels",
+        .help = "save a PNG file of the window as it is, with panels",
+    },
+    [VIEW_COPY] = {
+        .characters = "cC",
+        .name = "C",
+        .label = "copy the firn render command",
+        .help = "copy the firn render command of this picture (with a divider, of its left side) "
+                "to the clipboard, and print it to stdout",
+        .button = "Copy",
+    },
+    [VIEW_SPLIT] = {
+        .characters = "sS",
+        .name = "S",
+        .label = "compare with another rung",
+        .help = "show two rungs side by side, with a divider that can be dragged, or one",
+        .button = "Compare",
+    },
+    [VIEW_DIVIDER_LEFT] = {
+        .characters = "[",
+        .repeats = true,
+        .name = "[",
+        .label = "move the divider to the left",
+    },
+    [VIEW_DIVIDER_RIGHT] = {
+        .characters = "]",
+        .repeats = true,
+        .name = "]",
+        .label = "move the divider to the right",
+    },
+    [VIEW_HIDE] = {
+        .keys = { GLFW_KEY_TAB },
+        .characters = "hH",
+        .name = "Tab, H",
+        .label = "hide or show the panels",
+        .button = "Hide",
+    },
+    [VIEW_TIMES] = {
+        .characters = "tT",
+        .name = "T",
+        .label = "time of each pass",
+        .help = "show the time of each pass, or the settings",
+        .button = "Passes",
+    },
+    [VIEW_PLAN] = {
+        .characters = "gG",
+        .name = "G",
+        .label = "plan of the frame",
+        .help = "show the compiled plan of the frame, or the settings",
+        .button = "Plan",
+    },
+    [VIEW_FULLSCREEN] = {
+        .keys = { GLFW_KEY_F11 },
+        .characters = "fF",
+        .name = "F, F11",
+        .label = "switch full screen on or off",
+    },
+    [VIEW_LARGER] = {
+        .controlled = "+=",
+        .name = "Ctrl +",
+        .label = "enlarge text and panels",
+    },
+    [VIEW_SMALLER] = {
+        .controlled = "-",
+        .name = "Ctrl -",
+        .label = "shrink text and panels",
+    },
+    [VIEW_USUAL_SIZE] = {
+        .controlled = "0",
+        .name = "Ctrl 0",
+        .label = "first size of text and panels",
+    },
+    [VIEW_THEME] = {
+        .controlled = "t",
+        .name = "Ctrl T",
+        .label = "dark or light theme",
+    },
+    [VIEW_PALETTE] = {
+        .controlled = "k",
+        .name = "Ctrl K",
+        .label = "find an action or a setting",
+        .button = "Find",
+    },
+    [VIEW_HELP] = {
+        .keys = { GLFW_KEY_F1 },
+        .characters = "?",
+        .name = "F1, ?",
+        .label = "keys",
+        .help = "show or hide the list of keys, and print it",
+        .button = "Keys",
+    },
+    [VIEW_QUIT] = {
+        .characters = "qQ",
+        .controlled = "q",
+        .name = "Q, Ctrl Q",
+        .label = "close the window",
+    },
 };
 
 static const struct {
     const char *name, *help;
 } gestures[] = {
-    { "left drag", "orbit around the object, or move the divider" },
-    { "right drag", "move sideways, as Shift + left drag" },
+    { "drag", "orbit around the object" },
+    { "right drag", "move sideways (Shift, drag)" },
     { "wheel", "move closer or away" },
     { "/", "search for a setting" },
-    { "Tab", "navigate the panel by keys, until Esc" },
-    { "drop a file", "open a model, or use an .exr or .hdr as the environment" },
+    { "F6, Esc", "use the panel by keys, or not" },
+    { "drop a file", "open a model, .exr, .hdr or preset" },
 };
 
 static bool has_key(enum view_action action, int key)
@@ -75,20 +268,49 @@ static bool has_key(enum view_action action, int key)
     return false;
 }
 
-static bool is_typed(enum view_action action, const struct key_press *press)
+static bool is_in(const char *characters, unsigned character)
 {
-    const char *from = press->control ? actions[action].controlled : actions[action].characters;
-    return from && press->character && press->character < 128 &&
-           strchr(from, (int)press->character);
+    return characters && character && character < 128 && strchr(characters, (int)character);
 }
 
-enum view_action keys_find(const struct key_press *press)
+static enum view_action find(const struct key_press *press, bool shifted)
 {
     for (enum view_action a = VIEW_NOTHING; a < VIEW_ACTION_COUNT; a++) {
-        if (is_typed(a, press) || (!press->control && has_key(a, press->key)))
+        const char *from = !press->control ? actions[a].characters
+                           : shifted       ? actions[a].controlled_shifted
+                                           : actions[a].controlled;
+        if (is_in(from, press->character) || (!press->control && has_key(a, press->key)))
             return press->repeated && !actions[a].repeats ? VIEW_NOTHING : a;
     }
     return VIEW_NOTHING;
+}
+
+/* '+' is a shifted key on many keyboards, so Shift may be without a meaning. */
+enum view_action keys_find(const struct key_press *press)
+{
+    const enum view_action action =
+        press->control && press->shift ? find(press, true) : VIEW_NOTHING;
+    return action != VIEW_NOTHING ? action : find(press, false);
+}
+
+const char *keys_name(enum view_action action)
+{
+    return actions[action].name;
+}
+
+const char *keys_label(enum view_action action)
+{
+    return actions[action].label;
+}
+
+const char *keys_help(enum view_action action)
+{
+    return actions[action].help ? actions[action].help : actions[action].label;
+}
+
+const char *keys_button(enum view_action action)
+{
+    return actions[action].button ? actions[action].button : actions[action].label;
 }
 
 bool keys_row(uint32_t i, const char **name, const char **help)
@@ -97,7 +319,7 @@ bool keys_row(uint32_t i, const char **name, const char **help)
     for (enum view_action a = VIEW_NOTHING; a < VIEW_ACTION_COUNT; a++) {
         if (actions[a].name && count++ == i) {
             *name = actions[a].name;
-            *help = actions[a].help;
+            *help = actions[a].label;
             return true;
         }
     }

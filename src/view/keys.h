@@ -1,5 +1,5 @@
 /*
- * keys.h: what keys do; the table behind F1.
+ * keys.h: actions and their keys: the one table behind keys, buttons, their tips and F1.
  */
 #ifndef FIRN_VIEW_KEYS_H
 #define FIRN_VIEW_KEYS_H
@@ -17,7 +17,23 @@ enum view_action {
     VIEW_NEARER,
     VIEW_FARTHER,
     VIEW_RESET,
+    VIEW_FRONT,
+    VIEW_SIDE,
+    VIEW_TOP,
+    VIEW_GO_1, /* cameras that were stored */
+    VIEW_GO_2,
+    VIEW_GO_3,
+    VIEW_GO_4,
+    VIEW_STORE_1,
+    VIEW_STORE_2,
+    VIEW_STORE_3,
+    VIEW_STORE_4,
     VIEW_PAUSE,
+    VIEW_UNDO,
+    VIEW_REDO,
+    VIEW_NEXT_FILE,
+    VIEW_LAST_FILE,
+    VIEW_SAVE_PRESET,
     VIEW_SCREENSHOT,
     VIEW_FULLSCREEN,
     VIEW_SPLIT,
@@ -28,10 +44,12 @@ enum view_action {
     VIEW_TIMES,
     VIEW_PLAN,
     VIEW_COPY,
+    VIEW_PALETTE,
     VIEW_HELP,
     VIEW_LARGER,
     VIEW_SMALLER,
     VIEW_USUAL_SIZE,
+    VIEW_THEME,
     VIEW_QUIT,
     VIEW_ACTION_COUNT,
 };
@@ -46,7 +64,12 @@ struct key_press {
 
 enum view_action keys_find(const struct key_press *press);
 
-/* Row i of that table: a key's name and what it does; false: there are no more. */
+const char *keys_name(enum view_action action);   /* of its keys; NULL: none */
+const char *keys_label(enum view_action action);  /* a few words */
+const char *keys_help(enum view_action action);   /* one sentence, no full stop */
+const char *keys_button(enum view_action action); /* as short as can be */
+
+/* Row i of F1: a key's name and what it does; false: there are no more. */
 bool keys_row(uint32_t i, const char **name, const char **help);
 
 /* One line an action, and what the mouse does. */

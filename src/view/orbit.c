@@ -21,6 +21,13 @@ void orbit_turn(struct camera *camera, float azimuth_deg, float elevation_deg)
     camera->depth = before.depth;
 }
 
+void orbit_look(struct camera *camera, float azimuth_deg, float elevation_deg)
+{
+    const float distance = glms_vec3_distance(camera->eye, camera->target);
+    *camera = camera_orbit(azimuth_deg, glm_clamp(elevation_deg, -steepest_deg, steepest_deg),
+                           distance, camera->target, camera->fov_deg);
+}
+
 void orbit_pan(struct camera *camera, float right, float up)
 {
     const struct camera_basis basis = camera_basis(camera);

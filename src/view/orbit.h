@@ -12,6 +12,9 @@
 /* Turns by degrees: to the right around the target, and up, at most to just short of the poles. */
 void orbit_turn(struct camera *camera, float azimuth_deg, float elevation_deg);
 
+/* Looks at the target from these angles, degrees, at the distance it has. */
+void orbit_look(struct camera *camera, float azimuth_deg, float elevation_deg);
+
 /* Moves camera and target alike, along the picture's axes: by so many of the picture's heights, at
  * the target's distance, right and up. */
 void orbit_pan(struct camera *camera, float right, float up);

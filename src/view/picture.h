@@ -96,9 +96,11 @@ struct signals;
 MUST_USE enum status picture_write(struct picture *picture, float time, const char *const *paths,
                                    uint32_t path_count, struct signals *stop);
 
-/* Writes what was drawn of it (`rgba`, one sample) to a PNG file, with the same words in it. */
+/* Writes what was drawn of it (`rgba` of this size, one sample) to a PNG file, with the same words
+ * in it. */
 MUST_USE enum status picture_write_drawn(struct picture *picture, float time, const char *path,
-                                         const struct render_result *drawn, struct signals *stop);
+                                         const struct render_result *drawn, VkExtent2D size,
+                                         struct signals *stop);
 
 /* Whether a picture that is split (or not) can be written to them. Logs: STATUS_USAGE. */
 MUST_USE enum status picture_can_write(bool is_split, const char *const *paths,

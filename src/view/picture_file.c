@@ -58,7 +58,7 @@ static enum status write_file(struct picture *p, const struct output *output, co
     const uint32_t samples = output->picture->samples;
     if (status == STATUS_OK && !p->quiet)
         fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout",
-                p->state.width, p->state.height, samples, samples > 1 ? "s" : "");
+                output->picture->width, output->picture->height, samples, samples > 1 ? "s" : "");
     return status;
 }
 
@@ -174,7 +174,8 @@ enum status picture_write(struct picture *p, float time, const char *const *path
 }
 
 enum status picture_write_drawn(struct picture *p, float time, const char *path,
-                                const struct render_result *drawn, struct signals *stop)
+                                const struct render_result *drawn, VkExtent2D size,
+                                struct signals *stop)
 {
     struct app_picture state = p->state;
     struct output output = {
@@ -183,6 +184,8 @@ enum status picture_write_drawn(struct picture *p, float time, const char *path,
         .shot = { .camera = p->camera, .time = time },
     };
     state.samples = 1; /* as windows show it */
+    state.width = size.width;
+    state.height = size.height;
     enum status status = output_describe(&output);
     if (status == STATUS_OK)
         status = write_file(p, &output, path, drawn, stop);

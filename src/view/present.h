@@ -1,5 +1,7 @@
 /*
- * present.h: a picture in a window, texel by texel; or two, side by side.
+ * present.h: a picture in a window; or two, side by side.
+ *
+ * It is shown texel by texel, or filtered until one of the window's size has been drawn.
  *
  * The pictures (frame_display and, right of a line, present_right) and the window's image are
  * imported by a plan of their own, apart from that of the frame. The window's format is known at
@@ -29,6 +31,10 @@ struct present_tables {
     struct rg_pass passes[PRESENT_PASS_COUNT];
     struct rg_technique technique;
 };
+
+/* Shows a picture of a size as large as it fits into a part of the window, which is not empty.
+ * `divider`: where it is split, of its width, from the left; below 0: it is not. */
+struct present_push present_fit(VkRect2D view, VkExtent2D picture, double divider);
 
 void present_tables_init(struct present_tables *tables, VkFormat format);
 

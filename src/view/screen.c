@@ -52,7 +52,8 @@ static uint32_t import_count(const struct screen *s)
     return s->font ? IMPORT_COUNT : IMPORT_FONT;
 }
 
-static enum status compile(struct screen *s, const struct rg_device *device)
+static enum status compile(struct screen *s, const struct screen_picture *picture,
+                           const struct rg_device *device)
 {
     const struct rg_technique *const parts[] = {
         &s->tables.technique,
@@ -60,8 +61,12 @@ static enum status compile(struct screen *s, const struct rg_device *device)
     };
     const VkExtent2D extent = s->swapchain.extent;
     const struct rg_import imports[IMPORT_COUNT] = {
-        [IMPORT_PICTURE] = { .image = &frame_display, .access = RG_SAMPLED },
-        [IMPORT_RIGHT] = { .image = &present_right, .access = RG_SAMPLED },
+        [IMPORT_PICTURE] = { .image = &frame_display,
+                             .access = RG_SAMPLED,
+                             .extent = picture->extent },
+        [IMPORT_RIGHT] = { .image = &present_right,
+                           .access = RG_SAMPLED,
+                           .extent = picture->extent },
         [IMPORT_WINDOW] = { .image = &s->tables.window },
         [IMPORT_FONT] = {
             .image = &overlay_font,
@@ -118,13 +123,13 @@ struct rg_exec_params screen_exec_params(const struct gpu *gpu, const struct rg_
     };
 }
 
-enum status screen_connect(struct screen *s, VkImage picture, VkImage right)
+enum status screen_connect(struct screen *s, const struct screen_picture *picture)
 {
     const struct rg_vulkan vulkan = frame_exec_vulkan(s->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     const struct rg_exec_import objects[IMPORT_COUNT] = {
-        [IMPORT_PICTURE] = { .image = picture },
-        [IMPORT_RIGHT] = { .image = right },
+        [IMPORT_PICTURE] = { .image = picture->left },
+        [IMPORT_RIGHT] = { .image = picture->right },
         [IMPORT_WINDOW] = {
             .images = s->swapchain.images,
             .image_count = s->swapchain.image_count,
@@ -133,7 +138,7 @@ enum status screen_connect(struct screen *s, VkImage picture, VkImage right)
     };
     VkResult result;
     screen_disconnect(s);
-    const enum status status = compile(s, &device);
+    const enum status status = compile(s, picture, &device);
     if (status != STATUS_OK)
         return status;
     struct rg_exec_params params = screen_exec_params(s->gpu, s->plan);
@@ -177,13 +182,12 @@ enum status screen_begin(struct screen *s, bool *ready)
     return status;
 }
 
-enum status screen_end(struct screen *s, uint32_t line, const struct overlay_list *list)
+enum status screen_end(struct screen *s, const struct present_push *shown,
+                       const struct overlay_list *list)
 {
     const struct gpu_swapchain *chain = &s->swapchain;
-    const struct window_frame window = {
-        .present = { .encodes = chain->encodes, .line = line },
-        .overlay = list,
-    };
+    struct window_frame window = { .present = *shown, .overlay = list };
+    window.present.encodes = chain->encodes;
     const struct rg_frame frame = { .window = &window };
     const struct rg_exec_external_sync sync = {
         .image_index = s->index,

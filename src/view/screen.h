@@ -34,6 +34,11 @@ struct screen {
     double waited; /* by the host in that frame: for its image, and to have it shown; seconds */
 };
 
+struct screen_picture {
+    VkImage left, right;
+    VkExtent2D extent;
+};
+
 /* Must not move afterwards. The surface is the caller's. */
 MUST_USE enum status screen_init(struct screen *screen, struct gpu *gpu, VkSurfaceKHR surface,
                                  VkPresentModeKHR mode);
@@ -47,9 +52,9 @@ MUST_USE enum status screen_fit(struct screen *screen, VkExtent2D size, bool *re
  * the screen is not connected. */
 void screen_lay_over(struct screen *screen, const struct gpu_image *font);
 
-/* Shows this image, of the swapchain's size and ready to be sampled, from now on; and where a line
- * is drawn, another one right of it (without one, the same). */
-MUST_USE enum status screen_connect(struct screen *screen, VkImage picture, VkImage right);
+/* Shows a picture, ready to be sampled, from now on; and where a line is drawn, another one of the
+ * same size right of it (without one, the same). */
+MUST_USE enum status screen_connect(struct screen *screen, const struct screen_picture *picture);
 
 /* Waits for its frames and forgets the picture. */
 void screen_disconnect(struct screen *screen);
@@ -57,10 +62,10 @@ void screen_disconnect(struct screen *screen);
 /* *ready is false if there is no image: fit it and begin again. */
 MUST_USE enum status screen_begin(struct screen *screen, bool *ready);
 
-/* `line`: the column where the line between two pictures begins, or PRESENT_NO_LINE. `list`, with
+/* `shown`: where, and as in present_fit(). `list`, with
  * the screen's buffers overlay_vertices and overlay_indices, is what lies over the picture; NULL:
  * nothing. */
-MUST_USE enum status screen_end(struct screen *screen, uint32_t line,
+MUST_USE enum status screen_end(struct screen *screen, const struct present_push *shown,
                                 const struct overlay_list *list);
 
 /* Until no frame reads the picture any more. */

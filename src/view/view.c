@@ -9,7 +9,8 @@
 #include "src/view/watch.h"
 #include "src/view/worker.h"
 
-static const double idle_seconds = 0.1; /* between looks, while there is nothing to draw */
+static const double rest_seconds = 0.12; /* of a window's size, before it is drawn for it */
+static const double idle_seconds = 0.1;  /* between looks, while there is nothing to draw */
 
 /* ---- start and end ---- */
 
@@ -20,10 +21,38 @@ void view_say(struct view *v, const char *what)
     window_title(&v->window, title);
 }
 
+static bool shows_panels(const struct app_options *o)
+{
+    const bool hands = !o->view.frame_count && !o->run.outputs.count;
+    return o->view.overlay == APP_OVERLAY_ON || (hands && o->view.overlay == APP_OVERLAY_AUTO);
+}
+
+/* --size is that of the picture; what does not fit onto the screen is smaller. */
+static VkExtent2D fit_window(void *user, float scale, VkExtent2D room)
+{
+    struct view *v = user;
+    const struct app_picture *p = &v->options->picture;
+    const VkExtent2D picture = { p->width, p->height };
+    const float given = v->options->view.ui_scale;
+    v->ui_scale = given > 0.0f ? given : scale;
+    if (!shows_panels(v->options))
+        return picture;
+    const VkExtent2D size = layout_around(picture, v->ui_scale);
+    return (VkExtent2D){
+        room.width && room.width < size.width ? room.width : size.width,
+        room.height && room.height < size.height ? room.height : size.height,
+    };
+}
+
 static enum status open_window(struct view *v)
 {
-    const struct app_picture *p = &v->options->picture;
-    enum status status = window_init(&v->window, p->width, p->height, "firn: loading");
+    const struct window_params params = {
+        .fit = fit_window,
+        .user = v,
+        .title = "firn: loading",
+        .background = theme_at(v->theme)->surround,
+    };
+    enum status status = window_init(&v->window, &params);
     if (status == STATUS_OK)
         status = window_system(&v->window, &v->system);
     return status;
@@ -72,16 +101,14 @@ void view_show_ui(struct view *v, bool shown)
 static enum status open_ui(struct view *v)
 {
     const struct app_options *o = v->options;
-    const bool hands = !o->view.frame_count && !o->run.outputs.count;
-    if (!(v->ui_scale > 0.0f))
-        v->ui_scale = o->view.ui_scale > 0.0f ? o->view.ui_scale : window_scale(&v->window);
-    const enum status status = ui_create(&v->ui, &v->gpu, v->ui_scale, o->run.quiet);
+    const enum status status =
+        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), o->run.quiet);
     if (status != STATUS_OK)
         return status;
     v->window.listen = ui_hear;
     v->window.listener = v->ui;
-    view_show_ui(v, o->view.overlay == APP_OVERLAY_ON ||
-                        (hands && o->view.overlay == APP_OVERLAY_AUTO));
+    ui_dump(v->ui, o->view.ui_dump);
+    view_show_ui(v, shows_panels(o));
     return STATUS_OK;
 }
 
@@ -120,7 +147,8 @@ static bool wait_for_turn(struct view *v, VkExtent2D size)
     v->now = clock_seconds();
     if (!v->paused && o->time_step <= 0.0 && v->costs.frame_count)
         v->elapsed += v->now - before;
-    const bool idle = v->paused && !v->changed && !counted && !ui_is_busy(v->ui);
+    const bool idle =
+        v->paused && !v->changed && !counted && !ui_is_busy(v->ui) && !(v->resize_at > 0.0);
     if (size.width != 0 && !idle && v->now >= v->next)
         return true;
     if (size.width == 0 || idle) {
@@ -133,6 +161,40 @@ static bool wait_for_turn(struct view *v, VkExtent2D size)
     return false;
 }
 
+static enum status resize(void *user)
+{
+    struct view *v = user;
+    return picture_resize(v->picture, v->wanted);
+}
+
+/* While a hand drags the window's edge the last picture is shown scaled: another renderer takes
+ * longer than a frame. */
+static enum status fit_picture(struct view *v, bool window_is_other)
+{
+    const struct picture *p = v->picture;
+    const VkExtent2D room = v->layout.picture.extent;
+    const bool waits = window_is_other && p->renderer && !v->options->view.frame_count;
+    if (p->renderer && p->state.width == room.width && p->state.height == room.height) {
+        v->resize_at = 0.0;
+        return STATUS_OK;
+    }
+    if (!(v->resize_at > 0.0) || v->wanted.width != room.width || v->wanted.height != room.height)
+        v->resize_at = clock_seconds() + (waits ? rest_seconds : 0.0);
+    v->wanted = room;
+    if (clock_seconds() < v->resize_at)
+        return STATUS_OK;
+    v->resize_at = 0.0;
+    v->changed = true;
+    screen_disconnect(&v->screen);
+    return p->renderer ? worker_run(&v->window, resize, v) : resize(v);
+}
+
+void view_lay_out(struct view *v, VkExtent2D size)
+{
+    v->layout = layout_of(size, v->ui_scale, v->screen.font != NULL);
+    v->window.view = v->layout.picture;
+}
+
 /* Window, swapchain, renderer and the plan between them fit each other, or *ready is false. */
 static enum status fit(struct view *v, VkExtent2D size, bool *ready)
 {
@@ -140,12 +202,18 @@ static enum status fit(struct view *v, VkExtent2D size, bool *ready)
     const double start = clock_seconds();
     enum status status = screen_fit(&v->screen, size, &remade);
     *ready = status == STATUS_OK && !v->screen.swapchain.stale;
-    if (!*ready || v->screen.exec)
+    if (!*ready)
         return status;
-    status = picture_resize(v->picture, v->screen.swapchain.extent);
-    if (status == STATUS_OK)
-        status = screen_connect(&v->screen, picture_left(v->picture), picture_right(v->picture));
-    v->changed = true;
+    view_lay_out(v, v->screen.swapchain.extent);
+    status = fit_picture(v, remade);
+    if (v->screen.exec || status != STATUS_OK)
+        return status;
+    const struct screen_picture shown = {
+        .left = picture_left(v->picture),
+        .right = picture_right(v->picture),
+        .extent = { v->picture->state.width, v->picture->state.height },
+    };
+    status = screen_connect(&v->screen, &shown);
     view_costs_rest(&v->costs, start);
     return status;
 }
@@ -181,7 +249,8 @@ static void pose(struct view *v)
 static enum status draw_picture(struct view *v)
 {
     const struct renderer_shot shot = shot_now(v);
-    v->redrawn = v->changed || shot.time < v->shown || shot.time > v->shown;
+    const bool other = v->changed || shot.time < v->shown || shot.time > v->shown;
+    v->redrawn = other && !(v->resize_at > 0.0);
     if (!v->redrawn)
         return STATUS_OK;
     v->shown = shot.time;
@@ -201,8 +270,12 @@ static enum status draw(struct view *v, bool *ready)
     if (status == STATUS_OK && v->screen.font)
         list = ui_take(v->ui, rg_exec_mapped(exec, &overlay_vertices, v->screen.slot),
                        rg_exec_mapped(exec, &overlay_indices, v->screen.slot));
+    const struct app_picture *p = &v->picture->state;
+    v->place = present_fit(v->layout.picture, (VkExtent2D){ p->width, p->height },
+                           p->split ? v->picture->divider : -1.0);
+    v->place.surround = theme_at(v->theme)->surround;
     if (status == STATUS_OK)
-        status = screen_end(&v->screen, picture_line(v->picture), list);
+        status = screen_end(&v->screen, &v->place, list);
     return status;
 }
 
@@ -245,7 +318,7 @@ static enum status run_frame(struct view *v)
     if (status != STATUS_OK || !ready)
         return status;
     count_frame(v);
-    if (v->shoot)
+    if (v->shoot && !(v->resize_at > 0.0))
         view_shoot(v);
     return STATUS_OK;
 }
@@ -340,6 +413,7 @@ enum status view_run(const struct app_options *options)
         return log_out_of_memory(NULL);
     }
     v->options = options;
+    v->theme = options->view.theme;
     enum status status = signals_begin(&v->stop);
     if (status == STATUS_OK)
         status = run(v);

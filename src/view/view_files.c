@@ -14,9 +14,10 @@ enum {
 static enum status shoot_all(struct view *v, const char *path)
 {
     struct render_result drawn = { 0 };
-    enum status status = ui_shot(&v->screen, v->picture, v->ui, &drawn.rgba);
+    enum status status = ui_shot(&v->screen, v->picture, &v->place, v->ui, &drawn.rgba);
     if (status == STATUS_OK)
-        status = picture_write_drawn(v->picture, v->shown, path, &drawn, &v->stop);
+        status = picture_write_drawn(v->picture, v->shown, path, &drawn, v->screen.swapchain.extent,
+                                     &v->stop);
     render_result_finish(&drawn);
     return status;
 }

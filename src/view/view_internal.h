@@ -3,11 +3,16 @@
 #define FIRN_VIEW_VIEW_INTERNAL_H
 
 #include "src/app/signals.h"
+#include "src/view/history.h"
 #include "src/view/picture.h"
 #include "src/view/screen.h"
 #include "src/view/ui/ui.h"
 #include "src/view/view_costs.h"
 #include "src/view/window.h"
+
+enum {
+    VIEW_BOOKMARK_COUNT = 4,
+};
 
 struct view {
     const struct app_options *options;
@@ -21,6 +26,15 @@ struct view {
     struct watch *watch; /* NULL: no shaders are watched */
     struct ui *ui;
     float ui_scale; /* of the panels; 0: not known yet */
+    uint32_t theme; /* theme_at() */
+    struct layout layout;
+    struct present_push place; /* of the picture in the frame drawn last */
+    VkExtent2D wanted;         /* of the picture; it is shown scaled until it has this size: */
+    double resize_at;          /* seconds; 0: it has */
+    struct history history;
+    struct camera bookmarks[VIEW_BOOKMARK_COUNT];
+    bool bookmarked[VIEW_BOOKMARK_COUNT];
+    bool dragged;   /* a hand has moved the picture */
     double now;     /* of the loop, seconds */
     double elapsed; /* of the scene's time, seconds, from motion.time */
     float shown;    /* time of the frame drawn last, seconds */
@@ -39,8 +53,33 @@ struct view {
 void view_say(struct view *view, const char *what); /* in the window's title */
 void view_show_name(struct view *view);
 void view_show_ui(struct view *view, bool shown);
+void view_lay_out(struct view *view, VkExtent2D size); /* of the window */
 
-/* ---- view_hands.c: what hands do ---- */
+/* ---- view_actions.c: what actions do ---- */
+
+void view_act(struct view *view, enum view_action action);
+void view_zoom(struct view *view, float steps);
+void view_slide(struct view *view, double to); /* the divider: a part of the picture's width */
+
+/* ---- view_change.c: what undo takes back ---- */
+
+struct view_state view_state_now(const struct view *view);
+
+/* Uses a state. False: what cannot be has been logged and said, what was there stays. */
+bool view_use(struct view *view, const struct view_state *state);
+
+/* The same, and undo takes it back. `gesture`: see history.h. */
+void view_change(struct view *view, const struct view_state *state, uint32_t gesture);
+void view_undo(struct view *view, bool again); /* again: redo */
+
+/* Settings from a preset, and to one. */
+void view_load_preset(struct view *view, const char *path);
+void view_save_preset(struct view *view);
+
+/* Another object, environment or preset, by what the path ends in. */
+void view_open(struct view *view, const char *path);
+
+/* ---- view_input.c: what hands do ---- */
 
 /* All that happened since the last call. */
 void view_handle(struct view *view);

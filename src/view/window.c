@@ -6,8 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/view/window_background.h"
 
-static const double divider_reach = 8.0; /* how near a hand must come, screen coordinates */
+static const double divider_reach = 8.0; /* how near a hand must come, pixels */
 
 static enum status failed(const char *what)
 {
@@ -80,12 +81,20 @@ static bool has_shift(GLFWwindow *handle)
            glfwGetKey(handle, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
 }
 
-static bool is_near_divider(const struct window *w, double x)
+/* Screen coordinates to a part of the picture's width. */
+static double part_of_view(const struct window *w, double x)
 {
     int width;
     int height;
     glfwGetWindowSize(w->handle, &width, &height);
-    return w->divider >= 0.0 && fabs(x - w->divider * width) <= divider_reach;
+    const double pixels = width > 0 ? x * window_size(w).width / width : 0.0;
+    return w->view.extent.width ? (pixels - w->view.offset.x) / w->view.extent.width : 0.0;
+}
+
+static bool is_near_divider(const struct window *w, double x)
+{
+    const double distance = fabs(part_of_view(w, x) - w->divider) * w->view.extent.width;
+    return w->divider >= 0.0 && distance <= divider_reach;
 }
 
 static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
@@ -103,17 +112,17 @@ static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
 }
 
 /* The divider follows the hand; where it can be taken, the mouse looks so. */
-static void slide(struct window *w, double x, int width)
+static void slide(struct window *w, double x)
 {
     const bool shown = w->slides || is_near_divider(w, x);
     if (shown && !w->slider)
         w->slider = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
     if (w->slider)
         glfwSetCursor(w->handle, shown ? w->slider : NULL);
-    if (!w->slides || width <= 0)
+    if (!w->slides)
         return;
     w->input.slid = true;
-    w->input.divider = fmin(fmax(x / width, 0.0), 1.0);
+    w->input.divider = fmin(fmax(part_of_view(w, x), 0.0), 1.0);
 }
 
 static void on_cursor(GLFWwindow *handle, double x, double y)
@@ -131,7 +140,7 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     const double pixels = scale * window_size(w).height;
     if (tell(w, &(struct window_event){ WINDOW_CURSOR, x * pixels, y * pixels }))
         return;
-    slide(w, x, width);
+    slide(w, x);
     if (is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) || (left && has_shift(handle))) {
         w->input.pan_x += dx;
         w->input.pan_y += dy;
@@ -222,7 +231,21 @@ static void fit_framebuffer(struct window *w, uint32_t width, uint32_t height)
                       (int)((double)height * window_height / size.height + 0.5));
 }
 
-enum status window_init(struct window *w, uint32_t width, uint32_t height, const char *title)
+static VkExtent2D choose_size(const struct window_params *params)
+{
+    GLFWmonitor *monitor = glfwGetPrimaryMonitor();
+    float scale[2] = { 1.0f, 1.0f };
+    int place[4] = { 0 };
+    if (monitor) {
+        glfwGetMonitorContentScale(monitor, &scale[0], &scale[1]);
+        glfwGetMonitorWorkarea(monitor, &place[0], &place[1], &place[2], &place[3]);
+    }
+    const bool known = place[2] > 0 && place[3] > 0;
+    const VkExtent2D room = { known ? (uint32_t)place[2] : 0, known ? (uint32_t)place[3] : 0 };
+    return params->fit(params->user, fmaxf(scale[0], scale[1]), room);
+}
+
+enum status window_init(struct window *w, const struct window_params *params)
 {
     *w = (struct window){ .divider = -1.0 };
     if (!glfwInit())
@@ -231,15 +254,23 @@ enum status window_init(struct window *w, uint32_t width, uint32_t height, const
     if (!glfwVulkanSupported())
         return failed("cannot use Vulkan with windows");
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-    w->handle = glfwCreateWindow((int)width, (int)height, title, NULL, NULL);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "firn");
+    const VkExtent2D size = choose_size(params);
+    w->handle = glfwCreateWindow((int)size.width, (int)size.height, params->title, NULL, NULL);
     if (!w->handle)
         return failed("cannot open a window");
+    window_set_background(w, params->background);
     listen(w);
     ask_for_size(w);
-    fit_framebuffer(w, width, height);
+    fit_framebuffer(w, size.width, size.height);
     glfwPollEvents();
     ask_for_size(w);
     return STATUS_OK;
+}
+
+void window_set_background(struct window *w, uint32_t color)
+{
+    window_background(w->handle, color);
 }
 
 void window_finish(struct window *w)

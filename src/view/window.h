@@ -56,7 +56,8 @@ struct window {
     struct window_input input;
     char *dropped;             /* path of a file, malloc'd; NULL: none */
     double cursor_x, cursor_y; /* where it was seen last, screen coordinates */
-    double divider; /* that a hand can take, of the width, from the left; below 0: none */
+    VkRect2D view;             /* where the picture is, pixels */
+    double divider; /* that a hand can take, of its width, from its left; below 0: none */
     bool slides;    /* a hand has it */
     struct GLFWcursor *slider; /* what the mouse looks like there; NULL: never was there */
     bool repeated;             /* the key that is being handled is held down */
@@ -65,10 +66,22 @@ struct window {
     int left, top, width, height; /* before it filled the screen */
 };
 
-/* Shows it at once, black, with a framebuffer of this size if the desktop allows it. It must not
+/* The size of a window, pixels, where all is `scale` times as large as usual and there is so much
+ * room (0x0: not known). */
+typedef VkExtent2D window_fit_fn(void *user, float scale, VkExtent2D room);
+
+struct window_params {
+    window_fit_fn *fit;
+    void *user;
+    const char *title;
+    uint32_t background; /* where nothing has been drawn, 0xRRGGBB */
+};
+
+/* Shows it at once, empty, with a framebuffer of this size if the desktop allows it. It must not
  * move afterwards. */
-MUST_USE enum status window_init(struct window *window, uint32_t width, uint32_t height,
-                                 const char *title);
+MUST_USE enum status window_init(struct window *window, const struct window_params *params);
+
+void window_set_background(struct window *window, uint32_t color);
 
 /* {0} and half-built are fine. */
 void window_finish(struct window *window);

@@ -9,14 +9,36 @@ from test_view import CHECKED, WindowCase, png_pixels, png_size  # noqa: E402
 
 
 class Panels(WindowCase):
-    FIRST_ROW = 312      # where it lies: pixels in the window
-    BESIDE = (350, 200)  # no panel there
+    BESIDE = (100, 200)  # in the picture
 
-    def start_with_panels(self, *arguments):
-        window = self.start('sphere', '--size', '360x340', '--overlay', 'on', *arguments,
-                            plain=CRACKED)
-        self.press_for(window, 'space', 'sphere, paused')
+    def env(self):
+        return {**super().env(), 'XDG_DATA_HOME': str(self.folder / 'data')}
+
+    def start_with_panels(self, *arguments, scene='sphere', title=None, plain=CRACKED):
+        window = self.start(scene, '--size', '360x340', '--overlay', 'on', '--ui-dump', 'ui',
+                            *arguments, title=title, plain=plain)
+        self.press_for(window, 'space', f'{title or scene}, paused')
         return window
+
+    def control(self, label):
+        """Left, top, width, height of what a hand can use, pixels; None: it does not show."""
+        try:
+            lines = (self.folder / 'ui').read_text().splitlines()
+        except FileNotFoundError:
+            return None
+        for line in lines:
+            *numbers, name = line.split(' ', 4)
+            if name == label:
+                return tuple(map(int, numbers))
+        return None
+
+    def place(self, label, part=0.5):
+        """A point in it, so far from its left."""
+        left, top, width, height = wait_until(label, lambda: self.control(label), self.words)
+        return left + round(part * width), top + height // 2
+
+    def click(self, window, label):
+        self.move(window, self.place(label))
 
     def command(self, window):
         """What the key for it prints. While a line of text is being left, it may be lost there."""
@@ -46,26 +68,27 @@ class Panels(WindowCase):
         """Leaves no row but this one."""
         for keys in (('key', 'slash', 'key', 'ctrl+a'), ('type', name), ('key', 'Return')):
             self.desktop.do(*keys)
+        wait_until(f'one row, {name}', lambda: self.control(name) and not self.control('Material'))
 
-    def drag_row(self, window, name, *places):
+    def drag_row(self, window, name, *parts):
         """Along the widget of a setting, which is left alone in the panel."""
         self.find_row(window, name)
-        self.move(window, *[(place, self.FIRST_ROW) for place in places])
+        self.move(window, *[self.place(name, part) for part in parts])
 
     def test_settings_change_by_mouse_and_the_command_draws_the_same(self):
         window = self.start_with_panels('--set', 'cracks.count=3')
         self.assertNotIn('exposure', self.command(window))
         first = self.shoot(window, 1)
         for row, change, places in (
-                ('tonemap.exposure', 'tonemap.exposure=', (90, 100, 130)),
-                ('cracks.surface', 'cracks.surface=on', (23,)),
-                ('cracks.count', 'cracks.count=', (40, 110))):
+                ('tonemap.exposure', 'tonemap.exposure=', (0.5, 0.6, 0.7)),
+                ('cracks.surface', 'cracks.surface=on', (0.5,)),
+                ('cracks.count', 'cracks.count=', (0.2, 0.7))):
             command = self.wait_for_command(
                 window, change, without='cracks.count=3 ' if row == 'cracks.count' else None,
                 act=lambda row=row, places=places: self.drag_row(window, row, *places))
         self.assertNotIn('--eye', command)  # nothing of this was for the camera
         command = self.wait_for_command(
-            window, '--eye', act=lambda: self.move(window, self.BESIDE, (340, 220), (330, 240)))
+            window, '--eye', act=lambda: self.move(window, self.BESIDE, (120, 220), (130, 240)))
         shown = self.shoot(window, 2)
         self.assertNotEqual(png_pixels(shown), png_pixels(first))
         words = shlex.split(command)
@@ -78,46 +101,33 @@ class Panels(WindowCase):
         lines = self.succeed('list', what).stdout.decode().splitlines()
         return [line.split()[0] for line in lines if line.startswith('  ')]
 
-    def at_rest(self, what, look):
-        """What look() finds, and finds again."""
-        seen = [None]
-
-        def twice():
-            seen.append(look())
-            return seen[-1] == seen[-2] and seen[-1]
-        return wait_until(what, twice, self.words)
-
     def choose(self, window, row, entry):
-        """
-        Clicks on an entry of a list, when this is open and still: heights in the window. Where it
-        does not open, or is not yet still, nothing or another entry is chosen; then try again.
-        """
-        def look():
-            pixels = self.desktop.pixels(window)
-            return [pixels[3 * (y * 360 + 100):3 * (y * 360 + 160)]
-                    for y in range(entry - 3, entry + 3)]
-        self.desktop.do('mousemove', '--window', window, *self.BESIDE)  # no words about a row
-        closed = self.at_rest('a panel at rest', look)
-        self.move(window, (60, row))
+        """Opens a list, where it does not open again, and clicks on an entry."""
+        if not self.control(row):
+            self.click(window, row.partition('/')[0])
+        self.click(window, row)
         try:
-            wait_until('an open list', lambda: look() != closed, patience=PATIENCE / 12)
+            wait_until('an open list', lambda: self.control(entry), patience=PATIENCE / 12)
         except AssertionError:
             return
-        self.at_rest('a list at rest', look)
-        self.move(window, (60, entry))
+        self.click(window, entry)
 
     def test_lists_choose_rungs_and_materials(self):
         first, second, *_ = self.names('rungs')
         material = self.names('materials')[-1]
         window = self.start_with_panels()
+        self.wait_for_command(window, f' --material {material} ',
+                              act=lambda: self.choose(window, 'material', material))
+        for group, row, shown in (('Material', 'material', False),
+                                  ('Inside', 'cracks.count', False), ('Quality', 'rung', True)):
+            wait_until(f'{group}, {row}', lambda row=row, shown=shown: bool(
+                self.control(row)) == shown, act=lambda group=group: self.click(window, group))
         self.wait_for_command(window, f' --refraction {second} ',
-                              act=lambda: self.choose(window, 149, 188))
+                              act=lambda: self.choose(window, 'rung', second))
         self.find(rf'sphere, {second} \| {first}, paused',
-                  act=lambda: self.choose(window, 169, 208))
+                  act=lambda: self.choose(window, 'compare with', first))
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
         self.press_for(window, 's', 'sphere, paused')
-        self.wait_for_command(window, f' --material {material} ',
-                              act=lambda: self.choose(window, 189, 150))
         self.close(window)
 
     def test_only_some_screenshots_have_panels(self):
@@ -127,74 +137,155 @@ class Panels(WindowCase):
         self.press_until(window, 'P', 'the screenshot of all', path.exists)
         self.assertNotIn('firn-0002.exr', self.files())
         self.assertNotEqual(png_pixels(path), png_pixels(alone))
-        self.press_until(window, 'h', 'no panels',
-                         lambda: self.desktop.pixels(window) == png_pixels(alone))
-        self.assertEqual(self.shoot(window, 3).read_bytes(), alone.read_bytes())
-        self.press_until(window, 'h', 'panels',
-                         lambda: self.desktop.pixels(window) != png_pixels(alone))
+        self.assertEqual((png_size(alone), png_size(path)), ((360, 340), (610, 402)))
+        shown = self.desktop.pixels(window)
+        self.press_until(window, 'h', 'no panels', lambda: self.desktop.pixels(window) ==
+                         png_pixels(self.shoot_next(window)))
+        self.press_until(window, 'h', 'panels', lambda: self.desktop.pixels(window) == shown)
+        self.close(window)
+
+    def picture_of(self, pixels, width, left, top, columns, rows):
+        """A part of RGB bytes, row by row."""
+        return b''.join(pixels[3 * (y * width + left):3 * (y * width + left + columns)]
+                        for y in range(top, top + rows))
+
+    def test_nothing_covers_the_picture(self):
+        """Its pixels beside the panels are those of its file; the window has room for them."""
+        window = self.start_with_panels()
+        shot = self.shoot(window, 1)
+        self.assertEqual(png_size(shot), (360, 340))
+        left, top, width, _ = self.control('search')
+        wait_until('the picture beside the panels', lambda: self.picture_of(
+            self.desktop.pixels(window), 360 + 250, 0, 36, 360, 340) == png_pixels(shot))
+        self.assertGreater(left, 360)
+        self.press_until(window, 'Tab', 'a picture as large as the window',
+                         lambda: len(self.desktop.pixels(window)) ==
+                         len(png_pixels(self.shoot_next(window))))
         self.close(window)
 
     def test_all_panels_by_key(self):
         window = self.start_with_panels()
+        for key, gone in (('t', 'search'), ('g', 'search')):
+            self.press_until(window, key, f'the panel of {key}', lambda: not self.control(gone))
+            self.press_until(window, key, 'the settings', lambda: self.control(gone))
         shown = {self.desktop.pixels(window)}
-        for key in ('t', 'g', 'F1'):
-            self.press_until(window, key, f'the panel of {key}',
-                             lambda: self.desktop.pixels(window) not in shown)
+        for key in ('F1', 'ctrl+t', 'ctrl+plus'):
+            self.press_until(window, key, key, lambda: self.desktop.pixels(window) not in shown)
             shown.add(self.desktop.pixels(window))
         self.close(window)
 
     def test_buttons(self):
-        def click(x, y):
-            return lambda: self.move(window, (x, y))
         window = self.start_with_panels('--size', '640x560')
-        self.find('sphere', act=click(38, 90))
-        self.find('sphere, paused', act=click(38, 90))
+        self.find('sphere', act=lambda: self.click(window, 'Play'))
+        self.find('sphere, paused', act=lambda: self.click(window, 'Pause'))
         first = self.shoot(window, 1)
         self.wait_for_command(window, '--eye',
                               act=lambda: self.move(window, (500, 200), (520, 220), (540, 210)))
-        self.wait_for_command(window, without='--eye', act=click(279, 90))
-        self.wait_for_command(window, 'cracks.count=',
-                              act=lambda: self.move(window, (30, 229), (60, 229), (90, 229)))
-        self.wait_for_command(window, 'cracks.count=', without='motion.count',
-                              act=click(280, 371))  # of its group
-        self.wait_for_command(window, without='cracks.count', act=click(208, 271))
+        self.wait_for_command(window, without='--eye',
+                              act=lambda: self.click(window, 'Camera'))
+        row = 'bump.strength'  # not as it is by default
+        self.wait_for_command(window, without=row, act=lambda: self.click(window, f'reset {row}'))
+        self.wait_for_command(window, f'{row}=', act=lambda: self.move(
+            window, *[self.place(row, part) for part in (0.3, 0.4, 0.5)]))
+        self.wait_for_command(window, 'air.count', without=row,
+                              act=lambda: self.click(window, 'reset Material'))
+        self.wait_for_command(window, without='air.count',
+                              act=lambda: self.click(window, 'reset all'))
         size = len(self.printed())
-        wait_until('a command', lambda: len(self.printed()) > size, act=click(115, 90))
+        wait_until('a command', lambda: len(self.printed()) > size,
+                   act=lambda: self.click(window, 'Copy'))
         second = self.folder / 'firn-0002.png'
-        wait_until('a screenshot', second.exists, act=click(206, 90))
+        wait_until('a screenshot', second.exists, act=lambda: self.click(window, 'Save'))
         self.assertNotEqual(png_pixels(second), png_pixels(first))  # nothing moves around it
         self.close(window)
 
+    def find_and_choose(self, window, words):
+        """By the palette."""
+        self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
+        self.desktop.do('type', words)
+        self.desktop.do('key', 'Return')
+        wait_until('a choice', lambda: not self.control('palette'), self.words)
+
+    def test_undo_palette_presets_and_next_scenes(self):
+        window = self.start_with_panels()
+        self.wait_for_command(window, ' --material glass ',
+                              act=lambda: self.find_and_choose(window, 'glass mat'))
+        self.wait_for_command(window, without='--material',
+                              act=lambda: self.press(window, 'ctrl+z'))
+        self.wait_for_command(window, '--material',
+                              act=lambda: self.press(window, 'ctrl+shift+z'))
+        self.wait_for_command(window, 'surface.shininess=', act=lambda: self.move(
+            window, *[self.place('surface.shininess', part) for part in (0.5, 0.4, 0.3, 0.2)]))
+        self.wait_for_command(window, '--material', without='surface.shininess',
+                              act=lambda: self.press(window, 'ctrl+z'))  # all of the movement
+        presets = self.folder / 'data' / 'firn' / 'presets'
+        self.press_until(window, 'ctrl+shift+s', 'a preset', lambda: list(presets.glob('*.txt')))
+        self.assertIn('refract.ior=1.5\n', (presets / 'preset-0001.txt').read_text())
+        self.wait_for_command(window, without='--material',
+                              act=lambda: self.click(window, 'reset all'))
+        self.wait_for_command(window, '--material glass', 'bump.strength=0', act=lambda:
+                              self.find_and_choose(window, 'preset-0001'))
+        self.wait_for_command(window, '--eye', act=lambda: self.press(window, '1'))
+        self.find('room, paused', act=lambda: self.find_and_choose(window, 'open room'))
+        scenes = self.names('scenes')
+        last = scenes[scenes.index('room') - 1]
+        self.press_for(window, 'Prior', f'{last}, paused')
+        self.close(window)
+
     def test_words_about_what_is_below_the_mouse(self):
-        window = self.start_with_panels('--size', '640x560')
+        window = self.start_with_panels()
         shown = [self.desktop.pixels(window)]
-        self.press_until(window, 'g', 'the plan',
-                         lambda: self.desktop.pixels(window) not in shown)
-        for place in ((400, 472), (400, 479), (400, 500), (110, 90), (90, 229)):
+        for label in ('Play', 'Plan', 'refract.ior'):
             shown.append(self.desktop.pixels(window))
-            wait_until(f'words at {place}', lambda: self.desktop.pixels(window) not in shown,
-                       act=lambda place=place: self.desktop.do('mousemove', '--window', window,
-                                                               *place))
+            wait_until(f'words at {label}', lambda: self.desktop.pixels(window) not in shown,
+                       act=lambda label=label: self.desktop.do('mousemove', '--window', window,
+                                                               *self.place(label)))
         self.close(window)
 
     def test_keys_move_in_a_panel_until_escape(self):
         window = self.start_with_panels()
         shown = self.desktop.pixels(window)
-        self.press_until(window, 'Tab', 'a frame around a widget',
+        self.press_until(window, 'F6', 'a frame around a widget',
                          lambda: self.desktop.pixels(window) != shown)
         self.press(window, 'Left')
         self.press(window, 'Down')
         self.press(window, 'Escape')
         self.assertNotIn('--eye', self.command(window))
         self.wait_for_command(window, '--eye', act=lambda: self.press(window, 'Left'))
-        self.press_to_end(window, 'Escape')  # nothing has the keys but the picture
+        self.press(window, 'Escape')  # ends nothing
+        self.press_to_end(window, 'ctrl+q')
+
+    def test_a_larger_window_shows_the_last_picture(self):
+        """At once, scaled: no column of it is of one colour."""
+        window = self.start_with_panels('--overlay', 'off')
+        self.desktop.do('windowsize', window, 700, 500)
+
+        def look():
+            pixels = self.desktop.pixels(window)
+            return len(pixels) == 700 * 500 * 3 and pixels
+        pixels = wait_until('a larger window', look)
+        self.assertNotIn(b'\xff\xff\xff' * 100, pixels)
+        for number in range(1, 9):
+            if png_size(self.shoot_next(window)) == (700, 500):
+                break
+        self.assertLess(number, 8)
+        self.close(window)
+
+    def shoot_next(self, window):
+        """A file that was not there before."""
+        before = {path for path in self.folder.glob('firn-*.png')}
+
+        def look():
+            return set(self.folder.glob('firn-*.png')) - before
+        return wait_until('a screenshot', look, self.words,
+                          act=lambda: self.press(window, 'p')).pop()
 
     def test_panels_in_files_if_asked_for(self):
         words = ('sphere', *CHECKED, *PLAIN, '--time-step', 1, '--frames', 3)
         self.view(*words, '--screenshot', 'a.png')
         self.view(*words, '--overlay', 'on', '--screenshot', 'b.png', '--screenshot', 'b.exr')
-        self.assertNotEqual(png_pixels(self.folder / 'a.png'), png_pixels(self.folder / 'b.png'))
-        self.assertEqual(png_size(self.folder / 'b.png'), (200, 150))
+        self.assertEqual(png_size(self.folder / 'a.png'), (200, 150))
+        self.assertEqual(png_size(self.folder / 'b.png'), (400, 150 + 36 + 26))
 
 
 if __name__ == '__main__':

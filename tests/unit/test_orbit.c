@@ -55,6 +55,27 @@ static void orthographic_cameras_stay_so(void **state)
     CHECK_NEAR(camera.depth, 50, 0);
 }
 
+static void looking_keeps_target_and_distance(void **state)
+{
+    (void)state;
+    struct camera camera = camera_at(20, 10, 5);
+    orbit_look(&camera, 90, 0);
+    check_near(camera.eye, camera_at(90, 0, 5).eye);
+    check_near(camera.target, camera_at(90, 0, 5).target);
+    orbit_look(&camera, 0, 90);
+    check_near(camera.eye, camera_at(0, 89, 5).eye);
+}
+
+static void every_action_has_words(void **state)
+{
+    (void)state;
+    for (enum view_action a = VIEW_LEFT; a < VIEW_ACTION_COUNT; a++) {
+        assert_non_null(keys_label(a));
+        assert_true(strlen(keys_label(a)) <= 32); /* has room in F1 */
+        assert_true(strlen(keys_help(a)) >= strlen(keys_button(a)));
+    }
+}
+
 static void turning_stops_short_of_the_poles(void **state)
 {
     (void)state;
@@ -134,6 +155,11 @@ static void control_makes_another_key(void **state)
     assert_int_equal(find_controlled('-'), VIEW_SMALLER);
     assert_int_equal(find_controlled('0'), VIEW_USUAL_SIZE);
     assert_int_equal(find_controlled('s'), VIEW_NOTHING);
+    assert_int_equal(find_controlled('z'), VIEW_UNDO);
+    struct key_press press = { .character = 'z', .control = true, .shift = true };
+    assert_int_equal(keys_find(&press), VIEW_REDO);
+    press.character = '+'; /* shifted on this keyboard */
+    assert_int_equal(keys_find(&press), VIEW_LARGER);
     assert_int_equal(keys_find(&(struct key_press){ .key = GLFW_KEY_F12, .control = true }),
                      VIEW_NOTHING);
 }
@@ -158,6 +184,8 @@ static void every_key_has_one_meaning(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(looking_keeps_target_and_distance),
+        cmocka_unit_test(every_action_has_words),
         cmocka_unit_test(control_makes_another_key),
         cmocka_unit_test(turning_goes_around_the_target),
         cmocka_unit_test(orthographic_cameras_stay_so),

@@ -3,6 +3,8 @@
 #include <string.h>
 #include "src/app/options/option_values.h"
 
+const char *const app_themes[] = { "dark", "light", NULL };
+
 enum status option_present(const struct option *option, void *at, const char *value)
 {
     struct app_view *view = at;
@@ -44,5 +46,15 @@ enum status option_ui_scale(const struct option *option, void *at, const char *v
         scale > APP_UI_SCALE_MAX)
         return option_refuse(option, value, "a factor from 0.5 to 4");
     view->ui_scale = scale;
+    return STATUS_OK;
+}
+
+enum status option_theme(const struct option *option, void *at, const char *value)
+{
+    struct app_view *view = at;
+    const int found = option_find_word(app_themes, 2, value);
+    if (found < 0)
+        return option_refuse(option, value, "dark or light");
+    view->theme = (uint32_t)found;
     return STATUS_OK;
 }

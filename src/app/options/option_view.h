@@ -4,7 +4,8 @@
 
 #include "src/app/options/option.h"
 
-option_fn option_present, option_overlay, option_ui_scale, option_watch; /* of struct app_view */
+option_fn option_present, option_overlay, option_theme, option_ui_scale; /* of struct app_view */
+option_fn option_watch;                                                  /* the same */
 option_fn option_split;                                                  /* of struct app_picture */
 
 #endif

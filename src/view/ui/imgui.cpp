@@ -1,18 +1,17 @@
-/* imgui.cpp: the one file that knows Dear ImGui, and the one in C++. */
+/* imgui.cpp: Dear ImGui's life and frames. It and imgui_widgets.cpp alone know the library. */
 #include "src/view/ui/imgui.h"
 #include <cstring>
-#include <imgui.h>
 #include <new>
 #ifdef IMGUI_FREETYPE
 #include <imgui_freetype.h>
 #endif
+#include "src/view/ui/imgui_state.h"
 
 namespace
 {
 
 constexpr float text_size = 15.0f;        /* pixels at scale 1 */
 constexpr float bitmap_text_size = 13.0f; /* of the built-in font, which has one size */
-constexpr int panel_count_max = 8;
 
 /* Latin with all accents, Greek, Cyrillic, punctuation, arrows, mathematics. */
 constexpr ImWchar characters[] = { 0x20,   0x24f,  0x370,  0x3ff,  0x400,  0x4ff, 0x2000,
@@ -31,45 +30,65 @@ bool contains(const imgui_place &place, float x, float y)
     return x >= place.x && y >= place.y && x < place.x + place.width && y < place.y + place.height;
 }
 
-ImVec2 position(const imgui_place &place)
-{
-    return { place.x, place.y };
-}
-
-ImVec2 corner(const imgui_place &place)
-{
-    return { place.x + place.width, place.y + place.height };
-}
-
 } // namespace
-
-struct imgui {
-    ImGuiContext *context;
-    imgui_place panels[panel_count_max]; /* of the frame */
-    int panel_count;
-    bool popup; /* a list is open */
-    float scale;
-    font system; /* path "": the built-in one */
-};
 
 /* ---- life ---- */
 
-static void set_look(float scale)
+static void set_colors(const theme &t)
+{
+    const struct {
+        ImGuiCol which;
+        uint32_t rgb;
+    } rows[] = {
+        { ImGuiCol_Text, t.text },
+        { ImGuiCol_TextDisabled, t.dim },
+        { ImGuiCol_WindowBg, t.panel },
+        { ImGuiCol_ChildBg, t.panel },
+        { ImGuiCol_PopupBg, t.panel },
+        { ImGuiCol_Border, t.border },
+        { ImGuiCol_FrameBg, t.raised },
+        { ImGuiCol_FrameBgHovered, t.hover },
+        { ImGuiCol_FrameBgActive, t.hover },
+        { ImGuiCol_ScrollbarBg, t.panel },
+        { ImGuiCol_ScrollbarGrab, t.border },
+        { ImGuiCol_ScrollbarGrabHovered, t.dim },
+        { ImGuiCol_ScrollbarGrabActive, t.dim },
+        { ImGuiCol_CheckMark, t.accent },
+        { ImGuiCol_SliderGrab, t.accent },
+        { ImGuiCol_SliderGrabActive, t.accent },
+        { ImGuiCol_Button, t.raised },
+        { ImGuiCol_ButtonHovered, t.hover },
+        { ImGuiCol_ButtonActive, t.pressed },
+        { ImGuiCol_Header, t.raised },
+        { ImGuiCol_HeaderHovered, t.hover },
+        { ImGuiCol_HeaderActive, t.pressed },
+        { ImGuiCol_Separator, t.border },
+        { ImGuiCol_TextSelectedBg, t.pressed },
+        { ImGuiCol_NavHighlight, t.accent },
+    };
+
+    for (const auto &row : rows)
+        ImGui::GetStyle().Colors[row.which] = imgui_state_color(row.rgb);
+}
+
+static void set_look(float scale, const theme &theme)
 {
     ImGuiStyle &style = ImGui::GetStyle();
     style = ImGuiStyle();
     ImGui::StyleColorsDark();
-    style.WindowRounding = 4.0f;
-    style.FrameRounding = 3.0f;
-    style.GrabRounding = 3.0f;
-    style.GrabMinSize = 8.0f;
-    style.ItemSpacing = ImVec2(6.0f, 3.0f);
-    style.FramePadding = ImVec2(5.0f, 2.0f);
+    style.WindowRounding = 0.0f;
+    style.FrameRounding = 4.0f;
+    style.GrabRounding = 4.0f;
+    style.PopupRounding = 4.0f;
+    style.GrabMinSize = 10.0f;
+    style.ScrollbarSize = 12.0f;
+    style.WindowPadding = ImVec2(8.0f, 5.0f);
+    style.WindowMinSize = ImVec2(1.0f, 1.0f);
+    style.ItemSpacing = ImVec2(6.0f, 4.0f);
+    style.FramePadding = ImVec2(6.0f, 3.0f);
+    style.FrameBorderSize = 1.0f;
     style.WindowBorderSize = 0.0f;
-    style.Colors[ImGuiCol_TitleBg] = ImVec4(0.10f, 0.17f, 0.24f, 1.0f);
-    style.Colors[ImGuiCol_TitleBgCollapsed] = ImVec4(0.10f, 0.17f, 0.24f, 0.8f);
-    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.05f, 0.07f, 0.09f, 0.85f);
-    style.Colors[ImGuiCol_PopupBg] = ImVec4(0.05f, 0.07f, 0.09f, 0.97f);
+    set_colors(theme);
     style.ScaleAllSizes(scale);
 }
 
@@ -108,10 +127,11 @@ static void add_bitmap_font(float scale)
     fonts->Build();
 }
 
-bool imgui_rescale(struct imgui *ui, float scale)
+bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme)
 {
     ui->scale = scale;
-    set_look(scale);
+    ui->look = theme;
+    set_look(scale, *theme);
     ImGui::GetIO().Fonts->Clear();
     if (add_font(ui))
         return true;
@@ -138,6 +158,12 @@ struct imgui *imgui_create(const struct font *font)
     add_bitmap_font(1.0f);
     lose_first_focus();
     return ui;
+}
+
+void imgui_look(struct imgui *ui, const struct theme *theme)
+{
+    ui->look = theme;
+    set_colors(*theme);
 }
 
 void imgui_destroy(struct imgui *ui)
@@ -179,11 +205,15 @@ void imgui_begin(struct imgui *ui, const struct imgui_input *input)
         io.AddInputCharacter(input->characters[i]);
     ImGui::NewFrame();
     ui->panel_count = 0;
+    ui->item_count = 0;
 }
 
 void imgui_end(struct imgui *ui)
 {
     ui->popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    const ImGuiID active = ImGui::GetCurrentContext()->ActiveId;
+    ui->gesture += active && active != ui->active ? 1 : 0;
+    ui->active = active;
     ImGui::Render();
 }
 
@@ -273,193 +303,13 @@ bool imgui_has_text(const struct imgui *)
     return ImGui::GetIO().WantTextInput;
 }
 
-/* ---- panels ---- */
-
-bool imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_place place, bool *open)
+const struct imgui_item *imgui_items(const struct imgui *ui, uint32_t *count)
 {
-    const float scale = imgui_scale();
-    ImGui::SetNextWindowPos(ImVec2(place.x * scale, place.y * scale), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(place.width * scale, place.height * scale),
-                             ImGuiCond_FirstUseEver);
-    const bool shown = ImGui::Begin(title, open, ImGuiWindowFlags_NoFocusOnAppearing);
-    const ImVec2 at = ImGui::GetWindowPos();
-    const ImVec2 size = ImGui::GetWindowSize();
-    if (ui->panel_count < panel_count_max)
-        ui->panels[ui->panel_count++] = { at.x, at.y, size.x, size.y };
-    return shown;
+    *count = ui->item_count;
+    return ui->items;
 }
 
-void imgui_panel_end(void)
+uint32_t imgui_gesture(const struct imgui *ui)
 {
-    ImGui::End();
-}
-
-void imgui_focus_panel(const char *title)
-{
-    ImGui::SetWindowFocus(title);
-}
-
-bool imgui_is_active(void)
-{
-    return ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
-}
-
-float imgui_scale(void)
-{
-    return static_cast<const imgui *>(ImGui::GetIO().UserData)->scale;
-}
-
-float imgui_line(void)
-{
-    return ImGui::GetTextLineHeight();
-}
-
-float imgui_room(void)
-{
-    return ImGui::GetContentRegionAvail().x;
-}
-
-/* ---- what is in them ---- */
-
-void imgui_same_line(float x)
-{
-    ImGui::SameLine(x);
-}
-
-void imgui_next_width(float width)
-{
-    ImGui::SetNextItemWidth(width);
-}
-
-void imgui_next_focus(void)
-{
-    ImGui::SetKeyboardFocusHere();
-}
-
-void imgui_id_begin(const void *id)
-{
-    ImGui::PushID(id);
-}
-
-void imgui_id_end(void)
-{
-    ImGui::PopID();
-}
-
-void imgui_tip(const char *text)
-{
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", text);
-}
-
-void imgui_text(const char *text)
-{
-    ImGui::TextUnformatted(text);
-}
-
-void imgui_text_dim(const char *text)
-{
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    ImGui::TextUnformatted(text);
-    ImGui::PopStyleColor();
-}
-
-void imgui_warning(const char *text)
-{
-    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.45f, 0.35f, 1.0f));
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
-void imgui_separator(void)
-{
-    ImGui::Separator();
-}
-
-bool imgui_button(const char *label)
-{
-    return ImGui::Button(label);
-}
-
-bool imgui_small_button(const char *label)
-{
-    return ImGui::SmallButton(label);
-}
-
-bool imgui_group(const char *label, bool open)
-{
-    if (open)
-        ImGui::SetNextItemOpen(true);
-    return ImGui::CollapsingHeader(label, ImGuiTreeNodeFlags_AllowItemOverlap);
-}
-
-bool imgui_checkbox(const char *label, bool *value)
-{
-    return ImGui::Checkbox(label, value);
-}
-
-bool imgui_list(const char *label, const char *const *names, uint32_t count, uint32_t *index)
-{
-    int chosen = static_cast<int>(*index);
-    const bool changed = ImGui::Combo(label, &chosen, names, static_cast<int>(count));
-    *index = static_cast<uint32_t>(chosen);
-    return changed;
-}
-
-bool imgui_line_of_text(const char *label, const char *hint, char *text, size_t size)
-{
-    return ImGui::InputTextWithHint(label, hint, text, size);
-}
-
-static ImGuiSliderFlags slider_flags(const struct imgui_slide *slide)
-{
-    return ImGuiSliderFlags_AlwaysClamp |
-           (slide->logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-}
-
-bool imgui_slider(const char *label, float *value, const struct imgui_slide *slide)
-{
-    return ImGui::SliderFloat(label, value, slide->min, slide->max, slide->format,
-                              slider_flags(slide));
-}
-
-bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_slide *slide)
-{
-    const uint32_t min = static_cast<uint32_t>(slide->min);
-    const uint32_t max = static_cast<uint32_t>(slide->max);
-    return ImGui::SliderScalar(label, ImGuiDataType_U32, value, &min, &max, slide->format,
-                               slider_flags(slide));
-}
-
-bool imgui_number(const char *label, uint32_t *value)
-{
-    const uint32_t step = 1;
-    return ImGui::InputScalar(label, ImGuiDataType_U32, value, &step, nullptr, "%u",
-                              ImGuiInputTextFlags_EnterReturnsTrue);
-}
-
-/* ---- drawing ---- */
-
-struct imgui_place imgui_canvas(float width, float height)
-{
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::Dummy(ImVec2(width, height));
-    return { at.x, at.y, width, height };
-}
-
-void imgui_rectangle(struct imgui_place place, uint32_t color)
-{
-    ImGui::GetWindowDrawList()->AddRectFilled(position(place), corner(place), color);
-}
-
-void imgui_hint(const char *text)
-{
-    ImGui::SetTooltip("%s", text);
-}
-
-bool imgui_is_over(struct imgui_place place)
-{
-    return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(position(place), corner(place));
+    return ui->gesture;
 }

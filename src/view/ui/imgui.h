@@ -17,6 +17,7 @@
 #include <stdint.h>
 #include "src/view/overlay_list.h"
 #include "src/view/ui/font.h"
+#include "src/view/ui/theme.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -69,10 +70,11 @@ struct imgui;
  * most one. imgui_rescale() comes next. */
 struct imgui *imgui_create(const struct font *font);
 
-/* All sizes are multiplied by `scale` from now on; the font's image is another one. Between frames.
- * False: the font cannot be read, the built-in one is used. */
-bool imgui_rescale(struct imgui *ui, float scale);
-void imgui_destroy(struct imgui *ui); /* may be NULL */
+/* All sizes are multiplied by `scale` and all has the theme's colours from now on; the font's image
+ * is another one. Between frames. False: the font cannot be read, the built-in one is used. */
+bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme);
+void imgui_look(struct imgui *ui, const struct theme *theme); /* other colours; between frames */
+void imgui_destroy(struct imgui *ui);                         /* may be NULL */
 
 /* The font's image, a byte a texel: how much is covered. Valid until
  * imgui_rescale() or imgui_destroy(). */
@@ -98,38 +100,61 @@ struct imgui_place {
     float x, y, width, height;
 };
 
-/* `place`: where it appears at first, before all is scaled; a hand can move it. With `open` it has
- * a button that closes it, which sets *open to false. False: nothing of it shows; end it all the
- * same. */
-bool imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_place place, bool *open);
+enum imgui_panel {
+    IMGUI_DOCKED,   /* has room for all there is in it */
+    IMGUI_SCROLLED, /* docked, and scrolls */
+    IMGUI_OVER,     /* over all others, with a border; a line of text in it has the keys */
+};
+
+/* `place`: pixels. Nothing of it may show; end it all the same. */
+void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_place place,
+                       enum imgui_panel kind);
 void imgui_panel_end(void);
+
+/* The rest of a panel scrolls, what is above stays. */
+void imgui_scroll_begin(const char *name);
+void imgui_scroll_end(void);
+void imgui_scroll_to_here(void);           /* what came last becomes visible */
 void imgui_focus_panel(const char *title); /* keys go there; NULL: to none */
 bool imgui_is_active(void);                /* something is being dragged, typed or chosen */
 float imgui_scale(void);                   /* of imgui_rescale() */
-float imgui_line(void);                    /* height of a row */
+const struct theme *imgui_theme(void);     /* the same */
+float imgui_line_height(void);             /* of text */
+float imgui_row_height(void);              /* of buttons and the like */
 float imgui_room(void);                    /* width that is left in this row */
 
 /* ---- what is in them ---- */
 
+void imgui_indent(float x);    /* what comes next, alone, begins so far to the right */
 void imgui_same_line(float x); /* what comes next; x from the panel's left, 0: just beside */
 void imgui_next_width(float width);
 void imgui_next_focus(void);         /* keys go to what comes next */
 void imgui_id_begin(const void *id); /* the same labels name other things until: */
 void imgui_id_end(void);
-void imgui_tip(const char *text); /* shown while the cursor rests on what came before */
+void imgui_tip(const char *text);         /* shown while the cursor rests on what came before */
+float imgui_width(const char *text);      /* of a button that is called so: with its margins */
+void imgui_disabled_begin(bool disabled); /* what is between cannot be used, and looks so */
+void imgui_disabled_end(void);
 
 void imgui_text(const char *text);
 void imgui_text_dim(const char *text);
+void imgui_text_in(const char *text, uint32_t color); /* 0xRRGGBB */
+void imgui_text_cut(const char *text, float width);   /* ends in dots where it is too long */
+void imgui_text_cut_in(const char *text, float width, uint32_t color);
+void imgui_align(void);               /* text in this row stands at the height of text in buttons */
 void imgui_warning(const char *text); /* red, in as many lines as it needs */
 void imgui_separator(void);
 bool imgui_button(const char *label);
 bool imgui_small_button(const char *label);
-bool imgui_group(const char *label, bool open); /* whether it is open; `open`: it is */
+bool imgui_choice(const char *label, bool chosen); /* a button that is one of several */
+bool imgui_line(const char *label, bool chosen);   /* a button as wide as the panel */
+bool imgui_group(const char *label, bool *open);   /* a heading that opens and closes it: *open */
 
 /* True if a hand has changed the value. `format` is printf's, of one float or unsigned. */
 bool imgui_checkbox(const char *label, bool *value);
 bool imgui_list(const char *label, const char *const *names, uint32_t count, uint32_t *index);
 bool imgui_line_of_text(const char *label, const char *hint, char *text, size_t size);
+bool imgui_entered(void); /* Enter ended the line of text that came last */
 
 struct imgui_slide {
     float min, max;
@@ -143,6 +168,25 @@ bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_s
 /* A number to be typed, with buttons for one more and one less; true when it is complete. */
 bool imgui_number(const char *label, uint32_t *value);
 
+/* ---- what was there ---- */
+
+enum {
+    IMGUI_ITEM_COUNT = 256, /* in a frame; more are left out */
+};
+
+/* Something a hand can use. */
+struct imgui_item {
+    char label[64]; /* without "##" before it */
+    struct imgui_place place;
+};
+
+/* Of the frame that ended last, only what is visible. */
+const struct imgui_item *imgui_items(const struct imgui *ui, uint32_t *count);
+
+/* How often something has been taken hold of, typed into or chosen: while a hand drags something it
+ * stays the same. */
+uint32_t imgui_gesture(const struct imgui *ui);
+
 /* ---- drawing ---- */
 
 #define IMGUI_RGBA(r, g, b, a) \
@@ -150,6 +194,8 @@ bool imgui_number(const char *label, uint32_t *value);
 
 /* Room in the panel: where it lies. */
 struct imgui_place imgui_canvas(float width, float height);
+struct imgui_place imgui_cursor(void); /* where what comes next will be; its size is 0x0 */
+uint32_t imgui_rgba(uint32_t color);   /* of 0xRRGGBB */
 void imgui_rectangle(struct imgui_place place, uint32_t color);
 void imgui_hint(const char *text);            /* beside the cursor */
 bool imgui_is_over(struct imgui_place place); /* the cursor */

@@ -24,14 +24,18 @@ static enum status make_font(struct ui *ui)
     return gpu_image_create(ui->gpu, &ui->font, &params);
 }
 
-enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, bool quiet)
+enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct theme *theme,
+                      bool quiet)
 {
     struct ui *u = calloc(1, sizeof(*u));
     struct font font;
     *ui = u;
     const bool found = font_find(&font, "sans");
-    if (u)
+    if (u) {
         u->gpu = gpu;
+        u->theme = theme;
+        u->open[UI_MATERIAL] = u->open[UI_INSIDE] = true;
+    }
     if (u)
         u->imgui = imgui_create(&font);
     if (!u || !u->imgui)
@@ -49,8 +53,15 @@ enum status ui_rescale(struct ui *ui, float scale)
     gpu_image_destroy(ui->gpu, &ui->font);
     ui->scale = scale;
     ui->settle = SETTLE_COUNT;
-    ui->has_font = imgui_rescale(ui->imgui, scale);
+    ui->has_font = imgui_rescale(ui->imgui, scale, ui->theme);
     return make_font(ui);
+}
+
+void ui_look(struct ui *ui, const struct theme *theme)
+{
+    ui->theme = theme;
+    ui->settle = SETTLE_COUNT;
+    imgui_look(ui->imgui, theme);
 }
 
 float ui_scale(const struct ui *ui)
@@ -96,6 +107,14 @@ const struct gpu_image *ui_font(const struct ui *ui)
 void ui_say(struct ui *ui, const char *words)
 {
     snprintf(ui->words, sizeof(ui->words), "%s", words);
+    ui->failed = false;
+    ui->settle = SETTLE_COUNT;
+}
+
+void ui_fail(struct ui *ui, const char *words)
+{
+    ui_say(ui, words);
+    ui->failed = true;
 }
 
 void ui_complain(struct ui *ui, const char *words)
@@ -106,13 +125,21 @@ void ui_complain(struct ui *ui, const char *words)
     ui->settle = SETTLE_COUNT;
 }
 
-void ui_toggle(struct ui *ui, enum view_action action)
+bool ui_toggle(struct ui *ui, enum view_action action)
 {
-    bool *open = action == VIEW_TIMES  ? &ui->times_open
-                 : action == VIEW_PLAN ? &ui->plan_open
-                                       : &ui->keys_open;
-    *open = !*open || !ui->shown;
+    const enum ui_tab tab = action == VIEW_TIMES ? UI_TIMES : UI_PLAN;
+    if (action == VIEW_HELP) {
+        ui->keys_open = !ui->keys_open || !ui->shown;
+    } else if (action == VIEW_PALETTE) {
+        ui->palette_open = ui->focus_palette = ui->searches = true;
+        ui->palette_entered = false;
+        ui->palette_at = 0;
+        *ui->palette_words = '\0';
+        ui->held = SETTLE_COUNT;
+    } else
+        ui->tab = ui->tab == tab && ui->shown ? UI_SETTINGS : tab;
     ui->settle = SETTLE_COUNT;
+    return action == VIEW_HELP ? ui->keys_open : ui->tab == tab;
 }
 
 /* ---- what hands do ---- */
@@ -131,6 +158,26 @@ static bool has_keys(const struct ui *ui)
     return imgui_has_keys(ui->imgui) && !ui->released;
 }
 
+/* While the palette is open, some keys are its own. Whether this is one. */
+static bool hear_palette(struct ui *ui, const struct window_event *event)
+{
+    const int key = event->code;
+    if (!ui->palette_open)
+        return false;
+    const bool enter = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
+    if (!enter && key != GLFW_KEY_DOWN && key != GLFW_KEY_UP && key != GLFW_KEY_ESCAPE)
+        return false;
+    if (event->down && enter)
+        ui->palette_entered = true;
+    else if (event->down && key == GLFW_KEY_DOWN)
+        ui->palette_at++;
+    else if (event->down && key == GLFW_KEY_UP)
+        ui->palette_at -= ui->palette_at ? 1 : 0;
+    else if (event->down)
+        ui->palette_open = false;
+    return true;
+}
+
 /* Keys that do something within a panel that has them; all others are for the picture even then. */
 static bool hear_key(struct ui *ui, const struct window_event *event)
 {
@@ -138,14 +185,15 @@ static bool hear_key(struct ui *ui, const struct window_event *event)
     /* with Ctrl only a line of text has keys of its own */
     const bool kept =
         !function && (event->control ? imgui_has_text(ui->imgui) : ui->held || has_keys(ui));
-    if (event->down && event->code == GLFW_KEY_TAB && !kept) {
+    if (event->down && event->code == GLFW_KEY_F6) {
         ui->focus_panel = true;
         ui->searches = false;
         ui->held = SETTLE_COUNT;
         return true;
     }
-    if (event->down && event->code == GLFW_KEY_ESCAPE && has_keys(ui) && !imgui_is_active()) {
+    if (event->down && event->code == GLFW_KEY_ESCAPE && !imgui_is_active()) {
         imgui_focus_panel(NULL);
+        ui->keys_open = false;
         ui->released = true;
         return true;
     }
@@ -178,7 +226,7 @@ bool ui_hear(void *user, const struct window_event *event)
         return false;
     ui->settle = SETTLE_COUNT;
     if (event->kind == WINDOW_KEY)
-        return hear_key(ui, event);
+        return hear_palette(ui, event) || hear_key(ui, event);
     if (event->kind == WINDOW_CHARACTER)
         return hear_character(ui, event);
     ui_input_add(&ui->input, event);
@@ -224,6 +272,39 @@ static void take_input(struct ui *ui)
         imgui_focus_panel(NULL); /* it waited, too */
 }
 
+void ui_dump(struct ui *ui, const char *path)
+{
+    ui->dump = path;
+}
+
+/* Readers see the old list or the new one. */
+static void replace_dump(const struct ui *ui, const struct imgui_item *items, uint32_t count)
+{
+    char path[FONT_PATH_SIZE];
+    const int length = snprintf(path, sizeof(path), "%s.new", ui->dump);
+    FILE *file = length > 0 && length < FONT_PATH_SIZE ? fopen(path, "w") : NULL;
+    if (!file)
+        return;
+    for (uint32_t i = 0; i < count; i++)
+        fprintf(file, "%.0f %.0f %.0f %.0f %s\n", (double)items[i].place.x,
+                (double)items[i].place.y, (double)items[i].place.width,
+                (double)items[i].place.height, items[i].label);
+    if (fclose(file) == 0)
+        (void)!rename(path, ui->dump);
+}
+
+static void write_dump(struct ui *ui)
+{
+    uint32_t count;
+    const struct imgui_item *items = imgui_items(ui->imgui, &count);
+    uint32_t hash = 2166136261u; /* FNV-1a */
+    for (size_t i = 0; i < count * sizeof(*items); i++)
+        hash = (hash ^ ((const uint8_t *)items)[i]) * 16777619u;
+    if (ui->dump && hash != ui->dumped)
+        replace_dump(ui, items, count);
+    ui->dumped = hash;
+}
+
 void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     struct imgui_input *input = &ui->input.now;
@@ -242,6 +323,8 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     imgui_begin(ui->imgui, input);
     ui_panels(ui, view, wish);
     imgui_end(ui->imgui);
+    wish->gesture = imgui_gesture(ui->imgui);
+    write_dump(ui);
 }
 
 const struct overlay_list *ui_take(struct ui *ui, struct overlay_vertex *vertices,

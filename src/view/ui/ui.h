@@ -7,16 +7,20 @@
 #ifndef FIRN_VIEW_UI_UI_H
 #define FIRN_VIEW_UI_UI_H
 
+#include "src/view/history.h"
+#include "src/view/layout.h"
 #include "src/view/overlay_list.h"
 #include "src/view/picture.h"
 #include "src/view/screen.h"
+#include "src/view/ui/theme.h"
 #include "src/view/ui/ui_pace.h"
 #include "src/view/window.h"
 
 struct ui;
 
 /* `scale`: of all sizes. Logs; where there is no font but the built-in one, unless `quiet`. */
-MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, bool quiet);
+MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale,
+                               const struct theme *theme, bool quiet);
 void ui_destroy(struct ui *ui); /* may be NULL */
 
 window_listen_fn ui_hear; /* user: the ui */
@@ -29,6 +33,13 @@ bool ui_is_busy(const struct ui *ui);
 
 /* Another size of all there is. ui_font() is another one afterwards: nothing may use it. */
 MUST_USE enum status ui_rescale(struct ui *ui, float scale);
+
+void ui_look(struct ui *ui, const struct theme *theme); /* other colours, from the next frame on */
+
+/* Writes to a file, whenever it changes, what hands can use, one a line: left, top, width, height,
+ * pixels, and the label. For programs that use the window. */
+void ui_dump(struct ui *ui, const char *path);
+
 float ui_scale(const struct ui *ui);
 
 /* For screen_lay_over(). */
@@ -41,23 +52,31 @@ struct ui_view {
     struct ui_pace pace; /* of the last frame */
     double now;          /* seconds */
     VkExtent2D size;     /* of the window, pixels */
+    const struct history *history;
+    const struct layout *layout; /* of the window */
     bool paused;
+    bool is_new; /* nothing has been dragged yet */
 };
 
 /* What a hand wants. */
 struct ui_wish {
     enum view_action action; /* VIEW_NOTHING: none */
+    char *open;              /* a file or scene, malloc'd; NULL: none */
     bool changed;            /* these: */
     struct settings settings;
     const struct technique *rung;
+    uint32_t gesture; /* the same for all changes by one movement of a hand; see imgui.h */
     const struct technique *split; /* whatever is changed: on the right; NULL: not split */
 };
 
-/* Opens or closes what an action names: times, plan, keys. */
-void ui_toggle(struct ui *ui, enum view_action action);
+/* Shows or hides what an action names: times, plan, keys. Returns whether it is shown. */
+bool ui_toggle(struct ui *ui, enum view_action action);
 
 /* Words that stand in the panel until others do; cut where they are too long. */
 void ui_say(struct ui *ui, const char *words);
+
+/* The same of what went wrong: what to do about it. */
+void ui_fail(struct ui *ui, const char *words);
 
 /* What is wrong, until it is not: "". Stands in red. */
 void ui_complain(struct ui *ui, const char *words);

@@ -3,8 +3,15 @@
 #define FIRN_VIEW_UI_UI_INTERNAL_H
 
 #include "src/view/ui/ui.h"
+#include "src/view/ui/ui_groups.h"
 #include "src/view/ui/ui_input.h"
 #include "src/view/ui/ui_times.h"
+
+enum ui_tab {
+    UI_SETTINGS,
+    UI_TIMES,
+    UI_PLAN,
+};
 
 struct ui {
     struct gpu *gpu;
@@ -17,7 +24,13 @@ struct ui {
     struct ui_times frame_times, right_times, window_times;
     struct overlay_list list;
     double last; /* when the last frame began, seconds; 0: there was none */
-    bool shown, times_open, plan_open, keys_open;
+    bool shown, keys_open, palette_open;
+    bool focus_palette, palette_entered; /* in the next frame */
+    uint32_t palette_at;                 /* the row that Enter chooses */
+    char palette_words[64];
+    enum ui_tab tab;
+    bool open[UI_GROUP_COUNT], more[UI_GROUP_COUNT]; /* groups of settings, and all their rows */
+    const struct theme *theme;
     bool focus_panel, focus_search; /* in the next frame */
     bool searches;                  /* the last of these was the search */
     bool released;                  /* keys are the picture's again; from the next frame on */
@@ -28,11 +41,20 @@ struct ui {
     bool grabbed;                   /* they went down on a panel */
     bool is_full;                   /* has been said */
     char filter[64];
-    char words[96];
-    char fault[512]; /* "": none */
+    char words[200];
+    bool failed;      /* they tell of a failure */
+    char fault[512];  /* "": none */
+    const char *dump; /* file for the places of what is shown; NULL: none */
+    uint32_t dumped;  /* hash of what was written to it */
 };
 
-/* ui_panels.c: all that are open, between imgui_begin() and imgui_end(). */
+/* Between imgui_begin() and imgui_end(). ui_panels.c: all that are open; ui_bar.c: the bar above
+ * the picture, and the line below it; ui_palette.c: what Ctrl K opens. */
 void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_wish *wish);
+void ui_bar(const struct ui_view *view, struct ui_wish *wish);
+void ui_palette(struct ui *ui, const struct ui_view *view, struct ui_wish *wish);
+void ui_status(const struct ui *ui, const struct ui_view *view);
+
+struct imgui_place ui_place(VkRect2D rectangle);
 
 #endif

@@ -1,11 +1,30 @@
 /* ui_settings.c: rows as widgets. */
 #include "src/view/ui/ui_settings.h"
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 #include "src/view/ui/imgui.h"
 
-static const double wide = 50.0;    /* a range so many times the initial value, or 1 */
-static const double too_wide = 1e4; /* for whole numbers to be found by sliding */
+enum {
+    ROWS_FIRST = 8, /* of a group; more of them on demand */
+    LABEL_SIZE = 64,
+};
+
+static const double wide = 50.0;        /* a range so many times the initial value, or 1 */
+static const double too_wide = 1e4;     /* for whole numbers to be found by sliding */
+static const float label_share = 0.46f; /* of a row's width */
+
+/* Units in words take more room than the numbers. */
+static const struct {
+    const char *words, *sign;
+} units[] = {
+    { "degrees", "\xc2\xb0" },
+    { "degrees per second", "\xc2\xb0/s" },
+    { "radians per second", "rad/s" },
+    { "metres", "m" },
+    { "1/metre", "1/m" },
+    { "seconds", "s" },
+};
 
 enum ui_widget ui_settings_widget(const struct setting *row)
 {
@@ -27,25 +46,35 @@ enum ui_widget ui_settings_widget(const struct setting *row)
 
 /* ---- a row ---- */
 
-static bool is_initial(const struct settings *settings, const struct setting *row)
+bool ui_settings_is_initial(const struct settings *settings, const struct setting *row)
 {
     struct settings initial = *settings;
     settings_put(&initial, row, row->initial);
     return !memcmp(&initial, settings, sizeof(initial));
 }
 
-static const char *short_name(const struct setting *row)
+/* "cracks.count" to "cracks count". */
+static void print_label(const struct setting *row, char label[static LABEL_SIZE])
 {
-    const char *dot = strchr(row->name, '.');
-    return dot ? dot + 1 : row->name;
+    snprintf(label, LABEL_SIZE, "%s", row->name);
+    for (char *c = label; *c; c++)
+        *c = *c == '.' || *c == '_' ? ' ' : *c;
+}
+
+static const char *sign_of(const char *unit)
+{
+    for (size_t i = 0; i < sizeof(units) / sizeof(units[0]) && unit; i++) {
+        if (!strcmp(units[i].words, unit))
+            return units[i].sign;
+    }
+    return unit ? unit : "";
 }
 
 static bool slider(const char *label, const struct setting *row, float *value, bool logarithmic)
 {
     char format[64];
-    const char *unit = row->unit ? row->unit : "";
-    snprintf(format, sizeof(format), "%s%s%s", logarithmic ? "%.4g" : "%.3f", *unit ? " " : "",
-             unit);
+    const char *unit = sign_of(row->unit);
+    snprintf(format, sizeof(format), "%%.4g%s%s", *unit && *unit != '\xc2' ? " " : "", unit);
     const struct imgui_slide slide = { (float)row->min, (float)row->max, format, logarithmic };
     return imgui_slider(label, value, &slide);
 }
@@ -97,84 +126,156 @@ static bool widget(const struct setting *row, const char *label, double *value)
 
 static void describe(const struct setting *row, char *text, size_t size)
 {
+    static const char *const costs[] = {
+        [SETTING_AFFECTS_NOTHING] = "",
+        [SETTING_AFFECTS_FRAME] = "",
+        [SETTING_AFFECTS_PLAN] = "\nA change recompiles the plan.",
+        [SETTING_AFFECTS_SCENE] = "\nA change makes the scene anew.",
+    };
     const char *unit = row->unit ? row->unit : "";
     if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
-        snprintf(text, size, "%s: %s\n%g to %g%s%s, default %g", row->name, row->help, row->min,
-                 row->max, *unit ? " " : "", unit, row->initial);
+        snprintf(text, size, "%s: %s\n%g to %g%s%s, default %g%s", row->name, row->help, row->min,
+                 row->max, *unit ? " " : "", unit, row->initial, costs[row->affects]);
     else
-        snprintf(text, size, "%s: %s", row->name, row->help);
+        snprintf(text, size, "%s: %s%s", row->name, row->help, costs[row->affects]);
 }
 
-bool ui_settings_row(struct settings *settings, const struct setting *row, const char *label)
+/* Its name, marked if it is not the default; what a hand changes begins at `x`. */
+static void head(const struct setting *row, const char *label, bool changed, float x)
 {
-    double value = settings_get(settings, row);
-    char text[256];
-    imgui_id_begin(row);
-    imgui_next_width(150.0f * imgui_scale());
-    bool changed = widget(row, label, &value);
+    const struct theme *theme = imgui_theme();
+    struct imgui_place mark = imgui_cursor();
+    const float scale = imgui_scale();
+    mark.width = 3.0f * scale;
+    mark.height = imgui_row_height();
+    if (changed)
+        imgui_rectangle(mark, imgui_rgba(theme->changed));
+    imgui_indent(8.0f * scale);
+    imgui_align();
+    imgui_text_cut(label, x - 14.0f * scale);
+    char text[400];
+    describe(row, text, sizeof(text));
+    imgui_tip(text);
+    imgui_same_line(x);
+}
+
+bool ui_settings_row(struct settings *settings, const struct setting *row)
+{
+    const double before = settings_get(settings, row);
+    const bool initial = ui_settings_is_initial(settings, row);
+    const float reset = imgui_width("\xc3\x97");
+    const float x = imgui_room() * label_share;
+    double value = before;
+    char label[LABEL_SIZE];
+    char id[LABEL_SIZE + 16];
+    char text[400];
+    print_label(row, label);
+    head(row, label, !initial, x);
+    imgui_next_width(imgui_room() - reset - 6.0f * imgui_scale());
+    snprintf(id, sizeof(id), "##%s", row->name);
+    bool changed = widget(row, id, &value);
     describe(row, text, sizeof(text));
     imgui_tip(text);
     if (changed)
         settings_put(settings, row, value);
-    if (!is_initial(settings, row)) {
+    if (!initial) {
         imgui_same_line(0.0f);
-        if (imgui_small_button("reset")) {
+        snprintf(id, sizeof(id), "\xc3\x97##reset %s", row->name);
+        if (imgui_button(id)) {
             settings_put(settings, row, row->initial);
             changed = true;
         }
+        snprintf(text, sizeof(text), "reset %s to %s%g", row->name,
+                 row->type == SETTING_CHOICE ? "choice " : "", row->initial);
+        imgui_tip(row->type == SETTING_CHOICE ? "reset to the default" : text);
     }
-    imgui_id_end();
     return changed;
 }
 
 /* ---- a group ---- */
 
-static bool is_wanted(const struct setting *row, const char *filter)
+static bool holds(const char *text, const char *word, size_t length)
 {
-    return strstr(row->name, filter) != NULL;
+    for (; *text; text++) {
+        size_t i = 0;
+        while (i < length && tolower((unsigned char)text[i]) == tolower((unsigned char)word[i]))
+            i++;
+        if (i == length)
+            return true;
+    }
+    return false;
 }
 
-static bool reset_button(struct settings *settings, const struct setting_group *group, float x)
+bool ui_settings_fit(const struct setting *row, const char *words)
 {
-    bool initial = true;
-    for (size_t r = 0; r < group->row_count; r++)
-        initial = initial && is_initial(settings, &group->rows[r]);
-    if (initial)
-        return false;
-    imgui_same_line(x);
-    if (!imgui_small_button("reset all"))
-        return false;
-    for (size_t r = 0; r < group->row_count; r++)
-        settings_put(settings, &group->rows[r], group->rows[r].initial);
+    char label[LABEL_SIZE];
+    print_label(row, label);
+    while (*words) {
+        const size_t length = strcspn(words, " ");
+        if (length && !holds(row->name, words, length) && !holds(label, words, length) &&
+            !holds(row->help, words, length) &&
+            !holds(ui_group_name(ui_group_of(row)), words, length))
+            return false;
+        words += length + strspn(&words[length], " ");
+    }
     return true;
 }
 
-static bool group_panel(struct settings *settings, const struct setting_group *group,
-                        const char *filter)
+static bool reset_button(struct settings *settings, enum ui_group group, float x)
 {
-    bool any = false;
-    for (size_t r = 0; r < group->row_count; r++)
-        any = any || is_wanted(&group->rows[r], filter);
-    if (!any)
+    const struct setting *row;
+    bool initial = true;
+    char id[LABEL_SIZE];
+    for (uint32_t i = 0; (row = ui_group_row(group, i)); i++)
+        initial = initial && ui_settings_is_initial(settings, row);
+    if (initial)
         return false;
-    const float x = imgui_room() - 65.0f * imgui_scale();
-    imgui_id_begin(group);
-    const bool open = imgui_group(group->name, *filter != '\0');
-    bool changed = reset_button(settings, group, x);
-    for (size_t r = 0; r < group->row_count && open; r++) {
-        if (is_wanted(&group->rows[r], filter))
-            changed =
-                ui_settings_row(settings, &group->rows[r], short_name(&group->rows[r])) || changed;
-    }
-    imgui_id_end();
+    imgui_same_line(x);
+    snprintf(id, sizeof(id), "\xc3\x97##reset %s", ui_group_name(group));
+    const bool pressed = imgui_small_button(id);
+    imgui_tip("reset this group to its defaults");
+    for (uint32_t i = 0; pressed && (row = ui_group_row(group, i)); i++)
+        settings_put(settings, row, row->initial);
+    return pressed;
+}
+
+bool ui_settings_heading(struct settings *settings, enum ui_group group, bool *open)
+{
+    const float x = imgui_room() - imgui_width("\xc3\x97");
+    imgui_group(ui_group_name(group), open);
+    return reset_button(settings, group, x);
+}
+
+bool ui_settings_group(struct settings *settings, enum ui_group group, bool *more)
+{
+    const struct setting *row;
+    bool changed = false;
+    char id[LABEL_SIZE];
+    uint32_t i = 0;
+    for (; (row = ui_group_row(group, i)) && (*more || i < ROWS_FIRST); i++)
+        changed = ui_settings_row(settings, row) || changed;
+    if (!row && !*more)
+        return changed;
+    snprintf(id, sizeof(id), "%s##%s", *more ? "fewer" : "more ...", ui_group_name(group));
+    if (i >= ROWS_FIRST && imgui_small_button(id))
+        *more = !*more;
     return changed;
 }
 
-bool ui_settings_panel(struct settings *settings, const char *filter)
+bool ui_settings_found(struct settings *settings, const char *words)
 {
+    const struct setting *row;
     bool changed = false;
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++)
-        changed = group_panel(settings, group, filter) || changed;
+    uint32_t count = 0;
+    for (enum ui_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
+        for (uint32_t i = 0; (row = ui_group_row(g, i)); i++) {
+            if (!ui_settings_fit(row, words))
+                continue;
+            changed = ui_settings_row(settings, row) || changed;
+            count++;
+        }
+    }
+    if (!count)
+        imgui_text_dim("no setting has these words");
     return changed;
 }

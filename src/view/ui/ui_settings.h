@@ -1,10 +1,13 @@
 /*
  * ui_settings.h: a widget for every row of the settings, by itself.
+ *
+ * True of what draws: a hand has changed a setting.
  */
 #ifndef FIRN_VIEW_UI_UI_SETTINGS_H
 #define FIRN_VIEW_UI_UI_SETTINGS_H
 
 #include "src/settings/settings.h"
+#include "src/view/ui/ui_groups.h"
 
 enum ui_widget {
     UI_CHECKBOX,
@@ -17,10 +20,21 @@ enum ui_widget {
 /* What fits a row. */
 enum ui_widget ui_settings_widget(const struct setting *row);
 
-/* A row's widget, its help, and a button that puts it back. True: a hand has changed it. */
-bool ui_settings_row(struct settings *settings, const struct setting *row, const char *label);
+bool ui_settings_is_initial(const struct settings *settings, const struct setting *row);
 
-/* Rows whose names hold `filter` ("": all), group by group. True: a hand has changed some. */
-bool ui_settings_panel(struct settings *settings, const char *filter);
+/* A row's name, its widget, its help and, where it is not the default, a mark and a reset. */
+bool ui_settings_row(struct settings *settings, const struct setting *row);
+
+/* The heading of a group, which opens and closes it, with a reset of all in it. */
+bool ui_settings_heading(struct settings *settings, enum ui_group group, bool *open);
+
+/* The rows of a group; those wanted less only with `more`, which a hand changes. */
+bool ui_settings_group(struct settings *settings, enum ui_group group, bool *more);
+
+/* Whether name, help or group hold each of the words, which blanks separate. */
+bool ui_settings_fit(const struct setting *row, const char *words);
+
+/* The rows of all groups that words fit. */
+bool ui_settings_found(struct settings *settings, const char *words);
 
 #endif

@@ -24,6 +24,7 @@ static const struct rg_buffer pixels = {
 struct shot {
     const struct screen *screen;
     const struct picture *picture;
+    const struct present_push *shown;
     struct present_tables present;
     struct overlay_tables overlay;
     struct rg_use uses[3];
@@ -62,9 +63,10 @@ static enum status compile(struct shot *s, const struct gpu_image *font,
         &s->overlay.technique,
         &s->readback,
     };
+    const VkExtent2D picture = { s->shown->texel_columns, s->shown->texel_rows };
     const struct rg_import imports[IMPORT_COUNT] = {
-        [IMPORT_PICTURE] = { .image = &frame_display, .access = RG_SAMPLED },
-        [IMPORT_RIGHT] = { .image = &present_right, .access = RG_SAMPLED },
+        [IMPORT_PICTURE] = { .image = &frame_display, .access = RG_SAMPLED, .extent = picture },
+        [IMPORT_RIGHT] = { .image = &present_right, .access = RG_SAMPLED, .extent = picture },
         [IMPORT_FONT] = {
             .image = &overlay_font,
             .access = RG_SAMPLED,
@@ -113,7 +115,7 @@ static enum status draw(struct shot *s, struct ui *ui, size_t size, uint8_t **rg
     if (status != STATUS_OK)
         return status;
     const struct window_frame window = {
-        .present = { .line = picture_line(s->picture) },
+        .present = *s->shown,
         .overlay = ui_take(ui, rg_exec_mapped(s->exec, &overlay_vertices, slot),
                            rg_exec_mapped(s->exec, &overlay_indices, slot)),
     };
@@ -131,13 +133,13 @@ static enum status draw(struct shot *s, struct ui *ui, size_t size, uint8_t **rg
     return STATUS_OK;
 }
 
-enum status ui_shot(const struct screen *screen, const struct picture *picture, struct ui *ui,
-                    uint8_t **rgba)
+enum status ui_shot(const struct screen *screen, const struct picture *picture,
+                    const struct present_push *shown, struct ui *ui, uint8_t **rgba)
 {
     const struct rg_vulkan vulkan = frame_exec_vulkan(screen->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     const VkExtent2D size = screen->swapchain.extent;
-    struct shot s = { .screen = screen, .picture = picture };
+    struct shot s = { .screen = screen, .picture = picture, .shown = shown };
     *rgba = NULL;
     make_tables(&s);
     enum status status = compile(&s, ui_font(ui), &device);

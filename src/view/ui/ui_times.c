@@ -57,10 +57,10 @@ static double longest(const struct ui_times *times)
 static void bar(const struct ui_times_row *row, double most)
 {
     const float width = imgui_room();
-    struct imgui_place place = imgui_canvas(width, imgui_line());
+    struct imgui_place place = imgui_canvas(width, imgui_line_height());
     char text[128];
     place.width *= (float)(row->milliseconds / most);
-    imgui_rectangle(place, IMGUI_RGBA(38, 98, 148, 200));
+    imgui_rectangle(place, imgui_rgba(imgui_theme()->pressed));
     if (row->repetition_count > 1)
         snprintf(text, sizeof(text), "%s, %u times", row->name, row->repetition_count);
     else

@@ -1,0 +1,83 @@
+/* history.c: a list of states. */
+#include "src/view/history.h"
+#include <string.h>
+#include "src/tech/technique.h"
+
+bool history_same(const struct view_state *a, const struct view_state *b)
+{
+    return a->rung == b->rung && a->split == b->split &&
+           !memcmp(&a->settings, &b->settings, sizeof(a->settings));
+}
+
+void history_add(struct history *h, const struct view_state *state, uint32_t gesture)
+{
+    if (h->count && history_same(&h->states[h->at], state))
+        return;
+    const bool goes_on = gesture && gesture == h->gesture && h->at && h->at + 1 == h->count;
+    h->gesture = gesture;
+    if (h->count && !goes_on)
+        h->at++;
+    if (h->at == HISTORY_COUNT) {
+        memmove(h->states, &h->states[1], (HISTORY_COUNT - 1) * sizeof(h->states[0]));
+        h->at--;
+    }
+    h->states[h->at] = *state;
+    h->count = h->at + 1;
+}
+
+const struct view_state *history_undo(struct history *h)
+{
+    h->gesture = 0;
+    return h->count && h->at ? &h->states[--h->at] : NULL;
+}
+
+const struct view_state *history_redo(struct history *h)
+{
+    h->gesture = 0;
+    return h->at + 1 < h->count ? &h->states[++h->at] : NULL;
+}
+
+static const char *name_of(const struct technique *rung)
+{
+    return rung ? rung->rung.name : "none";
+}
+
+/* The first row that differs; further ones are counted. */
+static uint32_t name_settings(const struct view_state *before, const struct view_state *after,
+                              FILE *out)
+{
+    const struct setting_group *group;
+    uint32_t count = 0;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            const double a = settings_get(&before->settings, row);
+            const double b = settings_get(&after->settings, row);
+            if (!(a < b || a > b) || count++)
+                continue;
+            fprintf(out, "%s ", row->name);
+            settings_print(&before->settings, row, out);
+            fputs(" -> ", out);
+            settings_print(&after->settings, row, out);
+        }
+    }
+    return count;
+}
+
+void history_name(const struct view_state *before, const struct view_state *after, char *text,
+                  size_t size)
+{
+    FILE *out = fmemopen(text, size, "w");
+    *text = '\0';
+    if (!out)
+        return;
+    const uint32_t count = name_settings(before, after, out);
+    if (!count && before->rung != after->rung)
+        fprintf(out, "rung %s -> %s", name_of(before->rung), name_of(after->rung));
+    else if (!count && before->split != after->split)
+        fprintf(out, "compare with %s -> %s", name_of(before->split), name_of(after->split));
+    if (count > 1)
+        fprintf(out, " and %u more", count - 1);
+    (void)!fclose(out);
+    text[size - 1] = '\0';
+}

@@ -1,0 +1,67 @@
+/* layout.c: a panel on the right, a bar above, a line below. */
+#include "src/view/layout.h"
+
+static const float bar_height = 36.0f; /* all at scale 1 */
+static const float status_height = 26.0f;
+
+/* Wide windows have room for wide panels. */
+static const struct {
+    float window, panel; /* from this width of a window on: width of its panel */
+} widths[] = {
+    { 1300.0f, 340.0f },
+    { 900.0f, 300.0f },
+    { 0.0f, 250.0f },
+};
+
+enum {
+    WIDTH_COUNT = sizeof(widths) / sizeof(widths[0]),
+};
+
+static uint32_t pixels(float length, float scale)
+{
+    return (uint32_t)(length * scale + 0.5f);
+}
+
+static uint32_t panel_width(uint32_t window, float scale)
+{
+    uint32_t i = 0;
+    while (i + 1 < WIDTH_COUNT && window < pixels(widths[i].window, scale))
+        i++;
+    const uint32_t width = pixels(widths[i].panel, scale);
+    return width < window / 2 ? width : window / 2;
+}
+
+static VkRect2D rectangle(uint32_t x, uint32_t y, uint32_t width, uint32_t height)
+{
+    return (VkRect2D){ { (int32_t)x, (int32_t)y }, { width, height } };
+}
+
+struct layout layout_of(VkExtent2D window, float scale, bool has_panels)
+{
+    const uint32_t bar = pixels(bar_height, scale);
+    const uint32_t status = pixels(status_height, scale);
+    const uint32_t width = panel_width(window.width, scale);
+    struct layout l = { .picture = rectangle(0, 0, window.width, window.height) };
+    if (!has_panels || width < 2 || window.height < 2 * (bar + status))
+        return l;
+    const uint32_t left = window.width - width;
+    const uint32_t body = window.height - status;
+    l.bar = rectangle(0, 0, left, bar);
+    l.picture = rectangle(0, bar, left, body - bar);
+    l.panel = rectangle(left, 0, width, body);
+    l.status = rectangle(0, body, window.width, status);
+    return l;
+}
+
+VkExtent2D layout_around(VkExtent2D picture, float scale)
+{
+    const uint32_t more = pixels(bar_height, scale) + pixels(status_height, scale);
+    VkExtent2D window = { 0, picture.height + more };
+    for (uint32_t i = 0; i < WIDTH_COUNT; i++) {
+        window.width = picture.width + pixels(widths[i].panel, scale);
+        if (panel_width(window.width, scale) + picture.width == window.width)
+            return window;
+    }
+    window.width = 2 * picture.width; /* the panel has half of a narrow one */
+    return window;
+}

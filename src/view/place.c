@@ -1,0 +1,142 @@
+/* place.c: folders by XDG's rules, files by name. */
+#define _GNU_SOURCE /* asprintf */
+#include "src/view/place.h"
+#include <dirent.h>
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "src/base/path.h"
+#include "src/scene/scene.h"
+
+enum {
+    NUMBER_MAX = 9999,
+};
+
+static const char *const models[] = { ".obj", ".ply", ".gltf", ".glb", NULL };
+
+__attribute__((format(printf, 1, 2))) static char *print(const char *format, ...)
+{
+    va_list arguments;
+    char *text = NULL;
+    va_start(arguments, format);
+    if (vasprintf(&text, format, arguments) < 0)
+        text = NULL;
+    va_end(arguments);
+    return text;
+}
+
+/* With all folders above it. */
+static bool make_folder(char *path)
+{
+    for (char *slash = path + 1; *slash; slash++) {
+        if (*slash != '/')
+            continue;
+        *slash = '\0';
+        const bool made = mkdir(path, 0700) == 0 || errno == EEXIST;
+        *slash = '/';
+        if (!made)
+            return false;
+    }
+    return mkdir(path, 0700) == 0 || errno == EEXIST;
+}
+
+char *place_presets(bool make)
+{
+    const char *data = getenv("XDG_DATA_HOME");
+    const char *home = getenv("HOME");
+    char *path = NULL;
+    if (data && data[0] == '/') /* a relative one is invalid */
+        path = print("%s/firn/presets", data);
+    else if (home && home[0] == '/')
+        path = print("%s/.local/share/firn/presets", home);
+    if (path && make && !make_folder(path)) {
+        free(path);
+        path = NULL;
+    }
+    return path;
+}
+
+char *place_new(const char *folder, const char *stem, const char *ending)
+{
+    for (unsigned i = 1; i <= NUMBER_MAX; i++) {
+        char *path = print("%s/%s-%04u%s", folder, stem, i, ending);
+        if (!path || access(path, F_OK) != 0)
+            return path;
+        free(path);
+    }
+    return NULL;
+}
+
+static bool has_ending(const char *name, const char *const *endings)
+{
+    for (; *endings; endings++) {
+        if (path_ends_in(name, *endings))
+            return name[0] != '.';
+    }
+    return false;
+}
+
+/* The names of a folder in order; the caller frees them. */
+static int list(const char *folder, struct dirent ***entries)
+{
+    const int count = scandir(folder, entries, NULL, alphasort);
+    return count < 0 ? 0 : count;
+}
+
+static void forget(struct dirent **entries, int count)
+{
+    for (int i = 0; i < count; i++)
+        free(entries[i]);
+    free(entries);
+}
+
+char *place_file(const char *folder, const char *const *endings, unsigned i)
+{
+    struct dirent **entries = NULL;
+    const int count = list(folder, &entries);
+    char *path = NULL;
+    for (int e = 0; e < count && !path; e++) {
+        if (has_ending(entries[e]->d_name, endings) && !i--)
+            path = print("%s/%s", folder, entries[e]->d_name);
+    }
+    forget(entries, count);
+    return path;
+}
+
+static char *next_builtin(const char *name, int step)
+{
+    int count = 0;
+    int at = 0;
+    for (; scene_builtins[count].name; count++) {
+        if (!strcmp(scene_builtins[count].name, name))
+            at = count;
+    }
+    return count > 1 ? strdup(scene_builtins[(at + step + count) % count].name) : NULL;
+}
+
+char *place_next(const char *path, int step)
+{
+    if (scene_find_builtin(path))
+        return next_builtin(path, step);
+    const char *slash = strrchr(path, '/');
+    const char *name = slash ? slash + 1 : path;
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup("./");
+    struct dirent **entries = NULL;
+    const int count = folder ? list(folder, &entries) : 0;
+    char *found = NULL;
+    int at = 0;
+    while (at < count && strcmp(entries[at]->d_name, name) != 0)
+        at++;
+    for (int i = 1; i < count && at < count && !found; i++) {
+        const char *next = entries[(at + step * i + count * i) % count]->d_name;
+        if (has_ending(next, models))
+            found = print("%s%s", slash ? folder : "", next);
+    }
+    forget(entries, count);
+    free(folder);
+    return found;
+}

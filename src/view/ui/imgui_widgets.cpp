@@ -1,0 +1,379 @@
+/* imgui_widgets.cpp: panels and what is in them. */
+#include <cstring>
+#include "src/view/ui/imgui.h"
+#include "src/view/ui/imgui_state.h"
+
+namespace
+{
+
+ImVec2 position(const imgui_place &place)
+{
+    return { place.x, place.y };
+}
+
+ImVec2 corner(const imgui_place &place)
+{
+    return { place.x + place.width, place.y + place.height };
+}
+
+} // namespace
+
+/* ---- panels ---- */
+
+void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_place place,
+                       enum imgui_panel kind)
+{
+    ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+    if (kind == IMGUI_SCROLLED)
+        flags &= ~ImGuiWindowFlags_NoScrollbar;
+    if (kind != IMGUI_OVER)
+        flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
+    ImGui::SetNextWindowPos(position(place));
+    ImGui::SetNextWindowSize(ImVec2(place.width, place.height));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, kind == IMGUI_OVER ? 1.0f : 0.0f);
+    ImGui::Begin(title, nullptr, flags);
+    ImGui::PopStyleVar();
+    if (kind == IMGUI_OVER)
+        ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    if (ui->panel_count < panel_count_max)
+        ui->panels[ui->panel_count++] = place;
+}
+
+void imgui_panel_end(void)
+{
+    ImGui::End();
+}
+
+void imgui_scroll_begin(const char *name)
+{
+    ImGui::BeginChild(name);
+}
+
+void imgui_scroll_end(void)
+{
+    ImGui::EndChild();
+}
+
+void imgui_scroll_to_here(void)
+{
+    ImGui::SetScrollHereY();
+}
+
+/* What came last can be found by its label: what it shows, or what follows "##" where that is only
+ * a sign or nothing. */
+static void note(const char *label)
+{
+    imgui *ui = static_cast<imgui *>(ImGui::GetIO().UserData);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const ImVec2 to = ImGui::GetItemRectMax();
+    if (ui->item_count == IMGUI_ITEM_COUNT || !ImGui::IsItemVisible())
+        return;
+    imgui_item &item = ui->items[ui->item_count++];
+    const char *end = strstr(label, "##");
+    const bool is_named = end && end - label <= 2;
+    const char *begin = is_named ? end + 2 : label;
+    const size_t length = is_named || !end ? strlen(begin) : static_cast<size_t>(end - begin);
+    item = {};
+    memcpy(item.label, begin, length < sizeof(item.label) ? length : sizeof(item.label) - 1);
+    item.place = { from.x, from.y, to.x - from.x, to.y - from.y };
+}
+
+void imgui_focus_panel(const char *title)
+{
+    ImGui::SetWindowFocus(title);
+}
+
+bool imgui_is_active(void)
+{
+    return ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+}
+
+float imgui_scale(void)
+{
+    return static_cast<const imgui *>(ImGui::GetIO().UserData)->scale;
+}
+
+const struct theme *imgui_theme(void)
+{
+    return static_cast<const imgui *>(ImGui::GetIO().UserData)->look;
+}
+
+float imgui_line_height(void)
+{
+    return ImGui::GetTextLineHeight();
+}
+
+float imgui_row_height(void)
+{
+    return ImGui::GetFrameHeight();
+}
+
+float imgui_room(void)
+{
+    return ImGui::GetContentRegionAvail().x;
+}
+
+/* ---- what is in them ---- */
+
+void imgui_indent(float x)
+{
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + x);
+}
+
+void imgui_same_line(float x)
+{
+    ImGui::SameLine(x);
+}
+
+void imgui_next_width(float width)
+{
+    ImGui::SetNextItemWidth(width);
+}
+
+void imgui_next_focus(void)
+{
+    ImGui::SetKeyboardFocusHere();
+}
+
+void imgui_id_begin(const void *id)
+{
+    ImGui::PushID(id);
+}
+
+void imgui_id_end(void)
+{
+    ImGui::PopID();
+}
+
+void imgui_tip(const char *text)
+{
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26.0f);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+float imgui_width(const char *text)
+{
+    return ImGui::CalcTextSize(text, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+}
+
+void imgui_disabled_begin(bool disabled)
+{
+    ImGui::BeginDisabled(disabled);
+}
+
+void imgui_disabled_end(void)
+{
+    ImGui::EndDisabled();
+}
+
+void imgui_text(const char *text)
+{
+    ImGui::TextUnformatted(text);
+}
+
+void imgui_text_dim(const char *text)
+{
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void imgui_text_in(const char *text, uint32_t rgb)
+{
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_state_color(rgb));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void imgui_text_cut(const char *text, float width)
+{
+    const char *end = text + strlen(text);
+    const float dots = ImGui::CalcTextSize("...").x;
+    if (ImGui::CalcTextSize(text).x <= width) {
+        ImGui::TextUnformatted(text);
+        return;
+    }
+    while (end > text && ImGui::CalcTextSize(text, end).x + dots > width) {
+        end--;
+        while (end > text && (*end & 0xc0) == 0x80) /* within a character */
+            end--;
+    }
+    ImGui::Text("%.*s...", static_cast<int>(end - text), text);
+}
+
+void imgui_text_cut_in(const char *text, float width, uint32_t rgb)
+{
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_state_color(rgb));
+    imgui_text_cut(text, width);
+    ImGui::PopStyleColor();
+}
+
+void imgui_align(void)
+{
+    ImGui::AlignTextToFramePadding();
+}
+
+void imgui_warning(const char *text)
+{
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_state_color(imgui_theme()->error));
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void imgui_separator(void)
+{
+    ImGui::Separator();
+}
+
+bool imgui_button(const char *label)
+{
+    const bool pressed = ImGui::Button(label);
+    note(label);
+    return pressed;
+}
+
+bool imgui_small_button(const char *label)
+{
+    const bool pressed = ImGui::SmallButton(label);
+    note(label);
+    return pressed;
+}
+
+bool imgui_choice(const char *label, bool chosen)
+{
+    const theme *look = imgui_theme();
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          imgui_state_color(chosen ? look->pressed : look->raised));
+    const bool pressed = imgui_button(label);
+    ImGui::PopStyleColor();
+    return pressed;
+}
+
+bool imgui_line(const char *label, bool chosen)
+{
+    const theme *look = imgui_theme();
+    ImGui::PushStyleColor(ImGuiCol_Header, imgui_state_color(look->pressed));
+    const bool pressed = ImGui::Selectable(label, chosen);
+    note(label);
+    ImGui::PopStyleColor();
+    return pressed;
+}
+
+bool imgui_group(const char *label, bool *open)
+{
+    ImGui::SetNextItemOpen(*open);
+    *open = ImGui::CollapsingHeader(label, ImGuiTreeNodeFlags_AllowItemOverlap);
+    note(label);
+    return *open;
+}
+
+bool imgui_checkbox(const char *label, bool *value)
+{
+    const bool changed = ImGui::Checkbox(label, value);
+    note(label);
+    return changed;
+}
+
+bool imgui_list(const char *label, const char *const *names, uint32_t count, uint32_t *index)
+{
+    bool changed = false;
+    const bool open = ImGui::BeginCombo(label, *index < count ? names[*index] : "");
+    note(label);
+    for (uint32_t i = 0; i < count && open; i++) {
+        if (imgui_line(names[i], i == *index)) {
+            changed = i != *index;
+            *index = i;
+        }
+    }
+    if (open)
+        ImGui::EndCombo();
+    return changed;
+}
+
+bool imgui_line_of_text(const char *label, const char *hint, char *text, size_t size)
+{
+    const bool changed = ImGui::InputTextWithHint(label, hint, text, size);
+    note(label);
+    return changed;
+}
+
+bool imgui_entered(void)
+{
+    return ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+}
+
+static ImGuiSliderFlags slider_flags(const struct imgui_slide *slide)
+{
+    return ImGuiSliderFlags_AlwaysClamp |
+           (slide->logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+}
+
+bool imgui_slider(const char *label, float *value, const struct imgui_slide *slide)
+{
+    const bool changed = ImGui::SliderFloat(label, value, slide->min, slide->max, slide->format,
+                                            slider_flags(slide));
+    note(label);
+    return changed;
+}
+
+bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_slide *slide)
+{
+    const uint32_t min = static_cast<uint32_t>(slide->min);
+    const uint32_t max = static_cast<uint32_t>(slide->max);
+    const bool changed = ImGui::SliderScalar(label, ImGuiDataType_U32, value, &min, &max,
+                                             slide->format, slider_flags(slide));
+    note(label);
+    return changed;
+}
+
+bool imgui_number(const char *label, uint32_t *value)
+{
+    const uint32_t step = 1;
+    const bool changed = ImGui::InputScalar(label, ImGuiDataType_U32, value, &step, nullptr, "%u",
+                                            ImGuiInputTextFlags_EnterReturnsTrue);
+    note(label);
+    return changed;
+}
+
+/* ---- drawing ---- */
+
+struct imgui_place imgui_canvas(float width, float height)
+{
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::Dummy(ImVec2(width, height));
+    return { at.x, at.y, width, height };
+}
+
+struct imgui_place imgui_cursor(void)
+{
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    return { at.x, at.y, 0.0f, 0.0f };
+}
+
+uint32_t imgui_rgba(uint32_t rgb)
+{
+    return 0xff000000u | (rgb & 255) << 16 | (rgb & 0xff00) | (rgb >> 16 & 255);
+}
+
+void imgui_rectangle(struct imgui_place place, uint32_t color)
+{
+    ImGui::GetWindowDrawList()->AddRectFilled(position(place), corner(place), color);
+}
+
+void imgui_hint(const char *text)
+{
+    ImGui::SetTooltip("%s", text);
+}
+
+bool imgui_is_over(struct imgui_place place)
+{
+    return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(position(place), corner(place));
+}

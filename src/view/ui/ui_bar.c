@@ -1,0 +1,109 @@
+/* ui_bar.c: what is done most, above the picture; what there is to say, below it. */
+#include <stdio.h>
+#include "src/view/ui/ui_internal.h"
+
+enum {
+    BUTTON_COUNT = 9,
+};
+
+/* What is left out first comes last. */
+static const enum view_action buttons[BUTTON_COUNT] = {
+    VIEW_PAUSE,      VIEW_PALETTE, VIEW_HELP,  VIEW_UNDO,  VIEW_REDO,
+    VIEW_SCREENSHOT, VIEW_COPY,    VIEW_SPLIT, VIEW_RESET,
+};
+
+static const float name_width = 60.0f; /* at least, at scale 1 */
+
+struct imgui_place ui_place(VkRect2D r)
+{
+    return (struct imgui_place){ (float)r.offset.x, (float)r.offset.y, (float)r.extent.width,
+                                 (float)r.extent.height };
+}
+
+static const char *label_of(const struct ui_view *view, enum view_action action)
+{
+    return action == VIEW_PAUSE && view->paused ? "Play" : keys_button(action);
+}
+
+static void tip(enum view_action action)
+{
+    char text[320];
+    if (keys_name(action))
+        snprintf(text, sizeof(text), "%s (%s)", keys_help(action), keys_name(action));
+    else
+        snprintf(text, sizeof(text), "%s", keys_help(action));
+    imgui_tip(text);
+}
+
+static bool is_disabled(const struct ui_view *view, enum view_action action)
+{
+    const struct history *h = view->history;
+    return (action == VIEW_UNDO && !h->at) || (action == VIEW_REDO && h->at + 1 >= h->count);
+}
+
+void ui_bar(const struct ui_view *view, struct ui_wish *wish)
+{
+    const float gap = 6.0f * imgui_scale();
+    const float room = imgui_room();
+    float width = 0.0f;
+    uint32_t count = 0;
+    while (count < BUTTON_COUNT) {
+        const float more = imgui_width(label_of(view, buttons[count])) + gap;
+        if (width + more + name_width * imgui_scale() > room)
+            break;
+        width += more;
+        count++;
+    }
+    imgui_align();
+    imgui_text_cut(view->picture->state.scene.name, room - width - gap);
+    imgui_tip(view->picture->state.scene.name);
+    for (uint32_t i = 0; i < count; i++) {
+        const enum view_action action = buttons[i];
+        imgui_same_line(i ? 0.0f : room - width + gap);
+        imgui_disabled_begin(is_disabled(view, action));
+        if (action == VIEW_SPLIT ? imgui_choice(label_of(view, action), wish->split != NULL)
+                                 : imgui_button(label_of(view, action)))
+            wish->action = action;
+        imgui_disabled_end();
+        tip(action);
+    }
+}
+
+/* ---- below ---- */
+
+static void print_pace(const struct ui *ui, const struct ui_view *view, char *text, size_t size)
+{
+    const struct app_picture *p = &view->picture->state;
+    const double frame = ui->pace.frame;
+    if (frame > 0.0)
+        snprintf(text, size, "%u\xc3\x97%u  %.1f ms: %s", p->width, p->height, frame * 1e3,
+                 ui_pace_limit(&ui->pace));
+    else
+        snprintf(text, size, "%u\xc3\x97%u", p->width, p->height);
+}
+
+void ui_status(const struct ui *ui, const struct ui_view *view)
+{
+    char pace[96];
+    char text[256];
+    const struct theme *theme = imgui_theme();
+    const float room = imgui_room();
+    print_pace(ui, view, pace, sizeof(pace));
+    const float width = imgui_width(pace);
+    imgui_text_cut_in(*ui->fault   ? ui->fault
+                      : *ui->words ? ui->words
+                      : view->is_new
+                          ? "drag turns, wheel zooms, drop a model or an .exr, F1 lists the keys"
+                          : "",
+                      room - width, *ui->fault || ui->failed ? theme->error : theme->text);
+    if (*ui->fault)
+        imgui_tip(ui->fault);
+    imgui_same_line(room - width + 10.0f * imgui_scale());
+    imgui_text_dim(pace);
+    snprintf(text, sizeof(text),
+             "%.1f frames per second, limited by %s: device time %.1f ms; the host waits %.1f ms "
+             "for the screen and %.1f ms for --fps-limit",
+             ui->pace.frame > 0.0 ? 1.0 / ui->pace.frame : 0.0, ui_pace_limit(&ui->pace),
+             ui->pace.device * 1e3, ui->pace.screen * 1e3, ui->pace.limit * 1e3);
+    imgui_tip(text);
+}

@@ -1,0 +1,187 @@
+/* ui_palette.c: actions, settings, materials, scenes and presets, found by words. */
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/scene/material.h"
+#include "src/scene/scene.h"
+#include "src/tech/refract.h"
+#include "src/view/place.h"
+#include "src/view/ui/ui_internal.h"
+#include "src/view/ui/ui_settings.h"
+
+enum {
+    ENTRIES_MAX = 400,
+    SHOWN_MAX = 12, /* rows at once */
+    LABEL_SIZE = 96,
+};
+
+enum entry_kind {
+    ENTRY_ACTION,
+    ENTRY_MATERIAL,
+    ENTRY_SCENE,
+    ENTRY_PRESET,
+    ENTRY_SETTING,
+};
+
+/* What can be chosen. */
+struct entry {
+    enum entry_kind kind;
+    uint32_t index; /* of the action, material, scene or preset */
+    const struct setting *row;
+    char label[LABEL_SIZE];
+    const char *key; /* NULL: none */
+};
+
+struct palette {
+    struct entry entries[ENTRIES_MAX];
+    uint32_t count;
+    const char *words;
+};
+
+static const char *const presets[] = { ".txt", NULL };
+
+/* Whether the words are all in it, in any order. */
+static bool fits(const char *label, const char *words)
+{
+    while (*words) {
+        const size_t length = strcspn(words, " ");
+        bool found = length == 0;
+        for (const char *at = label; *at && !found; at++) {
+            size_t i = 0;
+            while (i < length && tolower((unsigned char)at[i]) == tolower((unsigned char)words[i]))
+                i++;
+            found = i == length;
+        }
+        if (!found)
+            return false;
+        words += length + strspn(&words[length], " ");
+    }
+    return true;
+}
+
+__attribute__((format(printf, 3, 4))) static void add(struct palette *p, const struct entry *entry,
+                                                      const char *format, ...)
+{
+    struct entry *e = &p->entries[p->count];
+    va_list arguments;
+    if (p->count == ENTRIES_MAX)
+        return;
+    *e = *entry;
+    va_start(arguments, format);
+    vsnprintf(e->label, sizeof(e->label), format, arguments);
+    va_end(arguments);
+    p->count += fits(e->label, p->words) ||
+                (e->row && ui_settings_fit(e->row, p->words)); /* else it is written over */
+}
+
+static void collect(struct palette *p)
+{
+    const struct setting *row;
+    p->count = 0;
+    for (enum view_action a = VIEW_NOTHING; a < VIEW_ACTION_COUNT; a++) {
+        if (keys_label(a) && a != VIEW_PALETTE)
+            add(p, &(struct entry){ ENTRY_ACTION, a, .key = keys_name(a) }, "%s", keys_label(a));
+    }
+    for (uint32_t i = 0; material_presets[i].name; i++)
+        add(p, &(struct entry){ ENTRY_MATERIAL, i }, "material %s", material_presets[i].name);
+    for (uint32_t i = 0; scene_builtins[i].name; i++)
+        add(p, &(struct entry){ ENTRY_SCENE, i }, "open %s", scene_builtins[i].name);
+    char *folder = place_presets(false);
+    char *path;
+    for (uint32_t i = 0; folder && (path = place_file(folder, presets, i)); i++) {
+        add(p, &(struct entry){ ENTRY_PRESET, i }, "preset %s", strrchr(path, '/') + 1);
+        free(path);
+    }
+    free(folder);
+    for (enum ui_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
+        for (uint32_t i = 0; (row = ui_group_row(g, i)); i++)
+            add(p, &(struct entry){ ENTRY_SETTING, 0, .row = row }, "%s", row->name);
+    }
+}
+
+static void choose(struct ui *ui, const struct entry *e, struct ui_wish *wish)
+{
+    char *folder = e->kind == ENTRY_PRESET ? place_presets(false) : NULL;
+    switch (e->kind) {
+    case ENTRY_ACTION:
+        wish->action = (enum view_action)e->index;
+        break;
+    case ENTRY_MATERIAL:
+        settings_put(&wish->settings,
+                     settings_row(&refract_settings, offsetof(struct refract_params, ior)),
+                     (double)material_presets[e->index].ior);
+        wish->changed = true;
+        break;
+    case ENTRY_SCENE:
+        wish->open = strdup(scene_builtins[e->index].name);
+        break;
+    case ENTRY_PRESET:
+        wish->open = folder ? place_file(folder, presets, e->index) : NULL;
+        break;
+    case ENTRY_SETTING:
+        snprintf(ui->filter, sizeof(ui->filter), "%s", e->row->name);
+        ui->tab = UI_SETTINGS;
+        break;
+    }
+    free(folder);
+    ui->palette_open = false;
+}
+
+static void rows(struct ui *ui, const struct palette *p, struct ui_wish *wish)
+{
+    const uint32_t first = ui->palette_at >= SHOWN_MAX ? ui->palette_at - SHOWN_MAX + 1 : 0;
+    const float right = imgui_room();
+    for (uint32_t i = first; i < p->count && i < first + SHOWN_MAX; i++) {
+        const struct entry *e = &p->entries[i];
+        imgui_id_begin(e);
+        if (imgui_line(e->label, i == ui->palette_at))
+            choose(ui, e, wish);
+        if (e->row)
+            imgui_tip(e->row->help);
+        if (e->key) {
+            imgui_same_line(right - imgui_width(e->key));
+            imgui_text_dim(e->key);
+        }
+        imgui_id_end();
+    }
+    if (!p->count)
+        imgui_text_dim("no action, setting, material, scene or preset has these words");
+}
+
+void ui_palette(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
+{
+    const float scale = ui->scale;
+    const float row = imgui_row_height();
+    const float window = (float)view->size.width;
+    const float width = 440.0f * scale < window ? 440.0f * scale : window;
+    const float height = row * 1.2f + (float)SHOWN_MAX * 21.0f * scale + 10.0f * scale;
+    const struct imgui_place place = { (window - width) / 2.0f, row, width,
+                                       height < (float)view->size.height
+                                           ? height
+                                           : (float)view->size.height - row };
+    struct palette *p = malloc(sizeof(*p));
+    if (!p)
+        return;
+    p->words = ui->palette_words;
+    imgui_panel_begin(ui->imgui, "palette", place, IMGUI_OVER);
+    if (ui->focus_palette)
+        imgui_next_focus();
+    imgui_next_width(imgui_room());
+    if (imgui_line_of_text("##palette", "an action, a setting, a material, a scene",
+                           ui->palette_words, sizeof(ui->palette_words)))
+        ui->palette_at = 0;
+    collect(p);
+    ui->palette_at = p->count && ui->palette_at >= p->count ? p->count - 1 : ui->palette_at;
+    /* what was typed before Enter comes first */
+    const bool entered = ui->palette_entered && !ui->held && !ui->input.event_count;
+    if (entered && ui->palette_at < p->count)
+        choose(ui, &p->entries[ui->palette_at], wish);
+    else
+        rows(ui, p, wish);
+    imgui_panel_end();
+    ui->focus_palette = false;
+    ui->palette_entered = ui->palette_entered && !entered;
+    free(p);
+}

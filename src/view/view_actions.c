@@ -1,0 +1,209 @@
+/* view_actions.c: what actions do. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "src/view/orbit.h"
+#include "src/view/place.h"
+#include "src/view/ui/ui_command.h"
+#include "src/view/view_internal.h"
+
+static const float key_turn_deg = 5.0f;
+static const float ui_scale_step = 0.25f;
+static const double key_slide = 1.0 / 32; /* of the picture's width */
+
+void view_zoom(struct view *v, float steps)
+{
+    float nearest;
+    float farthest;
+    picture_range(v->picture, &nearest, &farthest);
+    orbit_zoom(&v->picture->camera, steps, nearest, farthest);
+}
+
+/* --split, or the last rung, which is the most exact one; beside it the first. */
+static const struct technique *other_rung(const struct view *v)
+{
+    const struct technique *last = NULL, *next;
+    if (v->options->picture.split)
+        return v->options->picture.split;
+    for (size_t i = 0; (next = techniques_rung(i)); i++)
+        last = next;
+    return v->picture->state.rung == last ? techniques_rung(0) : last;
+}
+
+static void copy_command(struct view *v)
+{
+    char *words = ui_command_print(&(struct ui_command){
+        .picture = &v->picture->state,
+        .scene = &v->picture->scene,
+        .camera = &v->picture->camera,
+        .time = v->shown,
+    });
+    if (!words)
+        return;
+    window_copy(&v->window, words);
+    printf("%s\n", words);
+    fflush(stdout);
+    ui_say(v->ui, "copied the command to the clipboard");
+    free(words);
+}
+
+static void open_panel(struct view *v, enum view_action action)
+{
+    const bool helps = ui_toggle(v->ui, action) && action == VIEW_HELP;
+    if (helps) {
+        keys_print(stdout);
+        fflush(stdout);
+    }
+    if (!ui_is_shown(v->ui))
+        view_show_ui(v, true);
+}
+
+/* Of text and panels; what is shown stays so. */
+static void resize_ui(struct view *v, float scale)
+{
+    const bool shown = ui_is_shown(v->ui);
+    v->ui_scale = fminf(fmaxf(scale, APP_UI_SCALE_MIN), APP_UI_SCALE_MAX);
+    screen_lay_over(&v->screen, NULL);
+    if (ui_rescale(v->ui, v->ui_scale) == STATUS_OK)
+        view_show_ui(v, shown);
+    else
+        v->quit = true; /* has been logged */
+}
+
+static float usual_scale(const struct view *v)
+{
+    const float given = v->options->view.ui_scale;
+    return given > 0.0f ? given : window_scale(&v->window);
+}
+
+void view_slide(struct view *v, double to)
+{
+    v->picture->divider = to < 0.0 ? 0.0 : to > 1.0 ? 1.0 : to;
+}
+
+static void use_bookmark(struct view *v, uint32_t i, bool store)
+{
+    char words[64];
+    if (store) {
+        v->bookmarks[i] = v->picture->camera;
+        v->bookmarked[i] = true;
+        snprintf(words, sizeof(words), "stored camera %u: Ctrl %u goes back to it", i + 1, i + 1);
+    } else if (v->bookmarked[i]) {
+        v->picture->camera = v->bookmarks[i];
+        snprintf(words, sizeof(words), "camera %u", i + 1);
+    } else {
+        snprintf(words, sizeof(words), "camera %u: Ctrl Shift %u stores one first", i + 1, i + 1);
+    }
+    ui_say(v->ui, words);
+}
+
+/* Whether that is what the action does. */
+static bool place_camera(struct view *v, enum view_action action)
+{
+    struct camera *camera = &v->picture->camera;
+    if (action == VIEW_FRONT)
+        orbit_look(camera, 0.0f, 0.0f);
+    else if (action == VIEW_SIDE)
+        orbit_look(camera, 90.0f, 0.0f);
+    else if (action == VIEW_TOP)
+        orbit_look(camera, 0.0f, 90.0f);
+    else if (action >= VIEW_GO_1 && action <= VIEW_GO_4)
+        use_bookmark(v, action - VIEW_GO_1, false);
+    else if (action >= VIEW_STORE_1 && action <= VIEW_STORE_4)
+        use_bookmark(v, action - VIEW_STORE_1, true);
+    else
+        return false;
+    return true;
+}
+
+/* Whether that is what the action does. */
+static bool move_camera(struct view *v, enum view_action action)
+{
+    struct camera *camera = &v->picture->camera;
+    if (action == VIEW_LEFT || action == VIEW_RIGHT)
+        orbit_turn(camera, action == VIEW_RIGHT ? key_turn_deg : -key_turn_deg, 0.0f);
+    else if (action == VIEW_UP || action == VIEW_DOWN)
+        orbit_turn(camera, 0.0f, action == VIEW_UP ? key_turn_deg : -key_turn_deg);
+    else if (action == VIEW_NEARER || action == VIEW_FARTHER)
+        view_zoom(v, action == VIEW_NEARER ? 1.0f : -1.0f);
+    else if (action == VIEW_RESET)
+        *camera = v->picture->first_camera;
+    else
+        return false;
+    return true;
+}
+
+/* ---- the table ---- */
+
+static void look(struct view *v, uint32_t theme)
+{
+    v->theme = theme_at(theme) ? theme : 0;
+    ui_look(v->ui, theme_at(v->theme));
+    window_set_background(&v->window, theme_at(v->theme)->surround);
+}
+
+/* Whether that is what the action does. */
+static bool change_window(struct view *v, enum view_action action)
+{
+    if (action == VIEW_FULLSCREEN)
+        window_fill_screen(&v->window);
+    else if (action == VIEW_HIDE)
+        view_show_ui(v, !ui_is_shown(v->ui));
+    else if (action == VIEW_HELP || action == VIEW_TIMES || action == VIEW_PLAN ||
+             action == VIEW_PALETTE)
+        open_panel(v, action);
+    else if (action == VIEW_LARGER || action == VIEW_SMALLER)
+        resize_ui(v, v->ui_scale + (action == VIEW_LARGER ? ui_scale_step : -ui_scale_step));
+    else if (action == VIEW_USUAL_SIZE)
+        resize_ui(v, usual_scale(v));
+    else if (action == VIEW_THEME)
+        look(v, v->theme + 1);
+    else if (action == VIEW_QUIT)
+        v->quit = true;
+    else
+        return false;
+    return true;
+}
+
+static void open_next(struct view *v, int step)
+{
+    char *path = place_next(v->picture->state.scene.name, step);
+    if (path)
+        view_open(v, path);
+    else
+        ui_say(v->ui, "there is no other model in this folder");
+    free(path);
+}
+
+static void change_picture(struct view *v, enum view_action action)
+{
+    if (action == VIEW_PAUSE) {
+        v->paused = !v->paused;
+        view_show_name(v);
+    } else if (action == VIEW_SCREENSHOT || action == VIEW_SHOT_OF_ALL) {
+        v->shoot = true;
+        v->shoot_all = action == VIEW_SHOT_OF_ALL;
+    } else if (action == VIEW_SPLIT) {
+        struct view_state state = view_state_now(v);
+        state.split = state.split ? NULL : other_rung(v);
+        view_change(v, &state, 0);
+    } else if (action == VIEW_DIVIDER_LEFT || action == VIEW_DIVIDER_RIGHT) {
+        const double step = action == VIEW_DIVIDER_LEFT ? -key_slide : key_slide;
+        view_slide(v, v->picture->divider + step);
+    } else if (action == VIEW_COPY) {
+        copy_command(v);
+    } else if (action == VIEW_UNDO || action == VIEW_REDO) {
+        view_undo(v, action == VIEW_REDO);
+    } else if (action == VIEW_NEXT_FILE || action == VIEW_LAST_FILE) {
+        open_next(v, action == VIEW_NEXT_FILE ? 1 : -1);
+    } else if (action == VIEW_SAVE_PRESET) {
+        view_save_preset(v);
+    }
+}
+
+void view_act(struct view *v, enum view_action action)
+{
+    v->changed = true;
+    if (!move_camera(v, action) && !place_camera(v, action) && !change_window(v, action))
+        change_picture(v, action);
+}

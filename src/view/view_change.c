@@ -1,0 +1,200 @@
+/* view_change.c: settings, rungs and files, as hands change them. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/options/option_preset.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/base/path.h"
+#include "src/frame/list.h"
+#include "src/image/file.h"
+#include "src/view/place.h"
+#include "src/view/view_internal.h"
+#include "src/view/worker.h"
+
+enum {
+    WORDS_SIZE = 200,
+};
+
+struct view_state view_state_now(const struct view *v)
+{
+    const struct app_picture *p = &v->picture->state;
+    return (struct view_state){
+        .settings = frame_settings(&p->scene.settings, &v->picture->scene),
+        .rung = p->rung,
+        .split = p->split,
+    };
+}
+
+struct change {
+    struct view *view;
+    const struct view_state *state;
+};
+
+static enum status change_picture(void *user)
+{
+    const struct change *change = user;
+    struct view *v = change->view;
+    bool remade = false;
+    const enum status status =
+        picture_change(&v->picture, &change->state->settings, change->state->rung, &remade);
+    if (remade)
+        screen_disconnect(&v->screen);
+    return status;
+}
+
+bool view_use(struct view *v, const struct view_state *state)
+{
+    const double start = clock_seconds();
+    struct change change = { v, state };
+    enum status status = screen_wait(&v->screen);
+    if (status == STATUS_OK)
+        status = worker_run(&v->window, change_picture, &change);
+    if (status == STATUS_OK && state->split != v->picture->state.split) {
+        screen_disconnect(&v->screen);
+        status = picture_split(v->picture, state->split);
+    }
+    if (status != STATUS_OK)
+        ui_fail(v->ui, "the change failed: the terminal says why; Ctrl Z goes back further");
+    v->changed = true;
+    view_show_name(v);
+    view_costs_rest(&v->costs, start);
+    return status == STATUS_OK;
+}
+
+void view_change(struct view *v, const struct view_state *state, uint32_t gesture)
+{
+    const struct view_state before = view_state_now(v);
+    if (!v->history.count)
+        history_add(&v->history, &before, 0);
+    if (!view_use(v, state))
+        return;
+    const struct view_state now = view_state_now(v);
+    history_add(&v->history, &now, gesture);
+}
+
+void view_undo(struct view *v, bool again)
+{
+    char name[WORDS_SIZE - 16];
+    char words[WORDS_SIZE];
+    const struct view_state before = view_state_now(v);
+    const struct view_state *to = again ? history_redo(&v->history) : history_undo(&v->history);
+    if (!to) {
+        ui_say(v->ui, again ? "nothing was undone" : "there is nothing to undo");
+        return;
+    }
+    history_name(&before, to, name, sizeof(name));
+    snprintf(words, sizeof(words), "%s: %s", again ? "redo" : "undo", name);
+    if (view_use(v, to))
+        ui_say(v->ui, words);
+}
+
+/* ---- presets ---- */
+
+static bool is_preset(const char *path)
+{
+    return path_ends_in(path, ".txt") || path_ends_in(path, ".png"); /* a picture of firn */
+}
+
+void view_load_preset(struct view *v, const char *path)
+{
+    char words[WORDS_SIZE];
+    struct app_scene scene = v->picture->state.scene;
+    struct view_state state = view_state_now(v);
+    scene.settings = state.settings;
+    scene.preset = path;
+    memset(scene.is_set, 0, sizeof(scene.is_set)); /* it may change everything */
+    if (option_preset_read(&scene) != STATUS_OK) {
+        snprintf(words, sizeof(words), "%s is no preset: the terminal says why", path);
+        ui_fail(v->ui, words);
+        return;
+    }
+    state.settings = scene.settings;
+    view_change(v, &state, 0);
+    snprintf(words, sizeof(words), "loaded %s", path);
+    ui_say(v->ui, words);
+}
+
+static char *print_preset(const struct settings *settings, size_t *size)
+{
+    const struct settings defaults = settings_default();
+    const struct setting_group *group;
+    char *text = NULL;
+    FILE *out = open_memstream(&text, size);
+    if (!out)
+        return NULL;
+    fputs("# settings for firn --preset\n", out);
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            const double a = settings_get(settings, row);
+            const double b = settings_get(&defaults, row);
+            if (!(a < b || a > b))
+                continue;
+            fprintf(out, "%s=", row->name);
+            settings_print(settings, row, out);
+            fputc('\n', out);
+        }
+    }
+    if (fclose(out) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+void view_save_preset(struct view *v)
+{
+    char words[WORDS_SIZE];
+    size_t size = 0;
+    const struct view_state state = view_state_now(v);
+    char *folder = place_presets(true);
+    char *path = folder ? place_new(folder, "preset", ".txt") : NULL;
+    char *text = path ? print_preset(&state.settings, &size) : NULL;
+    if (text && file_write(path, text, size) == STATUS_OK) {
+        snprintf(words, sizeof(words), "saved %s", path);
+        ui_say(v->ui, words);
+    } else {
+        ui_fail(v->ui, "no preset was saved: set HOME or XDG_DATA_HOME to a folder that can be "
+                       "written to");
+    }
+    free(text);
+    free(path);
+    free(folder);
+}
+
+/* ---- files ---- */
+
+struct opening {
+    struct view *view;
+    const char *path;
+};
+
+static enum status open_file(void *user)
+{
+    const struct opening *opening = user;
+    bool remade;
+    return picture_open(&opening->view->picture, opening->path, &remade);
+}
+
+/* A file that cannot be used has been logged; what was there stays. */
+void view_open(struct view *v, const char *path)
+{
+    struct opening opening = { v, path };
+    char words[WORDS_SIZE];
+    const double start = clock_seconds();
+    if (is_preset(path)) {
+        view_load_preset(v, path);
+        return;
+    }
+    view_say(v, "loading");
+    screen_disconnect(&v->screen);
+    if (worker_run(&v->window, open_file, &opening) != STATUS_OK) {
+        snprintf(words, sizeof(words), "%s cannot be opened: the terminal says why", path);
+        ui_fail(v->ui, words);
+    } else {
+        ui_say(v->ui, "");
+    }
+    v->changed = true;
+    view_show_name(v);
+    view_costs_rest(&v->costs, start);
+}
