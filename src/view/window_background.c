@@ -26,7 +26,7 @@ void window_background(struct GLFWwindow *window, uint32_t color)
     const union symbol get_display = { program ? dlsym(program, "glfwGetX11Display") : NULL };
     const union symbol get_window = { program ? dlsym(program, "glfwGetX11Window") : NULL };
     const union symbol change = { x11 ? dlsym(x11, "XChangeWindowAttributes") : NULL };
-    if (get_display.address && get_window.address && change.address) {
+    if (get_display.get_display && get_window.get_window && change.change) {
         Display *display = get_display.get_display();
         XSetWindowAttributes wanted = { .background_pixel = color,
                                         .bit_gravity = NorthWestGravity };

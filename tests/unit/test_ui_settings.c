@@ -40,11 +40,23 @@ static void test_rows_fit(void **state)
     }
 }
 
+static void test_search(void **state)
+{
+    (void)state;
+    const struct setting *row = settings_find("cracks.count");
+    assert_true(ui_settings_fit(row, ""));
+    assert_true(ui_settings_fit(row, "cracks.count"));
+    assert_true(ui_settings_fit(row, "  COUNT  crack "));
+    assert_true(ui_settings_fit(row, "inside number")); /* group and help */
+    assert_false(ui_settings_fit(row, "cracks bubbles"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_widgets),
         cmocka_unit_test(test_rows_fit),
+        cmocka_unit_test(test_search),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -138,9 +138,9 @@ void imgui_disabled_end(void);
 
 void imgui_text(const char *text);
 void imgui_text_dim(const char *text);
-void imgui_text_in(const char *text, uint32_t color); /* 0xRRGGBB */
-void imgui_text_cut(const char *text, float width);   /* ends in dots where it is too long */
-void imgui_text_cut_in(const char *text, float width, uint32_t color);
+void imgui_text_in(const char *text, uint32_t rgb); /* 0xRRGGBB */
+void imgui_text_cut(const char *text, float width); /* too long: has dots in its middle */
+void imgui_text_cut_in(const char *text, float width, uint32_t rgb);
 void imgui_align(void);               /* text in this row stands at the height of text in buttons */
 void imgui_warning(const char *text); /* red, in as many lines as it needs */
 void imgui_separator(void);
@@ -195,7 +195,7 @@ uint32_t imgui_gesture(const struct imgui *ui);
 /* Room in the panel: where it lies. */
 struct imgui_place imgui_canvas(float width, float height);
 struct imgui_place imgui_cursor(void); /* where what comes next will be; its size is 0x0 */
-uint32_t imgui_rgba(uint32_t color);   /* of 0xRRGGBB */
+uint32_t imgui_rgba(uint32_t rgb);     /* of 0xRRGGBB */
 void imgui_rectangle(struct imgui_place place, uint32_t color);
 void imgui_hint(const char *text);            /* beside the cursor */
 bool imgui_is_over(struct imgui_place place); /* the cursor */

@@ -191,20 +191,33 @@ void imgui_text_in(const char *text, uint32_t rgb)
     ImGui::PopStyleColor();
 }
 
+static float width_of(const char *text, const char *end)
+{
+    return ImGui::CalcTextSize(text, end).x;
+}
+
+static bool is_within_character(const char *at)
+{
+    return (*at & 0xc0) == 0x80;
+}
+
+/* What is in the middle says least: names end in what they are. */
 void imgui_text_cut(const char *text, float width)
 {
     const char *end = text + strlen(text);
-    const float dots = ImGui::CalcTextSize("...").x;
-    if (ImGui::CalcTextSize(text).x <= width) {
+    const char *head = end;
+    const char *tail = text;
+    const float room = width - width_of("...", nullptr);
+    if (width_of(text, end) <= width) {
         ImGui::TextUnformatted(text);
         return;
     }
-    while (end > text && ImGui::CalcTextSize(text, end).x + dots > width) {
-        end--;
-        while (end > text && (*end & 0xc0) == 0x80) /* within a character */
-            end--;
-    }
-    ImGui::Text("%.*s...", static_cast<int>(end - text), text);
+    while (tail < end && (width_of(tail, end) > 0.5f * room || is_within_character(tail)))
+        tail++;
+    const float rest = room - width_of(tail, end);
+    while (head > text && (width_of(text, head) > rest || is_within_character(head)))
+        head--;
+    ImGui::Text("%.*s...%s", static_cast<int>(head - text), text, tail);
 }
 
 void imgui_text_cut_in(const char *text, float width, uint32_t rgb)

@@ -173,8 +173,10 @@ static bool hear_palette(struct ui *ui, const struct window_event *event)
         ui->palette_at++;
     else if (event->down && key == GLFW_KEY_UP)
         ui->palette_at -= ui->palette_at ? 1 : 0;
-    else if (event->down)
+    else if (event->down) {
         ui->palette_open = false;
+        ui->release = true;
+    }
     return true;
 }
 

@@ -26,6 +26,7 @@ struct ui {
     double last; /* when the last frame began, seconds; 0: there was none */
     bool shown, keys_open, palette_open;
     bool focus_palette, palette_entered; /* in the next frame */
+    bool release;                        /* at the end of this one keys are the picture's */
     uint32_t palette_at;                 /* the row that Enter chooses */
     char palette_words[64];
     enum ui_tab tab;

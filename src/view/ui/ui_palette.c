@@ -1,5 +1,4 @@
 /* ui_palette.c: actions, settings, materials, scenes and presets, found by words. */
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,6 +9,7 @@
 #include "src/view/place.h"
 #include "src/view/ui/ui_internal.h"
 #include "src/view/ui/ui_settings.h"
+#include "src/view/ui/ui_words.h"
 
 enum {
     ENTRIES_MAX = 400,
@@ -42,25 +42,6 @@ struct palette {
 
 static const char *const presets[] = { ".txt", NULL };
 
-/* Whether the words are all in it, in any order. */
-static bool fits(const char *label, const char *words)
-{
-    while (*words) {
-        const size_t length = strcspn(words, " ");
-        bool found = length == 0;
-        for (const char *at = label; *at && !found; at++) {
-            size_t i = 0;
-            while (i < length && tolower((unsigned char)at[i]) == tolower((unsigned char)words[i]))
-                i++;
-            found = i == length;
-        }
-        if (!found)
-            return false;
-        words += length + strspn(&words[length], " ");
-    }
-    return true;
-}
-
 __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const struct entry *entry,
                                                       const char *format, ...)
 {
@@ -72,7 +53,8 @@ __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const s
     va_start(arguments, format);
     vsnprintf(e->label, sizeof(e->label), format, arguments);
     va_end(arguments);
-    p->count += fits(e->label, p->words) ||
+    const char *const texts[] = { e->label };
+    p->count += ui_words_fit(p->words, texts, 1) ||
                 (e->row && ui_settings_fit(e->row, p->words)); /* else it is written over */
 }
 
@@ -127,6 +109,7 @@ static void choose(struct ui *ui, const struct entry *e, struct ui_wish *wish)
     }
     free(folder);
     ui->palette_open = false;
+    ui->release = true;
 }
 
 static void rows(struct ui *ui, const struct palette *p, struct ui_wish *wish)

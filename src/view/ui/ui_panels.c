@@ -234,7 +234,7 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
         ui_palette(ui, view, wish);
     if (ui->keys_open)
         keys_panel(ui, view);
-    if (ui->focus_panel)
-        imgui_focus_panel(panel);
-    ui->focus_panel = false;
+    if (ui->focus_panel || ui->release)
+        imgui_focus_panel(ui->release ? NULL : panel);
+    ui->focus_panel = ui->release = false;
 }

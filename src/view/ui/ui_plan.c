@@ -74,13 +74,15 @@ static void draw_pass(const struct chart *c, uint32_t p)
 static void print_sums(const struct rg_plan *plan)
 {
     char text[256];
-    snprintf(text, sizeof(text), "%u passes, %u barriers in %u batches", plan->pass_count,
+    snprintf(text, sizeof(text), "%u passes, %u barriers, %u batches", plan->pass_count,
              plan->barrier_count, plan->batch_count);
     imgui_text(text);
-    snprintf(text, sizeof(text), "%.1f MiB of memory, %.1f MiB without aliasing",
-             (double)plan->memory_used / mebi, (double)plan->memory_without_aliasing / mebi);
+    snprintf(text, sizeof(text), "%.1f MiB of memory", (double)plan->memory_used / mebi);
     imgui_text(text);
-    imgui_text_dim("passes (red: after barriers), and images");
+    snprintf(text, sizeof(text), "%.1f MiB without aliasing",
+             (double)plan->memory_without_aliasing / mebi);
+    imgui_text(text);
+    imgui_text_dim("passes (red: barriers), images");
 }
 
 void ui_plan_panel(const struct rg_plan *plan)

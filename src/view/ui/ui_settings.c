@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "src/view/ui/imgui.h"
+#include "src/view/ui/ui_words.h"
 
 enum {
     ROWS_FIRST = 8, /* of a group; more of them on demand */
@@ -74,7 +75,7 @@ static bool slider(const char *label, const struct setting *row, float *value, b
 {
     char format[64];
     const char *unit = sign_of(row->unit);
-    snprintf(format, sizeof(format), "%%.4g%s%s", *unit && *unit != '\xc2' ? " " : "", unit);
+    snprintf(format, sizeof(format), "%%.4g%s%s", isalnum((unsigned char)*unit) ? " " : "", unit);
     const struct imgui_slide slide = { (float)row->min, (float)row->max, format, logarithmic };
     return imgui_slider(label, value, &slide);
 }
@@ -194,31 +195,12 @@ bool ui_settings_row(struct settings *settings, const struct setting *row)
 
 /* ---- a group ---- */
 
-static bool holds(const char *text, const char *word, size_t length)
-{
-    for (; *text; text++) {
-        size_t i = 0;
-        while (i < length && tolower((unsigned char)text[i]) == tolower((unsigned char)word[i]))
-            i++;
-        if (i == length)
-            return true;
-    }
-    return false;
-}
-
 bool ui_settings_fit(const struct setting *row, const char *words)
 {
     char label[LABEL_SIZE];
     print_label(row, label);
-    while (*words) {
-        const size_t length = strcspn(words, " ");
-        if (length && !holds(row->name, words, length) && !holds(label, words, length) &&
-            !holds(row->help, words, length) &&
-            !holds(ui_group_name(ui_group_of(row)), words, length))
-            return false;
-        words += length + strspn(&words[length], " ");
-    }
-    return true;
+    const char *const texts[] = { row->name, label, row->help, ui_group_name(ui_group_of(row)) };
+    return ui_words_fit(words, texts, sizeof(texts) / sizeof(texts[0]));
 }
 
 static bool reset_button(struct settings *settings, enum ui_group group, float x)

@@ -66,7 +66,7 @@ static void bar(const struct ui_times_row *row, double most)
     else
         snprintf(text, sizeof(text), "%s", row->name);
     imgui_same_line(12.0f * imgui_scale());
-    imgui_text(text);
+    imgui_text_cut(text, width - 66.0f * imgui_scale());
     snprintf(text, sizeof(text), "%7.2f", row->milliseconds);
     imgui_same_line(width - 45.0f * imgui_scale());
     imgui_text(text);
@@ -79,8 +79,9 @@ void ui_times_panel(const char *what, const struct ui_times *times)
         imgui_text_dim("this device has no timestamps");
         return;
     }
-    snprintf(text, sizeof(text), "%s: %.2f ms on the device", what, ui_times_sum(times));
+    snprintf(text, sizeof(text), "%s: %.2f ms", what, ui_times_sum(times));
     imgui_text_dim(text);
+    imgui_tip("time on the device, as running means");
     for (uint32_t r = 0; r < times->row_count; r++)
         bar(&times->rows[r], longest(times));
 }
