@@ -82,6 +82,14 @@ static const struct {
         .name = "7",
         .label = "look from above",
     },
+    [VIEW_ORTHOGRAPHIC] = {
+        .keys = { GLFW_KEY_KP_5 },
+        .characters = "5oO",
+        .name = "5, O",
+        .label = "orthographic or perspective",
+        .help = "switch between an orthographic and a perspective camera; the copied command has "
+                "a perspective one",
+    },
     [VIEW_GO_1] = {
         .controlled = "1",
         .name = "Ctrl 1 to 4",

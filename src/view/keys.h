@@ -20,6 +20,7 @@ enum view_action {
     VIEW_FRONT,
     VIEW_SIDE,
     VIEW_TOP,
+    VIEW_ORTHOGRAPHIC,
     VIEW_GO_1, /* cameras that were stored */
     VIEW_GO_2,
     VIEW_GO_3,

@@ -24,8 +24,25 @@ void orbit_turn(struct camera *camera, float azimuth_deg, float elevation_deg)
 void orbit_look(struct camera *camera, float azimuth_deg, float elevation_deg)
 {
     const float distance = glms_vec3_distance(camera->eye, camera->target);
+    const struct camera before = *camera;
     *camera = camera_orbit(azimuth_deg, glm_clamp(elevation_deg, -steepest_deg, steepest_deg),
                            distance, camera->target, camera->fov_deg);
+    camera->height = before.height;
+    camera->depth = before.depth;
+}
+
+void orbit_project(struct camera *camera, float depth)
+{
+    const vec3s away = glms_vec3_sub(camera->eye, camera->target);
+    const float slope = 2.0f * tanf(glm_rad(camera->fov_deg) / 2.0f);
+    if (camera->height > 0.0f) {
+        const float distance = camera->height / slope;
+        camera->eye = glms_vec3_muladds(glms_vec3_normalize(away), distance, camera->target);
+        camera->height = camera->depth = 0.0f;
+    } else {
+        camera->height = slope * glms_vec3_norm(away);
+        camera->depth = depth;
+    }
 }
 
 void orbit_pan(struct camera *camera, float right, float up)

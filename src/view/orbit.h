@@ -15,6 +15,10 @@ void orbit_turn(struct camera *camera, float azimuth_deg, float elevation_deg);
 /* Looks at the target from these angles, degrees, at the distance it has. */
 void orbit_look(struct camera *camera, float azimuth_deg, float elevation_deg);
 
+/* Makes an orthographic camera of a perspective one, which shows things up to `depth` metres from
+ * the eye, or the other way round: what is as far as the target is as large as before. */
+void orbit_project(struct camera *camera, float depth);
+
 /* Moves camera and target alike, along the picture's axes: by so many of the picture's heights, at
  * the target's distance, right and up. */
 void orbit_pan(struct camera *camera, float right, float up);

@@ -81,6 +81,32 @@ void view_slide(struct view *v, double to)
     v->picture->divider = to < 0.0 ? 0.0 : to > 1.0 ? 1.0 : to;
 }
 
+/* A renderer is made for one kind of projection. */
+static void use_camera(struct view *v, const struct camera *camera)
+{
+    struct picture *p = v->picture;
+    const struct camera before = p->camera;
+    const bool other = (camera->height > 0.0f) != (before.height > 0.0f);
+    p->camera = *camera;
+    if (!other)
+        return;
+    screen_disconnect(&v->screen);
+    if (picture_remake(p) == STATUS_OK)
+        return;
+    p->camera = before;
+    ui_fail(v->ui, "the projection was not changed: the terminal says why");
+}
+
+static void change_projection(struct view *v)
+{
+    struct camera camera = v->picture->camera;
+    float nearest;
+    float farthest;
+    picture_range(v->picture, &nearest, &farthest);
+    orbit_project(&camera, 4.0f * farthest);
+    use_camera(v, &camera);
+}
+
 static void use_bookmark(struct view *v, uint32_t i, bool store)
 {
     char words[64];
@@ -89,7 +115,7 @@ static void use_bookmark(struct view *v, uint32_t i, bool store)
         v->bookmarked[i] = true;
         snprintf(words, sizeof(words), "stored camera %u: Ctrl %u goes back to it", i + 1, i + 1);
     } else if (v->bookmarked[i]) {
-        v->picture->camera = v->bookmarks[i];
+        use_camera(v, &v->bookmarks[i]);
         snprintf(words, sizeof(words), "camera %u", i + 1);
     } else {
         snprintf(words, sizeof(words), "camera %u: Ctrl Shift %u stores one first", i + 1, i + 1);
@@ -107,6 +133,8 @@ static bool place_camera(struct view *v, enum view_action action)
         orbit_look(camera, 90.0f, 0.0f);
     else if (action == VIEW_TOP)
         orbit_look(camera, 0.0f, 90.0f);
+    else if (action == VIEW_ORTHOGRAPHIC)
+        change_projection(v);
     else if (action >= VIEW_GO_1 && action <= VIEW_GO_4)
         use_bookmark(v, action - VIEW_GO_1, false);
     else if (action >= VIEW_STORE_1 && action <= VIEW_STORE_4)
@@ -127,7 +155,7 @@ static bool move_camera(struct view *v, enum view_action action)
     else if (action == VIEW_NEARER || action == VIEW_FARTHER)
         view_zoom(v, action == VIEW_NEARER ? 1.0f : -1.0f);
     else if (action == VIEW_RESET)
-        *camera = v->picture->first_camera;
+        use_camera(v, &v->picture->first_camera);
     else
         return false;
     return true;

@@ -230,6 +230,9 @@ class Panels(WindowCase):
         self.wait_for_command(window, '--material glass', 'bump.strength=0', act=lambda:
                               self.find_and_choose(window, 'preset preset-0001.txt'))
         self.wait_for_command(window, '--eye', act=lambda: self.press(window, '1'))
+        seen = self.desktop.pixels(window)
+        self.press_until(window, 'o', 'another projection',
+                         lambda: self.desktop.pixels(window) != seen)
         self.find('room, paused', act=lambda: self.find_and_choose(window, 'open room'))
         scenes = self.names('scenes')
         last = scenes[scenes.index('room') - 1]

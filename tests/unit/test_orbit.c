@@ -66,6 +66,21 @@ static void looking_keeps_target_and_distance(void **state)
     check_near(camera.eye, camera_at(0, 89, 5).eye);
 }
 
+static void projecting_twice_is_the_camera_before(void **state)
+{
+    (void)state;
+    struct camera camera = camera_at(20, 10, 5);
+    orbit_project(&camera, 70);
+    CHECK_NEAR(camera.height, 10 * tan(22.5 * GLM_PI / 180), tolerance);
+    CHECK_NEAR(camera.depth, 70, 0);
+    orbit_look(&camera, 90, 0);
+    CHECK_NEAR(camera.depth, 70, 0);
+    orbit_zoom(&camera, 1, 0.1F, 100);
+    orbit_project(&camera, 70);
+    check_near(camera.eye, camera_at(90, 0, 4.5F).eye);
+    CHECK_NEAR(camera.height, 0, 0);
+}
+
 static void every_action_has_words(void **state)
 {
     (void)state;
@@ -185,6 +200,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(looking_keeps_target_and_distance),
+        cmocka_unit_test(projecting_twice_is_the_camera_before),
         cmocka_unit_test(every_action_has_words),
         cmocka_unit_test(control_makes_another_key),
         cmocka_unit_test(turning_goes_around_the_target),
