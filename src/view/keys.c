@@ -168,6 +168,12 @@ static const struct {
                 "to the clipboard, and print it to stdout",
         .button = "Copy",
     },
+    [VIEW_COPY_PICTURE] = {
+        .controlled = "c",
+        .name = "Ctrl C",
+        .label = "copy the picture",
+        .help = "copy the picture, without panels, to the clipboard, by wl-copy or xclip",
+    },
     [VIEW_SPLIT] = {
         .characters = "sS",
         .name = "S",

@@ -45,6 +45,7 @@ enum view_action {
     VIEW_TIMES,
     VIEW_PLAN,
     VIEW_COPY,
+    VIEW_COPY_PICTURE,
     VIEW_PALETTE,
     VIEW_HELP,
     VIEW_LARGER,

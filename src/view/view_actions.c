@@ -211,6 +211,8 @@ static void change_picture(struct view *v, enum view_action action)
     } else if (action == VIEW_SCREENSHOT || action == VIEW_SHOT_OF_ALL) {
         v->shoot = true;
         v->shoot_all = action == VIEW_SHOT_OF_ALL;
+    } else if (action == VIEW_COPY_PICTURE) {
+        v->shoot = v->shoot_copy = true;
     } else if (action == VIEW_SPLIT) {
         struct view_state state = view_state_now(v);
         state.split = state.split ? NULL : other_rung(v);

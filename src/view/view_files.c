@@ -1,14 +1,17 @@
 /* view_files.c: pictures of the window to files. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <unistd.h>
 #include "src/app/output.h"
 #include "src/base/clock.h"
 #include "src/base/path.h"
+#include "src/view/clipboard.h"
 #include "src/view/ui/ui_shot.h"
 #include "src/view/view_internal.h"
 
 enum {
     NAME_SIZE = 32,
+    FOLDER_SIZE = 512,
 };
 
 static enum status shoot_all(struct view *v, const char *path)
@@ -34,6 +37,32 @@ static bool is_taken(uint32_t number)
     return taken;
 }
 
+/* By a file that is there for a moment, in a folder of its own. */
+static void copy_picture(struct view *v)
+{
+    const char *runtime = getenv("XDG_RUNTIME_DIR");
+    char folder[FOLDER_SIZE];
+    char png[FOLDER_SIZE + NAME_SIZE];
+    const char *const paths[] = { png };
+    const bool quiet = v->picture->quiet;
+    const int length =
+        snprintf(folder, sizeof(folder), "%s/firn-XXXXXX", runtime ? runtime : "/tmp");
+    const bool made = length < FOLDER_SIZE && mkdtemp(folder);
+    snprintf(png, sizeof(png), "%s/picture.png", folder);
+    v->picture->quiet = true;
+    bool copied = made && picture_write(v->picture, v->shown, paths, 1, &v->stop) == STATUS_OK;
+    v->picture->quiet = quiet;
+    copied = copied && clipboard_copy_png(png);
+    if (made) {
+        unlink(png);
+        rmdir(folder);
+    }
+    if (copied)
+        ui_say(v->ui, "copied the picture to the clipboard");
+    else
+        ui_fail(v->ui, "the picture was not copied: install xclip or wl-clipboard, or save it (P)");
+}
+
 /* Nothing that is there is written over. */
 void view_shoot(struct view *v)
 {
@@ -43,7 +72,13 @@ void view_shoot(struct view *v)
     const char *const paths[] = { png, exr };
     const double start = clock_seconds();
     const bool all = v->shoot_all;
-    v->shoot = v->shoot_all = false;
+    const bool copies = v->shoot_copy;
+    v->shoot = v->shoot_all = v->shoot_copy = false;
+    if (copies) {
+        copy_picture(v);
+        view_costs_rest(&v->costs, start);
+        return;
+    }
     while (is_taken(++v->shot_number))
         continue;
     snprintf(png, sizeof(png), "firn-%04u.png", v->shot_number);

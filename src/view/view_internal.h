@@ -45,6 +45,7 @@ struct view {
     bool redrawn;           /* the last frame has another picture than the one before */
     VkExtent2D first_size;  /* of the window, pixels */
     bool shoot;             /* the next frame, to files */
+    bool shoot_copy;        /* the same, to the clipboard alone */
     bool shoot_all;         /* the same with what lies over it */
     uint32_t shot_number;   /* of the screenshot written last */
     struct view_costs costs;

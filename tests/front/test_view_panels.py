@@ -1,4 +1,5 @@
 """test_view_panels.py: tests the panels of the window. Usage: see case.py."""
+import os
 import shlex
 import sys
 
@@ -12,7 +13,16 @@ class Panels(WindowCase):
     BESIDE = (100, 200)  # in the picture
 
     def env(self):
-        return {**super().env(), 'XDG_DATA_HOME': str(self.folder / 'data')}
+        return {**super().env(), 'XDG_DATA_HOME': str(self.folder / 'data'),
+                'PATH': f'{self.folder}:{os.environ["PATH"]}'}  # for xclip()
+
+    def xclip(self):
+        """Takes the place of the program, and keeps what it is given."""
+        path = self.folder / 'xclip'
+        path.write_text(f'#!/bin/sh\n[ "$4" = image/png ] && cat > "{self.folder}/clipboard.new"'
+                        f' && mv "{self.folder}/clipboard.new" "{self.folder}/clipboard"\n')
+        path.chmod(0o755)
+        return self.folder / 'clipboard'
 
     def start_with_panels(self, *arguments, scene='sphere', title=None, plain=CRACKED):
         window = self.start(scene, '--size', '360x340', '--overlay', 'on', '--ui-dump', 'ui',
@@ -131,8 +141,11 @@ class Panels(WindowCase):
         self.close(window)
 
     def test_only_some_screenshots_have_panels(self):
+        copied = self.xclip()
         window = self.start_with_panels()
         alone = self.shoot(window, 1)
+        self.press_until(window, 'ctrl+c', 'a copy', copied.exists)
+        self.assertEqual(copied.read_bytes(), alone.read_bytes())
         path = self.folder / 'firn-0002.png'
         self.press_until(window, 'P', 'the screenshot of all', path.exists)
         self.assertNotIn('firn-0002.exr', self.files())
