@@ -113,7 +113,7 @@ class Watch(WatchCase):
 
 class WatchWithPanels(WatchCase):
     WORDS = ('--overlay', 'on')
-    RED = b'\xff\x73\x59'  # of what is wrong
+    RED = b'\xff\x8a\x80'  # of what is wrong, in the dark theme
 
     def is_red(self):
         pixels = self.desktop.pixels(self.window)

@@ -178,6 +178,8 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_wish
     if (ui->focus_search)
         ui->tab = UI_SETTINGS;
     tabs(ui);
+    if (*ui->fault)
+        imgui_warning(ui->fault);
     if (ui->tab == UI_SETTINGS)
         settings_tab(ui, wish);
     else if (ui->tab == UI_TIMES)
