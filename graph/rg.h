@@ -53,7 +53,7 @@ enum rg_access {
     RG_DEPTH,              /* depth-stencil target, written; only derived from rg_pass.depth */
     RG_DEPTH_READ,         /* depth-stencil target, only tested; derived as well */
     RG_RESOLVE,            /* target of a multisample resolve; derived from rg_target.resolve */
-    RG_SAMPLED,            /* combined image sampler */
+    RG_SAMPLED,            /* combined image sampler; of a buffer: uniform texel buffer */
     RG_STORAGE_READ,       /* storage image or storage buffer, read */
     RG_STORAGE_WRITE,      /* storage image or buffer, its whole range written unless `partial` */
     RG_STORAGE_READ_WRITE, /* storage image or buffer, earlier content read and changed */
@@ -131,6 +131,9 @@ struct rg_buffer {
     VkDeviceSize size_per_texel; /* bytes for every texel of rg_compile_params.max_region */
     enum rg_memory memory;       /* persistent and imported buffers are RG_MEMORY_DEVICE */
     bool persistent;             /* keeps its content between frames; all zero before the first */
+    VkFormat
+        format; /* of its texels, where it is RG_SAMPLED: one of compile/format.c that the device
+                        has for uniform texel buffers. 0: it has none */
 };
 
 /* A part of an image. {0} is all of it. */

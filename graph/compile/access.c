@@ -35,8 +35,10 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
                      LAYOUT(COLOR_ATTACHMENT_OPTIMAL), COLOR_IMAGE, NO_DESCRIPTOR,
                      .writes_content = true },
     [RG_SAMPLED] = { "sampled", 0, ACCESS(SHADER_SAMPLED_READ), 0,
-                     LAYOUT(SHADER_READ_ONLY_OPTIMAL), IMAGE(SAMPLED), 0, FEATURE(SAMPLED_IMAGE),
-                     DESCRIPTORS(COMBINED_IMAGE_SAMPLER, MAX_ENUM), .reads_content = true },
+                     LAYOUT(SHADER_READ_ONLY_OPTIMAL), IMAGE(SAMPLED), BUFFER(UNIFORM_TEXEL_BUFFER),
+                     FEATURE(SAMPLED_IMAGE),
+                     DESCRIPTORS(COMBINED_IMAGE_SAMPLER, UNIFORM_TEXEL_BUFFER),
+                     .reads_content = true },
     [RG_STORAGE_READ] = { "storage read", 0, ACCESS(SHADER_STORAGE_READ), 0, STORAGE,
                           .reads_content = true },
     [RG_STORAGE_WRITE] = { "storage write", 0, 0, ACCESS(SHADER_STORAGE_WRITE), STORAGE,
@@ -157,6 +159,10 @@ const char *rg_use_trouble(const struct rg_pass *pass, const struct rg_use *use)
         return "a buffer cannot be used so";
     if (use->buffer && use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
         return "the CPU writes this buffer; a pass may only read it";
+    if (use->buffer && use->access == RG_SAMPLED && !rg_format_info(use->buffer->format))
+        return "name the format of its texels (graph/compile/format.c)";
+    if (use->buffer && use->sampler)
+        return "texelFetch reads a buffer: name no sampler";
     if (use->fallback && (use->access != RG_SAMPLED || !use->image || use->image->samples > 1 ||
                           !rg_format_info(use->image->format)))
         return "only a sampled image, of a known format and one sample a texel, has a fallback";

@@ -120,6 +120,29 @@ fail:
     return result;
 }
 
+/* Returns a view of a slot's buffer of texels; of a program's own buffer always another one. */
+static VkResult find_texels(struct rg_exec *exec, const struct exec_descriptor *d, uint32_t slot,
+                            VkBufferView *view)
+{
+    const struct rg_buffer *declared = d->use->buffer;
+    const VkBuffer buffer = rg_exec_buffer(exec, d->buffer, slot)->buffer;
+    uint64_t key = RG_NO_KEY;
+    VkResult result;
+    if (!rg_exec_is_foreign(exec, exec->plan->buffers[d->buffer].imported)) {
+        key = rg_exec_key(key, &buffer, sizeof(buffer));
+        RG_KEY(key, declared->format);
+    }
+    RG_MAKE_KEYED(exec, declared->name, key, BUFFER_VIEW, CreateBufferView, view,
+                  &(VkBufferViewCreateInfo){
+                      .sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
+                      .buffer = buffer,
+                      .format = declared->format,
+                      .range = VK_WHOLE_SIZE,
+                  });
+fail:
+    return result;
+}
+
 /* Finishes the descriptors of a pass in exec->descriptors. *key gets what they bind; RG_NO_KEY if
  * it is a program's own buffer, which may end and come again under its handle. */
 static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_set *set,
@@ -143,8 +166,13 @@ static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_s
         RG_KEY(*key, d->image.imageView);
         RG_KEY(*key, d->image.sampler);
         RG_KEY(*key, d->image.imageLayout);
-        for (uint32_t slot = 0; slot < exec->slot_count && d->buffer != RG_NONE; slot++)
+        for (uint32_t slot = 0; slot < exec->slot_count && d->buffer != RG_NONE; slot++) {
+            VkBufferView texels = VK_NULL_HANDLE;
+            if (d->type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER)
+                RG_PASS(find_texels(exec, d, slot, &texels));
+            RG_KEY(*key, texels);
             RG_KEY(*key, rg_exec_buffer(exec, d->buffer, slot)->buffer);
+        }
         is_foreign =
             is_foreign || (d->buffer != RG_NONE &&
                            rg_exec_is_foreign(exec, exec->plan->buffers[d->buffer].imported));
@@ -165,6 +193,7 @@ static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan,
         { VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, count },
         { VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, count },
         { VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count },
+        { VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, count },
     };
     VkResult result;
     RG_MAKE_KEYED(exec, plan->pass->name, key, DESCRIPTOR_POOL, CreateDescriptorPool, pool,
@@ -179,16 +208,20 @@ fail:
 }
 
 /* Writes the descriptors of a pass into the set of a slot. */
-static void write_set(const struct rg_exec *exec, const struct rg_plan_pass *plan, uint32_t slot,
-                      VkDescriptorSet set)
+static VkResult write_set(struct rg_exec *exec, const struct rg_plan_pass *plan, uint32_t slot,
+                          VkDescriptorSet set)
 {
+    VkResult result = VK_SUCCESS;
     for (uint32_t i = 0; i < descriptor_count(plan); i++) {
         const struct exec_descriptor *d = &exec->descriptors[i];
         VkDescriptorBufferInfo buffer = { .range = VK_WHOLE_SIZE };
+        VkBufferView texels = VK_NULL_HANDLE;
         if (d->type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
             continue;
         if (d->buffer != RG_NONE)
             buffer.buffer = rg_exec_buffer(exec, d->buffer, slot)->buffer;
+        if (d->type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER)
+            RG_PASS(find_texels(exec, d, slot, &texels));
         const VkWriteDescriptorSet write = {
             .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
             .dstSet = set,
@@ -197,9 +230,12 @@ static void write_set(const struct rg_exec *exec, const struct rg_plan_pass *pla
             .descriptorType = d->type,
             .pImageInfo = &d->image,
             .pBufferInfo = &buffer,
+            .pTexelBufferView = &texels,
         };
         exec->vk.UpdateDescriptorSets(exec->device, 1, &write, 0, NULL);
     }
+fail:
+    return result;
 }
 
 /* Makes the sets of a pass, one for each slot. */
@@ -216,7 +252,8 @@ static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     set->descriptors[pass] = sets;
     RG_PASS(make_pool(exec, plan, key, &pool));
-    for (uint32_t slot = 0; slot < exec->slot_count && !exec->found; slot++) {
+    const bool is_kept = exec->found;
+    for (uint32_t slot = 0; slot < exec->slot_count && !is_kept; slot++) {
         RG_CALL(exec, plan->pass->name, AllocateDescriptorSets, exec->device,
                 &(VkDescriptorSetAllocateInfo){
                     .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
@@ -225,7 +262,7 @@ static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set
                     .pSetLayouts = layout,
                 },
                 &sets[slot]);
-        write_set(exec, plan, slot, sets[slot]);
+        RG_PASS(write_set(exec, plan, slot, sets[slot]));
     }
 fail:
     return result;

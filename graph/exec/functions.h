@@ -20,20 +20,21 @@
     row(CmdDrawIndexed) row(CmdDrawIndexedIndirect) row(CmdDrawIndirect) row(CmdEndQuery) \
     row(CmdEndRenderPass) row(CmdEndRendering) row(CmdFillBuffer) row(CmdPipelineBarrier2) \
     row(CmdPushConstants) row(CmdResetQueryPool) row(CmdSetScissor) row(CmdSetViewport) \
-    row(CmdWriteTimestamp2) row(CreateBuffer) row(CreateCommandPool) row(CreateComputePipelines) \
-    row(CreateDescriptorPool) row(CreateDescriptorSetLayout) row(CreateFence) \
-    row(CreateFramebuffer) row(CreateGraphicsPipelines) row(CreateImage) row(CreateImageView) \
-    row(CreatePipelineLayout) row(CreateQueryPool) row(CreateRenderPass) row(CreateSampler) \
-    row(CreateShaderModule) row(DestroyBuffer) row(DestroyCommandPool) row(DestroyDescriptorPool) \
-    row(DestroyDescriptorSetLayout) row(DestroyFence) row(DestroyFramebuffer) row(DestroyImage) \
-    row(DestroyImageView) row(DestroyPipeline) row(DestroyPipelineLayout) row(DestroyQueryPool) \
-    row(DestroyRenderPass) row(DestroySampler) row(DestroyShaderModule) row(EndCommandBuffer) \
+    row(CmdWriteTimestamp2) row(CreateBuffer) row(CreateBufferView) row(CreateCommandPool) \
+    row(CreateComputePipelines) row(CreateDescriptorPool) row(CreateDescriptorSetLayout) \
+    row(CreateFence) row(CreateFramebuffer) row(CreateGraphicsPipelines) row(CreateImage) \
+    row(CreateImageView) row(CreatePipelineLayout) row(CreateQueryPool) row(CreateRenderPass) \
+    row(CreateSampler) row(CreateShaderModule) row(DestroyBuffer) row(DestroyBufferView) \
+    row(DestroyCommandPool) row(DestroyDescriptorPool) row(DestroyDescriptorSetLayout) \
+    row(DestroyFence) row(DestroyFramebuffer) row(DestroyImage) row(DestroyImageView) \
+    row(DestroyPipeline) row(DestroyPipelineLayout) row(DestroyQueryPool) row(DestroyRenderPass) \
+    row(DestroySampler) row(DestroyShaderModule) row(EndCommandBuffer) \
     row(FlushMappedMemoryRanges) row(FreeMemory) row(GetBufferMemoryRequirements) \
     row(GetImageMemoryRequirements) row(GetPhysicalDeviceFeatures2) \
-    row(GetPhysicalDeviceMemoryProperties) \
-    row(GetPhysicalDeviceProperties) row(GetPhysicalDeviceQueueFamilyProperties) \
-    row(GetQueryPoolResults) row(InvalidateMappedMemoryRanges) row(MapMemory) row(QueueSubmit2) \
-    row(ResetFences) row(UnmapMemory) row(UpdateDescriptorSets) row(WaitForFences)
+    row(GetPhysicalDeviceMemoryProperties) row(GetPhysicalDeviceProperties) \
+    row(GetPhysicalDeviceQueueFamilyProperties) row(GetQueryPoolResults) \
+    row(InvalidateMappedMemoryRanges) row(MapMemory) row(QueueSubmit2) row(ResetFences) \
+    row(UnmapMemory) row(UpdateDescriptorSets) row(WaitForFences)
 
 /* NULL unless the instance has VK_EXT_debug_utils enabled: */
 #define RG_FUNCTIONS_DEBUG(row) \

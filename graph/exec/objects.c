@@ -62,9 +62,9 @@ uint64_t rg_exec_key(uint64_t key, const void *data, size_t size)
 static bool can_be_shared(VkObjectType type)
 {
     return type == VK_OBJECT_TYPE_SAMPLER || type == VK_OBJECT_TYPE_IMAGE_VIEW ||
-           type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT || type == VK_OBJECT_TYPE_PIPELINE_LAYOUT ||
-           type == VK_OBJECT_TYPE_PIPELINE || type == VK_OBJECT_TYPE_RENDER_PASS ||
-           type == VK_OBJECT_TYPE_FRAMEBUFFER;
+           type == VK_OBJECT_TYPE_BUFFER_VIEW || type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT ||
+           type == VK_OBJECT_TYPE_PIPELINE_LAYOUT || type == VK_OBJECT_TYPE_PIPELINE ||
+           type == VK_OBJECT_TYPE_RENDER_PASS || type == VK_OBJECT_TYPE_FRAMEBUFFER;
 }
 
 /* Both plans make things in about the same order, so the search goes on where it ended. */
@@ -143,6 +143,7 @@ static void free_object(const struct rg_exec *exec, const struct exec_object *ob
     if (object->type == VK_OBJECT_TYPE_##kind) \
         exec->vk.Destroy##name(exec->device, (Vk##name)object->handle, NULL);
     DESTROY(BUFFER, Buffer)
+    DESTROY(BUFFER_VIEW, BufferView)
     DESTROY(COMMAND_POOL, CommandPool)
     DESTROY(DESCRIPTOR_POOL, DescriptorPool)
     DESTROY(DESCRIPTOR_SET_LAYOUT, DescriptorSetLayout)

@@ -45,6 +45,25 @@ static void storage_is_read_back(void **state)
     }
 }
 
+static void buffer_is_sampled(void **state)
+{
+    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+        const struct run_params params = run_way(&feature_texels.params, way);
+        struct run run;
+        run_open(&run, *state, &params);
+        for (uint32_t frame = 0; frame < 3; frame++) {
+            assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
+            write_seed(&run, 500 + frame);
+            assert_int_equal(rg_exec_submit(run.exec, NULL), VK_SUCCESS);
+            assert_int_equal(rg_exec_wait(run.exec, run.slot), VK_SUCCESS);
+            const uint32_t *number = run_data(&run, run.params.outputs[0]);
+            for (uint32_t i = 0; i < TEXELS; i++)
+                assert_int_equal(number[i], 6 * (500 + frame + TEXELS - 1 - i));
+        }
+        run_close(&run);
+    }
+}
+
 /* Frames go out without a wait but for their own slot; each has its own numbers. */
 static void check_in_flight(struct gpu *gpu, uint32_t slots, bool render_passes)
 {
@@ -504,10 +523,10 @@ static void commands_come_from_shaders(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(storage_is_read_back),          ON_DEVICE(frames_in_flight),
-        ON_DEVICE(texels_go_up_and_down),         ON_DEVICE(imports_come_as_they_are),
-        ON_DEVICE(images_pass_between_executors), ON_DEVICE(imports_are_added_to),
-        ON_DEVICE(commands_come_from_shaders),
+        ON_DEVICE(buffer_is_sampled),        ON_DEVICE(storage_is_read_back),
+        ON_DEVICE(frames_in_flight),         ON_DEVICE(texels_go_up_and_down),
+        ON_DEVICE(imports_come_as_they_are), ON_DEVICE(images_pass_between_executors),
+        ON_DEVICE(imports_are_added_to),     ON_DEVICE(commands_come_from_shaders),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,7 +4,7 @@
 const struct feature *const feature_list[FEATURE_COUNT] = {
     &feature_history,  &feature_history_buffers, &feature_when,    &feature_per_layer,
     &feature_per_mip,  &feature_resolve,         &feature_samples, &feature_storage,
-    &feature_indirect, &feature_imports,         &feature_present,
+    &feature_indirect, &feature_imports,         &feature_present, &feature_texels,
 };
 
 const struct rg_buffer feature_seed = {

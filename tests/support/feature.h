@@ -16,7 +16,7 @@ struct feature {
 };
 
 enum {
-    FEATURE_COUNT = 11,
+    FEATURE_COUNT = 12,
 };
 
 extern const struct feature *const feature_list[FEATURE_COUNT];
@@ -195,6 +195,7 @@ enum {
 /* ---- feature_data.c: what is no target ---- */
 
 /* Storage images and buffers, sampled and copied afterwards. */
+extern const struct feature feature_texels; /* a buffer that is sampled */
 extern const struct feature feature_storage;
 
 enum {

@@ -44,6 +44,37 @@ const struct feature feature_storage = {
     },
 };
 
+/* ---- a buffer of texels ---- */
+
+static const struct rg_buffer texels = {
+    .name = "texels",
+    .size_per_texel = sizeof(uint32_t),
+    .format = VK_FORMAT_R32_UINT,
+};
+static const struct rg_buffer doubled = { .name = "doubled", .size_per_texel = sizeof(uint32_t) };
+static const struct rg_buffer doubled_out = FEATURE_NUMBERS("doubled out");
+
+static const struct rg_pass texels_rows[] = {
+    { .name = "fill", FEATURE_FILL(numbers, texels) },
+    {
+        .name = "double",
+        .kind = RG_COMPUTE,
+        .uses = RG_USES({ .buffer = &doubled, .access = RG_STORAGE_WRITE, .binding = DATA_NUMBERS },
+                        { .buffer = &texels, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
+        .comp = &texels_comp,
+        .record = feature_record_texels,
+    },
+    FEATURE_COPY("copy", doubled, doubled_out),
+};
+
+const struct feature feature_texels = {
+    .name = "feature_texels",
+    .params = {
+        .technique = RG_TECHNIQUE("texels", texels_rows),
+        .outputs = { &doubled_out },
+    },
+};
+
 /* ---- indirect ---- */
 
 static const struct rg_buffer commands = {

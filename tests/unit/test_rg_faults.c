@@ -24,6 +24,8 @@ static const struct rg_image pages = { .name = "pages", .format = COLOR_FORMAT, 
 static const struct rg_image few = { .name = "few", .format = COLOR_FORMAT, .layers = 2 };
 static const struct rg_buffer bytes = { .name = "bytes", .size = 64 };
 static const struct rg_buffer upload = { "upload", 64, 0, RG_MEMORY_UPLOAD };
+static const struct rg_buffer texels = { "texels", 64, 0, RG_MEMORY_UPLOAD,
+                                         .format = VK_FORMAT_R32_UINT };
 
 static const struct rg_image nameless = { .format = COLOR_FORMAT };
 static const struct rg_image twin = { .name = "other", .format = COLOR_FORMAT };
@@ -210,6 +212,8 @@ static const struct fault_case use_cases[] = {
     { ROW(RG_ERROR_ACCESS, "picture", ALSO(&PICTURE, .access = RG_HOST_READ)) },
     { ROW(RG_ERROR_ACCESS, "picture", ALSO(&PICTURE, .access = RG_UNIFORM)) },
     { ROW(RG_ERROR_ACCESS, "upload", ALSO(.buffer = &upload, .access = RG_SAMPLED)) },
+    { ROW(RG_ERROR_ACCESS, "texels",
+          ALSO(.buffer = &texels, .access = RG_SAMPLED, .sampler = &linear)) },
     { ROW(RG_ERROR_ACCESS, "upload",
           COMPUTE("compute", { .buffer = &upload, .access = RG_STORAGE_WRITE })) },
     { ROW(RG_ERROR_ACCESS, NULL,
