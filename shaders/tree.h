@@ -1,0 +1,34 @@
+/*
+ * tree.h: the layout of trees of triangles (src/scene/tree.h), in words of four 32-bit numbers.
+ *
+ * A node has two children, each of two words: the low corner of its box, and the child; the high
+ * corner, and the cone of its triangles' normals: three bytes of a mean normal, and one of the sine
+ * of the widest angle to it, all signed and normalised. A child is a node, or, with TREE_LEAF, the
+ * first triangle << 3 | number of triangles.
+ *
+ * A triangle has three words, the rows of an affine map to (u, v, w): u and v are the weights of
+ * the second and third corner, w is the distance before its plane (Woop 2004, DynRT). Its corners
+ * have three more: a normal each, and in the fourth numbers the rank of the object or 0, the
+ * material as in mesh.h, and the place of TREE_SURFACE_WORDS more words, or 0: three colours and,
+ * in what is left, the u and v of the three corners.
+ */
+#ifndef SHADERS_TREE_H
+#define SHADERS_TREE_H
+
+#define TREE_NODE_WORDS     4
+#define TREE_TRIANGLE_WORDS 3
+#define TREE_CORNER_WORDS   3
+#define TREE_SURFACE_WORDS  4
+#define TREE_LEAF           0x80000000u
+#define TREE_NOTHING        0xffffffffu
+#define TREE_CONE_OPEN      0x7f000000u /* all directions */
+#define TREE_DEPTH_MAX      30
+#define TREE_TRIANGLES_MAX  (1u << 24)
+
+/* parts of a scene */
+#define TREE_OBJECTS      0
+#define TREE_SURROUNDINGS 1
+#define TREE_MOVERS       2 /* surroundings that move around the object */
+#define TREE_PART_COUNT   3
+
+#endif

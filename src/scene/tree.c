@@ -1,0 +1,442 @@
+/* tree.c: lays out trees of a scene's triangles, and meets them with rays. */
+#include "src/scene/tree.h"
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/scene/tree_build.h"
+
+static uint32_t bits(float x)
+{
+    uint32_t word;
+    memcpy(&word, &x, sizeof(word));
+    return word;
+}
+
+static float number(uint32_t word)
+{
+    float x;
+    memcpy(&x, &word, sizeof(x));
+    return x;
+}
+
+/* ---- words ---- */
+
+/* Makes room for words that have already been counted. */
+static bool reserve(struct tree_words *words)
+{
+    words->all = calloc(words->count + (size_t)1, sizeof(*words->all));
+    words->count = 0;
+    return words->all;
+}
+
+static void put(uint32_t to[static 4], const float *xyz, uint32_t last)
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = bits(xyz[k]);
+    to[3] = last;
+}
+
+/* ---- triangles ---- */
+
+/* A part of the scene while its tree is made. */
+struct part {
+    const struct model *model;
+    const struct mesh *mesh;
+    uint32_t *triangles; /* of the mesh */
+    uint32_t count;
+    bool is_object;
+};
+
+static const struct mesh_vertex *corner(const struct part *part, uint32_t triangle, uint32_t k)
+{
+    return &part->mesh->vertices[part->mesh->indices[(size_t)triangle * 3 + k]];
+}
+
+static struct tree_box box_of(const struct part *part, uint32_t triangle)
+{
+    struct tree_box box;
+    for (int k = 0; k < 3; k++) {
+        const float a = corner(part, triangle, 0)->position.raw[k];
+        const float b = corner(part, triangle, 1)->position.raw[k];
+        const float c = corner(part, triangle, 2)->position.raw[k];
+        box.low[k] = fminf(a, fminf(b, c));
+        box.high[k] = fmaxf(a, fmaxf(b, c));
+    }
+    return box;
+}
+
+/* The map of a triangle; one without an area has rows of zeros, and is never met. */
+static void put_triangle(struct tree_words *words, const struct part *part, uint32_t triangle)
+{
+    const float *p = corner(part, triangle, 0)->position.raw;
+    double sides[2][3], n[3], square = 0.0;
+    for (int k = 0; k < 3; k++) {
+        sides[0][k] = (double)corner(part, triangle, 1)->position.raw[k] - (double)p[k];
+        sides[1][k] = (double)corner(part, triangle, 2)->position.raw[k] - (double)p[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        n[k] = sides[0][i] * sides[1][j] - sides[0][j] * sides[1][i];
+        square += n[k] * n[k];
+    }
+    const double inverse = square > 0.0 ? 1.0 / square : 0.0;
+    for (int row = 0; row < TREE_TRIANGLE_WORDS; row++) {
+        double x[3], at = 0.0;
+        for (int k = 0; k < 3; k++) {
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            x[k] = row == 0   ? (sides[1][i] * n[j] - sides[1][j] * n[i]) * inverse
+                   : row == 1 ? (n[i] * sides[0][j] - n[j] * sides[0][i]) * inverse
+                              : n[k] * sqrt(inverse);
+            at -= x[k] * (double)p[k];
+        }
+        const float xyz[3] = { (float)x[0], (float)x[1], (float)x[2] };
+        put(words->all[words->count++], xyz, bits((float)at));
+    }
+}
+
+static uint32_t rank_of(const struct part *part, uint32_t triangle)
+{
+    const struct model *model = part->model;
+    if (!part->is_object)
+        return 0;
+    if (model->object_count < 2)
+        return 1;
+    return object_of_index(model->objects, model->object_count, triangle * 3)->rank;
+}
+
+/* Whether a hit may ask for the colours of the triangle's corners: opaque ones show them, and
+ * objects do where they are not wholly transmissive. */
+static bool has_surface(const struct part *part, uint32_t triangle)
+{
+    const uint32_t index = corner(part, triangle, 0)->material >> MESH_SURFACE_SHIFT;
+    return !part->is_object || (index > 0 && part->model->materials[index - 1].transmission < 1.0f);
+}
+
+static void put_surface(struct tree_words *words, const struct part *part, uint32_t triangle)
+{
+    float uv[6];
+    for (uint32_t k = 0; k < 3; k++)
+        memcpy(&uv[2 * k], corner(part, triangle, k)->uv.raw, 2 * sizeof(*uv));
+    for (uint32_t k = 0; k < 3; k++)
+        put(words->all[words->count++], corner(part, triangle, k)->color.raw, bits(uv[k]));
+    put(words->all[words->count++], &uv[3], 0);
+}
+
+/* ---- nodes ---- */
+
+/* The directions of normals: a unit mean, and the widest angle to it, radians. */
+struct cone {
+    double axis[3], angle;
+};
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static double angle_of(const double *a, const double *b)
+{
+    return acos(fmax(-1.0, fmin(1.0, dot(a, b))));
+}
+
+/* Returns a cone around both. */
+static struct cone joined(const struct cone *a, const struct cone *b)
+{
+    struct cone cone = { .angle = 4.0 };
+    if (a->angle < 0.0 || b->angle < 0.0)
+        return a->angle < 0.0 ? *b : *a;
+    for (int k = 0; k < 3; k++)
+        cone.axis[k] = a->axis[k] + b->axis[k];
+    const double length = sqrt(dot(cone.axis, cone.axis));
+    if (!(length > 1e-3))
+        return cone;
+    for (int k = 0; k < 3; k++)
+        cone.axis[k] /= length;
+    cone.angle =
+        fmax(a->angle + angle_of(cone.axis, a->axis), b->angle + angle_of(cone.axis, b->axis));
+    return cone;
+}
+
+/* Returns the cone of a leaf's triangles, from their maps; one without an area has none. */
+static struct cone cone_of(const struct tree *tree, uint32_t first, uint32_t count)
+{
+    struct cone cone = { .angle = -1.0 };
+    for (uint32_t i = first; i < first + count; i++) {
+        const uint32_t *row = tree->triangles.all[(size_t)i * TREE_TRIANGLE_WORDS + 2];
+        struct cone one = { .angle = 0.0 };
+        for (int k = 0; k < 3; k++)
+            one.axis[k] = (double)number(row[k]);
+        if (!(dot(one.axis, one.axis) > 0.5))
+            continue;
+        cone = joined(&cone, &one);
+    }
+    return cone;
+}
+
+/* Light that meets only the far side of all triangles has a cosine with the axis of more than the
+ * sine of the angle. The bytes are rounded so that the cone gets wider. */
+static uint32_t packed(const struct cone *cone)
+{
+    uint32_t word;
+    if (!(cone->angle >= 0.0 && cone->angle < 1.4))
+        return TREE_CONE_OPEN;
+    word = (uint32_t)fmin(ceil(127.0 * (sin(cone->angle) + 0.01)), 127.0) << 24;
+    for (int k = 0; k < 3; k++)
+        word |= ((uint32_t)(int)rint(cone->axis[k] * 126.0) & 255u) << (8 * k);
+    return word;
+}
+
+/* A tree while it is laid out. */
+struct layout {
+    struct tree *tree;
+    const struct tree_draft *draft;
+    uint32_t first; /* triangle of the tree for the draft's first one */
+    float room;     /* by which boxes are enlarged: their planes are computed with rounding */
+    bool has_cones;
+};
+
+static uint32_t lay_node(struct layout *layout, uint32_t at, uint32_t depth, struct cone *cone);
+
+/* Writes a child's words, and widens the cone of its parent. */
+static void lay_child(struct layout *layout, uint32_t word, uint32_t at, uint32_t depth,
+                      struct cone *cone)
+{
+    struct tree *tree = layout->tree;
+    const struct tree_node *node = &layout->draft->nodes[at];
+    const uint32_t first = layout->first + node->first;
+    struct cone own;
+    uint32_t child;
+    float low[3], high[3];
+    if (node->second) {
+        child = lay_node(layout, at, depth, &own);
+    } else {
+        child = TREE_LEAF | first << 3 | node->count;
+        own = cone_of(tree, first, node->count);
+    }
+    for (int k = 0; k < 3; k++) {
+        low[k] = node->box.low[k] - layout->room;
+        high[k] = node->box.high[k] + layout->room;
+    }
+    put(tree->nodes.all[word], low, child);
+    put(tree->nodes.all[word + 1], high, layout->has_cones ? packed(&own) : TREE_CONE_OPEN);
+    *cone = joined(cone, &own);
+}
+
+/* Lays out a node that is no leaf, and what is below; returns its index. */
+static uint32_t lay_node(struct layout *layout, uint32_t at, uint32_t depth, struct cone *cone)
+{
+    struct tree *tree = layout->tree;
+    const uint32_t word = tree->nodes.count;
+    tree->nodes.count += TREE_NODE_WORDS;
+    tree->depth = depth > tree->depth ? depth : tree->depth;
+    *cone = (struct cone){ .angle = -1.0 };
+    lay_child(layout, word, at + 1, depth + 1, cone);
+    lay_child(layout, word + 2, layout->draft->nodes[at].second, depth + 1, cone);
+    return word / TREE_NODE_WORDS;
+}
+
+/* Lays out a tree. A single leaf gets a node whose other child has an empty box. */
+static uint32_t lay_tree(struct layout *layout)
+{
+    static const float nowhere[2][3] = { { 1e30f, 1e30f, 1e30f }, { -1e30f, -1e30f, -1e30f } };
+    struct tree *tree = layout->tree;
+    struct cone cone = { .angle = -1.0 };
+    if (layout->draft->nodes[0].second)
+        return lay_node(layout, 0, 1, &cone);
+    const uint32_t word = tree->nodes.count;
+    tree->nodes.count += TREE_NODE_WORDS;
+    lay_child(layout, word, 0, 1, &cone);
+    put(tree->nodes.all[word + 2], nowhere[0], TREE_LEAF);
+    put(tree->nodes.all[word + 3], nowhere[1], TREE_CONE_OPEN);
+    return word / TREE_NODE_WORDS;
+}
+
+static uint32_t count_inner(const struct tree_draft *draft, uint32_t at)
+{
+    const struct tree_node *node = &draft->nodes[at];
+    return node->second ? 1 + count_inner(draft, at + 1) + count_inner(draft, node->second) : 0;
+}
+
+/* ---- a scene ---- */
+
+/* Returns a number for a directed side of a triangle; -0 and 0 are the same place. */
+static uint64_t side_number(const float *a, const float *b)
+{
+    uint64_t hash = 0x9e3779b97f4a7c15u;
+    for (int k = 0; k < 6; k++) {
+        const float x = k < 3 ? a[k] : b[k - 3];
+        hash = (hash ^ bits(x + 0.0f)) * 0xff51afd7ed558ccdu;
+        hash ^= hash >> 29;
+    }
+    return hash * 0xc4ceb9fe1a85ec53u ^ hash >> 32;
+}
+
+/* Sides that meet their like, reversed, cancel each other. */
+static bool is_closed(const struct part *part)
+{
+    uint64_t sum = 0;
+    for (uint32_t i = 0; i < part->mesh->index_count / 3; i++) {
+        for (uint32_t k = 0; k < 3; k++) {
+            const float *a = corner(part, i, k)->position.raw;
+            const float *b = corner(part, i, (k + 1) % 3)->position.raw;
+            sum += side_number(a, b) - side_number(b, a);
+        }
+    }
+    return sum == 0;
+}
+
+static bool list_triangles(struct part *part, bool moves)
+{
+    part->triangles = malloc((part->mesh->index_count / 3 + (size_t)1) * sizeof(uint32_t));
+    for (uint32_t i = 0; part->triangles && i < part->mesh->index_count / 3; i++) {
+        const bool is_mover = !part->is_object && corner(part, i, 0)->material & MESH_MOVES;
+        if (is_mover == moves)
+            part->triangles[part->count++] = i;
+    }
+    return part->triangles;
+}
+
+/* Finds the order and the nodes of a part's triangles. */
+static bool draft_part(struct tree_draft *draft, const struct part *part, uint32_t threads)
+{
+    *draft = (struct tree_draft){
+        .boxes = malloc((part->count + (size_t)1) * sizeof(*draft->boxes)),
+        .order = malloc((part->count + (size_t)1) * sizeof(*draft->order)),
+        .nodes = malloc((2 * (size_t)part->count + 1) * sizeof(*draft->nodes)),
+        .count = part->count,
+    };
+    if (!draft->boxes || !draft->order || !draft->nodes)
+        return false;
+    for (uint32_t i = 0; i < part->count; i++) {
+        draft->boxes[i] = box_of(part, part->triangles[i]);
+        draft->order[i] = i;
+    }
+    if (part->count)
+        tree_build(draft, threads);
+    free(draft->boxes);
+    draft->boxes = NULL;
+    return true;
+}
+
+static void finish_draft(struct tree_draft *draft)
+{
+    free(draft->boxes);
+    free(draft->order);
+    free(draft->nodes);
+}
+
+static float room_of(const struct tree_box *box)
+{
+    float most = 0.0f;
+    for (int k = 0; k < 3; k++)
+        most = fmaxf(most, fmaxf(fabsf(box->low[k]), fabsf(box->high[k])));
+    return 4e-7f * most;
+}
+
+static void count_words(struct tree *tree, const struct part *part, const struct tree_draft *draft)
+{
+    const uint32_t inner = part->count ? count_inner(draft, 0) : 0;
+    uint32_t surfaces = 0;
+    for (uint32_t i = 0; i < part->count; i++)
+        surfaces += has_surface(part, part->triangles[i]);
+    tree->triangle_count += part->count;
+    tree->nodes.count += (inner > 0 ? inner : 1) * TREE_NODE_WORDS;
+    tree->triangles.count += part->count * TREE_TRIANGLE_WORDS;
+    tree->corners.count += part->count * TREE_CORNER_WORDS + surfaces * TREE_SURFACE_WORDS;
+}
+
+/* Writes a part's words; those of surfaces are behind the corners of all parts. */
+static void lay_part(struct tree *tree, uint32_t index, const struct part *part,
+                     const struct tree_draft *draft)
+{
+    struct layout layout = { .tree = tree,
+                             .draft = draft,
+                             .first = tree->triangles.count / TREE_TRIANGLE_WORDS,
+                             .has_cones = part->is_object };
+    size_t word = (size_t)layout.first * TREE_CORNER_WORDS;
+    tree->roots[index] = TREE_NOTHING;
+    for (uint32_t i = 0; i < part->count; i++) {
+        const uint32_t triangle = part->triangles[draft->order[i]];
+        const bool is_shown = has_surface(part, triangle);
+        const uint32_t last[3] = { rank_of(part, triangle), corner(part, triangle, 0)->material,
+                                   is_shown ? tree->corners.count : 0 };
+        put_triangle(&tree->triangles, part, triangle);
+        for (uint32_t k = 0; k < 3; k++)
+            put(tree->corners.all[word++], corner(part, triangle, k)->normal.raw, last[k]);
+        if (is_shown)
+            put_surface(&tree->corners, part, triangle);
+    }
+    if (!part->count)
+        return;
+    layout.room = room_of(&draft->nodes[0].box);
+    tree->roots[index] = lay_tree(&layout);
+}
+
+static bool make(struct tree *tree, struct part *parts, struct tree_draft *drafts, uint32_t threads)
+{
+    bool done = true;
+    for (uint32_t i = 0; i < TREE_PART_COUNT && done; i++) {
+        done = list_triangles(&parts[i], i == TREE_MOVERS) &&
+               draft_part(&drafts[i], &parts[i], threads);
+        if (done)
+            count_words(tree, &parts[i], &drafts[i]);
+    }
+    done = done && reserve(&tree->nodes) && reserve(&tree->triangles) && reserve(&tree->corners);
+    if (done)
+        tree->corners.count = tree->triangle_count * TREE_CORNER_WORDS;
+    for (uint32_t i = 0; i < TREE_PART_COUNT && done; i++)
+        lay_part(tree, i, &parts[i], &drafts[i]);
+    return done;
+}
+
+enum status tree_init(struct tree *tree, const struct model *model, uint32_t threads)
+{
+    const double start = clock_ms();
+    const uint64_t count =
+        ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3;
+    struct part parts[TREE_PART_COUNT] = {
+        [TREE_OBJECTS] = { .model = model, .mesh = &model->object, .is_object = true },
+        [TREE_SURROUNDINGS] = { .model = model, .mesh = &model->surroundings },
+        [TREE_MOVERS] = { .model = model, .mesh = &model->surroundings },
+    };
+    struct tree_draft drafts[TREE_PART_COUNT] = { 0 };
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    *tree = (struct tree){ 0 };
+    if (count > TREE_TRIANGLES_MAX) {
+        log_error("--refraction trace: the scene has %llu triangles, at most %u can be traced: "
+                  "choose a simpler model or another rung",
+                  (unsigned long long)count, TREE_TRIANGLES_MAX);
+        return STATUS_DATA;
+    }
+    const bool done =
+        make(tree, parts, drafts, threads ? threads : (uint32_t)(cores > 0 ? cores : 1));
+    for (int i = 0; i < TREE_PART_COUNT; i++) {
+        free(parts[i].triangles);
+        finish_draft(&drafts[i]);
+    }
+    if (!done) {
+        tree_finish(tree);
+        return log_out_of_memory("the scene's triangles");
+    }
+    tree->is_closed = is_closed(&parts[TREE_OBJECTS]);
+    tree->ms = clock_ms() - start;
+    return STATUS_OK;
+}
+
+void tree_finish(struct tree *tree)
+{
+    free(tree->nodes.all);
+    free(tree->triangles.all);
+    free(tree->corners.all);
+    *tree = (struct tree){ 0 };
+}
+
+size_t tree_size(const struct tree *tree)
+{
+    return ((size_t)tree->nodes.count + tree->triangles.count + tree->corners.count) *
+           sizeof(*tree->nodes.all);
+}

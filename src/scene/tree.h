@@ -1,0 +1,67 @@
+/*
+ * tree.h: a scene's triangles in trees of boxes, in the layout that shaders read.
+ *
+ * Binary trees by the surface area heuristic (Wald 2007, On fast Construction of SAH-based Bounding
+ * Volume Hierarchies), one for each part of the scene that moves as a whole. Everything lies in
+ * words of four 32-bit numbers (shaders/tree.h). The same scene gives the same words for any number
+ * of threads.
+ *
+ * Ownership:     a tree owns its words; tree_finish() frees them; a {0} tree is fine, and empty.
+ * Thread-safety: several threads may call tree_meet() at the same time.
+ */
+#ifndef FIRN_SCENE_TREE_H
+#define FIRN_SCENE_TREE_H
+
+#include <stddef.h>
+#include "shaders/tree.h"
+#include "src/base/status.h"
+#include "src/scene/import/model.h"
+
+struct tree_words {
+    uint32_t (*all)[4];
+    uint32_t count;
+};
+
+struct tree {
+    struct tree_words nodes, triangles, corners;
+    uint32_t triangle_count;
+    uint32_t roots[TREE_PART_COUNT]; /* nodes; TREE_NOTHING: the part has no triangles */
+    uint32_t depth;                  /* most nodes on a way from a root; at most TREE_DEPTH_MAX */
+    bool is_closed; /* each side of a triangle of the objects is that of another one, reversed */
+    double ms;      /* time that tree_init() took */
+};
+
+/*
+ * Builds the trees of a model whose objects have ranks. `threads` is a limit; 0 means one for each
+ * core. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA for more than
+ * TREE_TRIANGLES_MAX triangles; *tree is then {0}.
+ */
+MUST_USE enum status tree_init(struct tree *tree, const struct model *model, uint32_t threads);
+
+void tree_finish(struct tree *tree);
+
+/* Returns the bytes of all words. */
+size_t tree_size(const struct tree *tree);
+
+struct tree_ray {
+    vec3s origin, dir;
+    double near;   /* in lengths of `dir`; what is not farther is not met */
+    uint32_t from; /* a triangle that is not met; TREE_NOTHING: none */
+};
+
+struct tree_hit {
+    double t, u, v; /* in lengths of the ray's direction; weights of the second and third corner */
+    uint32_t triangle; /* of the tree */
+    uint32_t rank;     /* of the object; 0: of the surroundings */
+    bool is_back;      /* seen from inside */
+};
+
+/* Finds the first triangle of a part that a ray meets; the part is at rest. Returns false if there
+ * is none. */
+bool tree_meet(const struct tree *tree, uint32_t part, const struct tree_ray *ray,
+               struct tree_hit *hit);
+
+/* Returns the shells that a point is inside, a bit for each rank from 1 on, up to 32. */
+uint32_t tree_immerse(const struct tree *tree, vec3s point);
+
+#endif

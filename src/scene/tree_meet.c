@@ -1,0 +1,106 @@
+/* tree_meet.c: rays through a tree of triangles, on the host. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+#include "src/scene/tree.h"
+
+enum {
+    CROSSINGS_MAX = 4096, /* of a ray that looks for the shells around a point */
+    RANK_MAX = 32,
+};
+
+static double number(uint32_t word)
+{
+    float x;
+    memcpy(&x, &word, sizeof(x));
+    return (double)x;
+}
+
+static double along(const uint32_t row[static 4], const float *xyz)
+{
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++)
+        sum += number(row[k]) * (double)xyz[k];
+    return sum;
+}
+
+static void meet_triangle(const struct tree *tree, uint32_t triangle, const struct tree_ray *ray,
+                          struct tree_hit *hit)
+{
+    const uint32_t(*rows)[4] =
+        (const uint32_t(*)[4]) & tree->triangles.all[(size_t)triangle * TREE_TRIANGLE_WORDS];
+    const double towards = along(rows[2], ray->dir.raw);
+    const double t = -(along(rows[2], ray->origin.raw) + number(rows[2][3])) / towards;
+    const double u =
+        along(rows[0], ray->origin.raw) + t * along(rows[0], ray->dir.raw) + number(rows[0][3]);
+    const double v =
+        along(rows[1], ray->origin.raw) + t * along(rows[1], ray->dir.raw) + number(rows[1][3]);
+    const double edge = -1e-6;
+    if (triangle == ray->from || !(t > ray->near && t < hit->t))
+        return;
+    if (!(u >= edge && v >= edge && 1.0 - u - v >= edge))
+        return;
+    *hit = (struct tree_hit){ t, u, v, triangle, 0, towards > 0.0 };
+}
+
+static bool meets_box(const uint32_t low[static 4], const uint32_t high[static 4],
+                      const struct tree_ray *ray, double far)
+{
+    double enter = 0.0;
+    for (int k = 0; k < 3; k++) {
+        const double inverse = 1.0 / (double)ray->dir.raw[k];
+        const double a = (number(low[k]) - (double)ray->origin.raw[k]) * inverse;
+        const double b = (number(high[k]) - (double)ray->origin.raw[k]) * inverse;
+        enter = fmax(enter, fmin(a, b));
+        far = fmin(far, fmax(a, b));
+    }
+    return enter <= far;
+}
+
+bool tree_meet(const struct tree *tree, uint32_t part, const struct tree_ray *ray,
+               struct tree_hit *hit)
+{
+    uint32_t stack[TREE_DEPTH_MAX + 2];
+    uint32_t count = 0;
+    *hit = (struct tree_hit){ .t = DBL_MAX, .triangle = TREE_NOTHING };
+    if (tree->triangle_count && tree->roots[part] != TREE_NOTHING)
+        stack[count++] = tree->roots[part];
+    while (count) {
+        const size_t word = (size_t)stack[--count] * TREE_NODE_WORDS;
+        for (size_t w = word; w < word + TREE_NODE_WORDS; w += 2) {
+            const uint32_t *low = tree->nodes.all[w];
+            if (!meets_box(low, tree->nodes.all[w + 1], ray, hit->t))
+                continue;
+            if (!(low[3] & TREE_LEAF)) {
+                stack[count++] = low[3];
+                continue;
+            }
+            const uint32_t first = (low[3] & ~TREE_LEAF) >> 3;
+            for (uint32_t i = first; i < first + (low[3] & 7); i++)
+                meet_triangle(tree, i, ray, hit);
+        }
+    }
+    if (hit->triangle == TREE_NOTHING)
+        return false;
+    hit->rank = tree->corners.all[(size_t)hit->triangle * TREE_CORNER_WORDS][3];
+    return true;
+}
+
+uint32_t tree_immerse(const struct tree *tree, vec3s point)
+{
+    struct tree_ray ray = { point, { { 0.36f, 0.8f, 0.48f } }, 0.0, TREE_NOTHING };
+    struct tree_hit hit;
+    uint32_t entered = 0, inside = 0;
+    for (int i = 0; i < CROSSINGS_MAX && tree_meet(tree, TREE_OBJECTS, &ray, &hit); i++) {
+        const uint32_t shell = hit.rank <= RANK_MAX ? 1u << (hit.rank - 1) : 0;
+        if (!hit.is_back)
+            entered |= shell;
+        else if (!(entered & shell))
+            inside |= shell;
+        else
+            entered &= ~shell;
+        ray.near = hit.t;
+        ray.from = hit.triangle;
+    }
+    return inside;
+}

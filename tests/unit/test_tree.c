@@ -1,0 +1,203 @@
+/* Trees of triangles: rays meet what they meet of all triangles, one by one. */
+#include <float.h>
+#include <math.h>
+#include <cglm/struct.h>
+#include <string.h>
+
+#include "src/scene/generate/generate.h"
+#include "src/scene/tree.h"
+#include "tests/support/check.h"
+
+static float pick(uint32_t *seed)
+{
+    *seed = *seed * 747796405u + 2891336453u;
+    return (float)(*seed >> 8) * 0x1p-23f - 1.0f;
+}
+
+static vec3s pick_point(uint32_t *seed, float size)
+{
+    vec3s p;
+    for (int k = 0; k < 3; k++)
+        p.raw[k] = pick(seed) * size;
+    return p;
+}
+
+/* Returns the distance to the first triangle that a ray meets, by Cramer's rule. */
+static double meet_all(const struct mesh *mesh, vec3s origin, vec3s dir)
+{
+    double nearest = DBL_MAX;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        double m[3][3], from[3], c[4];
+        const vec3s a = mesh->vertices[mesh->indices[i]].position;
+        for (int k = 0; k < 3; k++) {
+            m[0][k] =
+                (double)mesh->vertices[mesh->indices[i + 1]].position.raw[k] - (double)a.raw[k];
+            m[1][k] =
+                (double)mesh->vertices[mesh->indices[i + 2]].position.raw[k] - (double)a.raw[k];
+            m[2][k] = -(double)dir.raw[k];
+            from[k] = (double)origin.raw[k] - (double)a.raw[k];
+        }
+        for (int column = 0; column < 4; column++) {
+            const double *v[3];
+            for (int k = 0; k < 3; k++)
+                v[k] = k == column ? from : m[k];
+            c[column] = v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) -
+                        v[0][1] * (v[1][0] * v[2][2] - v[1][2] * v[2][0]) +
+                        v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
+        }
+        const double u = c[0] / c[3], v = c[1] / c[3], t = c[2] / c[3];
+        if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < nearest)
+            nearest = t;
+    }
+    return nearest;
+}
+
+/* Compares rays from all around, among them some from inside and some along an axis. */
+static void compare(const struct model *model, const struct mesh *mesh, uint32_t part)
+{
+    struct tree tree;
+    uint32_t seed = 1, met = 0;
+    assert_int_equal(tree_init(&tree, model, 2), STATUS_OK);
+    for (int i = 0; i < 2000; i++) {
+        const vec3s origin = pick_point(&seed, i % 3 ? 3.0f : 0.7f);
+        const vec3s to = pick_point(&seed, 1.0f);
+        vec3s dir = glms_vec3_normalize(glms_vec3_sub(to, origin));
+        if (i % 7 == 0)
+            dir = (vec3s){ { 0.0f, i % 2 ? 1.0f : -1.0f, 0.0f } };
+        struct tree_hit hit;
+        const double expected = meet_all(mesh, origin, dir);
+        const struct tree_ray ray = { origin, dir, 0.0, TREE_NOTHING };
+        assert_int_equal(tree_meet(&tree, part, &ray, &hit), expected < DBL_MAX);
+        if (expected < DBL_MAX)
+            CHECK_NEAR(hit.t, expected, 2e-5);
+        met += expected < DBL_MAX;
+    }
+    assert_true(met > 200);
+    assert_true(tree.depth <= TREE_DEPTH_MAX);
+    tree_finish(&tree);
+}
+
+static void test_hits(void **state)
+{
+    (void)state;
+    bool (*const generators[])(struct mesh *, uint32_t) = { generate_sphere, generate_ice_cube,
+                                                            generate_teapot };
+    for (size_t g = 0; g < 3; g++) {
+        struct model model = { 0 };
+        assert_true(generators[g](&model.object, 3000));
+        compare(&model, &model.object, TREE_OBJECTS);
+        model.surroundings = model.object;
+        model.object = (struct mesh){ 0 };
+        compare(&model, &model.surroundings, TREE_SURROUNDINGS);
+        for (uint32_t i = 0; i < model.surroundings.vertex_count; i++)
+            model.surroundings.vertices[i].material = MESH_MOVES;
+        compare(&model, &model.surroundings, TREE_MOVERS);
+        mesh_finish(&model.surroundings);
+    }
+}
+
+static void test_threads(void **state)
+{
+    (void)state;
+    struct model model = { 0 };
+    struct tree one, many;
+    assert_true(generate_teapot(&model.object, 60000));
+    assert_int_equal(tree_init(&one, &model, 1), STATUS_OK);
+    assert_int_equal(tree_init(&many, &model, 8), STATUS_OK);
+    assert_true(one.triangle_count > 50000);
+    assert_int_equal(one.nodes.count, many.nodes.count);
+    assert_memory_equal(one.nodes.all, many.nodes.all, one.nodes.count * sizeof(*one.nodes.all));
+    assert_memory_equal(one.corners.all, many.corners.all,
+                        one.corners.count * sizeof(*one.corners.all));
+    tree_finish(&one);
+    tree_finish(&many);
+    mesh_finish(&model.object);
+}
+
+/* Triangles that no plane parts, and ever smaller ones, which a tree by areas parts one by one. */
+static void test_depth(void **state)
+{
+    (void)state;
+
+    enum {
+        COUNT = 3000
+    };
+
+    for (int kind = 0; kind < 2; kind++) {
+        struct model model = { 0 };
+        struct tree tree;
+        assert_true(mesh_init(&model.object, 3 * COUNT, 3 * COUNT));
+        for (uint32_t i = 0; i < 3 * COUNT; i++) {
+            const float size = kind ? powf(0.97f, (float)(i / 3)) : 1.0f;
+            model.object.indices[i] = i;
+            model.object.vertices[i].position =
+                (vec3s){ { size * (float)(i % 3 == 1), size * (float)(i % 3 == 2), size } };
+        }
+        assert_int_equal(tree_init(&tree, &model, 2), STATUS_OK);
+        assert_true(tree.depth > 5 && tree.depth <= TREE_DEPTH_MAX);
+        const struct tree_ray ray = {
+            { { 0.0f, 0.0f, 5.0f } }, { { 0.0f, 0.0f, -1.0f } }, 0.0, TREE_NOTHING
+        };
+        struct tree_hit hit;
+        assert_true(tree_meet(&tree, TREE_OBJECTS, &ray, &hit));
+        CHECK_NEAR(hit.t, 4.0, 1e-6);
+        assert_false(hit.is_back);
+        tree_finish(&tree);
+        mesh_finish(&model.object);
+    }
+}
+
+/* A sphere in a sphere, and one beside. */
+static void test_shells(void **state)
+{
+    (void)state;
+    struct model model = { 0 };
+    struct object objects[3] = { { .rank = 2 }, { .rank = 1 }, { .rank = 3 } };
+    struct tree tree;
+    const float radii[3] = { 0.5f, 1.0f, 1.0f };
+    for (int i = 0; i < 3; i++) {
+        struct mesh ball = { 0 };
+        assert_true(generate_sphere(&ball, 500));
+        for (uint32_t v = 0; v < ball.vertex_count; v++) {
+            ball.vertices[v].position = glms_vec3_scale(ball.vertices[v].position, radii[i]);
+            ball.vertices[v].position.x += i == 2 ? 4.0f : 0.0f;
+        }
+        objects[i].first_index = model.object.index_count;
+        objects[i].index_count = ball.index_count;
+        assert_true(mesh_append(&model.object, &ball));
+        mesh_finish(&ball);
+    }
+    model.objects = objects;
+    model.object_count = 3;
+    assert_int_equal(tree_init(&tree, &model, 2), STATUS_OK);
+    assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.01f, 0.02f, 0.0f } }), 3);
+    assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.7f, 0.02f, 0.0f } }), 1);
+    assert_int_equal(tree_immerse(&tree, (vec3s){ { 4.0f, -0.7f, 0.0f } }), 4);
+    assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.0f, -3.0f, 0.0f } }), 0);
+    tree_finish(&tree);
+    mesh_finish(&model.object);
+}
+
+static void test_nothing(void **state)
+{
+    (void)state;
+    const struct model model = { 0 };
+    const struct tree_ray ray = { .dir = { { 0.0f, 0.0f, 1.0f } }, .from = TREE_NOTHING };
+    struct tree tree;
+    struct tree_hit hit;
+    assert_int_equal(tree_init(&tree, &model, 1), STATUS_OK);
+    for (uint32_t part = 0; part < TREE_PART_COUNT; part++)
+        assert_false(tree_meet(&tree, part, &ray, &hit));
+    assert_int_equal(tree_immerse(&tree, ray.origin), 0);
+    tree_finish(&tree);
+    tree_finish(&tree);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_hits),   cmocka_unit_test(test_threads), cmocka_unit_test(test_depth),
+        cmocka_unit_test(test_shells), cmocka_unit_test(test_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
