@@ -27,6 +27,7 @@
 #define CONSTANT_SCENE_LIGHTS    16 /* number of lights of the scene's files */
 #define CONSTANT_REFRACT_EXITS   17 /* refract_bounce.exits */
 #define CONSTANT_ORTHOGRAPHIC    18 /* 1: all rays of the picture have one direction */
-#define CONSTANT_COUNT           19
+#define CONSTANT_TRACE           19 /* bits of refract_trace.h */
+#define CONSTANT_COUNT           20
 
 #endif

@@ -13,7 +13,7 @@
 #define REFRACT_ENVIRONMENT_GLSL
 #include "lib/constants.glsl"
 #include "lib/local_cube.glsl"
-#include "refract_front.glsl"
+#include "refract_frame.glsl"
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
 

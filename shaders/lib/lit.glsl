@@ -12,15 +12,11 @@ layout(set = 0, binding = BACKGROUND_LIGHT) uniform sampler2DArray environment_l
 layout(set = 0, binding = BACKGROUND_SPLIT) uniform sampler2D splits;
 layout(set = 0, binding = BACKGROUND_LIGHTS) uniform sampler2D lights;
 
-/* Turns a normal as a normal texture says, of a point that lies at `point`. */
-vec3 lit_bend(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2 uv)
+/* Turns a normal as a normal texture says, where the position grows along `along_u` with u, and
+ * along `against_v` while v falls. */
+vec3 lit_bend_along(vec3 n, vec3 texel, vec2 scales, vec3 along_u, vec3 against_v)
 {
     vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
-    vec3 point_x = dFdx(point), point_y = dFdy(point);
-    vec2 uv_x = dFdx(uv), uv_y = dFdy(uv);
-    float side = sign(uv_x.x * uv_y.y - uv_y.x * uv_x.y);
-    vec3 along_u = side * (point_x * uv_y.y - point_y * uv_x.y);
-    vec3 against_v = side * (point_x * uv_y.x - point_y * uv_x.x);
     vec3 tangent = along_u - n * dot(n, along_u);
     if (dot(tangent, tangent) == 0.0)
         return n;
@@ -28,6 +24,18 @@ vec3 lit_bend(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2 uv)
     vec3 bitangent = cross(n, tangent);
     bitangent *= dot(bitangent, against_v) < 0.0 ? -1.0 : 1.0;
     return normalize(slope.x * tangent + slope.y * bitangent + slope.z * n);
+}
+
+#ifndef LIT_TRACED
+/* Turns a normal, of a point that lies at `point`. */
+vec3 lit_bend(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2 uv)
+{
+    vec3 point_x = dFdx(point), point_y = dFdy(point);
+    vec2 uv_x = dFdx(uv), uv_y = dFdy(uv);
+    float side = sign(uv_x.x * uv_y.y - uv_y.x * uv_x.y);
+    vec3 along_u = side * (point_x * uv_y.y - point_y * uv_x.y);
+    vec3 against_v = side * (point_x * uv_y.x - point_y * uv_x.x);
+    return lit_bend_along(n, texel, scales, along_u, against_v);
 }
 
 /* Turns a normal as the normal texture of a row says; `outward` is that of the vertices. */
@@ -50,6 +58,7 @@ vec3 lit_bend_extra(uint row, vec3 n, vec3 outward, vec3 texel, vec2 scales, vec
 }
 #else
 #define LIT_BEND(row, n, outward, texel, scales, point, uv) lit_bend(n, texel, scales, point, uv)
+#endif
 #endif
 
 /* ---- light ---- */
@@ -109,6 +118,7 @@ vec2 lit_split(float roughness, float n_dot_v)
     return textureLod(splits, at / float(LIT_SPLIT_SIDE), 0.0).rg;
 }
 
+#ifndef LIT_TRACED
 /* Returns the mip level of the environment picture in which a pixel's mirrored rays are a texel
  * apart, but not below `least`. */
 float lit_mirror_lod(vec3 dir, float least)
@@ -117,5 +127,6 @@ float lit_mirror_lod(vec3 dir, float least)
     float apart = max(length(dFdx(dir)), length(dFdy(dir))) * width / 6.2831853;
     return max(least, log2(max(apart, 1e-6)));
 }
+#endif
 
 #endif

@@ -32,6 +32,16 @@ float lit_wrap(float x, float wrap, float size)
     return clamp(x, 0.5 / size, 1.0 - 0.5 / size);
 }
 
+/* Rays have no derivatives along the picture: they read the first mip level. */
+vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
+{
+#ifdef LIT_TRACED
+    return textureLod(of, at, 0.0);
+#else
+    return textureGrad(of, at, blur * dFdx(uv), blur * dFdy(uv));
+#endif
+}
+
 /* Returns a texel of one of a material's textures; white if it has none. `blur` is a factor on a
  * pixel's size. */
 vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
@@ -53,7 +63,7 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
     float wrap_v = floor(v.w / float(MATERIAL_WRAPS_COUNT));
     vec2 wrapped = vec2(lit_wrap(at.x, v.w - wrap_v * float(MATERIAL_WRAPS_COUNT), size.x),
                         lit_wrap(at.y, wrap_v, size.y));
-    return textureGrad(of, vec3(wrapped, u.w - 1.0), blur * dFdx(at), blur * dFdy(at));
+    return lit_fetch(of, vec3(wrapped, u.w - 1.0), at, blur);
 }
 
 /* Returns a texel of the base colour, of a vertex whose texture has this layer + 1: vertices
@@ -63,7 +73,7 @@ vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
     bool is_of_row = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;
     if (constant_textured == 0u || is_of_row || layer == 0u)
         return lit_texel(textures, row, MATERIAL_USE_BASE_COLOR, uv, blur);
-    return textureGrad(textures, vec3(uv, float(layer - 1u)), blur * dFdx(uv), blur * dFdy(uv));
+    return lit_fetch(textures, vec3(uv, float(layer - 1u)), uv, blur);
 }
 
 /* Returns the base colour and alpha of a surface for layers, without the vertices' colour; scenes

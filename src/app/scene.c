@@ -142,7 +142,7 @@ static void add_count(char *words, size_t size, uint32_t count, const char *name
         snprintf(&words[used], size - used, "%s%u %s", used ? ", " : "", count, name);
 }
 
-/* Names what only the reference makes of a scene's own materials. */
+/* Names what only the rung trace and the reference make of a scene's own materials. */
 static void warn_of_materials(const struct app_picture *picture, const struct scene *scene)
 {
     static const struct {
@@ -151,7 +151,7 @@ static void warn_of_materials(const struct app_picture *picture, const struct sc
     } kinds[] = { { "rough", is_rough }, { "thin-walled", is_thin }, { "tinted", is_tinted } };
     const struct model *model = &scene->model;
     char words[128] = "";
-    if (!picture->rung->rung.rows || frame_media_are_bare(scene))
+    if (!picture->rung->rung.rows || picture->rung->rung.meets_tree || frame_media_are_bare(scene))
         return;
     for (size_t k = 0; k < sizeof(kinds) / sizeof(kinds[0]); k++) {
         uint32_t count = 0;
@@ -162,7 +162,7 @@ static void warn_of_materials(const struct app_picture *picture, const struct sc
     add_count(words, sizeof(words), count_inside(model), "inside others");
     if (words[0])
         log_warning("%s: drawn as smooth clear solids, each by itself: of %u objects %s; "
-                    "--refraction reference draws what they are",
+                    "--refraction trace draws what they are",
                     picture->scene.name, model->object_count, words);
 }
 

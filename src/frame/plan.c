@@ -94,6 +94,10 @@ static uint32_t count_mips(const struct technique_texels *texels)
 static struct rg_import describe(const struct technique_import *import, const struct scene *scene)
 {
     struct technique_texels texels = { 0 };
+    if (import->buffer)
+        return (struct rg_import){ .buffer = import->buffer,
+                                   .access = RG_SAMPLED,
+                                   .size = scene ? import->find_bytes(scene).size : 0 };
     if (scene)
         texels = import->find(scene);
     if (!texels.width)

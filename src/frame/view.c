@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "src/frame/media.h"
+#include "src/frame/trace.h"
 #include "src/scene/material_rows.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
@@ -306,6 +307,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [CONSTANT_LIT] = material_rows_has_lit(&scene->model.surroundings),
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
+        [CONSTANT_TRACE] = frame_trace_constant(scene, settings),
         [CONSTANT_HIDDEN] = scene->is_hidden,
         [CONSTANT_SCENE_LIGHTS] = scene->light_rows ? scene->model.light_count : 0,
     } };

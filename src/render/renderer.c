@@ -11,6 +11,7 @@
 #include "src/base/log.h"
 #include "src/frame/cube.h"
 #include "src/frame/plan.h"
+#include "src/frame/trace.h"
 #include "src/frame/view.h"
 #include "src/image/half.h"
 #include "src/render/accumulate.h"
@@ -30,20 +31,28 @@ struct renderer {
     struct tile tile;                   /* the tile of `tiling` that results have now */
     struct uploaded_scene own;          /* {0} if params.uploaded is set */
     const struct uploaded_scene *scene; /* `own` or params.uploaded */
-    struct rg_mesh *meshes;             /* of the techniques, in their order */
-    struct frame_exec capture;          /* draws the environment cube, if it is not dynamic */
-    struct frame_exec picture;          /* draws a sample */
-    struct frame_objects objects;       /* of the picture's frames */
-    struct frame_exec resolve;          /* tonemaps the mean of many samples */
-    struct warm_up *warm_up;            /* compiles for the first picture; may be NULL */
-    bool captured;                      /* `capture` has drawn the environment cube */
-    struct frame_cube cube;             /* the cube that the picture's frames draw */
-    uint32_t face_size;                 /* of environment cubes that are drawn, texels */
+    struct uploaded_scene tree;         /* the scene's tree, if the rung meets it */
+    struct tree own_tree;               /* of a scene that has no place for one: */
+    struct scene own_scene;
+    struct rg_mesh *meshes;       /* of the techniques, in their order */
+    struct frame_exec capture;    /* draws the environment cube, if it is not dynamic */
+    struct frame_exec picture;    /* draws a sample */
+    struct frame_objects objects; /* of the picture's frames */
+    struct frame_exec resolve;    /* tonemaps the mean of many samples */
+    struct warm_up *warm_up;      /* compiles for the first picture; may be NULL */
+    bool captured;                /* `capture` has drawn the environment cube */
+    struct frame_cube cube;       /* the cube that the picture's frames draw */
+    uint32_t face_size;           /* of environment cubes that are drawn, texels */
     struct renderer_costs costs;
     uint32_t last_slot; /* slot of the picture's executor with the last sample */
 };
 
 /* ---- plans ---- */
+
+static bool meets_tree(const struct renderer_params *params)
+{
+    return params->rung && params->rung->rung.meets_tree;
+}
 
 static VkImage find_import(const struct renderer *r, const struct rg_image *image)
 {
@@ -58,8 +67,12 @@ static enum status realise(struct renderer *r, struct frame_exec *frame_exec)
     struct rg_exec_import *imports = calloc(plan->import_count + 1, sizeof(*imports));
     if (!imports)
         return log_out_of_memory(NULL);
-    for (size_t i = 0; i < plan->import_count; i++)
-        imports[i].image = find_import(r, plan->imports[i].image);
+    for (size_t i = 0; i < plan->import_count; i++) {
+        if (plan->imports[i].buffer)
+            imports[i].buffer = uploaded_scene_buffer(&r->tree, plan->imports[i].buffer);
+        else
+            imports[i].image = find_import(r, plan->imports[i].image);
+    }
     const enum status status = frame_exec_realise(frame_exec, &r->params, imports);
     free(imports);
     return status;
@@ -80,6 +93,8 @@ static enum status upload(struct renderer *r)
     r->scene = r->params.uploaded ? r->params.uploaded : &r->own;
     if (!r->params.uploaded)
         status = uploaded_scene_init(&r->own, r->params.gpu, r->params.scene);
+    if (status == STATUS_OK)
+        status = uploaded_scene_init_tree(&r->tree, r->params.gpu, r->params.scene);
     r->meshes = calloc(techniques_count, sizeof(*r->meshes));
     if (status == STATUS_OK && !r->meshes) {
         status = log_out_of_memory(NULL);
@@ -119,6 +134,18 @@ static void take_params(struct renderer *r, const struct renderer_params *params
     r->tile = tile_at(&r->tiling, 0);
 }
 
+/* A scene that has not been loaded has no place for its tree. */
+static enum status need_tree(struct renderer *r)
+{
+    if (!r->params.scene->tree) {
+        r->own_scene = *r->params.scene;
+        r->own_scene.tree = &r->own_tree;
+        r->params.scene = &r->own_scene;
+    }
+    const enum status status = frame_trace_check(r->params.scene);
+    return status == STATUS_OK ? scene_need_tree(r->params.scene) : status;
+}
+
 enum status renderer_create(struct renderer **renderer, const struct renderer_params *params)
 {
     struct renderer *r = calloc(1, sizeof(*r));
@@ -131,6 +158,8 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     enum status status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
     if (status == STATUS_OK)
         status = uploaded_scene_check(params->gpu, params->scene);
+    if (status == STATUS_OK && meets_tree(params))
+        status = need_tree(r);
     const double start = clock_ms();
     if (status == STATUS_OK)
         status = frame_exec_compile(&r->picture, &r->params, renderer_picture_request(&r->params));
@@ -172,6 +201,8 @@ void renderer_destroy(struct renderer *renderer)
     frame_objects_finish(&renderer->objects);
     frame_cube_finish(&renderer->cube);
     uploaded_scene_finish(&renderer->own, renderer->params.gpu);
+    uploaded_scene_finish(&renderer->tree, renderer->params.gpu);
+    tree_finish(&renderer->own_tree);
     free(renderer->meshes);
     free(renderer);
 }
@@ -237,6 +268,7 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
                         ? -0.5f * log2f((float)(r->params.columns * r->params.rows))
                         : 0.0f,
         .face_size = r->face_size,
+        .sample = sample,
     };
     view.clip_from_world_earlier = frame_view_earlier(&view, &shot->earlier);
     struct rg_frame frame = {
@@ -251,6 +283,11 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
         .light_jitter = view.light_jitter,
     };
     const struct globals globals = frame_view_globals(&view, &frame.view);
+    struct trace_frame trace;
+    if (meets_tree(&r->params)) {
+        frame_trace_fill(&trace, &view, &globals);
+        view.trace = &trace;
+    }
     for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
         frame.faces[face] = frame_view_face(&view, face);
     const VkExtent2D size = frame_exec->frame.plan->view;
@@ -515,6 +552,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
         status = fetch_cube(&r, slot, image);
     frame_exec_destroy(&r.capture);
     uploaded_scene_finish(&r.own, params->gpu);
+    uploaded_scene_finish(&r.tree, params->gpu);
     free(r.meshes);
     return status;
 }

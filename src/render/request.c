@@ -1,5 +1,6 @@
 /* request.c: what the renderer's plans draw and read back. */
 #include "src/render/request.h"
+#include "src/frame/trace.h"
 #include "src/scene/scene.h"
 
 bool renderer_is_interleaved(const struct renderer_params *params)
@@ -29,6 +30,8 @@ static struct technique_choice choose(const struct renderer_params *params,
         .has_pool = params->scene->has_pool,
         .has_materials = params->scene->material_rows != NULL,
         .has_extras = params->scene->extra_rows != NULL,
+        .meets_surroundings = params->rung && params->rung->rung.meets_tree &&
+                              frame_trace_meets_surroundings(params->scene, params->settings),
         .has_cube = params->scene->cube.texels != NULL,
         .object_count = params->scene->has_pool ? 0 : params->scene->model.object_count,
     };

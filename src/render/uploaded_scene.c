@@ -48,6 +48,8 @@ enum status uploaded_scene_check(const struct gpu *gpu, const struct scene *scen
     const struct technique_import *import;
     enum status status = STATUS_OK;
     for (size_t i = 0; status == STATUS_OK && (import = techniques_import(i)); i++) {
+        if (import->buffer)
+            continue;
         const struct technique_texels texels = import->find(scene);
         if (texels.texels)
             status = gpu_fit_texels(gpu, import->image->name,
@@ -56,7 +58,7 @@ enum status uploaded_scene_check(const struct gpu *gpu, const struct scene *scen
     return status;
 }
 
-static enum status upload_image(struct uploaded_image *to, struct gpu *gpu,
+static enum status upload_image(struct uploaded_import *to, struct gpu *gpu,
                                 const struct technique_import *import, const struct scene *scene)
 {
     const struct rg_image *image = import->image;
@@ -85,13 +87,38 @@ static enum status upload_image(struct uploaded_image *to, struct gpu *gpu,
         });
 }
 
-static enum status upload_images(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                                 const struct scene *scene)
+static enum status upload_buffer(struct uploaded_import *to, struct gpu *gpu,
+                                 const struct technique_import *import, const struct scene *scene)
+{
+    static const uint32_t zeros[16] = { 0 };
+    const struct rg_buffer *buffer = import->buffer;
+    struct technique_bytes bytes = import->find_bytes(scene);
+    to->declared_buffer = buffer;
+    if (!bytes.bytes)
+        bytes = (struct technique_bytes){ zeros, buffer->size };
+    const size_t most = (size_t)gpu->properties.limits.maxTexelBufferElements *
+                        rg_format_info(buffer->format)->size;
+    if (bytes.size > most) {
+        log_error("%s has %zu bytes: %s reads at most %zu; use a simpler model, or another rung",
+                  buffer->name, bytes.size, gpu->properties.deviceName, most);
+        return STATUS_DATA;
+    }
+    return gpu_buffer_create(gpu, &to->buffer, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+                             bytes.bytes, bytes.size, buffer->name);
+}
+
+static enum status upload_imports(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                  const struct scene *scene, bool are_buffers)
 {
     const struct technique_import *import;
     enum status status = STATUS_OK;
-    for (size_t i = 0; status == STATUS_OK && (import = techniques_import(i)); i++)
-        status = upload_image(&on_gpu->images[on_gpu->image_count++], gpu, import, scene);
+    for (size_t i = 0; status == STATUS_OK && (import = techniques_import(i)); i++) {
+        struct uploaded_import *to = &on_gpu->imports[on_gpu->import_count++];
+        if (import->buffer && are_buffers)
+            status = upload_buffer(to, gpu, import, scene);
+        else if (import->image && !are_buffers)
+            status = upload_image(to, gpu, import, scene);
+    }
     return status;
 }
 
@@ -108,12 +135,25 @@ enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
 {
     *on_gpu = (struct uploaded_scene){
         .meshes = calloc(techniques_count, sizeof(*on_gpu->meshes)),
-        .images = calloc(count_imports() + 1, sizeof(*on_gpu->images)),
+        .imports = calloc(count_imports() + 1, sizeof(*on_gpu->imports)),
     };
-    enum status status = on_gpu->meshes && on_gpu->images ? upload_meshes(on_gpu, gpu, scene)
-                                                          : log_out_of_memory(NULL);
+    enum status status = on_gpu->meshes && on_gpu->imports ? upload_meshes(on_gpu, gpu, scene)
+                                                           : log_out_of_memory(NULL);
     if (status == STATUS_OK)
-        status = upload_images(on_gpu, gpu, scene);
+        status = upload_imports(on_gpu, gpu, scene, false);
+    if (status != STATUS_OK)
+        uploaded_scene_finish(on_gpu, gpu);
+    return status;
+}
+
+enum status uploaded_scene_init_tree(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                     const struct scene *scene)
+{
+    *on_gpu = (struct uploaded_scene){
+        .imports = calloc(count_imports() + 1, sizeof(*on_gpu->imports)),
+    };
+    enum status status =
+        on_gpu->imports ? upload_imports(on_gpu, gpu, scene, true) : log_out_of_memory(NULL);
     if (status != STATUS_OK)
         uploaded_scene_finish(on_gpu, gpu);
     return status;
@@ -131,10 +171,12 @@ void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu)
     destroy_mesh(gpu, &on_gpu->surroundings);
     for (size_t i = 0; on_gpu->meshes && i < techniques_count; i++)
         destroy_mesh(gpu, &on_gpu->meshes[i]);
-    for (size_t i = 0; i < on_gpu->image_count; i++)
-        gpu_image_destroy(gpu, &on_gpu->images[i].image);
+    for (size_t i = 0; i < on_gpu->import_count; i++)
+        gpu_image_destroy(gpu, &on_gpu->imports[i].image);
+    for (size_t i = 0; i < on_gpu->import_count; i++)
+        gpu_buffer_destroy(gpu, &on_gpu->imports[i].buffer);
     free(on_gpu->meshes);
-    free(on_gpu->images);
+    free(on_gpu->imports);
     *on_gpu = (struct uploaded_scene){ 0 };
 }
 
@@ -149,9 +191,19 @@ struct rg_mesh uploaded_scene_mesh(const struct uploaded_mesh *mesh)
 
 VkImage uploaded_scene_image(const struct uploaded_scene *on_gpu, const struct rg_image *declared)
 {
-    for (size_t i = 0; i < on_gpu->image_count; i++) {
-        if (on_gpu->images[i].declared == declared)
-            return on_gpu->images[i].image.image;
+    for (size_t i = 0; i < on_gpu->import_count; i++) {
+        if (on_gpu->imports[i].declared == declared)
+            return on_gpu->imports[i].image.image;
+    }
+    return VK_NULL_HANDLE;
+}
+
+VkBuffer uploaded_scene_buffer(const struct uploaded_scene *on_gpu,
+                               const struct rg_buffer *declared)
+{
+    for (size_t i = 0; i < on_gpu->import_count; i++) {
+        if (on_gpu->imports[i].declared_buffer == declared)
+            return on_gpu->imports[i].buffer.buffer;
     }
     return VK_NULL_HANDLE;
 }

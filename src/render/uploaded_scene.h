@@ -11,26 +11,32 @@ struct uploaded_mesh {
     struct gpu_buffer vertices, indices;
 };
 
-/* An image that a technique imports. */
-struct uploaded_image {
-    const struct rg_image *declared;
-    struct gpu_image image; /* {0}: the scene has none, and the import has no fallback */
+/* An image or a buffer that a technique imports. */
+struct uploaded_import {
+    const struct rg_image *declared; /* NULL: it is a buffer */
+    struct gpu_image image;          /* {0}: the scene has none, and the import has no fallback */
+    const struct rg_buffer *declared_buffer;
+    struct gpu_buffer buffer;
 };
 
 struct uploaded_scene {
     struct uploaded_mesh object, surroundings;
     struct uploaded_mesh *meshes; /* of the techniques, by techniques_index() */
-    struct uploaded_image *images;
-    size_t image_count;
+    struct uploaded_import *imports;
+    size_t import_count;
 };
 
 /* Checks before any allocation that the device supports the sizes of the scene's pictures. If not,
  * logs and returns STATUS_DATA. */
 MUST_USE enum status uploaded_scene_check(const struct gpu *gpu, const struct scene *scene);
 
-/* Uploads a scene. Logs errors; on failure *on_gpu is {0}. */
+/* Uploads a scene without its tree. Logs errors; on failure *on_gpu is {0}. */
 MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                          const struct scene *scene);
+
+/* Uploads only the buffers of a scene's tree, or zeros where it has not been built. */
+MUST_USE enum status uploaded_scene_init_tree(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                              const struct scene *scene);
 
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu);
 
@@ -39,5 +45,9 @@ struct rg_mesh uploaded_scene_mesh(const struct uploaded_mesh *mesh);
 
 /* Returns the image that was uploaded for a declaration, or VK_NULL_HANDLE. */
 VkImage uploaded_scene_image(const struct uploaded_scene *on_gpu, const struct rg_image *declared);
+
+/* Returns the buffer that was uploaded for a declaration, or VK_NULL_HANDLE. */
+VkBuffer uploaded_scene_buffer(const struct uploaded_scene *on_gpu,
+                               const struct rg_buffer *declared);
 
 #endif

@@ -432,13 +432,25 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = add_surfaces(scene);
     if (status == STATUS_OK && has_object && !scene->has_pool)
         status = fill_object(scene, params);
+    if (status == STATUS_OK) {
+        scene->tree = calloc(1, sizeof(*scene->tree));
+        status = scene->tree ? STATUS_OK : log_out_of_memory(NULL);
+    }
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;
 }
 
+enum status scene_need_tree(const struct scene *scene)
+{
+    return scene->tree->nodes.all ? STATUS_OK : tree_init(scene->tree, &scene->model, 0);
+}
+
 void scene_finish(struct scene *scene)
 {
+    if (scene->tree)
+        tree_finish(scene->tree);
+    free(scene->tree);
     model_finish(&scene->model);
     environment_finish(&scene->environment);
     environment_finish(&scene->cube);

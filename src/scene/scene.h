@@ -14,6 +14,7 @@
 #include "src/scene/import/model.h"
 #include "src/scene/node_material.h"
 #include "src/scene/place.h"
+#include "src/scene/tree.h"
 
 enum scene_background {
     SCENE_SKY,
@@ -51,6 +52,7 @@ struct scene {
     struct air_layers air_layers; /* textures of the planes of air */
     struct depth_field depth;     /* of the object; {0}: nobody has asked for it */
     struct bubbles bubbles;       /* in the object's space */
+    struct tree *tree; /* of the model's triangles; empty until scene_need_tree() */
     float settled_ior;            /* the value of refract.ior that comes from the model; 0: none */
     bool has_pool;                /* the scene is a pool, with the object, if any, in it */
     bool is_convex;               /* the object is known to be convex: mesh_is_convex() */
@@ -126,6 +128,10 @@ MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *
 /* Replaces the cracks of a scene; scene_load() makes them, too. Logs and returns STATUS_TRY_AGAIN
  * when out of memory. */
 MUST_USE enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cracks);
+
+/* Builds the scene's tree, unless that has been done; the scene must have been loaded. Only one
+ * thread may call it at the same time. Logs and returns STATUS_DATA or STATUS_TRY_AGAIN. */
+MUST_USE enum status scene_need_tree(const struct scene *scene);
 
 void scene_finish(struct scene *scene);
 

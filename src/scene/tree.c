@@ -120,7 +120,7 @@ static void put_surface(struct tree_words *words, const struct part *part, uint3
 {
     float uv[6];
     for (uint32_t k = 0; k < 3; k++)
-        memcpy(&uv[2 * k], corner(part, triangle, k)->uv.raw, 2 * sizeof(*uv));
+        memcpy(&uv[2 * (size_t)k], corner(part, triangle, k)->uv.raw, 2 * sizeof(*uv));
     for (uint32_t k = 0; k < 3; k++)
         put(words->all[words->count++], corner(part, triangle, k)->color.raw, bits(uv[k]));
     put(words->all[words->count++], &uv[3], 0);

@@ -33,14 +33,15 @@ struct technique_choice {
     const struct settings *settings;
     enum technique_purpose purpose;
     const struct technique
-        *rung;             /* NULL is allowed in a pool and for other purposes than pictures */
-    bool is_convex;        /* the object is known to be convex */
-    bool has_pool;         /* the scene is a pool of water */
-    bool has_materials;    /* surroundings have materials (scene.material_rows) */
-    bool has_extras;       /* surroundings have scene.extra_rows */
-    bool has_cube;         /* the scene has an environment cube of its own */
-    bool keeps_depth;      /* the objects are drawn again, over the finished picture */
-    uint32_t object_count; /* refractive objects, each drawn by rows of its own; 0 means 1 */
+        *rung;               /* NULL is allowed in a pool and for other purposes than pictures */
+    bool is_convex;          /* the object is known to be convex */
+    bool has_pool;           /* the scene is a pool of water */
+    bool has_materials;      /* surroundings have materials (scene.material_rows) */
+    bool has_extras;         /* surroundings have scene.extra_rows */
+    bool has_cube;           /* the scene has an environment cube of its own */
+    bool keeps_depth;        /* the objects are drawn again, over the finished picture */
+    bool meets_surroundings; /* rays meet the surroundings' triangles: see refract_trace.h */
+    uint32_t object_count;   /* refractive objects, each drawn by rows of its own; 0 means 1 */
 };
 
 /* When in a frame a part of a technique is drawn. Within a phase the parts are drawn in the order
@@ -89,6 +90,8 @@ struct technique_rung {
     /* Shades the pixels in which ice_normal.front shows the object, with or without bumps, instead
      * of drawing its front faces (shaders/refract_seen.glsl): for rungs with costly fragments. */
     bool by_pixel;
+    bool is_whole;   /* its rows draw all refractive objects at once */
+    bool meets_tree; /* it reads the tree of the scene's triangles (scene.tree) */
 };
 
 /* A buffer that the host fills in every frame whose plan has it. */
@@ -107,11 +110,20 @@ struct technique_texels {
     bool no_mips;  /* the image has only the first level */
 };
 
-/* An image of the scene, which is imported into the plan unless the plan draws it. */
+/* The content of a buffer of the scene; borrowed. */
+struct technique_bytes {
+    const void *bytes; /* NULL: the scene has none, and the import has zeros of its declared size */
+    size_t size;
+};
+
+/* An image of the scene, which is imported into the plan unless the plan draws it, or a buffer of
+ * texels. A row without both ends the list. */
 struct technique_import {
-    const struct rg_image *image; /* NULL ends the list */
+    const struct rg_image *image;
     struct technique_texels (*find)(const struct scene *scene);
     const void *fallback; /* one texel, for scenes without texels; NULL: no image is imported */
+    const struct rg_buffer *buffer; /* instead of `image`, with: */
+    struct technique_bytes (*find_bytes)(const struct scene *scene);
 };
 
 enum {

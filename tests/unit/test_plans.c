@@ -14,6 +14,7 @@
 #include "src/tech/bubbles.h"
 #include "src/tech/caustics.h"
 #include "src/tech/refract.h"
+#include "src/tech/refract_trace.h"
 #include "tests/support/check.h"
 #include "tests/support/feature.h"
 
@@ -45,6 +46,7 @@ static const struct golden goldens[] = {
     { .name = "plan_one_sided_layers", .rung = "one-sided", .layers = true },
     { .name = "plan_bounce", .rung = "bounce" },
     { .name = "plan_objects_layers", .rung = "bounce", .objects = 2, .layers = true },
+    { .name = "plan_trace_layers", .rung = "trace", .objects = 2, .layers = true },
     { .name = "plan_pool", .rung = "paper", .pool = true },
     { .name = "plan_pool_layers", .rung = "paper", .pool = true, .layers = true },
     { .name = "plan_shine_layers",
@@ -290,7 +292,8 @@ static uint32_t check_inside(const char *setting, bool air_is_on, bool bubbles_a
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const struct rg_image *image = techniques_layer(i)->image;
         const bool is_off = !image || (image == &air_color && !air_is_on) ||
-                            (image == &bubbles_color && !bubbles_are_on) || image == &caustics_seen;
+                            (image == &bubbles_color && !bubbles_are_on) ||
+                            image == &caustics_seen || image == &trace_media;
         assert_true(!frame_plan_buffer(&plan, image) == is_off);
     }
     const uint32_t count = plan.plan->pass_count;

@@ -179,6 +179,7 @@ static void check_settings(const struct settings *settings, const struct techniq
     static const struct technique_choice choices[] = {
         { 0 },
         { .is_convex = true },
+        { .meets_surroundings = true },
         { .has_pool = true },
         { .purpose = TECHNIQUE_CAPTURE },
         { .purpose = TECHNIQUE_BAKE },

@@ -1,7 +1,7 @@
 /* Trees of triangles: rays meet what they meet of all triangles, one by one. */
+#include <cglm/struct.h>
 #include <float.h>
 #include <math.h>
-#include <cglm/struct.h>
 #include <string.h>
 
 #include "src/scene/generate/generate.h"

@@ -1,0 +1,554 @@
+/*
+ * refract_trace.glsl: main() of refract_trace.c: follows the light of a pixel through the objects.
+ *
+ * All ways of a pixel go through one loop of straight parts. One way is followed; others, which
+ * begin where light was reflected, wait. With TRACE_RAYS, ways meet the triangles around the
+ * objects; else they look up the environment cube.
+ *
+ * What only some ways need is in loops that run at most once, because lavapipe (Mesa 22.3) skips
+ * loops that no pixel of a group enters, but executes both sides of branches.
+ */
+#define REFRACT_SEEN
+#include "lib/constants.glsl"
+#include "refract_frame.glsl"
+#include "surface.glsl"
+#include "lib/view_ray.glsl"
+#include "lib/microfacet.glsl"
+#ifdef TRACE_RAYS
+#include "trace_surface.glsl"
+#else
+#include "refract_environment.glsl"
+#include "trace_tree.glsl"
+#endif
+
+layout(location = REFRACT_VIEW_RAY) in vec3 ray;
+#ifndef TRACE_RAYS
+layout(set = 0, binding = REFRACT_SHADING) uniform sampler2D shading;
+layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
+#ifdef REFRACT_LAYERS
+layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
+#endif
+#endif
+
+#ifdef TRACE_RAYS
+const int trace_waits_max = 6; /* ways that wait */
+#else
+const int trace_waits_max = 2;
+const int trace_stops_max = 3; /* ways of a pixel */
+#endif
+const int trace_length_max = 40; /* straight parts of a way */
+const float trace_rough_min = 1e-3;
+const float trace_branch_min = 1e-3;
+
+/* A way of light, against its direction. */
+struct trace_way {
+    vec3 origin, dir, weight;
+    uint inside; /* objects that it is in, a bit for each rank from 1 on */
+    int from;    /* the triangle on which it begins; below 0: none */
+    float side, reach; /* as of trace_ray */
+    uint seed;
+    float kind; /* 1: it is reflected by the first surface, else 0 */
+    int left;   /* straight parts that it may still have */
+};
+
+struct trace_seen {
+    vec3 refraction, reflection; /* radiance, times its share */
+    vec3 normal;                 /* of the first surface, on the eye's side */
+    float distance, fresnel;
+    bool is_object;
+    vec3 exit;
+    float path, bounces, parts; /* of the way that is refracted wherever that is possible */
+};
+
+/* ---- a pixel: variables, because lavapipe's compiler takes long over arrays in arguments ---- */
+
+trace_way way;                    /* that is followed */
+trace_way later[trace_waits_max]; /* those that wait, the last one first */
+int waits;
+trace_seen seen;
+vec3 start;    /* of the pixel's ray */
+bool is_first; /* it has met no surface */
+bool is_main;  /* it is the one of seen.path */
+
+#ifndef TRACE_RAYS
+/* Where a way ends. What is seen there is looked up when all ways of the pixel have ended: then the
+ * pixels of a group do so at the same time. */
+struct trace_stop {
+    vec3 origin, dir, weight;
+    float kind;
+};
+
+trace_stop stops[trace_stops_max];
+int stop_count, parts_left;
+#endif
+
+/* Returns the rank of the medium in a set of objects: the greatest one. */
+uint trace_top(uint inside)
+{
+    return uint(findMSB(inside) + 1);
+}
+
+vec4 trace_medium(uint rank, int texel)
+{
+    return trace.media[int(rank) * TRACE_MEDIUM + texel];
+}
+
+/* Parts light at a surface: `n` is on the side that it comes from, `eta` the index there over that
+ * of the other side. */
+float trace_part(vec3 d, vec3 n, float eta, bool is_thin, out vec3 reflected, out vec3 refracted)
+{
+    float ci = min(-dot(d, n), 1.0);
+    float sin2 = eta * eta * (1.0 - ci * ci);
+    float ct = sqrt(max(1.0 - sin2, 0.0));
+    float rs = (eta * ci - ct) / (eta * ci + ct);
+    float rp = (ci - eta * ct) / (ci + eta * ct);
+    float fresnel = sin2 < 1.0 ? 0.5 * (rs * rs + rp * rp) : 1.0;
+    reflected = normalize(d + 2.0 * ci * n);
+    refracted = is_thin ? d : normalize(eta * d + (eta * ci - ct) * n);
+    return is_thin ? 2.0 * fresnel / (1.0 + fresnel) : fresnel;
+}
+
+/* A crossing of an object's surface. */
+struct trace_cross {
+    vec3 n, facet; /* normals on the side that light comes from, interpolated and the triangle's */
+    uint rank, bit;
+    bool is_entering, is_thin, is_real;
+    float eta;
+};
+
+trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
+{
+    trace_cross c;
+    int triangle = max(hit.triangle, 0);
+    int at = TREE_CORNER_WORDS * triangle;
+    vec4 n0 = uintBitsToFloat(texelFetch(corners, at));
+    vec4 n1 = uintBitsToFloat(texelFetch(corners, at + 1));
+    vec4 n2 = uintBitsToFloat(texelFetch(corners, at + 2));
+    c.facet = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * triangle + 2)).xyz;
+    c.facet = trace_posed(c.facet, hit.part);
+    c.n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
+    c.n = normalize(trace_posed(c.n, hit.part));
+    c.rank = hit.triangle >= 0 ? floatBitsToUint(n0.w) : 0u;
+    c.bit = 1u << (max(c.rank, 1u) - 1u);
+    c.is_entering = dot(c.facet, way.dir) < 0.0;
+    c.facet *= c.is_entering ? 1.0 : -1.0;
+    c.n *= c.is_entering ? 1.0 : -1.0;
+    c.n = dot(c.n, way.dir) < 0.0 ? c.n : c.facet;
+    c.is_thin = false;
+    c.is_real = true;
+    if (trace_has(TRACE_HAS_MEDIA)) {
+        uint below = trace_top(way.inside & ~c.bit);
+        uint above = max(below, c.rank);
+        c.is_thin = trace_medium(c.rank, TRACE_TINT).w > 0.0;
+        c.is_real = c.is_thin || below != above;
+        float ior_below = trace_medium(below, TRACE_IOR)[channel];
+        float ior_above = trace_medium(c.is_thin ? c.rank : above, TRACE_IOR)[channel];
+        c.eta = c.is_entering || c.is_thin ? ior_below / ior_above : ior_above / ior_below;
+    } else {
+        c.eta = refract_frame.etas[channel];
+        c.eta = c.is_entering ? c.eta : 1.0 / c.eta;
+    }
+    return c;
+}
+
+/* Absorbs light on a straight part. */
+vec3 trace_absorbed(trace_way way, float t)
+{
+    vec3 absorption = refract_frame.absorb;
+    if (trace_has(TRACE_HAS_MEDIA))
+        absorption = trace_medium(trace_top(way.inside), TRACE_ABSORB).rgb;
+    return way.inside != 0u ? way.weight * exp(-absorption * t) : way.weight;
+}
+
+#ifdef TRACE_RAYS
+/* Returns the light at the end of a way; `passing`: the share of it that goes on. */
+vec3 trace_end(trace_way way, trace_hit hit, out float passing)
+{
+    vec3 light = environment_radiance(environment, way.dir, 0.0);
+    bool is_around = hit.triangle >= 0 && hit.part != TREE_OBJECTS;
+    int turns = is_around ? int(trace.one) : 0;
+    passing = 0.0;
+    while (turns > 0) {
+        turns -= int(trace.one);
+        light = trace_surface(trace_point_of(hit, way.origin, way.dir), way.dir, false, passing);
+    }
+    return light;
+}
+#endif
+
+/* Makes a way go on from a surface. */
+trace_way trace_leave(trace_way way, trace_hit hit, trace_cross c, vec3 dir, bool is_through)
+{
+    trace_way next = way;
+    bool is_inside = is_through == c.is_entering;
+    float outward = dot(dir, c.facet) * (c.is_entering ? 1.0 : -1.0);
+    bool is_astray = is_inside ? outward >= 0.0 : outward <= 0.0;
+    next.origin = way.origin + hit.t * way.dir;
+    next.dir = dir;
+    next.from = hit.triangle;
+    next.side = is_inside ? 1.0 : -1.0;
+    next.reach = is_astray || trace_has(TRACE_HAS_CULLING) ? 1e30 : trace.hair;
+    if (!c.is_thin)
+        next.inside = is_inside ? way.inside | c.bit : way.inside & ~c.bit;
+    if (trace_has(TRACE_HAS_ROUGH))
+        next.seed = microfacet_hash(way.seed, is_through ? 1u : 0u);
+    return next;
+}
+
+/* Takes the first crossing from rasterised front faces, where rays only meet faces that they can
+ * see; so the eye's ray needs not be traced. Returns whether it does: grazing rays are traced,
+ * because rasterised points are not exactly on their triangles. */
+bool trace_given(vec3 e, float scale, inout trace_hit hit, inout trace_cross c)
+{
+#ifdef TRACE_RAYS
+    return false;
+#else
+    if (!trace_has(TRACE_HAS_CULLING) || trace.inside != 0u)
+        return false;
+    float depth = texelFetch(depth_front, ivec2(gl_FragCoord.xy), 0).r;
+    hit.t = view_distance(refract_frame.clip_from_world, depth) * scale;
+    hit.triangle = -1;
+    c.n = texelFetch(shading, ivec2(gl_FragCoord.xy), 0).xyz;
+    c.facet = c.n;
+    c.rank = depth > 0.0 ? 1u : 0u;
+    c.is_entering = true;
+    return depth == 0.0 || dot(c.n, e) < -0.05;
+#endif
+}
+
+void trace_begin(vec3 eye, vec3 e)
+{
+    float side = trace_has(TRACE_HAS_CULLING) ? (trace.inside != 0u ? 1.0 : -1.0) : 0.0;
+    uint seed = microfacet_hash(uint(gl_FragCoord.x), uint(gl_FragCoord.y));
+    way = trace_way(eye, e, vec3(1.0), trace.inside, -1, side, 1e30, seed, 0.0, trace_length_max);
+    for (int i = 0; i < trace_waits_max; i++)
+        later[i] = way;
+    waits = 0;
+    start = eye;
+    seen = trace_seen(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, e, 0.0, 0.0, 0.0);
+    is_first = true;
+    is_main = true;
+#ifndef TRACE_RAYS
+    for (int i = 0; i < trace_stops_max; i++)
+        stops[i] = trace_stop(eye, e, vec3(0.0), 0.0);
+    stop_count = 0;
+    parts_left = trace_stops_max - 1;
+#endif
+}
+
+void trace_add(vec3 light, float kind)
+{
+    seen.refraction += kind > 0.5 ? vec3(0.0) : light;
+    seen.reflection += kind > 0.5 ? light : vec3(0.0);
+}
+
+#ifndef TRACE_RAYS
+/* By selection: an index that is not constant sends an array to memory. */
+void trace_put_stop(trace_way at)
+{
+    for (int k = 0; k < trace_stops_max; k++)
+        if (k == stop_count)
+            stops[k] = trace_stop(at.origin, at.dir, at.weight, at.kind);
+    stop_count++;
+}
+#endif
+
+/* Lets a way wait; one that leaves a convex object has ended. */
+void trace_put(trace_way other)
+{
+#ifndef TRACE_RAYS
+    parts_left--;
+    if (trace_has(TRACE_IS_CONVEX) && other.inside == 0u) {
+        trace_put_stop(other);
+        return;
+    }
+#endif
+    for (int i = trace_waits_max - 1; i > 0; i--)
+        later[i] = later[i - 1];
+    later[0] = other;
+    waits++;
+}
+
+/* Whether a reflection of that weight is followed apart. */
+bool trace_is_parted(vec3 weight)
+{
+    float most = max(weight.r, max(weight.g, weight.b));
+    bool has_room = waits < trace_waits_max;
+#ifndef TRACE_RAYS
+    has_room = has_room && parts_left > 0;
+#endif
+    return has_room && most > 0.0 && (is_first || most > max(trace.branch, trace_branch_min));
+}
+
+/* What becomes of light at a surface. */
+struct trace_parting {
+    vec3 reflected, refracted;
+    float fresnel, reflected_share, refracted_share;
+};
+
+/* Parts light at a smooth surface or, at one of its microfacets, a rough one. */
+trace_parting trace_part_at(trace_cross c)
+{
+    trace_parting p;
+    vec3 m = c.n;
+    float roughness = trace_has(TRACE_HAS_ROUGH) ? trace_medium(c.rank, TRACE_IOR).w : 0.0;
+    bool is_rough = roughness > trace_rough_min;
+    p.reflected_share = 1.0;
+    p.refracted_share = 1.0;
+    if (trace_has(TRACE_HAS_ROUGH) && is_rough) {
+        vec2 at = microfacet_point(trace.sample_index, way.seed);
+        m = microfacet_sample(c.n, way.dir, roughness, at);
+    }
+    p.fresnel = trace_part(way.dir, m, c.eta, c.is_thin, p.reflected, p.refracted);
+    if (trace_has(TRACE_HAS_ROUGH) && is_rough) {
+        vec3 mirrored, bent;
+        bool is_refracted = p.fresnel < 1.0 && dot(p.refracted, c.n) < 0.0;
+        bool is_reflected = dot(p.reflected, c.n) > 0.0;
+        p.fresnel = trace_part(way.dir, c.n, c.eta, c.is_thin, mirrored, bent);
+        p.reflected_share = is_reflected ? microfacet_masking(c.n, p.reflected, roughness) : 0.0;
+        p.refracted_share = is_refracted ? microfacet_masking(c.n, p.refracted, roughness) : 0.0;
+    } else if (!c.is_entering && dot(p.reflected, c.facet) <= 0.0) {
+        p.reflected = reflect(way.dir, c.facet);
+    }
+    return p;
+}
+
+/* Returns what of a way's light goes through a surface, without its reflectance, and adds what the
+ * surface itself shows where it is not wholly transmissive. */
+vec3 trace_through(trace_hit hit, trace_cross c, trace_parting p)
+{
+    vec3 through = way.weight * p.refracted_share;
+    if (trace_has(TRACE_HAS_MEDIA | TRACE_HAS_TINT))
+        through *= trace_medium(c.rank, TRACE_TINT).rgb;
+#ifdef TRACE_RAYS
+    if (trace_has(TRACE_HAS_SHINE)) {
+        float shine = trace_medium(c.rank, TRACE_ABSORB).w;
+        vec3 weight = way.weight * trace_medium(c.rank, TRACE_TINT).rgb;
+        int turns = shine > 0.0 ? int(trace.one) : 0;
+        while (turns > 0) {
+            float passing;
+            turns -= int(trace.one);
+            trace_point point = trace_point_of(hit, way.origin, way.dir);
+            vec3 light = trace_surface(point, way.dir, true, passing);
+            trace_add(weight * light * shine * (1.0 - p.fresnel), way.kind);
+        }
+        through *= 1.0 - shine;
+    }
+#endif
+    return through;
+}
+
+void trace_note(trace_hit hit, trace_cross c, float fresnel, bool is_total)
+{
+    if (is_first) {
+        seen.is_object = true;
+        seen.normal = c.n;
+        seen.distance = distance(start, way.origin) + hit.t;
+        seen.fresnel = fresnel;
+    } else if (is_main && way.inside != 0u) {
+        seen.bounces += is_total ? 1.0 : 0.0;
+        seen.parts += 1.0;
+    }
+}
+
+/* Makes the way go on from a surface. Returns whether it has any light left. */
+bool trace_cross_surface(trace_hit hit, trace_cross c)
+{
+    trace_parting p = trace_part_at(c);
+    vec3 through = trace_through(hit, c, p);
+    vec3 back = way.weight * p.fresnel * p.reflected_share;
+    bool is_total = p.fresnel >= 1.0 || through == vec3(0.0);
+    trace_note(hit, c, p.fresnel, is_total);
+    if (!is_total && trace_is_parted(back)) {
+        trace_way other = trace_leave(way, hit, c, p.reflected, false);
+        other.weight = back;
+        other.kind = is_first ? 1.0 : way.kind;
+        trace_put(other);
+        through *= 1.0 - p.fresnel;
+    }
+    bool is_mirror = is_first && is_total;
+    way = trace_leave(way, hit, c, is_total ? p.reflected : p.refracted, !is_total);
+    way.weight = is_total ? back : through;
+    way.kind = is_mirror ? 1.0 : way.kind;
+    seen.exit = is_main ? way.dir : seen.exit;
+    is_main = is_main && way.inside != 0u && !is_mirror;
+    is_first = false;
+    return max(way.weight.r, max(way.weight.g, way.weight.b)) > 1e-5;
+}
+
+/* Ends a way that has met no object. Returns whether it goes on, through a blended surface. */
+bool trace_arrive(trace_hit hit)
+{
+    bool goes_on = false;
+#ifdef TRACE_RAYS
+    int turns = is_first && trace.inside == 0u ? 0 : int(trace.one);
+    bool is_holed = trace_has(TRACE_HAS_HOLES) && hit.triangle >= 0 && way.left > 0;
+    if (is_holed)
+        turns = int(trace.one);
+    while (turns > 0) {
+        float passing;
+        turns -= int(trace.one);
+        vec3 light = trace_end(way, hit, passing) * (1.0 - passing);
+        if (is_first && trace.inside == 0u) {
+            /* the background is drawn over the picture, so a pane before objects hides nothing */
+            passing = passing > 0.0 ? 1.0 : 0.0;
+        } else {
+            trace_add(way.weight * light, way.kind);
+            seen.is_object = true;
+        }
+        goes_on = is_holed && passing > 0.0;
+        if (goes_on) {
+            way.weight *= passing;
+            way.origin += hit.t * way.dir;
+            way.from = hit.triangle;
+            way.side = 0.0;
+        }
+    }
+#else
+    if ((!is_first || trace.inside != 0u) && stop_count < trace_stops_max) {
+        trace_put_stop(way);
+        seen.is_object = true;
+    }
+#endif
+    return goes_on;
+}
+
+/* Follows the next of the ways that wait. Returns whether there is one. */
+bool trace_next()
+{
+    way = later[0];
+    for (int i = 0; i + 1 < trace_waits_max; i++)
+        later[i] = later[i + 1];
+    is_main = false;
+    waits--;
+    return waits >= 0;
+}
+
+/* Goes on to the next surface. Returns whether the way has ended. */
+bool trace_step(trace_hit hit, trace_cross c)
+{
+    if (hit.t < 1e30) {
+        way.weight = trace_absorbed(way, hit.t);
+        seen.path += is_main && way.inside != 0u && !is_first ? hit.t : 0.0;
+    }
+    way.left--;
+    bool crosses = c.rank != 0u && way.left >= 0;
+    bool is_over = false;
+    if (crosses && !c.is_real) {
+        way = trace_leave(way, hit, c, way.dir, true);
+    } else if (crosses) {
+        is_over = !trace_cross_surface(hit, c);
+#ifndef TRACE_RAYS
+        if (trace_has(TRACE_IS_CONVEX) && way.inside == 0u && !is_over) {
+            is_over = true;
+            crosses = false;
+        }
+#endif
+    }
+    if (!crosses)
+        is_over = !trace_arrive(hit);
+    return is_over;
+}
+
+void trace_pixel(vec3 eye, vec3 e, int channel)
+{
+    trace_hit given;
+    trace_cross given_cross;
+    trace_begin(eye, e);
+    bool is_given = trace_given(e, view_slant(ray), given, given_cross);
+    bool is_going = true;
+    do {
+        bool is_traced = !(is_first && is_given);
+        trace_hit hit = trace_meet(way.origin, way.dir, way.side, way.reach, way.from, is_traced);
+        trace_cross c = trace_cross_at(way, hit, channel);
+        if (is_given && is_first) {
+            hit = given;
+            c.n = given_cross.n;
+            c.facet = c.n;
+            c.rank = given_cross.rank;
+            c.is_entering = true;
+            c.eta = refract_frame.etas[channel];
+        }
+        if (trace_step(hit, c))
+            is_going = trace_next();
+    } while (is_going);
+#ifndef TRACE_RAYS
+    for (int i = 0; i < trace_stops_max; i++)
+        trace_add(stops[i].weight * refract_environment(stops[i].origin, stops[i].dir),
+                  stops[i].kind);
+#endif
+}
+
+/* Traces the three colours apart where their indices differ; what is no colour is of green. */
+void trace_colors(vec3 eye, vec3 e)
+{
+    trace_pixel(eye, e, 1);
+    if (constant_refract_colors > 1u) {
+        trace_seen all = seen;
+        for (int channel = 0; channel < 3; channel += 2) {
+            trace_pixel(eye, e, channel);
+            all.refraction[channel] = seen.refraction[channel];
+            all.reflection[channel] = seen.reflection[channel];
+        }
+        seen = all;
+    }
+}
+
+/* Returns the picture's depth of a point. */
+float trace_depth(vec3 point)
+{
+    vec4 clip = refract_frame.clip_from_world * vec4(point, 1.0);
+    return clamp(clip.z / clip.w, 0.0, 1.0);
+}
+
+#ifdef REFRACT_LAYERS
+/* Returns whether surroundings are before a point, which rays meet by themselves. */
+bool trace_is_hidden(vec3 point)
+{
+#ifdef TRACE_RAYS
+    return false;
+#else
+    float scene = texelFetch(depth_scene, ivec2(gl_FragCoord.xy), 0).r;
+    return trace_depth(point) * 1.00001 < scene;
+#endif
+}
+
+layout(location = REFRACT_OUT_EXIT) out vec4 out_exit;
+layout(location = REFRACT_OUT_REFRACTION) out vec4 out_refraction;
+layout(location = REFRACT_OUT_REFLECTION) out vec4 out_reflection;
+layout(location = REFRACT_OUT_FRESNEL) out float out_fresnel;
+layout(location = REFRACT_OUT_WAY) out vec4 out_way;
+layout(location = TRACE_OUT_MEDIA) out float out_media;
+
+void main()
+{
+    vec3 from = view_at(ray, 0.0);
+    vec3 e = normalize(view_at(ray, 1.0) - from);
+    trace_colors(refract_frame.eye + from, e);
+    if (!seen.is_object || trace_is_hidden(start + seen.distance * e))
+        discard;
+    float through = 1.0 - seen.fresnel;
+    out_exit = vec4(seen.exit, 0.0);
+    out_refraction = vec4(through > 0.0 ? seen.refraction / through : vec3(0.0), 0.0);
+    out_reflection = vec4(seen.fresnel > 0.0 ? seen.reflection / seen.fresnel : vec3(0.0), 0.0);
+    out_fresnel = seen.fresnel;
+    out_way = vec4(seen.path, seen.bounces, seen.bounces > 0.0 ? 1.0 : 0.0, 0.0);
+    out_media = seen.parts;
+}
+#else
+layout(location = REFRACT_OUT_COLOR) out vec4 color;
+layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;
+
+void main()
+{
+    vec3 from = view_at(ray, 0.0);
+    vec3 e = normalize(view_at(ray, 1.0) - from);
+    trace_colors(refract_frame.eye + from, e);
+    if (!seen.is_object)
+        discard;
+    vec3 eye_to_point = from + seen.distance * e;
+    color = vec4(seen.refraction + seen.reflection, 1.0);
+    highlight = surface_highlight(e, eye_to_point, seen.normal);
+    gl_FragDepth = seen.distance > 0.0 ? trace_depth(start + seen.distance * e) : 1.0;
+}
+#endif

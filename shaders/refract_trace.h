@@ -1,0 +1,46 @@
+/* refract_trace.h: shared by refract_trace.c and refract_trace*.{glsl,frag}. */
+#ifndef SHADERS_REFRACT_TRACE_H
+#define SHADERS_REFRACT_TRACE_H
+#include "abi.h"
+#include "refract.h"
+#include "tree.h"
+
+/* Bindings, besides those of background.h and REFRACT_ENV_CUBE, which are not used together. */
+#define TRACE_FRAME     12 /* struct trace_frame */
+#define TRACE_NODES     13 /* the words of tree.h */
+#define TRACE_TRIANGLES 14
+#define TRACE_CORNERS   15
+
+#define TRACE_OUT_MEDIA 5 /* of the layers' pass, besides those of refract.h */
+
+#define TRACE_SHELLS_MAX 32 /* refractive objects; a bit each */
+
+/* CONSTANT_TRACE, bits */
+#define TRACE_IS_CONVEX     1   /* one convex object: what leaves it does not enter again */
+#define TRACE_HAS_CULLING   2   /* one closed object: a ray meets only faces that it can see */
+#define TRACE_HAS_MEDIA     4   /* several objects, or thin walls */
+#define TRACE_HAS_ROUGH     8   /* some object is rough */
+#define TRACE_HAS_SHINE     16  /* some object is not wholly transmissive */
+#define TRACE_HAS_MATERIALS 32  /* surroundings have rows in the texture of materials */
+#define TRACE_HAS_HOLES     64  /* surroundings have holes, or blended surfaces */
+#define TRACE_HAS_MOTION    128 /* objects, or what is around them, may turn */
+#define TRACE_HAS_TINT      256 /* some object tints the light that passes its surface */
+
+/* The texels of a medium in trace_frame.media. */
+#define TRACE_IOR    0 /* of red, green and blue light; roughness */
+#define TRACE_ABSORB 1 /* 1 / metre; shine */
+#define TRACE_TINT   2 /* of light that passes the surface; 1: thin */
+#define TRACE_MEDIUM 3
+
+/* What a frame needs, besides struct globals; written once a frame. */
+struct trace_frame {
+    vec4s media[(TRACE_SHELLS_MAX + 1) * TRACE_MEDIUM]; /* by rank; the first one is outside */
+    uint32_t roots[TREE_PART_COUNT + 1];                /* TREE_NOTHING: no such part */
+    uint32_t inside;       /* shells that the eye is inside, a bit for each rank from 1 on */
+    uint32_t sample_index; /* of the picture, from 0 */
+    float branch;          /* share of a path's light that is followed apart */
+    float hair;            /* metres: how near a ray's origin may be to a face by rounding alone */
+    uint32_t one;          /* 1: compilers must not know */
+};
+
+#endif

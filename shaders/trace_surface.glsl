@@ -1,0 +1,116 @@
+/* trace_surface.glsl: the light that rays find around the objects, from triangles and the sky. */
+#ifndef TRACE_SURFACE_GLSL
+#define TRACE_SURFACE_GLSL
+#define LIT_TRACED
+#include "lib/lit.glsl"
+#include "mesh.h"
+#include "trace_tree.glsl"
+
+/* A point of a triangle that has colours. */
+struct trace_point {
+    vec3 position, normal; /* world; the normal is unit, and faces the ray */
+    vec3 color;
+    vec2 uv;
+    vec3 along_u, against_v; /* how the position grows with the coordinates; 0: they are the same */
+    uint material;
+};
+
+trace_point trace_point_of(trace_hit hit, vec3 origin, vec3 dir)
+{
+    int at = TREE_CORNER_WORDS * hit.triangle;
+    vec4 n0 = uintBitsToFloat(texelFetch(corners, at));
+    vec4 n1 = uintBitsToFloat(texelFetch(corners, at + 1));
+    vec4 n2 = uintBitsToFloat(texelFetch(corners, at + 2));
+    int surface = int(floatBitsToUint(n2.w));
+    vec4 c0 = uintBitsToFloat(texelFetch(corners, surface));
+    vec4 c1 = uintBitsToFloat(texelFetch(corners, surface + 1));
+    vec4 c2 = uintBitsToFloat(texelFetch(corners, surface + 2));
+    vec4 rest = uintBitsToFloat(texelFetch(corners, surface + 3));
+    vec3 share = vec3(1.0 - hit.u - hit.v, hit.u, hit.v);
+    vec2 uv_0 = vec2(c0.w, c1.w), side_1 = vec2(c2.w, rest.x) - uv_0, side_2 = rest.yz - uv_0;
+    trace_point p;
+    p.position = origin + hit.t * dir;
+    p.normal = share.x * n0.xyz + share.y * n1.xyz + share.z * n2.xyz;
+    p.normal = normalize(trace_posed(p.normal, hit.part));
+    p.normal *= dot(p.normal, dir) > 0.0 ? -1.0 : 1.0;
+    p.color = share.x * c0.xyz + share.y * c1.xyz + share.z * c2.xyz;
+    p.uv = uv_0 + hit.u * side_1 + hit.v * side_2;
+    p.material = floatBitsToUint(n1.w);
+    /* The rows of the triangle's map are orthogonal to all of its sides but one. */
+    at = TREE_TRIANGLE_WORDS * hit.triangle;
+    vec3 row_0 = uintBitsToFloat(texelFetch(triangles, at)).xyz;
+    vec3 row_1 = uintBitsToFloat(texelFetch(triangles, at + 1)).xyz;
+    vec3 row_2 = uintBitsToFloat(texelFetch(triangles, at + 2)).xyz;
+    float volume = dot(row_0, cross(row_1, row_2));
+    vec3 edge_1 = cross(row_1, row_2) / volume, edge_2 = cross(row_2, row_0) / volume;
+    float turn = sign(side_1.x * side_2.y - side_2.x * side_1.y);
+    p.along_u = trace_posed(turn * (edge_1 * side_2.y - edge_2 * side_1.y), hit.part);
+    p.against_v = trace_posed(-turn * (edge_2 * side_1.x - edge_1 * side_2.x), hit.part);
+    return p;
+}
+
+/* Returns the light of the built-in sky's sun on a matt white surface that faces it. */
+vec3 trace_sun()
+{
+    return constant_background == GLOBALS_SKY ? sky_sun() : vec3(0.0);
+}
+
+/* Returns the radiance of a surface without a material, or of the base of one. */
+vec3 trace_matt(trace_point p, vec3 to_eye, vec3 albedo)
+{
+    if (constant_lit == 0u || (p.material & MESH_UNLIT) != 0u)
+        return albedo;
+    if (!trace_has(TRACE_HAS_MATERIALS))
+        return albedo * sky_light(p.normal);
+    lit_surface s = lit_surface_of(albedo, 0.0, 1.0, vec3(0.0), 0.0);
+    vec3 sun = trace_sun() * max(dot(p.normal, frame.sun_dir), 0.0);
+    return albedo * (lit_matt(p.normal) + sun) + lit_by_lights(s, p.position, p.normal, to_eye);
+}
+
+/* Returns the radiance of a surface; `passing`: the share of light that goes through it. */
+vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
+{
+    uint row = p.material >> MESH_SURFACE_SHIFT;
+    uint layer = p.material & MESH_TEXTURE_MASK;
+    passing = 0.0;
+    if (!trace_has(TRACE_HAS_MATERIALS)) {
+        vec4 texel = vec4(1.0);
+        if (constant_textured != 0u) {
+            texel = textureLod(textures, vec3(p.uv, float(max(layer, 1u) - 1u)), 0.0);
+            texel = layer != 0u ? texel : vec4(1.0);
+        }
+        passing = (p.material & MESH_CUTOUT) != 0u && texel.a < 0.5 ? 1.0 : 0.0;
+        return trace_matt(p, -dir, p.color * texel.rgb);
+    }
+    vec4 base = lit_base(row, layer, p.uv, 1.0);
+    vec3 albedo = p.color * base.rgb;
+    vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
+    vec4 reflectance = material_texel(row, MATERIAL_ROW_F0);
+    vec4 emission = material_texel(row, MATERIAL_ROW_EMISSION);
+    if (trace_has(TRACE_HAS_HOLES)) {
+        float alpha = base.a * factors.w;
+        passing = reflectance.w == float(MATERIAL_KIND_CUTOUT) && alpha < emission.w ? 1.0 : 0.0;
+        passing = reflectance.w == float(MATERIAL_KIND_BLENDED) ? 1.0 - alpha : passing;
+    }
+    if (is_base || (p.material & MESH_UNLIT) != 0u)
+        return trace_matt(p, -dir, albedo);
+    vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0);
+    vec4 bent = lit_texel(numbers, row, MATERIAL_USE_NORMAL, p.uv, 1.0);
+    vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
+    float open = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, p.uv, 1.0).r;
+    vec3 glow = lit_texel(textures, row, MATERIAL_USE_EMISSION, p.uv, 1.0).rgb * emission.rgb;
+    float specular = lit_texel(numbers, row, MATERIAL_USE_SPECULAR, p.uv, 1.0).a * factors.z;
+    vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, p.uv, 1.0).rgb *
+              reflectance.rgb;
+    vec3 n = p.normal;
+    if (bent != vec4(1.0))
+        n = lit_bend_along(n, bent.rgb, scales.xy, p.along_u, p.against_v);
+    lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
+    float n_dot_v = clamp(dot(n, -dir), 0.0, 1.0);
+    vec3 around = lit_by_environment(s, lit_split(s.roughness, n_dot_v),
+                                     lit_glossy(reflect(dir, n), s.roughness, 0.0), lit_matt(n));
+    vec3 sun = trace_sun() * lit_by_light(s, n, -dir, frame.sun_dir, LIT_SUN_SPREAD);
+    return around * mix(1.0, open, scales.y) + sun + lit_by_lights(s, p.position, n, -dir) + glow;
+}
+
+#endif

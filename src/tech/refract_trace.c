@@ -1,0 +1,254 @@
+/*
+ * refract_trace.c: light followed through the triangles of the whole scene.
+ *
+ * Each pixel's ray meets a tree of the triangles (src/scene/tree.h; Aila and Laine 2009,
+ * Understanding the Efficiency of Ray Traversal on GPUs). Where it crosses the surface of an object
+ * it is refracted, with the media on both sides (Schmidt and Budge 2002), or totally reflected; a
+ * reflection with enough of the light is followed later. Rays that leave the objects see the
+ * environment cube, or meet the triangles around them.
+ *
+ * Error: reflections inside that weigh less than trace.branch count as transmitted, and so does
+ * light after TRACE_LENGTH surfaces. Without trace.surroundings=rays, that of the lookup of the
+ * cube (shaders/refract_environment.glsl). Bumps are not shown.
+ */
+#include "src/tech/refract_trace.h"
+#include <string.h>
+#include "shaders/embedded.h"
+#include "shaders/refract_trace.h"
+#include "src/tech/frame.h"
+#include "src/tech/ice_normal.h"
+#include "src/tech/refract.h"
+#include "src/tech/row_builder.h"
+#include "src/tech/surface.h"
+
+static rg_record_fn record;
+static technique_rows_fn color_rows, layer_rows;
+
+const struct rg_image trace_media = {
+    .name = "refract_trace.media",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+/* ---- what comes from the scene ---- */
+
+static const struct rg_buffer frame_buffer = {
+    .name = "refract_trace.frame",
+    .size = sizeof(struct trace_frame),
+    .memory = RG_MEMORY_UPLOAD,
+};
+
+#define WORDS(title) \
+    { \
+        .name = (title), .size = 16, .format = VK_FORMAT_R32G32B32A32_UINT \
+    }
+static const struct rg_buffer nodes = WORDS("refract_trace.nodes");
+static const struct rg_buffer triangles = WORDS("refract_trace.triangles");
+static const struct rg_buffer corners = WORDS("refract_trace.corners");
+
+static struct technique_bytes bytes_of(const struct tree_words *words)
+{
+    if (!words->count)
+        return (struct technique_bytes){ 0 };
+    return (struct technique_bytes){ words->all, words->count * sizeof(*words->all) };
+}
+
+static struct technique_bytes find_nodes(const struct scene *scene)
+{
+    return scene->tree ? bytes_of(&scene->tree->nodes) : (struct technique_bytes){ 0 };
+}
+
+static struct technique_bytes find_triangles(const struct scene *scene)
+{
+    return scene->tree ? bytes_of(&scene->tree->triangles) : (struct technique_bytes){ 0 };
+}
+
+static struct technique_bytes find_corners(const struct scene *scene)
+{
+    return scene->tree ? bytes_of(&scene->tree->corners) : (struct technique_bytes){ 0 };
+}
+
+static const struct technique_import imports[] = {
+    { .buffer = &nodes, .find_bytes = find_nodes },
+    { .buffer = &triangles, .find_bytes = find_triangles },
+    { .buffer = &corners, .find_bytes = find_corners },
+    { 0 },
+};
+
+static void write_frame(void *memory, const struct frame_view *view, const struct globals *globals)
+{
+    (void)globals;
+    memcpy(memory, view->trace, sizeof(*view->trace));
+}
+
+static const struct technique_upload uploads[] = {
+    { &frame_buffer, write_frame },
+    { 0 },
+};
+
+/* ---- rows ---- */
+
+static const struct rg_target color_targets[] = {
+    [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
+    /* A value below 0 marks pixels without ice. */
+    [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } },
+};
+
+static const struct rg_target layer_targets[] = {
+    [REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR },
+    [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR },
+    [REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR },
+    [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR },
+    [REFRACT_OUT_WAY] = { &refract_way, RG_LOAD_CLEAR },
+    [TRACE_OUT_MEDIA] = { &trace_media, RG_LOAD_CLEAR },
+};
+
+static const struct rg_use tree_uses[] = {
+    FRAME_USE_GLOBALS,
+    { .buffer = &frame_buffer, .access = RG_UNIFORM, .binding = TRACE_FRAME },
+    { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES },
+    { .buffer = &triangles, .access = RG_SAMPLED, .binding = TRACE_TRIANGLES },
+    { .buffer = &corners, .access = RG_SAMPLED, .binding = TRACE_CORNERS },
+    { 0 },
+};
+
+static const struct rg_use cube_uses[] = {
+    FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
+    FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .same_texel = true),
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    { 0 },
+};
+
+static const struct rg_use scene_uses[] = {
+    FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_sampler repeated = { .linear = true, .repeat_u = true, .repeat_v = true };
+static const struct rg_sampler around = { .linear = true, .repeat_u = true };
+
+static const struct rg_use surface_uses[] = {
+    FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &repeated),
+    FRAME_SAMPLE(frame_numbers, BACKGROUND_NUMBERS, .sampler = &repeated),
+    FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL),
+    FRAME_SAMPLE(frame_environment, BACKGROUND_ENVIRONMENT, .sampler = &around),
+    FRAME_SAMPLE(frame_surface_light, BACKGROUND_LIGHT, .sampler = &around),
+    FRAME_SAMPLE(frame_surface_split, BACKGROUND_SPLIT, .sampler = &frame_linear),
+    FRAME_SAMPLE(frame_lights, BACKGROUND_LIGHTS, .sampler = NULL),
+    { 0 },
+};
+
+static const struct rg_pass color_row = {
+    .color = color_targets,
+    .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
+    .depth = { &frame_depth, RG_LOAD_CLEAR }, /* to 0: infinity */
+    .depth_compare = VK_COMPARE_OP_ALWAYS,
+};
+
+static const struct rg_pass layer_row = {
+    .color = layer_targets,
+    .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
+};
+
+static const struct refract_rung rung = {
+    .frag = &refract_trace_frag,
+    .layers_frag = &refract_trace_aov_frag,
+};
+
+static struct rg_technique make_row(const struct technique_choice *choice,
+                                    struct row_builder *builder, bool is_layers)
+{
+    static const struct rg_shader *const frags[2][2] = {
+        { &refract_trace_frag, &refract_trace_aov_frag },
+        { &refract_trace_rays_frag, &refract_trace_rays_aov_frag },
+    };
+    const struct rg_use *const uses[] = {
+        tree_uses,
+        choice->meets_surroundings ? surface_uses : cube_uses,
+        is_layers && !choice->meets_surroundings ? scene_uses : NULL,
+    };
+    struct rg_pass *row = row_builder_rows(builder, is_layers ? &layer_row : &color_row, 1);
+    if (!row)
+        return (struct rg_technique){ 0 };
+    row->name = row_builder_name(builder, refract_trace.name, is_layers ? "layers" : "color");
+    row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    row->vert = &refract_seen_vert;
+    row->frag = frags[choice->meets_surroundings][is_layers];
+    row->record = record;
+    return (struct rg_technique){ refract_trace.name, row, 1 };
+}
+
+static struct rg_technique color_rows(const struct technique_choice *choice,
+                                      struct row_builder *builder)
+{
+    return make_row(choice, builder, false);
+}
+
+static struct rg_technique layer_rows(const struct technique_choice *choice,
+                                      struct row_builder *builder)
+{
+    return make_row(choice, builder, true);
+}
+
+static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_scissor(cmd, frame->object_area);
+    rg_cmd_draw(cmd, 3);
+}
+
+/* ---- settings ---- */
+
+static const char *const surroundings[] = {
+    [TRACE_AUTO] = "auto",
+    [TRACE_CUBE] = "cube",
+    [TRACE_RAYS] = "rays",
+    NULL,
+};
+
+static const struct setting rows[] = {
+    {
+        .name = "trace.branch",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct trace_params, branch),
+        .initial = 0.03,
+        .max = 1,
+        .help = "share of a path's light from which a reflection inside is followed (0: always)",
+    },
+    {
+        .name = "trace.surroundings",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct trace_params, surroundings),
+        .max = TRACE_RAYS,
+        .choices = surroundings,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "what rays see that leave the objects: the environment cube, or the triangles "
+                "around them",
+    },
+};
+
+const struct setting_group trace_settings = SETTING_GROUP("trace", rows, struct trace_params);
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "media",
+        .image = &trace_media,
+        .planes = { "media.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "number of straight parts of the refracted path inside objects; 0: no object",
+    },
+    { 0 },
+};
+
+const struct technique refract_trace = {
+    .name = "refract_trace",
+    .help = "refraction and reflection by rays that meet the triangles of all objects",
+    .settings = { &trace_settings },
+    .parts = { { PHASE_REFRACTION, .rows = color_rows }, { PHASE_LAYERS, .rows = layer_rows } },
+    .rung = { .name = "trace",
+              .rows = &rung,
+              .by_pixel = true,
+              .is_whole = true,
+              .meets_tree = true },
+    .layers = layers,
+    .uploads = uploads,
+    .imports = imports,
+};

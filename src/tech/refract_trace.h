@@ -1,0 +1,23 @@
+/* refract_trace.h: refraction through the triangles of the whole scene. */
+#ifndef TECH_REFRACT_TRACE_H
+#define TECH_REFRACT_TRACE_H
+#include "src/tech/technique.h"
+
+enum trace_surroundings {
+    TRACE_AUTO,
+    TRACE_CUBE, /* the environment cube */
+    TRACE_RAYS, /* the triangles around the objects */
+};
+
+struct trace_params {
+    float branch;          /* share of a path's light from which a reflection is followed */
+    uint32_t surroundings; /* enum trace_surroundings */
+};
+
+/* Number of straight parts of the refracted path inside objects. */
+extern const struct rg_image trace_media;
+
+extern const struct setting_group trace_settings;
+extern const struct technique refract_trace;
+
+#endif

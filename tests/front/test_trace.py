@@ -1,0 +1,72 @@
+"""test_trace.py: the rung trace beside the reference, which traces the same triangles on the CPU.
+Usage: see case.py."""
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import NO_DRIVER, Case, main  # noqa: E402
+from exr_file import Exr  # noqa: E402
+from gltf_file import boxes, glass  # noqa: E402
+
+SIZE = ('--size', '64x48', '--pixel-filter', 'point', '--samples', 1, '--plain', '-q',
+        '--set', 'trace.branch=0')
+INSIDE = ('--eye', '0.005,0.06,0.03', '--target', '0,0.045,0')  # the ball of hollow
+WHITE = ('--background', '1,1,1')
+
+
+class Trace(Case):
+    def planes(self, *words, **how):
+        self.succeed('render', *words, '--aov', 'fresnel', '-o', 'a.exr', **how)
+        return Exr((self.folder / 'a.exr').read_bytes()).read_planes(['R', 'G', 'B', 'fresnel.Z'])
+
+    def check(self, limit, *words):
+        """The mean difference on the objects, clipped to 1."""
+        found = self.planes(*words, '-r', 'trace')
+        truth = self.planes(*words, '-r', 'reference', env=NO_DRIVER)
+        objects = [i for i, share in enumerate(truth['fresnel.Z']) if share > 0]
+        pairs = [(found[name][i], truth[name][i]) for name in 'RGB' for i in objects]
+        self.assertGreater(len(pairs), 600)
+        self.assertTrue(all(a >= 0 for a, _ in pairs), 'below 0, or no number')
+        error = sum(abs(min(a, 1) - min(b, 1)) for a, b in pairs) / len(pairs)
+        self.assertLess(error, limit, words)
+
+    def write(self, name, *parts):
+        (self.folder / name).write_text(boxes(*parts))
+
+    def test_nested(self):
+        for scene, limit in (('hollow', 0.003), ('amber', 0.003), ('drink', 0.015)):
+            self.check(limit, scene, '--env', 'studio', *SIZE)
+
+    def test_thin_and_dispersive(self):
+        self.write('thin.gltf', (glass(thickness=0, color=[1, 0.5, 0.5]), [0, 0, 0], 1),
+                   (glass(1.4), [0.5, 0, -3], 1))
+        self.check(0.004, 'thin.gltf', '--env', 'studio', *SIZE, '--set', 'refract.dispersion=3')
+
+    def test_the_eye_inside(self):
+        self.check(0.005, 'hollow', '--env', 'studio', *SIZE, *INSIDE)
+
+    def test_surroundings(self):
+        self.check(0.004, 'sphere', *SIZE, '--set', 'trace.surroundings=rays',
+                   '--set', 'refract.fresnel=exact', '--set', 'motion.count=2')
+
+    def test_rough(self):
+        self.write('rough.gltf', (glass(1.5, roughness=0.3), [0, 0, 0], 1),
+                   (glass(1.5), [2.5, 0, -2], 1))
+        words = ('rough.gltf', '--env', 'studio', *SIZE, '--samples', 16)
+        self.check(0.02, *words)
+        self.assertEqual(*(self.planes(*words, '-r', 'trace') for _ in range(2)))
+
+    def test_furnace(self):
+        self.write('nested.gltf', (glass(1.5), [0, 0, 0], 1), (glass(1.2), [0.1, 0.1, 0], 0.6),
+                   (glass(thickness=0), [2.5, 0, -2], 1))
+        for more in ((), ('--eye', '0.3,0.2,0.9', '--target', '0,0,0')):
+            light = self.planes('nested.gltf', *WHITE, *SIZE, '-r', 'trace', *more)
+            self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
+
+    def test_too_many_objects(self):
+        self.write('many.gltf', *((glass(), [3 * i, 0, 0], 1) for i in range(33)))
+        self.refuse(65, 'render', 'many.gltf', *SIZE, '-r', 'trace', '-o', 'a.exr',
+                    names=('trace', '33', '32'))
+
+
+if __name__ == '__main__':
+    main()
