@@ -111,15 +111,24 @@ class Panels(WindowCase):
         lines = self.succeed('list', what).stdout.decode().splitlines()
         return [line.split()[0] for line in lines if line.startswith('  ')]
 
+    def at_rest(self, window):
+        """When the window looks the same twice."""
+        seen = [None]
+
+        def twice():
+            seen.append(self.desktop.pixels(window))
+            return seen[-1] == seen[-2]
+        wait_until('a window at rest', twice, self.words)
+
     def choose(self, window, row, entry):
-        """Opens a list, where it does not open again, and clicks on an entry."""
-        if not self.control(row):
-            self.click(window, row.partition('/')[0])
-        self.click(window, row)
+        """Opens a list, and clicks on an entry when the list is still."""
+        if not self.control(entry):
+            self.click(window, row)
         try:
             wait_until('an open list', lambda: self.control(entry), patience=PATIENCE / 12)
         except AssertionError:
             return
+        self.at_rest(window)
         self.click(window, entry)
 
     def test_lists_choose_rungs_and_materials(self):
