@@ -216,8 +216,7 @@ static bool keep_common(struct frame_list *list)
 
 static bool add_all(struct frame_list *list, const struct technique_choice *choice)
 {
-    const bool are_many =
-        choice->object_count > 1 && choice->rung && !choice->rung->rung.is_whole;
+    const bool are_many = choice->object_count > 1 && choice->rung && !choice->rung->rung.is_whole;
     bool done = true;
     for (int i = 0; i < PHASE_COUNT && done; i++) {
         const enum technique_phase phase = (enum technique_phase)i;

@@ -52,7 +52,7 @@ struct scene {
     struct air_layers air_layers; /* textures of the planes of air */
     struct depth_field depth;     /* of the object; {0}: nobody has asked for it */
     struct bubbles bubbles;       /* in the object's space */
-    struct tree *tree; /* of the model's triangles; empty until scene_need_tree() */
+    struct tree *tree;            /* of the model's triangles; empty until scene_need_tree() */
     float settled_ior;            /* the value of refract.ior that comes from the model; 0: none */
     bool has_pool;                /* the scene is a pool, with the object, if any, in it */
     bool is_convex;               /* the object is known to be convex: mesh_is_convex() */
