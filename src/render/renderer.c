@@ -93,7 +93,7 @@ static enum status upload(struct renderer *r)
     r->scene = r->params.uploaded ? r->params.uploaded : &r->own;
     if (!r->params.uploaded)
         status = uploaded_scene_init(&r->own, r->params.gpu, r->params.scene);
-    if (status == STATUS_OK)
+    if (status == STATUS_OK && meets_tree(&r->params))
         status = uploaded_scene_init_tree(&r->tree, r->params.gpu, r->params.scene);
     r->meshes = calloc(techniques_count, sizeof(*r->meshes));
     if (status == STATUS_OK && !r->meshes) {

@@ -131,6 +131,12 @@ class Panels(WindowCase):
         self.at_rest(window)
         self.click(window, entry)
 
+    def fold(self, window, group, row, shown):
+        """Clicks on the heading of a group until a row of it shows, or does not."""
+        wait_until(f'{group}, {row}', lambda: bool(self.control(row)) == shown, self.words,
+                   act=lambda: bool(self.control(row)) == shown or self.click(window, group),
+                   again=5)
+
     def test_lists_choose_rungs_and_materials(self):
         first, second, *_ = self.names('rungs')
         material = self.names('materials')[-1]
@@ -139,8 +145,7 @@ class Panels(WindowCase):
                               act=lambda: self.choose(window, 'material', material))
         for group, row, shown in (('Material', 'material', False),
                                   ('Inside', 'cracks.count', False), ('Quality', 'rung', True)):
-            wait_until(f'{group}, {row}', lambda row=row, shown=shown: bool(
-                self.control(row)) == shown, act=lambda group=group: self.click(window, group))
+            self.fold(window, group, row, shown)
         self.wait_for_command(window, f' --refraction {second} ',
                               act=lambda: self.choose(window, 'rung', second))
         self.find(rf'sphere, {second} \| {first}, paused',

@@ -76,11 +76,11 @@ class Split(WindowCase):
         self.close(window)
 
     def test_the_key(self):
-        pictures = self.pictures('--set', 'motion.count=2', *PLAIN, right='bounce')
+        pictures = self.pictures('--set', 'motion.count=2', *PLAIN, right='trace')
         window = self.start('sphere', '--time-step', 1e-15)
         self.press_for(window, 'space', 'sphere, paused')
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
-        self.press_for(window, 's', r'sphere, paper \| bounce, paused')
+        self.press_for(window, 's', r'sphere, paper \| trace, paused')
         self.settle(window, 100, pictures)
         self.desktop.do('windowsize', '--sync', window, 80, 60)
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')

@@ -33,6 +33,7 @@
     row(CreateFence, VkFenceCreateInfo, VkFence) \
     row(CreateFramebuffer, VkFramebufferCreateInfo, VkFramebuffer) \
     row(CreateImage, VkImageCreateInfo, VkImage) \
+    row(CreateBufferView, VkBufferViewCreateInfo, VkBufferView) \
     row(CreateImageView, VkImageViewCreateInfo, VkImageView) \
     row(CreatePipelineCache, VkPipelineCacheCreateInfo, VkPipelineCache) \
     row(CreatePipelineLayout, VkPipelineLayoutCreateInfo, VkPipelineLayout) \
