@@ -459,7 +459,8 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     }
     if (arena->failed)
         return NULL;
-    memset(s->ids, 0, bound * sizeof(*s->ids));
+    if (bound)
+        memset(s->ids, 0, bound * sizeof(*s->ids));
     struct instruction in = { 0 };
     while (next(shader, &in)) {
         in_function = in_function || in.op == OP_FUNCTION;
