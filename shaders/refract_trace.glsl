@@ -10,10 +10,10 @@
  */
 #define REFRACT_SEEN
 #include "lib/constants.glsl"
+#include "lib/microfacet.glsl"
+#include "lib/view_ray.glsl"
 #include "refract_frame.glsl"
 #include "surface.glsl"
-#include "lib/view_ray.glsl"
-#include "lib/microfacet.glsl"
 #ifdef TRACE_RAYS
 #include "trace_surface.glsl"
 #else
@@ -43,8 +43,8 @@ const float trace_branch_min = 1e-3;
 /* A way of light, against its direction. */
 struct trace_way {
     vec3 origin, dir, weight;
-    uint inside; /* objects that it is in, a bit for each rank from 1 on */
-    int from;    /* the triangle on which it begins; below 0: none */
+    uint inside;       /* objects that it is in, a bit for each rank from 1 on */
+    int from;          /* the triangle on which it begins; below 0: none */
     float side, reach; /* as of trace_ray */
     uint seed;
     float kind; /* 1: it is reflected by the first surface, else 0 */

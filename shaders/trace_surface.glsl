@@ -100,8 +100,8 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
     float open = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, p.uv, 1.0).r;
     vec3 glow = lit_texel(textures, row, MATERIAL_USE_EMISSION, p.uv, 1.0).rgb * emission.rgb;
     float specular = lit_texel(numbers, row, MATERIAL_USE_SPECULAR, p.uv, 1.0).a * factors.z;
-    vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, p.uv, 1.0).rgb *
-              reflectance.rgb;
+    vec3 f0 =
+        lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, p.uv, 1.0).rgb * reflectance.rgb;
     vec3 n = p.normal;
     if (bent != vec4(1.0))
         n = lit_bend_along(n, bent.rgb, scales.xy, p.along_u, p.against_v);

@@ -125,7 +125,7 @@ static VkResult find_texels(struct rg_exec *exec, const struct exec_descriptor *
                             VkBufferView *view)
 {
     const struct rg_buffer *declared = d->use->buffer;
-    const VkBuffer buffer = rg_exec_buffer(exec, d->buffer, slot)->buffer;
+    VkBuffer buffer = rg_exec_buffer(exec, d->buffer, slot)->buffer;
     uint64_t key = RG_NO_KEY;
     VkResult result;
     if (!rg_exec_is_foreign(exec, exec->plan->buffers[d->buffer].imported)) {

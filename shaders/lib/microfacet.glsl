@@ -66,8 +66,7 @@ vec3 microfacet_sample(vec3 n, vec3 dir, float roughness, vec2 at)
     float angle = 6.28318531 * at.y;
     float a = radius * cos(angle);
     float aside = length(view.xy);
-    vec3 right = aside > 1e-6 ? vec3(-view.y, view.x, 0.0) / max(aside, 1e-6)
-                              : vec3(1.0, 0.0, 0.0);
+    vec3 right = aside > 1e-6 ? vec3(-view.y, view.x, 0.0) / max(aside, 1e-6) : vec3(1.0, 0.0, 0.0);
     vec3 up = cross(view, right);
     float s = 0.5 * (1.0 + view.z);
     float b = (1.0 - s) * sqrt(max(1.0 - a * a, 0.0)) + s * radius * sin(angle);

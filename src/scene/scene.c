@@ -394,6 +394,12 @@ static enum status add_surfaces(struct scene *scene)
     return add_extras(scene);
 }
 
+static enum status make_place_for_tree(struct scene *scene)
+{
+    scene->tree = calloc(1, sizeof(*scene->tree));
+    return scene->tree ? STATUS_OK : log_out_of_memory(NULL);
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *given)
 {
     struct scene_params own = *given;
@@ -432,10 +438,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = add_surfaces(scene);
     if (status == STATUS_OK && has_object && !scene->has_pool)
         status = fill_object(scene, params);
-    if (status == STATUS_OK) {
-        scene->tree = calloc(1, sizeof(*scene->tree));
-        status = scene->tree ? STATUS_OK : log_out_of_memory(NULL);
-    }
+    if (status == STATUS_OK)
+        status = make_place_for_tree(scene);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;

@@ -128,7 +128,7 @@ static void test_depth(void **state)
         struct tree tree;
         assert_true(mesh_init(&model.object, 3 * COUNT, 3 * COUNT));
         for (uint32_t i = 0; i < 3 * COUNT; i++) {
-            const float size = kind ? powf(0.97f, (float)(i / 3)) : 1.0f;
+            const float size = kind ? powf(0.97f, floorf((float)i / 3.0f)) : 1.0f;
             model.object.indices[i] = i;
             model.object.vertices[i].position =
                 (vec3s){ { size * (float)(i % 3 == 1), size * (float)(i % 3 == 2), size } };

@@ -26,10 +26,11 @@ static uint32_t hash(const void *key, size_t size)
 /* Whether two vertices have the same first key_size bytes and, if these are all, extras. */
 static bool is_alike(const struct mesh *mesh, uint32_t a, uint32_t b, size_t key_size)
 {
+    const bool is_whole = key_size == sizeof(struct mesh_vertex);
+    const size_t extra_size = mesh->extras && is_whole ? sizeof(*mesh->extras) : 0;
     if (memcmp(&mesh->vertices[a], &mesh->vertices[b], key_size) != 0)
         return false;
-    return !mesh->extras || key_size < sizeof(struct mesh_vertex) ||
-           memcmp(&mesh->extras[a], &mesh->extras[b], sizeof(*mesh->extras)) == 0;
+    return !extra_size || memcmp(&mesh->extras[a], &mesh->extras[b], extra_size) == 0;
 }
 
 /*
@@ -124,7 +125,7 @@ bool model_join_vertices(struct mesh *mesh)
             uint32_t vertex = alike[mesh->indices[i]];
             joined.indices[i] = number[vertex];
             joined.vertices[number[vertex]] = mesh->vertices[vertex];
-            if (joined.extras)
+            if (joined.extras && mesh->extras)
                 joined.extras[number[vertex]] = mesh->extras[vertex];
         }
         mesh_finish(mesh);

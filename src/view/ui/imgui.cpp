@@ -5,7 +5,7 @@
 #ifdef IMGUI_FREETYPE
 #include <imgui_freetype.h>
 #endif
-#include "src/view/ui/imgui_state.h"
+#include "src/view/ui/imgui_state.hpp"
 
 namespace
 {

@@ -1,7 +1,7 @@
 /* imgui_widgets.cpp: panels and what is in them. */
 #include <cstring>
 #include "src/view/ui/imgui.h"
-#include "src/view/ui/imgui_state.h"
+#include "src/view/ui/imgui_state.hpp"
 
 namespace
 {

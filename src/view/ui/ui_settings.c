@@ -59,7 +59,8 @@ static void print_label(const struct setting *row, char label[static LABEL_SIZE]
 {
     snprintf(label, LABEL_SIZE, "%s", row->name);
     for (char *c = label; *c; c++)
-        *c = *c == '.' || *c == '_' ? ' ' : *c;
+        if (*c == '.' || *c == '_')
+            *c = ' ';
 }
 
 static const char *sign_of(const char *unit)

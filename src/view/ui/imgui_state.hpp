@@ -1,4 +1,4 @@
-/* imgui_state.h: what imgui.cpp and imgui_widgets.cpp share; in C++. */
+/* imgui_state.hpp: what imgui.cpp and imgui_widgets.cpp share; in C++. */
 #ifndef FIRN_VIEW_UI_IMGUI_STATE_H
 #define FIRN_VIEW_UI_IMGUI_STATE_H
 
