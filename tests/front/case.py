@@ -75,22 +75,30 @@ class Case(unittest.TestCase):
         return sorted(path.name for path in self.folder.iterdir())
 
 
+def long(test):
+    """A test for which `./run test` does not wait: only `--long` runs it, or its name."""
+    test.is_long = True
+    return test
+
+
 class Part(unittest.TestLoader):
-    """Loads each N-th test of the file, from the K-th on."""
-    def __init__(self, number, count):
+    """Loads each N-th test of the file, from the K-th on, of those that are long or are not."""
+    def __init__(self, number, count, is_long):
         super().__init__()
-        self.number, self.count = number, count
+        self.number, self.count, self.is_long = number, count, is_long
 
     def loadTestsFromModule(self, module, *args, **kwargs):
         tests = [test for case in super().loadTestsFromModule(module, *args, **kwargs)
-                 for test in case]
+                 for test in case
+                 if getattr(getattr(test, test.id().split('.')[-1], None), 'is_long', False) ==
+                 self.is_long]
         return self.suiteClass(tests[self.number - 1::self.count])
 
 
 def main():
     """
     The program is the first argument. "--part=K/N" after it: one of N processes that share the
-    tests of the file among them.
+    tests of the file among them. "--long" there: only those that are @long.
     """
     if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
         sys.exit(f'{sys.argv[0]}: no program to test: {sys.argv[1:2] or "(none given)"}')
@@ -98,4 +106,7 @@ def main():
     part = 1, 1
     if sys.argv[1:] and sys.argv[1].startswith('--part='):
         part = map(int, sys.argv.pop(1).removeprefix('--part=').split('/'))
-    unittest.main(testLoader=Part(*part))
+    is_long = sys.argv[1:2] == ['--long']
+    if is_long:
+        sys.argv.pop(1)
+    unittest.main(testLoader=Part(*part, is_long))

@@ -15,7 +15,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'corpus'))
 from builders import ACCEPTED, DRAWN, EITHER, REFUSED  # noqa: E402
-from case import CRACKED, DATA, PLAIN, TRY_AGAIN, Case, main  # noqa: E402
+from case import CRACKED, DATA, PLAIN, TRY_AGAIN, Case, long, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from make_corpus import (  # noqa: E402
     BASELINE, DIFF, ENVIRONMENT, MERGE, MODEL, PRESET, SURROUNDINGS, corpus, write)
@@ -88,12 +88,19 @@ class Corpus(Case):
             self.assertRegex(words, r'\Afirn: .{20,}\n\Z')
             self.assertFalse(done.stdout)
 
-    def test_each(self):
-        for entry, done, folder in self.run_each([(entry, command) for entry in corpus()]):
+    def check_each(self, entries):
+        for entry, done, folder in self.run_each([(entry, command) for entry in entries]):
             with self.subTest(kind=entry.kind, name=entry.name):
                 self.check(done, entry.wanted)
                 if entry.wanted == DRAWN:
                     self.check_numbers(folder)
+
+    def test_every_third(self):
+        self.check_each(corpus()[::3])
+
+    @long
+    def test_the_others(self):
+        self.check_each([entry for i, entry in enumerate(corpus()) if i % 3])
 
     def test_pixels_of_extreme_scenes_are_numbers(self):
         def draw(seed):

@@ -16,7 +16,7 @@ import tempfile
 import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DEVICE, PLAIN, Case, main  # noqa: E402
+from case import NO_DEVICE, PLAIN, Case, long, main  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LAYER = ROOT / 'tests/support/fail_layer.c'
@@ -204,6 +204,7 @@ class Device(LayerCase):
     def test_render_every_other_fault(self):
         self.sweep('render', 'sphere', *SMALL, part=0)
 
+    @long
     def test_render_the_others(self):
         self.sweep('render', 'sphere', *SMALL, part=1)
 

@@ -11,7 +11,7 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import FLAT, PLAIN, Case, environment, main  # noqa: E402
+from case import FLAT, PLAIN, Case, environment, long, main  # noqa: E402
 
 KILLS = int(os.environ.get('FIRN_KILLS', '10'))
 FRAMES = 24
@@ -54,6 +54,7 @@ class Kills(Case):
             self.assertRegex(name, r'\A\.\d+\.(exr|png)\.\w{6}\.tmp\Z')
         return len(others)
 
+    @long
     def test_at_random(self):
         """Two processes at once write the same frames; one or the other is killed, and replaced."""
         chance = random.Random(1)

@@ -3,7 +3,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, CRACKED, DATA, NO_DRIVER, NO_INPUT, SMALL_CUBE, USAGE, WRITE, Case, main)
+    CANT_CREATE, CRACKED, DATA, NO_DRIVER, NO_INPUT, SMALL_CUBE, USAGE, WRITE, Case, long, main)
 from exr_file import Exr  # noqa: E402
 
 ICE = ('ice-cube', '--refraction', 'bounce', '--size', '96x64', '--set', 'cracks.count=4', '--set',
@@ -43,6 +43,7 @@ class Tiles(Tiled):
             with self.subTest(tiles=tiles, more=more):
                 self.compare(tiles, count, *more)
 
+    @long
     def test_other_scenes(self):
         for words in (('room', '-r', 'bounce'), ('pool', '--set', 'pool.ice=1'),
                       ('ice-cube', '--set', 'ice_caustics.light=sun', '--show', 'caustics')):
