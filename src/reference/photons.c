@@ -127,27 +127,39 @@ static void trace_chunk(const struct job *job, uint32_t chunk)
     }
 }
 
-static void *work(void *user)
+/* Returns false when none is left. */
+static bool trace_next_chunk(struct job *job)
 {
-    struct job *job = user;
-    for (;;) {
-        const uint32_t chunk = atomic_fetch_add(&job->next_chunk, 1);
-        if (chunk >= job->chunk_count)
-            return NULL;
-        trace_chunk(job, chunk);
-    }
+    const uint32_t chunk = atomic_fetch_add(&job->next_chunk, 1);
+    if (chunk >= job->chunk_count)
+        return false;
+    trace_chunk(job, chunk);
+    return true;
 }
 
-static void run(struct job *job)
+static void *work(void *user)
 {
+    while (trace_next_chunk(user)) {
+    }
+    return NULL;
+}
+
+/* Returns false if it was told to stop. */
+static bool run(struct job *job)
+{
+    bool goes_on = true;
     pthread_t threads[THREAD_COUNT_MAX];
     uint32_t count = 0;
     while (count + 1 < job->params->threads && count < THREAD_COUNT_MAX &&
            !pthread_create(&threads[count], NULL, work, job))
         count++;
-    work(job);
+    while (goes_on && trace_next_chunk(job))
+        goes_on = !job->params->go_on || job->params->go_on(job->params->user);
+    if (!goes_on)
+        atomic_store(&job->next_chunk, job->chunk_count);
     for (uint32_t i = 0; i < count; i++)
         pthread_join(threads[i], NULL);
+    return goes_on;
 }
 
 /* ---- cells ---- */
@@ -221,17 +233,16 @@ enum status photons_init(struct photons *photons, const struct tracing *tracing,
     };
     job.chunks = calloc(job.chunk_count + 1, sizeof(*job.chunks));
     bool done = job.chunks != NULL;
-    if (done) {
-        run(&job);
+    const bool goes_on = !done || run(&job);
+    if (done && goes_on)
         done = sort(photons, &job);
-    }
     for (uint32_t i = 0; job.chunks && i < job.chunk_count; i++)
         free(job.chunks[i].photons);
     free(job.chunks);
-    if (done)
+    if (done && goes_on)
         return STATUS_OK;
     photons_finish(photons);
-    return log_out_of_memory("photons");
+    return goes_on ? log_out_of_memory("photons") : STATUS_FAILED;
 }
 
 void photons_finish(struct photons *photons)

@@ -32,14 +32,20 @@ struct photons {
     bool has_shadow;
 };
 
+/* Returns whether to go on. */
+typedef bool photons_go_on_fn(void *user);
+
 struct photons_params {
-    uint32_t count;   /* of photons that leave the sun */
-    float sun_deg;    /* diameter of the sun */
-    bool has_shadow;  /* objects take away the sun's direct light */
-    uint32_t threads; /* at most */
+    uint32_t count;          /* of photons that leave the sun */
+    float sun_deg;           /* diameter of the sun */
+    bool has_shadow;         /* objects take away the sun's direct light */
+    uint32_t threads;        /* at most */
+    photons_go_on_fn *go_on; /* asked from time to time by the calling thread; may be NULL */
+    void *user;
 };
 
-/* Traces photons; equal ones for any number of threads. Logs and returns STATUS_TRY_AGAIN. */
+/* Traces photons; equal ones for any number of threads. Logs and returns STATUS_TRY_AGAIN, or,
+ * when it was told to stop, returns STATUS_FAILED without a message. */
 MUST_USE enum status photons_init(struct photons *photons, const struct tracing *tracing,
                                   const struct photons_params *params);
 void photons_finish(struct photons *photons); /* {0} is fine */

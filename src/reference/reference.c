@@ -417,8 +417,21 @@ static struct tracing tracing_of(const struct job *job)
     };
 }
 
+/* Who is asked whether to go on, before there are tiles. */
+struct watcher {
+    renderer_progress_fn *progress; /* may be NULL */
+    void *user;
+    uint32_t tile_count;
+};
+
+static bool goes_on(void *user)
+{
+    const struct watcher *watcher = user;
+    return !watcher->progress || watcher->progress(watcher->user, 0, watcher->tile_count);
+}
+
 /* Traces the sun's photons where the rasteriser draws its light through ice or water. */
-static enum status trace_photons(struct job *job)
+static enum status trace_photons(struct job *job, struct watcher watcher)
 {
     const struct settings *settings = job->reference->request.settings;
     const struct ice_caustics_params *light = settings_of(settings, &ice_caustics_settings);
@@ -429,6 +442,8 @@ static enum status trace_photons(struct job *job)
         .sun_deg = pool->sun,
         .has_shadow = light->shadow || has_pool,
         .threads = thread_count(&job->reference->request),
+        .go_on = goes_on,
+        .user = &watcher,
     };
     if (!(has_pool ? caustics_are_lit(settings) : ice_caustics.is_on(settings)) || !params.count ||
         job->reference->request.scene->background != SCENE_SKY)
@@ -486,7 +501,7 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     enum status status = bvh_init(&job->bvh, job->reference->device, &job->radiance,
                                   memory_of(&job->reference->request));
     if (status == STATUS_OK)
-        status = trace_photons(job);
+        status = trace_photons(job, (struct watcher){ progress, user, job->tile_count });
     if (status == STATUS_OK) {
         whitted_immerse(&job->tracing, job->push.eye, &job->tracing.eye_inside);
         status = run_rounds(job, progress, user);

@@ -211,12 +211,55 @@ static void test_shadow(void **state)
     scene_finish(&scene);
 }
 
+/* ---- progress ---- */
+
+struct watch {
+    uint32_t calls, done;
+};
+
+static bool stop_at_second(void *user, uint32_t done, uint32_t all)
+{
+    struct watch *watch = user;
+    (void)all;
+    watch->done = done;
+    return ++watch->calls < 2;
+}
+
+/* Who stops a picture need not wait for its photons. */
+static void test_stopped(void **state)
+{
+    struct scene scene = slab_scene();
+    const struct settings lit = SETTINGS("ice_caustics.light=sun", "reference.photons=20000");
+    const struct reference_request request = {
+        .scene = &scene,
+        .settings = &lit,
+        .width = SIDE,
+        .height = SIDE,
+        .linear = true,
+        .threads = 1,
+    };
+    const struct renderer_shot shot = { .camera = { .eye = { { 0, 9, 1 } }, .fov_deg = 40 } };
+    struct render_result result = { 0 };
+    struct reference *reference;
+    struct watch watch = { 0 };
+    (void)state;
+    assert_int_equal(reference_create(&reference, &request), STATUS_OK);
+    assert_int_equal(reference_render(reference, &shot, &result, stop_at_second, &watch),
+                     STATUS_FAILED);
+    assert_int_equal(watch.calls, 2);
+    assert_int_equal(watch.done, 0);
+    assert_int_equal(result.image.plane_count, 0);
+    reference_destroy(reference);
+    scene_finish(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_slab),
         cmocka_unit_test(test_ball),
         cmocka_unit_test(test_shadow),
+        cmocka_unit_test(test_stopped),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
