@@ -41,7 +41,8 @@ enum {
     RG_MAX_PUSH = 128,        /* bytes of push constants, at most; every device has them */
     RG_MAX_ATTRIBUTES = 16,   /* attributes of a vertex, at most; every device has them */
     RG_MAX_STRIDE = 2048,     /* bytes of a vertex, at most; every device has them */
-    RG_MAX_ROWS = 1 << 24,    /* entries of any other table, at most */
+    RG_MAX_VERTEX_BUFFERS = 8, /* vertex buffers of a pass, at most; every device has them */
+    RG_MAX_ROWS = 1 << 24,     /* entries of any other table, at most */
 };
 
 #define RG_NONE UINT32_MAX /* an index that refers to nothing */
@@ -185,6 +186,8 @@ struct rg_target {
     uint32_t mip, layer;          /* where to draw; of a repeated row the first one. An image with a
                                       single layer (mip) serves every repetition */
     enum rg_blend blend;          /* of a colour target */
+    const VkPipelineColorBlendAttachmentState *blend_state; /* instead of `blend`, which is 0: any
+                                       factors, operations and channels, but no second source */
     const struct rg_image
         *resolve; /* of a colour target: gets the mean of the samples of each texel
                                        when the pass ends; same format and size, one sample */
@@ -199,12 +202,27 @@ struct rg_shader {
     size_t word_count;     /* 32-bit words; 0: the code is not known yet, and nothing is compared */
 };
 
-/* The layout of the vertex buffer at binding 0. */
+/* The layout of a vertex buffer: of that at binding 0, or the one after that of which it is `next`.
+ */
 struct rg_vertex_layout {
     uint32_t stride;          /* bytes from vertex to vertex, at most RG_MAX_STRIDE */
     uint32_t attribute_count; /* elements of: */
     const VkVertexInputAttributeDescription *attributes; /* borrowed; each of another location below
-                                                            RG_MAX_ATTRIBUTES, of binding 0 */
+                                                            RG_MAX_ATTRIBUTES, of this binding */
+    VkVertexInputRate rate;              /* whether each vertex or each instance has an element */
+    const struct rg_vertex_layout *next; /* of the next binding; NULL: this is the last */
+};
+
+/* The stencil test of a pass, whose depth target has a stencil. What the test writes is stored with
+ * the depth; rg_target.clear has its first value. */
+struct rg_stencil {
+    VkStencilOpState front, back; /* of front faces; of back faces */
+};
+
+/* What is added to the depth of each fragment of a triangle, as of VkPipelineRasterizationState-
+ * CreateInfo. `clamp` needs the feature depthBiasClamp; 0 is no limit. */
+struct rg_depth_bias {
+    float constant, clamp, slope;
 };
 
 struct rg_cmd;   /* the pass being recorded; rg_cmd.h has the functions to draw with */
@@ -244,7 +262,9 @@ struct rg_pass {
     uint32_t push_size;           /* bytes of push constants, for all stages: a multiple of 4 */
     rg_record_fn *record;         /* required */
     rg_when_fn *when;             /* the condition; NULL: the pass runs in every frame */
-    bool depth_read_only;         /* the depth target is tested and not written */
+    bool depth_read_only;         /* the depth target is tested and not written, its stencil too */
+    struct rg_depth_bias depth_bias;  /* {0}: none */
+    const struct rg_stencil *stencil; /* borrowed; NULL: no stencil test */
 };
 
 /* Passes that belong together, in the order in which they run. */

@@ -34,11 +34,18 @@ RG_API void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size);
 /* Draws one instance of `vertex_count` vertices, without any vertex buffer. */
 RG_API void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count);
 
-/* Indexed triangles. The buffers belong to the program and outlive the execution of the frame. */
+/* Draws several instances of them; the vertex shader has gl_InstanceIndex from 0 on. */
+RG_API void rg_cmd_draw_instances(struct rg_cmd *cmd, uint32_t vertex_count,
+                                  uint32_t instance_count);
+
+/* Indexed triangles. The buffers outlive the execution of the frame: the program's own, or those of
+ * rg_cmd_buffer(). */
 struct rg_mesh {
     VkBuffer vertices; /* as of rg_pass.vertices */
     VkBuffer indices;  /* uint32_t each */
     uint32_t index_count;
+    uint32_t instance_count; /* 0 means 1 */
+    const VkBuffer *more;    /* as of the layouts after the first, one each; NULL: there are none */
 };
 
 /* Draws all of a mesh; a mesh without indices draws nothing. */

@@ -5,7 +5,8 @@
  * descriptors, pipelines, command buffers. A frame allocates nothing. The device needs Vulkan 1.3
  * with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
  * separateDepthStencilLayouts enabled, independentBlend where the targets of a row blend
- * differently, fragmentStoresAndAtomics or vertexPipelineStoresAndAtomics where such shaders write.
+ * differently, depthBiasClamp where a bias is limited, fragmentStoresAndAtomics or
+ * vertexPipelineStoresAndAtomics where such shaders write.
  * rg_exec_create() tells the log each feature that is missing. Functions are found through the
  * program's own vkGetInstanceProcAddr: no loader is linked, nothing is global, and executors of
  * several instances can exist side by side.

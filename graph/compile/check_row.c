@@ -103,31 +103,6 @@ static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32
     }
 }
 
-static void check_target_fields(struct compiler *c, const struct rg_target *target)
-{
-    RG_CHECK_ENUM(c, target, load, RG_LOAD_DISCARD, target->image->name, "enum rg_load");
-    RG_CHECK_ENUM(c, target, blend, RG_BLEND_ADD, target->image->name, "enum rg_blend");
-}
-
-static void check_vertices(struct compiler *c, const struct rg_vertex_layout *v)
-{
-    bool fits = v->stride <= RG_MAX_STRIDE;
-    uint32_t locations = 0; /* bits */
-    RG_CHECK_TABLE(c, v, attributes, attribute_count, RG_MAX_ATTRIBUTES, NULL);
-    if (rg_is_no_table(v->attributes, v->attribute_count, RG_MAX_ATTRIBUTES))
-        return;
-    for (uint32_t i = 0; i < v->attribute_count; i++) {
-        const VkVertexInputAttributeDescription *a = &v->attributes[i];
-        fits = fits && !a->binding && a->offset < RG_MAX_STRIDE &&
-               a->location < RG_MAX_ATTRIBUTES && !(locations >> a->location & 1) &&
-               a->format - 1u < VK_FORMAT_E5B9G9R9_UFLOAT_PACK32; /* the last without blocks */
-        locations |= 1u << (a->location & 31);
-    }
-    rg_fault_if(c, !fits, RG_ERROR_VALUE, NULL,
-                "vertices: expected a stride up to 2048, and attributes of binding 0 with a colour "
-                "format, an offset below 2048 and a location below 16 of their own");
-}
-
 static void check_shader(struct compiler *c, const struct rg_shader *shader)
 {
     if (shader)
@@ -147,18 +122,18 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
     if (!color_count)
         RG_CHECK_TABLE(c, pass, color, color_count, RG_COLOR_COUNT, NULL);
     for (uint32_t i = 0; i < color_count; i++)
-        check_target_fields(c, &pass->color[i]);
+        rg_check_target(c, &pass->color[i]);
     if (depth->image) {
         float clear = depth->clear.depthStencil.depth;
-        check_target_fields(c, depth);
+        rg_check_target(c, depth);
         rg_fault_if(c, depth->load == RG_LOAD_CLEAR && !(clear >= 0.0f && clear <= 1.0f),
                     RG_ERROR_VALUE, depth->image->name, "clear: expected a depth from 0 to 1");
     }
     check_shader(c, pass->vert);
     check_shader(c, pass->frag);
     check_shader(c, pass->comp);
-    if (pass->vertices)
-        check_vertices(c, pass->vertices);
+    rg_check_vertices(c, pass->vertices);
+    rg_check_depth(c, pass);
 }
 
 void rg_check_row(struct compiler *c, const struct rg_pass *pass)

@@ -365,16 +365,23 @@ static char vertex_component(VkFormat format, uint32_t *count)
     return group->kinds[format - group->first];
 }
 
+static const VkVertexInputAttributeDescription *
+find_attribute(const struct rg_vertex_layout *layout, uint32_t location)
+{
+    for (; layout; layout = layout->next) {
+        for (uint32_t i = 0; i < layout->attribute_count; i++) {
+            if (layout->attributes[i].location == location)
+                return &layout->attributes[i];
+        }
+    }
+    return NULL;
+}
+
 static void check_attribute(const struct shaders *s, const struct spirv_variable *v,
                             uint32_t location)
 {
-    const struct rg_vertex_layout *layout = s->row->vertices;
-    const VkVertexInputAttributeDescription *a = NULL;
+    const VkVertexInputAttributeDescription *a = find_attribute(s->row->vertices, location);
     uint32_t count, given = 0;
-    for (uint32_t i = 0; layout && i < layout->attribute_count; i++) {
-        if (layout->attributes[i].location == location)
-            a = &layout->attributes[i];
-    }
     char component = rg_spirv_component(s->stages[0], v->type, &count);
     char kind = '?';
     if (a)

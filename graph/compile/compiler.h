@@ -323,6 +323,20 @@ void rg_check_output_memory(struct compiler *c, const struct resource *r);
 /* Finds what is wrong with a row by itself, its name left out. */
 void rg_check_row(struct compiler *c, const struct rg_pass *pass);
 
+/* ---- check_state.c ---- */
+
+enum {
+    ALL_CHANNELS = 0xf /* of VkColorComponentFlags */
+};
+
+/* Whether what a target holds is blended with, and whether any of it may stay. */
+bool rg_is_blended(const struct rg_target *target);
+bool rg_keeps_color(const struct rg_target *target);
+
+void rg_check_target(struct compiler *c, const struct rg_target *target);
+void rg_check_vertices(struct compiler *c, const struct rg_vertex_layout *v); /* may be NULL */
+void rg_check_depth(struct compiler *c, const struct rg_pass *pass);
+
 /* check_shaders.c: compares a row without faults with its shaders, if their code is known. */
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 

@@ -118,6 +118,8 @@ static void check_target(struct compiler *c, const struct rg_target *target,
                 "a colour target needs a colour format");
     rg_fault_if(c, is_depth && row->depth_read_only && target->load != RG_LOAD_KEEP,
                 RG_ERROR_ACCESS, r->name, "depth that is only tested is RG_LOAD_KEEP");
+    rg_fault_if(c, is_depth && row->stencil && !(r->all.aspectMask & VK_IMAGE_ASPECT_STENCIL_BIT),
+                RG_ERROR_FORMAT, r->name, "a stencil test needs a format with a stencil");
     rg_fault_if(c, is_depth && target->resolve, RG_ERROR_SAMPLES, r->name,
                 "only colour is resolved; read depth by texelFetch");
     rg_fault_if(c, c->target_samples && samples != c->target_samples, RG_ERROR_SAMPLES, r->name,
@@ -161,7 +163,7 @@ static void add_target(struct compiler *c, const struct rg_target *target)
                           : row->depth_read_only ? RG_DEPTH_READ
                                                  : RG_DEPTH;
     bool keeps = target->load == RG_LOAD_KEEP;
-    bool reads = keeps || target->blend || kind != RG_COLOR;
+    bool reads = keeps || rg_keeps_color(target) || kind != RG_COLOR;
     struct resource *r = rg_resource_of(c, target->image, NULL);
     struct access *a = next_access(c, r, kind, reads, rg_access_table[kind].stages);
     if (!a)

@@ -70,7 +70,7 @@ static void check_format(struct compiler *c, const struct access *a)
     VkFormatFeatureFlags needed = rg_access_table[a->kind].format_features;
     if (sampler && sampler->linear)
         needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
-    if (a->kind == RG_COLOR && ((const struct rg_target *)a->declared)->blend)
+    if (a->kind == RG_COLOR && rg_is_blended(a->declared))
         needed |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
     if (needed & ~device->format_features(device->user, a->resource->image->format))
         rg_fault(c, RG_ERROR_FORMAT, a->resource->name,

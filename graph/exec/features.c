@@ -33,9 +33,18 @@ static bool blends_differ(const struct rg_plan *plan)
     for (uint32_t p = 0; p < plan->pass_count; p++) {
         for (uint32_t i = 1; i < plan->passes[p].color_count; i++) {
             const struct rg_target *color = plan->passes[p].pass->color;
-            if (color[i].blend != color[0].blend)
+            if (color[i].blend != color[0].blend || color[i].blend_state != color[0].blend_state)
                 return true;
         }
+    }
+    return false;
+}
+
+static bool limits_depth_bias(const struct rg_plan *plan)
+{
+    for (uint32_t p = 0; p < plan->pass_count; p++) {
+        if (plan->passes[p].pass->depth_bias.clamp != 0.0f)
+            return true;
     }
     return false;
 }
@@ -74,6 +83,7 @@ VkResult rg_exec_check_features(struct rg_exec *exec)
         { "the feature scalarBlockLayout", true, f.v12.scalarBlockLayout },
         { "the feature separateDepthStencilLayouts", true, f.v12.separateDepthStencilLayouts },
         { "the feature independentBlend", blends_differ(exec->plan), core->independentBlend },
+        { "the feature depthBiasClamp", limits_depth_bias(exec->plan), core->depthBiasClamp },
         { "the feature fragmentStoresAndAtomics",
           writes_in(exec->plan, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT),
           core->fragmentStoresAndAtomics },

@@ -57,10 +57,13 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
     return rg_exec_check(exec, result, "vkCreateShaderModule", shader->name);
 }
 
-static VkPipelineColorBlendAttachmentState blend_state(enum rg_blend blend)
+static VkPipelineColorBlendAttachmentState blend_state(const struct rg_target *target)
 {
+    const enum rg_blend blend = target->blend;
     VkBlendFactor kept =
         blend == RG_BLEND_ADD ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    if (target->blend_state)
+        return *target->blend_state;
     return (VkPipelineColorBlendAttachmentState){
         .blendEnable = blend != RG_BLEND_NONE,
         .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
@@ -88,7 +91,7 @@ static void fill_target_state(struct target_state *state, const struct rg_exec *
         .pColorAttachmentFormats = state->formats,
     };
     for (uint32_t i = 0; i < plan->color_count; i++) {
-        state->blends[i] = blend_state(plan->pass->color[i].blend);
+        state->blends[i] = blend_state(&plan->pass->color[i]);
         state->formats[i] = images[plan->color[i].image].image->format;
     }
     if (plan->depth.image == RG_NONE)
@@ -99,15 +102,58 @@ static void fill_target_state(struct target_state *state, const struct rg_exec *
         state->rendering.stencilAttachmentFormat = depth->image->format;
 }
 
-static VkPipelineVertexInputStateCreateInfo
-vertex_input(const struct rg_vertex_layout *layout, const VkVertexInputBindingDescription *binding)
+/* The vertex buffers of a row. */
+struct vertex_state {
+    VkVertexInputBindingDescription bindings[RG_MAX_VERTEX_BUFFERS];
+    VkVertexInputAttributeDescription attributes[RG_MAX_ATTRIBUTES];
+    VkPipelineVertexInputStateCreateInfo info;
+};
+
+static void fill_vertex_state(struct vertex_state *state, const struct rg_vertex_layout *layout)
 {
-    return (VkPipelineVertexInputStateCreateInfo){
+    uint32_t binding = 0, count = 0;
+    for (; layout; layout = layout->next, binding++) {
+        state->bindings[binding] =
+            (VkVertexInputBindingDescription){ binding, layout->stride, layout->rate };
+        for (uint32_t i = 0; i < layout->attribute_count; i++)
+            state->attributes[count++] = layout->attributes[i];
+    }
+    state->info = (VkPipelineVertexInputStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
-        .vertexBindingDescriptionCount = layout ? 1 : 0,
-        .pVertexBindingDescriptions = binding,
-        .vertexAttributeDescriptionCount = layout ? layout->attribute_count : 0,
-        .pVertexAttributeDescriptions = layout ? layout->attributes : NULL,
+        .vertexBindingDescriptionCount = binding,
+        .pVertexBindingDescriptions = state->bindings,
+        .vertexAttributeDescriptionCount = count,
+        .pVertexAttributeDescriptions = state->attributes,
+    };
+}
+
+static VkPipelineRasterizationStateCreateInfo rasterization_of(const struct rg_pass *row)
+{
+    const struct rg_depth_bias *bias = &row->depth_bias;
+    return (VkPipelineRasterizationStateCreateInfo){
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+        .cullMode = row->cull,
+        .frontFace = row->front,
+        .depthBiasEnable = bias->constant != 0.0f || bias->slope != 0.0f,
+        .depthBiasConstantFactor = bias->constant,
+        .depthBiasClamp = bias->clamp,
+        .depthBiasSlopeFactor = bias->slope,
+        .lineWidth = 1.0f,
+    };
+}
+
+static VkPipelineDepthStencilStateCreateInfo depth_stencil_of(const struct rg_plan_pass *plan)
+{
+    const struct rg_pass *row = plan->pass;
+    const bool has_depth = plan->depth.image != RG_NONE;
+    return (VkPipelineDepthStencilStateCreateInfo){
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+        .depthTestEnable = has_depth,
+        .depthWriteEnable = has_depth && !row->depth_read_only,
+        .depthCompareOp = row->depth_compare ? row->depth_compare : VK_COMPARE_OP_LESS_OR_EQUAL,
+        .stencilTestEnable = row->stencil != NULL,
+        .front = row->stencil ? row->stencil->front : (VkStencilOpState){ 0 },
+        .back = row->stencil ? row->stencil->back : (VkStencilOpState){ 0 },
     };
 }
 
@@ -118,12 +164,11 @@ static VkResult make_graphics(struct rg_exec *exec, const struct rg_plan_pass *p
 {
     static const VkDynamicState dynamic[] = { VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR };
     const struct rg_pass *row = plan->pass;
-    const VkVertexInputBindingDescription binding = {
-        .stride = row->vertices ? row->vertices->stride : 0,
-    };
-    const VkPipelineVertexInputStateCreateInfo vertices = vertex_input(row->vertices, &binding);
-    bool has_depth = plan->depth.image != RG_NONE;
+    const VkPipelineRasterizationStateCreateInfo rasterization = rasterization_of(row);
+    const VkPipelineDepthStencilStateCreateInfo depth_stencil = depth_stencil_of(plan);
+    struct vertex_state vertices;
     struct target_state targets;
+    fill_vertex_state(&vertices, row->vertices);
     fill_target_state(&targets, exec, plan);
     VkGraphicsPipelineCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
@@ -134,7 +179,7 @@ static VkResult make_graphics(struct rg_exec *exec, const struct rg_plan_pass *p
         .renderPass = pass->render_pass,
     };
     VkResult result;
-    info.pVertexInputState = &vertices;
+    info.pVertexInputState = &vertices.info;
     info.pInputAssemblyState = &(VkPipelineInputAssemblyStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
         .topology = row->topology ? row->topology : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
@@ -144,22 +189,12 @@ static VkResult make_graphics(struct rg_exec *exec, const struct rg_plan_pass *p
         .viewportCount = 1,
         .scissorCount = 1,
     };
-    info.pRasterizationState = &(VkPipelineRasterizationStateCreateInfo){
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
-        .cullMode = row->cull,
-        .frontFace = row->front,
-        .lineWidth = 1.0f,
-    };
+    info.pRasterizationState = &rasterization;
     info.pMultisampleState = &(VkPipelineMultisampleStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
         .rasterizationSamples = rg_exec_samples(exec, plan),
     };
-    info.pDepthStencilState = &(VkPipelineDepthStencilStateCreateInfo){
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
-        .depthTestEnable = has_depth,
-        .depthWriteEnable = has_depth && !row->depth_read_only,
-        .depthCompareOp = row->depth_compare ? row->depth_compare : VK_COMPARE_OP_LESS_OR_EQUAL,
-    };
+    info.pDepthStencilState = &depth_stencil;
     info.pColorBlendState = &(VkPipelineColorBlendStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
         .attachmentCount = plan->color_count,
@@ -220,10 +255,13 @@ static void add_shader(uint64_t *key, const struct rg_exec *exec, const struct r
 
 static void add_vertices(uint64_t *key, const struct rg_vertex_layout *layout)
 {
-    RG_KEY(*key, layout ? layout->stride : RG_NONE);
-    if (layout && layout->attribute_count)
-        *key = rg_exec_key(*key, layout->attributes,
-                           layout->attribute_count * sizeof(*layout->attributes));
+    for (; layout; layout = layout->next) {
+        RG_KEY(*key, (uint64_t)layout->rate << 32 | layout->stride);
+        if (layout->attribute_count)
+            *key = rg_exec_key(*key, layout->attributes,
+                               layout->attribute_count * sizeof(*layout->attributes));
+    }
+    RG_KEY(*key, RG_NONE);
 }
 
 /* Drivers compile equal pipelines again, so rows that draw alike share one. All that a pipeline is
@@ -250,8 +288,14 @@ static uint64_t pipeline_key(const struct rg_exec *exec, const struct rg_plan_pa
     add_vertices(&key, row->vertices);
     key = rg_exec_key(key, state, sizeof(state));
     fill_target_state(&targets, exec, plan);
-    for (uint32_t i = 0; i < plan->color_count; i++)
-        RG_KEY(key, (uint64_t)targets.formats[i] << 32 | (uint32_t)row->color[i].blend);
+    key = rg_exec_key(key, &row->depth_bias, sizeof(row->depth_bias));
+    RG_KEY(key, row->stencil != NULL);
+    if (row->stencil)
+        key = rg_exec_key(key, row->stencil, sizeof(*row->stencil));
+    for (uint32_t i = 0; i < plan->color_count; i++) {
+        RG_KEY(key, targets.formats[i]);
+        key = rg_exec_key(key, &targets.blends[i], sizeof(targets.blends[i]));
+    }
     return RG_KEY(key, targets.rendering.depthAttachmentFormat);
 }
 

@@ -248,15 +248,26 @@ void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size)
 
 void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count)
 {
-    cmd->exec->vk.CmdDraw(cmd->commands, cmd->warm_up ? 3 : vertex_count, 1, 0, 0);
+    rg_cmd_draw_instances(cmd, vertex_count, 1);
+}
+
+void rg_cmd_draw_instances(struct rg_cmd *cmd, uint32_t vertex_count, uint32_t instance_count)
+{
+    cmd->exec->vk.CmdDraw(cmd->commands, cmd->warm_up ? 3 : vertex_count,
+                          cmd->warm_up ? 1 : instance_count, 0, 0);
 }
 
 static void bind_mesh(const struct rg_cmd *cmd, const struct rg_mesh *mesh)
 {
     const struct rg_exec *exec = cmd->exec;
     const VkDeviceSize offset = 0;
-    const VkBuffer *vertices = cmd->warm_up ? &exec->triangle : &mesh->vertices;
-    exec->vk.CmdBindVertexBuffers(cmd->commands, 0, 1, vertices, &offset);
+    const struct rg_vertex_layout *layout = cmd->plan_pass->pass->vertices;
+    for (uint32_t i = 0; layout; layout = layout->next, i++) {
+        const VkBuffer *buffer = cmd->warm_up ? &exec->triangle
+                                 : i          ? &mesh->more[i - 1]
+                                              : &mesh->vertices;
+        exec->vk.CmdBindVertexBuffers(cmd->commands, i, 1, buffer, &offset);
+    }
     exec->vk.CmdBindIndexBuffer(cmd->commands, cmd->warm_up ? exec->triangle : mesh->indices, 0,
                                 VK_INDEX_TYPE_UINT32);
 }
@@ -267,7 +278,9 @@ void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint3
     if (!count)
         return;
     bind_mesh(cmd, mesh);
-    cmd->exec->vk.CmdDrawIndexed(cmd->commands, cmd->warm_up ? 3 : count, 1,
+    const uint32_t instance_count =
+        mesh->instance_count && !cmd->warm_up ? mesh->instance_count : 1;
+    cmd->exec->vk.CmdDrawIndexed(cmd->commands, cmd->warm_up ? 3 : count, instance_count,
                                  cmd->warm_up ? 0 : first, 0, 0);
 }
 

@@ -80,13 +80,30 @@ static const VkVertexInputAttributeDescription attributes[] = {
     { UINT32_MAX, 7, (VkFormat)INT32_MAX, UINT32_MAX },
 };
 static const struct rg_vertex_layout bare = { .stride = 12 };
-static const struct rg_vertex_layout pair = { 20, 2, attributes };
 static const struct rg_vertex_layout wild = { 20, 3, attributes };
 static const struct rg_vertex_layout far_apart = { UINT32_MAX, 2, attributes };
 static const struct rg_vertex_layout missing = { 20, 2, NULL };
 static const struct rg_vertex_layout too_many = { 20, UINT32_MAX, attributes };
-static const void *const layouts[CHOICES] = { NULL,  &bare,      &pair,    &pair,
+static const VkVertexInputAttributeDescription of_second = { 5, 1, VK_FORMAT_R32_UINT, 4 };
+static const struct rg_vertex_layout second = { 8, 1, &of_second, .rate = 1, .next = NULL };
+static const struct rg_vertex_layout two = { 20, 2, attributes, .next = &second };
+static const struct rg_vertex_layout ring = { 20, 0, NULL, .next = &ring };
+static const void *const layouts[CHOICES] = { NULL,  &bare,      &two,     &ring,
                                               &wild, &far_apart, &missing, &too_many };
+
+static const VkPipelineColorBlendAttachmentState masked = { .colorWriteMask = 2 };
+static const VkPipelineColorBlendAttachmentState blended = { VK_TRUE, .colorWriteMask = 0xf };
+static const VkPipelineColorBlendAttachmentState wild_blend = { .srcColorBlendFactor =
+                                                                    (VkBlendFactor)INT32_MAX };
+static const void *const blends[CHOICES] = { NULL,     NULL,    NULL,     NULL,
+                                             &blended, &masked, &blended, &wild_blend };
+
+static const struct rg_stencil tests = { .front = { .compareMask = 1 } };
+static const struct rg_stencil writes = { .back = { .passOp = VK_STENCIL_OP_INVERT,
+                                                    .writeMask = 1 } };
+static const struct rg_stencil wild_stencil = { .back = { .failOp = (VkStencilOp)INT32_MAX } };
+static const void *const stencils[CHOICES] = { NULL,   NULL,   NULL,    NULL,
+                                               &tests, &tests, &writes, &wild_stencil };
 
 static const struct rg_sampler nearest = { 0 };
 static const struct rg_sampler linear = { .linear = true, .mips = true };
@@ -142,7 +159,7 @@ static const struct field target_fields[] = {
     FIELD(rg_target, U32, mip),         FIELD(rg_target, U32, layer),
     FIELD(rg_target, U32, blend),       FIELD(rg_target, IMAGE, resolve),
     FIELD(rg_target, U32, resolve_mip), FIELD(rg_target, U32, resolve_layer),
-    FIELD(rg_target, FLOAT, clear),
+    FIELD(rg_target, FLOAT, clear),     CHOSEN(rg_target, blend_state, blends),
 };
 
 static const struct field pass_fields[] = {
@@ -155,6 +172,7 @@ static const struct field pass_fields[] = {
     FIELD(rg_pass, U32, front),         FIELD(rg_pass, U32, push_size),
     FIELD(rg_pass, RECORD, record),     FIELD(rg_pass, WHEN, when),
     FIELD(rg_pass, TARGETS_OF, color),  FIELD(rg_pass, U32, color_count),
+    CHOSEN(rg_pass, stencil, stencils), FIELD(rg_pass, FLOAT, depth_bias.slope),
 };
 
 static const struct field import_fields[] = {

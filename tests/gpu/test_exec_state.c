@@ -159,6 +159,129 @@ static void targets_are_blended(void **state)
     PAINTED_EVERYWHERE(state, blend_rows, paints, check_blend, .outputs = { &over_out, &sum_out });
 }
 
+/* ---- any blend ---- */
+
+static const struct rg_image product = COLOR_IMAGE("product");
+static const struct rg_image masked = COLOR_IMAGE("masked");
+static const struct rg_buffer product_out = COLOR_BUFFER("product out");
+static const struct rg_buffer masked_out = COLOR_BUFFER("masked out");
+
+static const VkPipelineColorBlendAttachmentState multiply = {
+    .blendEnable = VK_TRUE,
+    .srcColorBlendFactor = VK_BLEND_FACTOR_DST_COLOR,
+    .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+    .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+    .alphaBlendOp = VK_BLEND_OP_REVERSE_SUBTRACT,
+    .colorWriteMask = 0xf,
+};
+static const VkPipelineColorBlendAttachmentState green_alone = {
+    .colorWriteMask = VK_COLOR_COMPONENT_G_BIT,
+};
+
+static const struct rg_pass mixed_rows[] = {
+    {
+        .name = "multiply",
+        .color = RG_TARGETS({ &product, RG_LOAD_CLEAR, .clear.color = { { 2, 3, 4, 5 } },
+                              .blend_state = &multiply }),
+        PAINTED,
+    },
+    {
+        .name = "mask",
+        .color = RG_TARGETS({ &masked, RG_LOAD_CLEAR, .clear.color = { { 2, 3, 4, 5 } },
+                              .blend_state = &green_alone }),
+        PAINTED,
+    },
+    RUN_READ("read product", product, product_out),
+    RUN_READ("read masked", masked, masked_out),
+};
+
+static void check_mixed(struct run *run)
+{
+    painted_check_all(run, &product_out, 64, painted_color(1, 6, 2, 3));
+    painted_check_all(run, &masked_out, 64, painted_color(2, 8, 4, 5));
+}
+
+static void any_blend_is_drawn(void **state)
+{
+    static const struct paint_push paints[] = {
+        { .color = { { 0.5F, 2, 0.5F, 2 } }, ALL },
+        { .color = { { 7, 8, 9, 10 } }, ALL },
+    };
+    PAINTED_EVERYWHERE(state, mixed_rows, paints, check_mixed,
+                       .outputs = { &product_out, &masked_out });
+}
+
+/* ---- stencil, and a bias of depth ---- */
+
+static const struct rg_image marks = { .name = "marks", .format = VK_FORMAT_D32_SFLOAT_S8_UINT };
+static const struct rg_image inside = COLOR_IMAGE("inside");
+static const struct rg_buffer inside_out = COLOR_BUFFER("inside out");
+
+#define FACES(...) \
+    { \
+        .front = { __VA_ARGS__ }, .back = { __VA_ARGS__ } \
+    }
+static const struct rg_stencil mark =
+    FACES(.passOp = VK_STENCIL_OP_INCREMENT_AND_CLAMP, .depthFailOp = VK_STENCIL_OP_ZERO,
+          .compareOp = VK_COMPARE_OP_ALWAYS, .compareMask = 0xff, .writeMask = 0xff);
+static const struct rg_stencil is_marked =
+    FACES(.compareOp = VK_COMPARE_OP_EQUAL, .compareMask = 0xff, .reference = 8);
+
+/* The third is as far as the first, but for its bias. */
+static const struct rg_pass stencil_rows[] = {
+    {
+        .name = "mark",
+        .depth = { &marks, RG_LOAD_CLEAR, .clear.depthStencil = { 1, 7 } },
+        .stencil = &mark,
+        PAINTED_BY(painted_record, NULL),
+    },
+    {
+        .name = "inside",
+        .color = RG_TARGETS({ &inside, RG_LOAD_CLEAR }),
+        .depth = { &marks },
+        .depth_read_only = true,
+        .stencil = &is_marked,
+        PAINTED,
+    },
+    {
+        .name = "behind",
+        .color = RG_TARGETS({ &inside }),
+        .depth = { &marks },
+        .depth_bias = { .constant = 1 << 20 },
+        PAINTED,
+    },
+    {
+        .name = "before",
+        .color = RG_TARGETS({ &inside }),
+        .depth = { &marks },
+        .depth_bias = { .constant = -(1 << 20) },
+        PAINTED,
+    },
+    RUN_READ("read inside", inside, inside_out),
+};
+
+static void check_stencil(struct run *run)
+{
+    for (uint32_t i = 0; i < 64; i++) {
+        const bool left = i % 8 < 4, top = i < 32;
+        const vec4s color = left && top ? painted_color(3, 3, 3, 3)
+                            : left      ? painted_color(1, 1, 1, 1)
+                                        : painted_color(0, 0, 0, 0);
+        painted_check(run, &inside_out, i, color);
+    }
+}
+
+static void stencil_is_tested(void **state)
+{
+    static const struct paint_push paints[] = {
+        { LEFT_HALF, .depth = 0.5F },
+        { .color = { { 1, 1, 1, 1 } }, ALL },
+        { .color = { { 2, 2, 2, 2 } }, LEFT_HALF, .depth = 0.5F },
+        { .color = { { 3, 3, 3, 3 } }, .from = { { -1, -1 } }, .to = { { 0, 0 } }, .depth = 0.5F },
+    };
+    PAINTED_EVERYWHERE(state, stencil_rows, paints, check_stencil, .outputs = { &inside_out });
+}
+
 /* ---- faces and topology ---- */
 
 static const struct rg_image faces = COLOR_IMAGE("faces");
@@ -304,6 +427,74 @@ static void mesh_is_drawn(void **state)
     gpu_buffer_destroy(gpu, &index_buffer);
 }
 
+/* ---- instances ---- */
+
+static const VkVertexInputAttributeDescription corner = { 0, 0, VK_FORMAT_R32G32_SFLOAT, 0 };
+static const VkVertexInputAttributeDescription move = { 3, 1, VK_FORMAT_R32G32_SFLOAT, 8 };
+static const struct rg_vertex_layout moves = { 16, 1, &move, VK_VERTEX_INPUT_RATE_INSTANCE, NULL };
+static const struct rg_vertex_layout corners = { 8, 1, &corner, .next = &moves };
+static const struct rg_image instances = COLOR_IMAGE("instances");
+static const struct rg_buffer instances_out = COLOR_BUFFER("instances out");
+
+static const struct rg_pass instance_rows[] = {
+    {
+        .name = "draw",
+        .color = RG_TARGETS({ &instances, RG_LOAD_CLEAR, .blend = RG_BLEND_ADD }),
+        .record = record_mesh,
+        .vert = &paint_instances_vert,
+        .frag = &paint_frag,
+        .vertices = &corners,
+        .push_size = sizeof(struct paint_push),
+    },
+    RUN_READ("read", instances, instances_out),
+};
+
+/* A column that is two texels wide, three times. */
+static void check_instances(struct run *run)
+{
+    for (uint32_t i = 0; i < 64; i++) {
+        const uint32_t x = i % 8;
+        const float count = x < 2 ? 2.0F : x >= 6 ? 1.0F : 0.0F;
+        painted_check(run, &instances_out, i, painted_color(count, count, count, count));
+    }
+}
+
+static void instances_are_drawn(void **state)
+{
+    static const float column[][2] = { { -1, -1 }, { -1, 1 }, { -0.5F, 1 }, { -0.5F, -1 } };
+    static const uint32_t indices[] = { 0, 1, 2, 0, 2, 3 };
+    static const float places[][4] = { { 9, 9, 0, 0 }, { 9, 9, 1.5F, 0 }, { 9, 9, 0, 0 } };
+    static const struct paint_push paint = { .color = { { 1, 1, 1, 1 } } };
+
+    const struct {
+        VkBufferUsageFlags usage;
+        const void *data;
+        size_t size;
+    } all[] = {
+        { VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, column, sizeof(column) },
+        { VK_BUFFER_USAGE_INDEX_BUFFER_BIT, indices, sizeof(indices) },
+        { VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, places, sizeof(places) },
+    };
+    struct gpu *gpu = *state;
+    struct gpu_buffer buffers[3];
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(gpu_buffer_create(gpu, &buffers[i], all[i].usage, all[i].data, all[i].size,
+                                           "instances"),
+                         STATUS_OK);
+    const struct rg_frame frame = {
+        .paints = &paint,
+        .mesh = { buffers[0].buffer, buffers[1].buffer, 6, 3, &buffers[2].buffer },
+    };
+    run_everywhere(gpu,
+                   &(struct run_params){
+                       .technique = RG_TECHNIQUE("test", instance_rows),
+                       .outputs = { &instances_out },
+                   },
+                   &frame, check_instances);
+    for (int i = 0; i < 3; i++)
+        gpu_buffer_destroy(gpu, &buffers[i]);
+}
+
 /* ---- specialization constants ---- */
 
 static const struct rg_image special = COLOR_IMAGE("special");
@@ -349,8 +540,10 @@ static void constants_reach_shaders(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(depth_is_tested), ON_DEVICE(targets_are_blended),     ON_DEVICE(faces_are_culled),
-        ON_DEVICE(mesh_is_drawn),   ON_DEVICE(constants_reach_shaders),
+        ON_DEVICE(depth_is_tested),     ON_DEVICE(targets_are_blended),
+        ON_DEVICE(any_blend_is_drawn),  ON_DEVICE(stencil_is_tested),
+        ON_DEVICE(faces_are_culled),    ON_DEVICE(mesh_is_drawn),
+        ON_DEVICE(instances_are_drawn), ON_DEVICE(constants_reach_shaders),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

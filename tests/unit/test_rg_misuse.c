@@ -190,8 +190,32 @@ static const VkVertexInputAttributeDescription same[] = {
 #define ATTRIBUTE(...)  LAYOUT(24, 1, &(const VkVertexInputAttributeDescription){ __VA_ARGS__ })
 #define BAD_ROW         "bad row 0 (draw): "
 #define VERTICES \
-    BAD_ROW NO_VALUE "vertices: expected a stride up to 2048, and attributes of binding 0 with " \
-                     "a colour format, an offset below 2048 and a location below 16 of their own"
+    BAD_ROW NO_VALUE "vertices: expected a stride up to 2048, and attributes of the layout's " \
+                     "binding with a colour format, an offset below 2048 and a location below 16 " \
+                     "of their own"
+
+/* The second one has a location of the first; the third is a ring. */
+static const struct rg_vertex_layout second = { 24, 1, &attributes[1] };
+static const VkVertexInputAttributeDescription first_of_next = { 0, 1, COLOR_FORMAT, 0 };
+static const struct rg_vertex_layout taken = { 24, 1, &first_of_next };
+static const struct rg_vertex_layout ring = { .stride = 24, .next = &ring };
+
+static const VkPipelineColorBlendAttachmentState plain_state = { .colorWriteMask = 0xf };
+static const VkPipelineColorBlendAttachmentState wide_mask = { .colorWriteMask = 0x1f };
+static const VkPipelineColorBlendAttachmentState second_source = { .srcColorBlendFactor =
+                                                                       VK_BLEND_FACTOR_SRC1_COLOR };
+static const VkPipelineColorBlendAttachmentState advanced = { .alphaBlendOp =
+                                                                  VK_BLEND_OP_MULTIPLY_EXT };
+#define BLENDED(...) DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER), __VA_ARGS__ }))
+#define BLEND_STATE \
+    BAD_ROW "other " NO_VALUE "blend_state: expected constants of Vulkan, of no second source, " \
+            "and no .blend"
+
+static const struct rg_image marked = { "marked", .format = VK_FORMAT_D24_UNORM_S8_UINT };
+static const struct rg_stencil writing = { .back = { .failOp = VK_STENCIL_OP_INVERT,
+                                                     .writeMask = 1 } };
+static const struct rg_stencil unknown = { .front = { .compareOp = (VkCompareOp)8 } };
+static const struct rg_stencil sound = { 0 };
 
 static const struct fault_case row_cases[] = {
     { ROW(RG_ERROR_VALUE, NULL,
@@ -239,6 +263,26 @@ static const struct fault_case row_cases[] = {
     { ROW(RG_ERROR_VALUE, NULL, ATTRIBUTE(0, 0, VK_FORMAT_UNDEFINED, 0)), .text = VERTICES },
     { ROW(RG_ERROR_VALUE, NULL, ATTRIBUTE(0, 0, (VkFormat)9999, 0)), .text = VERTICES },
     { ROW(RG_ERROR_VALUE, NULL, ATTRIBUTE(0, 0, COLOR_FORMAT, WILD)), .text = VERTICES },
+    { ROW(RG_ERROR_VALUE, NULL, LAYOUT(24, 1, attributes, (VkVertexInputRate)2, NULL)),
+      .text = VERTICES },
+    { ROW(RG_ERROR_VALUE, NULL, LAYOUT(24, 1, attributes, .next = &second)), .text = VERTICES },
+    { ROW(RG_ERROR_VALUE, NULL, LAYOUT(24, 1, attributes, .next = &taken)), .text = VERTICES },
+    { ROW(RG_ERROR_VALUE, NULL, DRAW_OTHER(.vertices = &ring)),
+      .text = BAD_ROW NO_VALUE "vertices: expected at most 8 layouts" },
+    { ROW(RG_ERROR_VALUE, NULL, DRAW_OTHER(.depth_bias = { .slope = NAN })),
+      .text = BAD_ROW NO_VALUE "depth_bias: expected finite numbers" },
+    { ROW(RG_ERROR_NO_TARGET, NULL, DRAW_OTHER(.stencil = &sound)) },
+    { ROW(RG_ERROR_FORMAT, NULL, DRAW("draw", .depth = { CLEARED(flat) }, .stencil = &sound)),
+      .text =
+          BAD_ROW "flat format cannot be used so; a stencil test needs a format with a stencil" },
+    { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .depth = { CLEARED(marked) }, .stencil = &unknown)),
+      .text = BAD_ROW NO_VALUE "stencil: expected constants of Vulkan" },
+    { .error = RG_ERROR_VALUE,
+      .row = true,
+      .row_count = 2,
+      .rows = { DRAW("first", .depth = { CLEARED(marked) }),
+                DRAW_OTHER(.depth = { &marked }, .stencil = &writing, .depth_read_only = true) },
+      .text = "bad row 1 (draw): " NO_VALUE "stencil: expected no writes, with depth_read_only" },
 };
 
 static const struct fault_case target_cases[] = {
@@ -247,6 +291,11 @@ static const struct fault_case target_cases[] = {
     { ROW(RG_ERROR_VALUE, NULL,
           DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER), .blend = (enum rg_blend)3 }))),
       .text = BAD_ROW "other " NO_VALUE "blend: expected a constant of enum rg_blend" },
+    { ROW(RG_ERROR_VALUE, NULL, BLENDED(.blend_state = &wide_mask)), .text = BLEND_STATE },
+    { ROW(RG_ERROR_VALUE, NULL, BLENDED(.blend_state = &second_source)), .text = BLEND_STATE },
+    { ROW(RG_ERROR_VALUE, NULL, BLENDED(.blend_state = &advanced)), .text = BLEND_STATE },
+    { ROW(RG_ERROR_VALUE, NULL, BLENDED(.blend_state = &plain_state, .blend = RG_BLEND_ADD)),
+      .text = BLEND_STATE },
     { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .depth = { &flat, (enum rg_load)INT32_MAX })),
       .text = BAD_ROW "flat " NO_VALUE "load: expected a constant of enum rg_load" },
     { ROW(RG_ERROR_VALUE, NULL,
