@@ -148,7 +148,10 @@ static void warn_of_materials(const struct app_picture *picture, const struct sc
     static const struct {
         const char *name;
         bool (*is_there)(const struct material *material);
-    } kinds[] = { { "rough", is_rough }, { "thin-walled", is_thin }, { "tinted", is_tinted } };
+    } kinds[] = { { "rough", is_rough },
+                  { "thin-walled", is_thin },
+                  { "tinted", is_tinted },
+                  { "textured", material_is_dressed } };
     const struct model *model = &scene->model;
     char words[128] = "";
     if (!picture->rung->rung.rows || picture->rung->rung.meets_tree || frame_media_are_bare(scene))

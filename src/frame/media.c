@@ -31,6 +31,7 @@ static struct frame_medium medium_of(const struct material *material, bool has_o
         .roughness = material->roughness,
         .shine = 1.0f - material->transmission,
         .is_thin = !(material->thickness > 0.0f),
+        .is_dressed = material_is_dressed(material),
     };
     if (absorption.x > 0.0f || absorption.y > 0.0f || absorption.z > 0.0f)
         medium.absorption = absorption;

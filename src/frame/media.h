@@ -13,6 +13,7 @@ struct frame_medium {
     float shine;      /* share of the light that the surface neither reflects nor lets pass */
     uint32_t rank;    /* struct object; 0: the outside */
     bool is_thin;     /* a wall with the same medium on both sides */
+    bool is_dressed;  /* textures change tint, roughness, shine or normal: material_is_dressed() */
 };
 
 /*

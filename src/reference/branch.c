@@ -133,6 +133,37 @@ bool branch_is_spent(const struct tracing *tracing, const struct branch *b)
     return b->bounces >= tracing->params.bounces || b->scatterings >= SCATTERINGS_MAX;
 }
 
+const struct frame_medium *branch_surface(const struct tracing *tracing,
+                                          const struct meeting *meeting)
+{
+    const bool is_gap = meeting->hit.part == BVH_CRACKS;
+    return tracing_medium(tracing, is_gap ? tracing->media->outside : meeting->hit.object);
+}
+
+/* Finds what the surface is at a point that light has met. */
+static void dress(const struct tracing *tracing, const struct branch *b, struct meeting *meeting)
+{
+    const struct bvh_hit *hit = &meeting->hit;
+    const struct frame_medium *surface = branch_surface(tracing, meeting);
+    const struct model *model = &tracing->radiance->scene->model;
+    meeting->dress = (struct dress){ surface->tint, surface->roughness, surface->shine };
+    meeting->normal = hit->surface.normal;
+    meeting->is_bent = false;
+    if (hit->part != BVH_OBJECT || !surface->is_dressed)
+        return;
+    const struct material *material = &model->materials[model->objects[hit->object].material];
+    const struct radiance_point point = {
+        .vertex = &hit->surface,
+        .extra = &hit->extra,
+        .along_u = hit->along_u,
+        .along_v = hit->along_v,
+        .dir = b->ray.dir,
+    };
+    meeting->dress =
+        radiance_dress(tracing->radiance, material, &point, meeting->dress, &meeting->normal);
+    meeting->is_bent = material->textures[MATERIAL_NORMAL].layer > 0;
+}
+
 bool branch_advance(const struct tracing *tracing, struct branch *b, struct meeting *meeting)
 {
     while (!branch_is_spent(tracing, b) && bvh_meet(tracing->bvh, &b->ray, &meeting->hit)) {
@@ -143,16 +174,20 @@ bool branch_advance(const struct tracing *tracing, struct branch *b, struct meet
         if (hit->part == BVH_SURROUNDINGS)
             return true;
         meeting->seed = b->seed;
-        if (hit->part == BVH_CRACKS && branch_is_in(tracing, b, hit->object))
+        if (hit->part == BVH_CRACKS && branch_is_in(tracing, b, hit->object)) {
+            dress(tracing, b, meeting);
             return true;
+        }
         if (hit->part == BVH_CRACKS || hit->part == BVH_AIR) {
             pass(tracing, b, hit);
             continue;
         }
         meeting->crossing = crossing_at(tracing, &b->inside, b->ray.dir, hit);
         if (tracing_medium(tracing, hit->object)->is_thin ||
-            !media_are_alike(tracing->media, meeting->crossing.before, meeting->crossing.after))
+            !media_are_alike(tracing->media, meeting->crossing.before, meeting->crossing.after)) {
+            dress(tracing, b, meeting);
             return true;
+        }
         const struct branch before = *b;
         *b = leave(tracing, b, meeting, b->ray.dir, true);
         b->weight = before.weight;
@@ -161,17 +196,10 @@ bool branch_advance(const struct tracing *tracing, struct branch *b, struct meet
     return false;
 }
 
-const struct frame_medium *branch_surface(const struct tracing *tracing,
-                                          const struct meeting *meeting)
-{
-    const bool is_gap = meeting->hit.part == BVH_CRACKS;
-    return tracing_medium(tracing, is_gap ? tracing->media->outside : meeting->hit.object);
-}
-
 struct fork branch_fork(const struct tracing *tracing, const struct branch *b,
                         const struct meeting *meeting)
 {
-    const struct frame_medium *surface = branch_surface(tracing, meeting);
+    const struct dress *surface = &meeting->dress;
     struct fork fork = { .parting = parting_at(tracing, b->ray.dir, meeting) };
     const struct parting *p = &fork.parting;
     fork.reflected = leave(tracing, b, meeting, p->reflected, false);

@@ -231,12 +231,22 @@ static enum status check_size(const struct bvh *bvh, uint64_t memory)
     return STATUS_TRY_AGAIN;
 }
 
+static bool is_dressed(const struct model *model)
+{
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        if (material_is_dressed(&model->materials[model->objects[i].material]))
+            return true;
+    }
+    return false;
+}
+
 enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *radiance,
                      uint64_t memory)
 {
     *bvh = (struct bvh){
         .radiance = radiance,
         .hair = 1e-4f * radiance->globals->radius,
+        .is_dressed = is_dressed(&radiance->scene->model),
         .parts[BVH_OBJECT].mesh = &radiance->scene->model.object,
         .parts[BVH_SURROUNDINGS].mesh = &radiance->scene->model.surroundings,
         .parts[BVH_CRACKS].mesh = &radiance->scene->cracks,
@@ -414,13 +424,16 @@ bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *
         .facet = facet_normal(part, rayhit.hit.primID),
         .surface = blended(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v),
     };
-    if (hit->part == BVH_SURROUNDINGS)
+    const bool has_textures =
+        hit->part == BVH_SURROUNDINGS || (hit->part == BVH_OBJECT && bvh->is_dressed);
+    if (has_textures)
         find_tangents(part, hit, 0);
-    if (hit->part == BVH_SURROUNDINGS && part->mesh->extras) {
+    if (has_textures && part->mesh->extras) {
         find_tangents(part, hit, 1);
         hit->extra = blended_extra(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v);
     }
     const mat3s turn = glms_mat4_pick3(pose(bvh, part, hit->surface.material));
     hit->surface.normal = glms_vec3_normalize(glms_mat3_mulv(turn, hit->surface.normal));
+    hit->extra.tangent = glms_mat3_mulv(turn, hit->extra.tangent);
     return true;
 }

@@ -47,8 +47,8 @@ struct bvh_hit {
     float distance;    /* metres */
     vec3s facet;       /* unit normal of the triangle, by its winding; of a bubble: outward */
     vec3s along_u[2], along_v[2]; /* derivatives of the world position by the vertices' uv, and by
-                                     that of their extras, of the surroundings; 0 without an area in
-                                     the texture */
+                                     that of their extras, of the surroundings, and of objects if
+                                     any has textures; 0 without an area in the texture */
     struct mesh_extra extra;      /* interpolated; {0} if there are none */
     struct mesh_vertex surface;   /* interpolated vertices in the world; the normal is unit */
 };
@@ -57,7 +57,8 @@ struct bvh_hit {
 struct bvh {
     RTCScene scene;
     const struct radiance *radiance;
-    float hair; /* metres: how near a ray's origin may be to a face by rounding alone */
+    float hair;      /* metres: how near a ray's origin may be to a face by rounding alone */
+    bool is_dressed; /* some object's material has textures */
 
     struct bvh_part {
         const struct mesh *mesh;

@@ -98,14 +98,23 @@ static void weather(const struct tracing *tracing, vec3s dir, const struct meeti
     const float side = meeting->crossing.is_entering ? 1.0f : -1.0f;
     const struct inclusions_surface found = inclusions_surface_at(
         inclusions, tracing->bvh, &meeting->hit, glms_vec3_scale(face->n, side));
-    face->is_bumpy = inclusions->has_bumps;
-    if (face->is_bumpy)
+    face->is_bumpy = face->is_bumpy || inclusions->has_bumps;
+    if (inclusions->has_bumps)
         face->n = bump_facing(glms_vec3_scale(found.normal, side), face->n, dir);
     if (!(parting_dot(dir, face->n) < 0.0))
         face->n = face->facet;
     if (microfacet_point(tracing->sample, microfacet_hash(meeting->seed, FROST_SEED)).x <
         found.frost)
         face->roughness = inclusions->frost_roughness;
+}
+
+/* Takes the normal of a texture, on the incident side. */
+static void bend(vec3s dir, vec3s normal, struct face *face)
+{
+    face->n = bump_facing(normal, face->n, dir);
+    if (!(parting_dot(dir, face->n) < 0.0))
+        face->n = face->facet;
+    face->is_bumpy = true;
 }
 
 static struct face face_at(const struct tracing *tracing, vec3s dir, const struct meeting *meeting)
@@ -120,11 +129,13 @@ static struct face face_at(const struct tracing *tracing, vec3s dir, const struc
         .facet = glms_vec3_scale(hit->facet, side),
         .eta = (double)tracing_medium(tracing, before)->ior[meeting->channel] /
                (double)tracing_medium(tracing, after)->ior[meeting->channel],
-        .roughness = surface->roughness,
+        .roughness = meeting->dress.roughness,
         .is_thin = surface->is_thin,
     };
     if (tracing->params.normals == REFERENCE_NORMALS_FLAT || !(parting_dot(dir, face.n) < 0.0))
         face.n = face.facet;
+    if (meeting->is_bent && tracing->params.normals != REFERENCE_NORMALS_FLAT)
+        bend(dir, glms_vec3_scale(meeting->normal, side), &face);
     if (hit->part == BVH_OBJECT && tracing->inclusions->is_uneven)
         weather(tracing, dir, meeting, &face);
     return face;

@@ -18,6 +18,9 @@ struct meeting {
     struct media_crossing crossing;
     uint32_t channel; /* colour of the light, for dispersion */
     uint32_t seed;
+    struct dress dress; /* with textures */
+    vec3s normal;       /* outward, interpolated; as the normal texture bends it */
+    bool is_bent;
 };
 
 /* Parts the light of a ray at a crack, at a smooth surface or, at one of its microfacets, a rough

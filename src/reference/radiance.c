@@ -233,6 +233,16 @@ static vec3s bent(const struct radiance *radiance, const struct material *m,
         glms_vec3_muladds(t, slope.x, glms_vec3_muladds(b, slope.y, glms_vec3_scale(n, slope.z))));
 }
 
+struct dress radiance_dress(const struct radiance *radiance, const struct material *material,
+                            const struct radiance_point *point, struct dress own, vec3s *normal)
+{
+    const struct coordinates uv = coordinates_of(point);
+    *normal = bent(radiance, material, point, point->vertex->normal);
+    return dress_of(own, glms_vec3(texel_of(radiance, material, MATERIAL_BASE_COLOR, uv)),
+                    texel_of(radiance, material, MATERIAL_METALLIC_ROUGHNESS, uv).y,
+                    texel_of(radiance, material, MATERIAL_TRANSMISSION, uv).x);
+}
+
 /* ---- light on surfaces ---- */
 
 static vec3s environment_light(const struct radiance *radiance, uint32_t layer, vec3s dir)

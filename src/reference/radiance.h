@@ -8,6 +8,7 @@
 #ifndef FIRN_REFERENCE_RADIANCE_H
 #define FIRN_REFERENCE_RADIANCE_H
 
+#include "shaders/dress.h"
 #include "shaders/globals.h"
 #include "src/scene/scene.h"
 
@@ -52,6 +53,11 @@ vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex 
 
 /* Returns the radiance of a surface of the surroundings. */
 vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point);
+
+/* Returns what textures make of a point of an object's surface, whose own values are `own`; the
+ * normal of *point, of the outer side, is bent into *normal. */
+struct dress radiance_dress(const struct radiance *radiance, const struct material *material,
+                            const struct radiance_point *point, struct dress own, vec3s *normal);
 
 /* Returns the share of light that passes a surface of the surroundings: 1 in a hole, and what the
  * alpha of a blended surface leaves. */

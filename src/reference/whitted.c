@@ -79,15 +79,14 @@ static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hi
 static void add_shine(const struct tracing *tracing, const struct branch *b,
                       const struct meeting *meeting, float fresnel, struct sum *sum)
 {
-    const struct frame_medium *surface = branch_surface(tracing, meeting);
-    if (!(surface->shine > 0.0f))
+    struct mesh_vertex vertex = meeting->hit.surface;
+    if (!(meeting->dress.shine > 0.0f))
         return;
-    const struct radiance_point point = { .vertex = &meeting->hit.surface,
-                                          .dir = b->ray.dir,
-                                          .is_base = true };
-    const vec3s light = glms_vec3_mul(surface->tint, radiance_surface(tracing->radiance, &point));
+    vertex.normal = meeting->normal;
+    const struct radiance_point point = { .vertex = &vertex, .dir = b->ray.dir, .is_base = true };
+    const vec3s light = radiance_surface(tracing->radiance, &point);
     sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light),
-                                   surface->shine * (1.0f - fresnel), sum->light);
+                                   meeting->dress.shine * (1.0f - fresnel), sum->light);
 }
 
 /* Traces a branch and its descendants, depth first: one of each two waits on the stack. */

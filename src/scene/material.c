@@ -32,6 +32,13 @@ struct material material_make(const char *name)
     return material;
 }
 
+bool material_is_dressed(const struct material *m)
+{
+    return m->textures[MATERIAL_BASE_COLOR].layer || m->textures[MATERIAL_NORMAL].layer ||
+           m->textures[MATERIAL_METALLIC_ROUGHNESS].layer ||
+           m->textures[MATERIAL_TRANSMISSION].layer;
+}
+
 static bool clamp(float *value, float min, float max, float initial)
 {
     const float is = *value;

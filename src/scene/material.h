@@ -89,6 +89,10 @@ struct material {
     struct material_texture textures[MATERIAL_TEXTURE_COUNT];
 };
 
+/* Returns whether a texture changes how light passes a transmissive surface, or is reflected by it:
+ * one of the base colour, the roughness, the transmission or the normal. */
+bool material_is_dressed(const struct material *material);
+
 /* Returns glTF's default material, white and opaque, with a name. */
 struct material material_make(const char *name);
 

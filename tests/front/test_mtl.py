@@ -140,11 +140,15 @@ class Mtl(features.Cards):
         self.twin(('disp -mm 0 1 a.png', 'decal b.png', 'refl -type sphere c.png', 'Ks spectral x',
                    'illum 1', 'Kd 1 1 1', 'aniso .5', 'disp c.png',
                    f'map_Kd -cc on {self.picture("a.png", [(255,) * 4])}'), pbr())
+        self.twin(('illum 7', 'map_Kd a.png', 'map_Ke a.png', 'map_Ns a.png', 'norm a.png'), pbr())
+        self.twin(('d .5', 'map_Kd a.png', 'map_Ks a.png'), pbr())
         (self.folder / 'cards.obj').write_text('\n'.join(self.obj))
         (self.folder / 'some cards.mtl').write_text('\n'.join(self.mtl))
         done = self.succeed('info', 'cards.obj')
         self.assertEqual(done.stderr, b'firn: warning: cards.obj: not drawn of its materials: '
-                         b'disp, decal, refl, spectral, aniso, -cc\n')
+                         b'disp, decal, refl, spectral, aniso, -cc, map_Kd of clear '
+                         b'materials, map_Ke of transmissive materials, map_Ks of transmissive '
+                         b'materials\n')
         for line, words in (('Kd red', 'expected three numbers of a colour, got \'red\''),
                             ('Ns nan', 'expected a finite number'),
                             ('map_Kd -s a.png', 'expected options with their values'),

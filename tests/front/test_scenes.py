@@ -287,14 +287,15 @@ class Scenes(Case):
         found = {row['name']: row['support'] for row in said['extensions']}
         self.assertEqual(found, {
             'EXT_of_nobody': 'ignored', 'KHR_materials_ior': 'drawn',
-            'KHR_materials_transmission': 'approximated', 'KHR_materials_volume': 'approximated',
+            'KHR_materials_transmission': 'drawn', 'KHR_materials_volume': 'approximated',
             'KHR_texture_transform': 'drawn'})
         warned = done.stderr.decode().split('not drawn: ')
         self.assertEqual(', '.join(said['not_drawn']), ''.join(warned[1:]).strip())
         self.assertIn('EXT_of_nobody is not supported, and ignored', warned[0])
         text = self.succeed('info', 'a.gltf', env=NO_DRIVER).stdout.decode()
         self.assertRegex(text, r'(?m)^  ignored +EXT_of_nobody$')
-        self.assertRegex(text, r'(?m)^  drawn +KHR_materials_ior, KHR_texture_transform$')
+        self.assertRegex(text, r'(?m)^  drawn +KHR_materials_ior, KHR_materials_transmission, '
+                               r'KHR_texture_transform$')
 
     def test_names_cannot_command_a_terminal(self):
         (self.folder / 'a.gltf').write_text(boxes((glass(name='\x1b[2Jice'), [0, 0, 0], 1)))

@@ -184,8 +184,7 @@ static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s 
     if (walk->is_counting) {
         if (part == MODEL_OBJECT)
             read_ior(walk, &gltf->materials[primitive->material]);
-        else
-            walk->build.has_extras[part] |= primitive->other_uvs || primitive->tangents;
+        walk->build.has_extras[part] |= primitive->other_uvs || primitive->tangents;
         return model_build_count(&walk->build, part, primitive->vertex_count,
                                  primitive->index_count);
     }

@@ -13,16 +13,17 @@ static const struct model_extension supported[] = {
     { "KHR_materials_dispersion", MODEL_DRAWN },
     { "KHR_materials_emissive_strength", MODEL_DRAWN },
     { "KHR_materials_ior", MODEL_DRAWN },
-    { "KHR_materials_specular", MODEL_APPROXIMATED },     /* of opaque materials alone */
-    { "KHR_materials_transmission", MODEL_APPROXIMATED }, /* without textures */
+    { "KHR_materials_specular", MODEL_APPROXIMATED }, /* of opaque materials alone */
+    { "KHR_materials_transmission", MODEL_DRAWN },
     { "KHR_materials_unlit", MODEL_DRAWN },
-    { "KHR_materials_volume", MODEL_APPROXIMATED }, /* without textures */
+    { "KHR_materials_volume", MODEL_APPROXIMATED }, /* without its texture */
     { "KHR_mesh_quantization", MODEL_DRAWN },
     { "KHR_texture_transform", MODEL_DRAWN },
 };
 
 static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
-    [GLTF_CLEAR_SURFACE] = "textures, emission, alpha and specular of transmissive materials",
+    [GLTF_CLEAR_SURFACE] =
+        "emission, alpha, specular, occlusion and thickness textures of transmissive materials",
     [GLTF_OTHER_SET] = "textures of a third set of coordinates",
     [GLTF_PICTURELESS] = "textures without a picture in a known format",
     [GLTF_ANIMATION] = "animations, but the pose at rest",

@@ -96,15 +96,21 @@ static void read_priority(const struct gltf_object *object, struct material *m)
     }
 }
 
-/* Notes what only opaque surfaces show. */
+/* Notes what only opaque surfaces show. The way of light inside is measured, and not that of a
+ * texture of thickness. */
 static void check_clear(struct gltf *gltf, const struct gltf_material *material)
 {
     const struct material *m = &material->material;
     bool is_left_out = m->flags & (MATERIAL_IS_BLENDED | MATERIAL_IS_CUTOUT) ||
                        glms_vec3_max(m->emission) > 0 || m->specular < 1 ||
                        !glms_vec3_eqv(m->specular_color, glms_vec3_one());
-    for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++)
-        is_left_out |= material->textures[i].image != gltf_none;
+
+    static const enum material_texture_use uses[] = { MATERIAL_OCCLUSION, MATERIAL_EMISSION,
+                                                      MATERIAL_THICKNESS, MATERIAL_SPECULAR,
+                                                      MATERIAL_SPECULAR_COLOR };
+
+    for (size_t i = 0; i < sizeof(uses) / sizeof(uses[0]); i++)
+        is_left_out |= material->textures[uses[i]].image != gltf_none;
     if (m->transmission > 0 && is_left_out)
         gltf->undrawn |= 1u << GLTF_CLEAR_SURFACE;
 }

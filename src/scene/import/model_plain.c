@@ -147,8 +147,12 @@ static enum status list_materials(const struct plain *plain, struct model *model
     model->materials = calloc(count, sizeof(*model->materials));
     if (!model->materials)
         return log_out_of_memory(plain->import->path);
-    for (uint32_t i = 0; i < plain->material_count; i++)
-        model->materials[i] = plain->materials[i].material;
+    for (uint32_t i = 0; i < plain->material_count; i++) {
+        struct material *m = &model->materials[i];
+        *m = plain->materials[i].material;
+        if (m->transmission > 0) /* map_Kd is what the surface itself shows: Tf tints what passes */
+            m->textures[MATERIAL_BASE_COLOR].layer = 0;
+    }
     model->materials[plain->material_count] = material_make("");
     model->material_count = count;
     for (uint32_t i = 0; i < plain->part_count; i++) {

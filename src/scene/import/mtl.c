@@ -204,13 +204,20 @@ static void make_surface(const struct mtl *mtl, struct material *m)
 /* Notes the pictures that only opaque surfaces show, and what a picture of another's alpha has. */
 static void check_maps(struct mtl *mtl, const struct plain_material *material)
 {
-    static const char clear[] = "pictures of transmissive materials", alpha[] = "options of map_d";
+    static const char alpha[] = "options of map_d";
+    static const char *const clear[PLAIN_MAP_COUNT] = {
+        [PLAIN_COLOR] = "map_Kd of clear materials",
+        [PLAIN_ALPHA] = "map_d of transmissive materials",
+        [PLAIN_SPECULAR] = "map_Ks of transmissive materials",
+        [PLAIN_EMISSION] = "map_Ke of transmissive materials",
+    };
     const struct plain_map *maps = material->maps;
-    bool is_left_out = false;
-    for (int i = 0; i < PLAIN_MAP_COUNT; i++)
-        is_left_out |= maps[i].file && material->material.transmission > 0;
-    if (is_left_out)
-        note(mtl, &(struct text_scan){ clear, clear + sizeof(clear) - 1 });
+    const float transmission = material->material.transmission;
+    for (int i = 0; i < PLAIN_MAP_COUNT; i++) {
+        const bool is_shown = i == PLAIN_COLOR ? transmission < 1 : !(transmission > 0);
+        if (maps[i].file && clear[i] && !is_shown)
+            note(mtl, &(struct text_scan){ clear[i], clear[i] + strlen(clear[i]) });
+    }
     bool is_moved = false;
     for (int k = 0; k < 2; k++)
         is_moved |= fabsf(maps[PLAIN_COLOR].scale[k] - maps[PLAIN_ALPHA].scale[k]) > 0 ||
