@@ -242,7 +242,7 @@ static uint32_t lay_node(struct layout *layout, uint32_t at, uint32_t depth, str
 /* Lays out a tree. A single leaf gets a node whose other child has an empty box. */
 static uint32_t lay_tree(struct layout *layout)
 {
-    static const float nowhere[2][3] = { { 1e30f, 1e30f, 1e30f }, { -1e30f, -1e30f, -1e30f } };
+    static const float nowhere[2][3] = { { 2e30f, 2e30f, 2e30f }, { 2e30f, 2e30f, 2e30f } };
     struct tree *tree = layout->tree;
     struct cone cone = { .angle = -1.0 };
     if (layout->draft->nodes[0].second)

@@ -48,6 +48,12 @@ class Trace(Case):
         self.check(0.004, 'sphere', *SIZE, '--set', 'trace.surroundings=rays',
                    '--set', 'refract.fresnel=exact', '--set', 'motion.count=2')
 
+    def test_a_floor_of_two_triangles(self):
+        floor = ('v -9 -2 -9', 'v 9 -2 -9', 'v 9 -2 9', 'v -9 -2 9', 'f 1 3 2', 'f 1 4 3')
+        (self.folder / 'floor.obj').write_text('\n'.join(floor))
+        self.check(0.004, 'sphere', *SIZE, '--set', 'trace.surroundings=rays',
+                   '--set', 'refract.fresnel=exact', '--surroundings', 'floor.obj')
+
     def test_rough(self):
         self.write('rough.gltf', (glass(1.5, roughness=0.3), [0, 0, 0], 1),
                    (glass(1.5), [2.5, 0, -2], 1))
