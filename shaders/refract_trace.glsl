@@ -9,14 +9,17 @@
  * loops that no pixel of a group enters, but executes both sides of branches.
  */
 #define REFRACT_SEEN
+#include "bump_normal.h"
 #include "lib/constants.glsl"
 #include "lib/microfacet.glsl"
 #include "lib/view_ray.glsl"
 #include "refract_frame.glsl"
 #include "surface.glsl"
+#include "trace_part.glsl"
 #ifdef TRACE_RAYS
-#include "trace_surface.glsl"
+#include "trace_dress.glsl"
 #else
+#include "dress.h"
 #include "refract_environment.glsl"
 #include "trace_tree.glsl"
 #endif
@@ -93,19 +96,11 @@ vec4 trace_medium(uint rank, int texel)
     return trace.media[int(rank) * TRACE_MEDIUM + texel];
 }
 
-/* Parts light at a surface: `n` is on the side that it comes from, `eta` the index there over that
- * of the other side. */
-float trace_part(vec3 d, vec3 n, float eta, bool is_thin, out vec3 reflected, out vec3 refracted)
+/* Returns a medium's surface without textures. */
+dress trace_own(uint rank)
 {
-    float ci = min(-dot(d, n), 1.0);
-    float sin2 = eta * eta * (1.0 - ci * ci);
-    float ct = sqrt(max(1.0 - sin2, 0.0));
-    float rs = (eta * ci - ct) / (eta * ci + ct);
-    float rp = (ci - eta * ct) / (ci + eta * ct);
-    float fresnel = sin2 < 1.0 ? 0.5 * (rs * rs + rp * rp) : 1.0;
-    reflected = normalize(d + 2.0 * ci * n);
-    refracted = is_thin ? d : normalize(eta * d + (eta * ci - ct) * n);
-    return is_thin ? 2.0 * fresnel / (1.0 + fresnel) : fresnel;
+    return dress(trace_medium(rank, TRACE_TINT).rgb, trace_medium(rank, TRACE_IOR).w,
+                 trace_medium(rank, TRACE_ABSORB).w);
 }
 
 /* A crossing of an object's surface. */
@@ -114,6 +109,8 @@ struct trace_cross {
     uint rank, bit;
     bool is_entering, is_thin, is_real;
     float eta;
+    bool is_bumpy; /* a normal texture bends `n` */
+    dress own;     /* of the surface, if TRACE_HAS_DRESS */
 };
 
 trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
@@ -148,6 +145,15 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
         c.eta = refract_frame.etas[channel];
         c.eta = c.is_entering ? c.eta : 1.0 / c.eta;
     }
+    c.is_bumpy = false;
+#ifdef TRACE_RAYS
+    if (trace_has(TRACE_HAS_DRESS)) {
+        c.own = trace_own(c.rank);
+        vec3 bent = trace_dress(hit, way.origin, way.dir, c.rank != 0u, c.own, c.is_bumpy);
+        bent = bump_facing(c.is_entering ? bent : -bent, c.n, way.dir);
+        c.n = !c.is_bumpy ? c.n : dot(bent, way.dir) < 0.0 ? bent : c.facet;
+    }
+#endif
     return c;
 }
 
@@ -280,18 +286,22 @@ bool trace_is_parted(vec3 weight)
     return has_room && most > 0.0 && (is_first || most > max(trace.branch, trace_branch_min));
 }
 
-/* What becomes of light at a surface. */
-struct trace_parting {
-    vec3 reflected, refracted;
-    float fresnel, reflected_share, refracted_share;
-};
+/* Returns the surface's own values, with textures. */
+dress trace_dress_of(trace_cross c)
+{
+#ifdef TRACE_RAYS
+    if (trace_has(TRACE_HAS_DRESS))
+        return c.own;
+#endif
+    return trace_own(c.rank);
+}
 
 /* Parts light at a smooth surface or, at one of its microfacets, a rough one. */
 trace_parting trace_part_at(trace_cross c)
 {
     trace_parting p;
     vec3 m = c.n;
-    float roughness = trace_has(TRACE_HAS_ROUGH) ? trace_medium(c.rank, TRACE_IOR).w : 0.0;
+    float roughness = trace_has(TRACE_HAS_ROUGH) ? trace_dress_of(c).roughness : 0.0;
     bool is_rough = roughness > trace_rough_min;
     p.reflected_share = 1.0;
     p.refracted_share = 1.0;
@@ -310,6 +320,8 @@ trace_parting trace_part_at(trace_cross c)
     } else if (!c.is_entering && dot(p.reflected, c.facet) <= 0.0) {
         p.reflected = reflect(way.dir, c.facet);
     }
+    if (trace_has(TRACE_HAS_DRESS) && c.is_bumpy)
+        trace_keep_sides(p, way.dir, c.facet, c.eta, is_rough);
     return p;
 }
 
@@ -318,19 +330,19 @@ trace_parting trace_part_at(trace_cross c)
 vec3 trace_through(trace_hit hit, trace_cross c, trace_parting p)
 {
     vec3 through = way.weight * p.refracted_share;
-    if (trace_has(TRACE_HAS_MEDIA | TRACE_HAS_TINT))
-        through *= trace_medium(c.rank, TRACE_TINT).rgb;
+    if (trace_has(TRACE_HAS_MEDIA | TRACE_HAS_TINT | TRACE_HAS_DRESS))
+        through *= trace_dress_of(c).tint;
 #ifdef TRACE_RAYS
     if (trace_has(TRACE_HAS_SHINE)) {
-        float shine = trace_medium(c.rank, TRACE_ABSORB).w;
-        vec3 weight = way.weight * trace_medium(c.rank, TRACE_TINT).rgb;
+        float shine = trace_dress_of(c).shine;
         int turns = shine > 0.0 ? int(trace.one) : 0;
         while (turns > 0) {
             float passing;
             turns -= int(trace.one);
             trace_point point = trace_point_of(hit, way.origin, way.dir);
+            point.normal = c.is_bumpy ? c.n : point.normal;
             vec3 light = trace_surface(point, way.dir, true, passing);
-            trace_add(weight * light * shine * (1.0 - p.fresnel), way.kind);
+            trace_add(way.weight * light * shine * (1.0 - p.fresnel), way.kind);
         }
         through *= 1.0 - shine;
     }

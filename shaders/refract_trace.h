@@ -16,15 +16,17 @@
 #define TRACE_SHELLS_MAX 32 /* refractive objects; a bit each */
 
 /* CONSTANT_TRACE, bits */
-#define TRACE_IS_CONVEX     1   /* one convex object: what leaves it does not enter again */
-#define TRACE_HAS_CULLING   2   /* one closed object: a ray meets only faces that it can see */
-#define TRACE_HAS_MEDIA     4   /* several objects, or thin walls */
-#define TRACE_HAS_ROUGH     8   /* some object is rough */
-#define TRACE_HAS_SHINE     16  /* some object is not wholly transmissive */
-#define TRACE_HAS_MATERIALS 32  /* surroundings have rows in the texture of materials */
-#define TRACE_HAS_HOLES     64  /* surroundings have holes, or blended surfaces */
-#define TRACE_HAS_MOTION    128 /* objects, or what is around them, may turn */
-#define TRACE_HAS_TINT      256 /* some object tints the light that passes its surface */
+#define TRACE_IS_CONVEX     1    /* one convex object: what leaves it does not enter again */
+#define TRACE_HAS_CULLING   2    /* one closed object: a ray meets only faces that it can see */
+#define TRACE_HAS_MEDIA     4    /* several objects, or thin walls */
+#define TRACE_HAS_ROUGH     8    /* some object is rough */
+#define TRACE_HAS_SHINE     16   /* some object is not wholly transmissive */
+#define TRACE_HAS_MATERIALS 32   /* surroundings have rows in the texture of materials */
+#define TRACE_HAS_HOLES     64   /* surroundings have holes, or blended surfaces */
+#define TRACE_HAS_MOTION    128  /* objects, or what is around them, may turn */
+#define TRACE_HAS_TINT      256  /* some object tints the light that passes its surface */
+#define TRACE_HAS_DRESS     512  /* some object has textures (dress.h); needs TRACE_HAS_MATERIALS */
+#define TRACE_HAS_EXTRAS    1024 /* some vertices have struct mesh_extra */
 
 /* The texels of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* of red, green and blue light; roughness */

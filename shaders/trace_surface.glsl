@@ -9,11 +9,42 @@
 /* A point of a triangle that has colours. */
 struct trace_point {
     vec3 position, normal; /* world; the normal is unit, and faces the ray */
+    vec3 outward;          /* it, as the vertices have it */
     vec3 color;
-    vec2 uv;
+    vec2 uv, other_uv;
+    vec4 tangent;            /* unit, and its side; 0: there is none */
     vec3 along_u, against_v; /* how the position grows with the coordinates; 0: they are the same */
     uint material;
 };
+
+/* Reads what few vertices have; `side_1` and `side_2` become those of the coordinates of the normal
+ * texture. */
+void trace_extra(inout trace_point p, trace_hit hit, int surface, float has_extra,
+                 inout vec2 side_1, inout vec2 side_2)
+{
+    p.other_uv = p.uv;
+    p.tangent = vec4(0.0);
+    if (!trace_has(TRACE_HAS_EXTRAS))
+        return;
+    int at = has_extra != 0.0 ? surface + TREE_SURFACE_WORDS : 0;
+    vec3 share = vec3(1.0 - hit.u - hit.v, hit.u, hit.v);
+    vec4 t0 = uintBitsToFloat(texelFetch(corners, at));
+    vec4 t1 = uintBitsToFloat(texelFetch(corners, at + 1));
+    vec4 t2 = uintBitsToFloat(texelFetch(corners, at + 2));
+    vec4 uv = uintBitsToFloat(texelFetch(corners, at + 3));
+    vec2 uv_2 = uintBitsToFloat(texelFetch(corners, at + 4)).xy;
+    if (has_extra == 0.0)
+        return;
+    uint row = p.material >> MESH_SURFACE_SHIFT;
+    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * MATERIAL_USE_NORMAL + 1);
+    p.tangent = share.x * t0 + share.y * t1 + share.z * t2;
+    p.tangent.xyz = trace_posed(p.tangent.xyz, hit.part);
+    p.other_uv = uv.xy + hit.u * (uv.zw - uv.xy) + hit.v * (uv_2 - uv.xy);
+    if (v.w >= float(MATERIAL_OTHER_SET)) {
+        side_1 = uv.zw - uv.xy;
+        side_2 = uv_2 - uv.xy;
+    }
+}
 
 trace_point trace_point_of(trace_hit hit, vec3 origin, vec3 dir)
 {
@@ -32,6 +63,7 @@ trace_point trace_point_of(trace_hit hit, vec3 origin, vec3 dir)
     p.position = origin + hit.t * dir;
     p.normal = share.x * n0.xyz + share.y * n1.xyz + share.z * n2.xyz;
     p.normal = normalize(trace_posed(p.normal, hit.part));
+    p.outward = p.normal;
     p.normal *= dot(p.normal, dir) > 0.0 ? -1.0 : 1.0;
     p.color = share.x * c0.xyz + share.y * c1.xyz + share.z * c2.xyz;
     p.uv = uv_0 + hit.u * side_1 + hit.v * side_2;
@@ -43,10 +75,23 @@ trace_point trace_point_of(trace_hit hit, vec3 origin, vec3 dir)
     vec3 row_2 = uintBitsToFloat(texelFetch(triangles, at + 2)).xyz;
     float volume = dot(row_0, cross(row_1, row_2));
     vec3 edge_1 = cross(row_1, row_2) / volume, edge_2 = cross(row_2, row_0) / volume;
+    trace_extra(p, hit, surface, rest.w, side_1, side_2);
     float turn = sign(side_1.x * side_2.y - side_2.x * side_1.y);
     p.along_u = trace_posed(turn * (edge_1 * side_2.y - edge_2 * side_1.y), hit.part);
     p.against_v = trace_posed(-turn * (edge_2 * side_1.x - edge_1 * side_2.x), hit.part);
     return p;
+}
+
+/* Turns a normal of a point, on either side, as the normal texture says. */
+vec3 trace_bent(trace_point p, vec3 n, vec3 texel, vec2 scales)
+{
+    vec3 along_u = p.along_u, against_v = p.against_v;
+    if (trace_has(TRACE_HAS_EXTRAS) && p.tangent.w != 0.0) {
+        float side = sign(p.tangent.w) * (dot(n, p.outward) < 0.0 ? -1.0 : 1.0);
+        along_u = p.tangent.xyz;
+        against_v = side * cross(n, along_u);
+    }
+    return lit_bend_along(n, texel, scales, along_u, against_v);
 }
 
 /* Returns the light of the built-in sky's sun on a matt white surface that faces it. */
@@ -73,6 +118,7 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
     uint row = p.material >> MESH_SURFACE_SHIFT;
     uint layer = p.material & MESH_TEXTURE_MASK;
     passing = 0.0;
+    lit_other_uv = p.other_uv;
     if (!trace_has(TRACE_HAS_MATERIALS)) {
         vec4 texel = vec4(1.0);
         if (constant_textured != 0u) {
@@ -104,7 +150,7 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
         lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, p.uv, 1.0).rgb * reflectance.rgb;
     vec3 n = p.normal;
     if (bent != vec4(1.0))
-        n = lit_bend_along(n, bent.rgb, scales.xy, p.along_u, p.against_v);
+        n = trace_bent(p, n, bent.rgb, scales.xy);
     lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
     float n_dot_v = clamp(dot(n, -dir), 0.0, 1.0);
     vec3 around = lit_by_environment(s, lit_split(s.roughness, n_dot_v),

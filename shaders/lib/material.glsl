@@ -16,8 +16,8 @@ vec4 material_texel(uint row, int column)
 
 /* ---- textures ---- */
 
-#ifdef BACKGROUND_EXTRA
-/* Of struct mesh_extra of the vertices; main() sets them. */
+#if defined(BACKGROUND_EXTRA) || defined(LIT_TRACED)
+/* Of struct mesh_extra of the vertices; main() sets them, or who traces. */
 vec2 lit_other_uv;
 vec4 lit_tangent;
 #endif
@@ -50,7 +50,7 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
     vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use + 1);
     if (constant_textured == 0u || u.w == 0.0)
         return vec4(1.0);
-#ifdef BACKGROUND_EXTRA
+#if defined(BACKGROUND_EXTRA) || defined(LIT_TRACED)
     if (v.w >= float(MATERIAL_OTHER_SET)) {
         v.w -= float(MATERIAL_OTHER_SET);
         uv = lit_other_uv;

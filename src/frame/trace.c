@@ -30,7 +30,7 @@ bool frame_trace_meets_surroundings(const struct scene *scene, const struct sett
     const struct model *model = &scene->model;
     if (params->surroundings != TRACE_AUTO)
         return params->surroundings == TRACE_RAYS;
-    if (frame_trace_constant(scene, settings) & TRACE_HAS_SHINE)
+    if (frame_trace_constant(scene, settings) & (TRACE_HAS_SHINE | TRACE_HAS_DRESS))
         return true;
     return object_count(scene) > 1 ||
            is_near(&model->surroundings, box_center(scene->box), box_diagonal(scene->box));
@@ -48,6 +48,7 @@ uint32_t frame_trace_constant(const struct scene *scene, const struct settings *
         bits |= medium.roughness > ROUGHNESS_MIN ? TRACE_HAS_ROUGH : 0;
         bits |= medium.shine > 0.0f ? TRACE_HAS_SHINE : 0;
         bits |= glms_vec3_min(medium.tint) < 1.0f ? TRACE_HAS_TINT : 0;
+        bits |= medium.is_dressed ? TRACE_HAS_DRESS | TRACE_HAS_SHINE : 0;
     }
     if (count == 1 && scene->tree && scene->tree->is_closed && !(bits & TRACE_HAS_MEDIA))
         bits |= scene->is_convex ? TRACE_IS_CONVEX | TRACE_HAS_CULLING : TRACE_HAS_CULLING;
@@ -56,6 +57,7 @@ uint32_t frame_trace_constant(const struct scene *scene, const struct settings *
             bits |= TRACE_HAS_HOLES;
     }
     bits |= scene->material_rows ? TRACE_HAS_MATERIALS : 0;
+    bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
     if (fabsf(motion->ice) > 0.0f || fabsf(motion->objects) > 0.0f)
         bits |= TRACE_HAS_MOTION;
     return bits;

@@ -7,8 +7,8 @@
 #include "src/tech/frame.h"
 
 /* Returns whether rays that leave the objects meet the triangles around them, as trace.surroundings
- * says. With `auto` they do if there are several objects, one that is not wholly transmissive, or a
- * corner of the surroundings within two radii of the object's middle. */
+ * says. With `auto` they do if there are several objects, one that is not wholly transmissive or
+ * has textures, or a corner of the surroundings within two radii of the object's middle. */
 bool frame_trace_meets_surroundings(const struct scene *scene, const struct settings *settings);
 
 /* Returns CONSTANT_TRACE. */

@@ -304,7 +304,8 @@ struct frame_constants frame_view_constants(const struct scene *scene,
     struct frame_constants constants = { {
         [CONSTANT_BACKGROUND] = backgrounds[scene->background],
         [CONSTANT_TEXTURED] = scene->model.textures.count + scene->model.numbers.count > 0,
-        [CONSTANT_LIT] = material_rows_has_lit(&scene->model.surroundings),
+        [CONSTANT_LIT] =
+            material_rows_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene),
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
         [CONSTANT_TRACE] = frame_trace_constant(scene, settings),

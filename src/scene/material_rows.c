@@ -9,6 +9,7 @@ _Static_assert(MATERIAL_USE_METALLIC_ROUGHNESS == (int)MATERIAL_METALLIC_ROUGHNE
                    MATERIAL_USE_NORMAL == (int)MATERIAL_NORMAL &&
                    MATERIAL_USE_OCCLUSION == (int)MATERIAL_OCCLUSION &&
                    MATERIAL_USE_EMISSION == (int)MATERIAL_EMISSION &&
+                   MATERIAL_USE_TRANSMISSION == (int)MATERIAL_TRANSMISSION &&
                    MATERIAL_USE_SPECULAR == (int)MATERIAL_SPECULAR &&
                    MATERIAL_USE_SPECULAR_COLOR == (int)MATERIAL_SPECULAR_COLOR,
                "as shaders number them");
@@ -63,7 +64,8 @@ static void fill(vec4s *row, const struct material *m)
     row[MATERIAL_ROW_FACTORS] = (vec4s){ { m->metallic, m->roughness, specular, m->alpha } };
     row[MATERIAL_ROW_F0] = glms_vec4(f0, (float)kind_of(m));
     row[MATERIAL_ROW_EMISSION] = glms_vec4(m->emission, m->alpha_cutoff);
-    row[MATERIAL_ROW_SCALES] = (vec4s){ { m->normal_scale, m->occlusion_strength, 0.0f, 0.0f } };
+    row[MATERIAL_ROW_SCALES] = (vec4s){ { m->normal_scale, m->occlusion_strength,
+                                          material_is_dressed(m) ? 1.0f : 0.0f, 0.0f } };
     for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++)
         fill_texture(&row[MATERIAL_ROW_TEXTURES + 2 * i], &m->textures[i]);
 }

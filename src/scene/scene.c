@@ -341,44 +341,36 @@ static enum status add_extras(struct scene *scene)
     return scene->extra_rows ? STATUS_OK : log_out_of_memory("texture coordinates");
 }
 
-/* Makes what shaders need of surroundings that are not plain. */
-/* Whether light falls on an object's surface itself, which is not wholly transmissive. */
-static bool has_lit_object(const struct model *model)
+bool scene_has_lit_object(const struct scene *scene)
 {
+    const struct model *model = &scene->model;
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct material *m = &model->materials[model->objects[i].material];
-        if (!(m->flags & MATERIAL_IS_BARE) && m->transmission < 1.0f)
+        if (!(m->flags & MATERIAL_IS_BARE) &&
+            (m->transmission < 1.0f || m->textures[MATERIAL_TRANSMISSION].layer))
             return true;
     }
     return false;
 }
 
-/* The tables of light on objects, of a scene whose surroundings have no materials. */
-static enum status add_object_light(struct scene *scene)
+static bool has_dressed_object(const struct model *model)
 {
-    const struct model *model = &scene->model;
-    const bool needs_rows = model->light_count > 0;
-    const bool needs_light = scene->background == SCENE_ENVIRONMENT;
-    if (!has_lit_object(model))
-        return STATUS_OK;
-    if (needs_light)
-        scene->surface_light = surface_light_make(&scene->environment);
-    if (needs_rows)
-        scene->light_rows = light_rows_make(model->lights, model->light_count);
-    return (scene->surface_light || !needs_light) && (scene->light_rows || !needs_rows)
-               ? STATUS_OK
-               : log_out_of_memory("materials");
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        if (material_is_dressed(&model->materials[model->objects[i].material]))
+            return true;
+    }
+    return false;
 }
 
+/* Makes what shaders need of surfaces that are not plain. */
 static enum status add_surfaces(struct scene *scene)
 {
     const bool is_lit =
-        material_rows_has_lit(&scene->model.surroundings) || has_lit_object(&scene->model);
+        material_rows_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene);
     const bool has_lights = is_lit && scene->model.light_count > 0;
     const bool is_lit_otherwise = has_lights || (is_lit && scene->background != SCENE_SKY);
-    if (!scene->model.surroundings.index_count)
-        return add_object_light(scene);
-    if (!is_lit_otherwise && !material_rows_has_rich(&scene->model))
+    if (!is_lit_otherwise && !material_rows_has_rich(&scene->model) &&
+        !has_dressed_object(&scene->model))
         return STATUS_OK;
     scene->material_rows = material_rows_make(&scene->model);
     scene->surface_split = surface_split_make();

@@ -135,6 +135,9 @@ MUST_USE enum status scene_need_tree(const struct scene *scene);
 
 void scene_finish(struct scene *scene);
 
+/* Returns whether light falls on an object's surface itself, which is not wholly transmissive. */
+bool scene_has_lit_object(const struct scene *scene);
+
 /* Returns the distance of the near plane for pictures of a scene, metres; there is no far plane. */
 float scene_near_plane(const struct scene *scene);
 

@@ -108,12 +108,49 @@ static uint32_t rank_of(const struct part *part, uint32_t triangle)
     return object_of_index(model->objects, model->object_count, triangle * 3)->rank;
 }
 
-/* Whether a hit may ask for the colours of the triangle's corners: opaque ones show them, and
- * objects do where they are not wholly transmissive. */
+/* Returns the material of an object's triangle, or NULL: settings decide. */
+static const struct material *material_of(const struct part *part, uint32_t triangle)
+{
+    const struct model *model = part->model;
+    if (!part->is_object || !model->object_count || !model->material_count)
+        return NULL;
+    const struct object *object =
+        object_of_index(model->objects, model->object_count, triangle * 3);
+    const struct material *material = &model->materials[object->material];
+    return material->flags & MATERIAL_IS_BARE ? NULL : material;
+}
+
+/* Options may have given an object another material than its vertices have. */
+static uint32_t material_bits(const struct part *part, uint32_t triangle)
+{
+    const uint32_t bits = corner(part, triangle, 0)->material;
+    const struct material *material = material_of(part, triangle);
+    if (!material)
+        return bits;
+    const uint32_t index = (uint32_t)(material - part->model->materials);
+    return (bits & ((1u << MESH_SURFACE_SHIFT) - 1)) | (index + 1) << MESH_SURFACE_SHIFT;
+}
+
+/* Whether a hit may ask for the colours and coordinates of the triangle's corners: opaque ones show
+ * them, and objects do that have textures, or are not wholly transmissive. */
 static bool has_surface(const struct part *part, uint32_t triangle)
 {
-    const uint32_t index = corner(part, triangle, 0)->material >> MESH_SURFACE_SHIFT;
-    return !part->is_object || (index > 0 && part->model->materials[index - 1].transmission < 1.0f);
+    const struct material *material = material_of(part, triangle);
+    return !part->is_object ||
+           (material && (material->transmission < 1.0f || material_is_dressed(material)));
+}
+
+static void put_extras(struct tree_words *words, const struct part *part, uint32_t triangle)
+{
+    float uv[8] = { 0.0f };
+    for (uint32_t k = 0; k < 3; k++) {
+        const uint32_t vertex = part->mesh->indices[(size_t)triangle * 3 + k];
+        const struct mesh_extra *extra = &part->mesh->extras[vertex];
+        put(words->all[words->count++], extra->tangent.raw, bits(extra->side));
+        memcpy(&uv[2 * (size_t)k], extra->uv.raw, 2 * sizeof(*uv));
+    }
+    put(words->all[words->count++], &uv[0], bits(uv[3]));
+    put(words->all[words->count++], &uv[4], 0);
 }
 
 static void put_surface(struct tree_words *words, const struct part *part, uint32_t triangle)
@@ -123,7 +160,9 @@ static void put_surface(struct tree_words *words, const struct part *part, uint3
         memcpy(&uv[2 * (size_t)k], corner(part, triangle, k)->uv.raw, 2 * sizeof(*uv));
     for (uint32_t k = 0; k < 3; k++)
         put(words->all[words->count++], corner(part, triangle, k)->color.raw, bits(uv[k]));
-    put(words->all[words->count++], &uv[3], 0);
+    put(words->all[words->count++], &uv[3], bits(part->mesh->extras ? 1.0f : 0.0f));
+    if (part->mesh->extras)
+        put_extras(words, part, triangle);
 }
 
 /* ---- nodes ---- */
@@ -346,7 +385,9 @@ static void count_words(struct tree *tree, const struct part *part, const struct
     tree->triangle_count += part->count;
     tree->nodes.count += (inner > 0 ? inner : 1) * TREE_NODE_WORDS;
     tree->triangles.count += part->count * TREE_TRIANGLE_WORDS;
-    tree->corners.count += part->count * TREE_CORNER_WORDS + surfaces * TREE_SURFACE_WORDS;
+    tree->corners.count +=
+        part->count * TREE_CORNER_WORDS +
+        surfaces * (TREE_SURFACE_WORDS + (part->mesh->extras ? (uint32_t)TREE_EXTRA_WORDS : 0u));
 }
 
 /* Writes a part's words; those of surfaces are behind the corners of all parts. */
@@ -362,7 +403,7 @@ static void lay_part(struct tree *tree, uint32_t index, const struct part *part,
     for (uint32_t i = 0; i < part->count; i++) {
         const uint32_t triangle = part->triangles[draft->order[i]];
         const bool is_shown = has_surface(part, triangle);
-        const uint32_t last[3] = { rank_of(part, triangle), corner(part, triangle, 0)->material,
+        const uint32_t last[3] = { rank_of(part, triangle), material_bits(part, triangle),
                                    is_shown ? tree->corners.count : 0 };
         put_triangle(&tree->triangles, part, triangle);
         for (uint32_t k = 0; k < 3; k++)

@@ -1,0 +1,34 @@
+/* trace_dress.glsl: the textures of an object's surface, where rays meet it;
+ * src/reference/radiance.c does the same. */
+#ifndef TRACE_DRESS_GLSL
+#define TRACE_DRESS_GLSL
+#include "dress.h"
+#include "trace_surface.glsl"
+
+/* Adds what textures make of a surface's own values. Returns the outward normal of a normal
+ * texture, if there is one. */
+vec3 trace_dress(trace_hit hit, vec3 origin, vec3 dir, bool is_object, inout dress own,
+                 out bool is_bumpy)
+{
+    uint material = texelFetch(corners, TREE_CORNER_WORDS * max(hit.triangle, 0) + 1).w;
+    uint row = material >> MESH_SURFACE_SHIFT;
+    vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
+    int turns = is_object && scales.z > 0.0 ? int(trace.one) : 0;
+    vec3 bent = vec3(0.0);
+    is_bumpy = false;
+    while (turns > 0) {
+        turns -= int(trace.one);
+        trace_point p = trace_point_of(hit, origin, dir);
+        lit_other_uv = p.other_uv;
+        vec3 base = lit_texel(textures, row, MATERIAL_USE_BASE_COLOR, p.uv, 1.0).rgb;
+        float rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0).g;
+        float through = lit_texel(numbers, row, MATERIAL_USE_TRANSMISSION, p.uv, 1.0).r;
+        vec4 texel = lit_texel(numbers, row, MATERIAL_USE_NORMAL, p.uv, 1.0);
+        own = dress_of(own, base, rough, through);
+        is_bumpy = texel != vec4(1.0);
+        bent = trace_bent(p, p.outward, texel.rgb, scales.xy);
+    }
+    return bent;
+}
+
+#endif

@@ -1,0 +1,44 @@
+/* trace_part.glsl: how light that meets a surface parts; src/reference/parting.c does the same. */
+#ifndef TRACE_PART_GLSL
+#define TRACE_PART_GLSL
+
+/* What becomes of light at a surface. */
+struct trace_parting {
+    vec3 reflected, refracted;
+    float fresnel, reflected_share, refracted_share;
+};
+
+/* Parts light at a surface: `n` is on the side that it comes from, `eta` the index there over that
+ * of the other side. */
+float trace_part(vec3 d, vec3 n, float eta, bool is_thin, out vec3 reflected, out vec3 refracted)
+{
+    float ci = min(-dot(d, n), 1.0);
+    float sin2 = eta * eta * (1.0 - ci * ci);
+    float ct = sqrt(max(1.0 - sin2, 0.0));
+    float rs = (eta * ci - ct) / (eta * ci + ct);
+    float rp = (ci - eta * ct) / (ci + eta * ct);
+    float fresnel = sin2 < 1.0 ? 0.5 * (rs * rs + rp * rp) : 1.0;
+    reflected = normalize(d + 2.0 * ci * n);
+    refracted = is_thin ? d : normalize(eta * d + (eta * ci - ct) * n);
+    return is_thin ? 2.0 * fresnel / (1.0 + fresnel) : fresnel;
+}
+
+/* On bumpy surfaces the triangle decides on which side light is: what a microfacet sends to the
+ * wrong side is lost; a smooth surface sends it as the triangle would. */
+void trace_keep_sides(inout trace_parting p, vec3 d, vec3 facet, float eta, bool is_rough)
+{
+    vec3 mirrored, straight;
+    float even = trace_part(d, facet, eta, false, mirrored, straight);
+    bool is_lost = p.fresnel < 1.0 && dot(p.refracted, facet) >= 0.0;
+    p.refracted_share = is_lost && is_rough ? 0.0 : p.refracted_share;
+    if (is_lost && !is_rough) {
+        p.refracted = straight;
+        p.fresnel = even < 1.0 ? p.fresnel : 1.0;
+    }
+    if (dot(p.reflected, facet) <= 0.0 || (p.fresnel >= 1.0 && is_lost)) {
+        p.reflected_share = is_rough ? 0.0 : p.reflected_share;
+        p.reflected = mirrored;
+    }
+}
+
+#endif
