@@ -9,12 +9,15 @@
 #define REFRACT_GLSL
 #include "lib/constants.glsl"
 #include "refract_environment.glsl"
+#ifdef REFRACT_DRESS
+#include "refract_dress.glsl"
+#endif
 #include "refract_way.glsl"
 #include "surface.glsl"
 
 struct refract_result {
     refract_way way;
-    vec3 refraction; /* radiance by refraction */
+    vec3 refraction; /* radiance by refraction, and what the surface itself shows */
     vec3 reflection; /* radiance along the reflected direction */
     float fresnel;   /* share of light that is reflected */
 };
@@ -58,7 +61,11 @@ float refract_share(vec3 e, vec3 n_f)
 vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
 {
     way = refract_follow(e, n_f, channel);
+#ifdef REFRACT_DRESS
+    return refract_transmitted(way) * refract_dress_back();
+#else
     return refract_transmitted(way);
+#endif
 }
 #else
 #include "refract_exits.glsl"
@@ -76,6 +83,9 @@ refract_result refract_shade(vec3 e, vec3 n_f)
     }
     r.reflection = refract_environment(refract_front_point(), refract_mirrored(e, n_f));
     r.fresnel = refract_share(e, n_f);
+#ifdef REFRACT_DRESS
+    r.refraction = r.refraction * refract_dress_front() + refract_dress_shine();
+#endif
     return r;
 }
 

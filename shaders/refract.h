@@ -12,7 +12,11 @@
 #define REFRACT_DEPTH_FRONT  5
 #define REFRACT_SHADING      7 /* of refract_seen.glsl */
 #define REFRACT_DEPTH_SCENE  8 /* of refract_seen.glsl */
-#define REFRACT_OVER         1 /* of refract_over.frag: the image that is blended over a picture */
+/* Bindings of rungs with REFRACT_DRESS, of ice_normal.c's images. */
+#define REFRACT_DRESS_FRONT 9
+#define REFRACT_DRESS_BACK  10
+#define REFRACT_DRESS_SHINE 11
+#define REFRACT_OVER        1 /* of refract_over.frag: the image that is blended over a picture */
 
 /* Outputs of the front faces' vertex shaders. */
 #define REFRACT_EYE_TO_POINT 0

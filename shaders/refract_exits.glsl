@@ -30,6 +30,9 @@ struct exits_ray {
     vec3 n;          /* outward normal of the face; 0 where none was found */
     float share;     /* that is reflected there */
     uint faces;      /* that have reflected it */
+#ifdef REFRACT_DRESS
+    vec3 tint; /* of light that leaves there */
+#endif
 };
 
 /*
@@ -44,6 +47,9 @@ void exits_next(march_space space, float inverse_eta, inout exits_ray ray)
     const uint most = space.march.bounces + exits_mistakes;
     bool hidden = false;
     ray.share = 0.0;
+#ifdef REFRACT_DRESS
+    ray.tint = vec3(1.0);
+#endif
     ray.n = vec3(0.0);
     for (uint i = 0u; ray.faces <= space.march.bounces && i <= most; i++) {
         bool near_front, jumps;
@@ -59,6 +65,9 @@ void exits_next(march_space space, float inverse_eta, inout exits_ray ray)
         if (share < 1.0) {
             ray.share = share;
             ray.n = is_found ? n : ray.n;
+#ifdef REFRACT_DRESS
+            ray.tint = march_dress(space, ray.way.point, near_front);
+#endif
             break;
         }
         ray.way.tir = ray.faces == 0u ? 1.0 : ray.way.tir;
@@ -86,7 +95,11 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
             way = leaving;
         bool is_last = i == constant_refract_exits || ray.faces >= space.march.bounces ||
                        left * ray.share < params.least;
-        light += left * (is_last ? 1.0 : 1.0 - ray.share) * refract_transmitted(leaving);
+        vec3 seen = refract_transmitted(leaving);
+#ifdef REFRACT_DRESS
+        seen *= ray.tint;
+#endif
+        light += left * (is_last ? 1.0 : 1.0 - ray.share) * seen;
         if (is_last)
             break;
         left *= ray.share;

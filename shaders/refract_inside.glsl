@@ -225,6 +225,18 @@ vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
     vec3 front = refract_normal_at(normal_front, uv);
     return near_front ? front : back;
 }
+
+#ifdef REFRACT_DRESS
+/* Returns the share of light that passes the nearer face at the end of a ray. */
+vec3 march_dress(march_space space, vec3 point, bool near_front)
+{
+    vec4 at = space.map_from_world * vec4(point, 1.0);
+    vec2 uv = fma(at.xy / at.w, space.texel, 0.5 * space.texel);
+    vec3 back = textureLod(dress_back, uv, 0.0).rgb;
+    vec3 front = textureLod(dress_front, uv, 0.0).rgb;
+    return near_front ? front : back;
+}
+#endif
 #endif
 
 #endif

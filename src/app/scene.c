@@ -116,11 +116,6 @@ static bool is_thin(const struct material *material)
     return !(material->thickness > 0.0f);
 }
 
-static bool is_tinted(const struct material *material)
-{
-    return !glms_vec3_eqv(material->base_color, glms_vec3_one()) || material->transmission < 1.0f;
-}
-
 /* Returns the number of objects in the box of another one: the rungs draw the outer one alone. */
 static uint32_t count_inside(const struct model *model)
 {
@@ -148,10 +143,7 @@ static void warn_of_materials(const struct app_picture *picture, const struct sc
     static const struct {
         const char *name;
         bool (*is_there)(const struct material *material);
-    } kinds[] = { { "rough", is_rough },
-                  { "thin-walled", is_thin },
-                  { "tinted", is_tinted },
-                  { "textured", material_is_dressed } };
+    } kinds[] = { { "rough", is_rough }, { "thin-walled", is_thin } };
     const struct model *model = &scene->model;
     char words[128] = "";
     if (!picture->rung->rung.rows || picture->rung->rung.meets_tree || frame_media_are_bare(scene))
@@ -164,7 +156,7 @@ static void warn_of_materials(const struct app_picture *picture, const struct sc
     }
     add_count(words, sizeof(words), count_inside(model), "inside others");
     if (words[0])
-        log_warning("%s: drawn as smooth clear solids, each by itself: of %u objects %s; "
+        log_warning("%s: drawn as smooth solids, each by itself: of %u objects %s; "
                     "--refraction trace draws what they are",
                     picture->scene.name, model->object_count, words);
 }

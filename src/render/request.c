@@ -2,6 +2,8 @@
 #include "src/render/request.h"
 #include "src/frame/trace.h"
 #include "src/scene/scene.h"
+#include "src/tech/bump.h"
+#include "src/tech/refract.h"
 
 bool renderer_is_interleaved(const struct renderer_params *params)
 {
@@ -19,6 +21,14 @@ struct tiling renderer_tiling(const struct renderer_params *params)
     };
 }
 
+/* Whether the rung has a way to show the tints and textures that objects have; not with bumps. */
+static bool is_dressed(const struct renderer_params *params)
+{
+    const struct refract_rung *rung = params->rung ? params->rung->rung.rows : NULL;
+    return rung && rung->dress_frag && scene_has_dress(params->scene) &&
+           !bump.is_on(params->settings);
+}
+
 static struct technique_choice choose(const struct renderer_params *params,
                                       enum technique_purpose purpose)
 {
@@ -29,6 +39,7 @@ static struct technique_choice choose(const struct renderer_params *params,
         .is_convex = params->scene->is_convex,
         .has_pool = params->scene->has_pool,
         .has_materials = params->scene->material_rows != NULL,
+        .is_dressed = is_dressed(params),
         .has_extras = params->scene->extra_rows != NULL,
         .meets_surroundings = params->rung && params->rung->rung.meets_tree &&
                               frame_trace_meets_surroundings(params->scene, params->settings),

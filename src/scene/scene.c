@@ -353,10 +353,13 @@ bool scene_has_lit_object(const struct scene *scene)
     return false;
 }
 
-static bool has_dressed_object(const struct model *model)
+bool scene_has_dress(const struct scene *scene)
 {
-    for (uint32_t i = 0; i < model->object_count; i++) {
-        if (material_is_dressed(&model->materials[model->objects[i].material]))
+    const struct model *model = &scene->model;
+    for (uint32_t i = 0; i < model->object_count && !scene->has_pool; i++) {
+        const struct material *m = &model->materials[model->objects[i].material];
+        if (!(m->flags & MATERIAL_IS_BARE) && (m->transmission < 1.0f || material_is_dressed(m) ||
+                                               !glms_vec3_eqv(m->base_color, glms_vec3_one())))
             return true;
     }
     return false;
@@ -369,8 +372,7 @@ static enum status add_surfaces(struct scene *scene)
         material_rows_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene);
     const bool has_lights = is_lit && scene->model.light_count > 0;
     const bool is_lit_otherwise = has_lights || (is_lit && scene->background != SCENE_SKY);
-    if (!is_lit_otherwise && !material_rows_has_rich(&scene->model) &&
-        !has_dressed_object(&scene->model))
+    if (!is_lit_otherwise && !material_rows_has_rich(&scene->model) && !scene_has_dress(scene))
         return STATUS_OK;
     scene->material_rows = material_rows_make(&scene->model);
     scene->surface_split = surface_split_make();

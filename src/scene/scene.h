@@ -138,6 +138,10 @@ void scene_finish(struct scene *scene);
 /* Returns whether light falls on an object's surface itself, which is not wholly transmissive. */
 bool scene_has_lit_object(const struct scene *scene);
 
+/* Returns whether objects tint the light that passes them, are not wholly transmissive, or have
+ * textures that change how light passes; then there are material rows. */
+bool scene_has_dress(const struct scene *scene);
+
 /* Returns the distance of the near plane for pictures of a scene, metres; there is no far plane. */
 float scene_near_plane(const struct scene *scene);
 

@@ -179,6 +179,13 @@ static const struct frame_object *object_of(const struct rg_cmd *cmd, const stru
     return NULL;
 }
 
+const struct object *frame_object_of(const struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct model *model = &frame->scene->model;
+    const struct frame_object *object = object_of(cmd, frame);
+    return object_of_index(model->objects, model->object_count, object ? object->first_index : 0);
+}
+
 VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct frame_object *object = object_of(cmd, frame);

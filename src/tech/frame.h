@@ -126,6 +126,9 @@ extern const struct rg_sampler frame_texture_sampler;     /* repeats, all mips, 
 /* The pixels of the view that contain the row's object. */
 VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
+/* The refractive object of the scene that a row draws; the scene must have listed its objects. */
+const struct object *frame_object_of(const struct rg_cmd *cmd, const struct rg_frame *frame);
+
 /* Record functions of rows without push constants: they draw the row's object, a triangle that
  * covers the picture (screen.vert), and that triangle within lookup_area. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);

@@ -11,10 +11,13 @@
  */
 #include "src/tech/ice_normal.h"
 #include "shaders/embedded.h"
+#include "shaders/ice_dress.h"
 #include "src/tech/bump.h"
 #include "src/tech/frame.h"
 #include "src/tech/pool.h"
 #include "src/tech/row_builder.h"
+
+static rg_record_fn record_dressed;
 
 const struct rg_image ice_normal_back = {
     .name = "ice_normal.back",
@@ -41,6 +44,21 @@ const struct rg_image ice_normal_front_depth = {
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
+const struct rg_image ice_normal_dress_front = {
+    .name = "ice_normal.dress_front",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_image ice_normal_dress_back = {
+    .name = "ice_normal.dress_back",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_image ice_normal_dress_shine = {
+    .name = "ice_normal.dress_shine",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
 /* Replaces frame_depth where that is kept. */
 static const struct rg_image front_test = {
     .name = "ice_normal.front_test",
@@ -51,7 +69,8 @@ static const struct rg_use smooth_uses[] = { FRAME_USE_GLOBALS, { 0 } };
 static const struct rg_use bumped_uses[] = { FRAME_USE_GLOBALS, BUMP_USE_MAP, { 0 } };
 
 enum {
-    FRONT_ROW = 3 /* index in `passes` */
+    BACK_ROW = 1, /* indices in `passes` */
+    FRONT_ROW = 3,
 };
 
 static const struct rg_pass passes[] = {
@@ -94,6 +113,65 @@ static const struct rg_pass passes[] = {
     },
 };
 
+#define CLEAR_TO_ONE \
+    RG_LOAD_CLEAR, \
+    { \
+        .color.float32 = { 1.0f, 1.0f, 1.0f, 0.0f } \
+    }
+
+static const struct rg_target dressed_backs[] = {
+    { &ice_normal_back, RG_LOAD_KEEP },
+    { &ice_normal_dress_back, CLEAR_TO_ONE },
+};
+
+static const struct rg_target dressed_fronts[] = {
+    { &ice_normal_front, RG_LOAD_KEEP },        { &ice_normal_front_depth, RG_LOAD_CLEAR },
+    { &ice_normal_shading, RG_LOAD_DISCARD },   { &ice_normal_dress_front, CLEAR_TO_ONE },
+    { &ice_normal_dress_shine, RG_LOAD_CLEAR },
+};
+
+#define TEXTURE_USES \
+    FRAME_USE_GLOBALS, \
+        FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler), \
+        FRAME_SAMPLE(frame_numbers, BACKGROUND_NUMBERS, .sampler = &frame_texture_sampler), \
+        FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL)
+
+static const struct rg_use back_uses[] = { TEXTURE_USES, { 0 } };
+static const struct rg_use front_uses[] = {
+    TEXTURE_USES,
+    FRAME_SAMPLE(frame_surface_light, BACKGROUND_LIGHT, .sampler = &frame_environment_sampler),
+    FRAME_SAMPLE(frame_lights, BACKGROUND_LIGHTS, .sampler = NULL),
+    { 0 },
+};
+
+/* Makes a row of faces show the textures of an object's material. */
+static void dress_row(struct rg_pass *row, bool is_front)
+{
+    row->color = is_front ? dressed_fronts : dressed_backs;
+    row->color_count = is_front ? 5 : 2;
+    row->vert = &ice_dress_vert;
+    row->frag = is_front ? &ice_dress_front_frag : &ice_dress_back_frag;
+    row->uses = is_front ? front_uses : back_uses;
+    row->push_size = sizeof(struct ice_dress_push);
+    row->record = record_dressed;
+}
+
+static void record_dressed(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct model *model = &frame->scene->model;
+    const struct object *object = frame_object_of(cmd, frame);
+    const struct material *m = &model->materials[object->material];
+    const uint32_t vertex = model->object.indices[object->first_index];
+    const uint32_t bits = model->object.vertices[vertex].material;
+    const struct ice_dress_push push = {
+        .own = { m->base_color, m->roughness, 1.0f - m->transmission },
+        .row = object->material + 1,
+        .layer = bits & MESH_TEXTURE_MASK,
+    };
+    rg_cmd_push(cmd, &push, sizeof(push));
+    frame_draw_object(cmd, frame);
+}
+
 /* Whether frame_depth is not for the front faces: it has a finished picture, or that of other
  * objects, of which rungs that draw faces are the ones to add to it. */
 static bool keeps_depth(const struct technique_choice *choice)
@@ -114,6 +192,10 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     rows[FRONT_ROW].vert = bumped ? &refract_bump_vert : &refract_vert;
     rows[FRONT_ROW].frag = bumped ? &ice_front_bump_frag : &ice_front_frag;
     rows[FRONT_ROW].uses = bumped ? bumped_uses : smooth_uses;
+    if (choice->is_dressed) {
+        dress_row(&rows[BACK_ROW], false);
+        dress_row(&rows[FRONT_ROW], true);
+    }
     if (keeps_depth(choice))
         rows[FRONT_ROW].depth.image = &front_test;
     return (struct rg_technique){ "ice_normal", rows, count };

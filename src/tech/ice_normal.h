@@ -12,6 +12,13 @@ extern const struct rg_image ice_normal_front; /* as ice_normal_back; points tow
  * from the vertices. Undefined elsewhere. */
 extern const struct rg_image ice_normal_shading;
 
+/* If technique_choice.is_dressed, of front and of back faces, rgb: the share of light that passes,
+ * tinted; a: the roughness. Without a face 1, 1, 1. */
+extern const struct rg_image ice_normal_dress_front, ice_normal_dress_back;
+
+/* Radiance of what a front face neither reflects nor lets pass, likewise. */
+extern const struct rg_image ice_normal_dress_shine;
+
 /* Their depth by globals.clip_from_world: near plane over distance; 0 without a face. */
 extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 

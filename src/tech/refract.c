@@ -95,6 +95,13 @@ static const struct rg_pass pixel_layer_row = {
     .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
 };
 
+static const struct rg_use dress_uses[] = {
+    FRAME_SAMPLE(ice_normal_dress_front, REFRACT_DRESS_FRONT, .sampler = &frame_linear),
+    FRAME_SAMPLE(ice_normal_dress_back, REFRACT_DRESS_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_dress_shine, REFRACT_DRESS_SHINE),
+    { 0 },
+};
+
 static bool shows_bumps(const struct technique_choice *choice)
 {
     return choice->rung->rung.rows->bump_frag && bump.is_on(choice->settings);
@@ -120,6 +127,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
         technique->rung.by_pixel && is_layers ? scene_uses : NULL,
         rung->uses,
         bumped ? bump_uses : NULL,
+        choice->is_dressed ? dress_uses : NULL,
     };
     struct rg_pass *row = row_builder_rows(builder, base, 1);
     if (!row)
@@ -130,10 +138,11 @@ static struct rg_technique make_row(const struct technique_choice *choice,
         row->vert = &refract_seen_vert;
     else
         draw_faces(row, rung, bumped);
-    if (is_layers)
-        row->frag = bumped ? rung->bump_layers_frag : rung->layers_frag;
-    else
-        row->frag = bumped ? rung->bump_frag : rung->frag;
+    row->frag = is_layers ? rung->layers_frag : rung->frag;
+    if (bumped)
+        row->frag = is_layers ? rung->bump_layers_frag : rung->bump_frag;
+    if (choice->is_dressed)
+        row->frag = is_layers ? rung->dress_layers_frag : rung->dress_frag;
     row->push_size = rung->push_size;
     row->record = rung->record ? rung->record : frame_draw_object;
     return (struct rg_technique){ technique->name, row, 1 };

@@ -37,6 +37,8 @@ struct refract_rung {
     /* Shaders for the picture and for the layers, both compiled from refract_STEM.frag, without and
      * with bumps. NULL for bumps: the rung shows no bumps. */
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
+    /* The same with ice_normal's dress. NULL: the rung draws no tints and textures of objects. */
+    const struct rg_shader *dress_frag, *dress_layers_frag;
     /* NULL: refract.vert, or refract_bump.vert where bumps are shown. */
     const struct rg_shader *vert;
     const struct rg_use *uses; /* besides frame_globals and the bump map; ends at {0} */

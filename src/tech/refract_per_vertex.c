@@ -20,6 +20,8 @@ static const struct rg_use uses[] = {
 static const struct refract_rung rung = {
     .frag = &refract_per_vertex_frag,
     .layers_frag = &refract_per_vertex_aov_frag,
+    .dress_frag = &refract_per_vertex_dress_frag,
+    .dress_layers_frag = &refract_per_vertex_dress_aov_frag,
     .vert = &refract_per_vertex_vert,
     .uses = uses,
 };

@@ -1,0 +1,34 @@
+/* ice_dress.glsl: an object's surface with its textures, whose coordinates are the first ones. */
+#ifndef ICE_DRESS_GLSL
+#define ICE_DRESS_GLSL
+#include "bump_normal.h"
+#include "ice_dress.h"
+#include "lib/lit.glsl"
+#include "lib/view_ray.glsl"
+
+layout(push_constant, scalar) uniform Push
+{
+    ice_dress_push push;
+};
+
+layout(location = ICE_DRESS_EYE_TO_POINT) in vec3 eye_to_point;
+layout(location = ICE_DRESS_NORMAL) in vec3 normal;
+layout(location = ICE_DRESS_FRESNEL) in float fresnel_paper; /* eq. 4, from the vertices */
+layout(location = ICE_DRESS_COLOR) in vec3 color;
+layout(location = ICE_DRESS_UV) in vec2 uv;
+
+/* Returns the surface's values; `bent` is its outward normal. */
+dress ice_dress_at(out vec3 bent)
+{
+    vec3 base = lit_texel(textures, push.row, MATERIAL_USE_BASE_COLOR, uv, 1.0).rgb;
+    float rough = lit_texel(numbers, push.row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, 1.0).g;
+    float through = lit_texel(numbers, push.row, MATERIAL_USE_TRANSMISSION, uv, 1.0).r;
+    vec4 texel = lit_texel(numbers, push.row, MATERIAL_USE_NORMAL, uv, 1.0);
+    vec4 scales = material_texel(push.row, MATERIAL_ROW_SCALES);
+    bent = normalize(normal);
+    if (texel != vec4(1.0))
+        bent = lit_bend(bent, texel.rgb, scales.xy, eye_to_point, uv);
+    return dress_of(push.own, base, rough, through);
+}
+
+#endif
