@@ -74,7 +74,8 @@ struct app_scene {
 /* A picture of it, and how that is made. */
 struct app_picture {
     struct app_scene scene;
-    const struct technique *rung;
+    const struct technique *rung;  /* until app_choose_rung(), if nobody names one: bounce */
+    bool is_rung_named;            /* by --refraction, or by hand in a window */
     const struct technique *split; /* on the right of a window; NULL: it is not split */
     uint32_t width, height, samples;
     enum pixel_filter filter;
@@ -281,8 +282,12 @@ enum status app_fill_failed(const char *lacking);
 MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene *given, float time,
                                     bool *is_changed);
 
-/* Logs what the rung leaves out that the reference draws. */
-void app_warn_of_rung(const struct app_picture *picture, const struct scene *scene);
+/*
+ * Chooses the rung of a loaded scene unless one is named: bounce for one closed refractive object
+ * that it draws as it is, else trace. Says so if it is trace (unless the options are quiet), and
+ * what the rung leaves out that the reference draws.
+ */
+void app_choose_rung(struct app_picture *picture, const struct scene *scene);
 
 /* The camera of the options, which may name one of the model's, else the model's first, else one
  * that frames the object. */

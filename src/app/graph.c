@@ -21,6 +21,7 @@ enum status app_graph(const struct app_options *o)
     enum status status = app_begin_scene(&scene, &p.scene); /* a plan needs no texels */
     if (status != STATUS_OK)
         return status;
+    app_choose_rung(&p, &scene);
     struct renderer_params params = app_renderer_params(&p, NULL, &scene);
     params.samples = p.samples;
     params.layers = p.layers;

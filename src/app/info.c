@@ -5,6 +5,7 @@
 #include "src/app/app.h"
 #include "src/app/json_text.h"
 #include "src/base/log.h"
+#include "src/tech/techniques.h"
 
 /* ---- facts ---- */
 
@@ -13,26 +14,6 @@ static const char *const support_names[MODEL_SUPPORT_COUNT] = {
     [MODEL_APPROXIMATED] = "approximated",
     [MODEL_IGNORED] = "ignored",
 };
-
-/* Returns whether the area vectors of an object's triangles add up to nothing, as those of a closed
- * shell do. */
-static bool is_closed(const struct model *model, const struct object *object)
-{
-    double sum[3] = { 0 };
-    double all = 0;
-    for (uint32_t i = 0; i < object->index_count; i += 3) {
-        const uint32_t *corners = &model->object.indices[object->first_index + i];
-        const vec3s a = model->object.vertices[corners[0]].position;
-        const vec3s b = model->object.vertices[corners[1]].position;
-        const vec3s c = model->object.vertices[corners[2]].position;
-        const vec3s area = glms_vec3_cross(glms_vec3_sub(b, a), glms_vec3_sub(c, a));
-        for (int k = 0; k < 3; k++)
-            sum[k] += (double)area.raw[k];
-        all += (double)glms_vec3_norm(area);
-    }
-    const double left = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
-    return left <= 1e-4 * all;
-}
 
 /* Returns what a transmissive material is drawn as. */
 static const char *kind_of(const struct material *material)
@@ -84,7 +65,7 @@ static void print_objects(const struct model *model)
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
         printf("  %-24s %10u  %-8s %s\n", object->name, object->index_count / 3,
-               is_closed(model, object) ? "closed" : "open",
+               object_is_closed(object, &model->object) ? "closed" : "open",
                model->materials[object->material].name);
     }
 }
@@ -211,7 +192,7 @@ static void print_animations(const struct model *model)
                (double)model->animations[i].seconds);
 }
 
-static void print_text(struct scene *scene)
+static void print_text(struct scene *scene, const struct technique *rung)
 {
     const struct model *model = &scene->model;
     const struct box box = scene->box;
@@ -228,6 +209,7 @@ static void print_text(struct scene *scene)
                (double)model->camera.eye.z, (double)model->camera.target.x,
                (double)model->camera.target.y, (double)model->camera.target.z,
                (double)model->camera.fov_deg);
+    printf("rung unless --refraction names one: %s\n", rung->rung.name);
     print_cameras(model);
     print_extensions(model);
     print_lights(model);
@@ -258,8 +240,8 @@ static json_t *object_of(const struct model *model, const struct object *object)
 {
     return json_pack("{s:o, s:i, s:i, s:i, s:b, s:o, s:o}", "name", text_of(object->name), "rank",
                      (int)object->rank, "triangles", (int)(object->index_count / 3), "material",
-                     (int)object->material, "closed", (int)is_closed(model, object), "min",
-                     vector(object->box.min), "max", vector(object->box.max));
+                     (int)object->material, "closed", (int)object_is_closed(object, &model->object),
+                     "min", vector(object->box.min), "max", vector(object->box.max));
 }
 
 static json_t *objects_of(const struct model *model)
@@ -372,7 +354,8 @@ static json_t *animations_of(const struct model *model)
     return all;
 }
 
-static enum status print_json(const char *name, const struct scene *scene)
+static enum status print_json(const char *name, const struct scene *scene,
+                              const struct technique *rung)
 {
     const struct model *model = &scene->model;
 
@@ -386,9 +369,10 @@ static enum status print_json(const char *name, const struct scene *scene)
         { "not_drawn", undrawn_of },
     };
 
-    json_t *root = json_pack("{s:o, s:i, s:i, s:o, s:o}", "scene", text_of(name),
-                             "surrounding_triangles", (int)(model->surroundings.index_count / 3),
-                             "textures", (int)(model->textures.count + model->numbers.count), "min",
+    json_t *root = json_pack("{s:o, s:s, s:i, s:i, s:o, s:o}", "scene", text_of(name), "refraction",
+                             rung->rung.name, "surrounding_triangles",
+                             (int)(model->surroundings.index_count / 3), "textures",
+                             (int)(model->textures.count + model->numbers.count), "min",
                              vector(scene->box.min), "max", vector(scene->box.max));
     for (size_t i = 0; root && i < sizeof(lists) / sizeof(lists[0]); i++) {
         if (json_object_set_new(root, lists[i].key, lists[i].make(model)) != 0) {
@@ -406,20 +390,22 @@ static enum status print_json(const char *name, const struct scene *scene)
 
 enum status app_info(const struct app_options *o)
 {
-    struct app_scene given = o->picture.scene;
+    struct app_picture picture = o->picture;
+    struct app_scene *given = &picture.scene;
     struct scene scene;
-    given.plain = true; /* neither what firn puts into ice nor its landscape is the scene's */
-    given.background.is_given = true;
-    given.quiet = true;
-    enum status status = app_load_scene(&scene, &given);
+    given->plain = true; /* neither what firn puts into ice nor its landscape is the scene's */
+    given->background.is_given = true;
+    given->quiet = true;
+    enum status status = app_load_scene(&scene, given);
     if (status != STATUS_OK)
         return status;
+    app_choose_rung(&picture, &scene);
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)
-        status = print_json(given.name, &scene);
+        status = print_json(given->name, &scene, picture.rung);
     else
-        print_text(&scene);
+        print_text(&scene, picture.rung);
     scene_finish(&scene);
     return status;
 }

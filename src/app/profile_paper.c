@@ -105,6 +105,8 @@ static enum status case_picture(const struct profile_job *job, const struct pape
     enum status status = STATUS_OK;
     *picture = job->o.picture;
     picture->scene.name = c->scene;
+    if (!picture->is_rung_named)
+        status = app_set(picture, "refraction", "paper");
     for (size_t i = 0; c->set[i] && status == STATUS_OK; i++) {
         char name[64];
         size_t length = strcspn(c->set[i], "=");

@@ -550,7 +550,7 @@ static enum status run(struct job *job)
     if (status == STATUS_OK)
         status = app_begin_scene(&job->scene, &job->o.picture.scene);
     if (status == STATUS_OK)
-        app_warn_of_rung(&job->o.picture, &job->scene);
+        app_choose_rung(&job->o.picture, &job->scene);
     if (status == STATUS_OK)
         status = app_camera(&job->camera, &job->scene, &job->o.picture);
     if (status == STATUS_OK)

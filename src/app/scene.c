@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include "shaders/refract_trace.h"
 #include "src/app/app.h"
 #include "src/base/log.h"
 #include "src/frame/media.h"
@@ -19,8 +20,13 @@
 #include "src/tech/local_box.h"
 #include "src/tech/pool.h"
 #include "src/tech/refract.h"
+#include "src/tech/refract_bounce.h"
+#include "src/tech/refract_trace.h"
 #include "src/tech/surface.h"
 #include "src/tech/techniques.h"
+
+/* Of half a box: what touches an object from outside is not in it. */
+#define INNER_SHARE 0.9f
 
 /* --set over --material over --preset over the model's own index over the default. */
 static void settle_ior(struct app_scene *given, struct scene *scene)
@@ -137,32 +143,87 @@ static void add_count(char *words, size_t size, uint32_t count, const char *name
         snprintf(&words[used], size - used, "%s%u %s", used ? ", " : "", count, name);
 }
 
-/* Names what only the rung trace and the reference make of a scene's own materials. */
-static void warn_of_materials(const struct app_picture *picture, const struct scene *scene)
+/* Writes what only the rung trace and the reference make of a scene's own materials: "1 rough". */
+static void name_undrawn(const struct scene *scene, char *words, size_t size)
 {
     static const struct {
         const char *name;
         bool (*is_there)(const struct material *material);
     } kinds[] = { { "rough", is_rough }, { "thin-walled", is_thin } };
     const struct model *model = &scene->model;
-    char words[128] = "";
-    if (!picture->rung->rung.rows || picture->rung->rung.meets_tree || frame_media_are_bare(scene))
+    words[0] = '\0';
+    if (frame_media_are_bare(scene))
         return;
     for (size_t k = 0; k < sizeof(kinds) / sizeof(kinds[0]); k++) {
         uint32_t count = 0;
         for (uint32_t i = 0; i < model->object_count; i++)
             count += kinds[k].is_there(&model->materials[model->objects[i].material]);
-        add_count(words, sizeof(words), count, kinds[k].name);
+        add_count(words, size, count, kinds[k].name);
     }
-    add_count(words, sizeof(words), count_inside(model), "inside others");
+    add_count(words, size, count_inside(model), "inside others");
+}
+
+static void warn_of_materials(const struct app_picture *picture, const struct scene *scene)
+{
+    char words[128];
+    if (!picture->rung->rung.rows || picture->rung->rung.meets_tree)
+        return;
+    name_undrawn(scene, words, sizeof(words));
     if (words[0])
         log_warning("%s: drawn as smooth solids, each by itself: of %u objects %s; "
                     "--refraction trace draws what they are",
-                    picture->scene.name, model->object_count, words);
+                    picture->scene.name, scene->model.object_count, words);
 }
 
-void app_warn_of_rung(const struct app_picture *picture, const struct scene *scene)
+/* Returns whether a corner of the surroundings is well inside the box of the first object. */
+static bool holds_surroundings(const struct model *model)
 {
+    const struct box *box = &model->objects[0].box;
+    const vec3s middle = box_center(*box);
+    const vec3s half = glms_vec3_scale(glms_vec3_sub(box->max, box->min), 0.5f * INNER_SHARE);
+    for (uint32_t i = 0; i < model->surroundings.vertex_count; i++) {
+        const vec3s at = glms_vec3_sub(model->surroundings.vertices[i].position, middle);
+        if (fabsf(at.x) < half.x && fabsf(at.y) < half.y && fabsf(at.z) < half.z)
+            return true;
+    }
+    return false;
+}
+
+/* Writes why maps of one object's front and back are not enough; "": they are. */
+static void name_reason(const struct scene *scene, char *words, size_t size)
+{
+    const struct model *model = &scene->model;
+    char undrawn[64] = "";
+    words[0] = '\0';
+    if (!model->object_count || scene->has_pool)
+        return;
+    if (model->object_count > 1)
+        snprintf(words, size, "it has %u refractive objects", model->object_count);
+    else if (!object_is_closed(&model->objects[0], &model->object))
+        snprintf(words, size, "its object is not closed");
+    else if (holds_surroundings(model))
+        snprintf(words, size, "something is inside its object");
+    else
+        name_undrawn(scene, undrawn, sizeof(undrawn));
+    if (undrawn[0])
+        snprintf(words, size, "bounce leaves out what it has: %s", undrawn);
+}
+
+static bool can_trace(const struct model *model)
+{
+    const uint64_t indices = (uint64_t)model->object.index_count + model->surroundings.index_count;
+    return model->object_count <= TRACE_SHELLS_MAX && indices / 3 <= TREE_TRIANGLES_MAX;
+}
+
+void app_choose_rung(struct app_picture *picture, const struct scene *scene)
+{
+    char reason[128] = "";
+    if (!picture->is_rung_named)
+        name_reason(scene, reason, sizeof(reason));
+    if (!picture->is_rung_named)
+        picture->rung = reason[0] && can_trace(&scene->model) ? &refract_trace : &refract_bounce;
+    if (reason[0] && picture->rung == &refract_trace && !picture->scene.quiet)
+        log_note("%s: drawn with --refraction trace, because %s", picture->scene.name, reason);
     warn_of_materials(picture, scene);
     if (picture->rung->rung.rows && air_is_medium(&picture->scene.settings))
         log_warning("air.model=medium: drawn as planes; --refraction reference draws a medium");

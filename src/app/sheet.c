@@ -151,6 +151,8 @@ static enum status add_picture(struct job *job, uint32_t point)
     enum status status = sweep_options_at(&job->sweep, point, &job->o.picture, &picture);
     if (status == STATUS_OK)
         status = app_load_scene(&scene, &picture.scene);
+    if (status == STATUS_OK)
+        app_choose_rung(&picture, &scene);
     if (status == STATUS_OK && !job->gpu.device)
         status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (status == STATUS_OK)

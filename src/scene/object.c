@@ -101,6 +101,24 @@ enum status object_rank_all(struct object *objects, uint32_t count, const struct
     return done ? STATUS_OK : log_out_of_memory("objects");
 }
 
+bool object_is_closed(const struct object *object, const struct mesh *mesh)
+{
+    double sum[3] = { 0 };
+    double all = 0;
+    for (uint32_t i = 0; i < object->index_count; i += 3) {
+        const uint32_t *corners = &mesh->indices[object->first_index + i];
+        const vec3s a = mesh->vertices[corners[0]].position;
+        const vec3s b = mesh->vertices[corners[1]].position;
+        const vec3s c = mesh->vertices[corners[2]].position;
+        const vec3s area = glms_vec3_cross(glms_vec3_sub(b, a), glms_vec3_sub(c, a));
+        for (int k = 0; k < 3; k++)
+            sum[k] += (double)area.raw[k];
+        all += (double)glms_vec3_norm(area);
+    }
+    const double left = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
+    return left <= 1e-4 * all;
+}
+
 const struct object *object_of_index(const struct object *objects, uint32_t count, uint32_t index)
 {
     uint32_t low = 0;

@@ -27,6 +27,10 @@ struct object {
 MUST_USE enum status object_rank_all(struct object *objects, uint32_t count,
                                      const struct mesh *mesh, const struct material *materials);
 
+/* Returns whether the area vectors of an object's triangles add up to nothing, as those of closed
+ * shells do. */
+bool object_is_closed(const struct object *object, const struct mesh *mesh);
+
 /* Returns the object of a triangle, whose first index is `index`. */
 const struct object *object_of_index(const struct object *objects, uint32_t count, uint32_t index);
 

@@ -4,6 +4,7 @@
 #include "shaders/refract_bounce.h"
 #include "src/tech/technique.h"
 
+extern const struct technique refract_bounce;
 extern const struct setting_group refract_bounce_settings;
 
 #endif

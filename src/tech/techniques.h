@@ -15,7 +15,7 @@ extern const size_t techniques_count;
 /* Returns the index of a technique in the list. */
 size_t techniques_index(const struct technique *technique);
 
-/* Returns rung i in the order of the list, or NULL at the end. Rung 0 is the default. */
+/* Returns rung i in the order of the list, or NULL at the end. */
 const struct technique *techniques_rung(size_t i);
 
 /* Returns the rung of that name, or NULL. */

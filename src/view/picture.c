@@ -36,6 +36,8 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
     if (status == STATUS_OK)
         status = app_load_scene(&p->scene, &p->state.scene);
     if (status == STATUS_OK)
+        app_choose_rung(&p->state, &p->scene);
+    if (status == STATUS_OK)
         status = app_camera(&p->camera, &p->scene, &p->state);
     p->state.scene.quiet = true; /* where a setting loads it again, all has been said */
     p->first_camera = p->camera;
@@ -270,6 +272,7 @@ enum status picture_change(struct picture **picture, const struct settings *sett
     struct app_picture wanted = p->state;
     *remade = false;
     wanted.scene.settings = *settings;
+    wanted.is_rung_named = p->state.is_rung_named || rung != p->state.rung;
     wanted.rung = rung;
     memset(wanted.scene.is_set, true, sizeof(wanted.scene.is_set)); /* all is in the settings */
     if (settings_changed(&before.scene.settings, settings) == SETTING_AFFECTS_SCENE) {

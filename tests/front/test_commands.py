@@ -371,7 +371,7 @@ class Layers(Case):
 class Same(Case):
     """The same command gives the same bytes; another one does not."""
 
-    ALL = ('--aov', 'all', '--set', 'cracks.count=2', '--set', 'bubbles.count=40')
+    ALL = ('-r', 'paper', '--aov', 'all', '--set', 'cracks.count=2', '--set', 'bubbles.count=40')
 
     def setUp(self):
         super().setUp()

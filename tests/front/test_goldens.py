@@ -17,15 +17,17 @@ TOLERANCE = 1 / 1024  # of max(1, |value|)
 SHARE = 0.999  # of the values are within it
 MEAN = 1e-4
 
+PAPER = ('--refraction', 'paper')
 PICTURES = {
-    'ice-cube': ('ice-cube',),
-    'sphere': ('sphere',),
-    'teapot': ('teapot',),
+    'ice-cube': ('ice-cube', *PAPER),
+    'sphere': ('sphere', *PAPER),
+    'teapot': ('teapot', *PAPER),
     'pool': ('pool',),
     'ice-cube-one-sided': ('ice-cube', '--refraction', 'one-sided'),
     'ice-cube-bounce': ('ice-cube', '--refraction', 'bounce', '--set', 'refract.lookup=distance',
                         '--set', 'refract.fresnel=exact'),
-    'ice-cube-frost-gap': ('ice-cube', '--set', 'frost.amount=0.5', '--set', 'cracks.refract=gap'),
+    'ice-cube-frost-gap': ('ice-cube', *PAPER, '--set', 'frost.amount=0.5', '--set',
+                           'cracks.refract=gap'),
 }
 
 

@@ -29,7 +29,7 @@ class Profile(Case):
 
 class OneFrame(Profile):
     def test_all_reports_of_one_frame(self):
-        done = self.profile(*CUBE, '--json', 'a.json', '--csv', 'a.csv', '--trace',
+        done = self.profile(*CUBE, '-r', 'paper', '--json', 'a.json', '--csv', 'a.csv', '--trace',
                             't.json', '--html', 'a.html')
         self.assertEqual(self.files(), ['a.csv', 'a.html', 'a.json', 't.json'])
         self.assertTrue(done.stdout.startswith(b'sphere, paper, ice, 64x48'))

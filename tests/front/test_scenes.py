@@ -64,7 +64,8 @@ class Scenes(Case):
         words = ('two.gltf', '--set', 'cracks.count=3', '--set', 'frost.amount=1')
         self.assertFalse({'cracks', 'frost'} & self.techniques(*words))
         said = self.passes(*words)[1]
-        self.assertRegex(said, r'\Afirn: warning: .*cracks.* 2 .*\nfirn: warning: .*frost.*\n\Z')
+        self.assertRegex(said, r'\Afirn: warning: .*cracks.* 2 .*\nfirn: warning: .*frost.*\n'
+                               r'firn: note: .*\n\Z')
 
     def test_each_object_has_rows(self):
         passes, _ = self.passes('two.gltf', '-r', 'bounce')
@@ -76,12 +77,53 @@ class Scenes(Case):
                  (glass(thickness=0, color=[1, 0, 0]), [6, 0, 0], 1), (glass(1.3), [0, 0, 0], 0.5)]
         (self.folder / 'four.gltf').write_text(boxes(*parts))
         words = ('render', 'four.gltf', *SMALL, '-o', 'a.exr')
-        said = self.succeed(*words).stderr.decode()
+        said = self.succeed(*words, '-r', 'bounce').stderr.decode()
         self.assertRegex(said, r'\Afirn: warning: four.gltf: .* of 4 objects 1 rough, '
                                r'1 thin-walled, 1 inside others; .*trace.*\n\Z')
         self.assertEqual(self.succeed(*words, '-r', 'trace').stderr, b'')
         self.assertEqual(self.succeed(*words, '-r', 'reference', env=NO_DRIVER).stderr, b'')
-        self.assertEqual(self.succeed('render', 'two.gltf', *SMALL, '-o', 'a.exr').stderr, b'')
+        words = ('render', 'two.gltf', *SMALL, '-o', 'a.exr', '-r', 'bounce')
+        self.assertEqual(self.succeed(*words).stderr, b'')
+
+    def chosen(self, name, *words):
+        """The rung of a scene, and the note that says why."""
+        passes, said = self.passes(name, *words)
+        rungs = {found.split('.')[0] for found in passes if found.startswith('refract_')}
+        self.assertEqual(len(rungs), 1)
+        info = self.succeed('info', name, '--json', env=NO_DRIVER)
+        return rungs.pop(), json.loads(info.stdout)['refraction'], said
+
+    def test_the_scene_chooses_the_rung(self):
+        opaque = {'name': 'core'}
+        (self.folder / 'core.gltf').write_text(boxes((glass(), [0, 0, 0], 1),
+                                                     (opaque, [0, 0, 0], 0.5)))
+        (self.folder / 'beside.gltf').write_text(boxes((glass(), [0, 0, 0], 1),
+                                                       (opaque, [1.6, 0, 0], 0.5)))
+        (self.folder / 'rough.gltf').write_text(boxes((glass(roughness=0.3), [0, 0, 0], 1)))
+        (self.folder / 'many.gltf').write_text(boxes(*[(glass(), [3 * i, 0, 0], 1)
+                                                       for i in range(33)]))
+        (self.folder / 'open.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
+        for name in ('one.gltf', 'beside.gltf', 'sphere', 'ice-cube'):
+            self.assertEqual(self.chosen(name), ('refract_bounce', 'bounce', ''), name)
+        for name, why in (('two.gltf', 'it has 2 refractive objects'),
+                          ('core.gltf', 'something is inside its object'),
+                          ('open.obj', 'its object is not closed'),
+                          ('rough.gltf', 'bounce leaves out what it has: 1 rough')):
+            pixel, said, note = self.chosen(name)
+            self.assertEqual((pixel, said), ('refract_trace', 'trace'), name)
+            self.assertIn(f'firn: note: {name}: drawn with --refraction trace, because {why}\n',
+                          note)
+        self.assertEqual(self.chosen('many.gltf')[:2], ('refract_bounce', 'bounce'))
+        for rung in ('bounce', 'trace'):
+            passes, said = self.passes('two.gltf', '-r', rung)
+            self.assertIn(f'refract_{rung}.color', passes)
+            self.assertEqual(said, '')
+
+    def test_status_knows_the_chosen_rung(self):
+        words = ('two.gltf', *SMALL, '--frames', '0', '-o', 'a.#.exr')
+        self.succeed('render', *words)
+        self.succeed('farm', 'status', *words, env=NO_DRIVER)
+        self.assertEqual(self.firn('farm', 'status', *words, '-r', 'bounce').returncode, 1)
 
     def test_info(self):
         parts = [(glass(1.3, name='ice'), [0, 0, 0], 0.5), (glass(1.5, name='cup'), [0, 0, 0], 1),
@@ -105,7 +147,7 @@ class Scenes(Case):
         (self.folder / 'a.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
         note = b'firn: note: a.obj: has no materials, so it is drawn as ice'
         for words, is_said in (((), True), (('--material', 'ice'), False), (('-q',), False)):
-            done = self.succeed('graph', 'a.obj', *words, env=NO_DRIVER)
+            done = self.succeed('graph', 'a.obj', '-r', 'paper', *words, env=NO_DRIVER)
             self.assertEqual(done.stderr.startswith(note), is_said, words)
             self.assertEqual(done.stderr.count(b'\n'), is_said)
         for name in ('sphere', 'one.gltf'):

@@ -209,6 +209,7 @@ enum status option_refraction(const struct option *option, void *at, const char 
     struct app_picture *picture = at;
     const bool is_traced = !strcmp(value, refract_reference.rung.name);
     picture->rung = is_traced ? &refract_reference : techniques_find_rung(value);
+    picture->is_rung_named = true;
     return picture->rung
                ? STATUS_OK
                : option_refuse_name(option, OPTION_RUNGS_AND_REFERENCE, value, strlen(value));

@@ -56,12 +56,13 @@ enum status option_settle_reference(struct app_options *o)
 {
     const struct app_render *render = &o->render;
     const char *limit = render->noise > 0.0 ? "noise" : render->seconds > 0.0 ? "time" : NULL;
+    const bool is_named = o->picture.is_rung_named;
     if (!o->picture.samples)
         o->picture.samples = limit ? SAMPLES_MAX : 1;
     if (o->picture.rung != &refract_reference && (limit || render->keep_sums)) {
-        log_error("--%s: only --refraction reference has it, not '%s'; %s",
-                  limit ? limit : "keep-sums", o->picture.rung->rung.name,
-                  limit ? "give --samples instead" : "leave it out");
+        log_error("--%s: only --refraction reference has it%s%s%s; %s", limit ? limit : "keep-sums",
+                  is_named ? ", not '" : "", is_named ? o->picture.rung->rung.name : "",
+                  is_named ? "'" : "", limit ? "give --samples instead" : "leave it out");
         return STATUS_USAGE;
     }
     if (render->keep_sums && !option_sums_picture(o)) {

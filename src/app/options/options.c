@@ -23,6 +23,7 @@
 #include "src/reference/reference_layers.h"
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
+#include "src/tech/refract_bounce.h"
 #include "src/tech/refract_reference.h"
 
 /* ---- the table ---- */
@@ -177,7 +178,7 @@ static const struct option options[] = {
     { "Ladder", "truth", 0, "FILE", APP_LADDER, INPUT(ladder.truth),
       "second reference: a picture of the same view by another program" },
     { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, PICTURE(option_refraction),
-      "refraction rung: paper, bounce, ...; see firn list rungs (paper)" },
+      "refraction rung: paper, bounce, ...; see firn list rungs (by the scene)" },
     { "Picture", "material", 'm', "NAME", PICTURES, SCENE(option_material),
       "ice, water, glass, ... (firn list materials), or NODE=glass[,ior=1.5,...]" },
     { "Picture", "plain", 0, NULL, PICTURES, FLAG(picture.scene.plain),
@@ -456,7 +457,7 @@ static void set_defaults(struct app_options *o, enum app_command command)
                 .reader = { .program = "/proc/self/exe" },
                 .settings = settings_default(),
             },
-            .rung = techniques_rung(0),
+            .rung = &refract_bounce,
             .width = 1024,
             .height = 768,
             .samples = 1,

@@ -153,7 +153,7 @@ static void print(FILE *out, const struct ui_command *c)
         fprintf(out, " --samples %u", p->samples);
     if (p->filter == PIXEL_FILTER_POINT)
         print_name(out, "pixel-filter", "point");
-    if (p->rung != techniques_rung(0))
+    if (p->is_rung_named)
         print_name(out, "refraction", p->rung->rung.name);
     print_ior(out, c);
     print_settings(out, c);
