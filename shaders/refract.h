@@ -51,10 +51,12 @@
 #define REFRACT_FRESNEL_PAPER     0 /* eq. 4, at the vertices */
 #define REFRACT_FRESNEL_EXACT     1 /* Fresnel's equations, in each pixel */
 #define REFRACT_FRESNEL_CROSSFADE 2 /* one share for all pixels */
+#define REFRACT_FRESNEL_AUTO      3 /* the rung's own; of the setting alone */
 
 /* CONSTANT_REFRACT_LOOKUP */
 #define REFRACT_LOOKUP_INFINITE 0 /* as if the surroundings were infinitely far away */
 #define REFRACT_LOOKUP_DISTANCE 1 /* a ray is traced to the distances of the environment cube */
 #define REFRACT_LOOKUP_BOX      2 /* a ray ends on the sides of the box of local_settings */
+#define REFRACT_LOOKUP_AUTO     3 /* the rung's own; of the setting alone */
 
 #endif

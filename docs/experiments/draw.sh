@@ -21,7 +21,8 @@ draw() {
     picture=$1.png
     shift
     start=$(date +%s.%N)
-    "$firn" render --refraction paper "$@" --size 1024x768 --quiet -o "$out/$picture"
+    "$firn" render --refraction paper --set refract.fresnel=paper --set refract.lookup=infinite \
+        "$@" --size 1024x768 --quiet -o "$out/$picture"
     end=$(date +%s.%N)
     LC_ALL=C awk -v name="$picture" -v start="$start" -v end="$end" \
         'BEGIN { printf "%-46s %8.2f\n", name, end - start }'

@@ -82,10 +82,12 @@ static void describe_material(struct profile *p, const struct app_scene *given)
         snprintf(p->material, sizeof(p->material), "refractive index %g", ior);
 }
 
-static enum status describe(struct profile *p, const struct app_scene *given,
+static enum status describe(struct profile *p, const struct app_picture *picture,
                             const struct scene *scene, char *const *words)
 {
-    const struct settings settings = frame_settings(&given->settings, scene);
+    const struct app_scene *given = &picture->scene;
+    const struct settings settled = frame_settle(&given->settings, picture->rung);
+    const struct settings settings = frame_settings(&settled, scene);
     p->scene = strdup(given->name);
     p->command = shell_words_join(words);
     describe_material(p, given);
@@ -126,7 +128,7 @@ enum status profile_job_measure(struct profile_job *job, const struct app_pictur
         progress_clear(&job->progress);
     }
     if (status == STATUS_OK)
-        status = describe(profile, &p.scene, &scene, job->o.run.words);
+        status = describe(profile, &p, &scene, job->o.run.words);
     scene_finish(&scene);
     return status;
 }

@@ -99,14 +99,31 @@ static const struct {
 
 /* ---- measuring ---- */
 
+/* What the paper's figures are drawn with, whatever the rung. */
+static const char *const printed[][2] = {
+    { "refract.fresnel", "paper" },
+    { "refract.lookup", "infinite" },
+};
+
+static enum status draw_as_printed(struct app_picture *picture)
+{
+    enum status status = STATUS_OK;
+    if (!picture->is_rung_named)
+        status = app_set(picture, "refraction", "paper");
+    for (size_t i = 0; i < sizeof(printed) / sizeof(printed[0]) && status == STATUS_OK; i++) {
+        const size_t index = settings_index(settings_find(printed[i][0]));
+        if (!picture->scene.is_set[index] && !picture->scene.is_preset[index])
+            status = app_set(picture, printed[i][0], printed[i][1]);
+    }
+    return status;
+}
+
 static enum status case_picture(const struct profile_job *job, const struct paper_case *c,
                                 struct app_picture *picture)
 {
-    enum status status = STATUS_OK;
     *picture = job->o.picture;
     picture->scene.name = c->scene;
-    if (!picture->is_rung_named)
-        status = app_set(picture, "refraction", "paper");
+    enum status status = draw_as_printed(picture);
     for (size_t i = 0; c->set[i] && status == STATUS_OK; i++) {
         char name[64];
         size_t length = strcspn(c->set[i], "=");

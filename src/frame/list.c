@@ -15,6 +15,7 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 #include "src/tech/pool.h"
+#include "src/tech/refract.h"
 #include "src/tech/techniques.h"
 
 static bool fits(const struct technique *technique, const struct technique_part *part,
@@ -264,5 +265,23 @@ struct settings frame_settings(const struct settings *settings, const struct sce
                  scene->has_pool);
     settings_put(&own, settings_row(&env_cube_settings, offsetof(struct env_cube_params, dynamic)),
                  frame_draws_cube(settings, scene));
+    return own;
+}
+
+static void settle(struct settings *settings, size_t offset, uint32_t automatic, uint32_t value)
+{
+    const struct setting *row = settings_row(&refract_settings, offset);
+    if (settings_get(settings, row) >= automatic)
+        settings_put(settings, row, value);
+}
+
+struct settings frame_settle(const struct settings *settings, const struct technique *rung)
+{
+    struct settings own = *settings;
+    const bool is_printed = rung && rung->rung.is_as_printed;
+    settle(&own, offsetof(struct refract_params, fresnel), REFRACT_FRESNEL_AUTO,
+           is_printed ? REFRACT_FRESNEL_PAPER : REFRACT_FRESNEL_EXACT);
+    settle(&own, offsetof(struct refract_params, lookup), REFRACT_LOOKUP_AUTO,
+           is_printed ? REFRACT_LOOKUP_INFINITE : REFRACT_LOOKUP_DISTANCE);
     return own;
 }

@@ -31,7 +31,10 @@ void frame_list_finish(struct frame_list *list); /* {0} is fine */
 /* Returns whether each picture's frames draw the environment cube, because it may change. */
 bool frame_draws_cube(const struct settings *settings, const struct scene *scene);
 
-/* The settings with switches as the scene has them: what is recorded with its pictures. */
+/* The settings with switches as the scene has them. */
 struct settings frame_settings(const struct settings *settings, const struct scene *scene);
+
+/* The settings with a rung's own values in place of `auto`. `rung` may be NULL. */
+struct settings frame_settle(const struct settings *settings, const struct technique *rung);
 
 #endif

@@ -39,7 +39,8 @@ struct globals frame_view_globals(const struct frame_view *view,
 struct globals frame_view_object_globals(const struct frame_view *view, const struct globals *all,
                                          uint32_t object);
 
-/* Specialization constants, which depend on scene and settings but not on camera and time. */
+/* Specialization constants, which depend on scene and settings (of frame_settle()), but not on
+ * camera and time. */
 struct frame_constants {
     uint32_t values[CONSTANT_COUNT];
 };

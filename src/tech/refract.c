@@ -168,6 +168,7 @@ static const char *const fresnels[] = {
     [REFRACT_FRESNEL_PAPER] = "paper",
     [REFRACT_FRESNEL_EXACT] = "exact",
     [REFRACT_FRESNEL_CROSSFADE] = "crossfade",
+    [REFRACT_FRESNEL_AUTO] = "auto",
     NULL,
 };
 
@@ -175,6 +176,7 @@ static const char *const lookups[] = {
     [REFRACT_LOOKUP_INFINITE] = "infinite",
     [REFRACT_LOOKUP_DISTANCE] = "distance",
     [REFRACT_LOOKUP_BOX] = "box",
+    [REFRACT_LOOKUP_AUTO] = "auto",
     NULL,
 };
 
@@ -200,11 +202,12 @@ static const struct setting rows[] = {
         .name = "refract.fresnel",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct refract_params, fresnel),
-        .max = REFRACT_FRESNEL_CROSSFADE,
+        .initial = REFRACT_FRESNEL_AUTO,
+        .max = REFRACT_FRESNEL_AUTO,
         .choices = fresnels,
         .affects = SETTING_AFFECTS_PLAN,
-        .help =
-            "reflectance: the paper's eq. 4, Fresnel's equations, or constant refract.crossfade",
+        .help = "reflectance: the paper's eq. 4, Fresnel's equations, or constant "
+                "refract.crossfade (auto: exact, but for the rung paper)",
     },
     {
         .name = "refract.crossfade",
@@ -218,10 +221,12 @@ static const struct setting rows[] = {
         .name = "refract.lookup",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct refract_params, lookup),
-        .max = REFRACT_LOOKUP_BOX,
+        .initial = REFRACT_LOOKUP_AUTO,
+        .max = REFRACT_LOOKUP_AUTO,
         .choices = lookups,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "position of the environment: infinitely far away, at its distance, or on a box",
+        .help = "position of the environment: infinitely far away, at its distance, or on a box "
+                "(auto: distance, but infinite for the rung paper)",
     },
     {
         .name = "refract.steps",

@@ -23,7 +23,7 @@ extern const struct setting_group refract_settings;
 struct refract_params {
     float ior;        /* refractive index of the object, for green */
     float dispersion; /* 20 / Abbe number, as in KHR_materials_dispersion; 0: none */
-    uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ... */
+    uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ...; frame_settle() replaces AUTO, here and in: */
     float crossfade;  /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
     uint32_t lookup;  /* REFRACT_LOOKUP_INFINITE ... */
     uint32_t steps;   /* iterations of REFRACT_LOOKUP_DISTANCE */

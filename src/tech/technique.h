@@ -91,8 +91,9 @@ struct technique_rung {
     /* Shades the pixels in which ice_normal.front shows the object, with or without bumps, instead
      * of drawing its front faces (shaders/refract_seen.glsl): for rungs with costly fragments. */
     bool by_pixel;
-    bool is_whole;   /* its rows draw all refractive objects at once */
-    bool meets_tree; /* it reads the tree of the scene's triangles (scene.tree) */
+    bool is_as_printed; /* automatic settings have the paper's values, in place of exact ones */
+    bool is_whole;      /* its rows draw all refractive objects at once */
+    bool meets_tree;    /* it reads the tree of the scene's triangles (scene.tree) */
 };
 
 /* A buffer that the host fills in every frame whose plan has it. */

@@ -356,6 +356,20 @@ class Layers(Case):
         self.assertEqual(set(Exr(self.render('b.exr', '--aov', 'Z,back.N')).channels),
                          {*'RGBA', 'Z', 'back.N.X', 'back.N.Y', 'back.N.Z'})
 
+    def test_automatic_settings_are_the_rungs_own(self):
+        values = {'bounce': ('exact', 'distance'), 'paper': ('paper', 'infinite')}
+        for rung, other in (('bounce', 'paper'), ('paper', 'bounce')):
+            same, fresnel, lookup = (
+                self.render('b.exr', '-r', rung, '--set', f'refract.fresnel={values[of[0]][0]}',
+                            '--set', f'refract.lookup={values[of[1]][1]}')
+                for of in ((rung, rung), (other, rung), (rung, other)))
+            first = self.render('a.exr', '-r', rung, '--set', 'refract.fresnel=auto')
+            self.assertTrue(first == same, rung)
+            self.assertNotEqual(Exr(first).pixels, Exr(fresnel).pixels)
+            self.assertNotEqual(Exr(first).pixels, Exr(lookup).pixels)
+        self.assertIn('refract.lookup=auto', self.succeed('list', 'settings',
+                                                          '--preset').stdout.decode())
+
     def test_metadata_tells_how_it_was_made(self):
         picture = Exr(self.render('a.exr', '--set', 'refract_paper.a=0.25'))
         version = self.succeed('--version').stdout.decode().split()[1]

@@ -58,7 +58,7 @@ class Sheet(Case):
         self.assertEqual((sheet.width, sheet.height), self.size_of(3, 2))
         self.check_cell(sheet, 0, 1, 'sphere', '--refraction', 'one-sided', '--set',
                         'cracks.count=0')
-        self.check_cell(sheet, 2, 0, 'sphere', '--set', 'cracks.count=2')
+        self.check_cell(sheet, 2, 0, 'sphere', '-r', 'paper', '--set', 'cracks.count=2')
 
     def test_wrong_words(self):
         many = 'air.seed=' + ','.join(map(str, range(65)))

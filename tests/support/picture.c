@@ -104,6 +104,8 @@ struct settings picture_settings(const char *assignment)
     assert_int_equal(settings_set(&settings, "bump.strength=0"), STATUS_OK);
     assert_int_equal(settings_set(&settings, "light.count=0"), STATUS_OK);
     assert_int_equal(settings_set(&settings, "env_cube.size=128"), STATUS_OK);
+    assert_int_equal(settings_set(&settings, "refract.fresnel=paper"), STATUS_OK);
+    assert_int_equal(settings_set(&settings, "refract.lookup=infinite"), STATUS_OK);
     assert_int_equal(settings_set(&settings, assignment), STATUS_OK);
     return settings;
 }
