@@ -22,7 +22,7 @@ draw() {
     shift
     start=$(date +%s.%N)
     "$firn" render --refraction paper --set refract.fresnel=paper --set refract.lookup=infinite \
-        "$@" --size 1024x768 --quiet -o "$out/$picture"
+        --set env_cube.size=512 "$@" --size 1024x768 --quiet -o "$out/$picture"
     end=$(date +%s.%N)
     LC_ALL=C awk -v name="$picture" -v start="$start" -v end="$end" \
         'BEGIN { printf "%-46s %8.2f\n", name, end - start }'

@@ -72,8 +72,8 @@ static enum status list_layers(void)
 static void print_range(const struct setting *row, const char *separator)
 {
     if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
-        printf("%s%.7g to %.7g%s%s", separator, row->min, row->max, row->unit ? " " : "",
-               row->unit ? row->unit : "");
+        printf("%s%s%.7g to %.7g%s%s", separator, row->has_auto ? "auto or " : "", row->min,
+               row->max, row->unit ? " " : "", row->unit ? row->unit : "");
     for (size_t c = 0; row->choices && row->choices[c]; c++)
         printf("%s%s", c ? ", " : separator, row->choices[c]);
 }

@@ -87,6 +87,8 @@ static json_t *value_of(const struct setting *row, double value)
     case SETTING_FLOAT:
         return json_real(json_text_float((float)value));
     case SETTING_COUNT:
+        if (row->has_auto && value < row->min)
+            return json_string("auto");
         return json_integer((json_int_t)value);
     case SETTING_SWITCH:
         return json_boolean(value > 0.0);

@@ -95,7 +95,7 @@ static bool describe(const struct output *output, bool is_png, char **text)
     const struct app_picture *p = output->picture;
     const struct frame_layer *show = is_png ? p->show : NULL;
     const struct camera *camera = &output->shot.camera;
-    const struct settings settled = frame_settle(&p->scene.settings, p->rung);
+    const struct settings settled = frame_settle(&p->scene.settings, p->rung, p->height);
     struct settings settings = frame_settings(&settled, output->scene);
     size_t size;
     FILE *out = open_memstream(text, &size);

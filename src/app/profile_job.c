@@ -86,7 +86,7 @@ static enum status describe(struct profile *p, const struct app_picture *picture
                             const struct scene *scene, char *const *words)
 {
     const struct app_scene *given = &picture->scene;
-    const struct settings settled = frame_settle(&given->settings, picture->rung);
+    const struct settings settled = frame_settle(&given->settings, picture->rung, picture->height);
     const struct settings settings = frame_settings(&settled, scene);
     p->scene = strdup(given->name);
     p->command = shell_words_join(words);

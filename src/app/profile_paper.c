@@ -103,6 +103,7 @@ static const struct {
 static const char *const printed[][2] = {
     { "refract.fresnel", "paper" },
     { "refract.lookup", "infinite" },
+    { "env_cube.size", "512" },
 };
 
 static enum status draw_as_printed(struct app_picture *picture)

@@ -18,6 +18,12 @@
 #include "src/tech/refract.h"
 #include "src/tech/techniques.h"
 
+/* Of automatic faces of the environment cube, texels. */
+enum {
+    FACE_SIZE_MIN = 128,
+    FACE_SIZE_MAX = 2048,
+};
+
 static bool fits(const struct technique *technique, const struct technique_part *part,
                  const struct technique_choice *choice)
 {
@@ -275,7 +281,17 @@ static void settle(struct settings *settings, size_t offset, uint32_t automatic,
         settings_put(settings, row, value);
 }
 
-struct settings frame_settle(const struct settings *settings, const struct technique *rung)
+uint32_t frame_face_size(const struct settings *settings, uint32_t height)
+{
+    const struct env_cube_params *cube = settings_of(settings, &env_cube_settings);
+    uint32_t size = FACE_SIZE_MIN;
+    while (size < FACE_SIZE_MAX && 10 * (uint64_t)size < 9 * (uint64_t)height)
+        size *= 2;
+    return cube->size ? cube->size : size;
+}
+
+struct settings frame_settle(const struct settings *settings, const struct technique *rung,
+                             uint32_t height)
 {
     struct settings own = *settings;
     const bool is_printed = rung && rung->rung.is_as_printed;
@@ -283,5 +299,7 @@ struct settings frame_settle(const struct settings *settings, const struct techn
            is_printed ? REFRACT_FRESNEL_PAPER : REFRACT_FRESNEL_EXACT);
     settle(&own, offsetof(struct refract_params, lookup), REFRACT_LOOKUP_AUTO,
            is_printed ? REFRACT_LOOKUP_INFINITE : REFRACT_LOOKUP_DISTANCE);
+    settings_put(&own, settings_row(&env_cube_settings, offsetof(struct env_cube_params, size)),
+                 frame_face_size(settings, height));
     return own;
 }

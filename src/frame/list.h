@@ -34,7 +34,13 @@ bool frame_draws_cube(const struct settings *settings, const struct scene *scene
 /* The settings with switches as the scene has them. */
 struct settings frame_settings(const struct settings *settings, const struct scene *scene);
 
-/* The settings with a rung's own values in place of `auto`. `rung` may be NULL. */
-struct settings frame_settle(const struct settings *settings, const struct technique *rung);
+/* Returns the width of the environment cube's faces for pictures `height` pixels high, texels: what
+ * env_cube.size says, or the power of two from nine tenths of the height on. */
+uint32_t frame_face_size(const struct settings *settings, uint32_t height);
+
+/* The settings with a rung's own values in place of `auto`, and those of pictures `height` pixels
+ * high. `rung` may be NULL. */
+struct settings frame_settle(const struct settings *settings, const struct technique *rung,
+                             uint32_t height);
 
 #endif

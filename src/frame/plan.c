@@ -153,8 +153,10 @@ static bool list_techniques(struct frame_plan *p)
 
 static enum status compile(struct frame_plan *p, const struct frame_request *request)
 {
-    const struct env_cube_params *cube = settings_of(request->choice.settings, &env_cube_settings);
-    const VkExtent2D face = { cube->size, cube->size };
+    const uint32_t side = request->face_size
+                              ? request->face_size
+                              : frame_face_size(request->choice.settings, request->view.height);
+    const VkExtent2D face = { side, side };
     const struct rg_size sizes[] = { { &frame_env_cube, face }, { &frame_env_cube_depth, face } };
     const struct rg_compile_params params = {
         .techniques = p->techniques,

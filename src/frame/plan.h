@@ -19,6 +19,7 @@ struct frame_request {
     struct technique_choice choice;
     const struct scene *scene; /* its images are imported; NULL: one texel for each of them */
     VkExtent2D view;           /* pixels */
+    uint32_t face_size;        /* of the environment cube, texels; 0: frame_face_size() of `view` */
     VkExtent2D part;           /* pixels of the largest region that is drawn at once; 0: the view */
     uint32_t layers;           /* bit i: read techniques_layer(i) back, if a pass draws it */
     bool beauty, display;      /* read the linear picture back; the 8-bit one */

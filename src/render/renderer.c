@@ -42,7 +42,6 @@ struct renderer {
     struct warm_up *warm_up;      /* compiles for the first picture; may be NULL */
     bool captured;                /* `capture` has drawn the environment cube */
     struct frame_cube cube;       /* the cube that the picture's frames draw */
-    uint32_t face_size;           /* of environment cubes that are drawn, texels */
     struct renderer_costs costs;
     uint32_t last_slot; /* slot of the picture's executor with the last sample */
 };
@@ -123,6 +122,8 @@ static void take_params(struct renderer *r, const struct renderer_params *params
     r->params.samples = params->samples ? params->samples : 1;
     r->params.columns = params->columns ? params->columns : 1;
     r->params.rows = params->rows ? params->rows : 1;
+    if (!params->face_size)
+        r->params.face_size = frame_face_size(params->settings, params->height);
     r->width = params->width;
     r->height = params->height;
     if (renderer_is_interleaved(params)) {
@@ -153,8 +154,6 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     if (!r)
         return log_out_of_memory(NULL);
     take_params(r, params);
-    const struct env_cube_params *cube = settings_of(params->settings, &env_cube_settings);
-    r->face_size = cube->size;
     enum status status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
     if (status == STATUS_OK)
         status = uploaded_scene_check(params->gpu, params->scene);
@@ -267,7 +266,7 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
         .lod_bias = renderer_is_interleaved(&r->params)
                         ? -0.5f * log2f((float)(r->params.columns * r->params.rows))
                         : 0.0f,
-        .face_size = r->face_size,
+        .face_size = r->params.face_size,
         .sample = sample,
     };
     view.clip_from_world_earlier = frame_view_earlier(&view, &shot->earlier);
@@ -514,7 +513,7 @@ static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *i
         .half = true,
         .mean = true,
     };
-    image_init(image, r->face_size, 6 * r->face_size);
+    image_init(image, r->params.face_size, 6 * r->params.face_size);
     if (!accumulate_add_planes(image, &cube)) {
         image_finish(image);
         return log_out_of_memory(NULL);
@@ -525,7 +524,7 @@ static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *i
 
 enum status renderer_bake(const struct renderer_params *params, float time, struct image *image)
 {
-    struct renderer r = { .face_size = params->width };
+    struct renderer r = { 0 };
     const vec3s center = box_center(params->scene->box);
     const vec3s ahead = glms_vec3_add(center, (vec3s){ { 0.0f, 0.0f, -1.0f } });
     const struct renderer_shot shot = {
@@ -535,7 +534,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
     };
     struct renderer_params strip = *params;
     uint32_t slot;
-    strip.height = params->width;
+    strip.height = strip.face_size = params->width;
     take_params(&r, &strip);
     enum status status = gpu_fit_cube(params->gpu, params->width);
     if (status == STATUS_OK)

@@ -17,6 +17,7 @@ struct renderer_params {
     const struct settings *settings;
     const struct technique *rung;
     uint32_t width, height; /* pixels */
+    uint32_t face_size;     /* of the environment cube, texels; 0: by settings and height */
     uint32_t columns, rows; /* of tiles; each shot draws one tile; 0 means 1 */
     bool is_orthographic;   /* the cameras of all shots are */
     bool interleaved;       /* tiles are interleaved: see renderer_shot */

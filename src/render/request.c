@@ -55,6 +55,7 @@ struct frame_request renderer_picture_request(const struct renderer_params *para
     struct frame_request request = {
         .choice = choose(params, TECHNIQUE_PICTURE),
         .scene = params->scene,
+        .face_size = params->face_size,
         .view = { params->width, params->height },
         .layers = params->layers,
         .beauty = params->linear || (params->display && many),
@@ -72,6 +73,7 @@ struct frame_request renderer_capture_request(const struct renderer_params *para
     return (struct frame_request){
         .choice = choose(params, TECHNIQUE_CAPTURE),
         .scene = params->scene,
+        .face_size = params->face_size,
         .view = { params->width, params->height },
         .keep_cube = true,
         .sharing = params->sharing,
@@ -84,6 +86,7 @@ struct frame_request renderer_bake_request(const struct renderer_params *params)
     return (struct frame_request){
         .choice = choose(params, TECHNIQUE_BAKE),
         .scene = params->scene,
+        .face_size = params->face_size,
         .view = { params->width, params->height },
         .cube_back = true,
         .sharing = params->sharing,

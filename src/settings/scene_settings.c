@@ -183,12 +183,13 @@ static const struct setting env_cube_rows[] = {
         .name = "env_cube.size",
         .type = SETTING_COUNT,
         .offset = offsetof(struct env_cube_params, size),
-        .initial = 512,
         .min = 16,
         .max = 2048,
+        .has_auto = true,
         .unit = "texels",
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "width of the environment cube's faces; larger ones are sharper through the ice",
+        .help = "width of the environment cube's faces; larger ones are sharper through the ice "
+                "(auto: by the picture's height, 128 to 2048)",
     },
 };
 

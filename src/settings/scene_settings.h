@@ -47,7 +47,7 @@ struct env_cube_params {
     uint32_t dynamic; /* drawn by the frames, else once, at motion.time */
     uint32_t always;  /* in all of them */
     uint32_t faces;   /* at most, in a frame of a window */
-    uint32_t size;    /* of a face, texels a side */
+    uint32_t size;    /* of a face, texels a side; 0: frame_face_size() */
 };
 
 extern const struct setting_group object_settings, landscape_settings, sky_settings,

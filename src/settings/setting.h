@@ -2,6 +2,7 @@
 #ifndef FIRN_SETTINGS_SETTING_H
 #define FIRN_SETTINGS_SETTING_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -25,6 +26,7 @@ struct setting {
     enum setting_type type;
     size_t offset; /* of the field in the group's struct */
     double initial, min, max;
+    bool has_auto;                /* of a count: 0, which is below `min`, is the word "auto" */
     const char *unit;             /* "degrees"; NULL: none */
     const char *const *choices;   /* ends at NULL */
     const char *help;             /* one line, no full stop */

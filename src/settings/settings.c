@@ -216,9 +216,9 @@ static enum status refuse(const struct assignment *a, const char *value)
     else if (row->type == SETTING_SWITCH)
         log_error("%s: expected on or off, got '%s'", where, value);
     else
-        log_error("%s: expected a %s from %g to %g, got '%s'", where,
-                  row->type == SETTING_COUNT ? "whole number" : "number", row->min, row->max,
-                  value);
+        log_error(
+            "%s: expected %sa %s from %g to %g, got '%s'", where, row->has_auto ? "auto or " : "",
+            row->type == SETTING_COUNT ? "whole number" : "number", row->min, row->max, value);
     return refusal(a->source);
 }
 
@@ -227,6 +227,10 @@ static enum status set_number(const struct assignment *a, const char *text)
     const struct setting *row = a->row;
     char *end;
     double value = strtod(text, &end);
+    if (row->has_auto && !strcmp(text, "auto")) {
+        settings_put(a->settings, row, 0.0);
+        return STATUS_OK;
+    }
     if (end == text || *end || isspace((unsigned char)*text) || !isfinite(value) ||
         value < row->min || value > row->max)
         return refuse(a, text);
@@ -301,6 +305,8 @@ void settings_print(const struct settings *settings, const struct setting *row, 
         fputs(value > 0.0 ? "on" : "off", out);
     else if (row->type == SETTING_CHOICE)
         fputs(row->choices[(size_t)value], out);
+    else if (row->has_auto && value < row->min)
+        fputs("auto", out);
     else if (row->type == SETTING_COUNT)
         fprintf(out, "%.0f", value);
     else

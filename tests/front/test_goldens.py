@@ -18,6 +18,7 @@ SHARE = 0.999  # of the values are within it
 MEAN = 1e-4
 
 PAPER = ('--refraction', 'paper')
+CUBE = ('--set', 'env_cube.size=512')
 PICTURES = {
     'ice-cube': ('ice-cube', *PAPER),
     'sphere': ('sphere', *PAPER),
@@ -57,7 +58,7 @@ class Goldens(Case):
     def test_pictures(self):
         for name, arguments in PICTURES.items():
             with self.subTest(name):
-                data = self.draw(*arguments, '--size', '160x120')
+                data = self.draw(*arguments, *CUBE, '--size', '160x120')
                 if Goldens.update:
                     (FOLDER / f'{name}.exr').write_bytes(data)
                 picture, golden = Exr(data), Exr((FOLDER / f'{name}.exr').read_bytes())

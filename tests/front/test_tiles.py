@@ -124,6 +124,16 @@ class Interleaved(Tiled):
                 self.succeed('diff', f'whole.{kind}', f'tiled.{kind}', '--fail-above',
                              f'flip={limit}')
 
+    def test_the_picture_decides_the_cubes_size(self):
+        words = ('render', 'ice-cube', '--plain', '--size', '144x144', '-r', 'paper', '--tiles',
+                 '2x2', '--interleaved', '--tile', '1', '-q', '-o')
+        pixels = []
+        for size in ('auto', '256', '128'):
+            self.succeed(*words, f'{size}.exr', '--set', f'env_cube.size={size}')
+            pixels.append(Exr(self.read(f'{size}.exr')).pixels)
+        self.assertTrue(pixels[0] == pixels[1])
+        self.assertFalse(pixels[0] == pixels[2])
+
     def test_is_said_in_the_file(self):
         words = ('render', *ICE, '--tiles', '2x2', '--interleaved')
         self.succeed(*words, '-o', 'whole.exr')

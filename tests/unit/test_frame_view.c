@@ -4,6 +4,7 @@
 
 #include "shaders/bubbles.h"
 #include "shaders/ice_caustics.h"
+#include "src/frame/list.h"
 #include "src/frame/view.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/ice_caustics.h"
@@ -322,10 +323,32 @@ static void test_environment_lod(void **state)
     CHECK_NEAR(frame_view_push(&view).environment_lod, 0, 0);
 }
 
+/* The faces of the environment cube are about as wide as the picture is high. */
+static void test_faces_by_height(void **state)
+{
+    static const uint32_t sizes[][2] = {
+        { 1, 128 },    { 142, 128 },   { 143, 256 },   { 480, 512 },
+        { 768, 1024 }, { 1080, 1024 }, { 2160, 2048 }, { 65536, 2048 },
+    };
+    struct settings settings = settings_default();
+    (void)state;
+    for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++)
+        assert_int_equal(frame_face_size(&settings, sizes[i][0]), sizes[i][1]);
+    const struct settings settled = frame_settle(&settings, NULL, 768);
+    assert_int_equal(frame_face_size(&settled, 1), 1024);
+    assert_int_equal(settings_set(&settings, "env_cube.size=64"), STATUS_OK);
+    assert_int_equal(frame_face_size(&settings, 768), 64);
+    assert_int_equal(settings_set(&settings, "env_cube.size=auto"), STATUS_OK);
+    assert_int_equal(frame_face_size(&settings, 768), 1024);
+    assert_int_equal(settings_set(&settings, "env_cube.size=15"), STATUS_USAGE);
+    assert_int_equal(settings_set(&settings, "env_cube.faces=auto"), STATUS_USAGE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_environment_lod),
+        cmocka_unit_test(test_faces_by_height),
         cmocka_unit_test(test_planes_touch_the_sphere),
         cmocka_unit_test(test_fitted_depth_is_finer),
         cmocka_unit_test(test_eye_inside),

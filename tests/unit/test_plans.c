@@ -73,6 +73,7 @@ static struct frame_request request_of(const struct golden *golden, struct setti
     };
 
     *settings = settings_default();
+    assert_int_equal(settings_set(settings, "env_cube.size=512"), STATUS_OK);
     if (golden->static_cube)
         assert_int_equal(settings_set(settings, "env_cube.dynamic=off"), STATUS_OK);
     if (golden->setting)

@@ -55,7 +55,9 @@ static void check_words(const struct setting_group *group, const struct setting 
 static void check_range(const struct setting_group *group, const struct setting *row)
 {
     assert_true(row->min < row->max);
-    assert_true(row->min <= row->initial && row->initial <= row->max);
+    const bool is_auto = row->has_auto && row->initial == 0.0;
+    assert_true(!row->has_auto || (row->type == SETTING_COUNT && row->min > 0.0));
+    assert_true((row->min <= row->initial || is_auto) && row->initial <= row->max);
     assert_int_equal(row->offset % 4, 0);
     assert_true(row->offset + 4 <= group->params_size);
     for (size_t r = 0; r < group->row_count; r++)

@@ -84,7 +84,8 @@ static bool slider(const char *label, const struct setting *row, float *value, b
 static bool count_slider(const char *label, const struct setting *row, uint32_t *value,
                          bool logarithmic)
 {
-    const struct imgui_slide slide = { (float)row->min, (float)row->max, "%u", logarithmic };
+    const struct imgui_slide slide = { row->has_auto ? 0.0f : (float)row->min, (float)row->max,
+                                       row->has_auto && *value == 0 ? "auto" : "%u", logarithmic };
     return imgui_count_slider(label, value, &slide);
 }
 
@@ -122,7 +123,10 @@ static bool widget(const struct setting *row, const char *label, double *value)
                       : slider(label, row, &number, kind == UI_LOGARITHMIC);
         break;
     }
-    *value = fmin(fmax(row->type == SETTING_FLOAT ? (double)number : count, row->min), row->max);
+    const double least = row->has_auto && count < row->min ? 0.0 : row->min;
+    *value = fmin(fmax(row->type == SETTING_FLOAT ? (double)number : count, least), row->max);
+    if (row->has_auto && *value < row->min)
+        *value = 0.0;
     return changed;
 }
 
@@ -135,7 +139,10 @@ static void describe(const struct setting *row, char *text, size_t size)
         [SETTING_AFFECTS_SCENE] = "\nA change makes the scene anew.",
     };
     const char *unit = row->unit ? row->unit : "";
-    if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
+    if (row->has_auto)
+        snprintf(text, size, "%s: %s\n%g to %g%s%s, default auto%s", row->name, row->help, row->min,
+                 row->max, *unit ? " " : "", unit, costs[row->affects]);
+    else if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
         snprintf(text, size, "%s: %s\n%g to %g%s%s, default %g%s", row->name, row->help, row->min,
                  row->max, *unit ? " " : "", unit, row->initial, costs[row->affects]);
     else

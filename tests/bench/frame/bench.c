@@ -24,8 +24,8 @@ enum {
 #define MOST 1.05
 
 static const char *const plain[] = {
-    "air.count=0",   "cracks.count=0",  "bubbles.count=0",
-    "light.count=0", "bump.strength=0", "env_cube.always=on",
+    "air.count=0",     "cracks.count=0",     "bubbles.count=0",   "light.count=0",
+    "bump.strength=0", "env_cube.always=on", "env_cube.size=512",
 };
 
 static int compare(const void *a, const void *b)

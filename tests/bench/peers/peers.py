@@ -25,7 +25,7 @@ EYES = {
     'fifth': (1.0526181704997268, 0.9263039900397595, 4.210472681998907),
     'full': (0.44117964765103773, 0.3882380899329132, 1.764718590604151),
 }
-PRINTED = ['refract.fresnel=paper', 'refract.lookup=infinite']
+PRINTED = ['refract.fresnel=paper', 'refract.lookup=infinite', 'env_cube.size=512']
 PLAIN = [*PRINTED, 'air.count=0', 'cracks.count=0', 'bubbles.count=0', 'bump.strength=0',
          'light.count=0']
 WHOLE = [*PRINTED, 'bubbles.count=0', 'cracks.clip=convex', 'cracks.count=2',
