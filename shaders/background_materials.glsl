@@ -46,7 +46,7 @@ bool is_hole(float alpha, float kind, float cutoff, uint row)
     return kind == float(MATERIAL_KIND_BLENDED) && is_seen_through(alpha, row);
 }
 
-/* Returns the light of the sun, as lit.h counts it: that of the built-in sky, or of caustics. */
+/* Returns the light of the sun, as lit.h counts it, and what of it is that of caustics. */
 vec3 sun_light(out vec3 through)
 {
     through = vec3(0.0);
@@ -55,7 +55,7 @@ vec3 sun_light(out vec3 through)
     through = sky_sun() * shine.through;
     return sky_sun() * shine.own + through;
 #else
-    return constant_background == GLOBALS_SKY ? sky_sun() : vec3(0.0);
+    return sky_sun();
 #endif
 }
 
@@ -100,7 +100,7 @@ void main()
     float n_dot_v = clamp(dot(n, to_eye), 0.0, 1.0);
     vec3 around = lit_by_environment(s, lit_split(s.roughness, n_dot_v),
                                      lit_glossy(mirrored, s.roughness, lod), lit_matt(n));
-    sun *= lit_by_light(s, n, to_eye, frame.sun_dir, LIT_SUN_SPREAD);
+    sun *= lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
     vec3 lit = lit_by_lights(s, push.eye + eye_to_point, n, to_eye);
     color = vec4(around * mix(1.0, open, scales.y) + sun + lit + glow, alpha);
 }

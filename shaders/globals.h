@@ -24,6 +24,9 @@ struct globals {
     float sky_strength;                /* factor on the procedural sky and its light */
     vec3s sun_dir;                     /* unit, towards the sun */
     float sun_strength;      /* perpendicular irradiance of the sun, in units of the sky's */
+    vec3s sun_light;         /* radiance of a matt white surface that faces the sun, by it alone */
+    float sun_spread;        /* width of the distribution that reflects the sun (lit.h), at least */
+    float sun_radius;        /* of the disc that is added to a panorama, radians; 0: none is */
     vec3s center;            /* of the object's bounding sphere, world, metres */
     float radius;            /* of the object's bounding sphere, metres */
     vec2s fitted;            /* near and far plane of fitted_clip_from_world, metres */

@@ -13,7 +13,7 @@ vec3 ice_dress_matt(vec3 n, vec3 to_eye)
 {
     vec3 albedo = color * lit_base(push.row, push.layer, uv, 1.0).rgb;
     lit_surface s = lit_surface_of(albedo, 0.0, 1.0, vec3(0.0), 0.0);
-    vec3 sun = constant_background == GLOBALS_SKY ? sky_sun() : vec3(0.0);
+    vec3 sun = sky_sun();
     vec3 light = lit_matt(n) + sun * max(dot(n, frame.sun_dir), 0.0);
     return albedo * light + lit_by_lights(s, frame.eye + eye_to_point, n, to_eye);
 }

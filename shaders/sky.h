@@ -32,6 +32,17 @@ ABI_FUNCTION vec3s sky_seen(vec3s dir, vec3s sun_dir, float sun_strength)
     return glms_vec3_add(sky_gradient(dir), sun);
 }
 
+/* Radiance of a disc of an angular radius, where it gives a matt white surface which faces it
+ * radiance 1; all of it is in a disc of the radius `blur` if that is larger. Radians. */
+ABI_FUNCTION float sky_disc(vec3s dir, vec3s sun_dir, float radius, float blur)
+{
+    float wide = fmaxf(radius, blur);
+    vec3s from_sun = glms_vec3_sub(dir, sun_dir);
+    float away = sqrtf(glms_vec3_dot(from_sun, from_sun));
+    float edge = fmaxf(0.1f * wide, 0.5f * blur);
+    return (1.0f - glm_smoothstep(wide - edge, wide + edge, away)) / (wide * wide);
+}
+
 /* Light of the sky on a matt white surface, from above and below. */
 ABI_FUNCTION vec3s sky_diffuse(vec3s normal)
 {

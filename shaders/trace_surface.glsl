@@ -2,6 +2,7 @@
 #ifndef TRACE_SURFACE_GLSL
 #define TRACE_SURFACE_GLSL
 #define LIT_TRACED
+#include "lib/ice_shine.glsl"
 #include "lib/lit.glsl"
 #include "mesh.h"
 #include "trace_tree.glsl"
@@ -94,21 +95,29 @@ vec3 trace_bent(trace_point p, vec3 n, vec3 texel, vec2 scales)
     return lit_bend_along(n, texel, scales, along_u, against_v);
 }
 
-/* Returns the light of the built-in sky's sun on a matt white surface that faces it. */
-vec3 trace_sun()
+/* Returns the light of the sun at a point on a matt white surface that faces it; `through`: what of
+ * it has come through the objects, on whose own surface (`is_base`) all of it falls. */
+vec3 trace_sun(vec3 point, bool is_base, out vec3 through)
 {
-    return constant_background == GLOBALS_SKY ? sky_sun() : vec3(0.0);
+    through = vec3(0.0);
+    if (!trace_has(TRACE_HAS_SUN) || is_base)
+        return sky_sun();
+    ice_shine shine = ice_shine_at(point);
+    through = sky_sun() * shine.through;
+    return sky_sun() * shine.own + through;
 }
 
 /* Returns the radiance of a surface without a material, or of the base of one. */
-vec3 trace_matt(trace_point p, vec3 to_eye, vec3 albedo)
+vec3 trace_matt(trace_point p, vec3 to_eye, vec3 albedo, bool is_base)
 {
+    vec3 through;
+    vec3 sun = trace_sun(p.position, is_base, through) * max(dot(p.normal, frame.sun_dir), 0.0);
     if (constant_lit == 0u || (p.material & MESH_UNLIT) != 0u)
-        return albedo;
+        return albedo * (1.0 + through * max(dot(p.normal, frame.sun_dir), 0.0));
     if (!trace_has(TRACE_HAS_MATERIALS))
-        return albedo * sky_light(p.normal);
+        return albedo *
+               (trace_has(TRACE_HAS_SUN) ? sky_ambient(p.normal) + sun : sky_light(p.normal));
     lit_surface s = lit_surface_of(albedo, 0.0, 1.0, vec3(0.0), 0.0);
-    vec3 sun = trace_sun() * max(dot(p.normal, frame.sun_dir), 0.0);
     return albedo * (lit_matt(p.normal) + sun) + lit_by_lights(s, p.position, p.normal, to_eye);
 }
 
@@ -126,7 +135,7 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
             texel = layer != 0u ? texel : vec4(1.0);
         }
         passing = (p.material & MESH_CUTOUT) != 0u && texel.a < 0.5 ? 1.0 : 0.0;
-        return trace_matt(p, -dir, p.color * texel.rgb);
+        return trace_matt(p, -dir, p.color * texel.rgb, is_base);
     }
     vec4 base = lit_base(row, layer, p.uv, 1.0);
     vec3 albedo = p.color * base.rgb;
@@ -139,7 +148,7 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
         passing = reflectance.w == float(MATERIAL_KIND_BLENDED) ? 1.0 - alpha : passing;
     }
     if (is_base || (p.material & MESH_UNLIT) != 0u)
-        return trace_matt(p, -dir, albedo);
+        return trace_matt(p, -dir, albedo, is_base);
     vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0);
     vec4 bent = lit_texel(numbers, row, MATERIAL_USE_NORMAL, p.uv, 1.0);
     vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
@@ -155,7 +164,9 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
     float n_dot_v = clamp(dot(n, -dir), 0.0, 1.0);
     vec3 around = lit_by_environment(s, lit_split(s.roughness, n_dot_v),
                                      lit_glossy(reflect(dir, n), s.roughness, 0.0), lit_matt(n));
-    vec3 sun = trace_sun() * lit_by_light(s, n, -dir, frame.sun_dir, LIT_SUN_SPREAD);
+    vec3 through;
+    vec3 sun = trace_sun(p.position, false, through) *
+               lit_by_light(s, n, -dir, frame.sun_dir, frame.sun_spread);
     return around * mix(1.0, open, scales.y) + sun + lit_by_lights(s, p.position, n, -dir) + glow;
 }
 

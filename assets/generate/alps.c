@@ -4,9 +4,9 @@
  * Usage: alps FILE [WIDTH]   WIDTH: pixels, even, default 4096; half as many rows. Below 1024 the
  *                            heights are fewer, too.
  *
- * Radiance is linear; 1 is what a white level surface shows. The sun is where firn's sky has it by
- * sky.sun_azimuth=82 and sky.sun_elevation=22. Sky, haze and the light on the ground are of one
- * atmosphere (src/scene/atmosphere.h).
+ * Radiance is linear; 1 is what a white level surface shows. Sky, haze and the light on the ground
+ * are of one atmosphere (src/scene/atmosphere.h). The file names the sun: ENVIRONMENT_SUN_TEXT of
+ * src/scene/environment.h.
  */
 #include "assets/generate/alps.h"
 #include <cglm/struct.h>
@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include "src/image/exr.h"
 #include "src/scene/atmosphere.h"
+#include "src/scene/environment.h"
 
 #define PI 3.14159265358979F
 
@@ -325,6 +326,14 @@ static void round_texels(struct image *image)
     }
 }
 
+/* Writes what firn takes for the sun, its light as that of a matt white surface that faces it. */
+static void describe_sun(const struct scene *scene, char *text, size_t size)
+{
+    const vec3s light = glms_vec3_mul(scene->balance, glms_vec3_scale(scene->sun_light, 1.0F / PI));
+    snprintf(text, size, "%g %g %.4g %.4g %.4g", (double)sun_azimuth, (double)sun_elevation,
+             (double)light.x, (double)light.y, (double)light.z);
+}
+
 static bool write_file(const char *path, const void *data, size_t size)
 {
     FILE *file = fopen(path, "wb");
@@ -342,6 +351,7 @@ int main(int argc, char **argv)
     }
     struct scene *scene = malloc(sizeof(*scene));
     struct image image;
+    char sun[80];
     void *data = NULL;
     size_t size = 0;
     image_init(&image, (uint32_t)width, (uint32_t)width / 2);
@@ -353,8 +363,11 @@ int main(int argc, char **argv)
     }
     if (ok)
         round_texels(&image);
-    ok = ok && !exr_encode(&image, &(struct exr_header){ 0 }, &data, &size) &&
-         write_file(argv[1], data, size);
+    if (ok)
+        describe_sun(scene, sun, sizeof(sun));
+    const struct image_text text = { ENVIRONMENT_SUN_TEXT, sun };
+    const struct exr_header header = { .texts = &text, .text_count = 1 };
+    ok = ok && !exr_encode(&image, &header, &data, &size) && write_file(argv[1], data, size);
     if (!ok)
         fprintf(stderr, "alps: cannot make '%s'\n", argv[1]);
     free(data);

@@ -5,13 +5,24 @@
 #include "lib/constants.glsl"
 #include "lib/sky.glsl"
 
+/* Returns the radiance of the sun that is added to a panorama. */
+vec3 environment_sun(sampler2D environment, vec3 dir, float lod)
+{
+    if (frame.sun_radius == 0.0)
+        return vec3(0.0);
+    float texel = 6.2831853 / float(textureSize(environment, 0).x);
+    float blur = lod > 0.0 ? texel * exp2(lod) : 0.0;
+    return min(frame.sun_light * sky_disc(dir, frame.sun_dir, frame.sun_radius, blur), 65000.0);
+}
+
 /* Returns the radiance along a unit direction; `lod` is the mip level of the environment image. */
 vec3 environment_radiance(sampler2D environment, vec3 dir, float lod)
 {
     if (constant_background == GLOBALS_COLOR)
         return frame.background_color;
     if (constant_background == GLOBALS_ENVIRONMENT)
-        return textureLod(environment, background_uv(dir, constant_environment_turn), lod).rgb;
+        return textureLod(environment, background_uv(dir, constant_environment_turn), lod).rgb +
+               environment_sun(environment, dir, lod);
     return sky_radiance(dir);
 }
 

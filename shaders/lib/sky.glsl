@@ -18,7 +18,7 @@ vec3 sky_ambient(vec3 normal)
 /* Returns the light of the sun on a matt white surface that faces it. */
 vec3 sky_sun()
 {
-    return frame.sky_strength * frame.sun_strength * SKY_SUN_COLOR;
+    return frame.sun_light;
 }
 
 vec3 sky_light(vec3 normal)

@@ -71,6 +71,7 @@ static struct frame_cube_state state_of(const struct globals *globals)
     return (struct frame_cube_state){
         .background_color = globals->background_color,
         .sun_dir = globals->sun_dir,
+        .sun_light = globals->sun_light,
         .center = globals->center,
         .sky_strength = globals->sky_strength,
         .sun_strength = globals->sun_strength,
@@ -94,8 +95,9 @@ static bool sees(uint32_t face, const struct frame_cube_state *state,
 static bool same_light(const struct frame_cube_state *a, const struct frame_cube_state *b)
 {
     return glms_vec3_eqv(a->background_color, b->background_color) &&
-           glms_vec3_eqv(a->sun_dir, b->sun_dir) && glms_vec3_eqv(a->center, b->center) &&
-           a->sky_strength == b->sky_strength && a->sun_strength == b->sun_strength;
+           glms_vec3_eqv(a->sun_dir, b->sun_dir) && glms_vec3_eqv(a->sun_light, b->sun_light) &&
+           glms_vec3_eqv(a->center, b->center) && a->sky_strength == b->sky_strength &&
+           a->sun_strength == b->sun_strength;
 }
 
 static bool same_place(const struct frame_cube_state *a, const struct frame_cube_state *b)

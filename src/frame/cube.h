@@ -17,7 +17,7 @@ enum {
 
 /* All that decides what a face shows, except for the scene. */
 struct frame_cube_state {
-    vec3s background_color, sun_dir, center;
+    vec3s background_color, sun_dir, sun_light, center;
     float sky_strength, sun_strength;
     mat4s world_from_movers;
 };

@@ -4,6 +4,7 @@
 #include "src/base/log.h"
 #include "src/frame/media.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/ice_caustics.h"
 #include "src/tech/refract_trace.h"
 
 /* Surfaces of less roughness are smooth; src/reference/whitted.c has the same limit. */
@@ -56,6 +57,7 @@ uint32_t frame_trace_constant(const struct scene *scene, const struct settings *
         if (model->materials[i].flags & (MATERIAL_IS_CUTOUT | MATERIAL_IS_BLENDED))
             bits |= TRACE_HAS_HOLES;
     }
+    bits |= ice_caustics.is_on(settings) ? TRACE_HAS_SUN : 0;
     bits |= scene->material_rows ? TRACE_HAS_MATERIALS : 0;
     bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
     if (fabsf(motion->ice) > 0.0f || fabsf(motion->objects) > 0.0f)

@@ -3,10 +3,13 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
+#include "shaders/lit.h"
+#include "shaders/sky.h"
 #include "src/frame/media.h"
 #include "src/frame/trace.h"
 #include "src/scene/material_rows.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/caustics.h"
 #include "src/tech/techniques.h"
 
 /* Margins of frame_view_reach(): rays begin a little outside of the sphere (refract_inside.glsl);
@@ -195,10 +198,34 @@ VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals
     return area;
 }
 
-static vec3s direction(float azimuth, float elevation)
+/* The panorama's sun. */
+static void place_environment_sun(const struct frame_view *view, struct globals *g)
 {
-    return (vec3s){ { sinf(azimuth) * cosf(elevation), sinf(elevation),
-                      cosf(azimuth) * cosf(elevation) } };
+    const struct env_params *params = settings_of(view->settings, &env_settings);
+    const struct caustics_params *light = settings_of(view->settings, &caustics_settings);
+    const struct environment *environment = &view->scene->environment;
+    const struct environment_sun *sun = &environment->sun;
+    const bool is_own = params->sun == ENV_SUN_OWN;
+    g->sun_light = glms_vec3_zero();
+    g->sun_spread = 0.25f * radians(light->sun);
+    if (params->sun == ENV_SUN_NONE || !(is_own || glms_vec3_max(sun->light) > 0.0f))
+        return;
+    g->sun_light = glms_vec3_scale(is_own ? glms_vec3_one() : sun->light, params->sun_strength);
+    g->sun_radius = 0.5f * radians(light->sun);
+    g->sun_dir = is_own ? environment_direction(params->sun_azimuth, params->sun_elevation)
+                        : glms_vec3_rotate(sun->dir, environment->turn * 6.28318531f,
+                                           (vec3s){ { 0.0f, 1.0f, 0.0f } });
+}
+
+/* The sun as a light: that of the built-in sky, or of the panorama. */
+static void place_sun(const struct frame_view *view, struct globals *g)
+{
+    const enum scene_background background = view->scene->background;
+    g->sun_spread = LIT_SUN_SPREAD;
+    if (background == SCENE_SKY || view->scene->has_pool)
+        g->sun_light = glms_vec3_scale(SKY_SUN_COLOR, g->sky_strength * g->sun_strength);
+    else if (background == SCENE_ENVIRONMENT)
+        place_environment_sun(view, g);
 }
 
 /* Spaces the lights evenly on a circle around the object, which rotates with time. */
@@ -208,8 +235,8 @@ static void place_lights(const struct frame_view *view, struct globals *g)
     const struct motion_params *motion = settings_of(view->settings, &motion_settings);
     for (uint32_t i = 0; i < light->count; i++) {
         float turn = (float)i / (float)light->count * 360.0f;
-        float azimuth = radians(light->azimuth + turn + motion->lights * view->time);
-        vec3s dir = direction(azimuth, radians(light->elevation));
+        float azimuth = light->azimuth + turn + motion->lights * view->time;
+        vec3s dir = environment_direction(azimuth, light->elevation);
         vec3s at = glms_vec3_add(g->center, glms_vec3_scale(dir, light->distance * g->radius));
         g->lights[i] = (vec4s){ { at.x, at.y, at.z, light->strength } };
     }
@@ -262,7 +289,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .forward = camera_basis(&view->camera).forward,
         .background_color = view->scene->background_color,
         .sky_strength = sky->strength,
-        .sun_dir = direction(radians(sky->sun_azimuth), radians(sky->sun_elevation)),
+        .sun_dir = environment_direction(sky->sun_azimuth, sky->sun_elevation),
         .sun_strength = sky->sun_strength,
         .center = center,
         .cube_center = center,
@@ -271,6 +298,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .lod_bias = view->lod_bias,
         .sample_share = view->light_jitter.x + 0.5f,
     };
+    place_sun(view, &g);
     frame_turn(view, center, view->time, &g.world_from_object, &g.world_from_movers);
     fit_depth(view, &g);
     place_lights(view, &g);

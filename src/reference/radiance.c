@@ -98,18 +98,27 @@ static vec3s scaled(const struct globals *globals, vec3s light)
     return glms_vec3_scale(light, globals->sky_strength);
 }
 
-vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
+/* Returns the radiance of the environment picture. */
+static vec3s pictured(const struct radiance *radiance, vec3s dir)
 {
-    const struct globals *g = radiance->globals;
     const struct environment *environment = &radiance->scene->environment;
-    if (radiance->scene->background == SCENE_COLOR)
-        return g->background_color;
-    if (radiance->scene->background == SCENE_SKY)
-        return scaled(g, sky_seen(dir, g->sun_dir, g->sun_strength));
     const vec2s uv = background_uv(dir, environment->turn);
     return glms_vec3(blend(radiance, fetch_environment, 0,
                            texel_pair_at(uv.x, environment->width, true),
                            texel_pair_at(uv.y, environment->height, false)));
+}
+
+vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
+{
+    const struct globals *g = radiance->globals;
+    if (radiance->scene->background == SCENE_COLOR)
+        return g->background_color;
+    if (radiance->scene->background == SCENE_SKY)
+        return scaled(g, sky_seen(dir, g->sun_dir, g->sun_strength));
+    const vec3s light = pictured(radiance, dir);
+    if (!(g->sun_radius > 0.0f))
+        return light;
+    return glms_vec3_muladds(g->sun_light, sky_disc(dir, g->sun_dir, g->sun_radius, 0.0f), light);
 }
 
 vec3s radiance_mean(const struct radiance *radiance)
@@ -271,7 +280,7 @@ static vec3s glossy_light(const struct radiance *radiance, vec3s dir, float roug
     const float layer = roughness * LIT_ROUGH_LAYERS;
     const uint32_t first = (uint32_t)fminf(layer, LIT_ROUGH_LAYERS - 1);
     const vec3s sharper =
-        first > 0 ? environment_light(radiance, first - 1, dir) : radiance_sky(radiance, dir);
+        first > 0 ? environment_light(radiance, first - 1, dir) : pictured(radiance, dir);
     return glms_vec3_lerp(sharper, environment_light(radiance, first, dir), layer - (float)first);
 }
 
@@ -292,15 +301,6 @@ static struct lit_surface surface_of(const struct radiance *radiance, const stru
     const float specular = m->specular * texel_of(radiance, m, MATERIAL_SPECULAR, uv).w;
     return lit_surface_of(albedo, m->metallic * rough.z, m->roughness * rough.y,
                           glms_vec3_mul(material_f0(m), glms_vec3(tint)), specular);
-}
-
-/* The radiance of a matt white surface that faces the sun, by the sun alone. */
-static vec3s sun_light(const struct radiance *radiance)
-{
-    const struct globals *g = radiance->globals;
-    return radiance->scene->background == SCENE_SKY
-               ? scaled(g, glms_vec3_scale(SKY_SUN_COLOR, g->sun_strength))
-               : glms_vec3_zero();
 }
 
 /* Returns what a surface at `point` reflects of the lights of files, which have no shadows. */
@@ -341,7 +341,7 @@ static vec3s light_of_matt(const struct radiance *radiance, const struct radianc
     const struct radiance_sun *sun = sun_at(point);
     const float cosine = fmaxf(0.0f, glms_vec3_dot(n, radiance->globals->sun_dir));
     const vec3s direct = glms_vec3_scale(glms_vec3_one(), sun->own * cosine);
-    return glms_vec3_muladd(sun_light(radiance), glms_vec3_add(direct, sun->through),
+    return glms_vec3_muladd(radiance->globals->sun_light, glms_vec3_add(direct, sun->through),
                             glms_vec3_mul(sun->sky, matt_light(radiance, n)));
 }
 
@@ -352,16 +352,17 @@ static vec3s reflected_sun(const struct radiance *radiance, const struct lit_sur
 {
     const struct radiance_sun *sun = sun_at(point);
     const vec3s to_eye = glms_vec3_negate(point->dir);
-    const vec3s direct =
-        lit_by_light(*surface, n, to_eye, radiance->globals->sun_dir, LIT_SUN_SPREAD);
+    const vec3s direct = lit_by_light(*surface, n, to_eye, radiance->globals->sun_dir,
+                                      radiance->globals->sun_spread);
     const float cosine = glms_vec3_dot(n, sun->through_dir);
     vec3s reflected = glms_vec3_scale(direct, sun->own);
     if (cosine > 0.0f) {
-        const vec3s by_one = lit_by_light(*surface, n, to_eye, sun->through_dir, LIT_SUN_SPREAD);
+        const vec3s by_one =
+            lit_by_light(*surface, n, to_eye, sun->through_dir, radiance->globals->sun_spread);
         const vec3s share = glms_vec3_scale(by_one, 1.0f / fmaxf(cosine, LEAST_COSINE));
         reflected = glms_vec3_muladd(share, sun->through, reflected);
     }
-    return glms_vec3_mul(sun_light(radiance), reflected);
+    return glms_vec3_mul(radiance->globals->sun_light, reflected);
 }
 
 /* Returns the radiance of a surface that is matt. */
@@ -406,8 +407,8 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
     const struct material *m = material_of(radiance, vertex->material);
     const vec3s albedo = radiance_albedo(radiance, vertex);
     if (vertex->material & MESH_UNLIT)
-        return glms_vec3_muladd(glms_vec3_mul(albedo, sun_light(radiance)), sun_at(point)->through,
-                                albedo);
+        return glms_vec3_muladd(glms_vec3_mul(albedo, radiance->globals->sun_light),
+                                sun_at(point)->through, albedo);
     const bool is_back = glms_vec3_dot(vertex->normal, point->dir) > 0.0f;
     const vec3s n = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal;
     if (!m || point->is_base)

@@ -446,7 +446,7 @@ static enum status trace_photons(struct job *job, struct watcher watcher)
         .user = &watcher,
     };
     if (!(has_pool ? caustics_are_lit(settings) : ice_caustics.is_on(settings)) || !params.count ||
-        job->reference->request.scene->background != SCENE_SKY)
+        !(glms_vec3_max(job->globals.sun_light) > 0.0f))
         return STATUS_OK;
     const enum status status = photons_init(&job->photons, &job->tracing, &params);
     job->tracing.photons = status == STATUS_OK ? &job->photons : NULL;

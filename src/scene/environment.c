@@ -1,5 +1,6 @@
 /* environment.c: loads an image of the surroundings as half floats. */
 #include "src/scene/environment.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,23 +29,69 @@ static void convert_colors(struct image *image, const struct primaries *primarie
     }
 }
 
-static enum status read_exr(const char *path, struct image *image, bool *is_cube_map)
+/* What the head of a file says of the picture, besides its texels. */
+struct said {
+    bool is_cube_map;
+    struct environment_sun sun;
+};
+
+/* Reads numbers; returns false if there are others, or none. */
+static bool read_numbers(const char *text, float *numbers, int count)
+{
+    for (int i = 0; i < count; i++) {
+        char *end;
+        numbers[i] = strtof(text, &end);
+        if (end == text || !isfinite(numbers[i]))
+            return false;
+        text = end;
+    }
+    return text[strspn(text, " ")] == '\0';
+}
+
+static struct environment_sun sun_of(const char *text, const char *path)
+{
+    float n[5];
+    if (!text)
+        return (struct environment_sun){ 0 };
+    if (!read_numbers(text, n, 5) || fabsf(n[0]) > 360 || fabsf(n[1]) > 90 || n[2] < 0 ||
+        n[3] < 0 || n[4] < 0 || fmaxf(n[2], fmaxf(n[3], n[4])) > ENVIRONMENT_SUN_MAX) {
+        log_warning("%s: %s: expected 'AZIMUTH ELEVATION RED GREEN BLUE', got '%.80s': it has no "
+                    "sun",
+                    path, ENVIRONMENT_SUN_TEXT, text);
+        return (struct environment_sun){ 0 };
+    }
+    return (struct environment_sun){
+        .dir = environment_direction(n[0], n[1]),
+        .light = { { n[2], n[3], n[4] } },
+    };
+}
+
+vec3s environment_direction(float azimuth_deg, float elevation_deg)
+{
+    const float degree = 0.01745329252f;
+    const float around = azimuth_deg * degree, up = elevation_deg * degree;
+    return (vec3s){ { sinf(around) * cosf(up), sinf(up), cosf(around) * cosf(up) } };
+}
+
+static enum status read_exr(const char *path, struct image *image, struct said *said)
 {
     struct picture_head head;
     const enum status status = exr_read_all(path, image, &head);
     if (status == STATUS_OK && head.has_primaries)
         convert_colors(image, &head.primaries, path);
-    *is_cube_map = head.is_cube_map;
+    said->is_cube_map = head.is_cube_map;
+    if (status == STATUS_OK)
+        said->sun = sun_of(picture_head_text(&head, ENVIRONMENT_SUN_TEXT), path);
     picture_head_finish(&head);
     return status;
 }
 
-static enum status read_picture(const char *path, struct image *image, bool *is_cube_map)
+static enum status read_picture(const char *path, struct image *image, struct said *said)
 {
     if (path_ends_in(path, ".hdr"))
         return hdr_read(path, image);
     if (path_ends_in(path, ".exr"))
-        return read_exr(path, image, is_cube_map);
+        return read_exr(path, image, said);
     log_error("%s: expected an environment file that ends in .exr or .hdr", path);
     return STATUS_DATA;
 }
@@ -115,14 +162,16 @@ enum status environment_load(struct environment *environment, const char *path)
 {
     struct image image = { 0 };
     *environment = (struct environment){ 0 };
-    bool is_cube_map = false;
-    enum status status = read_picture(path, &image, &is_cube_map);
+    struct said said = { 0 };
+    enum status status = read_picture(path, &image, &said);
     if (status == STATUS_OK)
-        status = unfold(&image, is_cube_map, path);
+        status = unfold(&image, said.is_cube_map, path);
     if (status == STATUS_OK)
         status = check_shape(&image, path);
     if (status == STATUS_OK)
         status = convert(environment, &image, path);
+    if (status == STATUS_OK && !environment->is_cube)
+        environment->sun = said.sun;
     image_finish(&image);
     return status;
 }
@@ -131,6 +180,7 @@ void environment_expose(struct environment *environment, float stops)
 {
     const float gain = exp2f(stops);
     const size_t count = (size_t)environment->width * environment->height;
+    environment->sun.light = glms_vec3_scale(environment->sun.light, gain);
     for (size_t i = 0; i < count; i++) {
         for (size_t c = 0; c < 3; c++) {
             uint16_t *texel = &environment->texels[4 * i + c];

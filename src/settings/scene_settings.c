@@ -80,6 +80,55 @@ static const struct setting sky_rows[] = {
 
 const struct setting_group sky_settings = SETTING_GROUP("sky", sky_rows, struct sky_params);
 
+static const char *const env_suns[] = {
+    [ENV_SUN_FILE] = "file",
+    [ENV_SUN_OWN] = "own",
+    [ENV_SUN_NONE] = "none",
+    NULL,
+};
+
+static const struct setting env_rows[] = {
+    {
+        .name = "env.sun",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct env_params, sun),
+        .max = ENV_SUN_NONE,
+        .choices = env_suns,
+        .help = "sun of an --env panorama: as its file says, if it does, or by env.sun_azimuth and "
+                "env.sun_elevation",
+    },
+    {
+        .name = "env.sun_strength",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct env_params, sun_strength),
+        .initial = 1,
+        .max = 1000,
+        .help = "factor on the light of the file's sun; with env.sun=own, the light of a white sun",
+    },
+    {
+        .name = "env.sun_azimuth",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct env_params, sun_azimuth),
+        .initial = 60,
+        .min = -360,
+        .max = 360,
+        .unit = "degrees",
+        .help = "azimuth of the panorama's sun with env.sun=own; 0 is +Z, 90 is +X",
+    },
+    {
+        .name = "env.sun_elevation",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct env_params, sun_elevation),
+        .initial = 35,
+        .min = -90,
+        .max = 90,
+        .unit = "degrees",
+        .help = "elevation of the panorama's sun above the horizon with env.sun=own",
+    },
+};
+
+const struct setting_group env_settings = SETTING_GROUP("env", env_rows, struct env_params);
+
 static const struct setting texture_rows[] = {
     {
         .name = "texture.anisotropy",

@@ -20,6 +20,20 @@ struct sky_params {
     float sun_strength;  /* factor on the sun's light */
 };
 
+enum env_sun {
+    ENV_SUN_FILE, /* the sun that the panorama's file names */
+    ENV_SUN_OWN,  /* that of the settings below */
+    ENV_SUN_NONE,
+};
+
+/* The sun of a panorama, which is a light of its own. */
+struct env_params {
+    uint32_t sun;        /* enum env_sun */
+    float sun_strength;  /* factor on the file's, or the light of a white one */
+    float sun_azimuth;   /* degrees; 0 on +Z, 90 on +X; of ENV_SUN_OWN */
+    float sun_elevation; /* degrees above the horizon; of ENV_SUN_OWN */
+};
+
 struct texture_params {
     uint32_t anisotropy; /* of what the ice and its surroundings wear, at most; 1: none */
 };
@@ -50,7 +64,7 @@ struct env_cube_params {
     uint32_t size;    /* of a face, texels a side; 0: frame_face_size() */
 };
 
-extern const struct setting_group object_settings, landscape_settings, sky_settings,
+extern const struct setting_group object_settings, landscape_settings, sky_settings, env_settings,
     texture_settings, motion_settings, light_settings, env_cube_settings;
 
 #endif

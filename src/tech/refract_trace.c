@@ -16,6 +16,7 @@
 #include "shaders/embedded.h"
 #include "shaders/refract_trace.h"
 #include "src/tech/frame.h"
+#include "src/tech/ice_caustics.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 #include "src/tech/row_builder.h"
@@ -137,6 +138,16 @@ static const struct rg_use surface_uses[] = {
     { 0 },
 };
 
+/* The sun's light, or without its maps all of it. */
+static const struct rg_fallback no_map = { { 0 } };
+static const struct rg_use sun_uses[] = {
+    { .buffer = &ice_caustics_light, .access = RG_UNIFORM, .binding = ICE_CAUSTICS_LIGHT },
+    FRAME_SAMPLE(ice_caustics_map, ICE_CAUSTICS_MAP, .sampler = &frame_linear, .fallback = &no_map),
+    FRAME_SAMPLE(ice_caustics_ground, ICE_CAUSTICS_GROUND, .fallback = &no_map),
+    FRAME_SAMPLE(ice_caustics_front_depth, ICE_CAUSTICS_FRONT, .fallback = &no_map),
+    { 0 },
+};
+
 static const struct rg_pass color_row = {
     .color = color_targets,
     .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
@@ -164,7 +175,9 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     const struct rg_use *const uses[] = {
         tree_uses,
         choice->meets_surroundings ? surface_uses : cube_uses,
-        is_layers && !choice->meets_surroundings ? scene_uses : NULL,
+        choice->meets_surroundings ? sun_uses
+        : is_layers                ? scene_uses
+                                   : NULL,
     };
     struct rg_pass *row = row_builder_rows(builder, is_layers ? &layer_row : &color_row, 1);
     if (!row)

@@ -3,7 +3,7 @@ import math
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_DRIVER, PLAIN, Case, main  # noqa: E402
+from case import DATA, NO_DRIVER, PLAIN, SMALL, SMALL_CUBE, Case, main  # noqa: E402
 from exr_file import Exr, attribute, write_exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -112,6 +112,87 @@ class Panorama(Case):
         for name, wanted in zip('RGB', (0.5, 0.25, 0.125)):
             for found, cut in zip(planes[name], planes['remaining.R']):
                 self.assertAlmostEqual(found / wanted + cut, 1, delta=0.02)
+
+    # ---- the sun of a file ----
+
+    def sunny(self, *words, sun='0 50 0.8 0.6 0.4', rung='reference'):
+        """A floor around (-3, 0, 0) from above: under even light and that of the sun, in which is
+        a black box without refraction, 3 m above the origin."""
+        black = glass(1)
+        black['extensions']['KHR_materials_volume'].update(
+            attenuationDistance=1e-3, attenuationColor=[1e-3] * 3)
+        floor = {'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.5, 0.5, 1],
+                                          'metallicFactor': 0},
+                 'extensions': {'KHR_materials_specular': {'specularFactor': 0}}}
+        clear = glass(1)
+        (self.folder / 'a.gltf').write_text(boxes(
+            (floor, [0, -2000, 0], 2000), (black, [0, 3, 0], 1), (clear, [-3, 1, 3], 0.5)))
+        (self.folder / 'even.exr').write_bytes(sheet(
+            [[(0.25, 0.25, 0.25)] * 16] * 8, attribute('firn/sun', 'string', sun.encode())))
+        done = self.succeed('render', 'a.gltf', '--size', '33x33', '-r', rung, '-q', '--env',
+                            'even.exr', '--eye', '-3,12,0.001', '--target=-3,0,0', '--fov', '40',
+                            *SMALL_CUBE, *words, '-o', 'a.exr',
+                            env=NO_DRIVER if rung == 'reference' else ())
+        planes = Exr((self.folder / 'a.exr').read_bytes()).read_planes('RGB')
+        pixels = {'open': 16 * 33 + 2, 'shadow': 16 * 33 + 16, 'through': 27 * 33 + 16}
+        return {name: [planes[c][at] for c in 'RGB'] for name, at in pixels.items()}, done
+
+    def check_light(self, found, sun, height_deg, delta=0.004):
+        rise = math.sin(math.radians(height_deg))
+        for value, light_of_sun in zip(found, sun):
+            self.assertAlmostEqual(value, 0.5 * (0.25 + light_of_sun * rise), delta=delta)
+
+    def test_the_sun_of_a_file_lights_surfaces(self):
+        sun, dark = (0.8, 0.6, 0.4), (0, 0, 0)
+        own = ('--set', 'env.sun=own', '--set', 'env.sun_strength=0.3', '--set')
+        for rung in ('reference', 'bounce', 'trace'):
+            for words, light_there, height in (
+                    ((), sun, 50), (('--set', 'env.sun=none'), dark, 0),
+                    (('--env-exposure', '1', '--set', 'env.sun_strength=0.25'), None, 50),
+                    ((*own, 'env.sun_elevation=30'), (0.3,) * 3, 30)):
+                seen_there, _ = self.sunny(*words, rung=rung)
+                with self.subTest((rung, words)):
+                    if light_there is None:  # twice the light of all but the sun, and half of its
+                        self.check_light([v - 0.125 for v in seen_there['open']],
+                                         [v / 2 for v in sun], height)
+                        continue
+                    self.check_light(seen_there['open'], light_there, height)
+                    if rung != 'bounce':  # which looks up the environment cube
+                        self.check_light(seen_there['through'], light_there, height)
+
+    def test_objects_have_shadows(self):
+        """The sun is turned with the panorama, from +Z to +X, so the shadow is beside the box."""
+        for rung in ('reference', 'bounce', 'trace'):
+            found, _ = self.sunny('--set', 'ice_caustics.light=sun', '--set', 'motion.ice=0',
+                                  '--env-rotate', '90', sun='0 45 0.8 0.6 0.4', rung=rung)
+            with self.subTest(rung):
+                self.check_light(found['open'], (0.8, 0.6, 0.4), 45)
+                self.check_light(found['shadow'], (0, 0, 0), 45)
+
+    def test_its_disc_is_seen(self):
+        """As bright as it has to be for its light."""
+        for rung in ('reference', 'paper'):
+            (self.folder / 'even.exr').write_bytes(sheet(
+                [[(0.25, 0.25, 0.25)] * 16] * 8,
+                attribute('firn/sun', 'string', b'180 30 0.02 0.01 0')))
+            self.succeed('render', 'sphere', *SMALL, '-r', rung, '-q', '--env', 'even.exr', '--eye',
+                         '0,0,-5', '--target', '0,5.7735,-15', '--set', 'caustics.sun=20', '--fov',
+                         '60', '-o', 'a.exr', env=NO_DRIVER if rung == 'reference' else ())
+            planes = Exr((self.folder / 'a.exr').read_bytes()).read_planes('RGB')
+            sums = [sum(planes[c]) - 0.25 * len(planes[c]) for c in 'RGB']
+            radius = math.radians(10)
+            pixels = math.pi * (24 * math.tan(radius) / math.tan(math.radians(30))) ** 2
+            for found, light_there in zip(sums, (0.02, 0.01, 0)):
+                wanted = pixels * light_there / radius ** 2
+                self.assertAlmostEqual(found, wanted, delta=0.04 * wanted + 0.01)
+
+    def test_a_sun_that_is_none(self):
+        for text in ('0 50 1 1', '0 91 1 1 1', '0 50 1 1 -1', '0 50 1 1 1 1', '0 50 nan 1 1'):
+            found, done = self.sunny(sun=text)
+            with self.subTest(text):
+                self.check_light(found['open'], (0, 0, 0), 50)
+                self.assertRegex(done.stderr.decode(),
+                                 rf'\Afirn: warning: even.exr: firn/sun: expected .*{text}.*\n\Z')
 
     def test_an_ordinary_picture_is_no_cross(self):
         (self.folder / 'env.exr').write_bytes(sheet([[(0.1, 0.2, 0.3)] * 64] * 48))

@@ -460,6 +460,7 @@ static void environments(void **state)
     uint16_t texels[8] = { 0, 0x7bff, 1, 0x3c00, 0x3800, 0, 0, 0x3c00 };
     static const uint16_t bad[] = { 0x7c00, 0x7e00, 0x8000, 0xbc00 }; /* infinity, NaN, -0, -1 */
     struct environment environment = { .texels = texels, .width = 2, .height = 1 }, found;
+    environment.sun = (struct environment_sun){ { { 0, 0.6F, 0.8F } }, { { 3, 2, 1 } } };
     struct pipe_stream stream = { .size = 0 };
     const struct pipe_source source = { pipe_stream_read, &stream, 16 };
     const struct pipe_sink sink = { pipe_stream_write, &stream };
@@ -468,13 +469,22 @@ static void environments(void **state)
     assert_int_equal(found.width, 2);
     assert_int_equal(found.height, 1);
     assert_memory_equal(found.texels, texels, sizeof(texels));
+    assert_memory_equal(&found.sun, &environment.sun, sizeof(found.sun));
     environment_finish(&found);
+    for (size_t i = 0; i < 6; i++) { /* light may not be below 0, nor a direction too long */
+        struct pipe_stream copy = stream;
+        const struct pipe_source other = { pipe_stream_read, &copy, 16 };
+        const float wrong = i < 3 ? 2.0F : -1.0F;
+        copy.at = 0;
+        memcpy(copy.bytes + 12 + 4 * i, &wrong, sizeof(wrong));
+        assert_int_equal(mesh_pipe_read_environment(&other, &found), PIPE_HEAD);
+    }
     for (size_t i = 0; i < 8 * sizeof(bad) / sizeof(bad[0]); i++) {
         struct pipe_stream copy = stream;
         const struct pipe_source other = { pipe_stream_read, &copy, 16 };
         const size_t at = i % 8;
         copy.at = 0;
-        memcpy(copy.bytes + 12 + 2 * at, &bad[i / 8], sizeof(bad[0]));
+        memcpy(copy.bytes + 36 + 2 * at, &bad[i / 8], sizeof(bad[0]));
         assert_int_equal(mesh_pipe_read_environment(&other, &found), PIPE_TEXEL);
         assert_null(found.texels);
     }

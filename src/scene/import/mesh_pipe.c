@@ -47,6 +47,7 @@ struct model_head {
 struct environment_head {
     uint32_t magic;
     uint32_t width, height;
+    struct environment_sun sun;
 };
 
 _Static_assert(sizeof(struct material) == 528, "no padding");
@@ -55,6 +56,7 @@ _Static_assert(sizeof(struct model_camera) == 120, "no padding");
 _Static_assert(sizeof(struct light) == 120, "no padding");
 _Static_assert(sizeof(struct model_extension) == 68, "no padding");
 _Static_assert(sizeof(struct model_animation) == 68, "no padding");
+_Static_assert(sizeof(struct environment_head) == 36, "no padding");
 _Static_assert(sizeof(struct model_head) == 148, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */
@@ -122,6 +124,7 @@ bool mesh_pipe_write_environment(const struct pipe_sink *sink,
         .magic = MAGIC_ENVIRONMENT,
         .width = environment->width,
         .height = environment->height,
+        .sun = environment->sun,
     };
     return pipe_write(sink, &head, sizeof(head)) &&
            pipe_write(sink, environment->texels,
@@ -514,6 +517,14 @@ static enum pipe_fault read_texels(const struct pipe_source *source,
     return fault;
 }
 
+/* Its direction is read only if there is light. */
+static bool is_sun(const struct environment_sun *sun)
+{
+    const vec3s light = sun->light;
+    return light.x >= 0 && light.y >= 0 && light.z >= 0 && is_within(light, ENVIRONMENT_SUN_MAX) &&
+           is_within(sun->dir, 1.001f);
+}
+
 enum pipe_fault mesh_pipe_read_environment(const struct pipe_source *source,
                                            struct environment *environment)
 {
@@ -529,9 +540,12 @@ enum pipe_fault mesh_pipe_read_environment(const struct pipe_source *source,
         environment_size(head.width, head.height) > source->size_max ||
         (head.height > head.width && head.height != 6 * (uint64_t)head.width))
         return PIPE_SIZE;
+    if (!is_sun(&head.sun))
+        return PIPE_HEAD;
     environment->width = head.width;
     environment->height = head.height;
     environment->is_cube = head.height > head.width;
+    environment->sun = head.sun;
     fault = read_texels(source, environment, environment_size(head.width, head.height));
     if (fault == PIPE_OK)
         fault = pipe_read_end(source);
