@@ -124,17 +124,26 @@ class Model:
         return struct.pack('<4sII', b'glTF', 2, 12 + len(chunks)) + chunks
 
 
+def png_chunk(name, data):
+    return struct.pack('>I', len(data)) + name + data + struct.pack('>I', zlib.crc32(name + data))
+
+
 def png(rows, palette):
     """A picture of bytes, rows from the top, that are indices of at most 256 colours."""
-    def chunk(name, data):
-        return (struct.pack('>I', len(data)) + name + data +
-                struct.pack('>I', zlib.crc32(name + data)))
-
     head = struct.pack('>IIBBBBB', len(rows[0]), len(rows), 8, 3, 0, 0, 0)
     colors = bytes(round(255 * min(max(value, 0), 1)) for color in palette for value in color)
-    return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', head) + chunk(b'PLTE', colors) +
-            chunk(b'IDAT', zlib.compress(b''.join(b'\0' + bytes(row) for row in rows), 9)) +
-            chunk(b'IEND', b''))
+    return (b'\x89PNG\r\n\x1a\n' + png_chunk(b'IHDR', head) + png_chunk(b'PLTE', colors) +
+            png_chunk(b'IDAT', zlib.compress(b''.join(b'\0' + bytes(row) for row in rows), 9)) +
+            png_chunk(b'IEND', b''))
+
+
+def png_colors(rows):
+    """A picture of three bytes a texel, rows from the top, each stored as its steps along x."""
+    head = struct.pack('>IIBBBBB', len(rows[0]) // 3, len(rows), 8, 2, 0, 0, 0)
+    steps = (b'\1' + bytes((v - (row[i - 3] if i > 2 else 0)) & 255 for i, v in enumerate(row))
+             for row in rows)
+    return (b'\x89PNG\r\n\x1a\n' + png_chunk(b'IHDR', head) +
+            png_chunk(b'IDAT', zlib.compress(b''.join(steps), 9)) + png_chunk(b'IEND', b''))
 
 
 def exr(rows):

@@ -1,13 +1,14 @@
 """make.py: makes all files of assets/ anew; the same version of zlib makes the same bytes.
 
-Usage: make.py FOLDER [NAME...]   NAME: drink, amber, hollow or studio; default: all of them
+Usage: make.py FOLDER [NAME...]   NAME: drink, amber, hollow, slate or studio; default: all of them
 """
 import importlib
 import pathlib
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-FILES = {'amber': 'amber.glb', 'drink': 'drink.glb', 'hollow': 'hollow.glb', 'studio': 'studio.exr'}
+FILES = {'amber': 'amber.glb', 'drink': 'drink.glb', 'hollow': 'hollow.glb', 'slate': 'slate.glb',
+         'studio': 'studio.exr'}
 
 
 def main(folder, *names):

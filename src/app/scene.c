@@ -258,19 +258,38 @@ static bool is_sky(const struct app_scene *given)
     return given->environment && !strcmp(given->environment, "sky");
 }
 
-/* A person's file is in the studio, unless options say what surrounds it. */
-static void choose_studio(struct app_scene *given)
+/* A person's file is in the studio, and an asset in its own environment, unless options say what
+ * surrounds it. */
+static void choose_environment(struct app_scene *given)
 {
-    const struct asset *studio = asset_find("studio", ASSET_ENVIRONMENT);
-    if (given->environment || given->surroundings || given->background.is_given ||
-        scene_is_known(given->name))
+    const struct asset *scene = asset_find(given->name, ASSET_SCENE);
+    const char *name = scene ? scene->environment : "studio";
+    const struct asset *environment = name ? asset_find(name, ASSET_ENVIRONMENT) : NULL;
+    if (given->environment || given->surroundings || given->background.is_given || !environment ||
+        scene_find_builtin(given->name))
         return;
-    if (asset_is_there(studio))
-        given->environment = studio->name;
+    if (asset_is_there(environment))
+        given->environment = environment->name;
     else if (!given->quiet)
         log_note("%s: not found, so the surroundings are the built-in sky; set FIRN_ASSETS to the "
                  "folder of firn's assets",
-                 studio->file);
+                 environment->file);
+}
+
+/* An asset's own defaults. */
+static enum status take_settings(struct app_scene *given)
+{
+    const struct asset *scene = asset_find(given->name, ASSET_SCENE);
+    for (uint32_t i = 0; scene && i < ASSET_SETTING_COUNT && scene->settings[i]; i++) {
+        struct settings settings = given->settings;
+        const struct setting *row;
+        const enum status status = settings_assign(&settings, scene->settings[i], NULL, &row);
+        if (status != STATUS_OK)
+            return status;
+        if (!given->is_set[settings_index(row)] && !given->is_preset[settings_index(row)])
+            given->settings = settings;
+    }
+    return STATUS_OK;
 }
 
 struct scene_params app_describe_scene(const struct app_scene *given, struct bump_maps_params *maps)
@@ -404,7 +423,9 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
     *scene = (struct scene){ 0 };
     if (app_need_scene(given) != STATUS_OK || check_place(given) != STATUS_OK)
         return STATUS_USAGE;
-    choose_studio(given);
+    if (take_settings(given) != STATUS_OK)
+        return STATUS_USAGE;
+    choose_environment(given);
     struct scene_params params = app_describe_scene(given, &maps);
     params.settle = settle;
     params.user = &settling;

@@ -27,6 +27,14 @@ const struct asset assets[] = {
         .help = "coloured knot in the cavity of a glass ball",
     },
     {
+        .name = "slate",
+        .file = "slate.glb",
+        .kind = ASSET_SCENE,
+        .environment = "alps",
+        .settings = { "ice_caustics.light=sun", "tonemap.exposure=0.5" },
+        .help = "melting block of ice on wet slate, before mountains",
+    },
+    {
         .name = "studio",
         .file = "studio.exr",
         .kind = ASSET_ENVIRONMENT,

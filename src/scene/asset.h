@@ -15,10 +15,16 @@ enum asset_kind {
     ASSET_ENVIRONMENT,
 };
 
+enum {
+    ASSET_SETTING_COUNT = 4, /* the last one is NULL */
+};
+
 struct asset {
     const char *name; /* without a dot or a slash, so that "./NAME" is always a file */
     const char *file; /* its name in the folder of assets */
     enum asset_kind kind;
+    const char *environment; /* of a scene: what it is in unless an option says; NULL: the sky */
+    const char *settings[ASSET_SETTING_COUNT]; /* of a scene: its own defaults, "name=value" */
     const char *help;
 };
 

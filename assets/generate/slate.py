@@ -1,0 +1,320 @@
+"""slate.py: a block of ice in its meltwater, on a slab of wet slate, for the light of alps.exr."""
+import functools
+import math
+import random
+
+from files import Model, glass, png, png_colors
+from shapes import (Mesh, add, beads_mesh, crack, dot, ice, lattice, mix, scale, smooth_normals,
+                    smoothstep, turned, unit)
+from surroundings import ramp
+
+HALF = (0.0146, 0.0132, 0.0142)  # of the ice
+MIDDLE = (0, 0.0128, 0)
+TURN = turned(24)
+SLAB = (0.15, -0.125, 0.085, 0.012)  # half width, near and far edge, thickness
+COLUMNS, ROWS = 102, 84
+SIDE = 256  # texels of the textures' sides
+TILE = 0.042  # metres after which the stone's grain repeats
+# The grain: waves along x and z in a tile, and their height, metres.
+WAVES = ((7, 10, 0.00013), (19, 27, 0.00007), (61, 83, 0.00003), (128, 128, 0.00002))
+STEP = 0.0008  # height of a layer of the stone
+FILM = 0.0013  # thickness of the puddle
+EYE, TARGET = (0.0082, 0.031, -0.0928), (-0.0045, 0.0238, -0.0005)
+# Shallow pools: where, half widths, turn, seed.
+POOLS = (((-0.044, 0.02), (0.017, 0.008), 0.3, 1), ((0.05, 0.034), (0.022, 0.007), -0.2, 2),
+         ((0.036, -0.03), (0.012, 0.006), 0.2, 3), ((-0.03, -0.045), (0.014, 0.006), -0.4, 4),
+         ((-0.075, 0.045), (0.02, 0.008), 0.1, 5), ((0.012, 0.052), (0.016, 0.005), 0.1, 6))
+ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1)
+WATER = glass('water', 1.333, 1, 0.0013, (0.746, 0.953, 1), 1)
+AIR = glass('air', 1, 4, 0.0003)
+
+
+# ---- stone ----
+
+@functools.lru_cache(maxsize=None)
+def knot(x, z, seed):
+    return lattice(x, z, 7, seed)
+
+
+def rough(x, z, seed, period=None):
+    """Smooth, from -1 to 1, with features of size 1; repeats after a period, of x and of z."""
+    i, j = math.floor(x), math.floor(z)
+    s, t = x - i, z - j
+    s, t = s * s * (3 - 2 * s), t * t * (3 - 2 * t)
+    k, n = i + 1, j + 1
+    if period:
+        (i, k), (j, n) = (i % period[0], k % period[0]), (j % period[1], n % period[1])
+    low = knot(i, j, seed) + (knot(k, j, seed) - knot(i, j, seed)) * s
+    high = knot(i, n, seed) + (knot(k, n, seed) - knot(i, n, seed)) * s
+    return 2 * (low + (high - low) * t) - 1
+
+
+def pool_shape(pool, angle):
+    """Half the width of a pool in a direction, as a share of its half widths."""
+    seed = pool[3]
+    return (1 + 0.22 * math.cos(2 * angle + seed) + 0.16 * math.cos(3 * angle - 2 * seed) +
+            0.12 * rough(2 + 2 * math.cos(angle), 2 + 2 * math.sin(angle), 60 + seed))
+
+
+def in_pool(pool, x, z):
+    """How far out a place is: 1 at the rim."""
+    (cx, cz), (across, along), turn, _ = pool
+    c, s = math.cos(turn), math.sin(turn)
+    dx, dz = x - cx, z - cz
+    u, v = (c * dx + s * dz) / across, (c * dz - s * dx) / along
+    return math.hypot(u, v) / pool_shape(pool, math.atan2(v, u))
+
+
+def layers(x, z):
+    """Height of the split surface, in layers: even at the ice and in pools, in steps elsewhere."""
+    wide = 1.6 * rough(x / 0.05, z / 0.036, 3) + 0.8 * rough(x / 0.017, z / 0.012, 4)
+    wide += 0.42 * rough(x / 0.0052, z / 0.0042, 5) + 14 * (x * 0.3 + z * 0.95)
+    whole = math.floor(wide)
+    edge = 0.86 + 0.1 * rough(x / 0.002, z / 0.0016, 6)
+    step = whole + 0.16 * (wide - whole) + 0.84 * smoothstep(edge, edge + 0.06, wide - whole)
+    return smoothstep(0.024, 0.05, math.hypot(x, 1.1 * z)) * step
+
+
+@functools.lru_cache(maxsize=None)
+def pool_level(pool):
+    return math.floor(layers(*pool[0]) + 0.5) * STEP
+
+
+def height(x, z):
+    level = STEP * layers(x, z)
+    for pool in POOLS:
+        level += (pool_level(pool) - level) * (1 - smoothstep(1, 1.5, in_pool(pool, x, z)))
+    return level
+
+
+def wetness(x, z):
+    """From 0, dry, to 1, wet through."""
+    near = 1 - smoothstep(0.022, 0.06, math.hypot(x, 0.9 * z))
+    for pool in POOLS:
+        near = max(near, 1 - smoothstep(0.9, 2.4, in_pool(pool, x, z)))
+    patches = 0.5 * rough(x / 0.03, z / 0.02, 21) + 0.35 * rough(x / 0.009, z / 0.007, 22)
+    return smoothstep(-0.15, 0.42, 0.95 * near - 0.36 + patches)
+
+
+def place(i, j):
+    """A point of the grid: close to each other near the ice; the edges are broken."""
+    s, t = 2 * i / COLUMNS - 1, 2 * j / ROWS - 1
+    x = SLAB[0] * (0.42 * s + 0.58 * s ** 3)
+    middle = -SLAB[1] / (SLAB[2] - SLAB[1]) * 2 - 1  # the row at the ice
+    eased = middle + (t - middle) * (0.4 + 0.6 * ((t - middle) / (1 + abs(middle))) ** 2)
+    z = SLAB[1] + (SLAB[2] - SLAB[1]) * (eased + 1) / 2
+    rim = max(abs(s), abs(t)) ** 12
+    broken = 0.012 * rough(x / 0.03, z / 0.03, 31) + 0.006 * rough(x / 0.008, z / 0.008, 32)
+    return x * (1 + rim * broken / 0.09), z + rim * broken * (1 if t > 0 else -1)
+
+
+def tone(x, z):
+    """Albedo: blue-grey, darker where wet, here and there of rust."""
+    shade = 1 + 0.3 * rough(x / 0.016, z / 0.009, 41) + 0.15 * rough(x / 0.004, z / 0.003, 42)
+    rust = smoothstep(0.3, 0.7, rough(x / 0.026, z / 0.02, 43))
+    base = mix((0.125, 0.132, 0.142), (0.17, 0.125, 0.085), 0.6 * rust)
+    return scale(base, shade * (1 - 0.5 * wetness(x, z)))
+
+
+def slab():
+    half, near, far, thick = SLAB
+    grid = [place(i, j) for j in range(ROWS + 1) for i in range(COLUMNS + 1)]
+    points = [(x, height(x, z), z) for x, z in grid]
+    faces = []
+    for j in range(ROWS):
+        for i in range(COLUMNS):
+            a = j * (COLUMNS + 1) + i
+            b, c, d = a + 1, a + COLUMNS + 2, a + COLUMNS + 1
+            faces += [(a, d, c), (a, c, b)]
+    edge = [j * (COLUMNS + 1) for j in range(ROWS)]
+    edge += [ROWS * (COLUMNS + 1) + i for i in range(COLUMNS)]
+    edge += [(ROWS - j) * (COLUMNS + 1) + COLUMNS for j in range(ROWS)]
+    edge += [COLUMNS - i for i in range(COLUMNS)]
+    top = Mesh(points, faces)
+    count = len(edge)
+    sides, side_faces = [], []
+    for layer in range(4):
+        for x, y, z in (points[i] for i in edge):
+            out = 0.0025 * (rough(x / 0.012 + 9 * layer, z / 0.012, 51) - 0.4) if layer else 0
+            sides.append((x * (1 + out / 0.1), y - thick * layer / 3,
+                          z + out * (1 if z > 0 else -1)))
+    for layer in range(3):
+        for k in range(count):
+            a, b = layer * count + k, layer * count + (k + 1) % count
+            side_faces += [(a, a + count, b + count), (a, b + count, b)]
+    mesh = top.join(Mesh(sides, side_faces))
+    mesh.uvs = [((x + half) / (2 * half), (z - near) / (far - near)) for x, _, z in mesh.points]
+    return mesh.painted(lambda p, n: tone(p[0], p[2]))
+
+
+def damp():
+    """Roughness over the whole slab, in green."""
+    half, near, far, _ = SLAB
+    rows = []
+    for row in range(SIDE):
+        z = near + (row + 0.5) / SIDE * (far - near)
+        values = bytearray()
+        for column in range(SIDE):
+            wet = wetness(((column + 0.5) / SIDE * 2 - 1) * half, z)
+            value = 0.6 - 0.42 * wet + 0.05 * (lattice(column, row, 1, 5) - 0.5)
+            values += bytes((255, int(255 * value), 0))
+        rows.append(values)
+    return png_colors(rows)
+
+
+def grain():
+    """Normals and tones of the cleavage, which repeat after TILE."""
+    heights = []
+    for row in range(SIDE):
+        v = row / SIDE
+        heights.append([sum(weight * rough(a * u, b * v, a, (a, b)) for a, b, weight in WAVES)
+                        for u in (column / SIDE for column in range(SIDE))])
+    normals, tones = [], []
+    apart = TILE / SIDE
+    for row in range(SIDE):
+        bent, tints = bytearray(), bytearray()
+        for column in range(SIDE):
+            here = heights[row][column]
+            x = (heights[row][(column + 1) % SIDE] - here) / apart
+            z = (heights[(row + 1) % SIDE][column] - here) / apart
+            n = unit((-x, z, 1))  # u goes to +x, v to +z; green points against v
+            bent += bytes(int(127.5 + 127.5 * v + 0.5) for v in n)
+            tints.append(int(min(max(34 + 9e4 * here + 14 * (lattice(column, row, 2, 6) - 0.5), 0),
+                                 63)))
+        normals.append(bent)
+        tones.append(tints)
+    return png_colors(normals), png(tones, ramp([(.55, .56, .57), (.93, .94, .96), (1, 1, 1)]))
+
+
+# ---- water and ice ----
+
+def shell(outline, level, thick, rim, center=(0, 0)):
+    """Water with a round rim, that ends below the stone; outline(angle) is a place on its edge."""
+    rings, segments = 12, 112
+    points, faces = [(center[0], level + thick, center[1])], []
+    edge = [outline(2 * math.pi * k / segments) for k in range(segments)]
+    for ring in range(1, rings + 1):
+        share = math.sin(ring / rings * math.pi / 2)
+        for x, z in edge:
+            inward = min(math.hypot(x, z) * (1 - share) / rim, 1)
+            points.append((center[0] + x * share,
+                           level + thick * math.sqrt(1 - (1 - inward) ** 2.6),
+                           center[1] + z * share))
+    points += [(center[0] + 0.97 * x, level - 0.0012, center[1] + 0.97 * z) for x, z in edge]
+    points.append((center[0], level - 0.0012, center[1]))
+    for k in range(segments):
+        n = (k + 1) % segments
+        faces.append((0, 1 + k, 1 + n))
+        for ring in range(rings):
+            a = 1 + ring * segments
+            faces += [(a + k, a + segments + k, a + segments + n), (a + k, a + segments + n, a + n)]
+        last = 1 + rings * segments
+        faces.append((len(points) - 1, last + n, last + k))
+    return Mesh(points, faces)
+
+
+def puddle(angle):
+    out = 1 + 0.13 * math.cos(angle - 2.6) + 0.08 * math.cos(2 * angle + 0.7)
+    out += 0.075 * rough(3 + 1.6 * math.cos(angle), 3 + 1.6 * math.sin(angle), 61)
+    out += 0.045 * rough(6 + 5 * math.cos(angle), 6 + 5 * math.sin(angle), 62)
+    return 0.0236 * out * math.cos(angle), -0.0236 * out * math.sin(angle)
+
+
+def water():
+    """The puddle around the ice, and the pools."""
+    mesh = shell(puddle, 0, FILM, 0.0034)
+    for pool in POOLS:
+        center, (across, along), turn, _ = pool
+        c, s = math.cos(turn), math.sin(turn)
+
+        def outline(angle, pool=pool, across=across, along=along, c=c, s=s):
+            out = pool_shape(pool, -angle)
+            u, v = across * out * math.cos(angle), -along * out * math.sin(angle)
+            return c * u - s * v, s * u + c * v
+        mesh.join(shell(outline, pool_level(pool), 0.0005, 0.0015, center))
+    return mesh
+
+
+def block():
+    """Flat below, where it has melted onto the stone."""
+    mesh = ice(HALF, 36, 17, exponent=8, waves=0.0004, cell=0.0055, bulge=0.035).placed(TURN, MIDDLE)
+
+    def pressed(p):
+        x, y, z = p
+        rise = (y - 0.0003) / 0.0007
+        return (x, 0.0003 + 0.0007 * math.log1p(math.exp(rise)) if rise < 30 else y, z)
+    mesh.points = [pressed(p) for p in mesh.points]
+    mesh.normals = smooth_normals(mesh.points, mesh.faces)
+    return mesh
+
+
+def inside(d, share):
+    """A place in the block, in a direction from its middle, with how far out it is."""
+    reach = sum(abs(v / h) ** 9 for v, h in zip(d, HALF)) ** (-1 / 9)
+    return scale(d, share * reach)
+
+
+def bubbles():
+    """Worms of air in rows along the way the ice grew, and a cloud of eggs where it ended."""
+    pick = random.Random(30)
+    beads = []
+    for axis in range(3):
+        for side in (-1, 1):
+            for _ in range(26):
+                at = [pick.uniform(-0.62, 0.62) * h for h in HALF]
+                out = pick.uniform(0.34, 0.66)
+                at[axis] = side * out * HALF[axis]
+                if max(abs(v / h) for v, h in zip(at, HALF)) > out + 0.02:
+                    continue
+                along = [-0.25 * v / h + 0.06 * pick.gauss(0, 1) for v, h in zip(at, HALF)]
+                along[axis] = -side
+                radius = 0.00011 * math.exp(0.35 * pick.gauss(0, 1))
+                length = min(0.0004 + 0.0011 * pick.expovariate(1), 0.0032)
+                beads.append((tuple(at), unit(along), radius, length, 6))
+    for _ in range(420):
+        d = unit([pick.gauss(0, 1) for _ in range(3)])
+        at = inside(d, 0.36 * pick.random() ** 0.6)
+        at = add(at, (0.0006, 0.0012, 0))
+        radius = 0.00007 + 0.0003 * pick.random() ** 4
+        along = unit(add(scale(d, -1), tuple(0.3 * pick.gauss(0, 1) for _ in range(3))))
+        beads.append((at, along, radius, radius * pick.uniform(1.3, 3), 5))
+    placed = []
+    for at, along, radius, length, sides in beads:
+        at, along = (tuple(dot(row, v) for row in TURN) for v in (at, along))
+        placed.append((add(at, MIDDLE), along, radius, length, sides))
+    return beads_mesh(placed)
+
+
+def cracks():
+    mesh = Mesh([], [], [])
+    for i, (at, turn, size) in enumerate((
+            ((0.004, 0.0165, -0.003), (25, 62, 20), 0.0066),
+            ((-0.005, 0.011, 0.002), (120, 35, 75), 0.0058))):
+        mesh.join(crack(size, 70 + i, gap=0.00004, bend=14).placed(turned(*turn), at))
+    return mesh
+
+
+def stone(model):
+    normals, tones = (model.texture(data) for data in grain())
+    half, near, far, _ = SLAB
+    often = {'scale': [round(2 * half / TILE, 4), round((far - near) / TILE, 4)]}
+    transform = {'KHR_texture_transform': often}
+    return {
+        'name': 'slate',
+        'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 1,
+                                 'baseColorTexture': {'index': tones, 'extensions': transform},
+                                 'metallicRoughnessTexture': {'index': model.texture(damp())}},
+        'normalTexture': {'index': normals, 'extensions': transform},
+    }
+
+
+def make():
+    model = Model()
+    model.used.add('KHR_texture_transform')
+    model.add('slab', slab(), stone(model))
+    model.add('water', water(), WATER)
+    model.add('cube', block(), ICE)
+    model.add('bubbles', bubbles(), AIR)
+    model.add('cracks', cracks(), AIR)
+    model.camera(EYE, TARGET, 40)
+    return model.file()
