@@ -13,7 +13,7 @@ from help import COMMANDS, LISTS, Command, choices, names  # noqa: E402
 # Options whose values are names of `firn list`; of the second kind, with commas between. Those in
 # FILES may be files, too.
 NAMED = {'refraction': 'rungs', 'split': 'rungs', 'material': 'materials', 'show': 'layers',
-         'env': 'environments'}
+         'env': 'environments', 'quality': 'qualities'}
 LISTED = {'rungs': 'rungs', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbox', 'immediate'),
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),

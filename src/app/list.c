@@ -1,9 +1,11 @@
-/* list.c: firn list: scenes, environments, rungs, materials, layers, settings, devices, sandbox. */
+/* list.c: firn list: scenes, environments, rungs, materials, layers, qualities, settings, devices,
+ * sandbox. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
 #include "src/app/list_json.h"
+#include "src/app/options/option_quality.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
 #include "src/reader/sandbox.h"
@@ -56,6 +58,22 @@ static enum status list_materials(void)
 {
     for (const struct material_preset *m = material_presets; m->name; m++)
         printf("  %-14s %-7g %s\n", m->name, (double)m->ior, m->help);
+    return STATUS_OK;
+}
+
+static enum status list_qualities(void)
+{
+    for (uint32_t q = 0; q < QUALITY_COUNT; q++) {
+        printf("  %-14s %s", qualities[q].name, qualities[q].help);
+        const char *separator = ": ";
+        for (const struct quality_row *row = quality_rows; row->setting; row++) {
+            if (row->values[q]) {
+                printf("%s%s=%s", separator, row->setting, row->values[q]);
+                separator = " ";
+            }
+        }
+        printf("\n");
+    }
     return STATUS_OK;
 }
 
@@ -149,10 +167,11 @@ static const struct {
     const char *name;
     enum status (*print)(void);
 } lists[] = {
-    { "scenes", list_scenes },   { "environments", list_environments },
-    { "rungs", list_rungs },     { "materials", list_materials },
-    { "layers", list_layers },   { "settings", list_settings },
-    { "devices", list_devices }, { "sandbox", list_sandbox },
+    { "scenes", list_scenes },     { "environments", list_environments },
+    { "rungs", list_rungs },       { "materials", list_materials },
+    { "layers", list_layers },     { "qualities", list_qualities },
+    { "settings", list_settings }, { "devices", list_devices },
+    { "sandbox", list_sandbox },
 };
 
 enum {
@@ -165,8 +184,8 @@ static enum status check_topic(const char *topic)
         if (!topic || !strcmp(topic, lists[i].name))
             return STATUS_OK;
     }
-    log_error("list: expected scenes, environments, rungs, materials, layers, settings, devices or "
-              "sandbox, got '%s'",
+    log_error("list: expected scenes, environments, rungs, materials, layers, qualities, settings, "
+              "devices or sandbox, got '%s'",
               topic);
     return STATUS_USAGE;
 }

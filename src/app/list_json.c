@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/json_text.h"
+#include "src/app/options/option_quality.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
 #include "src/reader/sandbox.h"
@@ -122,6 +123,24 @@ static json_t *setting_of(const struct setting *row)
                      row->type == SETTING_CHOICE ? choices_of(row) : NULL);
 }
 
+/* With the values of settings that are not the defaults. */
+static json_t *qualities_all(void)
+{
+    json_t *all = json_array();
+    for (uint32_t q = 0; q < QUALITY_COUNT && all; q++) {
+        json_t *values = json_object();
+        for (const struct quality_row *row = quality_rows; row->setting && values; row++) {
+            if (row->values[q] &&
+                json_object_set_new(values, row->setting, json_string(row->values[q])) != 0)
+                return NULL;
+        }
+        all = json_text_append(all, json_pack("{s:s, s:s, s:i, s:o}", "name", qualities[q].name,
+                                              "help", qualities[q].help, "samples",
+                                              (int)qualities[q].samples, "settings", values));
+    }
+    return all;
+}
+
 static json_t *settings(void)
 {
     json_t *all = json_array();
@@ -165,10 +184,11 @@ static const struct {
     const char *name;
     json_t *(*make)(void); /* NULL: the devices */
 } lists[] = {
-    { "scenes", scenes }, { "environments", environments },
-    { "rungs", rungs },   { "materials", materials },
-    { "layers", layers }, { "settings", settings },
-    { "devices", NULL },  { "sandbox", sandbox },
+    { "scenes", scenes },     { "environments", environments },
+    { "rungs", rungs },       { "materials", materials },
+    { "layers", layers },     { "qualities", qualities_all },
+    { "settings", settings }, { "devices", NULL },
+    { "sandbox", sandbox },
 };
 
 enum {

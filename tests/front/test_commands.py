@@ -9,7 +9,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
 from case import (  # noqa: E402
-    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, WRITE, Case, main)
+    BARE, CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, WRITE, Case, main)
 from exr_file import Exr  # noqa: E402
 import plan_dumps  # noqa: E402
 
@@ -201,6 +201,27 @@ class CommandLine(Case):
         self.assertIsInstance(whole['sandbox']['landlock'], int)
         self.refuse(USAGE, 'list', 'scnes', '--json', names=['scnes'])
         self.refuse(USAGE, 'list', '--json', '--preset', names=['--json', '--preset'])
+
+    def test_quality(self):
+        """A level sets what nobody else has set; normal is what is drawn without one."""
+        def drawn(*words):
+            self.succeed('render', 'sphere', *BARE, '-q', '-o', 'a.exr', *words)
+            return Exr((self.folder / 'a.exr').read_bytes()).text('firn/settings')
+
+        (self.folder / 'a.set').write_text('refract.steps=7\n')
+        self.assertEqual(drawn('--quality', 'normal'), drawn())
+        for words, wanted in (
+                (('--quality', 'high'), ('samples=16', 'refract.steps=16', 'trace.branch=0.005')),
+                (('--quality', 'draft'), ('samples=1', 'refract.steps=4', 'refract.fresnel=paper')),
+                (('--quality', 'high', '--quality', 'draft'),
+                 ('samples=1', 'refract.lookup=infinite')),
+                (('--samples', '2', '--set', 'trace.branch=0.5', '--quality', 'high', '--preset',
+                  'a.set'), ('samples=2', 'trace.branch=0.5', 'refract.steps=7'))):
+            found = drawn(*words).split()
+            for value in wanted:
+                self.assertIn(value, found, words)
+        self.refuse(USAGE, 'render', 'sphere', '--quality', 'best', '-o', 'a.exr',
+                    names=['--quality', 'draft', 'high', 'best'])
 
     def test_list_to_a_full_disk(self):
         with open('/dev/full', 'wb') as full:

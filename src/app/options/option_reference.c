@@ -57,8 +57,9 @@ enum status option_settle_reference(struct app_options *o)
     const struct app_render *render = &o->render;
     const char *limit = render->noise > 0.0 ? "noise" : render->seconds > 0.0 ? "time" : NULL;
     const bool is_named = o->picture.is_rung_named;
+    const uint32_t usual = o->picture.level_samples ? o->picture.level_samples : 1;
     if (!o->picture.samples)
-        o->picture.samples = limit ? SAMPLES_MAX : 1;
+        o->picture.samples = limit ? SAMPLES_MAX : usual;
     if (o->picture.rung != &refract_reference && (limit || render->keep_sums)) {
         log_error("--%s: only --refraction reference has it%s%s%s; %s", limit ? limit : "keep-sums",
                   is_named ? ", not '" : "", is_named ? o->picture.rung->rung.name : "",

@@ -13,6 +13,7 @@
 #include "src/app/options/option_picture.h"
 #include "src/app/options/option_preset.h"
 #include "src/app/options/option_profile.h"
+#include "src/app/options/option_quality.h"
 #include "src/app/options/option_reference.h"
 #include "src/app/options/option_values.h"
 #include "src/app/options/option_view.h"
@@ -179,6 +180,8 @@ static const struct option options[] = {
       "second reference: a picture of the same view by another program" },
     { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, PICTURE(option_refraction),
       "refraction rung: paper, bounce, ...; see firn list rungs (by the scene)" },
+    { "Picture", "quality", 0, "LEVEL", PICTURES, PICTURE(option_quality),
+      "draft, normal or high: presets of settings, see firn list qualities (normal)" },
     { "Picture", "material", 'm', "NAME", PICTURES, SCENE(option_material),
       "ice, water, glass, ... (firn list materials), or NODE=glass[,ior=1.5,...]" },
     { "Picture", "plain", 0, NULL, PICTURES, FLAG(picture.scene.plain),
