@@ -16,7 +16,8 @@ COLUMNS, ROWS = 102, 84
 SIDE = 256  # texels of the textures' sides
 TILE = 0.042  # metres after which the stone's grain repeats
 # The grain: waves along x and z in a tile, and their height, metres.
-WAVES = ((7, 10, 0.00013), (19, 27, 0.00007), (61, 83, 0.00003), (128, 128, 0.00002))
+WAVES = ((7, 10, 0.00009), (19, 27, 0.00005), (61, 83, 0.00003), (128, 128, 0.00002))
+LEDGE = 0.00022  # height of its ledges
 STEP = 0.0008  # height of a layer of the stone
 FILM = 0.0013  # thickness of the puddle
 EYE, TARGET = (0.0082, 0.031, -0.0928), (-0.0045, 0.0238, -0.0005)
@@ -112,7 +113,7 @@ def tone(x, z):
     """Albedo: blue-grey, darker where wet, here and there of rust."""
     shade = 1 + 0.3 * rough(x / 0.016, z / 0.009, 41) + 0.15 * rough(x / 0.004, z / 0.003, 42)
     rust = smoothstep(0.3, 0.7, rough(x / 0.026, z / 0.02, 43))
-    base = mix((0.125, 0.132, 0.142), (0.17, 0.125, 0.085), 0.6 * rust)
+    base = mix((0.15, 0.158, 0.17), (0.2, 0.148, 0.1), 0.6 * rust)
     return scale(base, shade * (1 - 0.5 * wetness(x, z)))
 
 
@@ -162,12 +163,21 @@ def damp():
     return png_colors(rows)
 
 
+def ledges(u, v):
+    """Broken edges of the cleavage, in layers."""
+    wide = 2.6 * rough(4 * u, 7 * v, 15, (4, 7)) + 0.9 * rough(13 * u, 21 * v, 16, (13, 21))
+    wide += 0.3 * rough(40 * u, 56 * v, 17, (40, 56))
+    whole = math.floor(wide)
+    return whole + 0.3 * (wide - whole) + 0.7 * smoothstep(0.88, 0.97, wide - whole)
+
+
 def grain():
     """Normals and tones of the cleavage, which repeat after TILE."""
     heights = []
     for row in range(SIDE):
         v = row / SIDE
-        heights.append([sum(weight * rough(a * u, b * v, a, (a, b)) for a, b, weight in WAVES)
+        heights.append([sum(weight * rough(a * u, b * v, a, (a, b)) for a, b, weight in WAVES) +
+                        LEDGE * ledges(u, v)
                         for u in (column / SIDE for column in range(SIDE))])
     normals, tones = [], []
     apart = TILE / SIDE
@@ -207,7 +217,8 @@ def shell(outline, level, thick, rim, center=(0, 0)):
         faces.append((0, 1 + k, 1 + n))
         for ring in range(rings):
             a = 1 + ring * segments
-            faces += [(a + k, a + segments + k, a + segments + n), (a + k, a + segments + n, a + n)]
+            b = a + segments
+            faces += [(a + k, b + k, b + n), (a + k, b + n, a + n)]
         last = 1 + rings * segments
         faces.append((len(points) - 1, last + n, last + k))
     return Mesh(points, faces)
@@ -237,7 +248,8 @@ def water():
 
 def block():
     """Flat below, where it has melted onto the stone."""
-    mesh = ice(HALF, 36, 17, exponent=8, waves=0.0004, cell=0.0055, bulge=0.035).placed(TURN, MIDDLE)
+    mesh = ice(HALF, 36, 17, exponent=8, waves=0.0004, cell=0.0055, bulge=0.035)
+    mesh.placed(TURN, MIDDLE)
 
     def pressed(p):
         x, y, z = p
