@@ -162,6 +162,7 @@ static enum status compile(struct frame_plan *p, const struct frame_request *req
         .techniques = p->techniques,
         .technique_count = p->technique_count,
         .view = request->view,
+        .max_view = request->max_view,
         .max_region = request->part,
         .outputs = p->outputs,
         .output_count = p->output_count,
@@ -192,6 +193,20 @@ enum status frame_plan_init(struct frame_plan *p, const struct frame_request *re
     p->readback = (struct rg_technique){ "readback", p->readback_passes, p->readback_count };
     p->techniques[p->technique_count++] = &p->readback;
     return compile(p, request);
+}
+
+enum status frame_plan_change_view(struct frame_plan *p, const struct frame_request *request,
+                                   struct rg_plan **former)
+{
+    struct rg_plan *before = p->plan;
+    const enum status status = compile(p, request);
+    *former = before;
+    if (status == STATUS_OK)
+        return STATUS_OK;
+    rg_plan_destroy(p->plan);
+    p->plan = before;
+    *former = NULL;
+    return status;
 }
 
 void frame_plan_finish(struct frame_plan *p)

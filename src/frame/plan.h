@@ -20,6 +20,7 @@ struct frame_request {
     const struct scene *scene; /* its images are imported; NULL: one texel for each of them */
     VkExtent2D view;           /* pixels */
     uint32_t face_size;        /* of the environment cube, texels; 0: frame_face_size() of `view` */
+    VkExtent2D max_view;       /* pixels of the largest one: frame_plan_change_view(); 0: the view */
     VkExtent2D part;           /* pixels of the largest region that is drawn at once; 0: the view */
     uint32_t layers;           /* bit i: read techniques_layer(i) back, if a pass draws it */
     bool beauty, display;      /* read the linear picture back; the 8-bit one */
@@ -59,6 +60,12 @@ struct frame_plan {
  * returns STATUS_TRY_AGAIN when out of memory; in any case call frame_plan_finish() afterwards.
  */
 MUST_USE enum status frame_plan_init(struct frame_plan *plan, const struct frame_request *request);
+
+/* Compiles the same tables for request->view, which is within the max_view of both requests. On
+ * success *former, the plan before, is the caller's; on failure all stays. */
+MUST_USE enum status frame_plan_change_view(struct frame_plan *plan,
+                                            const struct frame_request *request,
+                                            struct rg_plan **former);
 
 void frame_plan_finish(struct frame_plan *plan);
 

@@ -106,6 +106,26 @@ enum status frame_exec_realise(struct frame_exec *frame_exec, const struct rende
     return gpu_status(result);
 }
 
+enum status frame_exec_change_view(struct frame_exec *frame_exec,
+                                   const struct renderer_params *params,
+                                   struct frame_request request,
+                                   const struct rg_exec_import *imports)
+{
+    const struct rg_vulkan vulkan = frame_exec_vulkan(params->gpu);
+    const struct rg_device device = rg_exec_device(&vulkan);
+    struct frame_exec_params described;
+    struct rg_plan *former;
+    request.device = &device;
+    enum status status = frame_plan_change_view(&frame_exec->frame, &request, &former);
+    if (status != STATUS_OK)
+        return status;
+    frame_exec_describe(&described, frame_exec, params);
+    described.params.imports = imports;
+    status = gpu_status(rg_exec_update(frame_exec->exec, &described.params));
+    rg_plan_destroy(former);
+    return status;
+}
+
 void frame_exec_destroy(struct frame_exec *frame_exec)
 {
     rg_exec_destroy(frame_exec->exec);

@@ -30,6 +30,12 @@ MUST_USE enum status frame_exec_realise(struct frame_exec *frame_exec,
                                         const struct renderer_params *params,
                                         const struct rg_exec_import *imports);
 
+/* The same executor, for request.view: see frame_plan_change_view(). */
+MUST_USE enum status frame_exec_change_view(struct frame_exec *frame_exec,
+                                            const struct renderer_params *params,
+                                            struct frame_request request,
+                                            const struct rg_exec_import *imports);
+
 /* The parameters of an executor, except for its imports. `info` and `params` point into the struct,
  * so it must not move. */
 struct frame_exec_params {

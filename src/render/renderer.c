@@ -17,34 +17,13 @@
 #include "src/render/accumulate.h"
 #include "src/render/frame_exec.h"
 #include "src/render/frame_objects.h"
+#include "src/render/renderer_internal.h"
 #include "src/render/request.h"
 #include "src/render/uploaded_scene.h"
 #include "src/render/warm_up.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 #include "src/tech/techniques.h"
-
-struct renderer {
-    struct renderer_params params;      /* interleaved: width and height are those of a tile */
-    uint32_t width, height;             /* pixels of the picture */
-    struct tiling tiling;               /* one tile if the tiles are interleaved */
-    struct tile tile;                   /* the tile of `tiling` that results have now */
-    struct uploaded_scene own;          /* {0} if params.uploaded is set */
-    const struct uploaded_scene *scene; /* `own` or params.uploaded */
-    struct uploaded_scene tree;         /* the scene's tree, if the rung meets it */
-    struct tree own_tree;               /* of a scene that has no place for one: */
-    struct scene own_scene;
-    struct rg_mesh *meshes;       /* of the techniques, in their order */
-    struct frame_exec capture;    /* draws the environment cube, if it is not dynamic */
-    struct frame_exec picture;    /* draws a sample */
-    struct frame_objects objects; /* of the picture's frames */
-    struct frame_exec resolve;    /* tonemaps the mean of many samples */
-    struct warm_up *warm_up;      /* compiles for the first picture; may be NULL */
-    bool captured;                /* `capture` has drawn the environment cube */
-    struct frame_cube cube;       /* the cube that the picture's frames draw */
-    struct renderer_costs costs;
-    uint32_t last_slot; /* slot of the picture's executor with the last sample */
-};
 
 /* ---- plans ---- */
 
@@ -60,19 +39,23 @@ static VkImage find_import(const struct renderer *r, const struct rg_image *imag
     return uploaded_scene_image(r->scene, image);
 }
 
-static enum status realise(struct renderer *r, struct frame_exec *frame_exec)
+struct rg_exec_import *renderer_imports(const struct renderer *r, const struct frame_plan *plan)
 {
-    const struct frame_plan *plan = &frame_exec->frame;
     struct rg_exec_import *imports = calloc(plan->import_count + 1, sizeof(*imports));
-    if (!imports)
-        return log_out_of_memory(NULL);
-    for (size_t i = 0; i < plan->import_count; i++) {
+    for (size_t i = 0; i < plan->import_count && imports; i++) {
         if (plan->imports[i].buffer)
             imports[i].buffer = uploaded_scene_buffer(&r->tree, plan->imports[i].buffer);
         else
             imports[i].image = find_import(r, plan->imports[i].image);
     }
-    const enum status status = frame_exec_realise(frame_exec, &r->params, imports);
+    return imports;
+}
+
+static enum status realise(struct renderer *r, struct frame_exec *frame_exec)
+{
+    struct rg_exec_import *imports = renderer_imports(r, &frame_exec->frame);
+    const enum status status =
+        imports ? frame_exec_realise(frame_exec, &r->params, imports) : log_out_of_memory(NULL);
     free(imports);
     return status;
 }
@@ -176,7 +159,7 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     if (status == STATUS_OK && !frame_draws_cube(params->settings, params->scene) &&
         !params->scene->cube.texels)
         status = frame_exec_create(&r->capture, r, renderer_capture_request(&r->params));
-    if (status == STATUS_OK && params->display && r->params.samples > 1)
+    if (status == STATUS_OK && (params->refines || (params->display && r->params.samples > 1)))
         status = frame_exec_create(&r->resolve, r, renderer_resolve_request(&r->params));
     const double begin = clock_ms();
     if (status == STATUS_OK)
@@ -202,6 +185,7 @@ void renderer_destroy(struct renderer *renderer)
     uploaded_scene_finish(&renderer->own, renderer->params.gpu);
     uploaded_scene_finish(&renderer->tree, renderer->params.gpu);
     tree_finish(&renderer->own_tree);
+    image_finish(&renderer->sums);
     free(renderer->meshes);
     free(renderer);
 }
@@ -249,8 +233,8 @@ static void limit(const struct renderer *r, const struct frame_view *view,
         rg_exec_set_region(r->picture.exec, &region);
 }
 
-static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_exec,
-                                  const struct renderer_shot *shot, uint32_t sample, uint32_t *slot)
+enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
+                         const struct renderer_shot *shot, uint32_t sample, uint32_t *slot)
 {
     const struct uploaded_scene *s = r->scene;
     struct frame_view view = {
@@ -312,8 +296,8 @@ static enum status run_frame_exec(struct renderer *r, struct frame_exec *frame_e
 
 /* ---- a picture ---- */
 
-static const void *read_back(struct frame_exec *frame_exec, const struct rg_image *image,
-                             uint32_t slot)
+const void *renderer_read_back(struct frame_exec *frame_exec, const struct rg_image *image,
+                               uint32_t slot)
 {
     const struct rg_buffer *buffer = frame_plan_buffer(&frame_exec->frame, image);
     return buffer ? rg_exec_mapped(frame_exec->exec, buffer, slot) : NULL;
@@ -330,11 +314,11 @@ static enum status fetch_sample(struct renderer *r, struct image *image, uint32_
     enum status status = gpu_status(rg_exec_wait(r->picture.exec, slot));
     if (status != STATUS_OK)
         return status;
-    const void *beauty = read_back(&r->picture, frame_beauty.image, slot);
+    const void *beauty = renderer_read_back(&r->picture, frame_beauty.image, slot);
     if (beauty)
         accumulate_sample(image, &frame_beauty, beauty, sample);
     for (uint32_t i = 0; techniques_layer(i); i++) {
-        const void *texels = read_back(&r->picture, techniques_layer(i)->image, slot);
+        const void *texels = renderer_read_back(&r->picture, techniques_layer(i)->image, slot);
         if (wants_layer(r, i) && texels)
             accumulate_sample(image, techniques_layer(i), texels, sample);
     }
@@ -342,24 +326,24 @@ static enum status fetch_sample(struct renderer *r, struct image *image, uint32_
 }
 
 /* Draws the environment cube once, before the first sample, if it is not dynamic. */
-static enum status capture_cube(struct renderer *r, const struct renderer_shot *shot)
+enum status renderer_capture_cube(struct renderer *r, const struct renderer_shot *shot)
 {
     const struct motion_params *motion = settings_of(r->params.settings, &motion_settings);
     const struct renderer_shot first = { .camera = shot->camera, .time = motion->time };
     uint32_t slot;
     if (!r->capture.exec || r->captured)
         return STATUS_OK;
-    enum status status = run_frame_exec(r, &r->capture, &first, 0, &slot);
+    enum status status = renderer_run(r, &r->capture, &first, 0, &slot);
     r->captured = status == STATUS_OK;
     return status;
 }
 
 enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
 {
-    enum status status = capture_cube(r, shot);
+    enum status status = renderer_capture_cube(r, shot);
     r->cube.in_turn = true;
     if (status == STATUS_OK)
-        status = run_frame_exec(r, &r->picture, shot, 0, &r->last_slot);
+        status = renderer_run(r, &r->picture, shot, 0, &r->last_slot);
     return status;
 }
 
@@ -396,13 +380,13 @@ const struct rg_plan *renderer_frame(const struct renderer *r)
 static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,
                                 struct image *image, renderer_progress_fn *progress, void *user)
 {
-    enum status status = capture_cube(r, shot);
+    enum status status = renderer_capture_cube(r, shot);
     r->cube.in_turn = false; /* pictures must not depend on earlier ones, so all faces are drawn */
     /* The device draws a sample while the host adds up the one before. */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
         uint32_t slot_before = r->last_slot;
         if (i < r->params.samples)
-            status = run_frame_exec(r, &r->picture, shot, i, &r->last_slot);
+            status = renderer_run(r, &r->picture, shot, i, &r->last_slot);
         if (i == 0 || status != STATUS_OK)
             continue;
         status = fetch_sample(r, image, i - 1, slot_before);
@@ -418,7 +402,7 @@ static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, 
 {
     const size_t row_size = (size_t)r->tile.width * 4;
     uint8_t *rgba = malloc(row_size * r->tile.height);
-    const uint8_t *source = read_back(frame_exec, &frame_display, slot);
+    const uint8_t *source = renderer_read_back(frame_exec, &frame_display, slot);
     if (!rgba || !source)
         (void)log_out_of_memory(NULL);
     for (size_t y = 0; y < r->tile.height && rgba && source; y++)
@@ -518,7 +502,8 @@ static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *i
         image_finish(image);
         return log_out_of_memory(NULL);
     }
-    accumulate_sample(image, &cube, read_back(&r->capture, &frame_env_cube_baked, slot), 0);
+    accumulate_sample(image, &cube, renderer_read_back(&r->capture, &frame_env_cube_baked, slot),
+                      0);
     return STATUS_OK;
 }
 
@@ -544,7 +529,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
     if (status == STATUS_OK)
         status = frame_exec_create(&r.capture, &r, renderer_bake_request(&r.params));
     if (status == STATUS_OK)
-        status = run_frame_exec(&r, &r.capture, &shot, 0, &slot);
+        status = renderer_run(&r, &r.capture, &shot, 0, &slot);
     if (status == STATUS_OK)
         status = gpu_status(rg_exec_wait(r.capture.exec, slot));
     if (status == STATUS_OK)

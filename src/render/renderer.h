@@ -75,6 +75,21 @@ MUST_USE enum status renderer_draw(struct renderer *renderer, const struct rende
 MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
                                    struct image *image);
 
+/*
+ * For renderers with params.refines.
+ *
+ * renderer_set_view() makes the next pictures smaller, at most as large as params say; it makes no
+ * memory and no pipelines, but renderer_picture() is another image. renderer_refine() draws a
+ * sample in full size, waits, and adds it to those before; sample 0 begins anew.
+ * renderer_resolve() tonemaps the mean of the samples with the settings as they are now, into
+ * renderer_mean(): the pixels of renderer_render() with as many samples.
+ */
+MUST_USE enum status renderer_set_view(struct renderer *renderer, VkExtent2D view);
+MUST_USE enum status renderer_refine(struct renderer *renderer, const struct renderer_shot *shot,
+                                     uint32_t sample);
+MUST_USE enum status renderer_resolve(struct renderer *renderer, uint32_t sample_count);
+VkImage renderer_mean(const struct renderer *renderer);
+
 /* Waits for the frame submitted last. */
 MUST_USE enum status renderer_wait(struct renderer *renderer);
 

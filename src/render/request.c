@@ -50,7 +50,7 @@ static struct technique_choice choose(const struct renderer_params *params,
 
 struct frame_request renderer_picture_request(const struct renderer_params *params)
 {
-    const bool many = params->samples > 1;
+    const bool many = params->samples > 1 || params->refines;
     const struct tiling tiling = renderer_tiling(params);
     struct frame_request request = {
         .choice = choose(params, TECHNIQUE_PICTURE),
@@ -58,7 +58,9 @@ struct frame_request renderer_picture_request(const struct renderer_params *para
         .face_size = params->face_size,
         .view = { params->width, params->height },
         .layers = params->layers,
-        .beauty = params->linear || (params->display && many),
+        .max_view =
+            params->refines ? (VkExtent2D){ params->width, params->height } : (VkExtent2D){ 0 },
+        .beauty = params->linear || params->refines || (params->display && many),
         .display = params->display && !many,
         .keep_display = params->keep,
         .sharing = params->sharing,
@@ -101,7 +103,8 @@ struct frame_request renderer_resolve_request(const struct renderer_params *para
     return (struct frame_request){
         .choice = choose(params, TECHNIQUE_RESOLVE),
         .view = { largest.width, largest.height },
-        .display = true,
+        .display = params->display,
+        .keep_display = params->keep,
         .sharing = params->sharing,
     };
 }

@@ -9,6 +9,7 @@
 #include "src/base/path.h"
 #include "src/frame/list.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/tonemap.h"
 #include "src/view/watch.h"
 
 static char *copy(const char *text)
@@ -17,7 +18,8 @@ static char *copy(const char *text)
 }
 
 enum status picture_create(struct picture **picture, struct gpu *gpu,
-                           const struct app_picture *state, struct watch *watch, bool quiet)
+                           const struct app_picture *state, struct watch *watch, bool quiet,
+                           bool refines)
 {
     struct picture *p = calloc(1, sizeof(*p));
     *picture = NULL;
@@ -27,6 +29,7 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
     p->watch = watch;
     p->divider = 0.5;
     p->quiet = quiet;
+    p->refines = refines;
     p->state = *state;
     p->state.scene.name = p->scene_name = copy(state->scene.name);
     p->state.scene.environment = p->environment_name = copy(state->scene.environment);
@@ -100,6 +103,7 @@ static enum status make_renderer(struct picture *p, const struct technique *rung
     struct renderer_params params = picture_params(p);
     params.rung = rung;
     params.keep = true;
+    params.refines = p->refines;
     params.measured = true;
     const enum status status = renderer_create(renderer, &params);
     if (status == STATUS_OK)
@@ -122,6 +126,9 @@ static enum status make_renderers(struct picture *p)
     forget_renderers(p);
     p->renderer = left;
     p->right = right;
+    p->version++;
+    p->shows_mean = false;
+    p->view = (VkExtent2D){ p->state.width, p->state.height };
     return STATUS_OK;
 }
 
@@ -160,6 +167,34 @@ enum status picture_draw(struct picture *p, const struct renderer_shot *shot)
     return status;
 }
 
+enum status picture_draw_part(struct picture *p, const struct renderer_shot *shot, VkExtent2D view)
+{
+    enum status status = renderer_set_view(p->renderer, view);
+    if (status == STATUS_OK && p->right)
+        status = renderer_set_view(p->right, view);
+    p->view = view;
+    p->shows_mean = false;
+    return status == STATUS_OK ? picture_draw(p, shot) : status;
+}
+
+enum status picture_refine(struct picture *p, const struct renderer_shot *shot, uint32_t sample)
+{
+    enum status status = renderer_refine(p->renderer, shot, sample);
+    if (status == STATUS_OK && p->right)
+        status = renderer_refine(p->right, shot, sample);
+    return status;
+}
+
+enum status picture_resolve(struct picture *p, uint32_t sample_count)
+{
+    enum status status = renderer_resolve(p->renderer, sample_count);
+    if (status == STATUS_OK && p->right)
+        status = renderer_resolve(p->right, sample_count);
+    p->shows_mean = true;
+    p->view = (VkExtent2D){ p->state.width, p->state.height };
+    return status;
+}
+
 enum status picture_wait(struct picture *p)
 {
     enum status status = renderer_wait(p->renderer);
@@ -168,14 +203,29 @@ enum status picture_wait(struct picture *p)
     return status;
 }
 
+static double passes_of(const struct renderer *renderer)
+{
+    const struct rg_times times = renderer ? renderer_times(renderer) : (struct rg_times){ 0 };
+    uint64_t end = 0;
+    for (uint32_t i = 0; i < times.pass_count && times.passes; i++)
+        end = times.passes[i].end > end ? times.passes[i].end : end;
+    return (double)end * 1e-9;
+}
+
+double picture_passes(const struct picture *p)
+{
+    return passes_of(p->renderer) + passes_of(p->right);
+}
+
 VkImage picture_left(const struct picture *p)
 {
-    return renderer_picture(p->renderer);
+    return p->shows_mean ? renderer_mean(p->renderer) : renderer_picture(p->renderer);
 }
 
 VkImage picture_right(const struct picture *p)
 {
-    return renderer_picture(p->right ? p->right : p->renderer);
+    const struct renderer *r = p->right ? p->right : p->renderer;
+    return p->shows_mean ? renderer_mean(r) : renderer_picture(r);
 }
 
 uint32_t picture_line(const struct picture *p)
@@ -234,8 +284,8 @@ static enum status replace(struct picture **picture, const struct app_picture *s
 {
     struct picture *next;
     const bool drawn = (*picture)->renderer != NULL;
-    enum status status =
-        picture_create(&next, (*picture)->gpu, state, (*picture)->watch, (*picture)->quiet);
+    enum status status = picture_create(&next, (*picture)->gpu, state, (*picture)->watch,
+                                        (*picture)->quiet, (*picture)->refines);
     if (status == STATUS_OK && drawn)
         status = make_renderers(next);
     if (status != STATUS_OK) {
@@ -247,9 +297,19 @@ static enum status replace(struct picture **picture, const struct app_picture *s
         next->first_camera = (*picture)->first_camera;
     }
     next->divider = (*picture)->divider;
+    next->version = (*picture)->version + 1;
     picture_destroy(*picture);
     *picture = next;
     return STATUS_OK;
+}
+
+struct settings picture_with_exposure(const struct settings *settings, const struct settings *of)
+{
+    const struct setting *row =
+        settings_row(&tonemap_settings, offsetof(struct tonemap_params, exposure));
+    struct settings other = *settings;
+    settings_put(&other, row, settings_get(of, row));
+    return other;
 }
 
 /* Whether the renderers of one draw the other, too. */
@@ -259,6 +319,9 @@ static bool same_frame(const struct picture *p, const struct app_picture *a,
     if (settings_changed(&a->scene.settings, &b->scene.settings) >= SETTING_AFFECTS_PLAN ||
         a->rung != b->rung)
         return false;
+    const struct settings other = picture_with_exposure(&a->scene.settings, &b->scene.settings);
+    if (!memcmp(&other, &b->scene.settings, sizeof(other)))
+        return true;
     /* a cube that is drawn only once shows the settings it was drawn with */
     return frame_draws_cube(&a->scene.settings, &p->scene) &&
            frame_draws_cube(&b->scene.settings, &p->scene);

@@ -29,6 +29,10 @@ struct picture {
     struct renderer *renderer;  /* NULL until picture_resize() */
     struct renderer *right;     /* of state.split; NULL without */
     double divider;             /* between them: of the width, from the left */
+    bool refines;               /* renderers can do what picture_refine() needs */
+    bool shows_mean;            /* picture_left() and picture_right() are means of samples */
+    VkExtent2D view;            /* of what they show, pixels */
+    uint64_t version;           /* another one whenever the renderers are */
 };
 
 /* Loads the scene; the strings of the state are copied or outlive the picture, as do the watched
@@ -36,7 +40,7 @@ struct picture {
 struct watch;
 MUST_USE enum status picture_create(struct picture **picture, struct gpu *gpu,
                                     const struct app_picture *state, struct watch *watch,
-                                    bool quiet);
+                                    bool quiet, bool refines);
 void picture_destroy(struct picture *picture); /* may be NULL; waits for its frames */
 
 /* Frees all that it has on the device, and brings the scene onto another, opened in the same gpu.
@@ -61,6 +65,9 @@ MUST_USE enum status picture_change(struct picture **picture, const struct setti
  */
 MUST_USE enum status picture_open(struct picture **picture, const char *path, bool *remade);
 
+/* `settings` with the exposure of others, which needs no new samples. */
+struct settings picture_with_exposure(const struct settings *settings, const struct settings *of);
+
 /* Shows another rung on the right; NULL: none. On failure it stays as it was. */
 MUST_USE enum status picture_split(struct picture *picture, const struct technique *rung);
 
@@ -78,6 +85,15 @@ MUST_USE enum status picture_pose(struct picture *picture, float time);
 /* What of renderer.h the window needs, for one renderer or two. */
 MUST_USE enum status picture_draw(struct picture *picture, const struct renderer_shot *shot);
 MUST_USE enum status picture_wait(struct picture *picture);
+
+/* The same of what renderer.h has for renderers that refine; picture_draw() draws in `view`. */
+MUST_USE enum status picture_draw_part(struct picture *picture, const struct renderer_shot *shot,
+                                       VkExtent2D view);
+MUST_USE enum status picture_refine(struct picture *picture, const struct renderer_shot *shot,
+                                    uint32_t sample);
+MUST_USE enum status picture_resolve(struct picture *picture, uint32_t sample_count);
+
+double picture_passes(const struct picture *picture); /* of the last frame that ended, seconds */
 VkImage picture_left(const struct picture *picture);
 VkImage picture_right(const struct picture *picture); /* unless split, the same */
 

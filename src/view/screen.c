@@ -52,8 +52,8 @@ static uint32_t import_count(const struct screen *s)
     return s->font ? IMPORT_COUNT : IMPORT_FONT;
 }
 
-static enum status compile(struct screen *s, const struct screen_picture *picture,
-                           const struct rg_device *device)
+static enum status compile(const struct screen *s, const struct screen_picture *picture,
+                           const struct rg_device *device, struct rg_plan **plan)
 {
     const struct rg_technique *const parts[] = {
         &s->tables.technique,
@@ -74,7 +74,7 @@ static enum status compile(struct screen *s, const struct screen_picture *pictur
             .extent = { s->font ? s->font->extent.width : 0, s->font ? s->font->extent.height : 0 },
         },
     };
-    s->plan = rg_compile(&(struct rg_compile_params){
+    *plan = rg_compile(&(struct rg_compile_params){
         .techniques = parts,
         .technique_count = s->font ? 2 : 1,
         .view = extent,
@@ -84,11 +84,11 @@ static enum status compile(struct screen *s, const struct screen_picture *pictur
         .import_count = import_count(s),
         .device = device,
     });
-    if (!s->plan) {
+    if (!*plan) {
         log_error("out of memory while compiling the window's plan");
         return STATUS_TRY_AGAIN;
     }
-    return screen_report_faults(s->plan);
+    return screen_report_faults(*plan);
 }
 
 enum status screen_report_faults(const struct rg_plan *plan)
@@ -123,10 +123,10 @@ struct rg_exec_params screen_exec_params(const struct gpu *gpu, const struct rg_
     };
 }
 
-enum status screen_connect(struct screen *s, const struct screen_picture *picture)
+/* Makes an executor of the plan, or has the one that is there run it. */
+static enum status realise(struct screen *s, const struct screen_picture *picture,
+                           const struct rg_plan *plan)
 {
-    const struct rg_vulkan vulkan = frame_exec_vulkan(s->gpu);
-    const struct rg_device device = rg_exec_device(&vulkan);
     const struct rg_exec_import objects[IMPORT_COUNT] = {
         [IMPORT_PICTURE] = { .image = picture->left },
         [IMPORT_RIGHT] = { .image = picture->right },
@@ -137,21 +137,47 @@ enum status screen_connect(struct screen *s, const struct screen_picture *pictur
         [IMPORT_FONT] = { .image = s->font ? s->font->image : VK_NULL_HANDLE },
     };
     VkResult result;
-    screen_disconnect(s);
-    const enum status status = compile(s, picture, &device);
-    if (status != STATUS_OK)
-        return status;
-    struct rg_exec_params params = screen_exec_params(s->gpu, s->plan);
+    struct rg_exec_params params = screen_exec_params(s->gpu, plan);
     params.frames_in_flight = GPU_SWAPCHAIN_SLOT_COUNT;
     params.imports = objects;
     params.import_count = import_count(s);
     params.measured = true;
     params.replace_shader = s->replace;
     params.user = s->replace_user;
+    if (s->exec)
+        return gpu_status(rg_exec_update(s->exec, &params));
     s->exec = rg_exec_create(&params, &result);
     if (s->exec)
         rg_exec_measure(s->exec, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
     return gpu_status(result);
+}
+
+static bool shows(const struct screen *s, const struct screen_picture *picture)
+{
+    const struct screen_picture *now = &s->shown;
+    return s->exec && now->left == picture->left && now->right == picture->right &&
+           now->extent.width == picture->extent.width &&
+           now->extent.height == picture->extent.height;
+}
+
+enum status screen_connect(struct screen *s, const struct screen_picture *picture)
+{
+    const struct rg_vulkan vulkan = frame_exec_vulkan(s->gpu);
+    const struct rg_device device = rg_exec_device(&vulkan);
+    struct rg_plan *plan = NULL;
+    if (shows(s, picture))
+        return STATUS_OK;
+    enum status status = compile(s, picture, &device, &plan);
+    if (status == STATUS_OK)
+        status = realise(s, picture, plan);
+    if (status != STATUS_OK) {
+        rg_plan_destroy(plan);
+        return status;
+    }
+    rg_plan_destroy(s->plan);
+    s->plan = plan;
+    s->shown = *picture;
+    return STATUS_OK;
 }
 
 void screen_disconnect(struct screen *s)

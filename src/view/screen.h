@@ -19,6 +19,11 @@
 #include "src/view/overlay_list.h"
 #include "src/view/present.h"
 
+struct screen_picture {
+    VkImage left, right;
+    VkExtent2D extent;
+};
+
 struct screen {
     struct gpu *gpu;
     struct gpu_swapchain swapchain;
@@ -28,15 +33,11 @@ struct screen {
     struct present_tables tables;
     struct overlay_tables overlay;
     const struct gpu_image *font; /* of what lies over the picture; NULL: nothing */
+    struct screen_picture shown;  /* while it is connected */
     struct rg_plan *plan;
     struct rg_exec *exec; /* NULL: not connected */
     uint32_t slot, index; /* of the frame and image taken by screen_begin() */
     double waited; /* by the host in that frame: for its image, and to have it shown; seconds */
-};
-
-struct screen_picture {
-    VkImage left, right;
-    VkExtent2D extent;
 };
 
 /* Must not move afterwards. The surface is the caller's. */
@@ -53,7 +54,7 @@ MUST_USE enum status screen_fit(struct screen *screen, VkExtent2D size, bool *re
 void screen_lay_over(struct screen *screen, const struct gpu_image *font);
 
 /* Shows a picture, ready to be sampled, from now on; and where a line is drawn, another one of the
- * same size right of it (without one, the same). */
+ * same size right of it (without one, the same). Not between screen_begin() and screen_end(). */
 MUST_USE enum status screen_connect(struct screen *screen, const struct screen_picture *picture);
 
 /* Waits for its frames and forgets the picture. */

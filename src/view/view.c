@@ -88,8 +88,8 @@ static enum status load(void *user)
     struct view *v = user;
     if (v->picture)
         return picture_upload(v->picture);
-    return picture_create(&v->picture, &v->gpu, &v->options->picture, v->watch,
-                          v->options->run.quiet);
+    return picture_create(&v->picture, &v->gpu, &v->first, v->watch, v->options->run.quiet,
+                          !v->options->view.frame_count);
 }
 
 void view_show_ui(struct view *v, bool shown)
@@ -149,10 +149,11 @@ static bool wait_for_turn(struct view *v, VkExtent2D size)
         v->elapsed += v->now - before;
     const bool idle =
         v->paused && !v->changed && !counted && !ui_is_busy(v->ui) && !(v->resize_at > 0.0);
+    const double rest = view_refine_wait(v);
     if (size.width != 0 && !idle && v->now >= v->next)
         return true;
     if (size.width == 0 || idle) {
-        window_wait(&v->window, idle_seconds);
+        window_wait(&v->window, rest > 0.0 && rest < idle_seconds ? rest : idle_seconds);
         view_costs_pause(&v->costs);
     } else {
         window_wait(&v->window, v->next - v->now);
@@ -195,37 +196,42 @@ void view_lay_out(struct view *v, VkExtent2D size)
     v->window.view = v->layout.picture;
 }
 
-/* Window, swapchain, renderer and the plan between them fit each other, or *ready is false. */
+/* Window, swapchain and renderer fit each other, or *ready is false. */
 static enum status fit(struct view *v, VkExtent2D size, bool *ready)
 {
     bool remade;
-    const double start = clock_seconds();
     enum status status = screen_fit(&v->screen, size, &remade);
     *ready = status == STATUS_OK && !v->screen.swapchain.stale;
     if (!*ready)
         return status;
     view_lay_out(v, v->screen.swapchain.extent);
-    status = fit_picture(v, remade);
-    if (v->screen.exec || status != STATUS_OK)
-        return status;
+    return fit_picture(v, remade);
+}
+
+/* The plan between picture and window fits both. */
+static enum status connect(struct view *v)
+{
+    const double start = clock_seconds();
     const struct screen_picture shown = {
         .left = picture_left(v->picture),
         .right = picture_right(v->picture),
-        .extent = { v->picture->state.width, v->picture->state.height },
+        .extent = v->picture->view,
     };
-    status = screen_connect(&v->screen, &shown);
+    const enum status status = screen_connect(&v->screen, &shown);
     view_costs_rest(&v->costs, start);
     return status;
 }
 
-static struct renderer_shot shot_now(const struct view *v)
+float view_time(const struct view *v)
 {
     const struct motion_params *motion =
         settings_of(&v->picture->state.scene.settings, &motion_settings);
-    return (struct renderer_shot){
-        .camera = v->picture->camera,
-        .time = (float)((double)motion->time + v->elapsed),
-    };
+    return (float)((double)motion->time + v->elapsed);
+}
+
+static struct renderer_shot shot_now(const struct view *v)
+{
+    return (struct renderer_shot){ .camera = v->picture->camera, .time = view_time(v) };
 }
 
 /* Plays the animation of a model. One that cannot be read any more stops, as it is. */
@@ -255,24 +261,26 @@ static enum status draw_picture(struct view *v)
         return STATUS_OK;
     v->shown = shot.time;
     v->changed = false;
-    return picture_draw(v->picture, &shot);
+    return v->picture->refines ? view_refine_draw(v, &shot) : picture_draw(v->picture, &shot);
 }
 
 /* The picture, and what lies over it. */
 static enum status draw(struct view *v, bool *ready)
 {
     const struct overlay_list *list = NULL;
-    struct rg_exec *exec = v->screen.exec;
-    enum status status = screen_begin(&v->screen, ready);
+    const struct picture *p = v->picture;
+    enum status status = draw_picture(v);
+    if (status == STATUS_OK)
+        status = connect(v);
+    if (status == STATUS_OK)
+        status = screen_begin(&v->screen, ready);
+    v->changed = v->changed || !*ready; /* what was drawn is still to be shown */
     if (status != STATUS_OK || !*ready)
         return status;
-    status = draw_picture(v);
-    if (status == STATUS_OK && v->screen.font)
-        list = ui_take(v->ui, rg_exec_mapped(exec, &overlay_vertices, v->screen.slot),
-                       rg_exec_mapped(exec, &overlay_indices, v->screen.slot));
-    const struct app_picture *p = &v->picture->state;
-    v->place = present_fit(v->layout.picture, (VkExtent2D){ p->width, p->height },
-                           p->split ? v->picture->divider : -1.0);
+    if (v->screen.font)
+        list = ui_take(v->ui, rg_exec_mapped(v->screen.exec, &overlay_vertices, v->screen.slot),
+                       rg_exec_mapped(v->screen.exec, &overlay_indices, v->screen.slot));
+    v->place = present_fit(v->layout.picture, p->view, p->state.split ? p->divider : -1.0);
     v->place.surround = theme_at(v->theme)->surround;
     if (status == STATUS_OK)
         status = screen_end(&v->screen, &v->place, list);
@@ -291,6 +299,8 @@ static void count_frame(struct view *v)
     if (v->redrawn && p->right)
         times[count++] = renderer_times(p->right);
     view_costs_frame(c, times, count, v->screen.waited);
+    if (v->redrawn && p->refines && c->last.frame > 0.0)
+        moving_add(&v->refine.moving, c->last.frame - c->last.limit, picture_passes(p));
     if (c->frame_count == 1) {
         view_show_name(v);
         v->now = clock_seconds();
@@ -308,7 +318,14 @@ static enum status run_frame(struct view *v)
     window_poll(&v->window);
     view_handle(v);
     const VkExtent2D size = window_size(&v->window);
-    if (v->quit || !wait_for_turn(v, size))
+    if (v->quit)
+        return STATUS_OK;
+    if (size.width != 0 && !v->changed && !ui_is_busy(v->ui)) {
+        const enum status status = view_refine_step(v, &ready);
+        if (status != STATUS_OK || ready)
+            return status;
+    }
+    if (!wait_for_turn(v, size))
         return STATUS_OK;
     view_run_ui(v, size);
     pose(v);
@@ -414,6 +431,11 @@ enum status view_run(const struct app_options *options)
     }
     v->options = options;
     v->theme = options->view.theme;
+    v->first = options->picture;
+    if (!v->first.samples)
+        v->first.samples = options->view.frame_count ? 1 : VIEW_SAMPLE_COUNT;
+    v->refine.goal = v->first.samples;
+    v->paused = !options->view.frame_count && !(options->view.time_step > 0.0);
     enum status status = signals_begin(&v->stop);
     if (status == STATUS_OK)
         status = run(v);

@@ -22,6 +22,9 @@ static void drag(struct view *v, const struct window_input *input)
         view_zoom(v, (float)input->wheel);
     if (input->slid)
         view_slide(v, input->divider);
+    if (input->pressed || input->wheel != 0.0 || input->action_count)
+        v->refine.at_once = false;
+    v->refine.at_once = v->refine.at_once || input->released;
     v->dragged = v->dragged || input->turn_x != 0.0 || input->turn_y != 0.0;
     v->changed = v->changed || input->redraw || input->slid || input->turn_x != 0.0 ||
                  input->turn_y != 0.0 || input->pan_x != 0.0 || input->pan_y != 0.0 ||
@@ -77,6 +80,8 @@ void view_run_ui(struct view *v, VkExtent2D size)
         .now = v->now,
         .size = size,
         .paused = v->paused,
+        .sample_count = v->refine.shown,
+        .sample_goal = v->refine.goal,
         .is_new = !v->dragged,
         .layout = &v->layout,
         .history = &v->history,

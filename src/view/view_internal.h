@@ -8,6 +8,7 @@
 #include "src/view/screen.h"
 #include "src/view/ui/ui.h"
 #include "src/view/view_costs.h"
+#include "src/view/view_refine.h"
 #include "src/view/window.h"
 
 enum {
@@ -16,6 +17,7 @@ enum {
 
 struct view {
     const struct app_options *options;
+    struct app_picture first; /* as the options begin it */
     struct signals stop;
     struct window window;
     struct gpu_window_system system;
@@ -49,8 +51,10 @@ struct view {
     bool shoot_all;         /* the same with what lies over it */
     uint32_t shot_number;   /* of the screenshot written last */
     struct view_costs costs;
+    struct view_refine refine;
 };
 
+float view_time(const struct view *view);           /* of the scene, seconds */
 void view_say(struct view *view, const char *what); /* in the window's title */
 void view_show_name(struct view *view);
 void view_show_ui(struct view *view, bool shown);
@@ -87,6 +91,17 @@ void view_handle(struct view *view);
 
 /* Runs the panels, if there are any, and does what they are told. */
 void view_run_ui(struct view *view, VkExtent2D size);
+
+/* ---- view_refine.c: movement and rest ---- */
+
+/* Draws the picture as it is now if it is another one: small, and shows it. */
+MUST_USE enum status view_refine_draw(struct view *view, const struct renderer_shot *shot);
+
+/* Draws one sample more of a picture that is still. *drew: there was one to draw. */
+MUST_USE enum status view_refine_step(struct view *view, bool *drew);
+
+/* Seconds until samples may be drawn; below 0: there are none to draw. */
+double view_refine_wait(const struct view *view);
 
 /* ---- view_files.c: screenshots ---- */
 

@@ -107,6 +107,8 @@ static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
     };
     (void)modifiers;
     const bool kept = tell(w, &told);
+    w->input.pressed = w->input.pressed || told.down;
+    w->input.released = w->input.released || !told.down;
     if (button == GLFW_MOUSE_BUTTON_LEFT)
         w->slides = !kept && told.down && is_near_divider(w, w->cursor_x);
 }

@@ -25,7 +25,8 @@ struct window_input {
     double divider;
     enum view_action actions[WINDOW_ACTION_COUNT];
     uint32_t action_count;
-    bool redraw; /* what is shown may be gone */
+    bool redraw;            /* what is shown may be gone */
+    bool pressed, released; /* a button of the mouse */
 };
 
 enum window_event_kind {

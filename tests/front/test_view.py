@@ -14,7 +14,8 @@ from desktop import PATIENCE, Desktop, wait_until  # noqa: E402
 from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
 SIZE = '200x150'
-CHECKED = ('--validate', '--size', SIZE, '--set', 'motion.count=2', '--overlay', 'off')
+CHECKED = ('--validate', '--size', SIZE, '--set', 'motion.count=2', '--overlay', 'off',
+           '--samples', '1')
 FRAMES = 800
 MORE = 64  # KiB; 1 KiB a frame makes three times as much of a quarter of them
 PARITY = (
@@ -53,7 +54,7 @@ class WindowCase(Case):
             self.process = subprocess.Popen(words, env=environment(self.env()), cwd=self.folder,
                                             stdin=subprocess.DEVNULL, stdout=out, stderr=log)
         self.addCleanup(self.end)
-        return self.find(title or scene)
+        return self.find(title or f'{scene}, paused')
 
     def end(self):
         if self.process.poll() is None:
@@ -74,6 +75,24 @@ class WindowCase(Case):
 
     def printed(self):
         return (self.folder / 'stdout').read_text()
+
+    def turns(self):
+        """(how often it has waited for something, once at least in each turn of its loop; the
+        processor's time until then, hundredths of seconds)"""
+        self.assertIsNone(self.process.poll(), self.words())
+        folder = pathlib.Path(f'/proc/{self.process.pid}')
+        count = re.search(r'\nvoluntary_ctxt_switches:\s*(\d+)', (folder / 'status').read_text())
+        times = (folder / 'stat').read_text().rpartition(')')[2].split()[11:13]
+        return int(count[1]), sum(map(int, times))
+
+    def at_rest(self, window):
+        """What it shows when it draws no frames any more."""
+        def look():
+            turns, spent = self.turns()
+            wait_until('turns of its loop', lambda: self.turns()[0] >= turns + 6, self.words)
+            return self.turns()[1] <= spent + 1
+        wait_until('a window at rest', look, self.words)
+        return self.desktop.pixels(window)
 
     def press(self, window, key):
         self.desktop.do('windowfocus', '--sync', window, 'key', key)
@@ -114,9 +133,8 @@ class Hands(WindowCase):
 
     def test_mouse_and_keys_move_the_camera(self):
         window = self.start('ice-cube')
-        self.press_for(window, 'space', 'ice-cube, paused')
         first = self.shoot(window, 1)
-        shown = self.desktop.pixels(window)
+        shown = self.at_rest(window)
         self.assertEqual(png_size(first), (200, 150))
         self.assertEqual(shown, png_pixels(first))  # the window shows the screenshot's pixels
         moves = (
@@ -164,19 +182,13 @@ class Hands(WindowCase):
             self.assertEqual(png_size(self.shoot(window, number)), (width, height))
         self.close(window)
 
-    def pauses(self):
-        """How often it has waited for something: once at least in each turn of its loop."""
-        self.assertIsNone(self.process.poll(), self.words())
-        text = pathlib.Path(f'/proc/{self.process.pid}/status').read_text()
-        return int(re.search(r'\nvoluntary_ctxt_switches:\s*(\d+)', text)[1])
-
     def test_minimise_and_restore(self):
         window = self.start('sphere')
         self.desktop.do('windowminimize', '--sync', window)
         wait_until('an icon', lambda: 'Iconic' in self.desktop.ask('xprop', '-id', window,
                                                                    'WM_STATE'), self.words)
-        before = self.pauses()
-        wait_until('turns of its loop', lambda: self.pauses() > before + 5, self.words)
+        before = self.turns()[0]
+        wait_until('turns of its loop', lambda: self.turns()[0] > before + 5, self.words)
         self.desktop.do('windowmap', '--sync', window)
         self.assertEqual(png_size(self.shoot(window, 1)), (200, 150))
         self.close(window)
@@ -199,11 +211,11 @@ class Drop(WindowCase):
         broken.write_bytes(b'\0\1\2 no model')
         window = self.start('sphere', plain=())
         self.assertTrue(self.desktop.drop(window, model))
-        self.find(str(model))
+        self.find(f'{model}, paused')
         self.shoot(window, 1)
         self.assertTrue(self.desktop.drop(window, broken))
         wait_until('a line about it', lambda: 'broken.obj' in self.words())
-        self.find(str(model))
+        self.find(f'{model}, paused')
         self.shoot(window, 2)
         self.press_to_end(window, 'q')
         self.assertEqual(self.words().count('firn: note: '), 1, self.words())  # of the model
@@ -212,7 +224,6 @@ class Drop(WindowCase):
     def test_an_environment(self):
         self.render('around.exr', '--size', '64x32')
         window = self.start('sphere')
-        self.press_for(window, 'space', 'sphere, paused')
         before = self.desktop.pixels(window)
         self.assertTrue(self.desktop.drop(window, self.folder / 'around.exr'))
         wait_until('another picture', lambda: self.desktop.pixels(window) != before)

@@ -9,7 +9,9 @@ from desktop import PATIENCE, wait_until  # noqa: E402
 from test_view import CHECKED, WindowCase, png_pixels, png_size  # noqa: E402
 
 
-class Panels(WindowCase):
+class PanelsCase(WindowCase):
+    """Hands that know where controls are."""
+
     BESIDE = (100, 200)  # in the picture
 
     def env(self):
@@ -25,10 +27,8 @@ class Panels(WindowCase):
         return self.folder / 'clipboard'
 
     def start_with_panels(self, *arguments, scene='sphere', title=None, plain=CRACKED):
-        window = self.start(scene, '--size', '360x340', '--overlay', 'on', '--ui-dump', 'ui',
-                            *arguments, title=title, plain=plain)
-        self.press_for(window, 'space', f'{title or scene}, paused')
-        return window
+        return self.start(scene, '--size', '360x340', '--overlay', 'on', '--ui-dump', 'ui',
+                          *arguments, title=title, plain=plain)
 
     def control(self, label):
         """Left, top, width, height of what a hand can use, pixels; None: it does not show."""
@@ -85,6 +85,13 @@ class Panels(WindowCase):
         self.find_row(window, name)
         self.move(window, *[self.place(name, part) for part in parts])
 
+    def picture_of(self, pixels, width, left, top, columns, rows):
+        """A part of RGB bytes, row by row."""
+        return b''.join(pixels[3 * (y * width + left):3 * (y * width + left + columns)]
+                        for y in range(top, top + rows))
+
+
+class Panels(PanelsCase):
     def test_settings_change_by_mouse_and_the_command_draws_the_same(self):
         window = self.start_with_panels('--set', 'cracks.count=3')
         self.assertNotIn('exposure', self.command(window))
@@ -110,15 +117,6 @@ class Panels(WindowCase):
     def names(self, what):
         lines = self.succeed('list', what).stdout.decode().splitlines()
         return [line.split()[0] for line in lines if line.startswith('  ')]
-
-    def at_rest(self, window):
-        """When the window looks the same twice."""
-        seen = [None]
-
-        def twice():
-            seen.append(self.desktop.pixels(window))
-            return seen[-1] == seen[-2]
-        wait_until('a window at rest', twice, self.words)
 
     def choose(self, window, row, entry):
         """Opens a list, and clicks on an entry when the list is still."""
@@ -171,11 +169,6 @@ class Panels(WindowCase):
         hidden = self.desktop.pixels(window)
         self.press_until(window, 'h', 'panels', lambda: self.desktop.pixels(window) != hidden)
         self.close(window)
-
-    def picture_of(self, pixels, width, left, top, columns, rows):
-        """A part of RGB bytes, row by row."""
-        return b''.join(pixels[3 * (y * width + left):3 * (y * width + left + columns)]
-                        for y in range(top, top + rows))
 
     def test_nothing_covers_the_picture(self):
         """Its pixels beside the panels are those of its file; the window has room for them."""

@@ -58,8 +58,7 @@ class Split(WindowCase):
 
     def test_hands_move_the_divider(self):
         pictures = self.pictures('--set', 'motion.count=2', *PLAIN)
-        window = self.start('sphere', '--split', 'one-sided', '--time-step', 1e-15, title=TITLE)
-        self.press_for(window, 'space', f'{TITLE}, paused')
+        window = self.start('sphere', '--split', 'one-sided', title=f'{TITLE}, paused')
         self.settle(window, 100, pictures)
         self.settle(window, 50, pictures, lambda: self.desktop.do(
             'mousemove', '--window', window, 103, 20, 'mousedown', 1, 'mousemove',
@@ -77,8 +76,7 @@ class Split(WindowCase):
 
     def test_the_key(self):
         pictures = self.pictures('--set', 'motion.count=2', *PLAIN, right='trace')
-        window = self.start('sphere', '--time-step', 1e-15)
-        self.press_for(window, 'space', 'sphere, paused')
+        window = self.start('sphere')
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
         self.press_for(window, 's', r'sphere, paper \| trace, paused')
         self.settle(window, 100, pictures)

@@ -27,8 +27,17 @@ class WatchCase(WindowCase):
         shutil.copytree(SHADERS, self.shaders)
         self.window = self.start('sphere', f'--watch={self.shaders}', *STILL, *self.WORDS,
                                  plain=CRACKED)
-        self.press_for(self.window, 'space', 'sphere, paused')
-        self.first = self.desktop.pixels(self.window)
+        self.first = self.settled(self.window)
+
+    def settled(self, window):
+        """What it shows twice in turn; it looks at files all the time, so it is never idle."""
+        seen = [None]
+
+        def twice():
+            seen.append(self.desktop.pixels(window))
+            return seen[-1] == seen[-2]
+        wait_until('the same picture twice', twice, self.words)
+        return seen[-1]
 
     def save(self, name, before, after):
         """As some editors do it: another file takes its place."""

@@ -55,7 +55,8 @@ struct ui_view {
     const struct history *history;
     const struct layout *layout; /* of the window */
     bool paused;
-    bool is_new; /* nothing has been dragged yet */
+    uint32_t sample_count, sample_goal; /* of the picture that is shown; 0: while it moves */
+    bool is_new;                        /* nothing has been dragged yet */
 };
 
 /* What a hand wants. */

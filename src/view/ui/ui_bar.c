@@ -75,11 +75,15 @@ static void print_pace(const struct ui *ui, const struct ui_view *view, char *te
 {
     const struct app_picture *p = &view->picture->state;
     const double frame = ui->pace.frame;
-    if (frame > 0.0)
-        snprintf(text, size, "%u\xc3\x97%u  %.1f ms: %s", p->width, p->height, frame * 1e3,
+    const VkExtent2D drawn = view->picture->view;
+    if (view->sample_count)
+        snprintf(text, size, "%u\xc3\x97%u  %u/%u", p->width, p->height, view->sample_count,
+                 view->sample_goal);
+    else if (frame > 0.0)
+        snprintf(text, size, "%u\xc3\x97%u  %.1f ms: %s", drawn.width, drawn.height, frame * 1e3,
                  ui_pace_limit(&ui->pace));
     else
-        snprintf(text, size, "%u\xc3\x97%u", p->width, p->height);
+        snprintf(text, size, "%u\xc3\x97%u", drawn.width, drawn.height);
 }
 
 void ui_status(const struct ui *ui, const struct ui_view *view)

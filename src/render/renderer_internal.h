@@ -1,0 +1,54 @@
+/* renderer_internal.h: what the files of renderer.c share. */
+#ifndef FIRN_RENDER_RENDERER_INTERNAL_H
+#define FIRN_RENDER_RENDERER_INTERNAL_H
+
+#include "src/base/tile.h"
+#include "src/frame/cube.h"
+#include "src/render/frame_exec.h"
+#include "src/render/frame_objects.h"
+#include "src/render/renderer.h"
+#include "src/render/uploaded_scene.h"
+
+struct warm_up;
+
+struct renderer {
+    struct renderer_params params;      /* interleaved: width and height are those of a tile */
+    uint32_t width, height;             /* pixels of the picture, in the view that is set */
+    struct tiling tiling;               /* one tile if the tiles are interleaved */
+    struct tile tile;                   /* the tile of `tiling` that results have now */
+    struct uploaded_scene own;          /* {0} if params.uploaded is set */
+    const struct uploaded_scene *scene; /* `own` or params.uploaded */
+    struct uploaded_scene tree;         /* the scene's tree, if the rung meets it */
+    struct tree own_tree;               /* of a scene that has no place for one: */
+    struct scene own_scene;
+    struct rg_mesh *meshes;       /* of the techniques, in their order */
+    struct frame_exec capture;    /* draws the environment cube, if it is not dynamic */
+    struct frame_exec picture;    /* draws a sample */
+    struct frame_objects objects; /* of the picture's frames */
+    struct frame_exec resolve;    /* tonemaps the mean of many samples */
+    struct warm_up *warm_up;      /* compiles for the first picture; may be NULL */
+    bool captured;                /* `capture` has drawn the environment cube */
+    struct frame_cube cube;       /* the cube that the picture's frames draw */
+    struct renderer_costs costs;
+    uint32_t last_slot; /* slot of the picture's executor with the last sample */
+    struct image sums;  /* of the samples of renderer_refine() */
+};
+
+/* The objects behind a plan's imports, malloc'd; NULL: out of memory, which is not logged. */
+struct rg_exec_import *renderer_imports(const struct renderer *renderer,
+                                        const struct frame_plan *plan);
+
+/* Submits a frame of one of the renderer's executors. */
+MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_exec *frame_exec,
+                                  const struct renderer_shot *shot, uint32_t sample,
+                                  uint32_t *slot);
+
+/* Draws the environment cube once, before the first sample, if it is not dynamic. */
+MUST_USE enum status renderer_capture_cube(struct renderer *renderer,
+                                           const struct renderer_shot *shot);
+
+/* What a frame that has ended copied of an image; NULL: nothing. */
+const void *renderer_read_back(struct frame_exec *frame_exec, const struct rg_image *image,
+                               uint32_t slot);
+
+#endif

@@ -1,0 +1,134 @@
+/* view_refine.c: which picture is drawn next: a small one at once, or one more sample. */
+#include "src/view/view_refine.h"
+#include <cglm/struct.h>
+#include <string.h>
+#include "src/base/clock.h"
+#include "src/view/view_internal.h"
+
+static const double rest_seconds = 0.12; /* without a movement, until samples are drawn */
+static const double show_seconds = 0.25; /* between means, after the first few */
+
+enum {
+    FIRST_COUNT = 8, /* samples until then: 1, 2, 4 and 8 are shown */
+};
+
+static struct view_seen seen_now(const struct view *v, float time)
+{
+    const struct picture *p = v->picture;
+    return (struct view_seen){ p->version, p->camera, time, p->state.scene.settings };
+}
+
+static bool differ(float a, float b)
+{
+    return a < b || a > b;
+}
+
+static bool is_same_camera(const struct camera *a, const struct camera *b)
+{
+    return glms_vec3_eqv(a->eye, b->eye) && glms_vec3_eqv(a->target, b->target) &&
+           glms_vec3_eqv(a->up, b->up) && !differ(a->fov_deg, b->fov_deg) &&
+           !differ(a->height, b->height) && !differ(a->depth, b->depth);
+}
+
+static bool refines(const struct view *v)
+{
+    return v->picture && v->picture->refines && v->picture->renderer && !(v->resize_at > 0.0);
+}
+
+/* Whether all but the exposure is as it was. */
+static bool is_same(const struct view *v, const struct view_seen *now)
+{
+    const struct view_seen *seen = &v->refine.seen;
+    const struct settings settings = picture_with_exposure(&seen->settings, &now->settings);
+    return v->refine.has_seen && seen->version == now->version &&
+           is_same_camera(&seen->camera, &now->camera) && !differ(seen->time, now->time) &&
+           !memcmp(&settings, &now->settings, sizeof(settings));
+}
+
+static bool has_other_exposure(const struct view *v)
+{
+    return memcmp(&v->refine.seen.settings, &v->picture->state.scene.settings,
+                  sizeof(struct settings)) != 0;
+}
+
+static bool is_seen(const struct view *v)
+{
+    const struct view_seen now = seen_now(v, view_time(v));
+    return is_same(v, &now);
+}
+
+double view_refine_wait(const struct view *v)
+{
+    const struct view_refine *r = &v->refine;
+    if (!refines(v) || !r->has_seen || r->count >= r->goal)
+        return -1.0;
+    const double left = r->moved_at + rest_seconds - clock_seconds();
+    return r->count || r->at_once || left < 0.0 ? 0.0 : left;
+}
+
+static bool is_to_be_shown(const struct view_refine *r)
+{
+    if (r->count >= r->goal)
+        return true;
+    return r->count <= FIRST_COUNT ? !(r->count & (r->count - 1))
+                                   : clock_seconds() > r->shown_at + show_seconds;
+}
+
+static enum status resolve(struct view *v)
+{
+    struct view_refine *r = &v->refine;
+    /* no frame may read what is drawn over */
+    enum status status = screen_wait(&v->screen);
+    if (status == STATUS_OK)
+        status = picture_resolve(v->picture, r->count);
+    r->seen.settings = v->picture->state.scene.settings;
+    r->shown = r->count;
+    r->shown_at = clock_seconds();
+    v->changed = true; /* there is something to see */
+    return status;
+}
+
+enum status view_refine_step(struct view *v, bool *drew)
+{
+    struct view_refine *r = &v->refine;
+    const double wait = view_refine_wait(v);
+    *drew = wait >= 0.0 && !(wait > 0.0) && is_seen(v);
+    if (!*drew)
+        return STATUS_OK;
+    const double start = clock_seconds();
+    const struct renderer_shot shot = { .camera = r->seen.camera, .time = r->seen.time };
+    enum status status = r->count ? STATUS_OK : screen_wait(&v->screen);
+    if (status == STATUS_OK)
+        status = picture_refine(v->picture, &shot, r->count);
+    r->count++;
+    if (status == STATUS_OK && is_to_be_shown(r))
+        status = resolve(v);
+    moving_begin(&r->moving, picture_passes(v->picture));
+    view_costs_rest(&v->costs, start);
+    return status;
+}
+
+enum status view_refine_draw(struct view *v, const struct renderer_shot *shot)
+{
+    struct view_refine *r = &v->refine;
+    const struct picture *p = v->picture;
+    const struct view_seen now = seen_now(v, shot->time);
+    v->redrawn = false;
+    if (is_same(v, &now))
+        return r->count && has_other_exposure(v) ? resolve(v) : STATUS_OK;
+    if (!r->moving.k)
+        moving_begin(&r->moving, 0.0);
+    const bool first = !r->has_seen;
+    const uint32_t k = first ? MOVING_MOST : r->moving.k;
+    const VkExtent2D view = { moving_part(p->state.width, k), moving_part(p->state.height, k) };
+    const bool other = view.width != p->view.width || view.height != p->view.height;
+    enum status status = other ? screen_wait(&v->screen) : STATUS_OK;
+    if (status == STATUS_OK)
+        status = picture_draw_part(v->picture, shot, view);
+    r->seen = now;
+    r->has_seen = true;
+    r->count = r->shown = 0;
+    r->moved_at = first ? 0.0 : clock_seconds();
+    v->redrawn = true;
+    return status;
+}

@@ -1,0 +1,60 @@
+"""test_view_still.py: the window's picture gets better while nothing moves. Usage: see case.py."""
+import shlex
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import main  # noqa: E402
+from desktop import wait_until  # noqa: E402
+from test_view import png_pixels  # noqa: E402
+from test_view_panels import PanelsCase  # noqa: E402
+
+
+class Still(PanelsCase):
+    BAR = 36
+
+    def picture(self, window, size):
+        """What the window shows of it, unless the window has another size."""
+        pixels = self.desktop.pixels(window)
+        width = len(pixels) // 3 // self.height
+        return self.picture_of(pixels, width, 0, self.BAR, *size)
+
+    def expect(self, window, *words, size=(360, 340)):
+        """The pixels of the command that the window copies, which has these words."""
+        command = self.wait_for_command(window, f'--size {size[0]}x{size[1]} --samples 3', *words)
+        self.succeed(*shlex.split(command)[1:])
+        want = png_pixels(self.folder / 'firn.png')
+        self.desktop.do('mousemove', '--window', window, *self.BESIDE)  # no tip over the picture
+        wait_until('the pixels of firn render', lambda: self.picture(window, size) == want,
+                   self.words)
+        return want
+
+    def test_samples_are_those_of_render(self):
+        """At first, and whatever happened in between; then nothing is drawn any more."""
+        self.height = 340 + 36 + 26
+        window = self.start_with_panels('--samples', 3, scene='ice-cube')
+        first = self.expect(window)
+        self.desktop.do('mousemove', '--window', window, *self.place('refract.ior'))
+        self.desktop.do('mousemove', '--window', window, *self.BESIDE)
+        self.assertEqual(self.picture_of(self.at_rest(window), 610, 0, 36, 360, 340), first)
+        self.move(window, self.BESIDE, (130, 210), (160, 230))
+        turned = self.expect(window, '--eye')
+        self.assertNotEqual(turned, first)
+        self.wait_for_command(window, 'tonemap.exposure=', act=lambda: self.drag_row(
+            window, 'tonemap.exposure', 0.5, 0.55, 0.6))
+        brighter = self.expect(window, 'tonemap.exposure=')
+        self.assertNotEqual(turned, brighter)
+        self.wait_for_command(window, without='exposure', act=lambda: self.press(window, 'ctrl+z'))
+        self.assertEqual(self.expect(window), turned)
+        self.wait_for_command(window, 'exposure=', act=lambda: self.press(window, 'ctrl+y'))
+        self.assertEqual(self.expect(window), brighter)
+        self.press_for(window, 's', r'ice-cube, .* \| .*, paused')
+        self.press_for(window, 's', 'ice-cube, paused')
+        self.assertEqual(self.expect(window), brighter)
+        self.height = 300
+        self.desktop.do('windowsize', '--sync', window, 640, self.height)
+        self.expect(window, size=(390, 300 - 36 - 26))
+        self.close(window)
+
+
+if __name__ == '__main__':
+    main()

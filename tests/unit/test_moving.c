@@ -1,0 +1,85 @@
+/* test_moving.c: the size of a moving picture follows what frames cost. */
+#include "src/view/moving.h"
+#include "tests/support/check.h"
+
+/* Frames of a picture that takes `passes` seconds in full size, and `rest` for all else. */
+static void run(struct moving *m, double passes, double rest, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const double taken = passes * m->k * m->k / (MOVING_MOST * MOVING_MOST);
+        moving_add(m, taken + rest, taken);
+    }
+}
+
+static void begins_where_it_should_be(void **state)
+{
+    struct moving m;
+    (void)state;
+    moving_begin(&m, 0.0);
+    assert_int_equal(m.k, MOVING_MOST);
+    moving_begin(&m, 0.01);
+    assert_int_equal(m.k, MOVING_MOST);
+    moving_begin(&m, 0.04);
+    assert_in_range(m.k, 10, 13);
+    moving_begin(&m, 5.0);
+    assert_int_equal(m.k, MOVING_LEAST);
+}
+
+static void late_frames_are_smaller_at_once(void **state)
+{
+    struct moving m;
+    (void)state;
+    moving_begin(&m, 0.0);
+    run(&m, 0.04, 0.004, 1); /* 44 ms once is no reason */
+    assert_int_equal(m.k, MOVING_MOST);
+    run(&m, 0.04, 0.004, 1);
+    assert_int_equal(m.k, 12); /* 26.5 ms */
+    moving_begin(&m, 0.0);
+    run(&m, 0.2, 0.004, 1);
+    assert_int_equal(m.k, MOVING_LEAST);
+}
+
+/* One step a time, and not at all where it would be late again. */
+static void early_frames_are_larger_after_a_while(void **state)
+{
+    struct moving m;
+    (void)state;
+    moving_begin(&m, 5.0);
+    run(&m, 0.01, 0.004, 4);
+    assert_int_equal(m.k, MOVING_LEAST);
+    run(&m, 0.01, 0.004, 400);
+    assert_int_equal(m.k, MOVING_MOST);
+    moving_begin(&m, 5.0);
+    run(&m, 0.04, 0.004, 400);
+    const uint32_t k = m.k;
+    assert_in_range(k, 10, 12);
+    for (uint32_t i = 0; i < 100; i++) {
+        run(&m, 0.04, 0.004, 1);
+        assert_int_equal(m.k, k); /* it does not swing */
+    }
+}
+
+static void parts_are_even_and_never_empty(void **state)
+{
+    (void)state;
+    for (uint32_t length = 1; length < 300; length++) {
+        assert_int_equal(moving_part(length, MOVING_MOST), length);
+        for (uint32_t k = MOVING_LEAST; k < MOVING_MOST; k++) {
+            const uint32_t part = moving_part(length, k);
+            assert_in_range(part, 1, length);
+            assert_true(part == length || part % 2 == 0);
+            assert_true(2 * (part + 2) >= length);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(begins_where_it_should_be),
+        cmocka_unit_test(late_frames_are_smaller_at_once),
+        cmocka_unit_test(early_frames_are_larger_after_a_while),
+        cmocka_unit_test(parts_are_even_and_never_empty),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
