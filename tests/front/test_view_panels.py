@@ -134,7 +134,7 @@ class Panels(PanelsCase):
         def is_so():  # while a list is open, nothing else can be used, headings neither
             return self.control(group) and bool(self.control(row)) == shown
         wait_until(f'{group}, {row}', is_so, self.words,
-                   act=lambda: is_so() or self.click(window, group), again=5)
+                   act=lambda: is_so() or self.click(window, group))
 
     def test_lists_choose_rungs_and_materials(self):
         first, second, *_ = self.names('rungs')

@@ -42,6 +42,9 @@ static void test_drag(void **state)
     move(&input, 9.0);
     assert_int_equal(input.event_count, 5); /* the two first moves are one */
     ui_input_step(&input);
+    assert_false(input.now.buttons[0]); /* first the cursor is there */
+    assert_float_equal(input.now.x, 2.0f, 0.0f);
+    ui_input_step(&input);
     assert_true(input.now.buttons[0]);
     assert_float_equal(input.now.x, 2.0f, 0.0f);
     assert_float_equal(input.now.y, 4.0f, 0.0f);

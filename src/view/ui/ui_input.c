@@ -44,7 +44,7 @@ static enum imgui_key find_key(const struct imgui_input *now, const struct windo
 
 /* What a frame has seen change. */
 struct seen {
-    bool button, key, character;
+    bool moved, button, key, character;
     bool buttons[IMGUI_BUTTON_COUNT];
     bool keys[IMGUI_KEY_COUNT];
 };
@@ -67,6 +67,7 @@ static void apply(struct imgui_input *now, const struct window_event *event, str
     case WINDOW_CURSOR:
         now->x = (float)event->x;
         now->y = (float)event->y;
+        seen->moved = true;
         break;
     case WINDOW_BUTTON:
         if (event->code < IMGUI_BUTTON_COUNT) {
@@ -98,7 +99,8 @@ static bool is_for_later(const struct imgui_input *now, const struct window_even
     case WINDOW_WHEEL:
         return seen->button;
     case WINDOW_BUTTON:
-        return event->code < IMGUI_BUTTON_COUNT && seen->buttons[event->code];
+        return event->code < IMGUI_BUTTON_COUNT &&
+               (seen->buttons[event->code] || (event->down && seen->moved));
     case WINDOW_KEY:
         return key != IMGUI_KEY_COUNT && (seen->character || seen->keys[key]);
     case WINDOW_CHARACTER:

@@ -3,7 +3,9 @@
  *
  * Panels look at how hands stand once a frame, so a click between two frames would be lost, and a
  * drag would begin where it ended. What happened in a frame is therefore spread over as many as it
- * takes: none sees a button move twice, or the cursor move after a button.
+ * takes: none sees a button move twice, the cursor move after a button, or a button go down where
+ * the cursor has just come: there a heading that a button may lie on still belongs to what was
+ * below the cursor before.
  */
 #ifndef FIRN_VIEW_UI_UI_INPUT_H
 #define FIRN_VIEW_UI_UI_INPUT_H
