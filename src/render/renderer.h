@@ -89,6 +89,8 @@ MUST_USE enum status renderer_refine(struct renderer *renderer, const struct ren
                                      uint32_t sample);
 MUST_USE enum status renderer_resolve(struct renderer *renderer, uint32_t sample_count);
 VkImage renderer_mean(const struct renderer *renderer);
+const struct image *renderer_sums(const struct renderer *renderer); /* added up; {0}: none yet */
+uint32_t renderer_sum_count(const struct renderer *renderer);       /* samples in them */
 
 /* Waits for the frame submitted last. */
 MUST_USE enum status renderer_wait(struct renderer *renderer);

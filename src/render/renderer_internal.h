@@ -31,6 +31,7 @@ struct renderer {
     struct frame_cube cube;       /* the cube that the picture's frames draw */
     struct renderer_costs costs;
     uint32_t last_slot; /* slot of the picture's executor with the last sample */
+    uint32_t sum_count; /* samples in: */
     struct image sums;  /* of the samples of renderer_refine() */
 };
 

@@ -50,6 +50,7 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
         accumulate_sample(&r->sums, &frame_beauty,
                           renderer_read_back(&r->picture, frame_beauty.image, r->last_slot),
                           sample);
+    r->sum_count = sample + 1;
     return status;
 }
 
@@ -74,6 +75,16 @@ enum status renderer_resolve(struct renderer *r, uint32_t sample_count)
         return status;
     write_mean(&r->sums, sample_count, rg_exec_mapped(r->resolve.exec, &frame_samples, slot));
     return gpu_status(rg_exec_submit(r->resolve.exec, &frame));
+}
+
+const struct image *renderer_sums(const struct renderer *r)
+{
+    return &r->sums;
+}
+
+uint32_t renderer_sum_count(const struct renderer *r)
+{
+    return r->sum_count;
 }
 
 VkImage renderer_mean(const struct renderer *r)

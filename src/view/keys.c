@@ -214,6 +214,26 @@ static const struct {
         .help = "show the compiled plan of the frame, or the settings",
         .button = "Plan",
     },
+    [VIEW_LOOK] = {
+        .characters = "iI",
+        .name = "I",
+        .label = "layers and values",
+        .help = "show the layers, a histogram and the values below the cursor, or the settings",
+        .button = "Look",
+    },
+    [VIEW_NEXT_LAYER] = {
+        .characters = "l",
+        .name = "L, Shift+L",
+        .label = "show the next layer, or previous",
+        .help = "show the next layer of the picture; after the last one the picture",
+    },
+    [VIEW_LAST_LAYER] = { .characters = "L", .label = "show the previous layer" },
+    [VIEW_FALSE_COLORS] = {
+        .characters = "zZ",
+        .name = "Z",
+        .label = "false colours",
+        .help = "show the picture or layer in false colours, or as it is",
+    },
     [VIEW_FULLSCREEN] = {
         .keys = { GLFW_KEY_F11 },
         .characters = "fF",

@@ -219,12 +219,21 @@ double picture_passes(const struct picture *p)
 
 VkImage picture_left(const struct picture *p)
 {
+    if (p->instead)
+        return p->instead;
     return p->shows_mean ? renderer_mean(p->renderer) : renderer_picture(p->renderer);
+}
+
+VkExtent2D picture_extent(const struct picture *p)
+{
+    return p->instead ? (VkExtent2D){ p->state.width, p->state.height } : p->view;
 }
 
 VkImage picture_right(const struct picture *p)
 {
     const struct renderer *r = p->right ? p->right : p->renderer;
+    if (p->instead)
+        return p->instead;
     return p->shows_mean ? renderer_mean(r) : renderer_picture(r);
 }
 

@@ -30,6 +30,7 @@ struct picture {
     struct renderer *right;     /* of state.split; NULL without */
     double divider;             /* between them: of the width, from the left */
     bool refines;               /* renderers can do what picture_refine() needs */
+    VkImage instead;            /* of the whole size, shown in place of all; NULL: nothing */
     bool shows_mean;            /* picture_left() and picture_right() are means of samples */
     VkExtent2D view;            /* of what they show, pixels */
     uint64_t version;           /* another one whenever the renderers are */
@@ -94,6 +95,7 @@ MUST_USE enum status picture_refine(struct picture *picture, const struct render
 MUST_USE enum status picture_resolve(struct picture *picture, uint32_t sample_count);
 
 double picture_passes(const struct picture *picture); /* of the last frame that ended, seconds */
+VkExtent2D picture_extent(const struct picture *picture); /* of both, pixels */
 VkImage picture_left(const struct picture *picture);
 VkImage picture_right(const struct picture *picture); /* unless split, the same */
 

@@ -117,6 +117,8 @@ static void leave_device(struct view *v)
 {
     v->window.listen = NULL;
     screen_finish(&v->screen);
+    if (v->gpu.device)
+        look_finish(&v->look, &v->gpu);
     ui_destroy(v->ui);
     picture_leave_device(v->picture);
     if (v->surface)
@@ -215,7 +217,7 @@ static enum status connect(struct view *v)
     const struct screen_picture shown = {
         .left = picture_left(v->picture),
         .right = picture_right(v->picture),
-        .extent = v->picture->view,
+        .extent = picture_extent(v->picture),
     };
     const enum status status = screen_connect(&v->screen, &shown);
     view_costs_rest(&v->costs, start);
@@ -270,8 +272,10 @@ static enum status draw(struct view *v, bool *ready)
     const struct overlay_list *list = NULL;
     const struct picture *p = v->picture;
     enum status status = draw_picture(v);
-    if (status == STATUS_OK)
+    if (status == STATUS_OK) {
+        view_look(v);
         status = connect(v);
+    }
     if (status == STATUS_OK)
         status = screen_begin(&v->screen, ready);
     v->changed = v->changed || !*ready; /* what was drawn is still to be shown */
@@ -280,7 +284,8 @@ static enum status draw(struct view *v, bool *ready)
     if (v->screen.font)
         list = ui_take(v->ui, rg_exec_mapped(v->screen.exec, &overlay_vertices, v->screen.slot),
                        rg_exec_mapped(v->screen.exec, &overlay_indices, v->screen.slot));
-    v->place = present_fit(v->layout.picture, p->view, p->state.split ? p->divider : -1.0);
+    v->place =
+        present_fit(v->layout.picture, picture_extent(p), p->state.split ? p->divider : -1.0);
     v->place.surround = theme_at(v->theme)->surround;
     if (status == STATUS_OK)
         status = screen_end(&v->screen, &v->place, list);

@@ -178,7 +178,7 @@ static bool change_window(struct view *v, enum view_action action)
     else if (action == VIEW_HIDE)
         view_show_ui(v, !ui_is_shown(v->ui));
     else if (action == VIEW_HELP || action == VIEW_TIMES || action == VIEW_PLAN ||
-             action == VIEW_PALETTE)
+             action == VIEW_PALETTE || action == VIEW_LOOK)
         open_panel(v, action);
     else if (action == VIEW_LARGER || action == VIEW_SMALLER)
         resize_ui(v, v->ui_scale + (action == VIEW_LARGER ? ui_scale_step : -ui_scale_step));
@@ -201,6 +201,20 @@ static void open_next(struct view *v, int step)
     else
         ui_say(v->ui, "there is no other model in this folder");
     free(path);
+}
+
+static void step_layer(struct view *v, int step)
+{
+    char words[256];
+    uint32_t count = 1;
+    while (look_layer(count))
+        count++;
+    v->look_wanted.layer = (v->look_wanted.layer + count + (uint32_t)step) % count;
+    v->look_wanted.channel = 0;
+    const struct frame_layer *layer = look_layer(v->look_wanted.layer);
+    snprintf(words, sizeof(words), "%s: %s", layer ? layer->name : "picture",
+             layer ? layer->help : "as it is");
+    ui_say(v->ui, words);
 }
 
 static void change_picture(struct view *v, enum view_action action)
@@ -226,6 +240,10 @@ static void change_picture(struct view *v, enum view_action action)
         view_undo(v, action == VIEW_REDO);
     } else if (action == VIEW_NEXT_FILE || action == VIEW_LAST_FILE) {
         open_next(v, action == VIEW_NEXT_FILE ? 1 : -1);
+    } else if (action == VIEW_NEXT_LAYER || action == VIEW_LAST_LAYER) {
+        step_layer(v, action == VIEW_NEXT_LAYER ? 1 : -1);
+    } else if (action == VIEW_FALSE_COLORS) {
+        v->look_wanted.false_color = !v->look_wanted.false_color;
     } else if (action == VIEW_SAVE_PRESET) {
         view_save_preset(v);
     }

@@ -85,11 +85,17 @@ void view_run_ui(struct view *v, VkExtent2D size)
         .is_new = !v->dragged,
         .layout = &v->layout,
         .history = &v->history,
+        .look = &v->look,
+        .look_wanted = v->look_wanted,
+        .place = &v->place,
     };
     v->costs.last = (struct ui_pace){ 0 };
+    v->look.is_open = false;
     if (!ui_is_shown(v->ui))
         return;
     ui_frame(v->ui, &view, &wish);
+    v->look_wanted = wish.look;
+    v->look.is_open = wish.looks;
     const struct view_state wanted = { wish.settings, wish.rung, wish.split };
     if (wish.changed || wish.split != v->picture->state.split)
         view_change(v, &wanted, wish.gesture);

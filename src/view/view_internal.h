@@ -4,6 +4,7 @@
 
 #include "src/app/signals.h"
 #include "src/view/history.h"
+#include "src/view/look.h"
 #include "src/view/picture.h"
 #include "src/view/screen.h"
 #include "src/view/ui/ui.h"
@@ -52,6 +53,9 @@ struct view {
     uint32_t shot_number;   /* of the screenshot written last */
     struct view_costs costs;
     struct view_refine refine;
+    struct look look;
+    struct look_choice look_wanted; /* by hands */
+    struct view_seen look_seen;     /* by look.layers */
 };
 
 float view_time(const struct view *view);           /* of the scene, seconds */
@@ -102,6 +106,14 @@ MUST_USE enum status view_refine_step(struct view *view, bool *drew);
 
 /* Seconds until samples may be drawn; below 0: there are none to draw. */
 double view_refine_wait(const struct view *view);
+
+/* Whether both see the same, but for the exposure. */
+bool view_refine_is_same(const struct view_seen *a, const struct view_seen *b);
+
+/* ---- view_look.c: layers and values ---- */
+
+/* Draws and shows what hands look at, once the picture is still. Failures are said. */
+void view_look(struct view *view);
 
 /* ---- view_files.c: screenshots ---- */
 

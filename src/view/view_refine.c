@@ -35,14 +35,17 @@ static bool refines(const struct view *v)
     return v->picture && v->picture->refines && v->picture->renderer && !(v->resize_at > 0.0);
 }
 
+bool view_refine_is_same(const struct view_seen *a, const struct view_seen *b)
+{
+    const struct settings settings = picture_with_exposure(&a->settings, &b->settings);
+    return a->version == b->version && is_same_camera(&a->camera, &b->camera) &&
+           !differ(a->time, b->time) && !memcmp(&settings, &b->settings, sizeof(settings));
+}
+
 /* Whether all but the exposure is as it was. */
 static bool is_same(const struct view *v, const struct view_seen *now)
 {
-    const struct view_seen *seen = &v->refine.seen;
-    const struct settings settings = picture_with_exposure(&seen->settings, &now->settings);
-    return v->refine.has_seen && seen->version == now->version &&
-           is_same_camera(&seen->camera, &now->camera) && !differ(seen->time, now->time) &&
-           !memcmp(&settings, &now->settings, sizeof(settings));
+    return v->refine.has_seen && view_refine_is_same(&v->refine.seen, now);
 }
 
 static bool has_other_exposure(const struct view *v)
@@ -83,6 +86,7 @@ static enum status resolve(struct view *v)
         status = picture_resolve(v->picture, r->count);
     r->seen.settings = v->picture->state.scene.settings;
     r->shown = r->count;
+    v->look.sample_count = 0; /* what it shows is old */
     r->shown_at = clock_seconds();
     v->changed = true; /* there is something to see */
     return status;

@@ -5,6 +5,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import main  # noqa: E402
 from desktop import wait_until  # noqa: E402
+from exr_file import Exr  # noqa: E402
 from test_view import png_pixels  # noqa: E402
 from test_view_panels import PanelsCase  # noqa: E402
 
@@ -27,6 +28,55 @@ class Still(PanelsCase):
         wait_until('the pixels of firn render', lambda: self.picture(window, size) == want,
                    self.words)
         return want
+
+    def labels(self):
+        lines = (self.folder / 'ui').read_text().splitlines()
+        return [line.split(' ', 4)[4] for line in lines]
+
+    def value(self, name):
+        """Numbers and words that the panel of values has after a name."""
+        found = [line.split()[1:] for line in self.labels() if line.split()[:1] == [name]]
+        return found[0] if found else []
+
+    def test_layers_and_values(self):
+        self.height = 340 + 36 + 26
+        window = self.start_with_panels('--samples', 3)
+        words = shlex.split(self.wait_for_command(window, '--samples 3'))[1:-2]
+        self.succeed(*words, '-o', 'a.exr', '--aov', 'Z,N,P,object', '-o', 'a.png')
+        self.succeed(*words, '-o', 'z.png', '--show', 'Z')
+        x, y = 150, 160
+        self.press_until(window, 'i', 'the panel of values', lambda: self.control('layer'))
+
+        def over(at, *name):
+            wait_until(f'values of {at}', lambda: self.value('pixel') == [str(at[0]), str(at[1])]
+                       and (not name or self.value(*name)), self.words, again=5,
+                       act=lambda: self.desktop.do('mousemove', '--window', window, at[0],
+                                                   at[1] + self.BAR))
+        over((x, y), 'position')
+        names = [*'RGBZ', *(f'{layer}.{axis}' for layer in 'NP' for axis in 'XYZ')]
+        planes = Exr((self.folder / 'a.exr').read_bytes()).read_planes(names)
+        at = y * 360 + x
+        for name, channels in (('colour', 'RGB'), ('position', ('P.X', 'P.Y', 'P.Z')),
+                               ('normal', ('N.X', 'N.Y', 'N.Z')), ('distance', 'Z')):
+            for word, channel in zip(self.value(name), channels):
+                self.assertAlmostEqual(float(word), planes[channel][at],
+                                       delta=2e-3 * max(1, abs(planes[channel][at])))
+        self.assertEqual(self.value('object')[:1], ['1'])
+        self.assertEqual(self.value('material'), ['ice'])
+        pixels = png_pixels(self.folder / 'a.png')
+        self.assertEqual(list(map(int, self.value('shown'))), list(pixels[at * 3:at * 3 + 3]))
+        over((3, 3))
+        self.assertIn('no surface', self.labels())
+        for key, want in (('l', 'z.png'), ('L', 'a.png')):
+            want = png_pixels(self.folder / want)
+            wait_until(f'what {key} shows', lambda want=want:
+                       self.picture(window, (360, 340)) == want, self.words,
+                       act=lambda key=key: self.press(window, key))
+        self.press_until(window, 'z', 'false colours',
+                         lambda: self.picture(window, (360, 340)) != pixels)
+        wait_until('the picture', lambda: self.picture(window, (360, 340)) == pixels, self.words,
+                   act=lambda: self.click(window, 'as it is'))
+        self.close(window)
 
     def test_samples_are_those_of_render(self):
         """At first, and whatever happened in between; then nothing is drawn any more."""

@@ -184,6 +184,12 @@ void imgui_text_dim(const char *text)
     ImGui::PopStyleColor();
 }
 
+void imgui_value(const char *text)
+{
+    ImGui::TextUnformatted(text);
+    note(text);
+}
+
 void imgui_text_in(const char *text, uint32_t rgb)
 {
     ImGui::PushStyleColor(ImGuiCol_Text, imgui_state_color(rgb));

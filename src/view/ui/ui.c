@@ -117,6 +117,17 @@ void ui_fail(struct ui *ui, const char *words)
     ui->failed = true;
 }
 
+void ui_wake(struct ui *ui)
+{
+    ui->settle = SETTLE_COUNT;
+}
+
+void ui_close_look(struct ui *ui)
+{
+    ui->tab = ui->tab == UI_LOOK ? UI_SETTINGS : ui->tab;
+    ui_wake(ui);
+}
+
 void ui_complain(struct ui *ui, const char *words)
 {
     if (strncmp(ui->fault, words, sizeof(ui->fault) - 1) == 0)
@@ -127,7 +138,9 @@ void ui_complain(struct ui *ui, const char *words)
 
 bool ui_toggle(struct ui *ui, enum view_action action)
 {
-    const enum ui_tab tab = action == VIEW_TIMES ? UI_TIMES : UI_PLAN;
+    const enum ui_tab tab = action == VIEW_TIMES  ? UI_TIMES
+                            : action == VIEW_LOOK ? UI_LOOK
+                                                  : UI_PLAN;
     if (action == VIEW_HELP) {
         ui->keys_open = !ui->keys_open || !ui->shown;
     } else if (action == VIEW_PALETTE) {
@@ -314,6 +327,7 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
         .settings = frame_settings(&view->picture->state.scene.settings, &view->picture->scene),
         .rung = view->picture->state.rung,
         .split = view->picture->state.split,
+        .look = view->look_wanted,
     };
     take_input(ui);
     ui->settle -= ui->settle ? 1 : 0;
@@ -325,6 +339,7 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     imgui_begin(ui->imgui, input);
     ui_panels(ui, view, wish);
     imgui_end(ui->imgui);
+    wish->looks = ui->tab == UI_LOOK;
     wish->gesture = imgui_gesture(ui->imgui);
     write_dump(ui);
 }

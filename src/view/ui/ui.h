@@ -9,6 +9,7 @@
 
 #include "src/view/history.h"
 #include "src/view/layout.h"
+#include "src/view/look.h"
 #include "src/view/overlay_list.h"
 #include "src/view/picture.h"
 #include "src/view/screen.h"
@@ -54,6 +55,9 @@ struct ui_view {
     VkExtent2D size;     /* of the window, pixels */
     const struct history *history;
     const struct layout *layout; /* of the window */
+    const struct look *look;
+    struct look_choice look_wanted;
+    const struct present_push *place; /* of the picture in the window */
     bool paused;
     uint32_t sample_count, sample_goal; /* of the picture that is shown; 0: while it moves */
     bool is_new;                        /* nothing has been dragged yet */
@@ -67,11 +71,18 @@ struct ui_wish {
     struct settings settings;
     const struct technique *rung;
     uint32_t gesture; /* the same for all changes by one movement of a hand; see imgui.h */
+    struct look_choice look;
+    bool looks;                    /* the panel of values is open */
     const struct technique *split; /* whatever is changed: on the right; NULL: not split */
 };
 
 /* Shows or hides what an action names: times, plan, keys. Returns whether it is shown. */
 bool ui_toggle(struct ui *ui, enum view_action action);
+
+/* A frame is due, though no hand has done anything. */
+void ui_wake(struct ui *ui);
+
+void ui_close_look(struct ui *ui);
 
 /* Words that stand in the panel until others do; cut where they are too long. */
 void ui_say(struct ui *ui, const char *words);

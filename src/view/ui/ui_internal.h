@@ -11,6 +11,7 @@ enum ui_tab {
     UI_SETTINGS,
     UI_TIMES,
     UI_PLAN,
+    UI_LOOK,
 };
 
 struct ui {
@@ -38,6 +39,8 @@ struct ui {
     uint32_t held;                  /* frames that events still wait for the line of the search */
     uint32_t settle;                /* frames still to be drawn */
     float x, y;                     /* of the cursor */
+    uint32_t look_x, look_y;        /* the pixel it was over last */
+    bool has_looked;                /* it was over one */
     unsigned buttons;               /* that are down: bit b for button b */
     bool grabbed;                   /* they went down on a panel */
     bool is_full;                   /* has been said */

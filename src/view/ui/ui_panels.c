@@ -4,6 +4,7 @@
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
 #include "src/view/ui/ui_internal.h"
+#include "src/view/ui/ui_look.h"
 #include "src/view/ui/ui_plan.h"
 #include "src/view/ui/ui_settings.h"
 
@@ -162,9 +163,10 @@ static void tabs(struct ui *ui)
         [UI_SETTINGS] = { "Settings", "what is drawn, and how" },
         [UI_TIMES] = { "Passes", "time of each pass (T)" },
         [UI_PLAN] = { "Plan", "compiled plan of the frame (G)" },
+        [UI_LOOK] = { "Look", "layers, histogram, values below the cursor (I)" },
     };
 
-    for (enum ui_tab t = UI_SETTINGS; t <= UI_PLAN; t++) {
+    for (enum ui_tab t = UI_SETTINGS; t <= UI_LOOK; t++) {
         if (t != UI_SETTINGS)
             imgui_same_line(0.0f);
         if (imgui_choice(rows[t].label, ui->tab == t))
@@ -184,6 +186,8 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_wish
         settings_tab(ui, wish);
     else if (ui->tab == UI_TIMES)
         times_tab(ui, view);
+    else if (ui->tab == UI_LOOK)
+        ui_look_panel(ui, view, wish);
     else
         plan_tab(view);
     ui->focus_search = false;

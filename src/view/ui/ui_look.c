@@ -1,0 +1,225 @@
+/* ui_look.c: which layer is shown, how, and what is below the cursor. */
+#include "src/view/ui/ui_look.h"
+#include <math.h>
+#include <stdio.h>
+#include "src/scene/material.h"
+#include "src/tech/refract.h"
+
+enum {
+    ZOOM_COLUMNS = 15, /* pixels of the magnifier */
+    ZOOM_ROWS = 9,
+    ZOOM_MIDDLE = ZOOM_ROWS / 2 * ZOOM_COLUMNS + ZOOM_COLUMNS / 2,
+    NAMES_MAX = LOOK_LAYER_MAX + 1,
+};
+
+static const float histogram_height = 64.0f; /* at scale 1 */
+
+/* ---- what is shown ---- */
+
+static bool named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
+                       const char *tip)
+{
+    char id[64];
+    const float x = imgui_room() * 0.4f;
+    imgui_align();
+    imgui_text(name);
+    imgui_tip(tip);
+    imgui_same_line(x);
+    imgui_next_width(imgui_room());
+    snprintf(id, sizeof(id), "##%s", name);
+    const bool changed = imgui_list(id, names, count, index);
+    imgui_tip(tip);
+    return changed;
+}
+
+static void choose_layer(struct look_choice *c)
+{
+    const char *names[NAMES_MAX] = { "picture" };
+    uint32_t count = 1;
+    for (; count < NAMES_MAX && look_layer(count); count++)
+        names[count] = look_layer(count)->name;
+    const struct frame_layer *now = look_layer(c->layer);
+    if (named_list("layer", names, count, &c->layer,
+                   now ? now->help : "what is shown: the picture, or one of its layers (L)"))
+        c->channel = 0;
+}
+
+static void choose_channel(struct look_choice *c)
+{
+    static const char *const colors[] = { "all", "R", "G", "B", NULL };
+    const struct frame_layer *layer = look_layer(c->layer);
+    const char *names[5] = { "all" };
+    uint32_t count = 1;
+    for (; count < 5; count++) {
+        names[count] = layer ? layer->planes[count - 1] : colors[count];
+        if (!names[count])
+            break;
+    }
+    named_list("channel", names, count, &c->channel, "one channel alone, or all");
+}
+
+static void choose(struct look_choice *c)
+{
+    const struct imgui_slide stops = { -8.0f, 8.0f, "%.2f stops", false };
+    choose_layer(c);
+    choose_channel(c);
+    imgui_align();
+    imgui_text("brighter");
+    imgui_same_line(imgui_room() * 0.4f);
+    imgui_next_width(imgui_room());
+    imgui_slider("##brighter", &c->stops, &stops);
+    imgui_tip("shows colours brighter; changes no setting");
+    imgui_checkbox("false colours", &c->false_color);
+    imgui_tip("from black (least) over violet and red to yellow (greatest) (Z)");
+    imgui_same_line(0.0f);
+    if (imgui_button("as it is"))
+        *c = (struct look_choice){ 0 };
+    imgui_tip("the picture again");
+}
+
+/* ---- the histogram ---- */
+
+static void histogram(const struct look *look, const struct theme *theme)
+{
+    char text[96];
+    const float scale = imgui_scale();
+    const float width = imgui_room();
+    const struct imgui_place all = imgui_canvas(width, histogram_height * scale);
+    const float step = all.width / LOOK_BIN_COUNT;
+    uint32_t most = 1;
+    for (uint32_t b = 0; b < LOOK_BIN_COUNT; b++)
+        most = look->bins[b] > most ? look->bins[b] : most;
+    imgui_rectangle(all, imgui_rgba(theme->raised));
+    for (uint32_t b = 0; b < LOOK_BIN_COUNT; b++) {
+        const float height = all.height * sqrtf((float)look->bins[b] / (float)most);
+        imgui_rectangle((struct imgui_place){ all.x + (float)b * step, all.y + all.height - height,
+                                              step, height },
+                        imgui_rgba(theme->accent));
+    }
+    snprintf(text, sizeof(text), look->choice.layer ? "%.4g to %.4g" : "%.0f to %.0f stops from 1",
+             (double)look->least, (double)look->greatest);
+    imgui_text_dim(text);
+    if (look->below > 0.0f || look->above > 0.0f) {
+        snprintf(text, sizeof(text), "%.1f %% below, %.1f %% above", 100.0 * (double)look->below,
+                 100.0 * (double)look->above);
+        imgui_text_dim(text);
+    }
+}
+
+/* ---- below the cursor ---- */
+
+/* Its pixels, large; the middle one has a frame. */
+static void magnifier(const struct ui_view *view, uint32_t x, uint32_t y, const struct theme *theme)
+{
+    struct look_values v;
+    const float side = floorf(imgui_room() / ZOOM_COLUMNS);
+    const struct imgui_place all = imgui_canvas(side * ZOOM_COLUMNS, side * ZOOM_ROWS);
+    for (uint32_t pass = 0; pass < 2; pass++) {
+        for (uint32_t i = 0; i < ZOOM_COLUMNS * ZOOM_ROWS; i++) {
+            const uint32_t column = i % ZOOM_COLUMNS;
+            const uint32_t row = i / ZOOM_COLUMNS;
+            const struct imgui_place place = { all.x + (float)column * side,
+                                               all.y + (float)row * side, side, side };
+            if ((i == ZOOM_MIDDLE) != (pass == 1) ||
+                !look_values(view->look, view->picture, x + column - ZOOM_COLUMNS / 2,
+                             y + row - ZOOM_ROWS / 2, &v))
+                continue;
+            if (pass == 1)
+                imgui_rectangle((struct imgui_place){ place.x - 2.0f, place.y - 2.0f, side + 4.0f,
+                                                      side + 4.0f },
+                                imgui_rgba(theme->accent));
+            imgui_rectangle(place, IMGUI_RGBA(v.shown[0], v.shown[1], v.shown[2], 255));
+        }
+    }
+}
+
+static void line(const char *name, const float *values, uint32_t count, const char *unit)
+{
+    char text[128];
+    int length = snprintf(text, sizeof(text), "%s", name);
+    for (uint32_t c = 0; c < count && length > 0 && length < (int)sizeof(text); c++)
+        length +=
+            snprintf(text + length, sizeof(text) - (size_t)length, " %.4g", (double)values[c]);
+    if (length > 0 && length < (int)sizeof(text))
+        snprintf(text + length, sizeof(text) - (size_t)length, "%s", unit);
+    imgui_value(text);
+}
+
+/* Of an object that bends light, by its index of refraction; NULL: it has none, or no name. */
+static const char *material_of(const struct picture *p, uint32_t object)
+{
+    const struct model *model = &p->scene.model;
+    const struct refract_params *refract = settings_of(&p->state.scene.settings, &refract_settings);
+    const uint32_t count = model->object_count ? model->object_count : 1;
+    if (object > count || (count > 1 && p->scene.material_rows))
+        return NULL; /* each may have another */
+    for (const struct material_preset *m = material_presets; m->name; m++) {
+        if (!(m->ior < refract->ior || m->ior > refract->ior))
+            return m->name;
+    }
+    return NULL;
+}
+
+static void values(const struct ui_view *view, const struct look_values *v, uint32_t x, uint32_t y)
+{
+    char text[160];
+    const struct frame_layer *layer = look_layer(view->look->choice.layer);
+    snprintf(text, sizeof(text), "pixel %u %u", x, y);
+    imgui_value(text);
+    line("colour", v->color, 3, "");
+    snprintf(text, sizeof(text), "shown %u %u %u", v->shown[0], v->shown[1], v->shown[2]);
+    imgui_value(text);
+    if (layer)
+        line(layer->name, v->layer, v->layer_count, "");
+    if (!v->object) {
+        imgui_value("no surface");
+        return;
+    }
+    line("position", v->position, 3, " m");
+    line("normal", v->normal, 3, "");
+    line("distance", &v->distance, 1, " m");
+    snprintf(text, sizeof(text), "object %u %s", v->object, v->name);
+    imgui_value(text);
+    imgui_tip(text); /* names may be long */
+    const char *material = material_of(view->picture, v->object);
+    if (material) {
+        snprintf(text, sizeof(text), "material %s", material);
+        imgui_value(text);
+    }
+}
+
+/* Whether the cursor is over the picture; where. */
+static bool find_pixel(const struct ui *ui, const struct ui_view *view, uint32_t *x, uint32_t *y)
+{
+    const struct present_push *place = view->place;
+    const struct app_picture *p = &view->picture->state;
+    const float left = ui->x - (float)place->x;
+    const float top = ui->y - (float)place->y;
+    if (left < 0.0f || top < 0.0f || left >= (float)place->width || top >= (float)place->height)
+        return false;
+    *x = (uint32_t)(left * (float)p->width / (float)place->width);
+    *y = (uint32_t)(top * (float)p->height / (float)place->height);
+    return true;
+}
+
+void ui_look_panel(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
+{
+    struct look_values v;
+    choose(&wish->look);
+    imgui_scroll_begin("values");
+    if (!view->look->sample_count) {
+        imgui_text_dim("values come when the picture is still");
+        imgui_scroll_end();
+        return;
+    }
+    histogram(view->look, ui->theme);
+    if (find_pixel(ui, view, &ui->look_x, &ui->look_y))
+        ui->has_looked = true;
+    if (ui->has_looked && look_values(view->look, view->picture, ui->look_x, ui->look_y, &v)) {
+        values(view, &v, ui->look_x, ui->look_y);
+        magnifier(view, ui->look_x, ui->look_y, ui->theme);
+    } else {
+        imgui_text_dim("point at the picture");
+    }
+    imgui_scroll_end();
+}
