@@ -94,6 +94,7 @@ static const struct {
         .controlled = "1",
         .name = "Ctrl 1 to 4",
         .label = "go to stored camera 1",
+        .help = "go back to a camera that was stored",
     },
     [VIEW_GO_2] = { .controlled = "2", .label = "go to stored camera 2" },
     [VIEW_GO_3] = { .controlled = "3", .label = "go to stored camera 3" },
@@ -102,6 +103,7 @@ static const struct {
         .controlled_shifted = "1",
         .name = "with Shift",
         .label = "store camera 1",
+        .help = "Ctrl with Shift and 1 to 4: store the camera",
     },
     [VIEW_STORE_2] = { .controlled_shifted = "2", .label = "store camera 2" },
     [VIEW_STORE_3] = { .controlled_shifted = "3", .label = "store camera 3" },
@@ -288,6 +290,7 @@ static const struct {
     { "drag", "orbit around the object" },
     { "right drag", "move sideways (Shift, drag)" },
     { "wheel", "move closer or away" },
+    { "double click", "look at this point" },
     { "/", "search for a setting" },
     { "F6, Esc", "use the panel by keys, or not" },
     { "drop a file", "open a model, .exr, .hdr or preset" },
@@ -347,13 +350,14 @@ const char *keys_button(enum view_action action)
     return actions[action].button ? actions[action].button : actions[action].label;
 }
 
-bool keys_row(uint32_t i, const char **name, const char **help)
+/* The label, or with `all` the help. */
+static bool find_row(uint32_t i, bool all, const char **name, const char **help)
 {
     uint32_t count = 0;
     for (enum view_action a = VIEW_NOTHING; a < VIEW_ACTION_COUNT; a++) {
         if (actions[a].name && count++ == i) {
             *name = actions[a].name;
-            *help = actions[a].label;
+            *help = all ? keys_help(a) : actions[a].label;
             return true;
         }
     }
@@ -364,10 +368,15 @@ bool keys_row(uint32_t i, const char **name, const char **help)
     return true;
 }
 
+bool keys_row(uint32_t i, const char **name, const char **help)
+{
+    return find_row(i, false, name, help);
+}
+
 void keys_print(FILE *out)
 {
     const char *name;
     const char *help;
-    for (uint32_t i = 0; keys_row(i, &name, &help); i++)
+    for (uint32_t i = 0; find_row(i, true, &name, &help); i++)
         fprintf(out, "  %-14s %s\n", name, help);
 }

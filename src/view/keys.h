@@ -78,7 +78,7 @@ const char *keys_button(enum view_action action); /* as short as can be */
 /* Row i of F1: a key's name and what it does; false: there are no more. */
 bool keys_row(uint32_t i, const char **name, const char **help);
 
-/* One line an action, and what the mouse does. */
+/* One line an action, with its help, and what the mouse does; docs/view.md has the same. */
 void keys_print(FILE *out);
 
 #endif

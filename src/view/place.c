@@ -44,20 +44,31 @@ static bool make_folder(char *path)
     return mkdir(path, 0700) == 0 || errno == EEXIST;
 }
 
-char *place_presets(bool make)
+/* A folder of firn's own in that of a variable, or below the home. */
+static char *own_folder(const char *variable, const char *below_home, const char *name, bool make)
 {
-    const char *data = getenv("XDG_DATA_HOME");
+    const char *given = getenv(variable);
     const char *home = getenv("HOME");
     char *path = NULL;
-    if (data && data[0] == '/') /* a relative one is invalid */
-        path = print("%s/firn/presets", data);
+    if (given && given[0] == '/') /* a relative one is invalid */
+        path = print("%s/%s", given, name);
     else if (home && home[0] == '/')
-        path = print("%s/.local/share/firn/presets", home);
+        path = print("%s/%s/%s", home, below_home, name);
     if (path && make && !make_folder(path)) {
         free(path);
         path = NULL;
     }
     return path;
+}
+
+char *place_presets(bool make)
+{
+    return own_folder("XDG_DATA_HOME", ".local/share", "firn/presets", make);
+}
+
+char *place_state(bool make)
+{
+    return own_folder("XDG_STATE_HOME", ".local/state", "firn", make);
 }
 
 char *place_new(const char *folder, const char *stem, const char *ending)

@@ -12,6 +12,9 @@
  * NULL: there is no HOME, it cannot be made, or out of memory; not logged. */
 char *place_presets(bool make);
 
+/* The same of what the window remembers, "$XDG_STATE_HOME/firn". */
+char *place_state(bool make);
+
 /* A file "STEM-0001.ENDING" in a folder, with the first number that is not taken. NULL: out of
  * memory, or all are taken. */
 char *place_new(const char *folder, const char *stem, const char *ending);

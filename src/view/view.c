@@ -5,6 +5,7 @@
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/settings/scene_settings.h"
+#include "src/view/recent.h"
 #include "src/view/view_internal.h"
 #include "src/view/watch.h"
 #include "src/view/worker.h"
@@ -292,6 +293,18 @@ static enum status draw(struct view *v, bool *ready)
     return status;
 }
 
+/* What the options name was opened, too; a program's window keeps nothing. */
+static void remember(const struct view *v)
+{
+    const char *environment = v->first.scene.environment;
+    if (v->options->view.frame_count)
+        return;
+    if (environment)
+        recent_add(environment);
+    if (!scene_find_builtin(v->first.scene.name))
+        recent_add(v->first.scene.name);
+}
+
 static void count_frame(struct view *v)
 {
     struct view_costs *c = &v->costs;
@@ -308,6 +321,7 @@ static void count_frame(struct view *v)
         moving_add(&v->refine.moving, c->last.frame - c->last.limit, picture_passes(p));
     if (c->frame_count == 1) {
         view_show_name(v);
+        remember(v);
         v->now = clock_seconds();
     }
     if (o->time_step > 0.0 && !v->paused)

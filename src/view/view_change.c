@@ -9,6 +9,7 @@
 #include "src/frame/list.h"
 #include "src/image/file.h"
 #include "src/view/place.h"
+#include "src/view/recent.h"
 #include "src/view/view_internal.h"
 #include "src/view/worker.h"
 
@@ -193,6 +194,7 @@ void view_open(struct view *v, const char *path)
         ui_fail(v->ui, words);
     } else {
         ui_say(v->ui, "");
+        recent_add(path);
     }
     v->changed = true;
     view_show_name(v);

@@ -63,6 +63,21 @@ static void copy_picture(struct view *v)
         ui_fail(v->ui, "the picture was not copied: install xclip or wl-clipboard, or save it (P)");
 }
 
+/* In the size that was asked for. */
+static enum status shoot_picture(struct view *v, const char *const *paths, uint32_t path_count)
+{
+    struct app_picture *state = &v->picture->state;
+    const VkExtent2D before = { state->width, state->height };
+    const VkExtent2D size = v->shoot_size.width ? v->shoot_size : before;
+    v->shoot_size = (VkExtent2D){ 0, 0 };
+    state->width = size.width;
+    state->height = size.height;
+    const enum status status = picture_write(v->picture, v->shown, paths, path_count, &v->stop);
+    state->width = before.width;
+    state->height = before.height;
+    return status;
+}
+
 /* Nothing that is there is written over. */
 void view_shoot(struct view *v)
 {
@@ -83,8 +98,7 @@ void view_shoot(struct view *v)
         continue;
     snprintf(png, sizeof(png), "firn-%04u.png", v->shot_number);
     snprintf(exr, sizeof(exr), "firn-%04u.exr", v->shot_number);
-    const enum status status =
-        all ? shoot_all(v, png) : picture_write(v->picture, v->shown, paths, 2, &v->stop);
+    const enum status status = all ? shoot_all(v, png) : shoot_picture(v, paths, 2);
     snprintf(words, sizeof(words),
              status == STATUS_OK ? "saved %s" : "%s was not saved: see the terminal", png);
     ui_say(v->ui, words);

@@ -20,6 +20,11 @@ static void drag(struct view *v, const struct window_input *input)
         orbit_pan(camera, (float)-input->pan_x, (float)input->pan_y);
     if (input->wheel != 0.0)
         view_zoom(v, (float)input->wheel);
+    if (input->doubled) {
+        v->aims = v->changed = true;
+        v->aim_x = input->at_x;
+        v->aim_y = input->at_y;
+    }
     if (input->slid)
         view_slide(v, input->divider);
     if (input->pressed || input->wheel != 0.0 || input->action_count)
@@ -103,5 +108,9 @@ void view_run_ui(struct view *v, VkExtent2D size)
         view_act(v, wish.action);
     if (wish.open)
         view_open(v, wish.open);
+    if (wish.shot.width) {
+        v->shoot = v->changed = true;
+        v->shoot_size = wish.shot;
+    }
     free(wish.open);
 }

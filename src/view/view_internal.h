@@ -48,6 +48,9 @@ struct view {
     bool redrawn;           /* the last frame has another picture than the one before */
     VkExtent2D first_size;  /* of the window, pixels */
     bool shoot;             /* the next frame, to files */
+    VkExtent2D shoot_size;  /* of it; 0x0: as it is */
+    bool aims;              /* the camera is to look at what is at: */
+    double aim_x, aim_y;    /* pixels of the window */
     bool shoot_copy;        /* the same, to the clipboard alone */
     bool shoot_all;         /* the same with what lies over it */
     uint32_t shot_number;   /* of the screenshot written last */

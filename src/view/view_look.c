@@ -19,16 +19,34 @@ static enum status draw(void *user)
 static void give_up(struct view *v)
 {
     v->look_wanted = (struct look_choice){ 0 };
-    v->look.is_open = false;
+    v->look.is_open = v->aims = false;
     ui_close_look(v->ui);
     ui_fail(v->ui, "this picture's layers cannot be drawn: the terminal says why");
+}
+
+/* The camera turns to the surface that was clicked on. */
+static void aim(struct view *v)
+{
+    struct look_values at;
+    const struct app_picture *p = &v->picture->state;
+    const double x = (v->aim_x - v->place.x) * p->width / v->place.width;
+    const double y = (v->aim_y - v->place.y) * p->height / v->place.height;
+    v->aims = false;
+    if (x < 0.0 || y < 0.0 || !look_values(&v->look, v->picture, (uint32_t)x, (uint32_t)y, &at))
+        return;
+    if (!at.object) {
+        ui_say(v->ui, "there is no surface to look at");
+        return;
+    }
+    v->picture->camera.target = (vec3s){ { at.position[0], at.position[1], at.position[2] } };
+    v->changed = true;
 }
 
 void view_look(struct view *v)
 {
     struct look *look = &v->look;
     struct picture *p = v->picture;
-    const bool wanted = look->is_open || look_replaces(&v->look_wanted);
+    const bool wanted = look->is_open || v->aims || look_replaces(&v->look_wanted);
     p->instead = VK_NULL_HANDLE;
     if (!wanted || !v->refine.shown)
         return;
@@ -49,4 +67,6 @@ void view_look(struct view *v)
         give_up(v);
     else if (look->rgba)
         p->instead = look->image.image;
+    if (status == STATUS_OK && v->aims)
+        aim(v);
 }

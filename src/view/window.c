@@ -9,6 +9,8 @@
 #include "src/view/window_background.h"
 
 static const double divider_reach = 8.0; /* how near a hand must come, pixels */
+static const double pair_seconds = 0.4;  /* between two clicks that are one */
+static const double pair_reach = 5.0;    /* screen coordinates */
 
 static enum status failed(const char *what)
 {
@@ -97,6 +99,26 @@ static bool is_near_divider(const struct window *w, double x)
     return w->divider >= 0.0 && distance <= divider_reach;
 }
 
+/* Twice at one place in a short time. */
+static void hear_pair(struct window *w)
+{
+    const double now = glfwGetTime();
+    const double distance = hypot(w->cursor_x - w->pressed_x, w->cursor_y - w->pressed_y);
+    const bool is_pair = now - w->pressed_at < pair_seconds && distance < pair_reach;
+    int width;
+    int height;
+    glfwGetWindowSize(w->handle, &width, &height);
+    const double pixels = width > 0 ? (double)window_size(w).width / width : 1.0;
+    w->pressed_at = is_pair ? 0.0 : now;
+    w->pressed_x = w->cursor_x;
+    w->pressed_y = w->cursor_y;
+    if (!is_pair)
+        return;
+    w->input.doubled = true;
+    w->input.at_x = w->cursor_x * pixels;
+    w->input.at_y = w->cursor_y * pixels;
+}
+
 static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
@@ -111,6 +133,8 @@ static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
     w->input.released = w->input.released || !told.down;
     if (button == GLFW_MOUSE_BUTTON_LEFT)
         w->slides = !kept && told.down && is_near_divider(w, w->cursor_x);
+    if (button == GLFW_MOUSE_BUTTON_LEFT && !kept && told.down && !w->slides)
+        hear_pair(w);
 }
 
 /* The divider follows the hand; where it can be taken, the mouse looks so. */

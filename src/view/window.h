@@ -27,6 +27,8 @@ struct window_input {
     uint32_t action_count;
     bool redraw;            /* what is shown may be gone */
     bool pressed, released; /* a button of the mouse */
+    bool doubled;           /* the left one, twice, at: */
+    double at_x, at_y;      /* pixels */
 };
 
 enum window_event_kind {
@@ -60,6 +62,7 @@ struct window {
     VkRect2D view;             /* where the picture is, pixels */
     double divider; /* that a hand can take, of its width, from its left; below 0: none */
     bool slides;    /* a hand has it */
+    double pressed_at, pressed_x, pressed_y; /* the left button, when and where, to find a pair */
     struct GLFWcursor *slider; /* what the mouse looks like there; NULL: never was there */
     bool repeated;             /* the key that is being handled is held down */
     VkExtent2D framebuffer;    /* pixels, also while it is: */

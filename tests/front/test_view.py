@@ -170,6 +170,12 @@ class Hands(WindowCase):
         self.press_to_end(window, 'q')
         for word in ('Space', 'Q, Ctrl Q', 'drop a file'):
             self.assertIn(word, self.printed())
+        text = (pathlib.Path(__file__).parents[2] / 'docs' / 'view.md').read_text()
+        table = text.partition('## Mouse and keyboard')[2].partition('\n\n')[2].partition('\n\n')[0]
+        rows = [tuple(cell.strip() for cell in line.split('|')[1:3])
+                for line in table.splitlines()[2:]]
+        lines = self.printed().splitlines()[:len(rows)]
+        self.assertEqual(rows, [(line[2:16].strip(), line[17:]) for line in lines])
 
     def test_closed_while_it_loads(self):
         window = self.start('teapot', title='loading .*', plain=())

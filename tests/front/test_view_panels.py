@@ -6,7 +6,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import CRACKED, PLAIN, main  # noqa: E402
 from desktop import PATIENCE, wait_until  # noqa: E402
-from test_view import CHECKED, WindowCase, png_pixels, png_size  # noqa: E402
+from test_view import CHECKED, TRIANGLES, WindowCase, png_pixels, png_size  # noqa: E402
 
 
 class PanelsCase(WindowCase):
@@ -16,6 +16,7 @@ class PanelsCase(WindowCase):
 
     def env(self):
         return {**super().env(), 'XDG_DATA_HOME': str(self.folder / 'data'),
+                'XDG_STATE_HOME': str(self.folder / 'state'),
                 'PATH': f'{self.folder}:{os.environ["PATH"]}'}  # for xclip()
 
     def xclip(self):
@@ -259,6 +260,34 @@ class Panels(PanelsCase):
         last = scenes[scenes.index('room') - 1]
         self.press_for(window, 'Prior', f'{last}, paused')
         self.close(window)
+
+    def test_files_sizes_and_a_point(self):
+        model = self.folder / 'shape.obj'
+        model.write_text(TRIANGLES)
+        window = self.start_with_panels()
+        self.assertTrue(self.desktop.drop(window, model))
+        self.find(f'{model}, paused')
+        recent = self.folder / 'state' / 'firn' / 'recent'
+        self.assertEqual(recent.read_text(), f'{model}\n')
+        self.find('sphere, paused', act=lambda: self.find_and_choose(window, 'open sphere'))
+        self.find(f'{model}, paused', act=lambda: self.find_and_choose(window, 'recent shape.obj'))
+        small = self.folder / 'firn-0001.png'
+        wait_until('a small picture', small.exists, self.words, act=lambda: self.find_and_choose(
+            window, 'save the picture, 64x48'))
+        self.assertEqual(png_size(small), (64, 48))
+        point = (180, 230)
+        command = self.wait_for_command(window, '--target', act=lambda: self.desktop.do(
+            'mousemove', '--window', window, *point, 'click', '--repeat', 2, '--delay', 20, 1))
+        target = command.partition('--target ')[2].split()[0].split(',')
+        self.press_until(window, 'i', 'the panel of values', lambda: self.control('layer'))
+
+        def look():  # what is in the middle of the picture now
+            lines = (self.folder / 'ui').read_text().splitlines()
+            found = [line.split()[5:8] for line in lines if line.split()[4:5] == ['position']]
+            return found and max(abs(float(a) - float(b)) for a, b in zip(found[0], target)) < 0.02
+        wait_until(f'the point {target}', look, self.words, act=lambda: self.desktop.do(
+            'mousemove', '--window', window, 180, 36 + 170))
+        self.press_to_end(window, 'q')
 
     def test_words_about_what_is_below_the_mouse(self):
         window = self.start_with_panels()

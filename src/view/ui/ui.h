@@ -71,6 +71,7 @@ struct ui_wish {
     struct settings settings;
     const struct technique *rung;
     uint32_t gesture; /* the same for all changes by one movement of a hand; see imgui.h */
+    VkExtent2D shot;  /* a picture of this size is to be saved; 0x0: none */
     struct look_choice look;
     bool looks;                    /* the panel of values is open */
     const struct technique *split; /* whatever is changed: on the right; NULL: not split */

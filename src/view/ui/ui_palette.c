@@ -7,6 +7,7 @@
 #include "src/scene/scene.h"
 #include "src/tech/refract.h"
 #include "src/view/place.h"
+#include "src/view/recent.h"
 #include "src/view/ui/ui_internal.h"
 #include "src/view/ui/ui_settings.h"
 #include "src/view/ui/ui_words.h"
@@ -22,13 +23,16 @@ enum entry_kind {
     ENTRY_MATERIAL,
     ENTRY_SCENE,
     ENTRY_PRESET,
+    ENTRY_RECENT,
+    ENTRY_SHOT,
     ENTRY_SETTING,
 };
 
 /* What can be chosen. */
 struct entry {
     enum entry_kind kind;
-    uint32_t index; /* of the action, material, scene or preset */
+    uint32_t index;  /* of the action, material, scene, preset or file */
+    VkExtent2D size; /* of a picture to be saved */
     const struct setting *row;
     char label[LABEL_SIZE];
     const char *key; /* NULL: none */
@@ -58,6 +62,31 @@ __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const s
                 (e->row && ui_settings_fit(e->row, p->words)); /* else it is written over */
 }
 
+static void collect_files(struct palette *p)
+{
+    char *path;
+    for (uint32_t i = 0; (path = recent_find(i)); i++) {
+        add(p, &(struct entry){ ENTRY_RECENT, i }, "recent %s", strrchr(path, '/') + 1);
+        free(path);
+    }
+}
+
+/* Sizes of pictures to be saved: some, and the one that is typed. */
+static void collect_sizes(struct palette *p)
+{
+    static const VkExtent2D sizes[] = { { 1920, 1080 }, { 3840, 2160 }, { 2048, 2048 } };
+    const char *digits = p->words + strcspn(p->words, "0123456789");
+    VkExtent2D typed;
+    char end;
+    for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++)
+        add(p, &(struct entry){ ENTRY_SHOT, .size = sizes[i] }, "save the picture, %ux%u",
+            sizes[i].width, sizes[i].height);
+    if (sscanf(digits, "%5ux%5u%c", &typed.width, &typed.height, &end) == 2 && typed.width &&
+        typed.height)
+        add(p, &(struct entry){ ENTRY_SHOT, .size = typed }, "save the picture, %ux%u", typed.width,
+            typed.height);
+}
+
 static void collect(struct palette *p)
 {
     const struct setting *row;
@@ -77,6 +106,8 @@ static void collect(struct palette *p)
         free(path);
     }
     free(folder);
+    collect_files(p);
+    collect_sizes(p);
     for (enum ui_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
         for (uint32_t i = 0; (row = ui_group_row(g, i)); i++)
             add(p, &(struct entry){ ENTRY_SETTING, 0, .row = row }, "%s", row->name);
@@ -101,6 +132,12 @@ static void choose(struct ui *ui, const struct entry *e, struct ui_wish *wish)
         break;
     case ENTRY_PRESET:
         wish->open = folder ? place_file(folder, presets, e->index) : NULL;
+        break;
+    case ENTRY_RECENT:
+        wish->open = recent_find(e->index);
+        break;
+    case ENTRY_SHOT:
+        wish->shot = e->size;
         break;
     case ENTRY_SETTING:
         snprintf(ui->filter, sizeof(ui->filter), "%s", e->row->name);
@@ -130,7 +167,7 @@ static void rows(struct ui *ui, const struct palette *p, struct ui_wish *wish)
         imgui_id_end();
     }
     if (!p->count)
-        imgui_text_dim("no action, setting, material, scene or preset has these words");
+        imgui_text_dim("no action, setting, material, scene, file or preset has these words");
 }
 
 void ui_palette(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
