@@ -317,6 +317,8 @@ static void count_frame(struct view *v)
     if (v->redrawn && p->right)
         times[count++] = renderer_times(p->right);
     view_costs_frame(c, times, count, v->screen.waited);
+    if (p->refines && (v->redrawn || v->refine.shown == 1))
+        view_costs_picture(c, v->redrawn);
     if (v->redrawn && p->refines && c->last.frame > 0.0)
         moving_add(&v->refine.moving, c->last.frame - c->last.limit, picture_passes(p));
     if (c->frame_count == 1) {

@@ -1,6 +1,7 @@
 /* view_costs.c: sums over frames. */
 #include "src/view/view_costs.h"
 #include <math.h>
+#include <stdlib.h>
 #include "src/base/clock.h"
 #include "src/gpu/gpu_swapchain.h"
 
@@ -57,6 +58,58 @@ void view_costs_frame(struct view_costs *c, const struct rg_times *times, uint32
     c->end = end;
 }
 
+static void add(struct view_times *times, double seconds)
+{
+    times->values[times->count++ % VIEW_TIME_COUNT] = (float)seconds;
+}
+
+void view_costs_hand(struct view_costs *c, double moved, double released)
+{
+    if (moved > 0.0 && !(c->hand_at > 0.0))
+        c->hand_at = moved;
+    if (released > 0.0)
+        c->release_at = released;
+}
+
+void view_costs_picture(struct view_costs *c, bool is_moving)
+{
+    if (is_moving && c->last.frame > 0.0)
+        add(&c->moving, c->last.frame - c->last.limit);
+    if (is_moving && c->hand_at > 0.0)
+        add(&c->hand, c->end - c->hand_at);
+    if (!is_moving && c->release_at > 0.0)
+        add(&c->release, c->end - c->release_at);
+    c->hand_at = 0.0;
+    c->release_at = is_moving ? c->release_at : 0.0;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const float x = *(const float *)a;
+    const float y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+/* Milliseconds that a part of all took no longer than. */
+static double quantile(const struct view_times *times, double part)
+{
+    struct view_times sorted = *times;
+    const uint32_t count = times->count < VIEW_TIME_COUNT ? times->count : VIEW_TIME_COUNT;
+    qsort(sorted.values, count, sizeof(sorted.values[0]), compare);
+    return count ? (double)sorted.values[(uint32_t)(part * (count - 1) + 0.5)] * 1e3 : 0.0;
+}
+
+static void print_moving(const struct view_costs *c, FILE *out)
+{
+    if (!c->moving.count || !c->hand.count)
+        return;
+    fprintf(out,
+            "moving: %u pictures, median %.1f ms, 95 %% %.1f ms; hand to picture %.1f ms, 95 %% "
+            "%.1f ms; full size after %.0f ms\n",
+            c->moving.count, quantile(&c->moving, 0.5), quantile(&c->moving, 0.95),
+            quantile(&c->hand, 0.5), quantile(&c->hand, 0.95), quantile(&c->release, 0.5));
+}
+
 void view_costs_print(const struct view_costs *c, FILE *out)
 {
     const double scale = c->counted ? 1e3 / c->counted : 0.0;
@@ -68,4 +121,5 @@ void view_costs_print(const struct view_costs *c, FILE *out)
     fprintf(out,
             "%u frames, %.2f ms each: %.2f ms passes, %.2f ms frame loop, %.2f ms presentation\n",
             c->frame_count, c->frames * scale, c->passes * scale, c->host * scale, beside * scale);
+    print_moving(c, out);
 }

@@ -30,6 +30,7 @@ static void drag(struct view *v, const struct window_input *input)
     if (input->pressed || input->wheel != 0.0 || input->action_count)
         v->refine.at_once = false;
     v->refine.at_once = v->refine.at_once || input->released;
+    view_costs_hand(&v->costs, input->moved_at, input->released_at);
     v->dragged = v->dragged || input->turn_x != 0.0 || input->turn_y != 0.0;
     v->changed = v->changed || input->redraw || input->slid || input->turn_x != 0.0 ||
                  input->turn_y != 0.0 || input->pan_x != 0.0 || input->pan_y != 0.0 ||

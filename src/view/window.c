@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/view/window_background.h"
 
@@ -131,6 +132,8 @@ static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
     const bool kept = tell(w, &told);
     w->input.pressed = w->input.pressed || told.down;
     w->input.released = w->input.released || !told.down;
+    if (!told.down)
+        w->input.released_at = clock_seconds();
     if (button == GLFW_MOUSE_BUTTON_LEFT)
         w->slides = !kept && told.down && is_near_divider(w, w->cursor_x);
     if (button == GLFW_MOUSE_BUTTON_LEFT && !kept && told.down && !w->slides)
@@ -167,6 +170,8 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     if (tell(w, &(struct window_event){ WINDOW_CURSOR, x * pixels, y * pixels }))
         return;
     slide(w, x);
+    if (!(w->input.moved_at > 0.0) && (left || is_down(handle, GLFW_MOUSE_BUTTON_RIGHT)))
+        w->input.moved_at = clock_seconds();
     if (is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) || (left && has_shift(handle))) {
         w->input.pan_x += dx;
         w->input.pan_y += dy;

@@ -27,8 +27,10 @@ struct window_input {
     uint32_t action_count;
     bool redraw;            /* what is shown may be gone */
     bool pressed, released; /* a button of the mouse */
-    bool doubled;           /* the left one, twice, at: */
-    double at_x, at_y;      /* pixels */
+    double moved_at;    /* when a hand first moved the picture, clock_seconds(); 0: it did not */
+    double released_at; /* when it let go */
+    bool doubled;       /* the left one, twice, at: */
+    double at_x, at_y;  /* pixels */
 };
 
 enum window_event_kind {
