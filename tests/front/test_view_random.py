@@ -1,0 +1,102 @@
+"""test_view_random.py: hands that do anything, in any order. Usage: see case.py.
+
+All keys of the table in docs/view.md are pressed equally often, between drags, clicks and the
+wheel, by a seed that FIRN_RANDOM_SEED changes. FIRN_RANDOM_SECONDS=3600 goes on for an hour, and
+then says how often each was pressed and how much memory there was in each quarter, which must not
+grow in all of them. With -Db_sanitize=address it finds what is used after it is gone.
+"""
+import os
+import pathlib
+import random
+import re
+import sys
+import time
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from case import main  # noqa: E402
+from test_view import TRIANGLES  # noqa: E402
+from test_view_panels import PanelsCase  # noqa: E402
+
+SECONDS = float(os.environ.get('FIRN_RANDOM_SECONDS', 0))
+SEED = int(os.environ.get('FIRN_RANDOM_SEED', 1))
+ROUNDS = 1  # of all keys, at least
+MORE = 2048  # KiB in a quarter of an hour; caches fill in the first one
+SIGNS = {'+': 'plus', '-': 'minus', '[': 'bracketleft', ']': 'bracketright', '/': 'slash',
+         '?': 'question', 'Esc': 'Escape', 'Space': 'space', 'Page Down': 'Next',
+         'Page Up': 'Prior'}
+LAST = ('Q', 'Ctrl Q')
+NO_KEYS = ('drag', 'right drag', 'wheel', 'double click', 'drop a file')
+
+
+def keys():
+    """As xdotool names them."""
+    text = (pathlib.Path(__file__).parents[2] / 'docs' / 'view.md').read_text()
+    table = text.partition('## Mouse and keyboard')[2].partition('\n\n')[2].partition('\n\n')[0]
+    found, before = [], ''
+    for line in table.splitlines()[2:]:
+        name = line.split('|')[1].strip()
+        if name in NO_KEYS:
+            continue
+        name = before.replace('Ctrl', 'Ctrl Shift') if name == 'with Shift' else name
+        before = name
+        for word in name.split(', '):
+            first, _, last = word.partition(' to ')
+            for one in [first[:-1] + str(i) for i in range(1, int(last) + 1)] if last else [word]:
+                if one in LAST:
+                    continue
+                *held, key = [one] if one in SIGNS else one.replace('+', ' ').split() or ['+']
+                if one.endswith(' +'):
+                    held, key = ['Ctrl'], '+'
+                key = SIGNS.get(key, key.lower() if len(key) == 1 else key)
+                found.append('+'.join([*map(str.lower, held), key]))
+    return found
+
+
+class Random(PanelsCase):
+    def act(self, rng, window):
+        """Something that is done with a mouse, as words for xdotool."""
+        def place():
+            return 'mousemove', '--window', window, rng.randrange(610), rng.randrange(402)
+        button = rng.choice((1, 1, 1, 3))
+        return rng.choice((
+            (*place(), 'click', 1), (*place(), 'click', '--repeat', 2, '--delay', 20, 1),
+            (*place(), 'click', rng.choice((4, 5))), place(),
+            (*place(), 'mousedown', button, *place(), *place(), 'mouseup', button)))
+
+    def size(self):
+        text = pathlib.Path(f'/proc/{self.process.pid}/status').read_text()
+        return int(re.search(r'RssAnon:\s*(\d+)', text)[1])
+
+    def test_anything(self):
+        table, rng = keys(), random.Random(SEED)
+        self.assertGreater(len(table), 40)
+        self.assertIn('ctrl+shift+4', table)
+        (self.folder / 'shape.obj').write_text(TRIANGLES)
+        window = self.start_with_panels('--samples', 2, plain=('--plain', '--set',
+                                                               'env_cube.size=64'))
+        begin, rounds, sizes = time.monotonic(), 0, []
+        while rounds < ROUNDS or time.monotonic() < begin + SECONDS:
+            order = rng.sample(table, len(table))
+            for first in range(0, len(order), 12):
+                words = []
+                for key in order[first:first + 12]:
+                    words += ['key', key, *self.act(rng, window)]
+                self.desktop.do('windowfocus', '--sync', window, *words)
+                self.assertIsNone(self.process.poll(), f'seed {SEED}\n{self.words()}')
+                sizes.append((time.monotonic() - begin, self.size()))
+            for path in self.folder.glob('firn-*'):
+                path.unlink()
+            rounds += 1
+        self.desktop.do('keyup', 'shift', 'keyup', 'ctrl', 'key', 'Escape', 'key', 'Escape')
+        self.press_to_end(window, 'ctrl+q')
+        self.assertNotIn('ERROR', self.words())
+        if SECONDS:
+            end = sizes[-1][0]
+            most = [max(size for when, size in sizes if q - 1 <= 4 * when / end <= q)
+                    for q in (1, 2, 3, 4)]
+            print(f'{rounds} times each of {len(table)} keys; {most} KiB in each quarter')
+            self.assertLess(min(b - a for a, b in zip(most, most[1:])), MORE)
+
+
+if __name__ == '__main__':
+    main()
