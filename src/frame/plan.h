@@ -20,13 +20,13 @@ struct frame_request {
     const struct scene *scene; /* its images are imported; NULL: one texel for each of them */
     VkExtent2D view;           /* pixels */
     uint32_t face_size;        /* of the environment cube, texels; 0: frame_face_size() of `view` */
-    VkExtent2D max_view;       /* pixels of the largest one: frame_plan_change_view(); 0: the view */
-    VkExtent2D part;           /* pixels of the largest region that is drawn at once; 0: the view */
-    uint32_t layers;           /* bit i: read techniques_layer(i) back, if a pass draws it */
-    bool beauty, display;      /* read the linear picture back; the 8-bit one */
-    bool cube_back;            /* read frame_env_cube_baked back */
-    bool keep_cube;            /* leave frame_env_cube ready to be sampled by other frames */
-    bool keep_display;         /* leave the 8-bit picture ready to be sampled by other frames */
+    VkExtent2D max_view;  /* pixels of the largest one: frame_plan_change_view(); 0: the view */
+    VkExtent2D part;      /* pixels of the largest region that is drawn at once; 0: the view */
+    uint32_t layers;      /* bit i: read techniques_layer(i) back, if a pass draws it */
+    bool beauty, display; /* read the linear picture back; the 8-bit one */
+    bool cube_back;       /* read frame_env_cube_baked back */
+    bool keep_cube;       /* leave frame_env_cube ready to be sampled by other frames */
+    bool keep_display;    /* leave the 8-bit picture ready to be sampled by other frames */
     enum rg_sharing sharing;
     const struct rg_device *device; /* may be NULL */
 };
