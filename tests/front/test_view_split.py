@@ -8,6 +8,7 @@ from test_view import SIZE, WindowCase, png_pixels  # noqa: E402
 
 WIDTH, HEIGHT = map(int, SIZE.split('x'))
 BRIGHT, DARK = b'\xff\xff\xff', b'\0\0\0'
+PAPER = ('--refraction', 'paper')
 TITLE = r'sphere, paper \| one-sided'
 
 
@@ -36,7 +37,7 @@ class Split(WindowCase):
     def test_files_have_the_pixels_of_render(self):
         for words in (('--samples', 1, '--aov', 'N'), ('--samples', 3, '--aov', 'N', *PLAIN)):
             left, right = self.pictures(*words)
-            self.view('sphere', '--validate', '--size', SIZE, *words, '--split', 'one-sided',
+            self.view('sphere', *PAPER, '--validate', '--size', SIZE, *words, '--split', 'one-sided',
                       '--frames', 1, '--screenshot', 'a.png',
                       '--screenshot', 'a.exr')
             self.expect(png_pixels(self.folder / 'a.png'), WIDTH // 2, left, right)
@@ -58,7 +59,7 @@ class Split(WindowCase):
 
     def test_hands_move_the_divider(self):
         pictures = self.pictures('--set', 'motion.count=2', *PLAIN)
-        window = self.start('sphere', '--split', 'one-sided', title=f'{TITLE}, paused')
+        window = self.start('sphere', *PAPER, '--split', 'one-sided', title=f'{TITLE}, paused')
         self.settle(window, 100, pictures)
         self.settle(window, 50, pictures, lambda: self.desktop.do(
             'mousemove', '--window', window, 103, 20, 'mousedown', 1, 'mousemove',
@@ -76,7 +77,7 @@ class Split(WindowCase):
 
     def test_the_key(self):
         pictures = self.pictures('--set', 'motion.count=2', *PLAIN, right='trace')
-        window = self.start('sphere')
+        window = self.start('sphere', *PAPER)
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
         self.press_for(window, 's', r'sphere, paper \| trace, paused')
         self.settle(window, 100, pictures)
