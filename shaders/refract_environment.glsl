@@ -44,18 +44,16 @@ float cube_divide(cube_ends ends)
 cube_ends cube_find(vec4 from, vec4 to)
 {
     cube_ends ends = cube_ends(0.0, 1.0, -1.0, 0.0);
-    bool found = false;
     for (uint i = 1u; i <= constant_refract_steps; i++) {
         float u = float(i) / float(constant_refract_steps);
         float at = cube_behind(mix(from, to, u));
-        if (!found && at > 0.0) {
+        if (at > 0.0) {
             ends.behind = u;
             ends.at_behind = at;
-            found = true;
-        } else if (!found) {
-            ends.before = u;
-            ends.at_before = at;
+            break;
         }
+        ends.before = u;
+        ends.at_before = at;
     }
     return ends;
 }
@@ -73,6 +71,8 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
     vec4 from = vec4(from_center, 1.0);
     vec4 to = vec4(scale * dir, 0.0);
     cube_ends ends = cube_find(from, to);
+    if (ends.at_behind <= 0.0) /* the sky */
+        return to.xyz;
     for (int i = 0; i < cube_divisions; i++) {
         float u = i % 2 == 0 ? cube_divide(ends) : 0.5 * (ends.before + ends.behind);
         float at = cube_behind(mix(from, to, u));
