@@ -89,7 +89,7 @@ class Completions(Case):
         self.assertEqual(self.offered('render', '--set', 'refract.lookup', '=', 'd'),
                          ['distance'])
         self.assertEqual(set(self.offered('render', '--set', 'refract.fresnel', '=')),
-                         {'paper', 'exact', 'crossfade'})
+                         {'paper', 'exact', 'crossfade', 'auto'})
 
     def test_files(self):
         (self.folder / 'statue.glb').touch()
