@@ -21,8 +21,8 @@
 #else
 #include "dress.h"
 #include "refract_environment.glsl"
-#include "trace_tree.glsl"
 #endif
+#include "trace_shells.glsl"
 
 layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 #ifndef TRACE_RAYS
@@ -46,7 +46,7 @@ const float trace_branch_min = 1e-3;
 /* A way of light, against its direction. */
 struct trace_way {
     vec3 origin, dir, weight;
-    uint inside;       /* objects that it is in, a bit for each rank from 1 on */
+    uvec4 inside;      /* objects that it is in */
     int from;          /* the triangle on which it begins; below 0: none */
     float side, reach; /* as of trace_ray */
     uint seed;
@@ -85,17 +85,6 @@ trace_stop stops[trace_stops_max];
 int stop_count, parts_left;
 #endif
 
-/* Returns the rank of the medium in a set of objects: the greatest one. */
-uint trace_top(uint inside)
-{
-    return uint(findMSB(inside) + 1);
-}
-
-vec4 trace_medium(uint rank, int texel)
-{
-    return trace.media[int(rank) * TRACE_MEDIUM + texel];
-}
-
 /* Returns a medium's surface without textures. */
 dress trace_own(uint rank)
 {
@@ -106,7 +95,7 @@ dress trace_own(uint rank)
 /* A crossing of an object's surface. */
 struct trace_cross {
     vec3 n, facet; /* normals on the side that light comes from, interpolated and the triangle's */
-    uint rank, bit;
+    uint rank;
     bool is_entering, is_thin, is_real;
     float eta;
     bool is_bumpy; /* a normal texture bends `n` */
@@ -126,7 +115,6 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
     c.n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
     c.n = normalize(trace_posed(c.n, hit.part));
     c.rank = hit.triangle >= 0 ? floatBitsToUint(n0.w) : 0u;
-    c.bit = 1u << (max(c.rank, 1u) - 1u);
     c.is_entering = dot(c.facet, way.dir) < 0.0;
     c.facet *= c.is_entering ? 1.0 : -1.0;
     c.n *= c.is_entering ? 1.0 : -1.0;
@@ -134,7 +122,7 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
     c.is_thin = false;
     c.is_real = true;
     if (trace_has(TRACE_HAS_MEDIA)) {
-        uint below = trace_top(way.inside & ~c.bit);
+        uint below = trace_top_without(way.inside, c.rank);
         uint above = max(below, c.rank);
         c.is_thin = trace_medium(c.rank, TRACE_TINT).w > 0.0;
         c.is_real = c.is_thin || below != above;
@@ -163,7 +151,7 @@ vec3 trace_absorbed(trace_way way, float t)
     vec3 absorption = refract_frame.absorb;
     if (trace_has(TRACE_HAS_MEDIA))
         absorption = trace_medium(trace_top(way.inside), TRACE_ABSORB).rgb;
-    return way.inside != 0u ? way.weight * exp(-absorption * t) : way.weight;
+    return trace_is_inside(way.inside) ? way.weight * exp(-absorption * t) : way.weight;
 }
 
 #ifdef TRACE_RAYS
@@ -195,7 +183,8 @@ trace_way trace_leave(trace_way way, trace_hit hit, trace_cross c, vec3 dir, boo
     next.side = is_inside ? 1.0 : -1.0;
     next.reach = is_astray || trace_has(TRACE_HAS_CULLING) ? 1e30 : trace.hair;
     if (!c.is_thin)
-        next.inside = is_inside ? way.inside | c.bit : way.inside & ~c.bit;
+        next.inside =
+            is_inside ? trace_with(way.inside, c.rank) : trace_without(way.inside, c.rank);
     if (trace_has(TRACE_HAS_ROUGH))
         next.seed = microfacet_hash(way.seed, is_through ? 1u : 0u);
     return next;
@@ -209,7 +198,7 @@ bool trace_given(vec3 e, float scale, inout trace_hit hit, inout trace_cross c)
 #ifdef TRACE_RAYS
     return false;
 #else
-    if (!trace_has(TRACE_HAS_CULLING) || trace.inside != 0u)
+    if (!trace_has(TRACE_HAS_CULLING) || trace_eye_is_inside())
         return false;
     float depth = texelFetch(depth_front, ivec2(gl_FragCoord.xy), 0).r;
     hit.t = view_distance(refract_frame.clip_from_world, depth) * scale;
@@ -224,9 +213,10 @@ bool trace_given(vec3 e, float scale, inout trace_hit hit, inout trace_cross c)
 
 void trace_begin(vec3 eye, vec3 e)
 {
-    float side = trace_has(TRACE_HAS_CULLING) ? (trace.inside != 0u ? 1.0 : -1.0) : 0.0;
+    float side = trace_has(TRACE_HAS_CULLING) ? (trace_eye_is_inside() ? 1.0 : -1.0) : 0.0;
     uint seed = microfacet_hash(uint(gl_FragCoord.x), uint(gl_FragCoord.y));
-    way = trace_way(eye, e, vec3(1.0), trace.inside, -1, side, 1e30, seed, 0.0, trace_length_max);
+    way = trace_way(eye, e, vec3(1.0), trace_eye_inside(), -1, side, 1e30, seed, 0.0,
+                    trace_length_max);
     for (int i = 0; i < trace_waits_max; i++)
         later[i] = way;
     waits = 0;
@@ -264,7 +254,7 @@ void trace_put(trace_way other)
 {
 #ifndef TRACE_RAYS
     parts_left--;
-    if (trace_has(TRACE_IS_CONVEX) && other.inside == 0u) {
+    if (trace_has(TRACE_IS_CONVEX) && !trace_is_inside(other.inside)) {
         trace_put_stop(other);
         return;
     }
@@ -357,7 +347,7 @@ void trace_note(trace_hit hit, trace_cross c, float fresnel, bool is_total)
         seen.normal = c.n;
         seen.distance = distance(start, way.origin) + hit.t;
         seen.fresnel = fresnel;
-    } else if (is_main && way.inside != 0u) {
+    } else if (is_main && trace_is_inside(way.inside)) {
         seen.bounces += is_total ? 1.0 : 0.0;
         seen.parts += 1.0;
     }
@@ -383,7 +373,7 @@ bool trace_cross_surface(trace_hit hit, trace_cross c)
     way.weight = is_total ? back : through;
     way.kind = is_mirror ? 1.0 : way.kind;
     seen.exit = is_main ? way.dir : seen.exit;
-    is_main = is_main && way.inside != 0u && !is_mirror;
+    is_main = is_main && trace_is_inside(way.inside) && !is_mirror;
     is_first = false;
     return max(way.weight.r, max(way.weight.g, way.weight.b)) > 1e-5;
 }
@@ -393,7 +383,7 @@ bool trace_arrive(trace_hit hit)
 {
     bool goes_on = false;
 #ifdef TRACE_RAYS
-    int turns = is_first && trace.inside == 0u ? 0 : int(trace.one);
+    int turns = is_first && !trace_eye_is_inside() ? 0 : int(trace.one);
     bool is_holed = trace_has(TRACE_HAS_HOLES) && hit.triangle >= 0 && way.left > 0;
     if (is_holed)
         turns = int(trace.one);
@@ -401,7 +391,7 @@ bool trace_arrive(trace_hit hit)
         float passing;
         turns -= int(trace.one);
         vec3 light = trace_end(way, hit, passing) * (1.0 - passing);
-        if (is_first && trace.inside == 0u) {
+        if (is_first && !trace_eye_is_inside()) {
             /* the background is drawn over the picture, so a pane before objects hides nothing */
             passing = passing > 0.0 ? 1.0 : 0.0;
         } else {
@@ -417,7 +407,7 @@ bool trace_arrive(trace_hit hit)
         }
     }
 #else
-    if ((!is_first || trace.inside != 0u) && stop_count < trace_stops_max) {
+    if ((!is_first || trace_eye_is_inside()) && stop_count < trace_stops_max) {
         trace_put_stop(way);
         seen.is_object = true;
     }
@@ -441,7 +431,7 @@ bool trace_step(trace_hit hit, trace_cross c)
 {
     if (hit.t < 1e30) {
         way.weight = trace_absorbed(way, hit.t);
-        seen.path += is_main && way.inside != 0u && !is_first ? hit.t : 0.0;
+        seen.path += is_main && trace_is_inside(way.inside) && !is_first ? hit.t : 0.0;
     }
     way.left--;
     bool crosses = c.rank != 0u && way.left >= 0;
@@ -451,7 +441,7 @@ bool trace_step(trace_hit hit, trace_cross c)
     } else if (crosses) {
         is_over = !trace_cross_surface(hit, c);
 #ifndef TRACE_RAYS
-        if (trace_has(TRACE_IS_CONVEX) && way.inside == 0u && !is_over) {
+        if (trace_has(TRACE_IS_CONVEX) && !trace_is_inside(way.inside) && !is_over) {
             is_over = true;
             crosses = false;
         }

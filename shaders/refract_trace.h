@@ -13,8 +13,6 @@
 
 #define TRACE_OUT_MEDIA 5 /* of the layers' pass, besides those of refract.h */
 
-#define TRACE_SHELLS_MAX 32 /* refractive objects; a bit each */
-
 /* CONSTANT_TRACE, bits */
 #define TRACE_IS_CONVEX     1    /* one convex object: what leaves it does not enter again */
 #define TRACE_HAS_CULLING   2    /* one closed object: a ray meets only faces that it can see */
@@ -28,6 +26,7 @@
 #define TRACE_HAS_DRESS     512  /* some object has textures (dress.h); needs TRACE_HAS_MATERIALS */
 #define TRACE_HAS_EXTRAS    1024 /* some vertices have struct mesh_extra */
 #define TRACE_HAS_SUN       2048 /* the sun's light goes by the map of ice_caustics.h */
+#define TRACE_HAS_MANY      4096 /* more than TREE_SHELLS_FEW objects */
 
 /* The texels of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* of red, green and blue light; roughness */
@@ -37,13 +36,14 @@
 
 /* What a frame needs, besides struct globals; written once a frame. */
 struct trace_frame {
-    vec4s media[(TRACE_SHELLS_MAX + 1) * TRACE_MEDIUM]; /* by rank; the first one is outside */
-    uint32_t roots[TREE_PART_COUNT + 1];                /* TREE_NOTHING: no such part */
-    uint32_t inside;       /* shells that the eye is inside, a bit for each rank from 1 on */
-    uint32_t sample_index; /* of the picture, from 0 */
-    float branch;          /* share of a path's light that is followed apart */
-    float hair;            /* metres: how near a ray's origin may be to a face by rounding alone */
-    uint32_t one;          /* 1: compilers must not know */
+    vec4s media[(TREE_MEDIA_MAX + 1) * TRACE_MEDIUM]; /* by medium; the first one is outside */
+    uint32_t roots[TREE_PART_COUNT + 1];              /* TREE_NOTHING: no such part */
+    uint32_t inside[TREE_NESTED_MAX / 2];             /* struct tree_shells of the eye */
+    uint32_t media_at;                                /* struct tree */
+    uint32_t sample_index;                            /* of the picture, from 0 */
+    float branch; /* share of a path's light that is followed apart */
+    float hair;   /* metres: how near a ray's origin may be to a face by rounding alone */
+    uint32_t one; /* 1: compilers must not know */
 };
 
 #endif

@@ -13,6 +13,9 @@
  * words, or 0: three colours and, in what is left, the u and v of the three corners. The last
  * number is 1 if TREE_EXTRA_WORDS more follow: three tangents with their sides, and the second u
  * and v.
+ *
+ * Where a scene has more than TREE_SHELLS_FEW objects, a word for each rank is behind the corners,
+ * the one of rank 0 for the outside: its first number is the object's medium, from 1 on.
  */
 #ifndef SHADERS_TREE_H
 #define SHADERS_TREE_H
@@ -27,6 +30,10 @@
 #define TREE_CONE_OPEN      0x7f000000u /* all directions */
 #define TREE_DEPTH_MAX      30
 #define TREE_TRIANGLES_MAX  (1u << 24)
+#define TREE_SHELLS_FEW     32    /* objects that bits of a word tell apart */
+#define TREE_SHELLS_MAX     65535 /* objects; 16 bits each */
+#define TREE_NESTED_MAX     8     /* of more than a few objects, those that a point is inside */
+#define TREE_MEDIA_MAX      255   /* materials of more than a few objects */
 
 /* parts of a scene */
 #define TREE_OBJECTS      0

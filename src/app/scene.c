@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include "shaders/refract_trace.h"
+#include "shaders/tree.h"
 #include "src/app/app.h"
 #include "src/base/log.h"
 #include "src/frame/media.h"
@@ -212,7 +212,9 @@ static void name_reason(const struct scene *scene, char *words, size_t size)
 static bool can_trace(const struct model *model)
 {
     const uint64_t indices = (uint64_t)model->object.index_count + model->surroundings.index_count;
-    return model->object_count <= TRACE_SHELLS_MAX && indices / 3 <= TREE_TRIANGLES_MAX;
+    const bool is_few =
+        model->object_count <= TREE_SHELLS_FEW || model->material_count <= TREE_MEDIA_MAX;
+    return is_few && model->object_count <= TREE_SHELLS_MAX && indices / 3 <= TREE_TRIANGLES_MAX;
 }
 
 void app_choose_rung(struct app_picture *picture, const struct scene *scene)

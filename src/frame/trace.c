@@ -1,7 +1,7 @@
 /* trace.c: a scene's trees, media and poses for rays on the device. */
 #include "src/frame/trace.h"
 #include <math.h>
-#include "src/base/log.h"
+#include <string.h>
 #include "src/frame/media.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/ice_caustics.h"
@@ -43,6 +43,7 @@ uint32_t frame_trace_constant(const struct scene *scene, const struct settings *
     const struct model *model = &scene->model;
     const uint32_t count = object_count(scene);
     uint32_t bits = count > 1 ? TRACE_HAS_MEDIA : 0;
+    bits |= count > TREE_SHELLS_FEW ? TRACE_HAS_MANY : 0;
     for (uint32_t i = 0; i < count; i++) {
         const struct frame_medium medium = frame_medium_at(scene, settings, i);
         bits |= medium.is_thin ? TRACE_HAS_MEDIA : 0;
@@ -63,16 +64,6 @@ uint32_t frame_trace_constant(const struct scene *scene, const struct settings *
     if (fabsf(motion->ice) > 0.0f || fabsf(motion->objects) > 0.0f)
         bits |= TRACE_HAS_MOTION;
     return bits;
-}
-
-enum status frame_trace_check(const struct scene *scene)
-{
-    if (object_count(scene) <= TRACE_SHELLS_MAX)
-        return STATUS_OK;
-    log_error("--refraction trace: the scene has %u refractive objects, at most %d can be traced: "
-              "make some opaque by --material, or use --refraction bounce",
-              object_count(scene), TRACE_SHELLS_MAX);
-    return STATUS_DATA;
 }
 
 static vec4s with(vec3s xyz, float w)
@@ -98,13 +89,16 @@ void frame_trace_fill(struct trace_frame *trace, const struct frame_view *view,
         .branch = params->branch,
         .hair = 1e-4f * globals->radius,
         .one = 1,
+        .media_at = tree->media,
     };
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
         trace->roots[i] = tree->roots[i];
     for (uint32_t i = 0; i < frame_media_count(view->scene); i++) {
         const struct frame_medium medium = frame_medium_at(view->scene, view->settings, i);
-        fill_medium(&trace->media[(size_t)medium.rank * TRACE_MEDIUM], &medium);
+        fill_medium(&trace->media[(size_t)tree_medium(tree, medium.rank) * TRACE_MEDIUM], &medium);
     }
     const mat4s object_from_world = glms_mat4_inv(globals->world_from_object);
-    trace->inside = tree_immerse(tree, glms_mat4_mulv3(object_from_world, view->camera.eye, 1.0f));
+    const vec3s eye = glms_mat4_mulv3(object_from_world, view->camera.eye, 1.0f);
+    const struct tree_shells inside = tree_immerse(tree, eye);
+    memcpy(trace->inside, inside.words, sizeof(trace->inside));
 }

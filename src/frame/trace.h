@@ -3,7 +3,6 @@
 #define FIRN_FRAME_TRACE_H
 
 #include "shaders/refract_trace.h"
-#include "src/base/status.h"
 #include "src/tech/frame.h"
 
 /* Returns whether rays that leave the objects meet the triangles around them, as trace.surroundings
@@ -13,9 +12,6 @@ bool frame_trace_meets_surroundings(const struct scene *scene, const struct sett
 
 /* Returns CONSTANT_TRACE. */
 uint32_t frame_trace_constant(const struct scene *scene, const struct settings *settings);
-
-/* Logs and returns STATUS_DATA if a scene has more objects than the rung can tell apart. */
-MUST_USE enum status frame_trace_check(const struct scene *scene);
 
 /* Fills what the rung needs in a frame, after scene_need_tree(). */
 void frame_trace_fill(struct trace_frame *trace, const struct frame_view *view,

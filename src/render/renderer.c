@@ -126,8 +126,7 @@ static enum status need_tree(struct renderer *r)
         r->own_scene.tree = &r->own_tree;
         r->params.scene = &r->own_scene;
     }
-    const enum status status = frame_trace_check(r->params.scene);
-    return status == STATUS_OK ? scene_need_tree(r->params.scene) : status;
+    return scene_need_tree(r->params.scene);
 }
 
 enum status renderer_create(struct renderer **renderer, const struct renderer_params *params)

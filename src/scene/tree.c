@@ -417,6 +417,30 @@ static void lay_part(struct tree *tree, uint32_t index, const struct part *part,
     tree->roots[index] = lay_tree(&layout);
 }
 
+static uint32_t media_words(const struct tree *tree)
+{
+    return tree->shells > TREE_SHELLS_FEW ? tree->shells + 1 : 0;
+}
+
+/* Writes the media of ranks: objects of one material have the same. Returns false when out of
+ * memory. */
+static bool lay_media(struct tree *tree, const struct model *model)
+{
+    uint32_t count = 0;
+    uint32_t *media = calloc(model->material_count + (size_t)1, sizeof(*media));
+    tree->media = tree->corners.count;
+    tree->corners.count += media_words(tree);
+    for (uint32_t i = 0; media && i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        uint32_t *medium = &media[object->material];
+        *medium = *medium ? *medium : ++count;
+        tree->corners.all[tree->media + object->rank][0] = *medium;
+    }
+    free(media);
+    tree->medium_count = count;
+    return media;
+}
+
 static bool make(struct tree *tree, struct part *parts, struct tree_draft *drafts, uint32_t threads)
 {
     bool done = true;
@@ -426,19 +450,36 @@ static bool make(struct tree *tree, struct part *parts, struct tree_draft *draft
         if (done)
             count_words(tree, &parts[i], &drafts[i]);
     }
+    tree->corners.count += media_words(tree);
     done = done && reserve(&tree->nodes) && reserve(&tree->triangles) && reserve(&tree->corners);
     if (done)
         tree->corners.count = tree->triangle_count * TREE_CORNER_WORDS;
     for (uint32_t i = 0; i < TREE_PART_COUNT && done; i++)
         lay_part(tree, i, &parts[i], &drafts[i]);
+    if (done && media_words(tree))
+        done = lay_media(tree, parts[TREE_OBJECTS].model);
     return done;
+}
+
+/* Logs what there is too much of. */
+static bool is_too_large(const struct model *model)
+{
+    const uint64_t count =
+        ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3;
+    if (count > TREE_TRIANGLES_MAX)
+        log_error("--refraction trace: the scene has %llu triangles, at most %u can be traced: "
+                  "choose a simpler model or another rung",
+                  (unsigned long long)count, TREE_TRIANGLES_MAX);
+    else if (model->object_count > TREE_SHELLS_MAX)
+        log_error("--refraction trace: the scene has %u refractive objects, at most %d can be "
+                  "traced: make some opaque by --material, or use --refraction bounce",
+                  model->object_count, TREE_SHELLS_MAX);
+    return count > TREE_TRIANGLES_MAX || model->object_count > TREE_SHELLS_MAX;
 }
 
 enum status tree_init(struct tree *tree, const struct model *model, uint32_t threads)
 {
     const double start = clock_ms();
-    const uint64_t count =
-        ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3;
     struct part parts[TREE_PART_COUNT] = {
         [TREE_OBJECTS] = { .model = model, .mesh = &model->object, .is_object = true },
         [TREE_SURROUNDINGS] = { .model = model, .mesh = &model->surroundings },
@@ -446,11 +487,9 @@ enum status tree_init(struct tree *tree, const struct model *model, uint32_t thr
     };
     struct tree_draft drafts[TREE_PART_COUNT] = { 0 };
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    *tree = (struct tree){ 0 };
-    if (count > TREE_TRIANGLES_MAX) {
-        log_error("--refraction trace: the scene has %llu triangles, at most %u can be traced: "
-                  "choose a simpler model or another rung",
-                  (unsigned long long)count, TREE_TRIANGLES_MAX);
+    *tree = (struct tree){ .shells = model->object_count ? model->object_count : 1 };
+    if (is_too_large(model)) {
+        *tree = (struct tree){ 0 };
         return STATUS_DATA;
     }
     const bool done =
@@ -462,6 +501,14 @@ enum status tree_init(struct tree *tree, const struct model *model, uint32_t thr
     if (!done) {
         tree_finish(tree);
         return log_out_of_memory("the scene's triangles");
+    }
+    if (tree->medium_count > TREE_MEDIA_MAX) {
+        log_error(
+            "--refraction trace: the scene's refractive objects have %u materials, at most %d "
+            "can be traced: use fewer, or another rung",
+            tree->medium_count, TREE_MEDIA_MAX);
+        tree_finish(tree);
+        return STATUS_DATA;
     }
     tree->is_closed = is_closed(&parts[TREE_OBJECTS]);
     tree->ms = clock_ms() - start;

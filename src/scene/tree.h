@@ -26,6 +26,9 @@ struct tree {
     struct tree_words nodes, triangles, corners;
     uint32_t triangle_count;
     uint32_t roots[TREE_PART_COUNT]; /* nodes; TREE_NOTHING: the part has no triangles */
+    uint32_t shells;                 /* objects */
+    uint32_t medium_count;           /* materials of more than TREE_SHELLS_FEW objects, or 0 */
+    uint32_t media;                  /* among the corners: the word of rank 0, or 0 */
     uint32_t depth;                  /* most nodes on a way from a root; at most TREE_DEPTH_MAX */
     bool is_closed; /* each side of a triangle of the objects is that of another one, reversed */
     double ms;      /* time that tree_init() took */
@@ -34,7 +37,8 @@ struct tree {
 /*
  * Builds the trees of a model whose objects have ranks. `threads` is a limit; 0 means one for each
  * core. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA for more than
- * TREE_TRIANGLES_MAX triangles; *tree is then {0}.
+ * TREE_TRIANGLES_MAX triangles, TREE_SHELLS_MAX
+ * objects, or TREE_MEDIA_MAX materials of them; *tree is then {0}.
  */
 MUST_USE enum status tree_init(struct tree *tree, const struct model *model, uint32_t threads);
 
@@ -61,7 +65,20 @@ struct tree_hit {
 bool tree_meet(const struct tree *tree, uint32_t part, const struct tree_ray *ray,
                struct tree_hit *hit);
 
-/* Returns the shells that a point is inside, a bit for each rank from 1 on, up to 32. */
-uint32_t tree_immerse(const struct tree *tree, vec3s point);
+/* Returns the index of the medium of the object of a rank; 0: that of the outside. */
+uint32_t tree_medium(const struct tree *tree, uint32_t rank);
+
+/* A set of objects: with up to TREE_SHELLS_FEW in the tree a bit of the first word for each rank
+ * from 1 on; else the TREE_NESTED_MAX greatest ranks, 16 bits each, the greatest one first. */
+struct tree_shells {
+    uint32_t words[TREE_NESTED_MAX / 2];
+};
+
+void tree_shells_put(struct tree_shells *shells, const struct tree *tree, uint32_t rank);
+void tree_shells_remove(struct tree_shells *shells, const struct tree *tree, uint32_t rank);
+bool tree_shells_has(const struct tree_shells *shells, const struct tree *tree, uint32_t rank);
+
+/* Returns the objects that a point is inside. */
+struct tree_shells tree_immerse(const struct tree *tree, vec3s point);
 
 #endif

@@ -4,11 +4,6 @@
 #include <string.h>
 #include "src/scene/tree.h"
 
-enum {
-    CROSSINGS_MAX = 4096, /* of a ray that looks for the shells around a point */
-    RANK_MAX = 32,
-};
-
 static double number(uint32_t word)
 {
     float x;
@@ -84,23 +79,4 @@ bool tree_meet(const struct tree *tree, uint32_t part, const struct tree_ray *ra
         return false;
     hit->rank = tree->corners.all[(size_t)hit->triangle * TREE_CORNER_WORDS][3];
     return true;
-}
-
-uint32_t tree_immerse(const struct tree *tree, vec3s point)
-{
-    struct tree_ray ray = { point, { { 0.36f, 0.8f, 0.48f } }, 0.0, TREE_NOTHING };
-    struct tree_hit hit;
-    uint32_t entered = 0, inside = 0;
-    for (int i = 0; i < CROSSINGS_MAX && tree_meet(tree, TREE_OBJECTS, &ray, &hit); i++) {
-        const uint32_t shell = hit.rank <= RANK_MAX ? 1u << (hit.rank - 1) : 0;
-        if (!hit.is_back)
-            entered |= shell;
-        else if (!(entered & shell))
-            inside |= shell;
-        else
-            entered &= ~shell;
-        ray.near = hit.t;
-        ray.from = hit.triangle;
-    }
-    return inside;
 }

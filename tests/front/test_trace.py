@@ -68,10 +68,26 @@ class Trace(Case):
             light = self.planes('nested.gltf', *WHITE, *SIZE, '-r', 'trace', *more)
             self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
 
-    def test_too_many_objects(self):
-        self.write('many.gltf', *((glass(), [3 * i, 0, 0], 1) for i in range(33)))
+    def test_many_objects(self):
+        """Sets of objects are other ones if there are many, with the same pictures."""
+        kinds = [glass(1.3 + 0.1 * k, color=[1, 1 - 0.2 * k, 0.6 + 0.2 * k]) for k in range(3)]
+        near = [(kinds[(i + k) % 3], [2.2 * (i % 4), 2.2 * (i // 4), -k * 0.8], 1 - 0.3 * k)
+                for i in range(8) for k in range(3)]
+        far = [(kinds[0], [i, -100, 0], 0.01) for i in range(41)]
+        self.write('few.gltf', *near, far[0], far[-1])
+        self.write('many.gltf', *near, *far)
+        for eye in ('9,7,12', '0.3,0.2,-0.2'):
+            words = ('--env', 'studio', *SIZE, '--eye', eye, '--target', '3.3,2.2,-3')
+            few, many = (self.planes(f'{name}.gltf', *words, '-r', 'trace')
+                         for name in ('few', 'many'))
+            self.assertEqual(few, many)
+            self.assertGreater(len(set(few['R'])), 900)
+
+    def test_too_many_materials(self):
+        self.write('many.gltf', *((glass(name=f'glass {i}'), [3 * i, 0, 0], 1)
+                                  for i in range(256)))
         self.refuse(65, 'render', 'many.gltf', *SIZE, '-r', 'trace', '-o', 'a.exr',
-                    names=('trace', '33', '32'))
+                    names=('trace', '256', '255'))
 
 
 if __name__ == '__main__':

@@ -170,10 +170,59 @@ static void test_shells(void **state)
     model.objects = objects;
     model.object_count = 3;
     assert_int_equal(tree_init(&tree, &model, 2), STATUS_OK);
-    assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.01f, 0.02f, 0.0f } }), 3);
-    assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.7f, 0.02f, 0.0f } }), 1);
-    assert_int_equal(tree_immerse(&tree, (vec3s){ { 4.0f, -0.7f, 0.0f } }), 4);
-    assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.0f, -3.0f, 0.0f } }), 0);
+    assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.01f, 0.02f, 0.0f } }).words[0], 3);
+    assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.7f, 0.02f, 0.0f } }).words[0], 1);
+    assert_int_equal(tree_immerse(&tree, (vec3s){ { 4.0f, -0.7f, 0.0f } }).words[0], 4);
+    assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.0f, -3.0f, 0.0f } }).words[0], 0);
+    tree_finish(&tree);
+    mesh_finish(&model.object);
+}
+
+/* Forty shells around each other, of which the eight greatest ranks are told; three materials. */
+static void test_many_shells(void **state)
+{
+    (void)state;
+
+    enum {
+        COUNT = 40
+    };
+
+    struct model model = { .object_count = COUNT, .material_count = 5 };
+    struct material materials[5] = { 0 };
+    struct object objects[COUNT] = { 0 };
+    struct tree tree;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        struct mesh ball = { 0 };
+        assert_true(generate_sphere(&ball, 100));
+        for (uint32_t v = 0; v < ball.vertex_count; v++)
+            ball.vertices[v].position =
+                glms_vec3_scale(ball.vertices[v].position, (float)(COUNT - i));
+        objects[i] = (struct object){ .first_index = model.object.index_count,
+                                      .index_count = ball.index_count,
+                                      .material = i % 3 + 2,
+                                      .rank = i + 1 };
+        assert_true(mesh_append(&model.object, &ball));
+        mesh_finish(&ball);
+    }
+    model.objects = objects;
+    model.materials = materials;
+    assert_int_equal(tree_init(&tree, &model, 2), STATUS_OK);
+    for (uint32_t i = 0; i < COUNT; i++)
+        assert_int_equal(tree_medium(&tree, i + 1), i % 3 + 1);
+    assert_int_equal(tree_medium(&tree, 0), 0);
+    const vec3s at = { { 27.5f, 0.02f, 0.0f } };
+    const struct tree_shells all = tree_immerse(&tree, (vec3s){ { 0.01f, 0.02f, 0.0f } });
+    struct tree_shells some = tree_immerse(&tree, at);
+    for (uint32_t rank = 1; rank <= COUNT; rank++) {
+        assert_int_equal(tree_shells_has(&all, &tree, rank), rank > COUNT - TREE_NESTED_MAX);
+        assert_int_equal(tree_shells_has(&some, &tree, rank), rank >= 6 && rank <= 13);
+    }
+    tree_shells_remove(&some, &tree, 13);
+    tree_shells_remove(&some, &tree, 10);
+    tree_shells_put(&some, &tree, 7);
+    tree_shells_put(&some, &tree, 30);
+    const struct tree_shells expected = { { 30 | 12 << 16, 11 | 9 << 16, 8 | 7 << 16, 6 } };
+    assert_memory_equal(&some, &expected, sizeof(some));
     tree_finish(&tree);
     mesh_finish(&model.object);
 }
@@ -188,7 +237,7 @@ static void test_nothing(void **state)
     assert_int_equal(tree_init(&tree, &model, 1), STATUS_OK);
     for (uint32_t part = 0; part < TREE_PART_COUNT; part++)
         assert_false(tree_meet(&tree, part, &ray, &hit));
-    assert_int_equal(tree_immerse(&tree, ray.origin), 0);
+    assert_int_equal(tree_immerse(&tree, ray.origin).words[0], 0);
     tree_finish(&tree);
     tree_finish(&tree);
 }
@@ -196,8 +245,9 @@ static void test_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hits),   cmocka_unit_test(test_threads), cmocka_unit_test(test_depth),
-        cmocka_unit_test(test_shells), cmocka_unit_test(test_nothing),
+        cmocka_unit_test(test_hits),        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_depth),       cmocka_unit_test(test_shells),
+        cmocka_unit_test(test_many_shells), cmocka_unit_test(test_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
