@@ -26,6 +26,7 @@ struct profile_field {
     enum profile_field_kind kind;
     const char *key;
     size_t offset, size;
+    bool is_optional; /* a file may lack it, and it is then 0 */
 };
 
 struct profile_fields {

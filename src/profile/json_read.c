@@ -116,6 +116,8 @@ static enum status read_fields(const struct reader *reader, const json_t *json,
     for (uint32_t i = 0; i < fields->count; i++) {
         const struct profile_field *field = &fields->fields[i];
         const json_t *value = json_object_get(json, field->key);
+        if (!value && field->is_optional)
+            continue;
         if (!value)
             return fault(reader, field->key, "is missing");
         const char *what = find_fault(field, value);

@@ -257,6 +257,9 @@ static enum status open_renderer(struct measure *m)
     if (status != STATUS_OK)
         return status;
     const struct renderer_costs costs = renderer_costs(m->renderer);
+    p->tree = costs.tree;
+    p->tree_triangles = costs.tree_triangles;
+    p->tree_size = costs.tree_size;
     p->upload = costs.upload;
     p->compile = costs.compile;
     p->realise = costs.realise;

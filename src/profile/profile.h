@@ -76,7 +76,10 @@ struct profile {
     bool fragments_are_exact;      /* they count each fragment: some drivers count blocks */
     uint32_t warmup;               /* runs before the first measured one */
     uint32_t run_count;
-    double time, time_step; /* the scene's time in seconds: of the first run; from run to run */
+    double time, time_step;  /* the scene's time in seconds: of the first run; from run to run */
+    uint32_t tree_triangles; /* of the tree that rays meet; 0: the rung has none */
+    uint64_t tree_size;      /* bytes */
+    double tree;             /* milliseconds of its build */
     double upload, compile, realise,
         first_frame; /* setup, once: scene, plan, objects and pipelines,
                                                      first frame (the driver compiles shaders) */

@@ -190,6 +190,11 @@ static void print_rest(const struct profile_table_rows *lines, const struct prof
              profile_decimals(p->realise), p->realise, profile_decimals(p->first_frame),
              p->first_frame);
     profile_print_words(words, 2, out);
+    if (p->tree_triangles) {
+        snprintf(words, sizeof(words), "tree: %u triangles, %.*f ms, %.1f MiB", p->tree_triangles,
+                 profile_decimals(p->tree), p->tree, (double)p->tree_size / (1 << 20));
+        profile_print_words(words, 2, out);
+    }
     snprintf(words, sizeof(words),
              "memory: %" PRIu64 " bytes transient (%" PRIu64 " without aliasing, %" PRIu64
              " lower bound), %" PRIu64 " persistent",

@@ -126,7 +126,12 @@ static enum status need_tree(struct renderer *r)
         r->own_scene.tree = &r->own_tree;
         r->params.scene = &r->own_scene;
     }
-    return scene_need_tree(r->params.scene);
+    const enum status status = scene_need_tree(r->params.scene);
+    const struct tree *tree = r->params.scene->tree;
+    r->costs.tree = tree->ms;
+    r->costs.tree_triangles = tree->triangle_count;
+    r->costs.tree_size = tree_size(tree);
+    return status;
 }
 
 enum status renderer_create(struct renderer **renderer, const struct renderer_params *params)

@@ -100,9 +100,12 @@ VkImage renderer_picture(const struct renderer *renderer);
 
 /* Time that renderer_create() took, milliseconds of the host. */
 struct renderer_costs {
-    double upload;  /* of the scene */
-    double compile; /* the frame's tables to a plan */
-    double realise; /* the plan's memory, images, descriptors and pipelines */
+    double tree;             /* build of the tree that rays meet; it stays with the scene */
+    uint32_t tree_triangles; /* 0: the rung has no tree */
+    uint64_t tree_size;      /* bytes */
+    double upload;           /* of the scene */
+    double compile;          /* the frame's tables to a plan */
+    double realise;          /* the plan's memory, images, descriptors and pipelines */
 };
 struct renderer_costs renderer_costs(const struct renderer *renderer);
 

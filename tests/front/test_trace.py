@@ -3,7 +3,7 @@ Usage: see case.py."""
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DRIVER, Case, main  # noqa: E402
+from case import FLAT, NO_DRIVER, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -82,6 +82,13 @@ class Trace(Case):
                          for name in ('few', 'many'))
             self.assertEqual(few, many)
             self.assertGreater(len(set(few['R'])), 900)
+
+    def test_the_tree_is_reported(self):
+        def lines(rung):
+            words = ('profile', 'sphere', *FLAT, '--plain', '-s', '16x12', '-n', 1, '-r', rung)
+            return self.succeed(*words).stdout.decode()
+        self.assertRegex(lines('trace'), r'\ntree: \d{3,} triangles, \d+\.\d+ ms, 0\.\d MiB\n')
+        self.assertNotIn('tree:', lines('bounce'))
 
     def test_too_many_materials(self):
         self.write('many.gltf', *((glass(name=f'glass {i}'), [3 * i, 0, 0], 1)

@@ -65,6 +65,23 @@ static void test_same_bytes_again(void **state)
     free(second);
 }
 
+/* Older files have nothing about a tree. */
+static void test_without_a_tree(void **state)
+{
+    (void)state;
+    char *text = write_sample(1.0);
+    char *key;
+    struct profile p;
+    while ((key = strstr(text, "\"tree")))
+        memcpy(key, "\"nope", 5);
+    save(text, strlen(text));
+    assert_int_equal(profile_read_json(path, &p), STATUS_OK);
+    assert_int_equal(p.tree_triangles, 0);
+    assert_int_equal(p.tree_size, 0);
+    profile_finish(&p);
+    free(text);
+}
+
 static void test_bytes_that_are_no_utf8(void **state)
 {
     (void)state;
@@ -188,7 +205,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_same_bytes_again), cmocka_unit_test(test_bytes_that_are_no_utf8),
         cmocka_unit_test(test_damaged_files),    cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_missing_file),
+        cmocka_unit_test(test_missing_file),     cmocka_unit_test(test_without_a_tree),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
 }

@@ -24,6 +24,9 @@ function startFacts() {
     addFact('scene time', `${p.time} s, step ${p.time_step} s per run`);
     addFact('setup', `upload ${ms(p.upload)}, plan ${ms(p.compile)}, objects ${ms(p.realise)}, ` +
         `first frame ${ms(p.first_frame)}`);
+    if (p.tree_triangles)
+        addFact('tree', `${p.tree_triangles} triangles, ${ms(p.tree)}, ` +
+            `${(p.tree_size / 2 ** 20).toFixed(1)} MiB`);
     $('command').textContent = p.command;
 }
 
