@@ -54,6 +54,20 @@ class Animation(Case):
                             'motion.time=0.8', env=NO_DRIVER)
         self.assertEqual(at_rest, moving[0])
 
+    def test_fifty_objects_move(self):
+        """What rays meet is posed anew: frames are those of processes of their own."""
+        places = [[3 * (i % 10), 3 * (i // 10), -(i % 3)] for i in range(50)]
+        text = boxes(*((glass(1.3 + 0.005 * i), place, 1) for i, place in enumerate(places)))
+        for i, (x, y, z) in enumerate(places):
+            text = slide(text, i, 2, ([x, y, z], [x + i % 4, y + i % 3, z + 1]))
+        scene = json.loads(text)
+        channels = [{'sampler': i, 'target': one['channels'][0]['target']}
+                    for i, one in enumerate(scene['animations'])]
+        scene['animations'] = [{'channels': channels, 'samplers': [
+            one['samplers'][0] for one in scene['animations']]}]
+        (self.folder / 'fifty.gltf').write_text(json.dumps(scene))
+        self.check_sequence('fifty.gltf', '-r', 'trace', '--env', 'studio')
+
     def test_cameras_move(self):
         frames = self.check_sequence('seen.gltf', *TRACED, env=NO_DRIVER)
         eye = self.draw('eye.exr', 'seen.gltf', *TRACED, '--eye', '0.8,0,6', '--target', '0.8,0,0',
