@@ -52,6 +52,7 @@ struct trace_way {
     uint seed;
     float kind; /* 1: it is reflected by the first surface, else 0 */
     int left;   /* straight parts that it may still have */
+    bool is_in_bubble;
 };
 
 struct trace_seen {
@@ -96,11 +97,15 @@ dress trace_own(uint rank)
 struct trace_cross {
     vec3 n, facet; /* normals on the side that light comes from, interpolated and the triangle's */
     uint rank;
+    bool is_met; /* it is one */
     bool is_entering, is_thin, is_real;
+    bool is_inclusion;
     float eta;
     bool is_bumpy; /* a normal texture bends `n` */
     dress own;     /* of the surface, if TRACE_HAS_DRESS */
 };
+
+#include "trace_inclusions.glsl"
 
 trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
 {
@@ -119,8 +124,10 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
     c.facet *= c.is_entering ? 1.0 : -1.0;
     c.n *= c.is_entering ? 1.0 : -1.0;
     c.n = dot(c.n, way.dir) < 0.0 ? c.n : c.facet;
+    c.is_met = c.rank != 0u;
     c.is_thin = false;
     c.is_real = true;
+    c.is_inclusion = false;
     if (trace_has(TRACE_HAS_MEDIA)) {
         uint below = trace_top_without(way.inside, c.rank);
         uint above = max(below, c.rank);
@@ -142,6 +149,17 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
         c.n = !c.is_bumpy ? c.n : dot(bent, way.dir) < 0.0 ? bent : c.facet;
     }
 #endif
+    if (trace_has(TRACE_HAS_INCLUSIONS)) {
+        c.is_real = c.is_real && !way.is_in_bubble;
+        if (hit.triangle >= 0 && hit.part == TREE_INCLUSIONS) {
+            vec3 n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
+            float eta = 1.0 / refract_frame.etas[channel];
+            if (trace_has(TRACE_HAS_MEDIA))
+                eta = trace_medium(trace.ice, TRACE_IOR)[channel] /
+                      trace_medium(0u, TRACE_IOR)[channel];
+            c = trace_inclusion_at(way, hit, n, eta);
+        }
+    }
     return c;
 }
 
@@ -151,7 +169,8 @@ vec3 trace_absorbed(trace_way way, float t)
     vec3 absorption = refract_frame.absorb;
     if (trace_has(TRACE_HAS_MEDIA))
         absorption = trace_medium(trace_top(way.inside), TRACE_ABSORB).rgb;
-    return trace_is_inside(way.inside) ? way.weight * exp(-absorption * t) : way.weight;
+    bool absorbs = trace_is_inside(way.inside) && !way.is_in_bubble;
+    return absorbs ? way.weight * exp(-absorption * t) : way.weight;
 }
 
 #ifdef TRACE_RAYS
@@ -159,7 +178,7 @@ vec3 trace_absorbed(trace_way way, float t)
 vec3 trace_end(trace_way way, trace_hit hit, out float passing)
 {
     vec3 light = environment_radiance(environment, way.dir, 0.0);
-    bool is_around = hit.triangle >= 0 && hit.part != TREE_OBJECTS;
+    bool is_around = hit.part == TREE_SURROUNDINGS || hit.part == TREE_MOVERS;
     int turns = is_around ? int(trace.one) : 0;
     passing = 0.0;
     while (turns > 0) {
@@ -182,7 +201,11 @@ trace_way trace_leave(trace_way way, trace_hit hit, trace_cross c, vec3 dir, boo
     next.from = hit.triangle;
     next.side = is_inside ? 1.0 : -1.0;
     next.reach = is_astray || trace_has(TRACE_HAS_CULLING) ? 1e30 : trace.hair;
-    if (!c.is_thin)
+    if (c.is_inclusion) {
+        next.side = trace_has(TRACE_HAS_CULLING) ? way.side : 0.0;
+        next.is_in_bubble = !c.is_thin && is_inside;
+    }
+    if (!c.is_thin && !c.is_inclusion)
         next.inside =
             is_inside ? trace_with(way.inside, c.rank) : trace_without(way.inside, c.rank);
     if (trace_has(TRACE_HAS_ROUGH))
@@ -206,6 +229,7 @@ bool trace_given(vec3 e, float scale, inout trace_hit hit, inout trace_cross c)
     c.n = texelFetch(shading, ivec2(gl_FragCoord.xy), 0).xyz;
     c.facet = c.n;
     c.rank = depth > 0.0 ? 1u : 0u;
+    c.is_met = depth > 0.0;
     c.is_entering = true;
     return depth == 0.0 || dot(c.n, e) < -0.05;
 #endif
@@ -216,7 +240,7 @@ void trace_begin(vec3 eye, vec3 e)
     float side = trace_has(TRACE_HAS_CULLING) ? (trace_eye_is_inside() ? 1.0 : -1.0) : 0.0;
     uint seed = microfacet_hash(uint(gl_FragCoord.x), uint(gl_FragCoord.y));
     way = trace_way(eye, e, vec3(1.0), trace_eye_inside(), -1, side, 1e30, seed, 0.0,
-                    trace_length_max);
+                    trace_length_max, trace.is_in_bubble != 0u);
     for (int i = 0; i < trace_waits_max; i++)
         later[i] = way;
     waits = 0;
@@ -307,7 +331,7 @@ trace_parting trace_part_at(trace_cross c)
         p.fresnel = trace_part(way.dir, c.n, c.eta, c.is_thin, mirrored, bent);
         p.reflected_share = is_reflected ? microfacet_masking(c.n, p.reflected, roughness) : 0.0;
         p.refracted_share = is_refracted ? microfacet_masking(c.n, p.refracted, roughness) : 0.0;
-    } else if (!c.is_entering && dot(p.reflected, c.facet) <= 0.0) {
+    } else if ((!c.is_entering || c.is_inclusion) && dot(p.reflected, c.facet) <= 0.0) {
         p.reflected = reflect(way.dir, c.facet);
     }
     if (trace_has(TRACE_HAS_DRESS) && c.is_bumpy)
@@ -434,7 +458,7 @@ bool trace_step(trace_hit hit, trace_cross c)
         seen.path += is_main && trace_is_inside(way.inside) && !is_first ? hit.t : 0.0;
     }
     way.left--;
-    bool crosses = c.rank != 0u && way.left >= 0;
+    bool crosses = c.is_met && way.left >= 0;
     bool is_over = false;
     if (crosses && !c.is_real) {
         way = trace_leave(way, hit, c, way.dir, true);
@@ -452,6 +476,13 @@ bool trace_step(trace_hit hit, trace_cross c)
     return is_over;
 }
 
+trace_start trace_start_of(trace_way way)
+{
+    bool is_in_ice = trace_is_inside(way.inside) && trace_top(way.inside) == trace.ice;
+    return trace_start(way.origin, way.dir, way.side, way.reach, way.from, way.is_in_bubble,
+                       is_in_ice || way.is_in_bubble);
+}
+
 void trace_pixel(vec3 eye, vec3 e, int channel)
 {
     trace_hit given;
@@ -461,13 +492,14 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
     bool is_going = true;
     do {
         bool is_traced = !(is_first && is_given);
-        trace_hit hit = trace_meet(way.origin, way.dir, way.side, way.reach, way.from, is_traced);
+        trace_hit hit = trace_meet(trace_start_of(way), is_traced);
         trace_cross c = trace_cross_at(way, hit, channel);
         if (is_given && is_first) {
             hit = given;
             c.n = given_cross.n;
             c.facet = c.n;
             c.rank = given_cross.rank;
+            c.is_met = given_cross.is_met;
             c.is_entering = true;
             c.eta = refract_frame.etas[channel];
         }

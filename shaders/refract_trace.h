@@ -14,19 +14,20 @@
 #define TRACE_OUT_MEDIA 5 /* of the layers' pass, besides those of refract.h */
 
 /* CONSTANT_TRACE, bits */
-#define TRACE_IS_CONVEX     1    /* one convex object: what leaves it does not enter again */
-#define TRACE_HAS_CULLING   2    /* one closed object: a ray meets only faces that it can see */
-#define TRACE_HAS_MEDIA     4    /* several objects, or thin walls */
-#define TRACE_HAS_ROUGH     8    /* some object is rough */
-#define TRACE_HAS_SHINE     16   /* some object is not wholly transmissive */
-#define TRACE_HAS_MATERIALS 32   /* surroundings have rows in the texture of materials */
-#define TRACE_HAS_HOLES     64   /* surroundings have holes, or blended surfaces */
-#define TRACE_HAS_MOTION    128  /* objects, or what is around them, may turn */
-#define TRACE_HAS_TINT      256  /* some object tints the light that passes its surface */
-#define TRACE_HAS_DRESS     512  /* some object has textures (dress.h); needs TRACE_HAS_MATERIALS */
-#define TRACE_HAS_EXTRAS    1024 /* some vertices have struct mesh_extra */
-#define TRACE_HAS_SUN       2048 /* the sun's light goes by the map of ice_caustics.h */
-#define TRACE_HAS_MANY      4096 /* more than TREE_SHELLS_FEW objects */
+#define TRACE_IS_CONVEX      1   /* one convex object: what leaves it does not enter again */
+#define TRACE_HAS_CULLING    2   /* one closed object: a ray meets only faces that it can see */
+#define TRACE_HAS_MEDIA      4   /* several objects, or thin walls */
+#define TRACE_HAS_ROUGH      8   /* some object is rough */
+#define TRACE_HAS_SHINE      16  /* some object is not wholly transmissive */
+#define TRACE_HAS_MATERIALS  32  /* surroundings have rows in the texture of materials */
+#define TRACE_HAS_HOLES      64  /* surroundings have holes, or blended surfaces */
+#define TRACE_HAS_MOTION     128 /* objects, or what is around them, may turn */
+#define TRACE_HAS_TINT       256 /* some object tints the light that passes its surface */
+#define TRACE_HAS_DRESS      512 /* some object has textures (dress.h); needs TRACE_HAS_MATERIALS */
+#define TRACE_HAS_EXTRAS     1024 /* some vertices have struct mesh_extra */
+#define TRACE_HAS_SUN        2048 /* the sun's light goes by the map of ice_caustics.h */
+#define TRACE_HAS_MANY       4096 /* more than TREE_SHELLS_FEW objects */
+#define TRACE_HAS_INCLUSIONS 8192 /* bubbles or cracks in the first object */
 
 /* The texels of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* of red, green and blue light; roughness */
@@ -41,9 +42,12 @@ struct trace_frame {
     uint32_t inside[TREE_NESTED_MAX / 2];             /* struct tree_shells of the eye */
     uint32_t media_at;                                /* struct tree */
     uint32_t sample_index;                            /* of the picture, from 0 */
-    float branch; /* share of a path's light that is followed apart */
-    float hair;   /* metres: how near a ray's origin may be to a face by rounding alone */
-    uint32_t one; /* 1: compilers must not know */
+    uint32_t ice;          /* rank of the object that has the inclusions */
+    uint32_t is_in_bubble; /* 1: the eye is */
+    float crack_slope;     /* of the roughness of cracks; 0: they are smooth */
+    float branch;          /* share of a path's light that is followed apart */
+    float hair;            /* metres: how near a ray's origin may be to a face by rounding alone */
+    uint32_t one;          /* 1: compilers must not know */
 };
 
 #endif

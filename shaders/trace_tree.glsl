@@ -30,7 +30,16 @@ struct trace_ray {
     float side;  /* 1: inside the object that it begins on, -1: outside of it, 0: on none */
     float reach; /* within which faces are not met that it could only see from the other side */
     float cull;  /* `side`, if the cones of nodes count */
-    int from;    /* a triangle that is not met */
+    bool is_in_bubble;
+    int from; /* a triangle that is not met */
+};
+
+/* A ray in the world. */
+struct trace_start {
+    vec3 origin, dir;
+    float side, reach;
+    int from; /* as of trace_ray */
+    bool is_in_bubble, meets_inclusions;
 };
 
 struct trace_hit {
@@ -42,12 +51,12 @@ struct trace_hit {
 const float trace_edge = 1e-6;
 const int trace_nothing = int(TREE_LEAF);
 
-trace_ray trace_ray_of(vec3 origin, vec3 dir, float side, float reach, int from)
+trace_ray trace_ray_of(vec3 origin, vec3 dir, float side, float reach, int from, bool is_in_bubble)
 {
     vec3 safe = mix(dir, vec3(1e-20), lessThan(abs(dir), vec3(1e-20)));
     vec3 inverse = 1.0 / safe;
     float cull = trace_has(TRACE_HAS_CULLING) ? side : 0.0;
-    return trace_ray(origin, dir, inverse, origin * inverse, side, reach, cull, from);
+    return trace_ray(origin, dir, inverse, origin * inverse, side, reach, cull, is_in_bubble, from);
 }
 
 /* Returns whether a ray meets a box before `far`, and where it enters. */
@@ -70,17 +79,37 @@ bool trace_faces(uint cone, trace_ray ray)
     return dot(c.xyz, ray.dir) * ray.cull + c.w >= 0.0;
 }
 
+/* Meets a crack or a bubble. A ray in a bubble meets nothing but bubbles, where it leaves them; one
+ * that begins on a sheet is not met by what is nearer than rounding. */
+bool trace_sees_inclusion(trace_ray ray, int i, vec4 first_row, vec4 last_row, inout float t,
+                          inout float u, inout float v)
+{
+    if (last_row.xyz != vec3(0.0))
+        return i != ray.from && t > trace.hair && !ray.is_in_bubble;
+    vec3 from = ray.origin - first_row.xyz;
+    float along = dot(from, ray.dir);
+    vec3 aside = from - along * ray.dir;
+    float root2 = last_row.w * last_row.w - dot(aside, aside);
+    float root = sqrt(max(root2, 0.0));
+    t = i == ray.from || -along - root <= 0.0 ? root - along : -along - root;
+    u = 0.0;
+    v = 0.0;
+    return root2 > 0.0 && (i != ray.from || ray.is_in_bubble);
+}
+
 void trace_meet_triangle(trace_ray ray, int i, int part, bool counts, inout trace_hit hit)
 {
     vec4 w = uintBitsToFloat(texelFetch(triangles, 3 * i + 2));
     float towards = dot(w.xyz, ray.dir);
     float t = -(dot(w.xyz, ray.origin) + w.w) / towards;
     vec3 p = ray.origin + t * ray.dir;
-    vec4 row = uintBitsToFloat(texelFetch(triangles, 3 * i));
-    float u = dot(row.xyz, p) + row.w;
-    row = uintBitsToFloat(texelFetch(triangles, 3 * i + 1));
+    vec4 first = uintBitsToFloat(texelFetch(triangles, 3 * i));
+    float u = dot(first.xyz, p) + first.w;
+    vec4 row = uintBitsToFloat(texelFetch(triangles, 3 * i + 1));
     float v = dot(row.xyz, p) + row.w;
     bool is_seen = i != ray.from && (towards * ray.side >= 0.0 || t >= ray.reach);
+    if (trace_has(TRACE_HAS_INCLUSIONS) && part == TREE_INCLUSIONS)
+        is_seen = trace_sees_inclusion(ray, i, first, w, t, u, v);
     if (counts && is_seen && t > 0.0 && t < hit.t && u >= -trace_edge && v >= -trace_edge &&
         u + v <= 1.0 + trace_edge) {
         hit.t = t;
@@ -141,35 +170,44 @@ void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
 mat4 trace_pose(int part)
 {
     mat4 around = part == TREE_MOVERS ? frame.world_from_movers : mat4(1.0);
-    return part == TREE_OBJECTS ? frame.world_from_object : around;
+    return part == TREE_OBJECTS || part == TREE_INCLUSIONS ? frame.world_from_object : around;
 }
 
 /* Meets all parts; a ray that is not active meets nothing. */
-trace_hit trace_meet(vec3 origin, vec3 dir, float side, float reach, int from, bool is_active)
+trace_hit trace_meet(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
 #ifdef TRACE_RAYS
-    for (int part = 0; part < TREE_PART_COUNT; part++) {
+    const int step = 1;
+#else
+    const int step = TREE_INCLUSIONS - TREE_OBJECTS;
+#endif
+    const int count = trace_has(TRACE_HAS_INCLUSIONS) ? TREE_PART_COUNT : TREE_INCLUSIONS;
+    for (int part = 0; part < count; part += step) {
         uint root = trace.roots[part];
         if (root == TREE_NOTHING)
             continue;
-#else
-    {
-        const int part = TREE_OBJECTS;
-        uint root = trace.roots[part];
-#endif
-        vec3 own_origin = origin, own_dir = dir;
+        vec3 own_origin = start.origin, own_dir = start.dir;
         if (trace_has(TRACE_HAS_MOTION)) {
             mat4 pose = trace_pose(part);
             mat3 turn = transpose(mat3(pose));
-            own_origin = turn * (origin - pose[3].xyz);
-            own_dir = turn * dir;
+            own_origin = turn * (start.origin - pose[3].xyz);
+            own_dir = turn * start.dir;
         }
-        float own_side = part == TREE_OBJECTS ? side : 0.0;
-        trace_ray ray = trace_ray_of(own_origin, own_dir, own_side, reach, from);
-        trace_meet_part(ray, is_active ? int(root) : trace_nothing, part, hit);
+        float own_side = part == TREE_OBJECTS ? start.side : 0.0;
+        trace_ray ray = trace_ray_of(own_origin, own_dir, own_side, start.reach, start.from,
+                                     start.is_in_bubble);
+        bool is_met = is_active && (part != TREE_INCLUSIONS || start.meets_inclusions);
+        trace_meet_part(ray, is_met ? int(root) : trace_nothing, part, hit);
     }
     return hit;
+}
+
+/* Returns a point of the world in the space of a part. */
+vec3 trace_unposed_point(vec3 point, int part)
+{
+    mat4 pose = trace_pose(part);
+    return trace_has(TRACE_HAS_MOTION) ? transpose(mat3(pose)) * (point - pose[3].xyz) : point;
 }
 
 /* Returns a vector of a part in the world. */

@@ -14,6 +14,8 @@
  * number is 1 if TREE_EXTRA_WORDS more follow: three tangents with their sides, and the second u
  * and v.
  *
+ * A bubble is a triangle whose rows are its centre and radius, nothing, and (0, 0, 0, radius).
+ *
  * Where a scene has more than TREE_SHELLS_FEW objects, a word for each rank is behind the corners,
  * the one of rank 0 for the outside: its first number is the object's medium, from 1 on.
  */
@@ -39,6 +41,7 @@
 #define TREE_OBJECTS      0
 #define TREE_SURROUNDINGS 1
 #define TREE_MOVERS       2 /* surroundings that move around the object */
-#define TREE_PART_COUNT   3
+#define TREE_INCLUSIONS   3 /* cracks and bubbles of the first object, in its space */
+#define TREE_PART_COUNT   4
 
 #endif

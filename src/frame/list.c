@@ -41,7 +41,8 @@ static struct rg_technique make(const struct technique *technique,
                                 const struct technique_part *part,
                                 const struct technique_choice *choice, struct row_builder *builder)
 {
-    if (!fits(technique, part, choice))
+    const bool is_met = technique->is_met && choice->rung && choice->rung->rung.meets_tree;
+    if (is_met || !fits(technique, part, choice))
         return (struct rg_technique){ 0 };
     if (part->rows)
         return part->rows(choice, builder);

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "src/frame/media.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/cracks.h"
 #include "src/tech/ice_caustics.h"
 #include "src/tech/refract_trace.h"
 
@@ -44,6 +45,7 @@ uint32_t frame_trace_constant(const struct scene *scene, const struct settings *
     const uint32_t count = object_count(scene);
     uint32_t bits = count > 1 ? TRACE_HAS_MEDIA : 0;
     bits |= count > TREE_SHELLS_FEW ? TRACE_HAS_MANY : 0;
+    bits |= scene->bubbles.count || scene->cracks.index_count ? TRACE_HAS_INCLUSIONS : 0;
     for (uint32_t i = 0; i < count; i++) {
         const struct frame_medium medium = frame_medium_at(scene, settings, i);
         bits |= medium.is_thin ? TRACE_HAS_MEDIA : 0;
@@ -79,16 +81,29 @@ static void fill_medium(vec4s *texels, const struct frame_medium *medium)
     texels[TRACE_TINT] = with(medium->tint, medium->is_thin ? 1.0f : 0.0f);
 }
 
+static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
+{
+    for (uint32_t i = 0; i < bubbles->count; i++) {
+        const struct bubbles_sphere *s = &bubbles->spheres[i];
+        if (glms_vec3_distance2(s->center, point) < s->radius * s->radius)
+            return true;
+    }
+    return false;
+}
+
 void frame_trace_fill(struct trace_frame *trace, const struct frame_view *view,
                       const struct globals *globals)
 {
     const struct trace_params *params = settings_of(view->settings, &trace_settings);
     const struct tree *tree = view->scene->tree;
+    const struct cracks_params *cracks_of = settings_of(view->settings, &cracks_settings);
     *trace = (struct trace_frame){
         .sample_index = view->sample,
         .branch = params->branch,
         .hair = 1e-4f * globals->radius,
         .one = 1,
+        .ice = view->scene->model.object_count ? view->scene->model.objects[0].rank : 1,
+        .crack_slope = cracks_of->look.bump,
         .media_at = tree->media,
     };
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
@@ -100,5 +115,6 @@ void frame_trace_fill(struct trace_frame *trace, const struct frame_view *view,
     const mat4s object_from_world = glms_mat4_inv(globals->world_from_object);
     const vec3s eye = glms_mat4_mulv3(object_from_world, view->camera.eye, 1.0f);
     const struct tree_shells inside = tree_immerse(tree, eye);
+    trace->is_in_bubble = is_in_bubble(&view->scene->bubbles, eye);
     memcpy(trace->inside, inside.words, sizeof(trace->inside));
 }

@@ -10,6 +10,7 @@
 #include "src/scene/material_rows.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/caustics.h"
+#include "src/tech/over.h"
 #include "src/tech/techniques.h"
 
 /* Margins of frame_view_reach(): rays begin a little outside of the sphere (refract_inside.glsl);
@@ -321,7 +322,8 @@ static bool is_dispersive(const struct scene *scene, const struct settings *sett
 }
 
 struct frame_constants frame_view_constants(const struct scene *scene,
-                                            const struct settings *settings)
+                                            const struct settings *settings,
+                                            const struct technique *rung)
 {
     static const uint32_t backgrounds[] = {
         [SCENE_SKY] = GLOBALS_SKY,
@@ -336,6 +338,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
             material_rows_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene),
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
+        [CONSTANT_OVER] = over_layers(settings, rung),
         [CONSTANT_TRACE] = frame_trace_constant(scene, settings),
         [CONSTANT_HIDDEN] = scene->is_hidden,
         [CONSTANT_SCENE_LIGHTS] = scene->light_rows ? scene->model.light_count : 0,

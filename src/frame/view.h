@@ -39,13 +39,14 @@ struct globals frame_view_globals(const struct frame_view *view,
 struct globals frame_view_object_globals(const struct frame_view *view, const struct globals *all,
                                          uint32_t object);
 
-/* Specialization constants, which depend on scene and settings (of frame_settle()), but not on
- * camera and time. */
+/* Specialization constants, which depend on scene, settings (of frame_settle()) and rung (NULL: one
+ * that does not meet the scene's tree), but not on camera and time. */
 struct frame_constants {
     uint32_t values[CONSTANT_COUNT];
 };
 struct frame_constants frame_view_constants(const struct scene *scene,
-                                            const struct settings *settings);
+                                            const struct settings *settings,
+                                            const struct technique *rung);
 
 /* Returns `clip_from_world` with its depth changed to 0 at the front and 1 at the back of a sphere,
  * along the camera's axis; the near plane stays before the eye where the eye is inside the sphere.

@@ -64,7 +64,7 @@ void frame_exec_describe(struct frame_exec_params *described, const struct frame
     const struct texture_params *texture = settings_of(params->settings, &texture_settings);
     struct frame_exec_params *d = described;
     const struct settings settled = frame_settle(params->settings, params->rung, params->height);
-    d->constants = frame_view_constants(params->scene, &settled);
+    d->constants = frame_view_constants(params->scene, &settled, params->rung);
     d->constants.values[CONSTANT_TILED] = renderer_is_interleaved(params);
     d->constants.values[CONSTANT_ORTHOGRAPHIC] = params->is_orthographic;
     for (uint32_t i = 0; i < CONSTANT_COUNT; i++)

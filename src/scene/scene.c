@@ -441,7 +441,9 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
 
 enum status scene_need_tree(const struct scene *scene)
 {
-    return scene->tree->nodes.all ? STATUS_OK : tree_init(scene->tree, &scene->model, 0);
+    const struct tree_inclusions inclusions = { &scene->cracks, &scene->bubbles };
+    return scene->tree->nodes.all ? STATUS_OK
+                                  : tree_init(scene->tree, &scene->model, &inclusions, 0);
 }
 
 void scene_finish(struct scene *scene)

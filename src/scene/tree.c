@@ -46,10 +46,23 @@ static void put(uint32_t to[static 4], const float *xyz, uint32_t last)
 struct part {
     const struct model *model;
     const struct mesh *mesh;
-    uint32_t *triangles; /* of the mesh */
+    const struct bubbles *bubbles; /* NULL: none; they count as triangles after the mesh's */
+    uint32_t *triangles;           /* of the mesh */
     uint32_t count;
-    bool is_object;
+    bool is_object, is_inclusion;
 };
+
+static uint32_t triangle_count(const struct part *part)
+{
+    return part->mesh ? part->mesh->index_count / 3 : 0;
+}
+
+/* Returns a triangle's bubble, or NULL. */
+static const struct bubbles_sphere *bubble_of(const struct part *part, uint32_t triangle)
+{
+    const uint32_t count = triangle_count(part);
+    return triangle < count ? NULL : &part->bubbles->spheres[triangle - count];
+}
 
 static const struct mesh_vertex *corner(const struct part *part, uint32_t triangle, uint32_t k)
 {
@@ -59,7 +72,12 @@ static const struct mesh_vertex *corner(const struct part *part, uint32_t triang
 static struct tree_box box_of(const struct part *part, uint32_t triangle)
 {
     struct tree_box box;
-    for (int k = 0; k < 3; k++) {
+    const struct bubbles_sphere *bubble = bubble_of(part, triangle);
+    for (int k = 0; k < 3 && bubble; k++) {
+        box.low[k] = bubble->center.raw[k] - 1.0001f * bubble->radius;
+        box.high[k] = bubble->center.raw[k] + 1.0001f * bubble->radius;
+    }
+    for (int k = 0; k < 3 && !bubble; k++) {
         const float a = corner(part, triangle, 0)->position.raw[k];
         const float b = corner(part, triangle, 1)->position.raw[k];
         const float c = corner(part, triangle, 2)->position.raw[k];
@@ -96,6 +114,14 @@ static void put_triangle(struct tree_words *words, const struct part *part, uint
         const float xyz[3] = { (float)x[0], (float)x[1], (float)x[2] };
         put(words->all[words->count++], xyz, bits((float)at));
     }
+}
+
+static void put_bubble(struct tree_words *words, const struct bubbles_sphere *bubble)
+{
+    static const float zero[3] = { 0 };
+    put(words->all[words->count++], bubble->center.raw, bits(bubble->radius));
+    put(words->all[words->count++], zero, 0);
+    put(words->all[words->count++], zero, bits(bubble->radius));
 }
 
 static uint32_t rank_of(const struct part *part, uint32_t triangle)
@@ -135,6 +161,8 @@ static uint32_t material_bits(const struct part *part, uint32_t triangle)
  * them, and objects do that have textures, or are not wholly transmissive. */
 static bool has_surface(const struct part *part, uint32_t triangle)
 {
+    if (part->is_inclusion)
+        return false;
     const struct material *material = material_of(part, triangle);
     return !part->is_object ||
            (material && (material->transmission < 1.0f || material_is_dressed(material)));
@@ -318,7 +346,7 @@ static uint64_t side_number(const float *a, const float *b)
 static bool is_closed(const struct part *part)
 {
     uint64_t sum = 0;
-    for (uint32_t i = 0; i < part->mesh->index_count / 3; i++) {
+    for (uint32_t i = 0; i < triangle_count(part); i++) {
         for (uint32_t k = 0; k < 3; k++) {
             const float *a = corner(part, i, k)->position.raw;
             const float *b = corner(part, i, (k + 1) % 3)->position.raw;
@@ -330,9 +358,11 @@ static bool is_closed(const struct part *part)
 
 static bool list_triangles(struct part *part, bool moves)
 {
-    part->triangles = malloc((part->mesh->index_count / 3 + (size_t)1) * sizeof(uint32_t));
-    for (uint32_t i = 0; part->triangles && i < part->mesh->index_count / 3; i++) {
-        const bool is_mover = !part->is_object && corner(part, i, 0)->material & MESH_MOVES;
+    const uint32_t count = triangle_count(part) + (part->bubbles ? part->bubbles->count : 0);
+    part->triangles = malloc((count + (size_t)1) * sizeof(uint32_t));
+    for (uint32_t i = 0; part->triangles && i < count; i++) {
+        const bool is_mover =
+            !part->is_object && !part->is_inclusion && corner(part, i, 0)->material & MESH_MOVES;
         if (is_mover == moves)
             part->triangles[part->count++] = i;
     }
@@ -385,9 +415,9 @@ static void count_words(struct tree *tree, const struct part *part, const struct
     tree->triangle_count += part->count;
     tree->nodes.count += (inner > 0 ? inner : 1) * TREE_NODE_WORDS;
     tree->triangles.count += part->count * TREE_TRIANGLE_WORDS;
-    tree->corners.count +=
-        part->count * TREE_CORNER_WORDS +
-        surfaces * (TREE_SURFACE_WORDS + (part->mesh->extras ? (uint32_t)TREE_EXTRA_WORDS : 0u));
+    tree->corners.count += part->count * TREE_CORNER_WORDS + surfaces * TREE_SURFACE_WORDS;
+    if (surfaces && part->mesh->extras)
+        tree->corners.count += surfaces * TREE_EXTRA_WORDS;
 }
 
 /* Writes a part's words; those of surfaces are behind the corners of all parts. */
@@ -402,6 +432,11 @@ static void lay_part(struct tree *tree, uint32_t index, const struct part *part,
     tree->roots[index] = TREE_NOTHING;
     for (uint32_t i = 0; i < part->count; i++) {
         const uint32_t triangle = part->triangles[draft->order[i]];
+        if (bubble_of(part, triangle)) {
+            put_bubble(&tree->triangles, bubble_of(part, triangle));
+            word += TREE_CORNER_WORDS;
+            continue;
+        }
         const bool is_shown = has_surface(part, triangle);
         const uint32_t last[3] = { rank_of(part, triangle), material_bits(part, triangle),
                                    is_shown ? tree->corners.count : 0 };
@@ -477,13 +512,18 @@ static bool is_too_large(const struct model *model)
     return count > TREE_TRIANGLES_MAX || model->object_count > TREE_SHELLS_MAX;
 }
 
-enum status tree_init(struct tree *tree, const struct model *model, uint32_t threads)
+enum status tree_init(struct tree *tree, const struct model *model,
+                      const struct tree_inclusions *inclusions, uint32_t threads)
 {
     const double start = clock_ms();
     struct part parts[TREE_PART_COUNT] = {
         [TREE_OBJECTS] = { .model = model, .mesh = &model->object, .is_object = true },
         [TREE_SURROUNDINGS] = { .model = model, .mesh = &model->surroundings },
         [TREE_MOVERS] = { .model = model, .mesh = &model->surroundings },
+        [TREE_INCLUSIONS] = { .model = model,
+                              .mesh = inclusions ? inclusions->cracks : NULL,
+                              .bubbles = inclusions ? inclusions->bubbles : NULL,
+                              .is_inclusion = true },
     };
     struct tree_draft drafts[TREE_PART_COUNT] = { 0 };
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);

@@ -15,6 +15,7 @@
 #include <stddef.h>
 #include "shaders/tree.h"
 #include "src/base/status.h"
+#include "src/scene/generate/generate.h"
 #include "src/scene/import/model.h"
 
 struct tree_words {
@@ -34,13 +35,20 @@ struct tree {
     double ms;      /* time that tree_init() took */
 };
 
+/* What is in the ice; borrowed, both may be NULL. */
+struct tree_inclusions {
+    const struct mesh *cracks;
+    const struct bubbles *bubbles;
+};
+
 /*
  * Builds the trees of a model whose objects have ranks. `threads` is a limit; 0 means one for each
  * core. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA for more than
  * TREE_TRIANGLES_MAX triangles, TREE_SHELLS_MAX
  * objects, or TREE_MEDIA_MAX materials of them; *tree is then {0}.
  */
-MUST_USE enum status tree_init(struct tree *tree, const struct model *model, uint32_t threads);
+MUST_USE enum status tree_init(struct tree *tree, const struct model *model,
+                               const struct tree_inclusions *inclusions, uint32_t threads);
 
 void tree_finish(struct tree *tree);
 

@@ -175,6 +175,7 @@ const struct technique bubbles = {
     .is_on = is_on,
     .is_traced = true,
     .is_of_ice = true,
+    .is_met = true,
     .layers = layers,
     .uploads = uploads,
     .parts = { { PHASE_INCLUSIONS, .graph = RG_TECHNIQUE("bubbles", passes) } },

@@ -329,6 +329,7 @@ const struct technique cracks = {
     .is_on = is_on,
     .is_traced = true,
     .is_of_ice = true,
+    .is_met = true,
     .parts = { { PHASE_NORMALS, .rows = make_normals },
                { PHASE_INCLUSIONS, .rows = make_color },
                { PHASE_FINISH, .rows = make_over } },

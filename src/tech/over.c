@@ -5,10 +5,10 @@
  * The shader always has the same bindings; those of techniques that are off are bound to the
  * highlights and not read.
  */
-#include "shaders/over.h"
+#include "src/tech/over.h"
 #include <string.h>
-#include "shaders/constants.h"
 #include "shaders/embedded.h"
+#include "shaders/over.h"
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/cracks.h"
@@ -38,19 +38,19 @@ static const struct rg_pass passes[] = {
     },
 };
 
-/* Returns bits of the layers to draw: OVER_HAS_AIR ... */
-static uint32_t find_layers(const struct settings *settings)
+uint32_t over_layers(const struct settings *settings, const struct technique *rung)
 {
+    const bool meets = rung && rung->rung.meets_tree;
     return (surface.is_on(settings) ? OVER_HAS_HIGHLIGHT : 0u) |
            (air.is_on(settings) ? OVER_HAS_AIR : 0u) |
-           (bubbles.is_on(settings) ? OVER_HAS_BUBBLES : 0u) |
-           (cracks_are_in_ice(settings) ? OVER_HAS_CRACKS : 0u);
+           (bubbles.is_on(settings) && !meets ? OVER_HAS_BUBBLES : 0u) |
+           (cracks_are_in_ice(settings) && !meets ? OVER_HAS_CRACKS : 0u);
 }
 
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
-    const uint32_t found = find_layers(choice->settings);
+    const uint32_t found = over_layers(choice->settings, choice->rung);
     struct rg_use changed[sizeof(uses) / sizeof(uses[0])];
     struct rg_pass *rows = row_builder_rows(builder, passes, 1);
     if (!found || !rows)
@@ -72,14 +72,8 @@ static void record_area(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-static void write_constants(const struct settings *settings, uint32_t *values)
-{
-    values[CONSTANT_OVER] = find_layers(settings);
-}
-
 const struct technique over = {
     .name = "over",
     .help = "air, bubbles, cracks and highlights over the picture of the ice",
     .parts = { { PHASE_COMPOSITE, .rows = make_rows } },
-    .write_constants = write_constants,
 };

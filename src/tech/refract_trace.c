@@ -9,7 +9,7 @@
  *
  * Error: reflections inside that weigh less than trace.branch count as transmitted, and so does
  * light after TRACE_LENGTH surfaces. Without trace.surroundings=rays, that of the lookup of the
- * cube (shaders/refract_environment.glsl). Bumps are not shown.
+ * cube (shaders/refract_environment.glsl). Bumps and planes of air are not met.
  */
 #include "src/tech/refract_trace.h"
 #include <string.h>

@@ -61,6 +61,18 @@ class Trace(Case):
         self.check(0.02, *words)
         self.assertEqual(*(self.planes(*words, '-r', 'trace') for _ in range(2)))
 
+    def test_bubbles_and_cracks(self):
+        """Met as the reference does, from outside and from inside the ice."""
+        inclusions = ('--set', 'bubbles.count=60', '--set', 'bubbles.size=0.1', '--set',
+                      'cracks.count=2')
+        rays = ('--set', 'trace.surroundings=rays')
+        for more in (('--set', 'motion.time=1', '--set', 'absorb.red=20'),
+                     ('--eye', '0.002,0.03,0.001', '--target', '0.01,0.02,0')):
+            self.check(0.003, 'ice-cube', *SIZE, *inclusions, *rays, *more)
+        for more in ((), rays):
+            light = self.planes('ice-cube', *WHITE, *SIZE, '-r', 'trace', *inclusions, *more)
+            self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
+
     def test_furnace(self):
         self.write('nested.gltf', (glass(1.5), [0, 0, 0], 1), (glass(1.2), [0.1, 0.1, 0], 0.6),
                    (glass(thickness=0), [2.5, 0, -2], 1))

@@ -47,8 +47,8 @@ void picture_open(struct picture_stage *stage, struct gpu *gpu,
 static bool is_same_stage(const struct scene *scene, const struct settings *a,
                           const struct settings *b)
 {
-    const struct frame_constants x = frame_view_constants(scene, a);
-    const struct frame_constants y = frame_view_constants(scene, b);
+    const struct frame_constants x = frame_view_constants(scene, a, NULL);
+    const struct frame_constants y = frame_view_constants(scene, b, NULL);
     return !memcmp(&x, &y, sizeof(x)) && bump.is_on(a) == bump.is_on(b) &&
            frost.is_on(a) == frost.is_on(b) &&
            frame_draws_cube(a, scene) == frame_draws_cube(b, scene);

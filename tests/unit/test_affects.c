@@ -47,7 +47,7 @@ static bool same_scene(const struct app_scene *a, const struct app_scene *b)
 static char *describe_plan(const struct settings *settings, bool has_pool)
 {
     const struct scene scene = { .has_pool = has_pool };
-    const struct frame_constants constants = frame_view_constants(&scene, settings);
+    const struct frame_constants constants = frame_view_constants(&scene, settings, NULL);
     const struct frame_request request = {
         .choice = { .settings = settings,
                     .rung = techniques_find_rung("paper"),

@@ -57,7 +57,7 @@ static void compare(const struct model *model, const struct mesh *mesh, uint32_t
 {
     struct tree tree;
     uint32_t seed = 1, met = 0;
-    assert_int_equal(tree_init(&tree, model, 2), STATUS_OK);
+    assert_int_equal(tree_init(&tree, model, NULL, 2), STATUS_OK);
     for (int i = 0; i < 2000; i++) {
         const vec3s origin = pick_point(&seed, i % 3 ? 3.0f : 0.7f);
         const vec3s to = pick_point(&seed, 1.0f);
@@ -102,8 +102,8 @@ static void test_threads(void **state)
     struct model model = { 0 };
     struct tree one, many;
     assert_true(generate_teapot(&model.object, 60000));
-    assert_int_equal(tree_init(&one, &model, 1), STATUS_OK);
-    assert_int_equal(tree_init(&many, &model, 8), STATUS_OK);
+    assert_int_equal(tree_init(&one, &model, NULL, 1), STATUS_OK);
+    assert_int_equal(tree_init(&many, &model, NULL, 8), STATUS_OK);
     assert_true(one.triangle_count > 50000);
     assert_int_equal(one.nodes.count, many.nodes.count);
     assert_memory_equal(one.nodes.all, many.nodes.all, one.nodes.count * sizeof(*one.nodes.all));
@@ -133,7 +133,7 @@ static void test_depth(void **state)
             model.object.vertices[i].position =
                 (vec3s){ { size * (float)(i % 3 == 1), size * (float)(i % 3 == 2), size } };
         }
-        assert_int_equal(tree_init(&tree, &model, 2), STATUS_OK);
+        assert_int_equal(tree_init(&tree, &model, NULL, 2), STATUS_OK);
         assert_true(tree.depth > 5 && tree.depth <= TREE_DEPTH_MAX);
         const struct tree_ray ray = {
             { { 0.0f, 0.0f, 5.0f } }, { { 0.0f, 0.0f, -1.0f } }, 0.0, TREE_NOTHING
@@ -169,7 +169,7 @@ static void test_shells(void **state)
     }
     model.objects = objects;
     model.object_count = 3;
-    assert_int_equal(tree_init(&tree, &model, 2), STATUS_OK);
+    assert_int_equal(tree_init(&tree, &model, NULL, 2), STATUS_OK);
     assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.01f, 0.02f, 0.0f } }).words[0], 3);
     assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.7f, 0.02f, 0.0f } }).words[0], 1);
     assert_int_equal(tree_immerse(&tree, (vec3s){ { 4.0f, -0.7f, 0.0f } }).words[0], 4);
@@ -206,7 +206,7 @@ static void test_many_shells(void **state)
     }
     model.objects = objects;
     model.materials = materials;
-    assert_int_equal(tree_init(&tree, &model, 2), STATUS_OK);
+    assert_int_equal(tree_init(&tree, &model, NULL, 2), STATUS_OK);
     for (uint32_t i = 0; i < COUNT; i++)
         assert_int_equal(tree_medium(&tree, i + 1), i % 3 + 1);
     assert_int_equal(tree_medium(&tree, 0), 0);
@@ -234,7 +234,7 @@ static void test_nothing(void **state)
     const struct tree_ray ray = { .dir = { { 0.0f, 0.0f, 1.0f } }, .from = TREE_NOTHING };
     struct tree tree;
     struct tree_hit hit;
-    assert_int_equal(tree_init(&tree, &model, 1), STATUS_OK);
+    assert_int_equal(tree_init(&tree, &model, NULL, 1), STATUS_OK);
     for (uint32_t part = 0; part < TREE_PART_COUNT; part++)
         assert_false(tree_meet(&tree, part, &ray, &hit));
     assert_int_equal(tree_immerse(&tree, ray.origin).words[0], 0);

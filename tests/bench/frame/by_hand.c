@@ -76,7 +76,7 @@ static void make_pipelines(struct by_hand *h)
 {
     struct pipeline_row rows[PIPELINE_COUNT];
     const struct frame_constants constants =
-        frame_view_constants(h->params.scene, h->params.settings);
+        frame_view_constants(h->params.scene, h->params.settings, NULL);
     VkSpecializationMapEntry entries[CONSTANT_COUNT];
     for (uint32_t i = 0; i < CONSTANT_COUNT; i++)
         entries[i] = (VkSpecializationMapEntry){ i, i * sizeof(uint32_t), sizeof(uint32_t) };

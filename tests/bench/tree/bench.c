@@ -35,7 +35,7 @@ int main(void)
     const double before = peak();
     for (int i = 0; i < TURNS; i++) {
         struct tree tree;
-        if (tree_init(&tree, &model, THREADS) != STATUS_OK)
+        if (tree_init(&tree, &model, NULL, THREADS) != STATUS_OK)
             return 1;
         seconds = tree.ms / 1e3 < seconds ? tree.ms / 1e3 : seconds;
         mebibytes = (double)tree_size(&tree) / (1 << 20);

@@ -1,0 +1,54 @@
+/* trace_inclusions.glsl: how rays cross cracks and bubbles: gaps too thin to displace light, and
+ * spheres, of what is outside. */
+#ifndef TRACE_INCLUSIONS_GLSL
+#define TRACE_INCLUSIONS_GLSL
+#include "cracks_noise.h"
+#include "trace_shells.glsl"
+
+/* Returns the normal of a crack in the object's space, with its roughness. */
+vec3 trace_crack_normal(vec3 n, vec3 point)
+{
+    vec3 bent = n;
+    int turns = trace.crack_slope > 0.0 ? int(trace.one) : 0;
+    while (turns > 0) {
+        turns -= int(trace.one);
+        bent = crack_bent(n, point / frame.radius, trace.crack_slope);
+    }
+    return bent;
+}
+
+/* Returns a crossing of an inclusion by a way in the ice, or in a bubble; `n` is the interpolated
+ * normal of a crack in the object's space, `eta` the index of ice over that of the outside. */
+trace_cross trace_inclusion_at(trace_way way, trace_hit hit, vec3 n, float eta)
+{
+    trace_cross c;
+    vec3 point = trace_unposed_point(way.origin + hit.t * way.dir, hit.part);
+    vec4 sphere = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * hit.triangle));
+    vec3 facet = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
+    c.is_thin = facet != vec3(0.0);
+    if (c.is_thin) {
+        n = trace_crack_normal(normalize(n), point);
+    } else {
+        facet = normalize(point - sphere.xyz);
+        n = facet;
+    }
+    c.facet = trace_posed(facet, hit.part);
+    c.n = trace_posed(n, hit.part);
+    float side = dot(c.facet, way.dir) < 0.0 ? 1.0 : -1.0;
+    if (!c.is_thin)
+        side = way.is_in_bubble ? -1.0 : 1.0;
+    c.facet *= side;
+    c.n *= side;
+    c.n = dot(c.n, way.dir) < 0.0 ? c.n : c.facet;
+    c.rank = 0u;
+    c.is_met = true;
+    c.is_real = true;
+    c.is_entering = side > 0.0;
+    c.is_inclusion = true;
+    c.is_bumpy = false;
+    c.own = trace_own(0u);
+    c.eta = way.is_in_bubble ? 1.0 / eta : eta;
+    return c;
+}
+
+#endif
