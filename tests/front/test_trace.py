@@ -79,6 +79,22 @@ class Trace(Case):
         for more in ((), ('--eye', '0.3,0.2,0.9', '--target', '0,0,0')):
             light = self.planes('nested.gltf', *WHITE, *SIZE, '-r', 'trace', *more)
             self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
+        light = self.planes('teapot', *WHITE, *SIZE, '-r', 'trace')
+        self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
+
+    def test_no_light_is_made(self):
+        """What is opaque or absorbs takes light, and so do rough surfaces, whose light is scattered
+        once alone; none adds any."""
+        self.write('rough.gltf', (glass(1.5, roughness=0.3), [0, 0, 0], 1),
+                   (glass(1.2, roughness=0.2), [0.1, 0.1, 0], 0.6),
+                   (glass(1.4, roughness=0.5), [2.5, 0, -2], 1))
+        for scene, most, *more in (('rough.gltf', 0.18, '--samples', 8), ('drink', 1),
+                                   ('hollow', 1), ('amber', 1)):
+            light = self.planes(scene, *WHITE, *SIZE, *more, '-r', 'trace')
+            found = [light[name][i] for name in 'RGB'
+                     for i, share in enumerate(light['fresnel.Z']) if share > 0]
+            self.assertTrue(all(0 <= x < 1.002 for x in found), scene)
+            self.assertLess(1 - sum(found) / len(found), most, scene)
 
     def test_many_objects(self):
         """Sets of objects are other ones if there are many, with the same pictures."""
