@@ -201,7 +201,7 @@ trace_way trace_leave(trace_way way, trace_hit hit, trace_cross c, vec3 dir, boo
     next.from = hit.triangle;
     next.side = is_inside ? 1.0 : -1.0;
     next.reach = is_astray || trace_has(TRACE_HAS_CULLING) ? 1e30 : trace.hair;
-    if (c.is_inclusion) {
+    if (trace_has(TRACE_HAS_INCLUSIONS) && c.is_inclusion) {
         next.side = trace_has(TRACE_HAS_CULLING) ? way.side : 0.0;
         next.is_in_bubble = !c.is_thin && is_inside;
     }
@@ -239,8 +239,9 @@ void trace_begin(vec3 eye, vec3 e)
 {
     float side = trace_has(TRACE_HAS_CULLING) ? (trace_eye_is_inside() ? 1.0 : -1.0) : 0.0;
     uint seed = microfacet_hash(uint(gl_FragCoord.x), uint(gl_FragCoord.y));
+    bool is_in_bubble = trace_has(TRACE_HAS_INCLUSIONS) && trace.is_in_bubble != 0u;
     way = trace_way(eye, e, vec3(1.0), trace_eye_inside(), -1, side, 1e30, seed, 0.0,
-                    trace_length_max, trace.is_in_bubble != 0u);
+                    trace_length_max, is_in_bubble);
     for (int i = 0; i < trace_waits_max; i++)
         later[i] = way;
     waits = 0;

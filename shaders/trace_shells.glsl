@@ -10,7 +10,8 @@ uint trace_bit(uint rank)
 
 uvec4 trace_eye_inside()
 {
-    return uvec4(trace.inside[0], trace.inside[1], trace.inside[2], trace.inside[3]);
+    uvec3 more = uvec3(trace.inside[1], trace.inside[2], trace.inside[3]);
+    return uvec4(trace.inside[0], trace_has(TRACE_HAS_MANY) ? more : uvec3(0u));
 }
 
 /* Adds a rank to ranks in falling order. Each displaces the next one; the last one is lost. */

@@ -173,33 +173,34 @@ mat4 trace_pose(int part)
     return part == TREE_OBJECTS || part == TREE_INCLUSIONS ? frame.world_from_object : around;
 }
 
+void trace_meet_posed(trace_start start, int part, bool is_active, inout trace_hit hit)
+{
+    vec3 own_origin = start.origin, own_dir = start.dir;
+    if (trace_has(TRACE_HAS_MOTION)) {
+        mat4 pose = trace_pose(part);
+        mat3 turn = transpose(mat3(pose));
+        own_origin = turn * (start.origin - pose[3].xyz);
+        own_dir = turn * start.dir;
+    }
+    float own_side = part == TREE_OBJECTS ? start.side : 0.0;
+    trace_ray ray =
+        trace_ray_of(own_origin, own_dir, own_side, start.reach, start.from, start.is_in_bubble);
+    trace_meet_part(ray, is_active ? int(trace.roots[part]) : trace_nothing, part, hit);
+}
+
 /* Meets all parts; a ray that is not active meets nothing. */
 trace_hit trace_meet(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
 #ifdef TRACE_RAYS
-    const int step = 1;
+    for (int part = 0; part < TREE_INCLUSIONS; part++)
+        if (trace.roots[part] != TREE_NOTHING)
+            trace_meet_posed(start, part, is_active, hit);
 #else
-    const int step = TREE_INCLUSIONS - TREE_OBJECTS;
+    trace_meet_posed(start, TREE_OBJECTS, is_active, hit);
 #endif
-    const int count = trace_has(TRACE_HAS_INCLUSIONS) ? TREE_PART_COUNT : TREE_INCLUSIONS;
-    for (int part = 0; part < count; part += step) {
-        uint root = trace.roots[part];
-        if (root == TREE_NOTHING)
-            continue;
-        vec3 own_origin = start.origin, own_dir = start.dir;
-        if (trace_has(TRACE_HAS_MOTION)) {
-            mat4 pose = trace_pose(part);
-            mat3 turn = transpose(mat3(pose));
-            own_origin = turn * (start.origin - pose[3].xyz);
-            own_dir = turn * start.dir;
-        }
-        float own_side = part == TREE_OBJECTS ? start.side : 0.0;
-        trace_ray ray = trace_ray_of(own_origin, own_dir, own_side, start.reach, start.from,
-                                     start.is_in_bubble);
-        bool is_met = is_active && (part != TREE_INCLUSIONS || start.meets_inclusions);
-        trace_meet_part(ray, is_met ? int(root) : trace_nothing, part, hit);
-    }
+    if (trace_has(TRACE_HAS_INCLUSIONS))
+        trace_meet_posed(start, TREE_INCLUSIONS, is_active && start.meets_inclusions, hit);
     return hit;
 }
 
