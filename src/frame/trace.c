@@ -38,14 +38,12 @@ bool frame_trace_meets_surroundings(const struct scene *scene, const struct sett
            is_near(&model->surroundings, box_center(scene->box), box_diagonal(scene->box));
 }
 
-uint32_t frame_trace_constant(const struct scene *scene, const struct settings *settings)
+/* Returns the bits that tell of the objects' media. */
+static uint32_t objects_constant(const struct scene *scene, const struct settings *settings)
 {
-    const struct motion_params *motion = settings_of(settings, &motion_settings);
-    const struct model *model = &scene->model;
     const uint32_t count = object_count(scene);
     uint32_t bits = count > 1 ? TRACE_HAS_MEDIA : 0;
     bits |= count > TREE_SHELLS_FEW ? TRACE_HAS_MANY : 0;
-    bits |= scene->bubbles.count || scene->cracks.index_count ? TRACE_HAS_INCLUSIONS : 0;
     for (uint32_t i = 0; i < count; i++) {
         const struct frame_medium medium = frame_medium_at(scene, settings, i);
         bits |= medium.is_thin ? TRACE_HAS_MEDIA : 0;
@@ -54,6 +52,16 @@ uint32_t frame_trace_constant(const struct scene *scene, const struct settings *
         bits |= glms_vec3_min(medium.tint) < 1.0f ? TRACE_HAS_TINT : 0;
         bits |= medium.is_dressed ? TRACE_HAS_DRESS | TRACE_HAS_SHINE : 0;
     }
+    return bits;
+}
+
+uint32_t frame_trace_constant(const struct scene *scene, const struct settings *settings)
+{
+    const struct motion_params *motion = settings_of(settings, &motion_settings);
+    const struct model *model = &scene->model;
+    const uint32_t count = object_count(scene);
+    uint32_t bits = objects_constant(scene, settings);
+    bits |= scene->bubbles.count || scene->cracks.index_count ? TRACE_HAS_INCLUSIONS : 0;
     if (count == 1 && scene->tree && scene->tree->is_closed && !(bits & TRACE_HAS_MEDIA))
         bits |= scene->is_convex ? TRACE_IS_CONVEX | TRACE_HAS_CULLING : TRACE_HAS_CULLING;
     for (uint32_t i = 0; i < model->material_count; i++) {
