@@ -212,9 +212,10 @@ class CommandLine(Case):
         self.assertEqual(drawn('--quality', 'normal'), drawn())
         for words, wanted in (
                 (('--quality', 'high'), ('samples=16', 'refract.steps=16', 'trace.branch=0.005')),
-                (('--quality', 'draft'), ('samples=1', 'refract.steps=4')),
+                (('--quality', 'draft'),
+                 ('samples=1', 'refract_bounce.exits=1', 'trace.branch=0.1')),
                 (('--quality', 'high', '--quality', 'draft'),
-                 ('samples=1', 'refract.steps=4')),
+                 ('samples=1', 'refract.steps=8', 'texture.anisotropy=1')),
                 (('--samples', '2', '--set', 'trace.branch=0.5', '--quality', 'high', '--preset',
                   'a.set'), ('samples=2', 'trace.branch=0.5', 'refract.steps=7'))):
             found = drawn(*words).split()

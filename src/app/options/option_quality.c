@@ -10,17 +10,17 @@ enum {
 };
 
 const struct quality qualities[QUALITY_COUNT] = {
-    [DRAFT] = { "draft", "coarse surroundings in the ice, few reflections, fewer photons", 1 },
+    [DRAFT] = { "draft", "coarse surroundings, infinitely far away, and few reflections", 1 },
     [NORMAL] = { "normal", "the defaults of all settings", 1 },
-    [HIGH] = { "high", "16 samples, exact reflectance, near surroundings at their distance", 16 },
+    [HIGH] = { "high", "16 samples, and all reflections inside", 16 },
 };
 
 const struct quality_row quality_rows[] = {
-    { "env_cube.size", { [DRAFT] = "256", [HIGH] = "1024" } },
+    { "env_cube.size", { [DRAFT] = "256" } },
     { "texture.anisotropy", { [DRAFT] = "1", [HIGH] = "16" } },
-    { "refract.fresnel", { [HIGH] = "exact" } },
-    { "refract.lookup", { [HIGH] = "distance" } },
-    { "refract.steps", { [DRAFT] = "4", [HIGH] = "16" } },
+    { "refract.lookup", { [DRAFT] = "infinite" } },
+    { "refract.steps", { [HIGH] = "16" } },
+    { "refract_bounce.exits", { [DRAFT] = "1" } },
     { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
     { "reference.photons", { [DRAFT] = "200000", [HIGH] = "4000000" } },
     { 0 },
