@@ -5,13 +5,13 @@
 #include <string.h>
 #include "src/app/app.h"
 #include "src/app/list_json.h"
-#include "src/app/options/option_quality.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
 #include "src/reader/sandbox.h"
 #include "src/reference/reference.h"
 #include "src/scene/asset.h"
 #include "src/scene/material.h"
+#include "src/settings/quality.h"
 #include "src/tech/refract_reference.h"
 #include "src/version.h"
 

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/json_text.h"
-#include "src/app/options/option_quality.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
 #include "src/reader/sandbox.h"
@@ -12,6 +11,7 @@
 #include "src/scene/asset.h"
 #include "src/scene/material.h"
 #include "src/scene/scene.h"
+#include "src/settings/quality.h"
 #include "src/tech/refract_reference.h"
 
 /* NULL stands for lack of memory; functions of jansson pass it on. */

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "src/frame/layers.h"
+#include "src/settings/quality.h"
 #include "src/settings/settings.h"
 #include "tests/support/check.h"
 
@@ -368,6 +369,22 @@ static void test_setting_again(void **state)
     assert_null(settings_find(""));
 }
 
+static void test_levels_of_quality(void **state)
+{
+    (void)state;
+    for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
+        struct settings settings = settings_default();
+        assert_int_equal(settings_set(&settings, "refract.ior=1.5"), STATUS_OK);
+        for (const struct quality_row *row = quality_rows; row->setting; row++)
+            quality_put(&settings, row, level);
+        assert_int_equal(quality_of(&settings), level);
+        assert_int_equal(settings_set(&settings, "trace.branch=0.123"), STATUS_OK);
+        assert_int_equal(quality_of(&settings), QUALITY_COUNT);
+    }
+    const struct settings defaults = settings_default();
+    assert_string_equal(qualities[quality_of(&defaults)].name, "normal");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -382,6 +399,7 @@ int main(void)
         cmocka_unit_test(test_values_that_are_none),
         cmocka_unit_test(test_unusual_numbers),
         cmocka_unit_test(test_setting_again),
+        cmocka_unit_test(test_levels_of_quality),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 #include "src/scene/material.h"
+#include "src/settings/quality.h"
 #include "src/tech/refract.h"
 #include "src/view/ui/ui_internal.h"
 #include "src/view/ui/ui_look.h"
@@ -46,6 +47,21 @@ static bool named_list(const char *name, const char *const *names, uint32_t coun
     const bool changed = imgui_list(id, names, count, index);
     imgui_tip(tip);
     return changed;
+}
+
+static void quality_list(struct ui_wish *wish)
+{
+    const char *names[QUALITY_COUNT + 1] = { [QUALITY_COUNT] = "other" };
+    uint32_t level = quality_of(&wish->settings);
+    const uint32_t count = level < QUALITY_COUNT ? QUALITY_COUNT : QUALITY_COUNT + 1;
+    for (uint32_t i = 0; i < QUALITY_COUNT; i++)
+        names[i] = qualities[i].name;
+    if (!named_list("quality", names, count, &level, "a set of values of settings: --quality") ||
+        level == QUALITY_COUNT)
+        return;
+    for (const struct quality_row *row = quality_rows; row->setting; row++)
+        quality_put(&wish->settings, row, level);
+    wish->changed = true;
 }
 
 static void rung_lists(struct ui_wish *wish)
@@ -94,8 +110,10 @@ static void lists(enum ui_group group, struct ui_wish *wish)
 {
     if (group == UI_MATERIAL)
         material_list(wish);
-    if (group == UI_QUALITY)
+    if (group == UI_QUALITY) {
+        quality_list(wish);
         rung_lists(wish);
+    }
 }
 
 static void groups(struct ui *ui, struct ui_wish *wish)

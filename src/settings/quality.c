@@ -1,0 +1,54 @@
+/* quality.c: the table of levels. */
+#include "src/settings/quality.h"
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    DRAFT,
+    NORMAL,
+    HIGH,
+};
+
+const struct quality qualities[QUALITY_COUNT] = {
+    [DRAFT] = { "draft", "coarse surroundings, infinitely far away, and few reflections", 1 },
+    [NORMAL] = { "normal", "the defaults of all settings", 1 },
+    [HIGH] = { "high", "16 samples, and all reflections inside", 16 },
+};
+
+const struct quality_row quality_rows[] = {
+    { "env_cube.size", { [DRAFT] = "256" } },
+    { "texture.anisotropy", { [DRAFT] = "1", [HIGH] = "16" } },
+    { "refract.lookup", { [DRAFT] = "infinite" } },
+    { "refract.steps", { [HIGH] = "16" } },
+    { "refract_bounce.exits", { [DRAFT] = "1" } },
+    { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
+    { "reference.photons", { [DRAFT] = "200000", [HIGH] = "4000000" } },
+    { 0 },
+};
+
+void quality_put(struct settings *settings, const struct quality_row *row, uint32_t level)
+{
+    const struct settings defaults = settings_default();
+    const struct setting *setting = settings_find(row->setting);
+    char assignment[64];
+    settings_put(settings, setting, settings_get(&defaults, setting));
+    if (!row->values[level])
+        return;
+    snprintf(assignment, sizeof(assignment), "%s=%s", row->setting, row->values[level]);
+    const enum status status = settings_set(settings, assignment);
+    assert(status == STATUS_OK);
+    (void)status;
+}
+
+uint32_t quality_of(const struct settings *settings)
+{
+    for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
+        struct settings own = *settings;
+        for (const struct quality_row *row = quality_rows; row->setting; row++)
+            quality_put(&own, row, level);
+        if (!memcmp(&own, settings, sizeof(own)))
+            return level;
+    }
+    return QUALITY_COUNT;
+}
