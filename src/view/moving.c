@@ -43,6 +43,7 @@ static void use(struct moving *m, uint32_t k)
 
 void moving_add(struct moving *m, double frame, double passes)
 {
+    passes = passes > 0.0 ? passes : frame; /* a device without a clock */
     const double whole = passes / area(m->k);
     const double rest = fmax(frame - passes, 0.0);
     m->late = frame > late ? m->late + 1 : 0;

@@ -258,8 +258,10 @@ static void pose(struct view *v)
 static enum status draw_picture(struct view *v)
 {
     const struct renderer_shot shot = shot_now(v);
+    /* the images of other renderers have nothing in them yet */
+    const bool is_new = v->picture->refines && v->picture->version != v->refine.seen.version;
     const bool other = v->changed || shot.time < v->shown || shot.time > v->shown;
-    v->redrawn = other && !(v->resize_at > 0.0);
+    v->redrawn = is_new || (other && !(v->resize_at > 0.0));
     if (!v->redrawn)
         return STATUS_OK;
     v->shown = shot.time;

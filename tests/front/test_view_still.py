@@ -40,7 +40,7 @@ class Still(PanelsCase):
 
     def test_layers_and_values(self):
         self.height = 340 + 36 + 26
-        window = self.start_with_panels('--samples', 3)
+        window = self.start_with_panels('--samples', 3, scene='ice-cube')
         words = shlex.split(self.wait_for_command(window, '--samples 3'))[1:-2]
         self.succeed(*words, '-o', 'a.exr', '--aov', 'Z,N,P,object', '-o', 'a.png')
         self.succeed(*words, '-o', 'z.png', '--show', 'Z')

@@ -37,6 +37,9 @@ static void late_frames_are_smaller_at_once(void **state)
     moving_begin(&m, 0.0);
     run(&m, 0.2, 0.004, 1);
     assert_int_equal(m.k, MOVING_LEAST);
+    moving_begin(&m, 0.0);
+    moving_add(&m, 0.2, 0.0); /* nobody knows what the passes took */
+    assert_int_equal(m.k, MOVING_LEAST);
 }
 
 /* One step a time, and not at all where it would be late again. */

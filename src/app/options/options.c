@@ -90,9 +90,7 @@ static const struct option options[] = {
     { "Output", "keep-sums", 0, NULL, APP_RENDER, FLAG(render.keep_sums),
       "reference: keep what --resume adds samples to, for a.exr in a.sums.exr" },
     { "Output", "samples", 'n', "N", APP_VIEW, COUNT(picture.samples),
-      "samples per pixel of a window at rest and of its screenshots, 1 to 65536 (64; with --frames "
-      "1)",
-      1, 65536 },
+      "samples per pixel at rest and in screenshots, 1 to 65536 (64; 1 with --frames)", 1, 65536 },
     { "Output", "pixel-filter", 0, "FILTER", FILES | APP_LADDER | APP_SHEET,
       AT(enum pixel_filter, picture.filter, option_pixel_filter),
       "samples of a pixel: box (all over it) or point (at its centre) (box)" },

@@ -83,13 +83,13 @@ static void set_look(float scale, const theme &theme)
     style.GrabMinSize = 10.0f;
     style.ScrollbarSize = 12.0f;
     style.WindowPadding = ImVec2(8.0f, 5.0f);
-    style.WindowMinSize = ImVec2(1.0f, 1.0f);
     style.ItemSpacing = ImVec2(6.0f, 4.0f);
     style.FramePadding = ImVec2(6.0f, 3.0f);
     style.FrameBorderSize = 1.0f;
     style.WindowBorderSize = 0.0f;
     set_colors(theme);
     style.ScaleAllSizes(scale);
+    style.WindowMinSize = ImVec2(1.0f, 1.0f); /* less is refused */
 }
 
 /* A window of the library's own takes it in the first frame, and the first panel inherits it. */

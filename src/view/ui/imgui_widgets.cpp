@@ -82,6 +82,11 @@ static void note(const char *label)
 void imgui_focus_panel(const char *title)
 {
     ImGui::SetWindowFocus(title);
+    ImGuiWindow *window = title ? ImGui::FindWindowByName(title) : nullptr;
+    if (!window)
+        return;
+    ImGui::NavInitWindow(window, true); /* else the first arrow key does that alone */
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
 
 bool imgui_is_active(void)
