@@ -37,8 +37,8 @@ class Split(WindowCase):
     def test_files_have_the_pixels_of_render(self):
         for words in (('--samples', 1, '--aov', 'N'), ('--samples', 3, '--aov', 'N', *PLAIN)):
             left, right = self.pictures(*words)
-            self.view('sphere', *PAPER, '--validate', '--size', SIZE, *words, '--split', 'one-sided',
-                      '--frames', 1, '--screenshot', 'a.png',
+            self.view('sphere', *PAPER, '--validate', '--size', SIZE, *words,
+                      '--split', 'one-sided', '--frames', 1, '--screenshot', 'a.png',
                       '--screenshot', 'a.exr')
             self.expect(png_pixels(self.folder / 'a.png'), WIDTH // 2, left, right)
             for side, rung in (('left', 'paper'), ('right', 'one-sided')):
