@@ -39,7 +39,7 @@ class Both(Case):
                 self.refuse(USAGE, 'render', 'sphere', *TRACED, option, name, '-o', 'a.exr',
                             '-o', 'a.png', names=[option, name, 'reference'])
             self.refuse(USAGE, 'render', 'sphere', option, 'remaining', '-o', 'a.exr',
-                        '-o', 'a.png', names=[option, 'remaining', 'paper'])
+                        '-o', 'a.png', names=[option, 'remaining', 'bounce'])
         self.refuse(USAGE, 'render', 'sphere', *TRACED, '--aov', 'all,cracks', names=['cracks'])
         self.assertEqual(self.files(), [])
 
@@ -59,7 +59,7 @@ class Both(Case):
 
     def test_limits_of_other_rungs(self):
         self.refuse(USAGE, 'render', 'sphere', '--keep-sums', env=NO_DRIVER,
-                    names=['--keep-sums', 'reference', 'paper'])
+                    names=['--keep-sums', 'reference'])
         for outputs in (('a.png',), ('-',)):
             self.refuse(USAGE, 'render', 'sphere', *TRACED, '--keep-sums', '-o', *outputs,
                         names=['--keep-sums', '.exr'])
@@ -72,7 +72,7 @@ class Both(Case):
                 self.refuse(USAGE, 'render', 'sphere', *TRACED, option, value,
                             names=[option, f"'{value}'"])
             self.refuse(USAGE, 'render', 'sphere', option, '0.1', env=NO_DRIVER,
-                        names=[option, 'reference', 'paper', '--samples'])
+                        names=[option, 'reference', '--samples'])
 
 
 class Without(Case):

@@ -98,7 +98,7 @@ class Watch(WatchCase):
         self.save(name, text, fault)
         self.expect_words('firn: ', name, 'bumps', 'previous shaders stay')
         self.save(name, fault, text)
-        self.expect_words('my shaders: 4 shaders compiled')
+        self.expect_words('my shaders: 6 shaders compiled')
         self.assertEqual(self.desktop.pixels(self.window), self.first)
         self.quit()
 
