@@ -100,8 +100,6 @@ class Scenes(Case):
         (self.folder / 'beside.gltf').write_text(boxes((glass(), [0, 0, 0], 1),
                                                        (opaque, [1.6, 0, 0], 0.5)))
         (self.folder / 'rough.gltf').write_text(boxes((glass(roughness=0.3), [0, 0, 0], 1)))
-        (self.folder / 'many.gltf').write_text(boxes(*[(glass(), [3 * i, 0, 0], 1)
-                                                       for i in range(33)]))
         (self.folder / 'open.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
         for name in ('one.gltf', 'beside.gltf', 'sphere', 'ice-cube'):
             self.assertEqual(self.chosen(name), ('refract_bounce', 'bounce', ''), name)
@@ -113,7 +111,6 @@ class Scenes(Case):
             self.assertEqual((pixel, said), ('refract_trace', 'trace'), name)
             self.assertIn(f'firn: note: {name}: drawn with --refraction trace, because {why}\n',
                           note)
-        self.assertEqual(self.chosen('many.gltf')[:2], ('refract_bounce', 'bounce'))
         for rung in ('bounce', 'trace'):
             passes, said = self.passes('two.gltf', '-r', rung)
             self.assertIn(f'refract_{rung}.color', passes)
