@@ -18,6 +18,7 @@ layout(location = 1) in vec2 uv;
 layout(location = 2) flat in uint material;
 layout(location = 3) in vec4 now;
 layout(location = 4) in vec4 before;
+layout(location = 5) flat in uint number;
 
 layout(location = 0) out vec4 out_albedo;
 layout(location = 1) out float out_object;
@@ -30,7 +31,7 @@ void main()
     if (!object && material_is_hole(material, base.a))
         discard;
     out_albedo = vec4(color * base.rgb, 1.0);
-    out_object = float(push.id + (object ? 0u : material >> MESH_SURFACE_SHIFT));
+    out_object = float(number);
     vec2 moved = (now.xy / now.w - before.xy / before.w) * earlier.half_size;
     out_motion = before.w > 0.0 ? vec4(moved, 0.0, 0.0) : vec4(0.0);
 }

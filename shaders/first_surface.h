@@ -5,6 +5,7 @@
 
 #define FIRST_SURFACE_EARLIER   12 /* the frame before */
 #define FIRST_SURFACE_POSITIONS 13 /* of vertices in the frame before, in rows */
+#define FIRST_SURFACE_STARTS    14 /* first vertices of the objects of the surroundings, in rows */
 #define FIRST_SURFACE_WIDTH     2048
 
 /* The frame before. */
@@ -16,9 +17,10 @@ struct first_surface_earlier {
 };
 
 struct first_surface_push {
-    uint32_t id;     /* of the object, or that of a surface without a material; 0 is nothing's */
+    uint32_t id;     /* of the object, or that of surroundings that are none; 0 is nothing's */
     uint32_t first;  /* vertex of the mesh in FIRST_SURFACE_POSITIONS */
-    uint32_t object; /* 1: an object; 0: the surroundings */
+    uint32_t object; /* 1: a refractive object; 0: the surroundings */
+    uint32_t count;  /* of FIRST_SURFACE_STARTS */
 };
 
 #endif

@@ -15,6 +15,8 @@ layout(set = 0, binding = FIRST_SURFACE_EARLIER, scalar) uniform Earlier
 
 layout(set = 0, binding = FIRST_SURFACE_POSITIONS) uniform sampler2D positions;
 
+layout(set = 0, binding = FIRST_SURFACE_STARTS) uniform sampler2D starts;
+
 layout(push_constant, scalar) uniform Push
 {
     first_surface_push push;
@@ -25,6 +27,7 @@ layout(location = 1) out vec2 out_uv;
 layout(location = 2) flat out uint out_material;
 layout(location = 3) out vec4 out_now;
 layout(location = 4) out vec4 out_earlier;
+layout(location = 5) flat out uint out_number;
 
 vec3 position_earlier()
 {
@@ -33,6 +36,21 @@ vec3 position_earlier()
         return position;
     ivec2 texel = ivec2(at % FIRST_SURFACE_WIDTH, at / FIRST_SURFACE_WIDTH);
     return texelFetch(positions, texel, 0).xyz;
+}
+
+/* As model_opaque_find() of src/scene/import/model.h. */
+uint find_number()
+{
+    uint low = 0u, high = push.count;
+    while (low < high) {
+        uint middle = (low + high) / 2u;
+        ivec2 texel = ivec2(middle % FIRST_SURFACE_WIDTH, middle / FIRST_SURFACE_WIDTH);
+        if (packUnorm4x8(texelFetch(starts, texel, 0)) <= uint(gl_VertexIndex))
+            low = middle + 1u;
+        else
+            high = middle;
+    }
+    return low;
 }
 
 void main()
@@ -48,6 +66,7 @@ void main()
     out_color = color;
     out_uv = uv;
     out_material = material;
+    out_number = push.id + find_number();
     out_now = frame.clip_from_world * vec4(point, 1.0);
     out_earlier = earlier.clip_from_world * before;
     gl_Position = out_now;

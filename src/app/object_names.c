@@ -24,9 +24,9 @@ char *object_names(const struct scene *scene)
     for (uint32_t i = 0; i < model->object_count; i++)
         print_line(out, i + 1, model->objects[i].name, "object");
     if (model->surroundings.index_count)
-        print_line(out, first, "", "surroundings without a material");
-    for (uint32_t i = 0; i < model->material_count && model->surroundings.index_count; i++)
-        print_line(out, first + 1 + i, model->materials[i].name, "material");
+        print_line(out, first, "", "surroundings");
+    for (uint32_t i = 0; i < model->opaque_count; i++)
+        print_line(out, first + 1 + i, model->opaque_names[i], "object");
     const bool is_good = !ferror(out);
     if (fclose(out) == 0 && is_good)
         return text;

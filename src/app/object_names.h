@@ -4,8 +4,8 @@
 
 #include "src/scene/scene.h"
 
-/* Returns lines "NUMBER NAME", malloc'd: refractive objects by their nodes, then surfaces by their
- * materials. NULL when out of memory. */
+/* Returns lines "NUMBER NAME", malloc'd: refractive objects, then what surrounds them without
+ * being an object, then opaque objects. NULL when out of memory. */
 char *object_names(const struct scene *scene);
 
 #endif

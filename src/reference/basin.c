@@ -143,6 +143,7 @@ bool basin_init(struct basin *basin, const struct scene *scene, const struct set
     struct model *model = &basin->scene.model;
     model->object = model->surroundings = (struct mesh){ 0 };
     model->objects = basin->objects;
+    model->opaque_count = 0; /* tiles have the first vertices */
     model->object_count = scene->model.object.index_count ? 2 : 1;
     if (!model->materials)
         model->materials = &basin->bare;

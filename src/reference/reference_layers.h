@@ -29,7 +29,7 @@ struct reference_seen {
     float fresnel;                /* weight of the reflection (with dispersion, of green) */
     vec3s remaining;              /* weight of rays that were terminated */
     vec3s albedo;
-    float object; /* number of the first surface's object or material */
+    float object; /* number of the first surface's object */
     vec2s motion; /* pixels since the frame before, right and down */
 };
 

@@ -254,7 +254,9 @@ static enum status load_background(struct scene *scene, const struct scene_param
 static enum status add_movers(struct scene *scene, uint32_t count)
 {
     struct mesh movers = { 0 };
+    const uint32_t start = scene->model.surroundings.vertex_count;
     bool done = generate_movers(&movers, scene->box, count) &&
+                model_opaque_add(&scene->model, "moving objects", start) &&
                 mesh_append(&scene->model.surroundings, &movers);
     mesh_finish(&movers);
     return done ? STATUS_OK : log_out_of_memory("moving objects");

@@ -40,6 +40,14 @@ static const struct rg_image first_surface_positions = {
     .height = 1,
 };
 
+/* Imported: model.opaque_starts. */
+static const struct rg_image first_surface_starts = {
+    .name = "first_surface.starts",
+    .format = VK_FORMAT_R8G8B8A8_UNORM, /* bytes of a number: devices need not filter numbers */
+    .width = 1,
+    .height = 1,
+};
+
 static const struct rg_buffer first_surface_earlier = {
     .name = "first_surface.earlier",
     .size = sizeof(struct first_surface_earlier),
@@ -51,6 +59,8 @@ static const struct rg_use uses[] = {
     FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler),
     FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL),
     FRAME_SAMPLE(first_surface_positions, FIRST_SURFACE_POSITIONS, .sampler = NULL,
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
+    FRAME_SAMPLE(first_surface_starts, FIRST_SURFACE_STARTS, .sampler = NULL,
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
     { .buffer = &first_surface_earlier, .access = RG_UNIFORM, .binding = FIRST_SURFACE_EARLIER },
     { 0 },
@@ -94,6 +104,7 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
     const struct first_surface_push push = {
         .id = model->object_count + 1,
         .first = model->object.vertex_count,
+        .count = model->opaque_count,
     };
     rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
@@ -140,10 +151,26 @@ static struct technique_texels find_positions(const struct scene *scene)
     };
 }
 
+_Static_assert(MODEL_OPAQUE_WIDTH == FIRST_SURFACE_WIDTH, "rows of starts are rows of texels");
+
+static struct technique_texels find_starts(const struct scene *scene)
+{
+    if (!scene->model.opaque_count)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->model.opaque_starts,
+        .width = MODEL_OPAQUE_WIDTH,
+        .height = (scene->model.opaque_count - 1) / MODEL_OPAQUE_WIDTH + 1,
+        .no_mips = true,
+    };
+}
+
 static const float nowhere[4] = { 0 };
+static const uint32_t no_start;
 
 static const struct technique_import imports[] = {
     { &first_surface_positions, find_positions, nowhere },
+    { &first_surface_starts, find_starts, &no_start },
     { 0 },
 };
 
@@ -159,8 +186,7 @@ static const struct frame_layer layers[] = {
         .image = &first_surface_object,
         .planes = { "object.Z" },
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "number of the first surface's object or material, as firn/objects names it; 0: no "
-                "surface",
+        .help = "number of the first surface's object, as firn/objects names it; 0: no surface",
     },
     {
         .name = "motion",

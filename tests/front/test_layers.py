@@ -1,4 +1,5 @@
 """test_layers.py: layers of the first surface: object, albedo and motion. Usage: see case.py."""
+import json
 import math
 import sys
 
@@ -9,7 +10,7 @@ from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
 PLANES = ('object.Z', 'albedo.R', 'albedo.G', 'albedo.B', 'motion.X', 'motion.Y', 'Z')
 FLAT = {'type': 'orthographic', 'orthographic': {'xmag': 4, 'ymag': 3, 'znear': 0, 'zfar': 99}}
-RUNGS = ('bounce', 'reference') if '--without' not in sys.argv else ('bounce',)
+RUNGS = ('bounce', 'trace', 'reference')[:2 if '--without' in sys.argv else 3]
 BLUE = (0.1, 0.2, 0.8)
 
 
@@ -46,14 +47,45 @@ class Layers(Case):
     def test_first_surfaces(self):
         for names, at in self.draw():
             self.assertEqual(at(3.8, 2.8), [0, 0, 0, 0, 0, 0, 1e10])
-            for x, y, name, color, z in ((-1.9, 0.1, 'blue', BLUE, 10.5),
-                                         (2.1, 0.1, 'far', BLUE, 10.5),
-                                         (0.1, -1.9, 'thick', (0, 1, 0), 8.5),
+            for x, y, name, color, z in ((-1.9, 0.1, 'box 1', BLUE, 10.5),
+                                         (2.1, 0.1, 'box 3', BLUE, 10.5),
+                                         (0.1, -1.9, 'box 5', (0, 1, 0), 8.5),
                                          (0.1, 0.1, 'box 0', (1, 1, 1), 8.5)):
                 pixel = at(x, y)
                 self.assertEqual(names[str(int(pixel[0]))], name)
                 for found, wanted in zip(pixel[1:], (*color, 0, 0, z)):
                     self.assertAlmostEqual(found, wanted, delta=0.001)
+
+    def test_objects_of_one_material(self):
+        """Opaque boxes that touch have equal vertices at their common corners, and a number each;
+        so have moving objects, and what is around them."""
+        places = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+        scene = json.loads(boxes(*((matt('stone', *BLUE, 1), [x, y, 0], 0.5) for x, y in places)))
+        for mesh in scene['meshes']:
+            mesh['primitives'][0]['material'] = 0
+        text = with_nodes(json.dumps(scene), {'name': 'front', 'camera': 0,
+                                              'translation': [0, 0, 9]}, cameras=[FLAT])
+        (self.folder / 'a.gltf').write_text(text)
+        for names, at in self.draw():
+            self.assertEqual(names['1'], 'surroundings')
+            for i, (x, y) in enumerate(places):
+                for dx, dy in ((-0.3, 0.2), (0.2, -0.3), (-0.4, -0.3), (0.3, 0.4)):
+                    self.assertEqual(at(x + dx, y + dy)[0], i + 2)
+                self.assertEqual(names[str(i + 2)], f'box {i}')
+        for names, at in self.draw('--set', 'motion.count=9'):
+            found = {at(x / 8 - 3.9, y / 8 - 2.9)[0] for x in range(60) for y in range(44)}
+            self.assertEqual(max(found), 11)
+            self.assertEqual(names['11'], 'moving objects')
+
+    def test_objects_around(self):
+        """A file of surroundings: its refractive objects, then its opaque ones."""
+        (self.folder / 'b.gltf').write_text(boxes(
+            (matt('stone', *BLUE, 1), [2, 2, 0], 0.5), (glass(), [-2, 2, 0], 0.5),
+            (glass(1.3), [-3.5, 2, 0], 0.5), (matt('wood', *BLUE, 1), [-2, -2, 0], 0.5)))
+        for names, at in self.draw('--surroundings', 'b.gltf'):
+            for x, y, name in ((2.1, 2.1, 'box 0'), (-1.9, 2.1, 'box 1'), (-3.4, 2.1, 'box 2'),
+                               (-1.9, -1.9, 'box 3')):
+                self.assertEqual(names[str(int(at(x, y)[0]))], name)
 
     def test_motion(self):
         """A box moves by 1 and -2 m a second, at 4 frames a second; at first it rests."""

@@ -48,6 +48,9 @@ void fuzz_check_model(const struct model *model)
     for (uint32_t i = 0; i < model->animation_count; i++)
         FUZZ_CHECK(memchr(model->animations[i].name, 0, MATERIAL_NAME_SIZE) &&
                    model->animations[i].seconds >= 0);
+    for (uint32_t i = 0; i < model->opaque_count; i++)
+        FUZZ_CHECK(model->opaque_starts[i] < model->surroundings.vertex_count &&
+                   (i == 0 || model->opaque_starts[i] > model->opaque_starts[i - 1]));
     uint32_t end = 0;
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
@@ -66,7 +69,8 @@ void fuzz_check_no_model(const struct model *model)
     FUZZ_CHECK(!model->object.vertices && !model->object.indices && !model->textures.texels &&
                !model->numbers.texels && !model->surroundings.vertices &&
                !model->surroundings.indices && !model->objects && !model->materials &&
-               !model->cameras && !model->animations && !model->lights && !model->extensions);
+               !model->cameras && !model->animations && !model->lights && !model->extensions &&
+               !model->opaque_starts && !model->opaque_names);
 }
 
 void fuzz_check_environment(const struct environment *environment)

@@ -25,7 +25,8 @@ enum {
     CAMERA_AT = 72, /* eye, target, up, angle, height, depth */
     IOR_AT = 120,
     BOX_AT = 124,
-    VERTICES_AT = 148,
+    OPAQUE_COUNT_AT = 148,
+    VERTICES_AT = 152,
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
     MESH_SIZE = 4 * VERTEX_SIZE + 6 * 4,
@@ -37,6 +38,7 @@ enum {
     LIGHTS_AT = CAMERAS_AT + 2 * (int)sizeof(struct model_camera),
     EXTENSIONS_AT = LIGHTS_AT + 2 * (int)sizeof(struct light),
     ANIMATIONS_AT = EXTENSIONS_AT + (int)sizeof(struct model_extension),
+    STARTS_AT = ANIMATIONS_AT + 2 * (int)sizeof(struct model_animation),
 };
 
 static struct mesh make_square(uint32_t material)
@@ -144,6 +146,7 @@ static struct model make_model(void)
     add_lights(&model);
     add_extension(&model);
     add_animations(&model);
+    assert_true(model_opaque_add(&model, "floor", 0) && model_opaque_add(&model, "wall", 3));
     assert_true(model.textures.texels && model.numbers.texels);
     memcpy(model.numbers.texels, texel_numbers, sizeof(texel_numbers));
     for (uint8_t i = 0; i < 32; i++)
@@ -208,6 +211,10 @@ static void model_comes_through(void **state)
     assert_int_equal(model.animation_count, 2);
     assert_int_equal(model.animation, 2);
     assert_memory_equal(model.animations, wanted.animations, 2 * sizeof(struct model_animation));
+    assert_int_equal(model.opaque_count, 2);
+    assert_memory_equal(model.opaque_starts, wanted.opaque_starts,
+                        MODEL_OPAQUE_WIDTH * sizeof(*model.opaque_starts));
+    assert_string_equal(model.opaque_names[1], "wall");
     assert_memory_equal(&model.camera, &wanted.camera, sizeof(wanted.camera));
     CHECK_NEAR(model.ior, 1.5, 1e-6);
     assert_memory_equal(&model.box, &wanted.box, sizeof(wanted.box));
@@ -353,6 +360,17 @@ static void animations_are_checked(void **state)
     refuse_number(seconds, NAN, PIPE_NUMBER);
     refuse_number(seconds, -1, PIPE_NUMBER);
     refuse_number(seconds, 2e9F, PIPE_NUMBER);
+}
+
+static void opaque_objects_are_checked(void **state)
+{
+    char endless[MATERIAL_NAME_SIZE];
+    (void)state;
+    memset(endless, 'x', sizeof(endless));
+    refuse_word(OPAQUE_COUNT_AT, 5, PIPE_SIZE); /* of four vertices */
+    refuse_word(STARTS_AT, 3, PIPE_INDEX);      /* as the second */
+    refuse_word(STARTS_AT + 4, 4, PIPE_INDEX);
+    refuse(STARTS_AT + 8, endless, sizeof(endless), PIPE_MATERIAL);
 }
 
 static void vertices_are_checked(void **state)
@@ -527,6 +545,7 @@ int main(void)
         cmocka_unit_test(lights_are_checked),
         cmocka_unit_test(extensions_are_checked),
         cmocka_unit_test(animations_are_checked),
+        cmocka_unit_test(opaque_objects_are_checked),
         cmocka_unit_test(vertices_are_checked),
         cmocka_unit_test(objects_are_checked),
         cmocka_unit_test(materials_are_checked),

@@ -218,6 +218,7 @@ static enum status visit_mesh(struct walk *walk, const struct gltf_node *node)
         const mat4s model_from_mesh = node->instances
                                           ? glms_mat4_mul(node->model_from_node, node->instances[i])
                                           : node->model_from_node;
+        walk->build.opaque = node->name;
         for (uint32_t k = 0; k < count && status == STATUS_OK; k++)
             status = visit(walk, node, model_from_mesh, k);
     }

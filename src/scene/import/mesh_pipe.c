@@ -42,6 +42,7 @@ struct model_head {
     struct camera camera;
     float ior;
     struct box box;
+    uint32_t opaque_count;
 };
 
 struct environment_head {
@@ -57,7 +58,7 @@ _Static_assert(sizeof(struct light) == 120, "no padding");
 _Static_assert(sizeof(struct model_extension) == 68, "no padding");
 _Static_assert(sizeof(struct model_animation) == 68, "no padding");
 _Static_assert(sizeof(struct environment_head) == 36, "no padding");
-_Static_assert(sizeof(struct model_head) == 148, "no padding, so no bytes of this process in it");
+_Static_assert(sizeof(struct model_head) == 152, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */
 
@@ -96,6 +97,7 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
         .camera = model->camera,
         .ior = model->ior,
         .box = model->box,
+        .opaque_count = model->opaque_count,
     };
     return pipe_write(sink, &head, sizeof(head)) && write_mesh(sink, &model->object) &&
            write_mesh(sink, &model->surroundings) &&
@@ -107,6 +109,10 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
                       model->extension_count * sizeof(*model->extensions)) &&
            pipe_write(sink, model->animations,
                       model->animation_count * sizeof(*model->animations)) &&
+           pipe_write(sink, model->opaque_starts,
+                      model->opaque_count * sizeof(*model->opaque_starts)) &&
+           pipe_write(sink, model->opaque_names,
+                      model->opaque_count * sizeof(*model->opaque_names)) &&
            pipe_write(sink, model->textures.texels, texels_size(&model->textures)) &&
            pipe_write(sink, model->numbers.texels, texels_size(&model->numbers)) &&
            pipe_write_end(sink);
@@ -246,7 +252,8 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
     if (head->object_count > head->object.indices / 3 || head->material_count > MESH_SURFACE_MAX ||
         head->camera_count > MODEL_CAMERA_MAX || head->light_count > MODEL_LIGHT_MAX ||
         head->extension_count > MODEL_EXTENSION_MAX ||
-        head->animation_count > MODEL_ANIMATION_MAX || head->animation > head->animation_count)
+        head->animation_count > MODEL_ANIMATION_MAX ||
+        head->opaque_count > head->surroundings.vertices || head->animation > head->animation_count)
         return PIPE_SIZE;
     if (!are_textures(&head->textures) || !are_textures(&head->numbers))
         return PIPE_SIZE;
@@ -254,6 +261,7 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
             mesh_size(head->object, head->flags & HAS_OBJECT_EXTRAS) +
             mesh_size(head->surroundings, head->flags & HAS_SURROUNDINGS_EXTRAS) +
             head->object_count * (uint64_t)sizeof(struct object) +
+            head->opaque_count * (uint64_t)(sizeof(uint32_t) + MATERIAL_NAME_SIZE) +
             head->material_count * (uint64_t)sizeof(struct material) >
         source->size_max)
         return PIPE_SIZE;
@@ -452,6 +460,30 @@ static enum pipe_fault read_animations(const struct pipe_source *source,
     return fault;
 }
 
+/* Objects of the surroundings have vertices. */
+static enum pipe_fault read_opaque(const struct pipe_source *source, const struct model_head *head,
+                                   struct model *model)
+{
+    const size_t rows = head->opaque_count / MODEL_OPAQUE_WIDTH + 1;
+    uint32_t *starts = calloc(rows * MODEL_OPAQUE_WIDTH, sizeof(*starts));
+    model->opaque_starts = starts;
+    model->opaque_names = calloc(rows * MODEL_OPAQUE_WIDTH, sizeof(*model->opaque_names));
+    if (!starts || !model->opaque_names)
+        return PIPE_MEMORY;
+    model->opaque_count = head->opaque_count;
+    enum pipe_fault fault = pipe_read(source, starts, model->opaque_count * sizeof(*starts));
+    if (fault == PIPE_OK)
+        fault = pipe_read(source, model->opaque_names,
+                          model->opaque_count * sizeof(*model->opaque_names));
+    for (uint32_t i = 0; fault == PIPE_OK && i < model->opaque_count; i++) {
+        if (starts[i] >= head->surroundings.vertices || (i > 0 && starts[i] <= starts[i - 1]))
+            return PIPE_INDEX;
+        if (!memchr(model->opaque_names[i], 0, MATERIAL_NAME_SIZE))
+            return PIPE_MATERIAL;
+    }
+    return fault;
+}
+
 enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct model *model)
 {
     struct model_head head;
@@ -479,6 +511,8 @@ enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct mo
         fault = read_extensions(source, &head, model);
     if (fault == PIPE_OK)
         fault = read_animations(source, &head, model);
+    if (fault == PIPE_OK)
+        fault = read_opaque(source, &head, model);
     if (fault == PIPE_OK)
         fault = read_textures(source, &head.textures, &model->textures);
     if (fault == PIPE_OK)

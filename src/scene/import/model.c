@@ -120,8 +120,28 @@ static enum status add_lights(struct model *model, const struct model *other)
     return STATUS_OK;
 }
 
+/* Adds what both meshes of `other` are of, before the meshes: vertices have the order of their
+ * first use. */
+static bool add_opaque(struct model *model, const struct model *other)
+{
+    uint32_t first = model->surroundings.vertex_count, next = 0, index = 0;
+    bool done = true;
+    for (uint32_t i = 0; i < other->object_count && done; i++) {
+        for (; index < other->objects[i].first_index; index++) {
+            if (other->object.indices[index] >= next)
+                next = other->object.indices[index] + 1;
+        }
+        done = model_opaque_add(model, other->objects[i].name, first + next);
+    }
+    first += other->object.vertex_count;
+    for (uint32_t i = 0; i < other->opaque_count && done; i++)
+        done = model_opaque_add(model, other->opaque_names[i], first + other->opaque_starts[i]);
+    return done;
+}
+
 enum status model_add_surroundings(struct model *model, struct model *other)
 {
+    const uint32_t opaque_count = model->opaque_count;
     struct texture_layers textures = { 0 }, numbers = { 0 };
     enum status status = model_picture_merge(&textures, &model->textures, &other->textures, false);
     if (status == STATUS_OK)
@@ -135,8 +155,9 @@ enum status model_add_surroundings(struct model *model, struct model *other)
         goto fail;
     renumber(&other->object, model->textures.count, model->material_count);
     renumber(&other->surroundings, model->textures.count, model->material_count);
-    if (!mesh_append(&other->object, &other->surroundings) ||
+    if (!add_opaque(model, other) || !mesh_append(&other->object, &other->surroundings) ||
         !mesh_append(&model->surroundings, &other->object)) {
+        model->opaque_count = opaque_count;
         status = log_out_of_memory("surroundings");
         goto fail;
     }
@@ -165,6 +186,8 @@ void model_finish(struct model *model)
     mesh_finish(&model->surroundings);
     free(model->objects);
     free(model->materials);
+    free(model->opaque_starts);
+    free(model->opaque_names);
     free(model->cameras);
     free(model->extensions);
     free(model->lights);

@@ -70,6 +70,8 @@ struct model_animation {
     float seconds;                 /* time of its last key; it begins at 0 */
 };
 
+#define MODEL_OPAQUE_WIDTH 2048
+
 enum model_support {
     MODEL_DRAWN,
     MODEL_APPROXIMATED, /* drawn in part, or not as it is meant */
@@ -90,6 +92,11 @@ struct model {
     uint32_t object_count;
     struct material *materials; /* of the file, or files; objects and vertices refer to them */
     uint32_t material_count;
+    uint32_t *opaque_starts; /* first vertex of each object of the surroundings, ascending; up to
+                              * the first start, they are of none. In whole rows of
+                              * MODEL_OPAQUE_WIDTH, which zeros fill */
+    char (*opaque_names)[MATERIAL_NAME_SIZE]; /* of their nodes; "" if they have none */
+    uint32_t opaque_count;
     struct texture_layers textures; /* sRGB colours, of both meshes */
     struct texture_layers numbers;  /* textures of what is no colour (material.h) */
     struct model_camera *cameras;   /* of the file, in the order of its nodes */
@@ -142,6 +149,13 @@ MUST_USE enum status model_load_posed(struct model *model, const char *path,
  * STATUS_DATA for more than 4096 textures, or 8191 materials.
  */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
+
+/* Adds an object of the surroundings, whose vertices begin at `start`, at or after the last one's.
+ * Returns false when out of memory. */
+MUST_USE bool model_opaque_add(struct model *model, const char *name, uint32_t start);
+
+/* Returns the number, from 1, of the object that a vertex of the surroundings is of; 0: of none. */
+uint32_t model_opaque_find(const struct model *model, uint32_t vertex);
 
 /* Returns the name of a kind of thing that is read, but not drawn, "normal textures"; NULL after
  * the last one. */

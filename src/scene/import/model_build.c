@@ -162,6 +162,11 @@ enum status model_build_add(struct model_build *build, enum model_part part,
     const mat3s normal_from_shape = normal_matrix(linear, is_mirrored);
     const uint32_t base = (uint32_t)build->vertex_count[part];
     uint32_t *indices = &mesh->indices[build->index_count[part]];
+    if (part == MODEL_SURROUNDINGS && build->opaque) {
+        if (!model_opaque_add(build->model, build->opaque, base))
+            return log_out_of_memory(build->import->path);
+        build->opaque = NULL;
+    }
     for (uint32_t i = 0; i < shape->vertex_count; i++) {
         if (!fill_vertex(&mesh->vertices[base + i], shape, &model_from_shape, &normal_from_shape, i,
                          &build->import->clamped_vertices))
@@ -204,10 +209,10 @@ enum status model_build_bare_object(struct model_build *build)
 
 enum status model_build_end(struct model_build *build)
 {
-    for (int i = 0; i < MODEL_PART_COUNT; i++) {
-        if (!model_join_vertices(build->meshes[i]))
-            return log_out_of_memory(build->import->path);
-    }
+    struct model *model = build->model;
+    if (!model_join_vertices(&model->object, NULL, 0) ||
+        !model_join_vertices(&model->surroundings, model->opaque_starts, model->opaque_count))
+        return log_out_of_memory(build->import->path);
     return STATUS_OK;
 }
 

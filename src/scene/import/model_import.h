@@ -132,6 +132,8 @@ struct model_build {
     struct mesh *meshes[MODEL_PART_COUNT];
     uint64_t vertex_count[MODEL_PART_COUNT], index_count[MODEL_PART_COUNT];
     bool has_extras[MODEL_PART_COUNT]; /* set before the meshes are allocated */
+    const char *opaque; /* name of the object of the surroundings that the next shape begins; NULL:
+                         * it belongs to the last one */
 };
 
 /* Checks that the numbers of a shape are finite, and its indices in range. */
@@ -153,8 +155,10 @@ MUST_USE enum status model_build_end(struct model_build *build);
  * one, left to the settings. */
 MUST_USE enum status model_build_bare_object(struct model_build *build);
 
-/* Makes the normals that are {0} and merges equal vertices. Returns false when out of memory. */
-MUST_USE bool model_join_vertices(struct mesh *mesh);
+/* Makes the normals that are {0} and merges equal vertices, but those of different objects of the
+ * surroundings: `starts` has the first vertex of each, before and afterwards. Returns false when
+ * out of memory. */
+MUST_USE bool model_join_vertices(struct mesh *mesh, uint32_t *starts, uint32_t start_count);
 
 /* Clamps a finite colour to 0 to 1 or, if it is unlit, MODEL_RADIANCE_MAX; returns whether that
  * changes it. One that is not finite stays. */

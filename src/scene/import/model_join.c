@@ -34,11 +34,13 @@ static bool is_alike(const struct mesh *mesh, uint32_t a, uint32_t b, size_t key
 }
 
 /*
- * Returns for every vertex the index of the first one that is alike, in an array that the caller
- * frees; NULL when out of memory.
+ * Returns for every vertex the index of the first one that is alike, from the last start on, in an
+ * array that the caller frees; NULL when out of memory.
  */
-static uint32_t *find_alike(const struct mesh *mesh, size_t key_size)
+static uint32_t *find_alike(const struct mesh *mesh, size_t key_size, const uint32_t *starts,
+                            uint32_t start_count)
 {
+    uint32_t start = 0, next = 0;
     size_t slot_count = 2;
     while (slot_count < 2 * (size_t)mesh->vertex_count)
         slot_count *= 2;
@@ -51,8 +53,11 @@ static uint32_t *find_alike(const struct mesh *mesh, size_t key_size)
     }
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const void *key = &mesh->vertices[i];
-        size_t slot = hash(key, key_size) & (slot_count - 1);
-        while (slots[slot] != 0 && !is_alike(mesh, slots[slot] - 1, i, key_size))
+        while (next < start_count && starts[next] <= i)
+            start = starts[next++];
+        size_t slot = (hash(key, key_size) ^ start * 0x9e3779b1u) & (slot_count - 1);
+        while (slots[slot] != 0 &&
+               (slots[slot] - 1 < start || !is_alike(mesh, slots[slot] - 1, i, key_size)))
             slot = (slot + 1) & (slot_count - 1);
         if (slots[slot] == 0)
             slots[slot] = i + 1;
@@ -77,7 +82,7 @@ static bool make_missing_normals(struct mesh *mesh)
 
     /* The same triangles with one vertex per position, regardless of colour and texture. */
     struct mesh smooth = { 0 };
-    uint32_t *alike = find_alike(mesh, sizeof(vec3s));
+    uint32_t *alike = find_alike(mesh, sizeof(vec3s), NULL, 0);
     bool is_done = alike && mesh_append(&smooth, mesh);
     if (is_done) {
         for (uint32_t i = 0; i < smooth.index_count; i++)
@@ -107,7 +112,20 @@ static uint32_t renumber(const struct mesh *mesh, const uint32_t *alike, uint32_
     return count;
 }
 
-bool model_join_vertices(struct mesh *mesh)
+/* Turns each start to the least number of a vertex from there on. */
+static void renumber_starts(const struct mesh *mesh, const uint32_t *number, uint32_t count,
+                            uint32_t *starts, uint32_t start_count)
+{
+    uint32_t end = mesh->vertex_count, least = count;
+    for (uint32_t k = start_count; k-- > 0;) {
+        for (uint32_t i = starts[k]; i < end; i++)
+            least = number[i] < least ? number[i] : least;
+        end = starts[k];
+        starts[k] = least;
+    }
+}
+
+bool model_join_vertices(struct mesh *mesh, uint32_t *starts, uint32_t start_count)
 {
     if (mesh->index_count == 0)
         return true;
@@ -115,7 +133,7 @@ bool model_join_vertices(struct mesh *mesh)
         return false;
     struct mesh joined = { 0 };
     uint32_t *number = malloc(mesh->vertex_count * sizeof(*number));
-    uint32_t *alike = find_alike(mesh, sizeof(struct mesh_vertex));
+    uint32_t *alike = find_alike(mesh, sizeof(struct mesh_vertex), starts, start_count);
     bool is_done =
         number && alike && mesh_init(&joined, renumber(mesh, alike, number), mesh->index_count);
     if (is_done && mesh->extras)
@@ -128,6 +146,7 @@ bool model_join_vertices(struct mesh *mesh)
             if (joined.extras && mesh->extras)
                 joined.extras[number[vertex]] = mesh->extras[vertex];
         }
+        renumber_starts(mesh, number, joined.vertex_count, starts, start_count);
         mesh_finish(mesh);
         *mesh = joined;
     } else {

@@ -168,6 +168,7 @@ static enum status walk(struct model_build *build, const struct plain *plain,
                         const struct division *division, bool is_counting)
 {
     enum status status = STATUS_OK;
+    const char *last = NULL; /* name of an object */
     for (uint32_t i = 0; i < plain->part_count && status == STATUS_OK; i++) {
         const struct plain_part *part = &plain->parts[i];
         const struct plain_material *material = material_of(plain, part);
@@ -189,6 +190,9 @@ static enum status walk(struct model_build *build, const struct plain *plain,
             shape.material |= (row_of(plain, part) + 1) << MESH_SURFACE_SHIFT;
         if (division->is_split && target == MODEL_OBJECT)
             status = add_object(build, plain, part);
+        if (!last || strcmp(last, part->name) != 0)
+            build->opaque = part->name;
+        last = part->name;
         if (status == STATUS_OK)
             status = model_build_add(build, target, &shape, glms_mat4_identity());
     }
