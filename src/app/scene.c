@@ -122,6 +122,20 @@ static bool is_thin(const struct material *material)
     return !(material->thickness > 0.0f);
 }
 
+/* Returns whether a texture that a rung of faces draws has coordinates that it does not have. */
+static bool has_second_set(const struct material *material)
+{
+    static const enum material_texture_use uses[] = { MATERIAL_BASE_COLOR, MATERIAL_TRANSMISSION,
+                                                      MATERIAL_NORMAL };
+
+    for (size_t i = 0; i < sizeof(uses) / sizeof(uses[0]); i++) {
+        const struct material_texture *texture = &material->textures[uses[i]];
+        if (texture->layer > 0 && texture->uv_set > 0)
+            return true;
+    }
+    return false;
+}
+
 /* Returns the number of objects in the box of another one: the rungs draw the outer one alone. */
 static uint32_t count_inside(const struct model *model)
 {
@@ -149,7 +163,9 @@ static void name_undrawn(const struct scene *scene, char *words, size_t size)
     static const struct {
         const char *name;
         bool (*is_there)(const struct material *material);
-    } kinds[] = { { "rough", is_rough }, { "thin-walled", is_thin } };
+    } kinds[] = { { "rough", is_rough },
+                  { "thin-walled", is_thin },
+                  { "with textures on a second set of coordinates", has_second_set } };
     const struct model *model = &scene->model;
     words[0] = '\0';
     if (frame_media_are_bare(scene))
@@ -165,7 +181,7 @@ static void name_undrawn(const struct scene *scene, char *words, size_t size)
 
 static void warn_of_materials(const struct app_picture *picture, const struct scene *scene)
 {
-    char words[128];
+    char words[160];
     if (!picture->rung->rung.rows || picture->rung->rung.meets_tree)
         return;
     name_undrawn(scene, words, sizeof(words));
@@ -193,7 +209,7 @@ static bool holds_surroundings(const struct model *model)
 static void name_reason(const struct scene *scene, char *words, size_t size)
 {
     const struct model *model = &scene->model;
-    char undrawn[64] = "";
+    char undrawn[160] = "";
     words[0] = '\0';
     if (!model->object_count || scene->has_pool)
         return;
@@ -219,7 +235,7 @@ static bool can_trace(const struct model *model)
 
 void app_choose_rung(struct app_picture *picture, const struct scene *scene)
 {
-    char reason[128] = "";
+    char reason[200] = "";
     if (!picture->is_rung_named)
         name_reason(scene, reason, sizeof(reason));
     if (!picture->is_rung_named)

@@ -85,6 +85,29 @@ class Scenes(Case):
         words = ('render', 'two.gltf', *SMALL, '-o', 'a.exr', '-r', 'bounce')
         self.assertEqual(self.succeed(*words).stderr, b'')
 
+    def test_a_second_set_is_said(self):
+        """Of textures that rungs of faces draw; the scene's own rung has all sets."""
+        self.succeed('render', 'sphere', *SMALL, *PLAIN, '-o', 'a.png')
+        for name, second, is_said in (('first', 0, False), ('second', 1, True)):
+            part = glass(pbrMetallicRoughness={'roughnessFactor': 0,
+                                               'baseColorTexture': {'index': 0}})
+            part['extensions']['KHR_materials_transmission']['transmissionTexture'] = {
+                'index': 0, 'texCoord': second}
+            scene = json.loads(boxes((part, [0, 0, 0], 1)))
+            scene['meshes'][0]['primitives'][0]['attributes'].update(TEXCOORD_0=2, TEXCOORD_1=2)
+            scene['accessors'].append({**scene['accessors'][0], 'count': 8, 'type': 'VEC2'})
+            scene.update(textures=[{'source': 0}], images=[{'uri': 'a.png'}])
+            (self.folder / f'{name}.gltf').write_text(json.dumps(scene))
+            words = ('render', f'{name}.gltf', *SMALL, '-o', 'a.exr', '-r')
+            what = b'1 with textures on a second set of coordinates'
+            said = self.succeed(*words, 'bounce').stderr
+            self.assertEqual(b'of 1 objects ' + what + b'; --refraction trace' in said, is_said)
+            self.assertEqual(said.count(b'\n'), is_said)
+            self.assertEqual(self.succeed(*words, 'trace').stderr, b'')
+            chosen, _, note = self.chosen(f'{name}.gltf')
+            self.assertEqual(chosen, 'refract_trace' if is_said else 'refract_bounce')
+            self.assertEqual(what.decode() in note, is_said)
+
     def chosen(self, name, *words):
         """The rung of a scene, and the note that says why."""
         passes, said = self.passes(name, *words)
