@@ -359,6 +359,19 @@ class Scenes(Case):
         self.assertRegex(text, r'(?m)^  drawn +KHR_materials_ior, KHR_materials_transmission, '
                                r'KHR_texture_transform$')
 
+    def test_metallic_is_not_of_what_light_passes(self):
+        """Said only of a material that states it."""
+        for metallic, is_said in ((0.5, True), (0, False), (None, False)):
+            part = glass()
+            if metallic is not None:
+                part['pbrMetallicRoughness']['metallicFactor'] = metallic
+            (self.folder / 'a.gltf').write_text(boxes((part, [0, 0, 0], 1)))
+            done = self.succeed('info', 'a.gltf', '--json', env=NO_DRIVER)
+            found = ['metallic of transmissive materials'] * is_said
+            self.assertEqual(json.loads(done.stdout)['not_drawn'], found)
+            self.assertEqual(done.stderr.decode(), ''.join(
+                f'firn: warning: a.gltf: not drawn: {name}\n' for name in found))
+
     def test_names_cannot_command_a_terminal(self):
         (self.folder / 'a.gltf').write_text(boxes((glass(name='\x1b[2Jice'), [0, 0, 0], 1)))
         self.assertIn(b' ?[2Jice', self.succeed('info', 'a.gltf', env=NO_DRIVER).stdout)

@@ -91,6 +91,7 @@ struct gltf_material {
 /* What a file has, and this program reads but does not draw. */
 enum gltf_undrawn {
     GLTF_CLEAR_SURFACE,
+    GLTF_CLEAR_METALLIC,
     GLTF_PICTURELESS,
     GLTF_OTHER_SET,
     GLTF_ANIMATION,

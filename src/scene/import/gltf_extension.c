@@ -24,6 +24,7 @@ static const struct model_extension supported[] = {
 static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
     [GLTF_CLEAR_SURFACE] =
         "emission, alpha, specular, occlusion and thickness textures of transmissive materials",
+    [GLTF_CLEAR_METALLIC] = "metallic of transmissive materials",
     [GLTF_OTHER_SET] = "textures of a third set of coordinates",
     [GLTF_PICTURELESS] = "textures without a picture in a known format",
     [GLTF_ANIMATION] = "animations, but the pose at rest",

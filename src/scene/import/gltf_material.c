@@ -115,6 +115,17 @@ static void check_clear(struct gltf *gltf, const struct gltf_material *material)
         gltf->undrawn |= 1u << GLTF_CLEAR_SURFACE;
 }
 
+/* Notes a metal through which light passes. A file that does not say metallicFactor means it
+ * rarely, although its default is 1; and a texture may be 0 everywhere. */
+static void check_metallic(const struct gltf_object *object, const struct gltf_material *material)
+{
+    const struct gltf_object pbr = gltf_member(object, "pbrMetallicRoughness");
+    if (material->material.transmission > 0 && material->material.metallic > 0 &&
+        json_object_get(pbr.json, "metallicFactor") &&
+        material->textures[MATERIAL_METALLIC_ROUGHNESS].image == gltf_none)
+        object->gltf->undrawn |= 1u << GLTF_CLEAR_METALLIC;
+}
+
 static void read_material(struct gltf *gltf, uint32_t index)
 {
     const struct gltf_object object = gltf_element(gltf, "materials", index);
@@ -126,6 +137,7 @@ static void read_material(struct gltf *gltf, uint32_t index)
     read_medium(&object, material);
     gltf_material_textures(&object, material);
     check_clear(gltf, material);
+    check_metallic(&object, material);
     read_priority(&object, &material->material);
     vec3s color = material->material.base_color;
     gltf->import->clamped_materials += model_color_clamp(&color, false);
