@@ -128,7 +128,8 @@ class Panels(PanelsCase):
         except AssertionError:
             return
         self.at_rest(window)
-        self.click(window, entry)
+        if self.control(entry):  # an earlier click may have come late, and closed the list
+            self.click(window, entry)
 
     def fold(self, window, group, row, shown):
         """Clicks on the heading of a group until a row of it shows, or does not."""

@@ -330,7 +330,10 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
         .look = view->look_wanted,
     };
     take_input(ui);
-    ui->settle -= ui->settle ? 1 : 0;
+    if (ui->input.event_count)
+        ui->settle = SETTLE_COUNT; /* after the last of them */
+    else
+        ui->settle -= ui->settle ? 1 : 0;
     input->seconds = ui->last > 0.0 ? (float)(view->now - ui->last) : 0.0f;
     input->width = (float)view->size.width;
     input->height = (float)view->size.height;
