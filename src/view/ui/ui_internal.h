@@ -59,6 +59,10 @@ void ui_bar(const struct ui_view *view, struct ui_wish *wish);
 void ui_palette(struct ui *ui, const struct ui_view *view, struct ui_wish *wish);
 void ui_status(const struct ui *ui, const struct ui_view *view);
 
+/* A list with its name in front, like rows of settings. Returns whether the choice has changed. */
+bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
+                   const char *tip);
+
 struct imgui_place ui_place(VkRect2D rectangle);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include "src/scene/material.h"
 #include "src/tech/refract.h"
+#include "src/view/ui/ui_internal.h"
 
 enum {
     ZOOM_COLUMNS = 15, /* pixels of the magnifier */
@@ -16,22 +17,6 @@ static const float histogram_height = 64.0f; /* at scale 1 */
 
 /* ---- what is shown ---- */
 
-static bool named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
-                       const char *tip)
-{
-    char id[64];
-    const float x = imgui_room() * 0.4f;
-    imgui_align();
-    imgui_text(name);
-    imgui_tip(tip);
-    imgui_same_line(x);
-    imgui_next_width(imgui_room());
-    snprintf(id, sizeof(id), "##%s", name);
-    const bool changed = imgui_list(id, names, count, index);
-    imgui_tip(tip);
-    return changed;
-}
-
 static void choose_layer(struct look_choice *c)
 {
     const char *names[NAMES_MAX] = { "picture" };
@@ -39,8 +24,8 @@ static void choose_layer(struct look_choice *c)
     for (; count < NAMES_MAX && look_layer(count); count++)
         names[count] = look_layer(count)->name;
     const struct frame_layer *now = look_layer(c->layer);
-    if (named_list("layer", names, count, &c->layer,
-                   now ? now->help : "what is shown: the picture, or one of its layers (L)"))
+    if (ui_named_list("layer", names, count, &c->layer,
+                      now ? now->help : "what is shown: the picture, or one of its layers (L)"))
         c->channel = 0;
 }
 
@@ -55,7 +40,7 @@ static void choose_channel(struct look_choice *c)
         if (!names[count])
             break;
     }
-    named_list("channel", names, count, &c->channel, "one channel alone, or all");
+    ui_named_list("channel", names, count, &c->channel, "one channel alone, or all");
 }
 
 static void choose(struct look_choice *c)

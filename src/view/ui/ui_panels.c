@@ -31,9 +31,8 @@ static uint32_t name_rungs(const char *names[static RUNG_MAX], uint32_t *count,
     return chosen;
 }
 
-/* A list with its name in front, as rows of settings have it. */
-static bool named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
-                       const char *tip)
+bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
+                   const char *tip)
 {
     char id[64];
     const float x = imgui_room() * 0.46f;
@@ -56,7 +55,7 @@ static void quality_list(struct ui_wish *wish)
     const uint32_t count = level < QUALITY_COUNT ? QUALITY_COUNT : QUALITY_COUNT + 1;
     for (uint32_t i = 0; i < QUALITY_COUNT; i++)
         names[i] = qualities[i].name;
-    if (!named_list("quality", names, count, &level, "a set of values of settings: --quality") ||
+    if (!ui_named_list("quality", names, count, &level, "a set of values of settings: --quality") ||
         level == QUALITY_COUNT)
         return;
     for (const struct quality_row *row = quality_rows; row->setting; row++)
@@ -69,14 +68,14 @@ static void rung_lists(struct ui_wish *wish)
     const char *names[RUNG_MAX + 1] = { "none" };
     uint32_t count;
     uint32_t left = name_rungs(&names[1], &count, wish->rung);
-    if (named_list("rung", &names[1], count, &left,
-                   "how refraction is approximated; with a divider, to its left")) {
+    if (ui_named_list("rung", &names[1], count, &left,
+                      "how refraction is approximated; with a divider, to its left")) {
         wish->rung = techniques_rung(left);
         wish->changed = true;
     }
     uint32_t right = wish->split ? name_rungs(&names[1], &count, wish->split) + 1 : 0;
-    if (named_list("compare with", names, count + 1, &right,
-                   "rung to the right of the divider (S, [ and ])"))
+    if (ui_named_list("compare with", names, count + 1, &right,
+                      "rung to the right of the divider (S, [ and ])"))
         wish->split = right ? techniques_rung(right - 1) : NULL;
 }
 
@@ -97,8 +96,8 @@ static void material_list(struct ui_wish *wish)
     }
     names[count] = "other";
     chosen = chosen == UINT32_MAX ? count : chosen;
-    if (named_list("material", names, count + 1, &chosen,
-                   "material of the object: sets refract.ior") &&
+    if (ui_named_list("material", names, count + 1, &chosen,
+                      "material of the object: sets refract.ior") &&
         chosen < count) {
         settings_put(&wish->settings, ior, (double)material_presets[chosen].ior);
         wish->changed = true;
