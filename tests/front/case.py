@@ -15,12 +15,14 @@ import unittest
 USAGE, DATA, NO_INPUT, NO_DEVICE, CANT_CREATE, WRITE, TRY_AGAIN = 2, 65, 66, 69, 73, 74, 75
 # What takes half of a small picture's time is left out where it does not matter what is in the ice.
 SMALL_CUBE = ('--set', 'env_cube.size=64')  # else a small picture is drawn for its cube
-PLAIN = ('--plain', *SMALL_CUBE)
+PAPER = ('--refraction', 'paper')  # half of what the rung chosen for most scenes takes
+PLAIN = ('--plain', *PAPER, *SMALL_CUBE)
 SMALL = ('--size', '64x48', *PLAIN)
 # Neither sky nor landscape, in the picture and around the ice: a quarter of what is left.
 FLAT = ('--background', '0.4,0.5,0.6')
 BARE = (*SMALL, *FLAT)
-CRACKED = ('--set', 'air.count=0', '--set', 'bump.strength=0', *SMALL_CUBE)  # the cheaper half
+# The cheaper half of what is in ice
+CRACKED = ('--set', 'air.count=0', '--set', 'bump.strength=0', *PAPER, *SMALL_CUBE)
 NO_DRIVER = {'VK_DRIVER_FILES': '/nonexistent.json'}
 
 

@@ -8,7 +8,7 @@ import tempfile
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from browser import Browser  # noqa: E402
-from case import PLAIN, Case, main  # noqa: E402
+from case import SMALL_CUBE, Case, main  # noqa: E402
 
 WIDTH, HEIGHT = 240, 180
 chromium = sys.argv.pop(2) if len(sys.argv) > 2 else ''
@@ -17,7 +17,7 @@ chromium = sys.argv.pop(2) if len(sys.argv) > 2 else ''
 class Page(Case):
     def setUp(self):
         super().setUp()
-        self.succeed('ladder', 'sphere', *PLAIN, '--size', f'{WIDTH}x{HEIGHT}', '--runs', 0,
+        self.succeed('ladder', 'sphere', '--plain', *SMALL_CUBE, '--size', f'{WIDTH}x{HEIGHT}', '--runs', 0,
                      '--rungs', 'paper,bounce', '-o', 'page.html')
         profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self.addCleanup(profile.cleanup)
