@@ -17,7 +17,8 @@ chromium = sys.argv.pop(2) if len(sys.argv) > 2 else ''
 class Page(Case):
     def setUp(self):
         super().setUp()
-        self.succeed('ladder', 'sphere', '--plain', *SMALL_CUBE, '--size', f'{WIDTH}x{HEIGHT}', '--runs', 0,
+        self.succeed('ladder', 'sphere', '--plain', *SMALL_CUBE,
+                     '--size', f'{WIDTH}x{HEIGHT}', '--runs', 0,
                      '--rungs', 'paper,bounce', '-o', 'page.html')
         profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self.addCleanup(profile.cleanup)

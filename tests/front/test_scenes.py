@@ -180,8 +180,9 @@ class Scenes(Case):
         said = json.loads(self.succeed('info', 'wood.gltf', '--json', env=NO_DRIVER).stdout)
         self.assertEqual((said['objects'], said['surrounding_triangles']), ([], 12))
         for words, is_ice in (((), False), (('--material', 'ice'), True)):
-            done = self.succeed('render', 'wood.gltf', *words, '--plain', '-r', 'reference', '--size',
-                                '9x9', '--background', '1,1,1', '-o', 'a.exr', env=NO_DRIVER)
+            done = self.succeed('render', 'wood.gltf', *words, '--plain', '-r', 'reference',
+                                '--size', '9x9', '--background', '1,1,1', '-o', 'a.exr',
+                                env=NO_DRIVER)
             self.assertNotIn(b'note', done.stderr)
             planes = Exr((self.folder / 'a.exr').read_bytes()).read_planes('RGB')
             middle = [planes[name][40] for name in 'RGB']
