@@ -61,7 +61,7 @@ static uint32_t triangle_count(const struct part *part)
 static const struct bubbles_sphere *bubble_of(const struct part *part, uint32_t triangle)
 {
     const uint32_t count = triangle_count(part);
-    return triangle < count ? NULL : &part->bubbles->spheres[triangle - count];
+    return triangle < count || !part->bubbles ? NULL : &part->bubbles->spheres[triangle - count];
 }
 
 static const struct mesh_vertex *corner(const struct part *part, uint32_t triangle, uint32_t k)

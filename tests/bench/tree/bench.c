@@ -2,7 +2,7 @@
  * bench.c: the tree of a million triangles of glass, on two threads.
  *
  * Prints the seconds of its build, the MiB that it has, and the greatest number of MiB while it was
- * built. Fails if it takes more than SECONDS_MAX or has more than MEBIBYTES_MAX.
+ * built. Fails if it takes more than seconds_max or has more than MEBIBYTES_MAX.
  */
 #include <stdio.h>
 #include <sys/resource.h>
@@ -16,7 +16,7 @@ enum {
     MEBIBYTES_MAX = 150,
 };
 
-static const double SECONDS_MAX = 4.0;
+static const double seconds_max = 4.0;
 
 /* Returns the most MiB that the process has had. */
 static double peak(void)
@@ -45,7 +45,7 @@ int main(void)
         tree_finish(&tree);
     }
     printf("%.2f s (at most %.0f), %.0f MiB (at most %d), %.0f MiB more while it is built\n",
-           seconds, SECONDS_MAX, mebibytes, MEBIBYTES_MAX, peak() - before - mebibytes);
+           seconds, seconds_max, mebibytes, MEBIBYTES_MAX, peak() - before - mebibytes);
     mesh_finish(&model.object);
-    return seconds > SECONDS_MAX || mebibytes > MEBIBYTES_MAX;
+    return seconds > seconds_max || mebibytes > MEBIBYTES_MAX;
 }
