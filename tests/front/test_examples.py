@@ -16,9 +16,10 @@ import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import PLAIN, Case, environment, main  # noqa: E402
+from case import SMALL_CUBE, Case, environment, main  # noqa: E402
 from desktop import Desktop  # noqa: E402
 
+QUICK = ('--plain', *SMALL_CUBE)  # with whatever rung the page names
 NO_WINDOW = '--no-window' in sys.argv
 if NO_WINDOW:
     sys.argv.remove('--no-window')
@@ -75,7 +76,7 @@ def shrink(line):
     if command == 'ladder' and '--rungs' not in line + more:
         more += ' --rungs paper'
     if more and command not in ('view', 'bake'):
-        more += ' ' + ' '.join(PLAIN)
+        more += ' ' + ' '.join(QUICK)
     before, to, after = line.partition(' > ')
     return f'{before} {more}{to}{after}'
 
@@ -140,7 +141,7 @@ class Examples(Case):
         """What the examples read lies there."""
         super().setUp()
         write_models(self.folder)
-        small = ('--size', '48x36', *PLAIN)
+        small = ('--size', '48x36', *QUICK)
         self.succeed('render', 'sphere', *small, '--aov', 'exit,thickness', '-o', 'reference.exr',
                      '-o', 'before.png')
         self.succeed('profile', 'ice-cube', *small, *SMALL['profile'].split(), '-q', '--json',
@@ -154,7 +155,7 @@ class Examples(Case):
 
     def draw_tiles(self):
         for i in range(1, 9):
-            self.succeed('render', 'ice-cube', '--size', '48x36', *PLAIN, '--tiles', '4x2',
+            self.succeed('render', 'ice-cube', '--size', '48x36', *QUICK, '--tiles', '4x2',
                          '--tile', i, '-o', f'tile.{i}.exr')
 
     def run_all(self, lines):
