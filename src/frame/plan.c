@@ -11,8 +11,8 @@
 static void record_readback(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct rg_use *uses = rg_cmd_pass(cmd)->uses;
-    (void)frame;
-    rg_cmd_copy_image_to_buffer(cmd, uses[0].image, uses[1].buffer, 0);
+    if (!frame->stays)
+        rg_cmd_copy_image_to_buffer(cmd, uses[0].image, uses[1].buffer, 0);
 }
 
 /* Adds a readback of the image, unless there is one. */

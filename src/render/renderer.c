@@ -268,6 +268,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         .meshes = r->meshes,
         .view = frame_view_push(&view),
         .light_jitter = view.light_jitter,
+        .stays = r->stays,
     };
     const struct globals globals = frame_view_globals(&view, &frame.view);
     struct trace_frame trace;
@@ -346,6 +347,7 @@ enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
 {
     enum status status = renderer_capture_cube(r, shot);
     r->cube.in_turn = true;
+    r->stays = true;
     if (status == STATUS_OK)
         status = renderer_run(r, &r->picture, shot, 0, &r->last_slot);
     return status;
@@ -386,6 +388,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
 {
     enum status status = renderer_capture_cube(r, shot);
     r->cube.in_turn = false; /* pictures must not depend on earlier ones, so all faces are drawn */
+    r->stays = false;
     /* The device draws a sample while the host adds up the one before. */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
         uint32_t slot_before = r->last_slot;

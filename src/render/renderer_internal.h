@@ -29,6 +29,7 @@ struct renderer {
     struct warm_up *warm_up;      /* compiles for the first picture; may be NULL */
     bool captured;                /* `capture` has drawn the environment cube */
     struct frame_cube cube;       /* the cube that the picture's frames draw */
+    bool stays;                   /* on the device: what `picture` draws now */
     struct renderer_costs costs;
     uint32_t last_slot; /* slot of the picture's executor with the last sample */
     uint32_t sum_count; /* samples in: */

@@ -42,6 +42,7 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     if (status == STATUS_OK)
         status = renderer_capture_cube(r, shot);
     r->cube.in_turn = false; /* as in pictures to files */
+    r->stays = false;
     if (status == STATUS_OK)
         status = renderer_run(r, &r->picture, shot, sample, &r->last_slot);
     if (status == STATUS_OK)

@@ -67,6 +67,7 @@ struct rg_frame {
     vec2s light_jitter;                /* as in struct frame_view */
     struct background_push faces[6];   /* of the cube around the object, Vulkan's order */
     uint32_t faces_due;                /* a bit for each face that is drawn */
+    bool stays;                        /* on the device: it is shown, and not read back */
     const struct window_frame *window; /* src/view/present.h; NULL: there is no window */
 };
 

@@ -8,6 +8,7 @@
 #include "tests/support/check.h"
 
 #include "src/profile/measure.h"
+#include "src/render/renderer_internal.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 
@@ -209,6 +210,47 @@ static void a_kept_frame_is_the_picture(void **state)
     scene_finish(&scene);
 }
 
+/* Of a view that changes, a sample is read back, and a picture that is only shown is not. */
+static void a_shown_frame_stays_on_the_device(void **state)
+{
+    static uint16_t sample[SIDE * SIDE * 4];
+    const struct settings settings = settings_default();
+    const vec3s gray = { { 0.5F, 0.5F, 0.5F } };
+    struct scene scene = { 0 };
+    struct renderer *renderer;
+    assert_int_equal(
+        scene_load(&scene, &(struct scene_params){ .name = "sphere", .background = &gray }),
+        STATUS_OK);
+    struct renderer_shot shot = { .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45) };
+    assert_int_equal(
+        renderer_create(&renderer, &(struct renderer_params){ .gpu = *state,
+                                                              .scene = &scene,
+                                                              .settings = &settings,
+                                                              .rung = techniques_rung(0),
+                                                              .width = SIDE,
+                                                              .height = SIDE,
+                                                              .display = true,
+                                                              .keep = true,
+                                                              .refines = true }),
+        STATUS_OK);
+    assert_int_equal(renderer_refine(renderer, &shot, 0), STATUS_OK);
+    const uint32_t slot = renderer->last_slot;
+    const void *texels = renderer_read_back(&renderer->picture, frame_beauty.image, slot);
+    memcpy(sample, texels, sizeof(sample));
+    shot.camera = camera_orbit(90, 40, 3, box_center(scene.box), 45);
+    for (uint32_t i = 0; i < 2; i++) {
+        assert_int_equal(renderer_draw(renderer, &shot), STATUS_OK);
+        assert_int_equal(renderer_wait(renderer), STATUS_OK);
+    }
+    assert_int_equal(renderer->last_slot, slot);
+    assert_memory_equal(texels, sample, sizeof(sample));
+    assert_int_equal(renderer_refine(renderer, &shot, 0), STATUS_OK);
+    assert_int_equal(renderer_refine(renderer, &shot, 1), STATUS_OK);
+    assert_memory_not_equal(texels, sample, sizeof(sample));
+    renderer_destroy(renderer);
+    scene_finish(&scene);
+}
+
 /* The device is described as smaller than it is. */
 static void a_picture_that_does_not_fit_is_refused(void **state)
 {
@@ -250,6 +292,7 @@ int main(void)
         ON_DEVICE(rows_are_the_frame),
         ON_DEVICE(it_can_be_stopped),
         ON_DEVICE(a_kept_frame_is_the_picture),
+        ON_DEVICE(a_shown_frame_stays_on_the_device),
         ON_DEVICE(a_picture_that_does_not_fit_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
