@@ -1,5 +1,7 @@
 /* ui_times.c: running means of the passes' times. */
 #include "src/view/ui/ui_times.h"
+#include <stdio.h>
+#include <string.h>
 #include "src/view/ui/imgui.h"
 
 static const double share = 0.15; /* of the newest frame in the mean */
@@ -23,7 +25,8 @@ void ui_times_add(struct ui_times *times, const struct rg_plan *plan, const stru
         if (!is_same_row(plan, p)) {
             if (new.row_count == UI_TIMES_ROW_COUNT)
                 break;
-            new.rows[new.row_count++] = (struct ui_times_row){ .name = plan->passes[p].pass->name };
+            snprintf(new.rows[new.row_count++].name, sizeof(new.rows->name), "%s",
+                     plan->passes[p].pass->name);
         }
         struct ui_times_row *row = &new.rows[new.row_count - 1];
         row->repetition_count++;
@@ -32,7 +35,7 @@ void ui_times_add(struct ui_times *times, const struct rg_plan *plan, const stru
     for (uint32_t r = 0; r < new.row_count; r++) {
         const struct ui_times_row *old = &times->rows[r];
         struct ui_times_row *row = &new.rows[r];
-        if (new.row_count == times->row_count && old->name == row->name)
+        if (new.row_count == times->row_count && !strcmp(old->name, row->name))
             row->milliseconds = old->milliseconds + share * (row->milliseconds - old->milliseconds);
     }
     *times = new;

@@ -12,7 +12,7 @@ enum {
 
 /* A row of the frame's tables, with all its repetitions. */
 struct ui_times_row {
-    const char *name;
+    char name[64]; /* cut; the plan may be gone when it is shown */
     uint32_t repetition_count;
     double milliseconds; /* a running mean */
 };
