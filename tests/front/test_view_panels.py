@@ -302,7 +302,7 @@ class Panels(PanelsCase):
 
     def test_keys_move_in_a_panel_until_escape(self):
         window = self.start_with_panels()
-        shown = self.desktop.pixels(window)
+        shown = self.at_rest(window)
         self.press_until(window, 'F6', 'a frame around a widget',
                          lambda: self.desktop.pixels(window) != shown)
         self.press(window, 'Left')

@@ -242,6 +242,9 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
 void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     const struct layout *l = view->layout;
+    if (ui->focus_panel || ui->release)
+        imgui_focus_panel(ui->release ? NULL : panel); /* before its first widget, which it marks */
+    ui->focus_panel = ui->release = false;
     if (l->panel.extent.width) {
         imgui_panel_begin(ui->imgui, "bar", ui_place(l->bar), IMGUI_DOCKED);
         ui_bar(view, wish);
@@ -257,7 +260,4 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
         ui_palette(ui, view, wish);
     if (ui->keys_open)
         keys_panel(ui, view);
-    if (ui->focus_panel || ui->release)
-        imgui_focus_panel(ui->release ? NULL : panel);
-    ui->focus_panel = ui->release = false;
 }
