@@ -2,10 +2,12 @@
  * wave.h: the surface of the water.
  *
  * In pool coordinates: x and y along the water at rest, z up, metres. With r = |(x, y)|, F_i = F /
- * 2^i and phi_i = S t + x y W / F_i the series is
+ * 2^i and phi_i = S t + x y W 2^i the series is
  *     z = -2 V r sum F_i cos phi_i
- * Its slopes grow with r squared; it is meant for r up to about 1.4 units. At r = 0 it has a tip,
- * whose slope is set to 0. The cosine, for comparison with closed forms, is
+ * The text has W / F_i in the phase, where the amplitude F would be a frequency, too; for its F of
+ * 1 that is the same. The slopes grow with r squared; the series is meant for r up to about 1.4
+ * units. At r = 0 it has a tip, whose slope is set to 0. The cosine, for comparison with closed
+ * forms, is
  *     z = V cos(W x - S t)
  */
 #ifndef SHADERS_WAVE_H
@@ -18,15 +20,17 @@ ABI_FUNCTION vec3s wave_series(ABI_STRUCT(water_params) w, vec2s p, float time)
 {
     float r = fmaxf(sqrtf(p.x * p.x + p.y * p.y), 1e-6f);
     float f = w.amplitude;
+    float turns = p.x * p.y * w.frequency;
     float heights = 0.0f; /* sum of F cos phi */
     float sines = 0.0f;
     for (uint32_t i = 0u; i < w.octaves; i++) {
-        float phi = w.speed * time + p.x * p.y * w.frequency / f;
+        float phi = w.speed * time + turns;
         heights += f * cosf(phi);
         sines += sinf(phi);
         f *= 0.5f;
+        turns *= 2.0f;
     }
-    float across = r * w.frequency * sines;
+    float across = r * w.frequency * w.amplitude * sines;
     float along = heights / r;
     float twice = 2.0f * w.height;
     return ABI_VEC3(twice * (across * p.y - along * p.x), twice * (across * p.x - along * p.y),

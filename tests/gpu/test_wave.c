@@ -25,40 +25,47 @@ static struct water_params get_water(const json_t *oracles)
     return waves;
 }
 
-static void check_wave(const struct optics_answer *got, const json_t *row, double scale)
+/* `rise` multiplies height and slopes of the vectors. */
+static void check_wave(const struct optics_answer *got, const json_t *row, double scale,
+                       double rise)
 {
     const json_t *gradient = json_object_get(row, "gradient");
     for (size_t k = 0; k < 2; k++)
-        CHECK_NEAR(got->wave.raw[k], json_number_value(json_array_get(gradient, k)), tolerance);
-    CHECK_NEAR((double)got->wave.z / scale, get_number(row, "height"), tolerance);
+        CHECK_NEAR(got->wave.raw[k], rise * json_number_value(json_array_get(gradient, k)),
+                   tolerance);
+    CHECK_NEAR((double)got->wave.z / scale, rise * get_number(row, "height"), tolerance);
+    if (rise != 1)
+        return;
     check_vector(got->wave_normal, get_vector(row, "normal"));
     check_vector(got->up_ray, get_vector(row, "up_ray_out"));
 }
 
-/* At each of them as it is, and three times as large. */
+/* At each of them as it is, three times as large, and with twice the amplitude: twice as high, of
+ * the same frequency. */
 static void waves_as_worked_out(void **state)
 {
     enum {
         COUNT = 10,
-        TWICE = 2 * COUNT,
+        ASKED = 3 * COUNT,
     };
-    struct optics_question asked[TWICE];
-    struct optics_answer got[TWICE];
+    struct optics_question asked[ASKED];
+    struct optics_answer got[ASKED];
     json_t *oracles = load(ORACLES);
     const json_t *cases = get_cases(oracles, "wave", COUNT);
-    for (size_t i = 0; i < TWICE; i++) {
-        const json_t *row = json_array_get(cases, i / 2);
-        const float scale = i % 2 ? 3 : 1;
+    for (size_t i = 0; i < ASKED; i++) {
+        const json_t *row = json_array_get(cases, i / 3);
+        const float scale = i % 3 == 1 ? 3 : 1;
         asked[i] = (struct optics_question){
             .at = { { scale * (float)get_number(row, "x"), scale * (float)get_number(row, "y") } },
             .time = (float)get_number(row, "time"),
             .water = get_water(oracles),
         };
         asked[i].water.scale = scale;
+        asked[i].water.amplitude *= i % 3 == 2 ? 2 : 1;
     }
-    ask(*state, asked, got, TWICE);
-    for (size_t i = 0; i < TWICE; i++)
-        check_wave(&got[i], json_array_get(cases, i / 2), i % 2 ? 3 : 1);
+    ask(*state, asked, got, ASKED);
+    for (size_t i = 0; i < ASKED; i++)
+        check_wave(&got[i], json_array_get(cases, i / 3), i % 3 == 1 ? 3 : 1, i % 3 == 2 ? 2 : 1);
     json_decref(oracles);
 }
 
