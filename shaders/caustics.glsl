@@ -36,6 +36,12 @@ vec2 map_point(ivec2 texel)
     return map_region().xy + (vec2(texel) + 0.5) * map_texel_size();
 }
 
+/* Returns what differs from sample to sample of a pixel, for random numbers; 0 for the first. */
+uint sample_seed()
+{
+    return floatBitsToUint(frame.sample_share) ^ floatBitsToUint(0.5);
+}
+
 /* Returns the number of texels of the pool's floor. */
 float map_pool_texels()
 {

@@ -5,10 +5,10 @@
 layout(local_size_x = CAUSTICS_GROUP, local_size_y = CAUSTICS_GROUP) in;
 layout(set = 0, binding = CAUSTICS_RAW, r32f) uniform writeonly image2D raw;
 
-/* Returns a random offset on the unit square for the directions of each texel. */
+/* Returns a random offset on the unit square for the directions of each texel and sample. */
 vec2 random(uvec2 texel)
 {
-    uvec2 v = texel * 1664525u + 1013904223u;
+    uvec2 v = (texel + sample_seed()) * 1664525u + 1013904223u;
     v.x += v.y * 1664525u;
     v.y += v.x * 1664525u;
     v ^= v >> 16u;

@@ -5,10 +5,11 @@
 layout(local_size_x = CAUSTICS_LINE) in;
 layout(set = 0, binding = CAUSTICS_COUNTS, r32ui) uniform uimage2D counts;
 
-/* Returns four random numbers from 0 to 1 for a photon: pcg4d of Jarzynski and Olano 2020. */
+/* Returns four random numbers from 0 to 1 for a photon of a sample: pcg4d of Jarzynski and Olano
+ * 2020. */
 vec4 random(uint index)
 {
-    uvec4 v = uvec4(index, 1u, 2u, 3u) * 1664525u + 1013904223u;
+    uvec4 v = uvec4(index, 1u + sample_seed(), 2u, 3u) * 1664525u + 1013904223u;
     for (int i = 0; i < 2; i++) {
         v.x += v.y * v.w;
         v.y += v.z * v.x;

@@ -41,6 +41,20 @@ class PixelFilter(Pixels):
                         names=['--pixel-filter', name, 'box or point'])
 
 
+class Caustics(Pixels):
+    def test_noise_falls_with_samples(self):
+        """Each sample has photons and directions of its own; those of the first are as ever."""
+        pool = ('pool', '--size', '32x24', '-q', '--pixel-filter', 'point', '--aov', 'caustics')
+        for method in ('naive', 'gather'):
+            words = ('--set', f'caustics.method={method}', '--set', 'caustics.photons=20000',
+                     '--set', 'caustics.directions=1', '--set', 'caustics.sun=15')
+            light = [self.draw(*words, '--samples', count, scene=pool).read_planes(
+                ['caustics.Z'])['caustics.Z'] for count in (1, 4, 16)]
+            errors = [sum((a - b) ** 2 for a, b in zip(found, light[2])) for found in light[:2]]
+            self.assertGreater(errors[1], 0)
+            self.assertGreater(errors[0], 2.5 * errors[1])
+
+
 class ToneCurve(Pixels):
     def test_each_differs_and_is_recorded(self):
         words = ('render', *TINY, '-o', 'a.png', '-o', 'a.exr')
