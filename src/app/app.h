@@ -285,10 +285,12 @@ MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene 
 
 /*
  * Chooses the rung of a loaded scene unless one is named: bounce for one closed refractive object
- * that it draws as it is, else trace. Says so if it is trace (unless the options are quiet), and
- * what the rung leaves out that the reference draws.
+ * that it draws as it is, seen from outside, else trace. Says so if it is trace (unless the options
+ * are quiet), and what the rung leaves out that the reference draws. The camera, of the first
+ * frame, may be NULL: it is outside.
  */
-void app_choose_rung(struct app_picture *picture, const struct scene *scene);
+void app_choose_rung(struct app_picture *picture, const struct scene *scene,
+                     const struct camera *camera);
 
 /* The camera of the options, which may name one of the model's, else the model's first, else one
  * that frames the object. */

@@ -201,9 +201,9 @@ static enum status look_at_all(struct look *look)
     if (picture->scene.name) {
         status = app_begin_scene(&look->scene, &picture->scene);
         if (status == STATUS_OK)
-            app_choose_rung(picture, &look->scene);
-        if (status == STATUS_OK)
             status = app_camera(&look->camera, &look->scene, picture);
+        if (status == STATUS_OK)
+            app_choose_rung(picture, &look->scene, &look->camera);
         if (status == STATUS_OK)
             status = output_check_tiles(picture, look->outputs);
     } else {

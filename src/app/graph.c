@@ -18,16 +18,19 @@ enum status app_graph(const struct app_options *o)
     struct app_picture p = o->picture;
     struct scene scene;
     struct frame_plan frame = { 0 };
+    struct camera camera;
     enum status status = app_begin_scene(&scene, &p.scene); /* a plan needs no texels */
     if (status != STATUS_OK)
         return status;
-    app_choose_rung(&p, &scene);
+    status = app_camera(&camera, &scene, &p);
+    app_choose_rung(&p, &scene, status == STATUS_OK ? &camera : NULL);
     struct renderer_params params = app_renderer_params(&p, NULL, &scene);
     params.samples = p.samples;
     params.layers = p.layers;
     params.linear = true;
     params.display = true;
-    status = renderer_plan(&frame, &params);
+    if (status == STATUS_OK)
+        status = renderer_plan(&frame, &params);
     if (status == STATUS_OK)
         dumps[o->run.format](frame.plan, stdout);
     frame_plan_finish(&frame);

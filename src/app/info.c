@@ -399,7 +399,7 @@ enum status app_info(const struct app_options *o)
     enum status status = app_load_scene(&scene, given);
     if (status != STATUS_OK)
         return status;
-    app_choose_rung(&picture, &scene);
+    app_choose_rung(&picture, &scene, NULL);
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)

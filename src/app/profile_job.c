@@ -114,9 +114,9 @@ enum status profile_job_measure(struct profile_job *job, const struct app_pictur
     *profile = (struct profile){ 0 };
     enum status status = app_load_scene(&scene, &p.scene);
     if (status == STATUS_OK)
-        app_choose_rung(&p, &scene);
-    if (status == STATUS_OK)
         status = app_camera(&request.camera, &scene, &p);
+    if (status == STATUS_OK)
+        app_choose_rung(&p, &scene, &request.camera);
     if (status == STATUS_OK && !job->gpu.device)
         status = open_device(job);
     if (status == STATUS_OK) {

@@ -550,9 +550,9 @@ static enum status run(struct job *job)
     if (status == STATUS_OK)
         status = app_begin_scene(&job->scene, &job->o.picture.scene);
     if (status == STATUS_OK)
-        app_choose_rung(&job->o.picture, &job->scene);
-    if (status == STATUS_OK)
         status = app_camera(&job->camera, &job->scene, &job->o.picture);
+    if (status == STATUS_OK)
+        app_choose_rung(&job->o.picture, &job->scene, &job->camera);
     if (status == STATUS_OK)
         status = output_check_tiles(&job->o.picture, &job->o.run.outputs);
     if (status == STATUS_OK)

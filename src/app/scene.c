@@ -205,8 +205,27 @@ static bool holds_surroundings(const struct model *model)
     return false;
 }
 
+/* Returns whether the eye is inside an object, as it is turned at motion.time. */
+static bool is_eye_inside(const struct scene *scene, const struct settings *settings,
+                          const struct camera *camera)
+{
+    const struct motion_params *motion = settings_of(settings, &motion_settings);
+    const struct model *model = &scene->model;
+    mat4s world_from_object, world_from_movers;
+    if (!camera || scene->has_pool || camera->height > 0.0f)
+        return false;
+    frame_turn(&(struct frame_view){ .settings = settings }, box_center(scene->box), motion->time,
+               &world_from_object, &world_from_movers);
+    const vec3s eye = glms_mat4_mulv3(glms_mat4_inv(world_from_object), camera->eye, 1.0f);
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        if (object_contains(&model->objects[i], &model->object, eye))
+            return true;
+    }
+    return false;
+}
+
 /* Writes why maps of one object's front and back are not enough; "": they are. */
-static void name_reason(const struct scene *scene, char *words, size_t size)
+static void name_reason(const struct scene *scene, bool is_inside, char *words, size_t size)
 {
     const struct model *model = &scene->model;
     char undrawn[160] = "";
@@ -217,6 +236,8 @@ static void name_reason(const struct scene *scene, char *words, size_t size)
         snprintf(words, size, "it has %u refractive objects", model->object_count);
     else if (!object_is_closed(&model->objects[0], &model->object))
         snprintf(words, size, "its object is not closed");
+    else if (is_inside)
+        snprintf(words, size, "the eye is inside its object");
     else if (holds_surroundings(model))
         snprintf(words, size, "something is inside its object");
     else
@@ -233,16 +254,22 @@ static bool can_trace(const struct model *model)
     return is_few && model->object_count <= TREE_SHELLS_MAX && indices / 3 <= TREE_TRIANGLES_MAX;
 }
 
-void app_choose_rung(struct app_picture *picture, const struct scene *scene)
+void app_choose_rung(struct app_picture *picture, const struct scene *scene,
+                     const struct camera *camera)
 {
+    const bool is_inside = is_eye_inside(scene, &picture->scene.settings, camera);
     char reason[200] = "";
     if (!picture->is_rung_named)
-        name_reason(scene, reason, sizeof(reason));
+        name_reason(scene, is_inside, reason, sizeof(reason));
     if (!picture->is_rung_named)
         picture->rung = reason[0] && can_trace(&scene->model) ? &refract_trace : &refract_bounce;
     if (reason[0] && picture->rung == &refract_trace && !picture->scene.quiet)
         log_note("%s: drawn with --refraction trace, because %s", picture->scene.name, reason);
     warn_of_materials(picture, scene);
+    if (is_inside && picture->rung->rung.rows && !picture->rung->rung.meets_tree)
+        log_warning("%s: the eye is inside an object, which %s draws as seen from outside, so "
+                    "that it is missing; --refraction trace draws this view",
+                    picture->scene.name, picture->rung->rung.name);
     if (picture->rung->rung.rows && air_is_medium(&picture->scene.settings))
         log_warning("air.model=medium: drawn as planes; --refraction reference draws a medium");
 }

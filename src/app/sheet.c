@@ -125,18 +125,16 @@ static void put_picture(struct job *job, uint32_t point, const struct render_res
 }
 
 static enum status draw(struct job *job, const struct app_picture *p, const struct scene *scene,
-                        struct render_result *result)
+                        const struct camera *camera, struct render_result *result)
 {
     const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
-    struct renderer_shot shot = { .time = motion->time };
+    struct renderer_shot shot = { .camera = *camera, .time = motion->time };
     struct renderer_params params = app_renderer_params(p, &job->gpu, scene);
     struct renderer *renderer = NULL;
-    enum status status = app_camera(&shot.camera, scene, p);
     params.samples = p->samples;
     params.is_orthographic = shot.camera.height > 0.0f;
     params.display = true;
-    if (status == STATUS_OK)
-        status = renderer_create(&renderer, &params);
+    enum status status = renderer_create(&renderer, &params);
     if (status == STATUS_OK)
         status = renderer_render(renderer, &shot, result, NULL, NULL);
     renderer_destroy(renderer);
@@ -147,16 +145,19 @@ static enum status add_picture(struct job *job, uint32_t point)
 {
     struct app_picture picture;
     struct scene scene = { 0 };
+    struct camera camera;
     struct render_result result = { 0 };
     enum status status = sweep_options_at(&job->sweep, point, &job->o.picture, &picture);
     if (status == STATUS_OK)
         status = app_load_scene(&scene, &picture.scene);
     if (status == STATUS_OK)
-        app_choose_rung(&picture, &scene);
+        status = app_camera(&camera, &scene, &picture);
+    if (status == STATUS_OK)
+        app_choose_rung(&picture, &scene, &camera);
     if (status == STATUS_OK && !job->gpu.device)
         status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (status == STATUS_OK)
-        status = draw(job, &picture, &scene, &result);
+        status = draw(job, &picture, &scene, &camera, &result);
     if (status == STATUS_OK)
         put_picture(job, point, &result);
     render_result_finish(&result);

@@ -1,6 +1,7 @@
 /* object.c: the order of media where objects overlap. */
 #include "src/scene/object.h"
 #include <cglm/struct.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -117,6 +118,31 @@ bool object_is_closed(const struct object *object, const struct mesh *mesh)
     }
     const double left = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
     return left <= 1e-4 * all;
+}
+
+/* The solid angle of a triangle, as in van Oosterom and Strackee 1983, positive from behind. */
+static double solid_angle(vec3s a, vec3s b, vec3s c)
+{
+    const double x = (double)glms_vec3_norm(a), y = (double)glms_vec3_norm(b),
+                 z = (double)glms_vec3_norm(c);
+    const double volume = (double)glms_vec3_dot(a, glms_vec3_cross(b, c));
+    const double base = x * y * z + (double)glms_vec3_dot(a, b) * z +
+                        (double)glms_vec3_dot(b, c) * x + (double)glms_vec3_dot(c, a) * y;
+    return 2.0 * atan2(volume, base);
+}
+
+bool object_contains(const struct object *object, const struct mesh *mesh, vec3s point)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < object->index_count; i += 3) {
+        vec3s to[3];
+        for (int k = 0; k < 3; k++) {
+            const uint32_t corner = mesh->indices[object->first_index + i + (uint32_t)k];
+            to[k] = glms_vec3_sub(mesh->vertices[corner].position, point);
+        }
+        sum += solid_angle(to[0], to[1], to[2]);
+    }
+    return sum > 6.2831853; /* half of a sphere, for shells that are not quite closed */
 }
 
 const struct object *object_of_index(const struct object *objects, uint32_t count, uint32_t index)

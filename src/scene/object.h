@@ -31,6 +31,10 @@ MUST_USE enum status object_rank_all(struct object *objects, uint32_t count,
  * shells do. */
 bool object_is_closed(const struct object *object, const struct mesh *mesh);
 
+/* Returns whether a point is inside a shell: whether its triangles, seen from there, show their
+ * backs in most directions. */
+bool object_contains(const struct object *object, const struct mesh *mesh, vec3s point);
+
 /* Returns the object of a triangle, whose first index is `index`. */
 const struct object *object_of_index(const struct object *objects, uint32_t count, uint32_t index);
 

@@ -39,9 +39,9 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
     if (status == STATUS_OK)
         status = app_load_scene(&p->scene, &p->state.scene);
     if (status == STATUS_OK)
-        app_choose_rung(&p->state, &p->scene);
-    if (status == STATUS_OK)
         status = app_camera(&p->camera, &p->scene, &p->state);
+    if (status == STATUS_OK)
+        app_choose_rung(&p->state, &p->scene, &p->camera);
     p->state.scene.quiet = true; /* where a setting loads it again, all has been said */
     p->first_camera = p->camera;
     if (status == STATUS_OK)

@@ -134,6 +134,13 @@ class Scenes(Case):
             self.assertEqual((pixel, said), ('refract_trace', 'trace'), name)
             self.assertIn(f'firn: note: {name}: drawn with --refraction trace, because {why}\n',
                           note)
+        inside = ('sphere', '--eye', '0,0,0.01', '--target', '0,0,0', '--plain')
+        passes, note = self.passes(*inside)
+        self.assertIn('refract_trace.color', passes)
+        self.assertIn('because the eye is inside its object\n', note)
+        for rung, is_said in (('bounce', True), ('paper', True), ('trace', False)):
+            said = self.passes(*inside, '-r', rung)[1]
+            self.assertEqual('the eye is inside an object' in said, is_said)
         for rung in ('bounce', 'trace'):
             passes, said = self.passes('two.gltf', '-r', rung)
             self.assertIn(f'refract_{rung}.color', passes)

@@ -3,7 +3,7 @@ Usage: see case.py."""
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import FLAT, NO_DRIVER, Case, main  # noqa: E402
+from case import FLAT, NO_DRIVER, SMALL_CUBE, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -18,9 +18,9 @@ class Trace(Case):
         self.succeed('render', *words, '--aov', 'fresnel', '-o', 'a.exr', **how)
         return Exr((self.folder / 'a.exr').read_bytes()).read_planes(['R', 'G', 'B', 'fresnel.Z'])
 
-    def check(self, limit, *words):
+    def check(self, limit, *words, rung=('-r', 'trace')):
         """The mean difference on the objects, clipped to 1."""
-        found = self.planes(*words, '-r', 'trace')
+        found = self.planes(*words, *rung)
         truth = self.planes(*words, '-r', 'reference', env=NO_DRIVER)
         objects = [i for i, share in enumerate(truth['fresnel.Z']) if share > 0]
         pairs = [(found[name][i], truth[name][i]) for name in 'RGB' for i in objects]
@@ -43,6 +43,8 @@ class Trace(Case):
 
     def test_the_eye_inside(self):
         self.check(0.005, 'hollow', '--env', 'studio', *SIZE, *INSIDE)
+        self.check(0.02, 'ice-cube', *SIZE[:-2], *SMALL_CUBE[:-1], 'env_cube.size=256', '--eye',
+                   '0.002,0.03,0.001', '--target', '0.01,0.03,0', rung=())
 
     def test_surroundings(self):
         self.check(0.004, 'sphere', *SIZE, '--set', 'trace.surroundings=rays',
