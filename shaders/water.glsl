@@ -1,5 +1,5 @@
 /*
- * water.glsl: radiance of water for an eye above it; with WATER_WITH_CAUSTICS, with caustics on the
+ * water.glsl: radiance along rays in water; with WATER_WITH_CAUSTICS, with caustics on the
  * ground; with WATER_WITH_ICE, with ice in the water.
  */
 #ifndef WATER_GLSL
@@ -87,7 +87,7 @@ vec3 radiance_above(vec3 from, vec3 r)
 /* A ray traced from the eye. */
 struct water_ray {
     vec3 from;
-    vec3 dir;   /* unit; goes down in water or, if `above`, up in air */
+    vec3 dir;   /* unit; in water or, if `above`, up in air */
     bool above; /* the ray has left the water */
     vec3 kept;  /* transmittance of the path so far */
 };
@@ -97,15 +97,22 @@ struct water_ground {
     float caustics; /* sun_share() of the visible ground */
 };
 
+/* Returns the length of a ray to the floor or a wall. */
+float path_to_ground(vec3 from, vec3 dir)
+{
+    float half_size = 0.5 * push.pool.size;
+    return pool_exit(from, dir, vec3(vec2(-half_size), -push.pool.depth),
+                     vec3(vec2(half_size), 1e6));
+}
+
 /* Returns the radiance at the end of a ray: of the ground through water, or above the water. */
 water_ground look_along(water_ray ray)
 {
     water_ground ground;
     float half_size = 0.5 * push.pool.size;
     vec3 upper = vec3(half_size, half_size, push.pool.depth);
-    vec3 dir = normalize(vec3(ray.dir.xy, min(ray.dir.z, -1e-3)));
-    float path = pool_exit(ray.from, dir, -upper, vec3(upper.xy, 1e6));
-    vec3 at = ray.from + path * dir;
+    float path = path_to_ground(ray.from, ray.dir);
+    vec3 at = ray.from + path * ray.dir;
     vec3 n = box_normal(at, upper);
     at.z = min(at.z, 0.0); /* walls above the water at rest, in a crest, are lit as at its height */
     ground.caustics = sun_share(at, pool_sun_inside(push.water.ior));

@@ -33,6 +33,8 @@ water_ray ice_outside(water_ray ray)
     float half_size = 0.5 * push.pool.size;
     ray.from.xy = clamp(ray.from.xy, vec2(-half_size), vec2(half_size));
     ray.above = !in_water;
+    if (in_water)
+        ray.dir = normalize(vec3(ray.dir.xy, min(ray.dir.z, -1e-3)));
     return ray;
 }
 

@@ -1,4 +1,4 @@
-/* water_surface.glsl: radiance of the water's surface. */
+/* water_surface.glsl: radiance of the water's surface, for an eye above it. */
 #ifndef WATER_SURFACE_GLSL
 #define WATER_SURFACE_GLSL
 #include "water.glsl"

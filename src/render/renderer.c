@@ -267,6 +267,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         .object_count = frame_exec == &r->picture ? r->objects.count : 0,
         .meshes = r->meshes,
         .view = frame_view_push(&view),
+        .time = shot->time,
         .light_jitter = view.light_jitter,
         .stays = r->stays,
     };

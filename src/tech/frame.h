@@ -64,6 +64,7 @@ struct rg_frame {
     VkRect2D object_area;         /* pixels of the view that contain the whole object */
     VkRect2D lookup_area;         /* pixels of the view in which shaders look up its faces */
     struct background_push view;
+    float time;                        /* seconds */
     vec2s light_jitter;                /* as in struct frame_view */
     struct background_push faces[6];   /* of the cube around the object, Vulkan's order */
     uint32_t faces_due;                /* a bit for each face that is drawn */

@@ -10,7 +10,10 @@
  * Limits: no ray meets a second wave. Reflections show the sky and the pool's dry walls, but no
  * surroundings. Interreflection is left out between parts of the ground, and between the ground and
  * the surface above it; to make up for that, radiance is not divided by the squared index where
- * light leaves the water. The eye must be above the water.
+ * light leaves the water.
+ *
+ * An eye in the water has passes of its own, which cover the picture: rays to the ground, and to
+ * the waves, through which they see the sky, or which mirror the ground once.
  *
  * Ice that floats in the pool (pool.ice) is drawn above the water. Rays below the water meet it in
  * the maps of ice_normal.c in the eye's view, bent by air and water at rest. The limits are those
@@ -19,7 +22,9 @@
  * the sun's light nor the waves.
  */
 #include "shaders/water.h"
+#include <math.h>
 #include "shaders/embedded.h"
+#include "shaders/wave.h"
 #include "src/tech/caustics.h"
 #include "src/tech/frame.h"
 #include "src/tech/gbuffer.h"
@@ -28,7 +33,8 @@
 #include "src/tech/refract.h"
 #include "src/tech/row_builder.h"
 
-static rg_record_fn record_surface, record_ice;
+static rg_record_fn record_surface, record_ice, record_below;
+static rg_when_fn is_above, is_below;
 
 static const struct rg_use surface_uses[] = {
     FRAME_USE_GLOBALS,
@@ -72,6 +78,7 @@ static const struct rg_pass color_row = {
     .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
     .push_size = sizeof(struct water_push),
     .record = record_surface,
+    .when = is_above,
 };
 
 /* Draws the part of the ice above the water. */
@@ -85,6 +92,7 @@ static const struct rg_pass ice_row = {
     .cull = VK_CULL_MODE_BACK_BIT,
     .push_size = sizeof(struct water_push),
     .record = record_ice,
+    .when = is_above,
 };
 
 static const struct rg_pass layers_row = {
@@ -99,8 +107,26 @@ static const struct rg_pass layers_row = {
     .record = record_surface,
 };
 
+static const struct rg_pass below_row = {
+    .name = "water.below",
+    .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP }),
+    .vert = &water_below_vert,
+    .push_size = sizeof(struct water_push),
+    .record = record_below,
+    .when = is_below,
+};
+
+static const struct rg_pass below_layers_row = {
+    .name = "water.below_layers",
+    .color = RG_TARGETS({ &caustics_seen, RG_LOAD_KEEP }),
+    .vert = &water_below_vert,
+    .push_size = sizeof(struct water_push),
+    .record = record_below,
+    .when = is_below,
+};
+
 enum {
-    ROW_COUNT = 4
+    ROW_COUNT = 6
 };
 
 /* Shaders for water without and with ice, without and with caustics. */
@@ -114,6 +140,25 @@ static const struct rg_shader *const layers_frags[2] = {
     &water_iced_caustics_aov_frag,
 };
 
+static const struct rg_shader *const below_frags[2][2] = {
+    { &water_below_frag, &water_below_caustics_frag },
+    { &water_below_iced_frag, &water_below_iced_caustics_frag },
+};
+static const struct rg_shader *const below_layers_frags[2] = {
+    &water_below_caustics_aov_frag,
+    &water_below_iced_caustics_aov_frag,
+};
+
+/* Adds a row; the uses are those of all rows that shade. */
+static void add_row(struct rg_technique *technique, struct rg_pass *rows, const struct rg_pass *row,
+                    const struct rg_use *uses, const struct rg_shader *frag)
+{
+    struct rg_pass *own = &rows[technique->pass_count++];
+    *own = *row;
+    own->uses = uses;
+    own->frag = frag;
+}
+
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
@@ -125,22 +170,34 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     struct rg_pass *rows = row_builder_alloc(builder, ROW_COUNT * sizeof(*rows));
     if (!rows)
         return (struct rg_technique){ 0 };
-    struct rg_pass *row = rows;
-    *row++ = gbuffer_row;
-    *row = color_row;
-    row->uses = uses;
-    row++->frag = color_frags[iced][lit];
-    if (iced) {
-        *row = ice_row;
-        row->uses = uses;
-        row++->frag = ice_frags[lit];
-    }
+    struct rg_technique technique = { "water", rows, 1 };
+    rows[0] = gbuffer_row;
+    add_row(&technique, rows, &color_row, uses, color_frags[iced][lit]);
+    if (iced)
+        add_row(&technique, rows, &ice_row, uses, ice_frags[lit]);
+    add_row(&technique, rows, &below_row, uses, below_frags[iced][lit]);
     if (lit) {
-        *row = layers_row;
-        row->uses = uses;
-        row++->frag = layers_frags[iced];
+        add_row(&technique, rows, &layers_row, uses, layers_frags[iced]);
+        add_row(&technique, rows, &below_layers_row, uses, below_layers_frags[iced]);
     }
-    return (struct rg_technique){ "water", rows, (size_t)(row - rows) };
+    return technique;
+}
+
+/* Returns whether the eye is in the water; the floating ice does not matter. */
+static bool is_below(const struct rg_frame *frame, uint32_t repetition)
+{
+    const struct water_push push = pool_push_of(frame->settings);
+    const vec3s eye = frame->view.eye;
+    const vec2s at = { { eye.x, -eye.z } }; /* pool coordinates (lib/pool.glsl) */
+    const float half = 0.5f * push.pool.size;
+    (void)repetition;
+    return fabsf(at.x) < half && fabsf(at.y) < half && eye.y > -push.pool.depth &&
+           eye.y < wave_at(push.water, at, frame->time).z;
+}
+
+static bool is_above(const struct rg_frame *frame, uint32_t repetition)
+{
+    return !is_below(frame, repetition);
 }
 
 static void record_surface(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -155,6 +212,13 @@ static void record_ice(struct rg_cmd *cmd, const struct rg_frame *frame)
     const struct water_push push = pool_push_of(frame->settings);
     rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw_mesh(cmd, &frame->object);
+}
+
+static void record_below(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct water_push push = pool_push_of(frame->settings);
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw(cmd, 3);
 }
 
 const struct technique water = {

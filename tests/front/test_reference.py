@@ -211,6 +211,20 @@ class With(Case):
         self.assertEqual(said.count('up to date'), 2)
         self.assertTrue(first == (self.folder / 'a.02.exr').read_bytes())
 
+    def test_an_eye_in_the_pool(self):
+        """What the rasteriser draws from below: Snell's window, the mirror around it, the tiles."""
+        words = ('render', 'pool', '--size', '48x36', '--pixel-filter', 'point', '--samples', 1,
+                 '-q', '--set', 'caustics.method=none', '--fov', 100, '-o', 'a.exr')
+        for eye, target, ice in (('0.3,-0.7,0.4', '0,0,-0.6', 0), ('1.2,-0.5,0.9', '0,-0.3,0', 1)):
+            more = ('--eye', eye, '--target', target, '--set', f'pool.ice={ice}')
+            planes = []
+            for rung in ((), TRACED):
+                self.succeed(*words, *more, *rung)
+                planes.append(Exr((self.folder / 'a.exr').read_bytes()).read_planes('RGB'))
+            pairs = [(a, b) for name in 'RGB' for a, b in zip(planes[0][name], planes[1][name])]
+            error = sum(abs(min(a, 1) - min(b, 1)) for a, b in pairs) / len(pairs)
+            self.assertLess(error, 0.02 if not ice else 0.04)
+
     def test_a_pool(self):
         words = ('render', 'pool', '--size', '32x24', *TRACED, '--set', 'reference.photons=5000')
         for ice in ('0', '1'):

@@ -1,0 +1,117 @@
+/*
+ * water_below.glsl: main() of the picture for an eye below the water; with WATER_LAYER, of the
+ * layer of light on the ground.
+ *
+ * Rays meet the waves exactly. Through the surface they see what is above within the cone of
+ * Snell's window; elsewhere, and in part inside it, the surface mirrors the ground. Radiance is not
+ * multiplied by the squared index where light enters the water, as it is not divided where it
+ * leaves (water.c).
+ */
+#include "lib/constants.glsl"
+#include "lib/view_ray.glsl"
+#include "refract.h"
+#include "water.glsl"
+
+layout(location = REFRACT_VIEW_RAY) in vec3 ray;
+
+#ifdef WATER_LAYER
+layout(location = 0) out float out_caustics;
+#else
+layout(location = 0) out vec4 color;
+#endif
+
+const int below_steps = 96;
+const int below_halvings = 12;
+
+/* Returns the greatest height of the waves in the pool. */
+float below_crest()
+{
+    water_params w = push.water;
+    float across = 0.70711 * push.pool.size; /* half of the diagonal, the greatest r */
+    return w.wave == WATER_SERIES ? 4.0 * w.height * w.amplitude * across : w.height * w.scale;
+}
+
+/* Returns the height of a point over the water. */
+float below_height(vec3 at)
+{
+    return at.z - wave_at(push.water, at.xy, frame.time).z;
+}
+
+/* Returns the length of a ray to the water's surface, or `last` if it does not meet it before. */
+float below_surface(vec3 from, vec3 dir, float last)
+{
+    float crest = below_crest();
+    float rise = abs(dir.z) > 1e-6 ? 1.0 / dir.z : 1e6;
+    float first = dir.z > 0.0 ? max((-crest - from.z) * rise, 0.0) : 0.0;
+    float most = dir.z > 0.0 ? (crest - from.z) * rise : (-crest - from.z) * rise;
+    most = clamp(most, 0.0, last);
+    float under = first, over = last;
+    for (int i = 1; i <= below_steps; i++) {
+        float t = mix(first, most, float(i) / float(below_steps));
+        if (first >= most)
+            break;
+        if (below_height(from + t * dir) > 0.0) {
+            over = t;
+            break;
+        }
+        under = t;
+    }
+    for (int i = 0; i < below_halvings && over < last; i++) {
+        float t = 0.5 * (under + over);
+        if (below_height(from + t * dir) > 0.0)
+            over = t;
+        else
+            under = t;
+    }
+    return over < last ? under : last;
+}
+
+/* Both ways of light that meet the surface: the mirrored one is in `way`, and what is seen through
+ * the surface, with its share, is added to the picture. */
+struct below_parted {
+    water_ray way;
+    vec3 through;
+    float mirrored; /* share of the way */
+};
+
+below_parted below_part(vec3 from, vec3 e, float t)
+{
+    vec3 at = from + t * e;
+    vec3 n = -wave_normal(wave_at(push.water, at.xy, frame.time));
+    n = dot(n, e) > -1e-3 ? normalize(n - (dot(n, e) + 1e-3) * e) : n;
+    vec3 out_dir = optics_refract(e, n, push.water.ior);
+    vec3 in_dir = optics_reflect(e, n);
+    float share = optics_fresnel(e, n, push.water.ior);
+    /* Neither ray meets a second wave. */
+    out_dir = normalize(vec3(out_dir.xy, max(out_dir.z, 1e-3)));
+    in_dir = normalize(vec3(in_dir.xy, min(in_dir.z, -1e-3)));
+    vec3 kept = passed(t);
+    vec3 seen = share < 1.0 ? (1.0 - share) * radiance_above(at, out_dir) : vec3(0.0);
+    return below_parted(water_ray(at, in_dir, false, kept), kept * seen, share);
+}
+
+void main()
+{
+    vec3 e = pool_from_world(view_dir(ray));
+    vec3 from = pool_from_world(frame.eye + view_at(ray, 0.0));
+    float last = path_to_ground(from, e);
+    float t = below_surface(from, e, last);
+    below_parted parted = below_parted(water_ray(from, e, false, vec3(1.0)), vec3(0.0), 1.0);
+#ifdef WATER_WITH_ICE
+    float to_ice = ice_distance(pool_to_world(from), pool_to_world(e));
+    bool is_ice = to_ice >= 0.0 && to_ice < t;
+    if (is_ice)
+        parted.way = ice_below(parted.way);
+#else
+    const bool is_ice = false;
+#endif
+    if (t < last && !is_ice)
+        parted = below_part(from, e, t);
+    water_ground ground = look_along(parted.way);
+#ifdef WATER_LAYER
+    out_caustics = ground.caustics;
+#else
+    vec3 radiance = parted.through + parted.mirrored * ground.radiance;
+    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* the largest half */
+#endif
+}
