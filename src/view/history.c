@@ -3,9 +3,16 @@
 #include <string.h>
 #include "src/tech/technique.h"
 
+static bool differ(float a, float b)
+{
+    return a < b || a > b;
+}
+
 bool history_same(const struct view_state *a, const struct view_state *b)
 {
-    return a->rung == b->rung && a->split == b->split &&
+    return a->rung == b->rung && a->other == b->other && a->split == b->split &&
+           !memcmp(&a->right, &b->right, sizeof(a->right)) &&
+           !differ(a->env_rotate, b->env_rotate) &&
            !memcmp(&a->settings, &b->settings, sizeof(a->settings));
 }
 
@@ -42,6 +49,16 @@ static const char *name_of(const struct technique *rung)
     return rung ? rung->rung.name : "none";
 }
 
+static const char *name_other(const struct view_state *state)
+{
+    static const char *const names[] = {
+        [VIEW_OTHER_STATE] = "the stored state",
+        [VIEW_OTHER_FILE] = "a picture",
+        [VIEW_OTHER_REFERENCE] = "the reference",
+    };
+    return state->other > VIEW_OTHER_RUNG ? names[state->other] : name_of(state->split);
+}
+
 /* The first row that differs; further ones are counted. */
 static uint32_t name_settings(const struct view_state *before, const struct view_state *after,
                               FILE *out)
@@ -74,8 +91,11 @@ void history_name(const struct view_state *before, const struct view_state *afte
     const uint32_t count = name_settings(before, after, out);
     if (!count && before->rung != after->rung)
         fprintf(out, "rung %s -> %s", name_of(before->rung), name_of(after->rung));
-    else if (!count && before->split != after->split)
-        fprintf(out, "compare with %s -> %s", name_of(before->split), name_of(after->split));
+    else if (!count && (before->other != after->other || before->split != after->split))
+        fprintf(out, "compare with %s -> %s", name_other(before), name_other(after));
+    else if (!count && differ(before->env_rotate, after->env_rotate))
+        fprintf(out, "turn of the panorama %.0f -> %.0f", (double)before->env_rotate,
+                (double)after->env_rotate);
     if (count > 1)
         fprintf(out, " and %u more", count - 1);
     (void)!fclose(out);

@@ -18,11 +18,23 @@ enum {
 
 struct technique;
 
+/* What is right of the divider. */
+enum view_other {
+    VIEW_OTHER_NONE,
+    VIEW_OTHER_RUNG,      /* another rung with the same settings */
+    VIEW_OTHER_STATE,     /* a rung with settings of its own */
+    VIEW_OTHER_FILE,      /* a picture */
+    VIEW_OTHER_REFERENCE, /* the truth, traced on the CPU */
+};
+
 /* All that undo brings back. */
 struct view_state {
     struct settings settings;
     const struct technique *rung;
-    const struct technique *split; /* NULL: none */
+    enum view_other other;
+    const struct technique *split; /* the rung on the right; NULL: it has none */
+    struct settings right;         /* of VIEW_OTHER_STATE; else 0 */
+    float env_rotate;              /* of the panorama, degrees */
 };
 
 struct history {

@@ -48,15 +48,10 @@ static const struct {
     [VIEW_NEARER] = {
         .characters = "+=",
         .repeats = true,
-        .name = "+",
-        .label = "move closer",
+        .name = "+, -",
+        .label = "move closer, or away",
     },
-    [VIEW_FARTHER] = {
-        .characters = "-",
-        .repeats = true,
-        .name = "-",
-        .label = "move away",
-    },
+    [VIEW_FARTHER] = { .characters = "-", .repeats = true, .label = "move away" },
     [VIEW_RESET] = {
         .keys = { GLFW_KEY_HOME },
         .characters = "rR",
@@ -67,19 +62,17 @@ static const struct {
     [VIEW_FRONT] = {
         .keys = { GLFW_KEY_KP_1 },
         .characters = "1",
-        .name = "1",
-        .label = "look from the front",
+        .name = "1, 3, 7",
+        .label = "look from front, right, above",
     },
     [VIEW_SIDE] = {
         .keys = { GLFW_KEY_KP_3 },
         .characters = "3",
-        .name = "3",
         .label = "look from the right",
     },
     [VIEW_TOP] = {
         .keys = { GLFW_KEY_KP_7 },
         .characters = "7",
-        .name = "7",
         .label = "look from above",
     },
     [VIEW_ORTHOGRAPHIC] = {
@@ -141,12 +134,28 @@ static const struct {
         .help = "save the settings that are not the defaults as a preset, for --preset, in "
                 "~/.local/share/firn/presets",
     },
+    [VIEW_BRIGHTER] = {
+        .characters = "e",
+        .repeats = true,
+        .name = "E, Shift+E",
+        .label = "half a stop brighter, or darker",
+        .help = "expose the picture by half a stop more; with Shift by half a stop less",
+    },
+    [VIEW_DARKER] = { .characters = "E", .repeats = true, .label = "half a stop darker" },
     [VIEW_PAUSE] = {
         .characters = " ",
         .name = "Space",
         .label = "pause or resume time",
         .button = "Pause",
     },
+    [VIEW_NEXT_FRAME] = {
+        .characters = ".",
+        .repeats = true,
+        .name = "., ,",
+        .label = "one frame later, or earlier",
+        .help = "let time pass by one frame of motion.fps, or go back by one",
+    },
+    [VIEW_LAST_FRAME] = { .characters = ",", .repeats = true, .label = "one frame earlier" },
     [VIEW_SCREENSHOT] = {
         .keys = { GLFW_KEY_F12 },
         .characters = "p",
@@ -177,24 +186,45 @@ static const struct {
         .help = "copy the picture, without panels, to the clipboard, by wl-copy or xclip",
     },
     [VIEW_SPLIT] = {
+        .characters = "w",
+        .name = "W",
+        .label = "compare A with B, or not",
+        .help = "show A and B side by side, with a divider that can be dragged, or A alone; B is "
+                "what was stored, or the most exact rung",
+        .button = "Compare",
+    },
+    [VIEW_TRUTH] = {
+        .characters = "W",
+        .name = "Shift+W",
+        .label = "compare with the reference",
+        .help = "compare with the reference, which is traced as soon as the picture is still",
+    },
+    [VIEW_STORE] = {
         .characters = "sS",
         .name = "S",
-        .label = "compare with another rung",
-        .help = "show two rungs side by side, with a divider that can be dragged, or one",
-        .button = "Compare",
+        .label = "store the picture as B",
+        .help = "store settings and rung as B, to be compared with what comes",
+    },
+    [VIEW_FLIP] = {
+        .characters = "tT",
+        .name = "T",
+        .label = "flip between A and B",
+        .help = "show B in place of A, or A again",
+    },
+    [VIEW_DIFFER] = {
+        .characters = "dD",
+        .name = "D",
+        .label = "difference of A and B",
+        .help = "show how far A and B look apart, by FLIP from black to yellow, or the pictures",
     },
     [VIEW_DIVIDER_LEFT] = {
         .characters = "[",
         .repeats = true,
-        .name = "[",
-        .label = "move the divider to the left",
+        .name = "[, ]",
+        .label = "divider to the left, or right",
+        .help = "move the divider between A and B to the left, or to the right",
     },
-    [VIEW_DIVIDER_RIGHT] = {
-        .characters = "]",
-        .repeats = true,
-        .name = "]",
-        .label = "move the divider to the right",
-    },
+    [VIEW_DIVIDER_RIGHT] = { .characters = "]", .repeats = true, .label = "divider to the right" },
     [VIEW_HIDE] = {
         .keys = { GLFW_KEY_TAB },
         .characters = "hH",
@@ -203,8 +233,8 @@ static const struct {
         .button = "Hide",
     },
     [VIEW_TIMES] = {
-        .characters = "tT",
-        .name = "T",
+        .characters = "bB",
+        .name = "B",
         .label = "time of each pass",
         .help = "show the time of each pass, or the settings",
         .button = "Passes",
@@ -288,7 +318,9 @@ static const struct {
     const char *name, *help;
 } gestures[] = {
     { "drag", "orbit around the object" },
-    { "right drag", "move sideways (Shift, drag)" },
+    { "right drag", "move sideways (Shift, or middle)" },
+    { "Ctrl drag", "turn the light or the panorama" },
+    { "also Shift", "Ctrl Shift drag: move the sun" },
     { "wheel", "move closer or away" },
     { "double click", "look at this point" },
     { "/", "search for a setting" },

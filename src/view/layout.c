@@ -3,6 +3,8 @@
 
 static const float bar_height = 36.0f; /* all at scale 1 */
 static const float status_height = 26.0f;
+static const float strip_height = 30.0f;
+static const float strip_window = 560.0f; /* from this height of a window on */
 
 /* Wide windows have room for wide panels. */
 static const struct {
@@ -46,8 +48,11 @@ struct layout layout_of(VkExtent2D window, float scale, bool has_panels)
         return l;
     const uint32_t left = window.width - width;
     const uint32_t body = window.height - status;
+    const uint32_t strip =
+        window.height < pixels(strip_window, scale) ? 0 : pixels(strip_height, scale);
     l.bar = rectangle(0, 0, left, bar);
-    l.picture = rectangle(0, bar, left, body - bar);
+    l.picture = rectangle(0, bar, left, body - bar - strip);
+    l.strip = rectangle(0, body - strip, left, strip);
     l.panel = rectangle(left, 0, width, body);
     l.status = rectangle(0, body, window.width, status);
     return l;
@@ -57,6 +62,8 @@ VkExtent2D layout_around(VkExtent2D picture, float scale)
 {
     const uint32_t more = pixels(bar_height, scale) + pixels(status_height, scale);
     VkExtent2D window = { 0, picture.height + more };
+    const uint32_t strip = pixels(strip_height, scale);
+    window.height += window.height + strip < pixels(strip_window, scale) ? 0 : strip;
     for (uint32_t i = 0; i < WIDTH_COUNT; i++) {
         window.width = picture.width + pixels(widths[i].panel, scale);
         if (panel_width(window.width, scale) + picture.width == window.width)

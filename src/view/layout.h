@@ -5,6 +5,8 @@
  *     | bar                 |       |
  *     +---------------------+ panel |
  *     | picture             |       |
+ *     +---------------------+       |
+ *     | strip               |       |
  *     +---------------------+-------+
  *     | status                      |
  *     +-----------------------------+
@@ -19,6 +21,7 @@
 struct layout {
     VkRect2D picture; /* at least 1x1 */
     VkRect2D bar, panel, status;
+    VkRect2D strip; /* of time; low windows have none */
 };
 
 /* `window` is at least 1x1 pixels, `scale` multiplies the sizes of panels. */

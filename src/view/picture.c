@@ -61,11 +61,22 @@ static void forget_renderers(struct picture *p)
     p->right = NULL;
 }
 
+static void forget_scene(struct picture_scene *scene, struct gpu *gpu)
+{
+    if (!scene)
+        return;
+    uploaded_scene_finish(&scene->uploaded, gpu);
+    scene_finish(&scene->scene);
+    free(scene);
+}
+
 void picture_leave_device(struct picture *p)
 {
     if (!p)
         return;
     forget_renderers(p);
+    forget_scene(p->right_scene, p->gpu);
+    p->right_scene = NULL;
     uploaded_scene_finish(&p->uploaded, p->gpu);
 }
 
@@ -97,11 +108,49 @@ struct renderer_params picture_params(struct picture *p)
     return params;
 }
 
-static enum status make_renderer(struct picture *p, const struct technique *rung,
-                                 struct renderer **renderer)
+struct renderer_params picture_right_params(struct picture *p)
 {
     struct renderer_params params = picture_params(p);
-    params.rung = rung;
+    params.rung = p->state.split;
+    if (p->has_right_settings)
+        params.settings = &p->right_settings;
+    if (p->right_scene) {
+        params.scene = &p->right_scene->scene;
+        params.uploaded = &p->right_scene->uploaded;
+    }
+    return params;
+}
+
+/* Other settings may shape another scene, which is at the time of the one on the left. Takes the
+ * place of the one there was. */
+static enum status make_right_scene(struct picture *p)
+{
+    struct app_scene given = p->state.scene;
+    p->right_scene = NULL;
+    if (!p->has_right_settings ||
+        settings_changed(&given.settings, &p->right_settings) < SETTING_AFFECTS_SCENE)
+        return STATUS_OK;
+    struct picture_scene *made = calloc(1, sizeof(*made));
+    if (!made)
+        return log_out_of_memory(NULL);
+    given.settings = p->right_settings;
+    given.quiet = true;
+    memset(given.is_set, true, sizeof(given.is_set)); /* all is in the settings */
+    if (p->scene.model.animation)
+        settings_put(&given.settings, settings_find("motion.time"), (double)p->scene.time);
+    enum status status = app_load_scene(&made->scene, &given);
+    if (status == STATUS_OK)
+        status = uploaded_scene_init(&made->uploaded, p->gpu, &made->scene);
+    if (status == STATUS_OK)
+        p->right_scene = made;
+    else
+        forget_scene(made, p->gpu);
+    return status;
+}
+
+static enum status make_renderer(const struct picture *p, struct renderer_params params,
+                                 struct renderer **renderer)
+{
     params.keep = true;
     params.refines = p->refines;
     params.measured = true;
@@ -116,14 +165,20 @@ static enum status make_renderers(struct picture *p)
 {
     struct renderer *left = NULL;
     struct renderer *right = NULL;
-    enum status status = make_renderer(p, p->state.rung, &left);
+    struct picture_scene *before = p->right_scene;
+    enum status status = make_right_scene(p);
+    if (status == STATUS_OK)
+        status = make_renderer(p, picture_params(p), &left);
     if (status == STATUS_OK && p->state.split)
-        status = make_renderer(p, p->state.split, &right);
+        status = make_renderer(p, picture_right_params(p), &right);
     if (status != STATUS_OK) {
         renderer_destroy(left);
+        forget_scene(p->right_scene, p->gpu);
+        p->right_scene = before;
         return status;
     }
     forget_renderers(p);
+    forget_scene(before, p->gpu);
     p->renderer = left;
     p->right = right;
     p->version++;
@@ -147,13 +202,43 @@ enum status picture_resize(struct picture *p, VkExtent2D size)
     return make_renderers(p);
 }
 
-enum status picture_split(struct picture *p, const struct technique *rung)
+enum status picture_split(struct picture *p, const struct technique *rung,
+                          const struct settings *settings)
 {
     const struct technique *before = p->state.split;
+    const struct settings settings_before = p->right_settings;
+    const bool had_settings = p->has_right_settings;
+    if (rung == before && !settings && !had_settings)
+        return STATUS_OK;
     p->state.split = rung;
+    p->has_right_settings = rung && settings;
+    if (p->has_right_settings)
+        p->right_settings = *settings;
     const enum status status = picture_remake(p);
-    if (status != STATUS_OK)
+    if (status != STATUS_OK) {
         p->state.split = before;
+        p->right_settings = settings_before;
+        p->has_right_settings = had_settings;
+    }
+    return status;
+}
+
+bool picture_is_split(const struct picture *p)
+{
+    return p->state.split || p->shows_still;
+}
+
+enum status picture_turn(struct picture *p, float degrees)
+{
+    const float before = p->state.scene.env_rotate;
+    const float turn = p->scene.environment.turn;
+    p->state.scene.env_rotate = degrees;
+    p->scene.environment.turn = degrees / 360.0f - floorf(degrees / 360.0f);
+    const enum status status = picture_remake(p);
+    if (status != STATUS_OK) {
+        p->state.scene.env_rotate = before;
+        p->scene.environment.turn = turn;
+    }
     return status;
 }
 
@@ -217,24 +302,37 @@ double picture_passes(const struct picture *p)
     return passes_of(p->renderer) + passes_of(p->right);
 }
 
-VkImage picture_left(const struct picture *p)
+static VkImage image_of(const struct picture *p, const struct renderer *renderer)
 {
-    if (p->instead)
-        return p->instead;
-    return p->shows_mean ? renderer_mean(p->renderer) : renderer_picture(p->renderer);
-}
-
-VkExtent2D picture_extent(const struct picture *p)
-{
-    return p->instead ? (VkExtent2D){ p->state.width, p->state.height } : p->view;
+    return p->shows_mean ? renderer_mean(renderer) : renderer_picture(renderer);
 }
 
 VkImage picture_right(const struct picture *p)
 {
-    const struct renderer *r = p->right ? p->right : p->renderer;
     if (p->instead)
         return p->instead;
-    return p->shows_mean ? renderer_mean(r) : renderer_picture(r);
+    return p->shows_still && p->still ? p->still : image_of(p, p->right ? p->right : p->renderer);
+}
+
+VkImage picture_left(const struct picture *p)
+{
+    if (p->flipped)
+        return picture_right(p);
+    return p->instead ? p->instead : image_of(p, p->renderer);
+}
+
+VkExtent2D picture_right_extent(const struct picture *p)
+{
+    if (p->instead)
+        return (VkExtent2D){ p->state.width, p->state.height };
+    return p->shows_still && p->still ? p->still_extent : p->view;
+}
+
+VkExtent2D picture_extent(const struct picture *p)
+{
+    if (p->flipped)
+        return picture_right_extent(p);
+    return p->instead ? (VkExtent2D){ p->state.width, p->state.height } : p->view;
 }
 
 uint32_t picture_line(const struct picture *p)
@@ -295,6 +393,12 @@ static enum status replace(struct picture **picture, const struct app_picture *s
     const bool drawn = (*picture)->renderer != NULL;
     enum status status = picture_create(&next, (*picture)->gpu, state, (*picture)->watch,
                                         (*picture)->quiet, (*picture)->refines);
+    if (status == STATUS_OK) {
+        next->has_right_settings = (*picture)->has_right_settings;
+        next->right_settings = (*picture)->right_settings;
+        next->shows_still = (*picture)->shows_still;
+        next->flipped = (*picture)->flipped;
+    }
     if (status == STATUS_OK && drawn)
         status = make_renderers(next);
     if (status != STATUS_OK) {
@@ -366,7 +470,7 @@ static bool is_environment(const char *path)
     return path_ends_in(path, ".exr") || path_ends_in(path, ".hdr");
 }
 
-enum status picture_open(struct picture **picture, const char *path, bool *remade)
+enum status picture_load(struct picture **picture, const char *path, bool *remade)
 {
     const bool environment = is_environment(path);
     struct app_picture state = (*picture)->state;

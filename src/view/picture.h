@@ -15,6 +15,12 @@
 #include "src/render/renderer.h"
 #include "src/render/uploaded_scene.h"
 
+/* A scene, and that on the device. */
+struct picture_scene {
+    struct scene scene;
+    struct uploaded_scene uploaded;
+};
+
 struct picture {
     struct gpu *gpu;
     bool quiet;               /* files are written without a line about them */
@@ -28,12 +34,19 @@ struct picture {
     struct camera first_camera; /* where it was */
     struct renderer *renderer;  /* NULL until picture_resize() */
     struct renderer *right;     /* of state.split; NULL without */
-    double divider;             /* between them: of the width, from the left */
-    bool refines;               /* renderers can do what picture_refine() needs */
-    VkImage instead;            /* of the whole size, shown in place of all; NULL: nothing */
-    bool shows_mean;            /* picture_left() and picture_right() are means of samples */
-    VkExtent2D view;            /* of what they show, pixels */
-    uint64_t version;           /* another one whenever the renderers are */
+    bool has_right_settings;    /* else they are those on the left: */
+    struct settings right_settings;
+    struct picture_scene *right_scene; /* that those shape; NULL: the one on the left */
+    bool shows_still;                  /* on the right, instead of a renderer's picture: */
+    VkImage still;                     /* NULL: nothing yet, so the left is shown there, too */
+    VkExtent2D still_extent;           /* pixels */
+    bool flipped;     /* the right is shown in place of the left, without a divider */
+    double divider;   /* between them: of the width, from the left */
+    bool refines;     /* renderers can do what picture_refine() needs */
+    VkImage instead;  /* of the whole size, shown in place of all; NULL: nothing */
+    bool shows_mean;  /* picture_left() and picture_right() are means of samples */
+    VkExtent2D view;  /* of what they show, pixels */
+    uint64_t version; /* another one whenever the renderers are */
 };
 
 /* Loads the scene; the strings of the state are copied or outlive the picture, as do the watched
@@ -64,13 +77,20 @@ MUST_USE enum status picture_change(struct picture **picture, const struct setti
  * *picture stays; else it is another one, of the same size, and *remade. An environment keeps the
  * camera.
  */
-MUST_USE enum status picture_open(struct picture **picture, const char *path, bool *remade);
+MUST_USE enum status picture_load(struct picture **picture, const char *path, bool *remade);
 
 /* `settings` with the exposure of others, which needs no new samples. */
 struct settings picture_with_exposure(const struct settings *settings, const struct settings *of);
 
-/* Shows another rung on the right; NULL: none. On failure it stays as it was. */
-MUST_USE enum status picture_split(struct picture *picture, const struct technique *rung);
+/* Shows another rung on the right; NULL: none. `settings`: those it has, copied; NULL: those on the
+ * left. On failure it stays as it was. */
+MUST_USE enum status picture_split(struct picture *picture, const struct technique *rung,
+                                   const struct settings *settings);
+
+bool picture_is_split(const struct picture *picture); /* something is shown on the right */
+
+/* Turns the panorama around the scene, degrees. On failure it stays as it was. */
+MUST_USE enum status picture_turn(struct picture *picture, float degrees);
 
 /* Makes the renderers anew, if there are any: the watched shaders are others. On failure those
  * before stay. */
@@ -95,9 +115,10 @@ MUST_USE enum status picture_refine(struct picture *picture, const struct render
 MUST_USE enum status picture_resolve(struct picture *picture, uint32_t sample_count);
 
 double picture_passes(const struct picture *picture); /* of the last frame that ended, seconds */
-VkExtent2D picture_extent(const struct picture *picture); /* of both, pixels */
 VkImage picture_left(const struct picture *picture);
-VkImage picture_right(const struct picture *picture); /* unless split, the same */
+VkImage picture_right(const struct picture *picture);           /* unless split, the same */
+VkExtent2D picture_extent(const struct picture *picture);       /* of the left, pixels */
+VkExtent2D picture_right_extent(const struct picture *picture); /* of the right */
 
 /* The column where the line between left and right begins; PRESENT_NO_LINE: not split. */
 uint32_t picture_line(const struct picture *picture);
@@ -124,7 +145,8 @@ MUST_USE enum status picture_write_drawn(struct picture *picture, float time, co
 MUST_USE enum status picture_can_write(bool is_split, const char *const *paths,
                                        uint32_t path_count);
 
-/* For renderers of the picture as it is. */
+/* For renderers of the picture as it is, and of what is on the right of it. */
 struct renderer_params picture_params(struct picture *picture);
+struct renderer_params picture_right_params(struct picture *picture);
 
 #endif

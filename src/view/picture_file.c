@@ -18,6 +18,7 @@ enum {
 /* One rung's picture. */
 struct side {
     const char *suffix; /* of EXR files' names */
+    bool is_right;
     struct app_picture state;
     struct output output;
     struct render_result result;
@@ -82,10 +83,10 @@ static enum status write_side(struct picture *p, const struct side *side, const 
 static enum status draw_side(struct picture *p, struct side *side, const struct renderer_shot *shot,
                              const char *const *paths, uint32_t path_count)
 {
-    struct renderer_params params = picture_params(p);
+    struct renderer_params params = side->is_right ? picture_right_params(p) : picture_params(p);
     struct renderer *renderer = NULL;
-    side->output = (struct output){ .picture = &side->state, .scene = &p->scene, .shot = *shot };
-    params.rung = side->state.rung;
+    side->state.scene.settings = *params.settings;
+    side->output = (struct output){ .picture = &side->state, .scene = params.scene, .shot = *shot };
     params.samples = p->state.samples;
     bool makes_png = false; /* with alpha */
     for (uint32_t i = 0; i < path_count; i++) {
@@ -148,7 +149,7 @@ enum status picture_write(struct picture *p, float time, const char *const *path
     const struct renderer_shot shot = { .camera = p->camera, .time = time };
     struct drawn d = {
         .sides = { { .suffix = "-left", .state = p->state },
-                   { .suffix = "-right", .state = p->state } },
+                   { .suffix = "-right", .state = p->state, .is_right = true } },
         .side_count = p->state.split ? 2 : 1,
         .whole = { .picture = &p->state, .scene = &p->scene, .shot = shot },
     };

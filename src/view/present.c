@@ -66,6 +66,8 @@ static bool is_split(const struct rg_frame *frame, uint32_t repetition)
 static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     struct present_push push = frame->window->present;
+    push.texel_columns = frame->window->right_columns;
+    push.texel_rows = frame->window->right_rows;
     push.left = 2.0f * (float)(push.x + push.line) / (float)rg_cmd_extent(cmd).width - 1.0f;
     rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw(cmd, 3);

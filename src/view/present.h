@@ -18,6 +18,7 @@ struct overlay_list;
 struct window_frame {
     struct present_push present;        /* but for the edge, which each pass has its own */
     const struct overlay_list *overlay; /* src/view/overlay_list.h; NULL: nothing lies over it */
+    uint32_t right_columns, right_rows; /* of the right picture, texels */
 };
 
 enum {

@@ -66,7 +66,7 @@ static enum status compile(const struct screen *s, const struct screen_picture *
                              .extent = picture->extent },
         [IMPORT_RIGHT] = { .image = &present_right,
                            .access = RG_SAMPLED,
-                           .extent = picture->extent },
+                           .extent = picture->right_extent },
         [IMPORT_WINDOW] = { .image = &s->tables.window },
         [IMPORT_FONT] = {
             .image = &overlay_font,
@@ -157,7 +157,9 @@ static bool shows(const struct screen *s, const struct screen_picture *picture)
     const struct screen_picture *now = &s->shown;
     return s->exec && now->left == picture->left && now->right == picture->right &&
            now->extent.width == picture->extent.width &&
-           now->extent.height == picture->extent.height;
+           now->extent.height == picture->extent.height &&
+           now->right_extent.width == picture->right_extent.width &&
+           now->right_extent.height == picture->right_extent.height;
 }
 
 enum status screen_connect(struct screen *s, const struct screen_picture *picture)
@@ -212,7 +214,12 @@ enum status screen_end(struct screen *s, const struct present_push *shown,
                        const struct overlay_list *list)
 {
     const struct gpu_swapchain *chain = &s->swapchain;
-    struct window_frame window = { .present = *shown, .overlay = list };
+    struct window_frame window = {
+        .present = *shown,
+        .overlay = list,
+        .right_columns = s->shown.right_extent.width,
+        .right_rows = s->shown.right_extent.height,
+    };
     window.present.encodes = chain->encodes;
     const struct rg_frame frame = { .window = &window };
     const struct rg_exec_external_sync sync = {

@@ -21,7 +21,7 @@
 
 struct screen_picture {
     VkImage left, right;
-    VkExtent2D extent;
+    VkExtent2D extent, right_extent;
 };
 
 struct screen {
@@ -53,8 +53,9 @@ MUST_USE enum status screen_fit(struct screen *screen, VkExtent2D size, bool *re
  * the screen is not connected. */
 void screen_lay_over(struct screen *screen, const struct gpu_image *font);
 
-/* Shows a picture, ready to be sampled, from now on; and where a line is drawn, another one of the
- * same size right of it (without one, the same). Not between screen_begin() and screen_end(). */
+/* Shows a picture, ready to be sampled, from now on; and where a line is drawn, another one right
+ * of it (without one, the same), as large as the first. Not between screen_begin() and
+ * screen_end(). */
 MUST_USE enum status screen_connect(struct screen *screen, const struct screen_picture *picture);
 
 /* Waits for its frames and forgets the picture. */

@@ -1,5 +1,6 @@
 /* view.c: the loop around a window. */
 #include "src/view/view.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/base/clock.h"
@@ -20,6 +21,21 @@ void view_say(struct view *v, const char *what)
     char title[256];
     snprintf(title, sizeof(title), "firn: %s", what);
     window_title(&v->window, title);
+}
+
+void view_attempt(struct view *v)
+{
+    char line[ECHO_SIZE];
+    (void)echo_take(&v->echo, line);
+}
+
+void view_fail(struct view *v, const char *what)
+{
+    char why[ECHO_SIZE];
+    char words[ECHO_SIZE + 64];
+    const bool known = echo_take(&v->echo, why);
+    snprintf(words, sizeof(words), "%s%s%s", what, known ? ": " : "", why);
+    ui_fail(v->ui, words);
 }
 
 static bool shows_panels(const struct app_options *o)
@@ -74,11 +90,15 @@ static enum status open_device(void *user)
 
 void view_show_name(struct view *v)
 {
+    static const char *const other[] = {
+        [VIEW_OTHER_FILE] = "picture", [VIEW_OTHER_REFERENCE] = "reference"
+    };
     const struct app_picture *p = &v->picture->state;
     char words[200];
-    if (p->split)
+    if (v->compare.other != VIEW_OTHER_NONE)
         snprintf(words, sizeof(words), "%s, %s | %s%s", p->scene.name, p->rung->rung.name,
-                 p->split->rung.name, v->paused ? ", paused" : "");
+                 p->split ? p->split->rung.name : other[v->compare.other],
+                 v->paused ? ", paused" : "");
     else
         snprintf(words, sizeof(words), "%s%s", p->scene.name, v->paused ? ", paused" : "");
     view_say(v, words);
@@ -118,8 +138,13 @@ static void leave_device(struct view *v)
 {
     v->window.listen = NULL;
     screen_finish(&v->screen);
-    if (v->gpu.device)
+    view_compare_stop(v);
+    if (v->gpu.device) {
         look_finish(&v->look, &v->gpu);
+        still_leave_device(&v->compare.file, &v->gpu);
+        still_leave_device(&v->compare.traced, &v->gpu);
+        still_leave_device(&v->compare.errors, &v->gpu);
+    }
     ui_destroy(v->ui);
     picture_leave_device(v->picture);
     if (v->surface)
@@ -134,6 +159,9 @@ static void leave_device(struct view *v)
 static void finish(struct view *v)
 {
     leave_device(v);
+    noise_finish(&v->refine.noise);
+    apart_finish(&v->compare.apart);
+    image_finish(&v->compare.file.linear);
     picture_destroy(v->picture);
     watch_destroy(v->watch);
     window_finish(&v->window);
@@ -219,6 +247,7 @@ static enum status connect(struct view *v)
         .left = picture_left(v->picture),
         .right = picture_right(v->picture),
         .extent = picture_extent(v->picture),
+        .right_extent = picture_right_extent(v->picture),
     };
     const enum status status = screen_connect(&v->screen, &shown);
     view_costs_rest(&v->costs, start);
@@ -230,6 +259,12 @@ float view_time(const struct view *v)
     const struct motion_params *motion =
         settings_of(&v->picture->state.scene.settings, &motion_settings);
     return (float)((double)motion->time + v->elapsed);
+}
+
+void view_seek(struct view *v, float time)
+{
+    v->elapsed += fmax((double)time, 0.0) - (double)view_time(v);
+    v->changed = true;
 }
 
 static struct renderer_shot shot_now(const struct view *v)
@@ -245,6 +280,7 @@ static void pose(struct view *v)
     if (picture_is_posed(v->picture, time))
         return;
     screen_disconnect(&v->screen);
+    view_compare_stop(v);
     v->changed = true;
     if (picture_pose(v->picture, time) != STATUS_OK) {
         v->elapsed += (double)v->picture->scene.time - (double)time;
@@ -277,6 +313,9 @@ static enum status draw(struct view *v, bool *ready)
     enum status status = draw_picture(v);
     if (status == STATUS_OK) {
         view_look(v);
+        status = view_compare_show(v);
+    }
+    if (status == STATUS_OK) {
         status = connect(v);
     }
     if (status == STATUS_OK)
@@ -287,8 +326,8 @@ static enum status draw(struct view *v, bool *ready)
     if (v->screen.font)
         list = ui_take(v->ui, rg_exec_mapped(v->screen.exec, &overlay_vertices, v->screen.slot),
                        rg_exec_mapped(v->screen.exec, &overlay_indices, v->screen.slot));
-    v->place =
-        present_fit(v->layout.picture, picture_extent(p), p->state.split ? p->divider : -1.0);
+    const bool divided = picture_is_split(p) && !p->flipped && !v->compare.differs;
+    v->place = present_fit(v->layout.picture, picture_extent(p), divided ? p->divider : -1.0);
     v->place.surround = theme_at(v->theme)->surround;
     if (status == STATUS_OK)
         status = screen_end(&v->screen, &v->place, list);
@@ -340,6 +379,7 @@ static enum status run_frame(struct view *v)
     bool ready;
     window_poll(&v->window);
     view_handle(v);
+    view_compare_follow(v);
     const VkExtent2D size = window_size(&v->window);
     if (v->quit)
         return STATUS_OK;
@@ -458,10 +498,13 @@ enum status view_run(const struct app_options *options)
     if (!v->first.samples)
         v->first.samples = options->view.frame_count ? 1 : VIEW_SAMPLE_COUNT;
     v->refine.goal = v->first.samples;
+    v->compare.other = v->first.split ? VIEW_OTHER_RUNG : VIEW_OTHER_NONE;
     v->paused = !options->view.frame_count && !(options->view.time_step > 0.0);
     enum status status = signals_begin(&v->stop);
+    echo_begin(&v->echo);
     if (status == STATUS_OK)
         status = run(v);
+    echo_end(&v->echo);
     if (status == STATUS_OK && !options->run.quiet)
         view_costs_print(&v->costs, stderr);
     finish(v);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "src/settings/scene_settings.h"
 #include "src/view/orbit.h"
 #include "src/view/place.h"
 #include "src/view/ui/ui_command.h"
@@ -9,6 +10,7 @@
 
 static const float key_turn_deg = 5.0f;
 static const float ui_scale_step = 0.25f;
+static const double key_stops = 0.5;
 static const double key_slide = 1.0 / 32; /* of the picture's width */
 
 void view_zoom(struct view *v, float steps)
@@ -17,17 +19,6 @@ void view_zoom(struct view *v, float steps)
     float farthest;
     picture_range(v->picture, &nearest, &farthest);
     orbit_zoom(&v->picture->camera, steps, nearest, farthest);
-}
-
-/* --split, or the last rung, which is the most exact one; beside it the first. */
-static const struct technique *other_rung(const struct view *v)
-{
-    const struct technique *last = NULL, *next;
-    if (v->options->picture.split)
-        return v->options->picture.split;
-    for (size_t i = 0; (next = techniques_rung(i)); i++)
-        last = next;
-    return v->picture->state.rung == last ? techniques_rung(0) : last;
 }
 
 static void copy_command(struct view *v)
@@ -91,10 +82,11 @@ static void use_camera(struct view *v, const struct camera *camera)
     if (!other)
         return;
     screen_disconnect(&v->screen);
+    view_attempt(v);
     if (picture_remake(p) == STATUS_OK)
         return;
     p->camera = before;
-    ui_fail(v->ui, "the projection was not changed: the terminal says why");
+    view_fail(v, "the projection was not changed");
 }
 
 static void change_projection(struct view *v)
@@ -217,6 +209,16 @@ static void step_layer(struct view *v, int step)
     ui_say(v->ui, words);
 }
 
+static void step_time(struct view *v, float frames)
+{
+    char words[32];
+    const struct motion_params *motion =
+        settings_of(&v->picture->state.scene.settings, &motion_settings);
+    view_seek(v, view_time(v) + frames / motion->fps);
+    snprintf(words, sizeof(words), "time %.4g s", (double)view_time(v));
+    ui_say(v->ui, words);
+}
+
 static void change_picture(struct view *v, enum view_action action)
 {
     if (action == VIEW_PAUSE) {
@@ -227,13 +229,13 @@ static void change_picture(struct view *v, enum view_action action)
         v->shoot_all = action == VIEW_SHOT_OF_ALL;
     } else if (action == VIEW_COPY_PICTURE) {
         v->shoot = v->shoot_copy = true;
-    } else if (action == VIEW_SPLIT) {
-        struct view_state state = view_state_now(v);
-        state.split = state.split ? NULL : other_rung(v);
-        view_change(v, &state, 0);
     } else if (action == VIEW_DIVIDER_LEFT || action == VIEW_DIVIDER_RIGHT) {
         const double step = action == VIEW_DIVIDER_LEFT ? -key_slide : key_slide;
         view_slide(v, v->picture->divider + step);
+    } else if (action == VIEW_NEXT_FRAME || action == VIEW_LAST_FRAME) {
+        step_time(v, action == VIEW_NEXT_FRAME ? 1.0f : -1.0f);
+    } else if (action == VIEW_BRIGHTER || action == VIEW_DARKER) {
+        view_expose(v, action == VIEW_BRIGHTER ? key_stops : -key_stops);
     } else if (action == VIEW_COPY) {
         copy_command(v);
     } else if (action == VIEW_UNDO || action == VIEW_REDO) {
@@ -249,9 +251,28 @@ static void change_picture(struct view *v, enum view_action action)
     }
 }
 
+/* Whether that is what the action does. */
+static bool compare(struct view *v, enum view_action action)
+{
+    if (action == VIEW_SPLIT)
+        view_compare_toggle(v);
+    else if (action == VIEW_TRUTH)
+        view_compare_with(v, VIEW_OTHER_REFERENCE);
+    else if (action == VIEW_STORE)
+        view_compare_store(v);
+    else if (action == VIEW_FLIP)
+        view_compare_flip(v);
+    else if (action == VIEW_DIFFER)
+        view_compare_differ(v);
+    else
+        return false;
+    return true;
+}
+
 void view_act(struct view *v, enum view_action action)
 {
     v->changed = true;
-    if (!move_camera(v, action) && !place_camera(v, action) && !change_window(v, action))
+    if (!compare(v, action) && !move_camera(v, action) && !place_camera(v, action) &&
+        !change_window(v, action))
         change_picture(v, action);
 }

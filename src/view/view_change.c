@@ -23,7 +23,11 @@ struct view_state view_state_now(const struct view *v)
     return (struct view_state){
         .settings = frame_settings(&p->scene.settings, &v->picture->scene),
         .rung = p->rung,
+        .other = v->compare.other,
         .split = p->split,
+        .right = v->picture->has_right_settings ? v->picture->right_settings
+                                                : (struct settings){ .values = { 0 } },
+        .env_rotate = p->scene.env_rotate,
     };
 }
 
@@ -44,27 +48,58 @@ static enum status change_picture(void *user)
     return status;
 }
 
+static bool has_other_side(const struct view *v, const struct view_state *state)
+{
+    const struct view_state now = view_state_now(v);
+    return state->other != now.other || state->split != now.split ||
+           memcmp(&state->right, &now.right, sizeof(now.right)) != 0;
+}
+
 bool view_use(struct view *v, const struct view_state *state)
 {
     const double start = clock_seconds();
     struct change change = { v, state };
+    view_attempt(v);
+    view_compare_stop(v);
     enum status status = screen_wait(&v->screen);
     if (status == STATUS_OK)
         status = worker_run(&v->window, change_picture, &change);
-    if (status == STATUS_OK && state->split != v->picture->state.split) {
+    const float turn = v->picture->state.scene.env_rotate;
+    if (status == STATUS_OK && (state->env_rotate < turn || state->env_rotate > turn)) {
         screen_disconnect(&v->screen);
-        status = picture_split(v->picture, state->split);
+        status = picture_turn(v->picture, state->env_rotate);
     }
+    if (status == STATUS_OK && has_other_side(v, state))
+        status = view_compare_use(v, state);
     if (status != STATUS_OK)
-        ui_fail(v->ui, "the change failed: the terminal says why; Ctrl Z goes back further");
+        view_fail(v, "nothing was changed");
     v->changed = true;
     view_show_name(v);
     view_costs_rest(&v->costs, start);
     return status == STATUS_OK;
 }
 
+/* Why a change took longer than a frame; "": it did not. */
+static void print_cost(const struct view_state *before, const struct view_state *after,
+                       double seconds, char *words, size_t size)
+{
+    const enum setting_effect effect = settings_changed(&before->settings, &after->settings);
+    const char *what = effect == SETTING_AFFECTS_SCENE  ? "it shapes the scene, made anew"
+                       : effect == SETTING_AFFECTS_PLAN ? "it is part of the plan, compiled anew"
+                       : before->rung != after->rung    ? "other passes, compiled"
+                       : before->split != after->split  ? "passes, compiled"
+                                                        : NULL;
+    *words = '\0';
+    if (what)
+        snprintf(words, size, " (%s in %.0f ms)", what, seconds * 1e3);
+}
+
 void view_change(struct view *v, const struct view_state *state, uint32_t gesture)
 {
+    char name[WORDS_SIZE / 2];
+    char cost[WORDS_SIZE / 2];
+    char words[WORDS_SIZE];
+    const double start = clock_seconds();
     const struct view_state before = view_state_now(v);
     if (!v->history.count)
         history_add(&v->history, &before, 0);
@@ -72,12 +107,20 @@ void view_change(struct view *v, const struct view_state *state, uint32_t gestur
         return;
     const struct view_state now = view_state_now(v);
     history_add(&v->history, &now, gesture);
+    const struct view_state *since =
+        v->history.at ? &v->history.states[v->history.at - 1] : &before;
+    history_name(since, &now, name, sizeof(name)); /* of all the gesture */
+    print_cost(&before, &now, clock_seconds() - start, cost, sizeof(cost));
+    snprintf(words, sizeof(words), "%s%s", name, cost);
+    ui_say(v->ui, words);
 }
 
 void view_undo(struct view *v, bool again)
 {
-    char name[WORDS_SIZE - 16];
-    char words[WORDS_SIZE];
+    char name[WORDS_SIZE / 2];
+    char cost[WORDS_SIZE / 2];
+    char words[2 * WORDS_SIZE];
+    const double start = clock_seconds();
     const struct view_state before = view_state_now(v);
     const struct view_state *to = again ? history_redo(&v->history) : history_undo(&v->history);
     if (!to) {
@@ -85,9 +128,11 @@ void view_undo(struct view *v, bool again)
         return;
     }
     history_name(&before, to, name, sizeof(name));
-    snprintf(words, sizeof(words), "%s: %s", again ? "redo" : "undo", name);
-    if (view_use(v, to))
-        ui_say(v->ui, words);
+    if (!view_use(v, to))
+        return;
+    print_cost(&before, to, clock_seconds() - start, cost, sizeof(cost));
+    snprintf(words, sizeof(words), "%s: %s%s", again ? "redo" : "undo", name, cost);
+    ui_say(v->ui, words);
 }
 
 /* ---- presets ---- */
@@ -105,9 +150,9 @@ void view_load_preset(struct view *v, const char *path)
     scene.settings = state.settings;
     scene.preset = path;
     memset(scene.is_set, 0, sizeof(scene.is_set)); /* it may change everything */
+    view_attempt(v);
     if (option_preset_read(&scene) != STATUS_OK) {
-        snprintf(words, sizeof(words), "%s is no preset: the terminal says why", path);
-        ui_fail(v->ui, words);
+        view_fail(v, "no preset was loaded");
         return;
     }
     state.settings = scene.settings;
@@ -174,24 +219,28 @@ static enum status open_file(void *user)
 {
     const struct opening *opening = user;
     bool remade;
-    return picture_open(&opening->view->picture, opening->path, &remade);
+    return picture_load(&opening->view->picture, opening->path, &remade);
 }
 
 /* A file that cannot be used has been logged; what was there stays. */
 void view_open(struct view *v, const char *path)
 {
     struct opening opening = { v, path };
-    char words[WORDS_SIZE];
     const double start = clock_seconds();
+    if (view_compare_takes(v, path)) {
+        view_compare_open(v, path);
+        return;
+    }
     if (is_preset(path)) {
         view_load_preset(v, path);
         return;
     }
     view_say(v, "loading");
     screen_disconnect(&v->screen);
+    view_compare_stop(v);
+    view_attempt(v);
     if (worker_run(&v->window, open_file, &opening) != STATUS_OK) {
-        snprintf(words, sizeof(words), "%s cannot be opened: the terminal says why", path);
-        ui_fail(v->ui, words);
+        view_fail(v, "not opened");
     } else {
         ui_say(v->ui, "");
         recent_add(path);

@@ -87,6 +87,7 @@ void view_shoot(struct view *v)
     const char *const paths[] = { png, exr };
     const double start = clock_seconds();
     const bool all = v->shoot_all;
+    view_attempt(v);
     const bool copies = v->shoot_copy;
     v->shoot = v->shoot_all = v->shoot_copy = false;
     if (copies) {
@@ -99,9 +100,11 @@ void view_shoot(struct view *v)
     snprintf(png, sizeof(png), "firn-%04u.png", v->shot_number);
     snprintf(exr, sizeof(exr), "firn-%04u.exr", v->shot_number);
     const enum status status = all ? shoot_all(v, png) : shoot_picture(v, paths, 2);
-    snprintf(words, sizeof(words),
-             status == STATUS_OK ? "saved %s" : "%s was not saved: see the terminal", png);
-    ui_say(v->ui, words);
+    snprintf(words, sizeof(words), status == STATUS_OK ? "saved %s" : "%s was not saved", png);
+    if (status == STATUS_OK)
+        ui_say(v->ui, words);
+    else
+        view_fail(v, words);
     view_costs_rest(&v->costs, start);
 }
 

@@ -1,6 +1,8 @@
 /* view_input.c: drags, drops, panels. */
+#include <math.h>
 #include <stdlib.h>
 #include "src/base/clock.h"
+#include "src/tech/tonemap.h"
 #include "src/view/orbit.h"
 #include "src/view/view_internal.h"
 #include "src/view/watch.h"
@@ -9,15 +11,21 @@ static const float drag_turn_deg = 180.0f; /* over the window's height */
 
 /* ---- events ---- */
 
+static bool has_moved(const struct window_drag *drag)
+{
+    return drag->x != 0.0 || drag->y != 0.0;
+}
+
 /* The picture follows the hand. */
 static void drag(struct view *v, const struct window_input *input)
 {
     struct camera *camera = &v->picture->camera;
-    if (input->turn_x != 0.0 || input->turn_y != 0.0)
-        orbit_turn(camera, (float)-input->turn_x * drag_turn_deg,
-                   (float)input->turn_y * drag_turn_deg);
-    if (input->pan_x != 0.0 || input->pan_y != 0.0)
-        orbit_pan(camera, (float)-input->pan_x, (float)input->pan_y);
+    const bool moved = has_moved(&input->turn) || has_moved(&input->pan) || input->wheel != 0.0;
+    if (has_moved(&input->turn))
+        orbit_turn(camera, (float)-input->turn.x * drag_turn_deg,
+                   (float)input->turn.y * drag_turn_deg);
+    if (has_moved(&input->pan))
+        orbit_pan(camera, (float)-input->pan.x, (float)input->pan.y);
     if (input->wheel != 0.0)
         view_zoom(v, (float)input->wheel);
     if (input->doubled) {
@@ -31,10 +39,17 @@ static void drag(struct view *v, const struct window_input *input)
         v->refine.at_once = false;
     v->refine.at_once = v->refine.at_once || input->released;
     view_costs_hand(&v->costs, input->moved_at, input->released_at);
-    v->dragged = v->dragged || input->turn_x != 0.0 || input->turn_y != 0.0;
-    v->changed = v->changed || input->redraw || input->slid || input->turn_x != 0.0 ||
-                 input->turn_y != 0.0 || input->pan_x != 0.0 || input->pan_y != 0.0 ||
-                 input->wheel != 0.0;
+    v->dragged = v->dragged || has_moved(&input->turn);
+    v->changed = v->changed || input->redraw || input->slid || moved;
+}
+
+static void drag_light(struct view *v, const struct window_input *input)
+{
+    v->hold += input->pressed;
+    if (has_moved(&input->light))
+        view_turn_light(v, input->light.x, input->light.y, false);
+    if (has_moved(&input->sun))
+        view_turn_light(v, input->sun.x, input->sun.y, true);
 }
 
 static void open_dropped(struct view *v)
@@ -65,20 +80,61 @@ void view_handle(struct view *v)
 {
     const struct window_input input = window_take(&v->window);
     drag(v, &input);
+    drag_light(v, &input);
     for (uint32_t i = 0; i < input.action_count; i++)
         view_act(v, input.actions[i]);
     open_dropped(v);
     take_shaders(v);
-    v->window.divider = v->picture->state.split ? v->picture->divider : -1.0;
+    const bool divided =
+        picture_is_split(v->picture) && !v->picture->flipped && !v->compare.differs;
+    v->window.divider = divided ? v->picture->divider : -1.0;
     v->quit = v->quit || window_is_closed(&v->window);
 }
 
 /* ---- panels ---- */
 
+/* As bright as it is shown. */
+static double noise_of(const struct view *v)
+{
+    const struct tonemap_params *tone =
+        settings_of(&v->picture->state.scene.settings, &tonemap_settings);
+    return noise_now(&v->refine.noise) * exp2((double)tone->exposure);
+}
+
+static void use_wish(struct view *v, const struct ui_wish *wish)
+{
+    struct view_state wanted = view_state_now(v);
+    wanted.settings = wish->settings;
+    wanted.rung = wish->rung;
+    const bool other = wish->other != wanted.other || wish->split != wanted.split;
+    const bool awaits = other && wish->other == VIEW_OTHER_FILE;
+    if (other && (!awaits || v->compare.file.linear.width))
+        view_compare_choose(v, &wanted, wish->other);
+    if (other && wish->other == VIEW_OTHER_RUNG)
+        wanted.split = wish->split;
+    if (wish->changed || other)
+        view_change(v, &wanted, wish->gesture);
+    if (awaits)
+        view_compare_await(v);
+    if (wish->action != VIEW_NOTHING)
+        view_act(v, wish->action);
+    if (wish->seeks)
+        view_seek(v, wish->time);
+    if (wish->open)
+        view_open(v, wish->open);
+    if (wish->shot.width) {
+        v->shoot = v->changed = true;
+        v->shoot_size = wish->shot;
+    }
+}
+
 void view_run_ui(struct view *v, VkExtent2D size)
 {
     struct ui_wish wish;
+    char left[VIEW_SIDE_SIZE];
+    char right[VIEW_SIDE_SIZE];
     view_lay_out(v, size);
+    view_compare_print(v, left, right);
     const struct ui_view view = {
         .picture = v->picture,
         .screen = &v->screen,
@@ -86,14 +142,22 @@ void view_run_ui(struct view *v, VkExtent2D size)
         .now = v->now,
         .size = size,
         .paused = v->paused,
+        .time = view_time(v),
         .sample_count = v->refine.shown,
         .sample_goal = v->refine.goal,
+        .noise = noise_of(v),
+        .seconds_left = view_refine_left(v),
         .is_new = !v->dragged,
         .layout = &v->layout,
         .history = &v->history,
         .look = &v->look,
         .look_wanted = v->look_wanted,
         .place = &v->place,
+        .other = v->compare.other,
+        .has_stored = v->compare.has_stored,
+        .left = left,
+        .right = right,
+        .differs = v->compare.differs,
     };
     v->costs.last = (struct ui_pace){ 0 };
     v->look.is_open = false;
@@ -102,16 +166,6 @@ void view_run_ui(struct view *v, VkExtent2D size)
     ui_frame(v->ui, &view, &wish);
     v->look_wanted = wish.look;
     v->look.is_open = wish.looks;
-    const struct view_state wanted = { wish.settings, wish.rung, wish.split };
-    if (wish.changed || wish.split != v->picture->state.split)
-        view_change(v, &wanted, wish.gesture);
-    if (wish.action != VIEW_NOTHING)
-        view_act(v, wish.action);
-    if (wish.open)
-        view_open(v, wish.open);
-    if (wish.shot.width) {
-        v->shoot = v->changed = true;
-        v->shoot_size = wish.shot;
-    }
+    use_wish(v, &wish);
     free(wish.open);
 }

@@ -3,11 +3,13 @@
 #define FIRN_VIEW_VIEW_INTERNAL_H
 
 #include "src/app/signals.h"
+#include "src/view/echo.h"
 #include "src/view/history.h"
 #include "src/view/look.h"
 #include "src/view/picture.h"
 #include "src/view/screen.h"
 #include "src/view/ui/ui.h"
+#include "src/view/view_compare.h"
 #include "src/view/view_costs.h"
 #include "src/view/view_refine.h"
 #include "src/view/window.h"
@@ -16,10 +18,13 @@ enum {
     VIEW_BOOKMARK_COUNT = 4,
 };
 
+#define VIEW_HOLD 0x80000000u /* in a gesture's number: it is none of imgui_gesture() */
+
 struct view {
     const struct app_options *options;
     struct app_picture first; /* as the options begin it */
     struct signals stop;
+    struct echo echo; /* of what is logged */
     struct window window;
     struct gpu_window_system system;
     struct gpu gpu;
@@ -38,6 +43,7 @@ struct view {
     struct camera bookmarks[VIEW_BOOKMARK_COUNT];
     bool bookmarked[VIEW_BOOKMARK_COUNT];
     bool dragged;   /* a hand has moved the picture */
+    uint32_t hold;  /* how often buttons of the mouse went down */
     double now;     /* of the loop, seconds */
     double elapsed; /* of the scene's time, seconds, from motion.time */
     float shown;    /* time of the frame drawn last, seconds */
@@ -56,14 +62,20 @@ struct view {
     uint32_t shot_number;   /* of the screenshot written last */
     struct view_costs costs;
     struct view_refine refine;
+    struct view_compare compare;
     struct look look;
     struct look_choice look_wanted; /* by hands */
     struct view_seen look_seen;     /* by look.layers */
 };
 
 float view_time(const struct view *view);           /* of the scene, seconds */
+void view_seek(struct view *view, float time);      /* to another one */
 void view_say(struct view *view, const char *what); /* in the window's title */
 void view_show_name(struct view *view);
+
+/* What is logged from now on is why view_fail() is called next. */
+void view_attempt(struct view *view);
+void view_fail(struct view *view, const char *what); /* in the line below the picture */
 void view_show_ui(struct view *view, bool shown);
 void view_lay_out(struct view *view, VkExtent2D size); /* of the window */
 
@@ -91,6 +103,39 @@ void view_save_preset(struct view *view);
 /* Another object, environment or preset, by what the path ends in. */
 void view_open(struct view *view, const char *path);
 
+/* ---- view_compare.c: two sides ---- */
+
+/* Puts something onto the right of a state; where nothing was stored, the most exact rung takes the
+ * place of the stored state. */
+void view_compare_choose(struct view *view, struct view_state *state, enum view_other other);
+
+/* Shows what a state has on the right. On failure, which has been logged, all stays. */
+MUST_USE enum status view_compare_use(struct view *view, const struct view_state *state);
+
+/* The reference is not traced any more: scene or settings are about to change. */
+void view_compare_stop(struct view *view);
+
+void view_compare_with(struct view *view, enum view_other other);
+void view_compare_toggle(struct view *view); /* something is on the right, or nothing */
+void view_compare_store(struct view *view);  /* for the right: what is on the left */
+void view_compare_flip(struct view *view);   /* the right in place of the left, or not */
+void view_compare_differ(struct view *view); /* how far both are apart, or not */
+
+/* The next picture that comes is for the right; whether this file is one; and its use. */
+void view_compare_await(struct view *view);
+bool view_compare_takes(const struct view *view, const char *path);
+void view_compare_open(struct view *view, const char *path);
+
+/* What goes on beside the loop is begun, taken or ended. Failures are said. */
+void view_compare_follow(struct view *view);
+
+/* What has come of it is in the picture afterwards. */
+MUST_USE enum status view_compare_show(struct view *view);
+
+/* What both sides are, in words; right "": nothing. */
+void view_compare_print(const struct view *view, char left[static VIEW_SIDE_SIZE],
+                        char right[static VIEW_SIDE_SIZE]);
+
 /* ---- view_input.c: what hands do ---- */
 
 /* All that happened since the last call. */
@@ -98,6 +143,14 @@ void view_handle(struct view *view);
 
 /* Runs the panels, if there are any, and does what they are told. */
 void view_run_ui(struct view *view, VkExtent2D size);
+
+/* ---- view_light.c: light ---- */
+
+/* By parts of the window's height: all light there is (of a panorama its sun, too), or the sun
+ * alone, which also rises. Says why where nothing can be turned. */
+void view_turn_light(struct view *view, double right, double down, bool is_sun);
+
+void view_expose(struct view *view, double stops); /* brighter by so many */
 
 /* ---- view_refine.c: movement and rest ---- */
 
@@ -109,6 +162,9 @@ MUST_USE enum status view_refine_step(struct view *view, bool *drew);
 
 /* Seconds until samples may be drawn; below 0: there are none to draw. */
 double view_refine_wait(const struct view *view);
+
+/* Seconds until all samples are drawn, as those before took; 0: they are, or nothing is known. */
+double view_refine_left(const struct view *view);
 
 /* Whether both see the same, but for the exposure. */
 bool view_refine_is_same(const struct view_seen *a, const struct view_seen *b);

@@ -21,7 +21,7 @@ static void give_up(struct view *v)
     v->look_wanted = (struct look_choice){ 0 };
     v->look.is_open = v->aims = false;
     ui_close_look(v->ui);
-    ui_fail(v->ui, "this picture's layers cannot be drawn: the terminal says why");
+    view_fail(v, "the layers cannot be drawn");
 }
 
 /* The camera turns to the surface that was clicked on. */
@@ -55,6 +55,7 @@ void view_look(struct view *v)
     const bool shown = drawn && look->sample_count == v->refine.shown &&
                        is_same_choice(&look->choice, &v->look_wanted);
     enum status status = shown ? STATUS_OK : screen_wait(&v->screen);
+    view_attempt(v);
     look->choice = v->look_wanted;
     v->look_seen = v->refine.seen;
     if (status == STATUS_OK && !drawn)

@@ -69,6 +69,13 @@ double view_refine_wait(const struct view *v)
     return r->count || r->at_once || left < 0.0 ? 0.0 : left;
 }
 
+double view_refine_left(const struct view *v)
+{
+    const struct view_refine *r = &v->refine;
+    const double taken = clock_seconds() - r->begun_at;
+    return r->count && r->count < r->goal ? taken * (r->goal - r->count) / r->count : 0.0;
+}
+
 static bool is_to_be_shown(const struct view_refine *r)
 {
     if (r->count >= r->goal)
@@ -104,6 +111,9 @@ enum status view_refine_step(struct view *v, bool *drew)
     enum status status = r->count ? STATUS_OK : screen_wait(&v->screen);
     if (status == STATUS_OK)
         status = picture_refine(v->picture, &shot, r->count);
+    if (status == STATUS_OK)
+        noise_add(&r->noise, renderer_sums(v->picture->renderer), r->count);
+    r->begun_at = r->count ? r->begun_at : start;
     r->count++;
     if (status == STATUS_OK && is_to_be_shown(r))
         status = resolve(v);

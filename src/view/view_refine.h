@@ -10,6 +10,7 @@
 #include "src/scene/camera.h"
 #include "src/settings/settings.h"
 #include "src/view/moving.h"
+#include "src/view/noise.h"
 
 enum {
     VIEW_SAMPLE_COUNT = 64, /* unless --samples says so */
@@ -28,6 +29,8 @@ struct view_refine {
     bool has_seen;
     uint32_t count, goal; /* samples drawn; at rest: all */
     uint32_t shown;       /* samples of the picture that is shown; 0: of a movement */
+    struct noise noise;   /* of the left picture */
+    double begun_at;      /* seconds; sample 0 */
     double moved_at;      /* seconds; of the last picture of a movement */
     double shown_at;      /* seconds; of the last mean */
     bool at_once;         /* a hand has let go: nothing to wait for */

@@ -78,10 +78,19 @@ static bool is_down(GLFWwindow *handle, int button)
     return glfwGetMouseButton(handle, button) == GLFW_PRESS;
 }
 
-static bool has_shift(GLFWwindow *handle)
+static bool holds(GLFWwindow *handle, int left, int right)
 {
-    return glfwGetKey(handle, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
-           glfwGetKey(handle, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+    return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
+}
+
+/* What a drag moves: camera or light. */
+static struct window_drag *dragged(struct window *w)
+{
+    const bool shift = holds(w->handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    const bool left = is_down(w->handle, GLFW_MOUSE_BUTTON_LEFT);
+    if (left && holds(w->handle, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL))
+        return shift ? &w->input.sun : &w->input.light;
+    return left && !shift ? &w->input.turn : &w->input.pan;
 }
 
 /* Screen coordinates to a part of the picture's width. */
@@ -163,22 +172,21 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     const double scale = height > 0 ? 1.0 / height : 0.0;
     const double dx = (x - w->cursor_x) * scale;
     const double dy = (y - w->cursor_y) * scale;
-    const bool left = is_down(handle, GLFW_MOUSE_BUTTON_LEFT) && !w->slides;
+    const bool held = (is_down(handle, GLFW_MOUSE_BUTTON_LEFT) && !w->slides) ||
+                      is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) ||
+                      is_down(handle, GLFW_MOUSE_BUTTON_MIDDLE);
     w->cursor_x = x; /* as the events come: where it is now is later already */
     w->cursor_y = y;
     const double pixels = scale * window_size(w).height;
     if (tell(w, &(struct window_event){ WINDOW_CURSOR, x * pixels, y * pixels }))
         return;
     slide(w, x);
-    if (!(w->input.moved_at > 0.0) && (left || is_down(handle, GLFW_MOUSE_BUTTON_RIGHT)))
+    if (!held)
+        return;
+    if (!(w->input.moved_at > 0.0))
         w->input.moved_at = clock_seconds();
-    if (is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) || (left && has_shift(handle))) {
-        w->input.pan_x += dx;
-        w->input.pan_y += dy;
-    } else if (left) {
-        w->input.turn_x += dx;
-        w->input.turn_y += dy;
-    }
+    dragged(w)->x += dx;
+    dragged(w)->y += dy;
 }
 
 static void on_wheel(GLFWwindow *handle, double x, double y)

@@ -16,12 +16,17 @@ enum {
     WINDOW_ACTION_COUNT = 32, /* between two looks; more are lost */
 };
 
-/* What happened since it was looked at last. Drags are in heights of the window, right and down. */
+/* In heights of the window, right and down. */
+struct window_drag {
+    double x, y;
+};
+
+/* What happened since it was looked at last. */
 struct window_input {
-    double turn_x, turn_y;
-    double pan_x, pan_y;
-    double wheel; /* steps, away from the hand */
-    bool slid;    /* the divider is now somewhere else: */
+    struct window_drag turn, pan;  /* of the camera */
+    struct window_drag light, sun; /* with Ctrl all light, with Ctrl and Shift the sun alone */
+    double wheel;                  /* steps, away from the hand */
+    bool slid;                     /* the divider is now somewhere else: */
     double divider;
     enum view_action actions[WINDOW_ACTION_COUNT];
     uint32_t action_count;

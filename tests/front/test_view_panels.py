@@ -152,7 +152,7 @@ class Panels(PanelsCase):
         self.find(rf'sphere, {second} \| {first}, paused',
                   act=lambda: self.choose(window, 'compare with', first))
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
-        self.press_for(window, 's', 'sphere, paused')
+        self.press_for(window, 'w', 'sphere, paused')
         self.close(window)
 
     def test_only_some_screenshots_have_panels(self):
@@ -188,7 +188,7 @@ class Panels(PanelsCase):
 
     def test_all_panels_by_key(self):
         window = self.start_with_panels()
-        for key, gone in (('t', 'search'), ('g', 'search')):
+        for key, gone in (('b', 'search'), ('g', 'search')):
             self.press_until(window, key, f'the panel of {key}', lambda: not self.control(gone))
             self.press_until(window, key, 'the settings', lambda: self.control(gone))
         shown = {self.desktop.pixels(window)}

@@ -25,10 +25,10 @@ ROUNDS = 1  # of all keys, at least
 LONG = 1200  # seconds; before, caches fill
 MORE = 2048  # KiB in a quarter
 SIGNS = {'+': 'plus', '-': 'minus', '[': 'bracketleft', ']': 'bracketright', '/': 'slash',
-         '?': 'question', 'Esc': 'Escape', 'Space': 'space', 'Page Down': 'Next',
-         'Page Up': 'Prior'}
+         '?': 'question', '.': 'period', ',': 'comma', 'Esc': 'Escape', 'Space': 'space',
+         'Page Down': 'Next', 'Page Up': 'Prior'}
 LAST = ('Q', 'Ctrl Q')
-NO_KEYS = ('drag', 'right drag', 'wheel', 'double click', 'drop a file')
+NO_KEYS = ('drag', 'right drag', 'Ctrl drag', 'also Shift', 'wheel', 'double click', 'drop a file')
 
 
 def keys():

@@ -1,10 +1,13 @@
 """test_view_split.py: two rungs in one window. Usage: see case.py."""
+import json
+import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import PLAIN, USAGE, Case, main  # noqa: E402
 from desktop import wait_until  # noqa: E402
 from test_view import SIZE, WindowCase, png_pixels  # noqa: E402
+from test_view_panels import PanelsCase  # noqa: E402
 
 WIDTH, HEIGHT = map(int, SIZE.split('x'))
 BRIGHT, DARK = b'\xff\xff\xff', b'\0\0\0'
@@ -79,16 +82,79 @@ class Split(WindowCase):
         pictures = self.pictures('--set', 'motion.count=2', *PLAIN, right='trace')
         window = self.start('sphere', *PAPER)
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
-        self.press_for(window, 's', r'sphere, paper \| trace, paused')
+        self.press_for(window, 'w', r'sphere, paper \| trace, paused')
         self.settle(window, 100, pictures)
         self.desktop.do('windowsize', '--sync', window, 80, 60)
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
         self.desktop.do('windowsize', '--sync', window, WIDTH, HEIGHT)
         self.settle(window, 100, pictures)
-        self.press_for(window, 's', 'sphere, paused')
+        self.press_for(window, 'w', 'sphere, paused')
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
         self.shoot(window, 2)  # 1 is taken
         self.close(window)
+
+
+class Sides(PanelsCase):
+    """A and B are anything: a state, the reference, a picture. One window, so that it is cheap."""
+    ROWS = 300  # below them are the names of both
+
+    def half(self, pixels, width, left, right):
+        top, first = (36, 190) if right else (36, 0)
+        if not left:
+            top = 0
+        return self.picture_of(pixels, width, first, top, 165, self.ROWS)
+
+    def expect_sides(self, window, *files, act=None):
+        """Each half is that of a file, but for the columns around the divider."""
+        want = [self.half(png_pixels(file), 360, False, right) for right, file in enumerate(files)]
+        wait_until('both sides', lambda: [
+            self.half(self.desktop.pixels(window), 610, True, right) for right in (0, 1)] == want,
+            self.words, act=act)
+
+    def label(self, begin):
+        """What begins so, of all that the window says."""
+        lines = (self.folder / 'ui').read_text().splitlines()
+        found = [line.split(' ', 4)[4] for line in lines if line.split(' ', 4)[4].startswith(begin)]
+        return found and found[0]
+
+    def render_command(self, command, name, *more):
+        words = shlex.split(command)[1:]
+        self.succeed(*words[:-1], name, *more)
+        return self.folder / name
+
+    def test_anything_is_compared(self):
+        window = self.start_with_panels('--samples', 2)
+        first = self.render_command(self.command(window), 'first.png')
+        self.press_until(window, 's', 'a stored state', lambda: self.label('stored as B'))
+        self.drag_light(window)
+        other = self.render_command(self.command(window), 'other.png')
+        self.press_for(window, 'w', r'sphere, (.*) \| \1, paused')
+        self.expect_sides(window, other, first)
+        self.press_until(window, 'd', 'a difference', lambda: self.label('FLIP: mean'))
+        self.at_rest(window)
+        flip = json.loads(self.succeed('diff', first, other, '--json').stdout)['flip']
+        self.assertAlmostEqual(float(self.label('FLIP: mean').split()[2].strip(',')), flip['mean'],
+                               delta=2e-3)
+        for key, *sides in (('d', other, first), ('t', first, first), ('t', other, first)):
+            self.expect_sides(window, *sides, act=lambda key=key: self.press(window, key))
+        truth = self.render_command(self.command(window), 'truth.png', '--refraction', 'reference')
+        self.press_for(window, 'W', r'sphere, .* \| reference, paused')
+        wait_until('all samples', lambda: self.label('B reference 2/2'), self.words)
+        self.expect_sides(window, other, truth)
+        self.press_for(window, 'ctrl+z', r'sphere, (.*) \| \1, paused')
+        self.close(window)
+
+    def drag_light(self, window):
+        """One movement is one step of undo."""
+        def drag():
+            self.desktop.do('keydown', 'ctrl')
+            self.move(window, self.BESIDE, (130, 200), (160, 210))
+            self.desktop.do('keyup', 'ctrl')
+        self.wait_for_command(window, 'sky.sun_azimuth=', act=drag)
+        self.wait_for_command(window, without='sun_azimuth',
+                              act=lambda: self.press(window, 'ctrl+z'))
+        self.wait_for_command(window, 'sky.sun_azimuth=',
+                              act=lambda: self.press(window, 'ctrl+y'))
 
 
 class Words(Case):

@@ -97,8 +97,8 @@ class Still(PanelsCase):
         self.assertEqual(self.expect(window), turned)
         self.wait_for_command(window, 'exposure=', act=lambda: self.press(window, 'ctrl+y'))
         self.assertEqual(self.expect(window), brighter)
-        self.press_for(window, 's', r'ice-cube, .* \| .*, paused')
-        self.press_for(window, 's', 'ice-cube, paused')
+        self.press_for(window, 'w', r'ice-cube, .* \| .*, paused')
+        self.press_for(window, 'w', 'ice-cube, paused')
         self.assertEqual(self.expect(window), brighter)
         self.height = 300
         self.desktop.do('windowsize', '--sync', window, 640, self.height)

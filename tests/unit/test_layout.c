@@ -20,9 +20,9 @@ static uint64_t area(VkRect2D r)
 static void check(VkExtent2D window, float scale, bool has_panels)
 {
     const struct layout l = layout_of(window, scale, has_panels);
-    const VkRect2D parts[] = { l.picture, l.bar, l.panel, l.status };
+    const VkRect2D parts[] = { l.picture, l.bar, l.panel, l.status, l.strip };
     uint64_t sum = 0;
-    for (size_t i = 0; i < 4; i++) {
+    for (size_t i = 0; i < 5; i++) {
         sum += area(parts[i]);
         for (size_t j = 0; j < i; j++)
             assert_false(area(parts[i]) && area(parts[j]) && meet(parts[i], parts[j]));

@@ -125,7 +125,7 @@ static const struct option options[] = {
     { "Window", "ui-dump", 0, "FILE", APP_VIEW, TEXT(view.ui_dump),
       "file for the places of all controls, pixels, rewritten when they change" },
     { "Window", "split", 0, "RUNG", APP_VIEW, PICTURE(option_split),
-      "rung right of a divider, --refraction left of it; keys S, [ and ]" },
+      "rung right of a divider, --refraction left of it; keys W, [ and ]" },
     { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, VIEW(option_watch),
       "folder of shaders that are recompiled and reloaded when saved (shaders)" },
     { "Sequence", "frames", 0, "LIST", APP_RENDER | APP_FARM, TEXT(render.frames),

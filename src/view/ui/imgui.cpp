@@ -80,7 +80,7 @@ static void set_look(float scale, const theme &theme)
     style.FrameRounding = 4.0f;
     style.GrabRounding = 4.0f;
     style.PopupRounding = 4.0f;
-    style.GrabMinSize = 10.0f;
+    style.GrabMinSize = 4.0f; /* numbers stay legible behind it */
     style.ScrollbarSize = 12.0f;
     style.WindowPadding = ImVec2(8.0f, 5.0f);
     style.ItemSpacing = ImVec2(6.0f, 4.0f);

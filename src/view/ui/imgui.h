@@ -139,6 +139,7 @@ void imgui_disabled_end(void);
 void imgui_text(const char *text);
 void imgui_text_dim(const char *text);
 void imgui_value(const char *text);                 /* is among imgui_items() */
+void imgui_name(const char *text);                  /* so is what came before, as this */
 void imgui_text_in(const char *text, uint32_t rgb); /* 0xRRGGBB */
 void imgui_text_cut(const char *text, float width); /* too long: has dots in its middle */
 void imgui_text_cut_in(const char *text, float width, uint32_t rgb);

@@ -195,6 +195,11 @@ void imgui_value(const char *text)
     note(text);
 }
 
+void imgui_name(const char *text)
+{
+    note(text);
+}
+
 void imgui_text_in(const char *text, uint32_t rgb)
 {
     ImGui::PushStyleColor(ImGuiCol_Text, imgui_state_color(rgb));

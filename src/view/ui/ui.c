@@ -326,6 +326,7 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     *wish = (struct ui_wish){
         .settings = frame_settings(&view->picture->state.scene.settings, &view->picture->scene),
         .rung = view->picture->state.rung,
+        .other = view->other,
         .split = view->picture->state.split,
         .look = view->look_wanted,
     };

@@ -58,9 +58,16 @@ struct ui_view {
     const struct look *look;
     struct look_choice look_wanted;
     const struct present_push *place; /* of the picture in the window */
+    enum view_other other;
+    const char *left, *right; /* what both sides are, in words */
+    bool has_stored;          /* VIEW_OTHER_STATE can be shown */
+    bool differs;             /* their difference is shown */
     bool paused;
+    float time;                         /* of the scene, seconds */
     uint32_t sample_count, sample_goal; /* of the picture that is shown; 0: while it moves */
-    bool is_new;                        /* nothing has been dragged yet */
+    double noise;                       /* of it; below 0: not known */
+    double seconds_left; /* until all samples are drawn; 0: they are, or it is not known */
+    bool is_new;         /* nothing has been dragged yet */
 };
 
 /* What a hand wants. */
@@ -71,10 +78,13 @@ struct ui_wish {
     struct settings settings;
     const struct technique *rung;
     uint32_t gesture; /* the same for all changes by one movement of a hand; see imgui.h */
-    VkExtent2D shot;  /* a picture of this size is to be saved; 0x0: none */
+    bool seeks;       /* the scene's time is to be: */
+    float time;
+    VkExtent2D shot; /* a picture of this size is to be saved; 0x0: none */
     struct look_choice look;
     bool looks;                    /* the panel of values is open */
-    const struct technique *split; /* whatever is changed: on the right; NULL: not split */
+    enum view_other other;         /* whatever is changed: on the right */
+    const struct technique *split; /* the rung there; NULL: it has none */
 };
 
 /* Shows or hides what an action names: times, plan, keys. Returns whether it is shown. */

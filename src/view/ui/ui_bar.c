@@ -1,5 +1,6 @@
 /* ui_bar.c: what is done most, above the picture; what there is to say, below it. */
 #include <stdio.h>
+#include "src/tech/tonemap.h"
 #include "src/view/ui/ui_internal.h"
 
 enum {
@@ -12,7 +13,9 @@ static const enum view_action buttons[BUTTON_COUNT] = {
     VIEW_SCREENSHOT, VIEW_COPY,    VIEW_SPLIT, VIEW_RESET,
 };
 
-static const float name_width = 60.0f; /* at least, at scale 1 */
+static const float exposure_width = 130.0f; /* at scale 1 */
+static const float exposure_reach = 6.0f;   /* stops; the group Camera has more */
+static const float name_width = 60.0f;      /* at least, at scale 1 */
 
 struct imgui_place ui_place(VkRect2D r)
 {
@@ -41,28 +44,52 @@ static bool is_disabled(const struct ui_view *view, enum view_action action)
     return (action == VIEW_UNDO && !h->at) || (action == VIEW_REDO && h->at + 1 >= h->count);
 }
 
+static void exposure(float width, struct ui_wish *wish)
+{
+    const struct setting *row =
+        settings_row(&tonemap_settings, offsetof(struct tonemap_params, exposure));
+    const struct imgui_slide slide = { -exposure_reach, exposure_reach, "%+.2f stops", false };
+    float stops = (float)settings_get(&wish->settings, row);
+    imgui_next_width(width);
+    if (imgui_slider("##exposure", &stops, &slide)) {
+        settings_put(&wish->settings, row, (double)stops);
+        wish->changed = true;
+    }
+    imgui_tip("exposure (E, Shift+E by half a stop): tonemap.exposure; costs no samples");
+}
+
 void ui_bar(const struct ui_view *view, struct ui_wish *wish)
 {
     const float gap = 6.0f * imgui_scale();
     const float room = imgui_room();
+    const float least = name_width * imgui_scale();
     float width = 0.0f;
     uint32_t count = 0;
     while (count < BUTTON_COUNT) {
         const float more = imgui_width(label_of(view, buttons[count])) + gap;
-        if (width + more + name_width * imgui_scale() > room)
+        if (width + more + least > room)
             break;
         width += more;
         count++;
     }
     imgui_align();
+    const float sliding = exposure_width * imgui_scale();
+    const bool slides = count == BUTTON_COUNT && width + sliding + least < room;
+    width += slides ? sliding : 0.0f;
     imgui_text_cut(view->picture->state.scene.name, room - width - gap);
     imgui_tip(view->picture->state.scene.name);
+    if (slides) {
+        imgui_same_line(room - width + gap);
+        exposure(sliding - gap, wish);
+        width -= sliding;
+    }
     for (uint32_t i = 0; i < count; i++) {
         const enum view_action action = buttons[i];
         imgui_same_line(i ? 0.0f : room - width + gap);
         imgui_disabled_begin(is_disabled(view, action));
-        if (action == VIEW_SPLIT ? imgui_choice(label_of(view, action), wish->split != NULL)
-                                 : imgui_button(label_of(view, action)))
+        if (action == VIEW_SPLIT
+                ? imgui_choice(label_of(view, action), view->other != VIEW_OTHER_NONE)
+                : imgui_button(label_of(view, action)))
             wish->action = action;
         imgui_disabled_end();
         tip(action);
@@ -76,15 +103,35 @@ static void print_pace(const struct ui *ui, const struct ui_view *view, char *te
     const struct app_picture *p = &view->picture->state;
     const double frame = ui->pace.frame;
     const VkExtent2D drawn = view->picture->view;
+    char noise[32] = "";
+    char left[32] = "";
+    if (view->noise >= 0.0)
+        snprintf(noise, sizeof(noise), " \xc2\xb1%.2g", view->noise);
+    if (view->seconds_left >= 0.5)
+        snprintf(left, sizeof(left), ", %.0f s left", view->seconds_left);
     if (view->sample_count)
-        snprintf(text, size, "%u\xc3\x97%u  %u/%u", p->width, p->height, view->sample_count,
-                 view->sample_goal);
+        snprintf(text, size, "%u\xc3\x97%u  %u/%u%s%s", p->width, p->height, view->sample_count,
+                 view->sample_goal, noise, left);
     else if (frame > 0.0)
         snprintf(text, size, "%u\xc3\x97%u  %.1f ms: %s", drawn.width, drawn.height, frame * 1e3,
                  ui_pace_limit(&ui->pace));
     else
         snprintf(text, size, "%u\xc3\x97%u", drawn.width, drawn.height);
 }
+
+/* A line below the picture that grows with its samples. */
+static void show_progress(const struct ui_view *view)
+{
+    struct imgui_place line = ui_place(view->layout->picture);
+    line.y += line.height;
+    line.height = 2.0f * imgui_scale();
+    line.width *= (float)view->sample_count / (float)view->sample_goal;
+    if (view->sample_count < view->sample_goal)
+        imgui_rectangle(line, imgui_rgba(imgui_theme()->accent));
+}
+
+static const char hint[] = "drag turns, Ctrl drag turns the light, wheel zooms, drop a model or "
+                           "an .exr, F1 lists the keys";
 
 void ui_status(const struct ui *ui, const struct ui_view *view)
 {
@@ -93,15 +140,13 @@ void ui_status(const struct ui *ui, const struct ui_view *view)
     const struct theme *theme = imgui_theme();
     const float room = imgui_room();
     print_pace(ui, view, pace, sizeof(pace));
+    show_progress(view);
     const float width = imgui_width(pace);
-    imgui_text_cut_in(*ui->fault   ? ui->fault
-                      : *ui->words ? ui->words
-                      : view->is_new
-                          ? "drag turns, wheel zooms, drop a model or an .exr, F1 lists the keys"
-                          : "",
-                      room - width, *ui->fault || ui->failed ? theme->error : theme->text);
-    if (*ui->fault)
-        imgui_tip(ui->fault);
+    const char *words = *ui->fault ? ui->fault : *ui->words ? ui->words : view->is_new ? hint : "";
+    imgui_text_cut_in(words, room - width, *ui->fault || ui->failed ? theme->error : theme->text);
+    imgui_name(words);
+    if (words != hint && *words)
+        imgui_tip(words);
     imgui_same_line(room - width + 10.0f * imgui_scale());
     imgui_text_dim(pace);
     snprintf(text, sizeof(text),

@@ -45,7 +45,7 @@ struct ui {
     bool grabbed;                   /* they went down on a panel */
     bool is_full;                   /* has been said */
     char filter[64];
-    char words[200];
+    char words[600];
     bool failed;      /* they tell of a failure */
     char fault[512];  /* "": none */
     const char *dump; /* file for the places of what is shown; NULL: none */
@@ -57,6 +57,7 @@ struct ui {
 void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_wish *wish);
 void ui_bar(const struct ui_view *view, struct ui_wish *wish);
 void ui_palette(struct ui *ui, const struct ui_view *view, struct ui_wish *wish);
+void ui_time(const struct ui_view *view, struct ui_wish *wish); /* ui_time.c: play and seek */
 void ui_status(const struct ui *ui, const struct ui_view *view);
 
 /* A list with its name in front, like rows of settings. Returns whether the choice has changed. */

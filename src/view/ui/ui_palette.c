@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/frame/list.h"
 #include "src/scene/material.h"
 #include "src/scene/scene.h"
 #include "src/tech/refract.h"
@@ -25,13 +26,14 @@ enum entry_kind {
     ENTRY_PRESET,
     ENTRY_RECENT,
     ENTRY_SHOT,
+    ENTRY_OTHER,
     ENTRY_SETTING,
 };
 
 /* What can be chosen. */
 struct entry {
     enum entry_kind kind;
-    uint32_t index;  /* of the action, material, scene, preset or file */
+    uint32_t index;  /* of the action, material, scene, preset, file or rung */
     VkExtent2D size; /* of a picture to be saved */
     const struct setting *row;
     char label[LABEL_SIZE];
@@ -99,6 +101,8 @@ static void collect(struct palette *p)
         add(p, &(struct entry){ ENTRY_MATERIAL, i }, "material %s", material_presets[i].name);
     for (uint32_t i = 0; scene_builtins[i].name; i++)
         add(p, &(struct entry){ ENTRY_SCENE, i }, "open %s", scene_builtins[i].name);
+    for (uint32_t i = 0; techniques_rung(i); i++)
+        add(p, &(struct entry){ ENTRY_OTHER, i }, "compare with %s", techniques_rung(i)->rung.name);
     char *folder = place_presets(false);
     char *path;
     for (uint32_t i = 0; folder && (path = place_file(folder, presets, i)); i++) {
@@ -138,6 +142,10 @@ static void choose(struct ui *ui, const struct entry *e, struct ui_wish *wish)
         break;
     case ENTRY_SHOT:
         wish->shot = e->size;
+        break;
+    case ENTRY_OTHER:
+        wish->other = VIEW_OTHER_RUNG;
+        wish->split = techniques_rung(e->index);
         break;
     case ENTRY_SETTING:
         snprintf(ui->filter, sizeof(ui->filter), "%s", e->row->name);

@@ -12,6 +12,7 @@
 enum {
     MATERIAL_MAX = 16, /* in the list */
     RUNG_MAX = 32,
+    OTHER_COUNT = 3, /* that can be compared with, and are no rungs */
 };
 
 static const char panel[] = "settings";
@@ -63,9 +64,40 @@ static void quality_list(struct ui_wish *wish)
     wish->changed = true;
 }
 
-static void rung_lists(struct ui_wish *wish)
+/* None, the rungs, and what else there is. */
+static void other_list(const struct ui_view *view, struct ui_wish *wish, const char **names,
+                       uint32_t count)
 {
-    const char *names[RUNG_MAX + 1] = { "none" };
+    static const struct {
+        enum view_other other;
+        const char *name;
+    } more[OTHER_COUNT] = {
+        { VIEW_OTHER_REFERENCE, "the reference" },
+        { VIEW_OTHER_FILE, "a picture: drop it" },
+        { VIEW_OTHER_STATE, "what was stored (S)" },
+    };
+
+    const uint32_t more_count = view->has_stored ? OTHER_COUNT : OTHER_COUNT - 1;
+    uint32_t chosen = 0;
+    for (uint32_t i = 1; i < count; i++)
+        chosen =
+            wish->other == VIEW_OTHER_RUNG && wish->split == techniques_rung(i - 1) ? i : chosen;
+    for (uint32_t i = 0; i < more_count; i++) {
+        names[count + i] = more[i].name;
+        chosen = wish->other == more[i].other ? count + i : chosen;
+    }
+    if (!ui_named_list("compare with", names, count + more_count, &chosen,
+                       "to the right of the divider (W, [ and ])"))
+        return;
+    wish->split = chosen && chosen < count ? techniques_rung(chosen - 1) : NULL;
+    wish->other = !chosen       ? VIEW_OTHER_NONE
+                  : wish->split ? VIEW_OTHER_RUNG
+                                : more[chosen - count].other;
+}
+
+static void rung_lists(const struct ui_view *view, struct ui_wish *wish)
+{
+    const char *names[RUNG_MAX + 1 + OTHER_COUNT] = { "none" };
     uint32_t count;
     uint32_t left = name_rungs(&names[1], &count, wish->rung);
     if (ui_named_list("rung", &names[1], count, &left,
@@ -73,10 +105,7 @@ static void rung_lists(struct ui_wish *wish)
         wish->rung = techniques_rung(left);
         wish->changed = true;
     }
-    uint32_t right = wish->split ? name_rungs(&names[1], &count, wish->split) + 1 : 0;
-    if (ui_named_list("compare with", names, count + 1, &right,
-                      "rung to the right of the divider (S, [ and ])"))
-        wish->split = right ? techniques_rung(right - 1) : NULL;
+    other_list(view, wish, names, count + 1);
 }
 
 /* By its index of refraction: glass and plastic are one. */
@@ -105,23 +134,23 @@ static void material_list(struct ui_wish *wish)
 }
 
 /* What a group has that is no setting. */
-static void lists(enum ui_group group, struct ui_wish *wish)
+static void lists(enum ui_group group, const struct ui_view *view, struct ui_wish *wish)
 {
     if (group == UI_MATERIAL)
         material_list(wish);
     if (group == UI_QUALITY) {
         quality_list(wish);
-        rung_lists(wish);
+        rung_lists(view, wish);
     }
 }
 
-static void groups(struct ui *ui, struct ui_wish *wish)
+static void groups(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     for (enum ui_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
         imgui_id_begin(ui_group_name(g));
         wish->changed = ui_settings_heading(&wish->settings, g, &ui->open[g]) || wish->changed;
         if (ui->open[g]) {
-            lists(g, wish);
+            lists(g, view, wish);
             wish->changed = ui_settings_group(&wish->settings, g, &ui->more[g]) || wish->changed;
         }
         imgui_id_end();
@@ -143,14 +172,14 @@ static void search(struct ui *ui, struct ui_wish *wish)
     imgui_tip("reset all settings to their defaults");
 }
 
-static void settings_tab(struct ui *ui, struct ui_wish *wish)
+static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     search(ui, wish);
     imgui_scroll_begin("rows");
     if (*ui->filter)
         wish->changed = ui_settings_found(&wish->settings, ui->filter) || wish->changed;
     else
-        groups(ui, wish);
+        groups(ui, view, wish);
     imgui_scroll_end();
 }
 
@@ -178,7 +207,7 @@ static void tabs(struct ui *ui)
         const char *label, *tip;
     } rows[] = {
         [UI_SETTINGS] = { "Settings", "what is drawn, and how" },
-        [UI_TIMES] = { "Passes", "time of each pass (T)" },
+        [UI_TIMES] = { "Passes", "time of each pass (B)" },
         [UI_PLAN] = { "Plan", "compiled plan of the frame (G)" },
         [UI_LOOK] = { "Look", "layers, histogram, values below the cursor (I)" },
     };
@@ -200,7 +229,7 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_wish
     if (*ui->fault)
         imgui_warning(ui->fault);
     if (ui->tab == UI_SETTINGS)
-        settings_tab(ui, wish);
+        settings_tab(ui, view, wish);
     else if (ui->tab == UI_TIMES)
         times_tab(ui, view);
     else if (ui->tab == UI_LOOK)
@@ -239,6 +268,34 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     imgui_panel_end();
 }
 
+/* What a side is, in a corner of the picture: the one thing that lies over it. */
+static void name_side(struct ui *ui, const struct ui_view *view, const char *name, bool is_right)
+{
+    const struct present_push *p = view->place;
+    const float width = fminf(imgui_width(name) + 8.0f * ui->scale, 0.48f * (float)p->width);
+    const float height = imgui_line_height() + 10.0f * ui->scale;
+    const struct imgui_place place = {
+        (float)p->x + (is_right ? (float)p->width - width : 0.0f),
+        (float)(p->y + p->height) - height,
+        width,
+        height,
+    };
+    imgui_panel_begin(ui->imgui, is_right ? "right" : "left", place, IMGUI_DOCKED);
+    imgui_text_cut(name, imgui_room());
+    imgui_name(name);
+    imgui_panel_end();
+}
+
+static void name_sides(struct ui *ui, const struct ui_view *view)
+{
+    const bool flipped = view->picture->flipped;
+    if (view->other == VIEW_OTHER_NONE || !view->place->width)
+        return;
+    name_side(ui, view, flipped ? view->right : view->left, false);
+    if (!flipped)
+        name_side(ui, view, view->right, true);
+}
+
 void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     const struct layout *l = view->layout;
@@ -252,10 +309,16 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
         imgui_panel_begin(ui->imgui, panel, ui_place(l->panel), IMGUI_DOCKED);
         side_panel(ui, view, wish);
         imgui_panel_end();
+        if (l->strip.extent.height) {
+            imgui_panel_begin(ui->imgui, "time", ui_place(l->strip), IMGUI_DOCKED);
+            ui_time(view, wish);
+            imgui_panel_end();
+        }
         imgui_panel_begin(ui->imgui, "status", ui_place(l->status), IMGUI_DOCKED);
         ui_status(ui, view);
         imgui_panel_end();
     }
+    name_sides(ui, view);
     if (ui->palette_open)
         ui_palette(ui, view, wish);
     if (ui->keys_open)

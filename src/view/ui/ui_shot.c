@@ -66,7 +66,9 @@ static enum status compile(struct shot *s, const struct gpu_image *font,
     const VkExtent2D picture = { s->shown->texel_columns, s->shown->texel_rows };
     const struct rg_import imports[IMPORT_COUNT] = {
         [IMPORT_PICTURE] = { .image = &frame_display, .access = RG_SAMPLED, .extent = picture },
-        [IMPORT_RIGHT] = { .image = &present_right, .access = RG_SAMPLED, .extent = picture },
+        [IMPORT_RIGHT] = { .image = &present_right,
+                           .access = RG_SAMPLED,
+                           .extent = picture_right_extent(s->picture) },
         [IMPORT_FONT] = {
             .image = &overlay_font,
             .access = RG_SAMPLED,
@@ -116,6 +118,8 @@ static enum status draw(struct shot *s, struct ui *ui, size_t size, uint8_t **rg
         return status;
     const struct window_frame window = {
         .present = *s->shown,
+        .right_columns = picture_right_extent(s->picture).width,
+        .right_rows = picture_right_extent(s->picture).height,
         .overlay = ui_take(ui, rg_exec_mapped(s->exec, &overlay_vertices, slot),
                            rg_exec_mapped(s->exec, &overlay_indices, slot)),
     };

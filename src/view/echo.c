@@ -1,0 +1,66 @@
+/* echo.c: a stream in the place of stderr. */
+#define _GNU_SOURCE /* fopencookie */
+#include "src/view/echo.h"
+#include <string.h>
+#include <unistd.h>
+
+/* Warnings and notes name what nobody has asked for just now. */
+static bool is_error(const char *text, size_t size)
+{
+    static const char *const others[] = { "firn: warning: ", "firn: note: " };
+    for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); i++) {
+        if (size > strlen(others[i]) && !strncmp(text, others[i], strlen(others[i])))
+            return false;
+    }
+    return size > strlen("firn: ") && !strncmp(text, "firn: ", strlen("firn: "));
+}
+
+static ssize_t hear(void *user, const char *text, size_t size)
+{
+    struct echo *e = user;
+    const size_t skipped = strlen("firn: ");
+    if (is_error(text, size)) {
+        const char *end = memchr(text, '\n', size);
+        const size_t length = (end ? (size_t)(end - text) : size) - skipped;
+        pthread_mutex_lock(&e->lock);
+        snprintf(e->line, sizeof(e->line), "%.*s", (int)length, text + skipped);
+        pthread_mutex_unlock(&e->lock);
+    }
+    return write(STDERR_FILENO, text, size);
+}
+
+void echo_begin(struct echo *e)
+{
+    FILE *stream = fopencookie(e, "w", (cookie_io_functions_t){ .write = hear });
+    if (!stream || pthread_mutex_init(&e->lock, NULL) != 0) {
+        if (stream)
+            (void)fclose(stream);
+        return;
+    }
+    setvbuf(stream, NULL, _IONBF, 0); /* as stderr is: a line comes whole */
+    e->before = stderr;
+    stderr = stream;
+}
+
+void echo_end(struct echo *e)
+{
+    FILE *stream = stderr;
+    if (!e->before)
+        return;
+    stderr = e->before;
+    (void)fclose(stream);
+    pthread_mutex_destroy(&e->lock);
+    *e = (struct echo){ 0 };
+}
+
+bool echo_take(struct echo *e, char line[static ECHO_SIZE])
+{
+    *line = '\0';
+    if (!e->before)
+        return false;
+    pthread_mutex_lock(&e->lock);
+    memcpy(line, e->line, ECHO_SIZE);
+    *e->line = '\0';
+    pthread_mutex_unlock(&e->lock);
+    return *line != '\0';
+}

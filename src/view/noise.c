@@ -1,0 +1,84 @@
+/* noise.c: sums over blocks of pixels. */
+#include "src/view/noise.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void noise_finish(struct noise *n)
+{
+    free(n->blocks);
+    *n = (struct noise){ 0 };
+}
+
+static uint32_t blocks_of(uint32_t pixels)
+{
+    return (pixels + NOISE_BLOCK - 1) / NOISE_BLOCK;
+}
+
+static void begin(struct noise *n, const struct image *sums)
+{
+    const uint32_t columns = blocks_of(sums->width);
+    const uint32_t rows = blocks_of(sums->height);
+    if (n->columns != columns || n->rows != rows) {
+        noise_finish(n);
+        n->blocks = malloc((size_t)columns * rows * 2 * sizeof(*n->blocks));
+        n->columns = n->blocks ? columns : 0;
+        n->rows = rows;
+    }
+    if (n->columns)
+        memset(n->blocks, 0, (size_t)columns * rows * 2 * sizeof(*n->blocks));
+    n->count = 0;
+}
+
+/* The mean of a block of the sums. */
+static double mean_of(const struct image *sums, const float *const planes[3], uint32_t column,
+                      uint32_t row)
+{
+    const uint32_t left = column * NOISE_BLOCK;
+    const uint32_t top = row * NOISE_BLOCK;
+    const uint32_t right = left + NOISE_BLOCK < sums->width ? left + NOISE_BLOCK : sums->width;
+    const uint32_t bottom = top + NOISE_BLOCK < sums->height ? top + NOISE_BLOCK : sums->height;
+    double sum = 0.0;
+    for (uint32_t c = 0; c < 3; c++) {
+        for (uint32_t y = top; y < bottom; y++) {
+            const float *texels = &planes[c][(size_t)y * sums->width];
+            for (uint32_t x = left; x < right; x++)
+                sum += (double)texels[x];
+        }
+    }
+    return sum / (3.0 * (right - left) * (bottom - top));
+}
+
+void noise_add(struct noise *n, const struct image *sums, uint32_t sample)
+{
+    const float *const planes[] = { image_find(sums, "R"), image_find(sums, "G"),
+                                    image_find(sums, "B") };
+    if (!planes[0] || !planes[1] || !planes[2])
+        return;
+    if (sample == 0)
+        begin(n, sums);
+    for (uint32_t y = 0; y < n->rows && n->columns; y++) {
+        for (uint32_t x = 0; x < n->columns; x++) {
+            double *block = &n->blocks[((size_t)y * n->columns + x) * 2];
+            const double sum = mean_of(sums, planes, x, y);
+            const double value = sum - block[0];
+            block[0] = sum;
+            block[1] += value * value;
+        }
+    }
+    n->count = sample + 1;
+}
+
+double noise_now(const struct noise *n)
+{
+    const size_t count = (size_t)n->columns * n->rows;
+    double errors = 0.0;
+    if (n->count < 2 || !count)
+        return -1.0;
+    for (size_t b = 0; b < count; b++) {
+        const double mean = n->blocks[b * 2] / n->count;
+        const double variance = n->blocks[b * 2 + 1] / n->count - mean * mean;
+        errors += isfinite(variance) ? sqrt(fmax(variance, 0.0) / (n->count - 1)) : 0.0;
+    }
+    return errors / (double)count;
+}
