@@ -122,6 +122,22 @@ static void sparse(void **state)
     check_refused("accessors[0].sparse.indices: element 6 does not exist");
 }
 
+static void whole_numbers_with_a_point(void **state)
+{
+    (void)state;
+    static const char *const indices[] = { "1.0", "1.5" };
+    for (size_t i = 0; i < 2; i++) {
+        gltf_file_begin();
+        gltf_file_floats(positions, 6, "VEC3");
+        gltf_file_add(corners, sizeof(corners), GLTF_FILE_UNSIGNED_SHORT, 24, "SCALAR");
+        gltf_file_write(ONE_MESH "{'attributes':{'POSITION':0},'indices':%s}]}]", indices[i]);
+        if (i == 0)
+            check_like_plain(0);
+        else
+            check_refused("indices: expected an index");
+    }
+}
+
 /* Compresses both views of the octahedron; `cut` bytes are missing at the end of the first. */
 static void write_meshopt(size_t cut)
 {
@@ -433,6 +449,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(quantized, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(sparse, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(whole_numbers_with_a_point, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(meshopt, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(draco, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(instances, folder_enter, folder_leave),

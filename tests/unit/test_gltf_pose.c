@@ -68,6 +68,21 @@ static void nodes_move(void **state)
     check_corner("slide", 3, 0, 4, 8, 0);
 }
 
+/* As KHR_animation_pointer has them: they move what is no node. */
+static void channels_without_nodes_are_skipped(void **state)
+{
+    (void)state;
+    const float times[2] = { 0, 1 };
+    gltf_file_begin();
+    gltf_file_floats(positions, 3, "VEC3");
+    gltf_file_floats(times, 2, "SCALAR");
+    gltf_file_write("'nodes':[{'mesh':0}],'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]"
+                    "}],'animations':[{'samplers':[{'input':1,'output':1}],'channels':[{'sampler':"
+                    "0,'target':{'path':'pointer','extensions':{'KHR_animation_pointer':{'pointer':"
+                    "'/materials/0/alphaCutoff'}}}}]}]");
+    check_corner("0", 0.5F, 1, 1, 0, 0);
+}
+
 static void animations_are_checked(void **state)
 {
     (void)state;
@@ -148,6 +163,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(nodes_move, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(channels_without_nodes_are_skipped, folder_enter,
+                                        folder_leave),
         cmocka_unit_test_setup_teardown(animations_are_checked, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(morph_targets, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(skins, folder_enter, folder_leave),

@@ -149,10 +149,12 @@ static void play(const struct gltf_object *animation, uint32_t index, float time
     const bool is_weights = strcmp(path, "weights") == 0;
     const uint32_t width = strcmp(path, "rotation") == 0 ? 4 : is_weights ? 0 : 3;
     struct keys keys = { 0 };
+    if (gltf_index(&target, "node", "nodes") == gltf_none)
+        return; /* of an extension, which is named */
     if (!is_weights && strcmp(path, "rotation") != 0 && strcmp(path, "translation") != 0 &&
         strcmp(path, "scale") != 0)
         (void)gltf_fault(&target, "path: expected translation, rotation, scale or weights");
-    else if (gltf_index(&target, "node", "nodes") != gltf_none && read_keys(&sampler, width, &keys))
+    else if (read_keys(&sampler, width, &keys))
         move_node(&channel, &keys, path, time);
     free(keys.times.values);
     free(keys.values.values);

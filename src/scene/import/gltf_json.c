@@ -126,9 +126,13 @@ bool gltf_flag(const struct gltf_object *object, const char *key)
     return json_is_true(value);
 }
 
-static bool is_count(const json_t *value)
+/* Whether a value is a whole number, which may be written as 3.0; sets it, then. */
+static bool read_count(const json_t *value, uint64_t *count)
 {
-    return json_is_integer(value) && json_integer_value(value) >= 0;
+    const double max = 9007199254740992; /* 2^53: up to it, each whole number is a double */
+    const double number = json_number_value(value);
+    *count = number >= 0 && number <= max ? (uint64_t)number : 0;
+    return json_is_number(value) && number >= 0 && number <= max && !((double)*count < number);
 }
 
 uint64_t gltf_count(const struct gltf_object *object, const char *key, uint64_t fallback)
@@ -136,8 +140,9 @@ uint64_t gltf_count(const struct gltf_object *object, const char *key, uint64_t 
     const json_t *value = get(object, key);
     if (!value)
         return fallback;
-    if (is_count(value))
-        return (uint64_t)json_integer_value(value);
+    uint64_t count;
+    if (read_count(value, &count))
+        return count;
     (void)gltf_fault(object, "%s: expected a whole number from 0", key);
     return fallback;
 }
@@ -157,14 +162,14 @@ static uint32_t read_index(const struct gltf_object *object, const char *key, co
                            const char *list)
 {
     const uint32_t count = gltf_list_length(object->gltf, list);
-    if (!is_count(value)) {
+    uint64_t index;
+    if (!read_count(value, &index)) {
         (void)gltf_fault(object, "%s: expected an index", key);
         return gltf_none;
     }
-    if (json_integer_value(value) < (json_int_t)count)
-        return (uint32_t)json_integer_value(value);
-    (void)gltf_fault(object, "%s: %s[%lld] does not exist", key, list,
-                     (long long)json_integer_value(value));
+    if (index < count)
+        return (uint32_t)index;
+    (void)gltf_fault(object, "%s: %s[%llu] does not exist", key, list, (unsigned long long)index);
     return gltf_none;
 }
 
