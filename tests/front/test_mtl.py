@@ -3,6 +3,7 @@
 Cards of an OBJ file, and beside them those of a glTF file that say the same.
 """
 import base64
+import json
 import pathlib
 import sys
 
@@ -142,13 +143,16 @@ class Mtl(features.Cards):
                    f'map_Kd -cc on {self.picture("a.png", [(255,) * 4])}'), pbr())
         self.twin(('illum 7', 'map_Kd a.png', 'map_Ke a.png', 'map_Ns a.png', 'norm a.png'), pbr())
         self.twin(('d .5', 'map_Kd a.png', 'map_Ks a.png'), pbr())
+        self.twin(('Tr 1', 'illum 2'), pbr())
         (self.folder / 'cards.obj').write_text('\n'.join(self.obj))
         (self.folder / 'some cards.mtl').write_text('\n'.join(self.mtl))
-        done = self.succeed('info', 'cards.obj')
+        done = self.succeed('info', 'cards.obj', '--json')
+        self.assertEqual([found['kind'] for found in json.loads(done.stdout)['materials']],
+                         ['opaque', 'thin wall', 'thin wall', 'opaque'])
         self.assertEqual(done.stderr, b'firn: warning: cards.obj: not drawn of its materials: '
                          b'disp, decal, refl, spectral, aniso, -cc, map_Kd of clear '
                          b'materials, map_Ke of transmissive materials, map_Ks of transmissive '
-                         b'materials\n')
+                         b'materials, Tr 1 (opaque, as MeshLab means it)\n')
         for line, words in (('Kd red', 'expected three numbers of a colour, got \'red\''),
                             ('Ns nan', 'expected a finite number'),
                             ('map_Kd -s a.png', 'expected options with their values'),

@@ -58,7 +58,7 @@ struct plain {
     uint32_t part_count;
     struct plain_material *materials;
     uint32_t material_count;
-    char undrawn[256]; /* what of an MTL file is not drawn: "disp, -mm" */
+    char undrawn[1024]; /* what of an MTL file is not drawn: "disp, -mm" */
 };
 
 /* Read a file into *plain, which is {0} but for .import; plain_finish() frees it in any case. */

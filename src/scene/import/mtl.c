@@ -164,16 +164,27 @@ static bool is_glass(const struct mtl *mtl)
     return model == 4 || model == 6 || model == 7 || model == 9;
 }
 
+/* Whether nothing but "Tr 1" says that all light passes: MeshLab means the opposite by it. */
+static bool is_meshlab(const struct mtl *mtl)
+{
+    return mtl->clearness >= 1 && !is_glass(mtl) && !(mtl->index > 1);
+}
+
 /*
  * A material is transmissive that has a refracting illum, a d below 1, or a Tf with a Ni: what d
  * leaves passes, or all of it, tinted by Tf. Without a Ni above 1 it is a thin wall. Without Ns it
  * is smooth. A d beside a map_d is alpha.
  */
-static void make_medium(const struct mtl *mtl, struct material *m)
+static void make_medium(struct mtl *mtl, struct material *m)
 {
     const bool is_alpha = mtl->material->maps[PLAIN_ALPHA].file;
-    const float opacity = is_alpha ? 1 : mtl->clearness > 0 ? 1 - mtl->clearness : mtl->opacity;
+    const float opacity = is_alpha || is_meshlab(mtl) ? 1
+                          : mtl->clearness > 0        ? 1 - mtl->clearness
+                                                      : mtl->opacity;
+    static const char opaque[] = "Tr 1 (opaque, as MeshLab means it)";
     const bool is_filter = mtl->filter.x < 1 || mtl->filter.y < 1 || mtl->filter.z < 1;
+    if (is_meshlab(mtl) && !is_alpha)
+        note(mtl, &(struct text_scan){ opaque, opaque + sizeof(opaque) - 1 });
     if (!(is_glass(mtl) || opacity < 1 || (is_filter && mtl->index > 1)))
         return;
     m->base_color = mtl->filter;
