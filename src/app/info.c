@@ -15,6 +15,18 @@ static const char *const support_names[MODEL_SUPPORT_COUNT] = {
     [MODEL_IGNORED] = "ignored",
 };
 
+static const char *const texture_names[MATERIAL_TEXTURE_COUNT] = {
+    [MATERIAL_BASE_COLOR] = "base colour",
+    [MATERIAL_METALLIC_ROUGHNESS] = "metallic and roughness",
+    [MATERIAL_NORMAL] = "normal",
+    [MATERIAL_OCCLUSION] = "occlusion",
+    [MATERIAL_EMISSION] = "emission",
+    [MATERIAL_TRANSMISSION] = "transmission",
+    [MATERIAL_THICKNESS] = "thickness",
+    [MATERIAL_SPECULAR] = "specular",
+    [MATERIAL_SPECULAR_COLOR] = "specular colour",
+};
+
 /* Returns what a transmissive material is drawn as. */
 static const char *kind_of(const struct material *material)
 {
@@ -61,63 +73,71 @@ static void print_objects(const struct model *model)
     if (!model->object_count)
         return;
     printf("\nobjects; where they overlap, the medium of the later line is there:\n");
-    printf("  %-24s %10s  %-8s %s\n", "name", "triangles", "shell", "material");
+    printf("  %-24s %10s  %-8s %s\n", "name", "triangles", "shell",
+           "material, and the shell it is inside");
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
-        printf("  %-24s %10u  %-8s %s\n", object->name, object->index_count / 3,
+        printf("  %-24s %10u  %-8s %s", object->name, object->index_count / 3,
                object_is_closed(object, &model->object) ? "closed" : "open",
                model->materials[object->material].name);
+        if (object->holder) /* they are in the order of their ranks, from 1 */
+            printf(", inside %s", model->objects[object->holder - 1].name);
+        printf("\n");
     }
 }
 
-/* Prints what an opaque surface is like, and which textures it has. */
+/* Prints what an opaque surface is like. */
 static void print_surface(const struct material *m)
 {
-    static const char *const uses[MATERIAL_TEXTURE_COUNT] = {
-        [MATERIAL_BASE_COLOR] = "base colour",
-        [MATERIAL_METALLIC_ROUGHNESS] = "metallic and roughness",
-        [MATERIAL_NORMAL] = "normal",
-        [MATERIAL_OCCLUSION] = "occlusion",
-        [MATERIAL_EMISSION] = "emission",
-        [MATERIAL_TRANSMISSION] = "transmission",
-        [MATERIAL_THICKNESS] = "thickness",
-        [MATERIAL_SPECULAR] = "specular",
-        [MATERIAL_SPECULAR_COLOR] = "specular colour",
-    };
-    const char *separator = "; textures: ";
     printf(" %-6g %-10s %-9g colour %.3g,%.3g,%.3g, metallic %g", (double)m->ior, "",
            (double)m->roughness, (double)m->base_color.x, (double)m->base_color.y,
            (double)m->base_color.z, (double)m->metallic);
     if (glms_vec3_max(m->emission) > 0.0f)
         printf(", emits %.3g,%.3g,%.3g", (double)m->emission.x, (double)m->emission.y,
                (double)m->emission.z);
+    if (m->flags & MATERIAL_IS_UNLIT)
+        printf(", unlit");
+    if (m->specular < 1.0f || !glms_vec3_eqv(m->specular_color, glms_vec3_one()))
+        printf(", specular %g of %.3g,%.3g,%.3g", (double)m->specular, (double)m->specular_color.x,
+               (double)m->specular_color.y, (double)m->specular_color.z);
     if (m->flags & MATERIAL_IS_CUTOUT)
         printf(", holes where alpha is below %g", (double)m->alpha_cutoff);
     if (m->flags & MATERIAL_IS_BLENDED)
         printf(", blended by alpha %g", (double)m->alpha);
-    for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++) {
-        if (m->textures[i].layer > 0) {
-            printf("%s%s", separator, uses[i]);
-            separator = ", ";
-        }
-    }
+}
+
+static void print_medium(const struct material *m)
+{
+    printf(" %-6g %-10g %-9g ", (double)m->ior, (double)m->dispersion, (double)m->roughness);
+    if (m->attenuation_distance > 0.0f)
+        printf("%.3g,%.3g,%.3g in %g m", (double)m->attenuation_color.x,
+               (double)m->attenuation_color.y, (double)m->attenuation_color.z,
+               (double)m->attenuation_distance);
+    else
+        printf("clear");
+    if (m->transmission < 1.0f)
+        printf(", %g passes", (double)m->transmission);
+    if (!glms_vec3_eqv(m->base_color, glms_vec3_one()))
+        printf(", tint %.3g,%.3g,%.3g", (double)m->base_color.x, (double)m->base_color.y,
+               (double)m->base_color.z);
+    if (m->flags & MATERIAL_HAS_PRIORITY)
+        printf(", priority %d", m->priority);
 }
 
 static void print_material(const struct material *m)
 {
+    const char *separator = "; textures: ";
+    const bool is_bare = m->flags & MATERIAL_IS_BARE;
     printf("  %-24s %-10s", m->name[0] ? m->name : "(no name)", kind_of(m));
-    if (!(m->transmission > 0.0f) && !(m->flags & MATERIAL_IS_BARE))
+    if (!is_bare && m->transmission > 0.0f)
+        print_medium(m);
+    else if (!is_bare)
         print_surface(m);
-    else if (m->transmission > 0.0f && !(m->flags & MATERIAL_IS_BARE)) {
-        printf(" %-6g %-10g %-9g ", (double)m->ior, (double)m->dispersion, (double)m->roughness);
-        if (m->attenuation_distance > 0.0f)
-            printf("%.3g,%.3g,%.3g in %g m", (double)m->attenuation_color.x,
-                   (double)m->attenuation_color.y, (double)m->attenuation_color.z,
-                   (double)m->attenuation_distance);
-        else
-            printf("clear");
-        if (m->flags & MATERIAL_HAS_PRIORITY)
-            printf(", priority %d", m->priority);
+    for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++) {
+        if (m->textures[i].layer > 0) {
+            printf("%s%s", separator, texture_names[i]);
+            separator = ", ";
+        }
     }
     printf("\n");
 }
@@ -238,10 +258,11 @@ static json_t *text_of(const char *text)
 
 static json_t *object_of(const struct model *model, const struct object *object)
 {
-    return json_pack("{s:o, s:i, s:i, s:i, s:b, s:o, s:o}", "name", text_of(object->name), "rank",
-                     (int)object->rank, "triangles", (int)(object->index_count / 3), "material",
-                     (int)object->material, "closed", (int)object_is_closed(object, &model->object),
-                     "min", vector(object->box.min), "max", vector(object->box.max));
+    return json_pack("{s:o, s:i, s:i, s:i, s:i, s:b, s:o, s:o}", "name", text_of(object->name),
+                     "rank", (int)object->rank, "inside_rank", (int)object->holder, "triangles",
+                     (int)(object->index_count / 3), "material", (int)object->material, "closed",
+                     (int)object_is_closed(object, &model->object), "min", vector(object->box.min),
+                     "max", vector(object->box.max));
 }
 
 static json_t *objects_of(const struct model *model)
@@ -252,20 +273,56 @@ static json_t *objects_of(const struct model *model)
     return all;
 }
 
+static json_t *textures_of(const struct material *m)
+{
+    json_t *all = json_array();
+    for (int i = 0; i < MATERIAL_TEXTURE_COUNT && all; i++) {
+        if (m->textures[i].layer > 0)
+            all = json_text_append(all, json_string(texture_names[i]));
+    }
+    return all;
+}
+
+/* Adds members; both are freed on failure, and NULL is returned. */
+static json_t *join(json_t *json, json_t *more)
+{
+    const bool is_done = json && more && json_object_update(json, more) == 0;
+    json_decref(more);
+    if (is_done)
+        return json;
+    json_decref(json);
+    return NULL;
+}
+
+static json_t *medium_of(const struct material *m)
+{
+    return json_pack("{s:f, s:f, s:f, s:f, s:o, s:f}", "transmission",
+                     json_text_float(m->transmission), "thickness", json_text_float(m->thickness),
+                     "ior", json_text_float(m->ior), "dispersion", json_text_float(m->dispersion),
+                     "attenuation_color", vector(m->attenuation_color), "attenuation_distance",
+                     json_text_float(m->attenuation_distance));
+}
+
+static json_t *surface_of(const struct material *m)
+{
+    const char *mode = m->flags & MATERIAL_IS_CUTOUT    ? "mask"
+                       : m->flags & MATERIAL_IS_BLENDED ? "blend"
+                                                        : "opaque";
+    return json_pack("{s:f, s:o, s:f, s:o, s:s, s:f, s:f, s:b}", "metallic",
+                     json_text_float(m->metallic), "emission", vector(m->emission), "specular",
+                     json_text_float(m->specular), "specular_color", vector(m->specular_color),
+                     "alpha_mode", mode, "alpha", json_text_float(m->alpha), "alpha_cutoff",
+                     json_text_float(m->alpha_cutoff), "unlit",
+                     (int)(m->flags & MATERIAL_IS_UNLIT) > 0);
+}
+
 static json_t *material_of(const struct material *m)
 {
-    json_t *json =
-        json_pack("{s:o, s:s, s:o, s:f}", "name", text_of(m->name), "kind", kind_of(m),
-                  "base_color", vector(m->base_color), "roughness", json_text_float(m->roughness));
-    if (json && m->transmission > 0.0f && !(m->flags & MATERIAL_IS_BARE)) {
-        (void)json_object_set_new(json, "transmission",
-                                  json_real(json_text_float(m->transmission)));
-        (void)json_object_set_new(json, "ior", json_real(json_text_float(m->ior)));
-        (void)json_object_set_new(json, "dispersion", json_real(json_text_float(m->dispersion)));
-        (void)json_object_set_new(json, "attenuation_color", vector(m->attenuation_color));
-        (void)json_object_set_new(json, "attenuation_distance",
-                                  json_real(json_text_float(m->attenuation_distance)));
-    }
+    json_t *json = json_pack("{s:o, s:s, s:o, s:f, s:o}", "name", text_of(m->name), "kind",
+                             kind_of(m), "base_color", vector(m->base_color), "roughness",
+                             json_text_float(m->roughness), "textures", textures_of(m));
+    if (!(m->flags & MATERIAL_IS_BARE))
+        json = join(json, m->transmission > 0.0f ? medium_of(m) : surface_of(m));
     if (json && m->flags & MATERIAL_HAS_PRIORITY)
         (void)json_object_set_new(json, "priority", json_integer(m->priority));
     return json;

@@ -12,6 +12,7 @@ struct contender {
     uint32_t object;
     int64_t priority; /* INT64_MIN: none is stated */
     uint32_t depth;   /* number of shells around it */
+    uint32_t holder;  /* the innermost of them, + 1; 0: none */
 };
 
 /* Returns a mesh that borrows all vertices and the object's triangles. */
@@ -46,8 +47,7 @@ static bool encloses(const struct solid *shell, const struct mesh *part)
     return true;
 }
 
-/* Adds 1 to the depth of each object within the shell of object `k`. Returns false when out of
- * memory. */
+/* Notes each object within the shell of object `k`. Returns false when out of memory. */
 static bool find_enclosed(struct contender *contenders, const struct object *objects,
                           uint32_t count, const struct mesh *mesh, uint32_t k)
 {
@@ -61,7 +61,12 @@ static bool find_enclosed(struct contender *contenders, const struct object *obj
             return false;
         is_made = true;
         const struct mesh part = part_of(mesh, &objects[i]);
-        contenders[i].depth += encloses(&solid, &part);
+        if (!encloses(&solid, &part))
+            continue;
+        const uint32_t holder = contenders[i].holder;
+        contenders[i].depth++;
+        if (!holder || box_contains(&objects[holder - 1].box, &objects[k].box))
+            contenders[i].holder = k + 1;
     }
     solid_finish(&solid);
     return true;
@@ -97,6 +102,10 @@ enum status object_rank_all(struct object *objects, uint32_t count, const struct
         qsort(contenders, count, sizeof(*contenders), by_priority);
         for (uint32_t i = 0; i < count; i++)
             objects[contenders[i].object].rank = i + 1;
+        for (uint32_t i = 0; i < count; i++) {
+            const uint32_t holder = contenders[i].holder;
+            objects[contenders[i].object].holder = holder ? objects[holder - 1].rank : 0;
+        }
     }
     free(contenders);
     return done ? STATUS_OK : log_out_of_memory("objects");

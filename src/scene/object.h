@@ -17,6 +17,7 @@ struct object {
     struct box box;    /* of its triangles; set with the rank */
     uint32_t rank;     /* where shells overlap, the medium of the greatest rank is there; no two
                           objects have the same, and none has 0, the outside's */
+    uint32_t holder;   /* rank of the innermost shell that all of this one is inside; 0: none */
 };
 
 /*
