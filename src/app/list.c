@@ -39,7 +39,7 @@ static enum status list_scenes(void)
 static enum status list_environments(void)
 {
     print_assets(ASSET_ENVIRONMENT);
-    printf("  %-14s %s\n", "sky", "the built-in sky over a landscape");
+    printf("  %-14s %s\n", "valley", "landscape of the paper, under the built-in sky; also: sky");
     printf("  %-14s %s\n", "FILE", "equirectangular .exr or .hdr, or firn bake's cube");
     return STATUS_OK;
 }

@@ -40,8 +40,9 @@ static json_t *scenes(void)
 static json_t *environments(void)
 {
     json_t *all = append_assets(json_array(), ASSET_ENVIRONMENT);
-    all = json_text_append(
-        all, json_pack("{s:s, s:s}", "name", "sky", "help", "the built-in sky over a landscape"));
+    all = json_text_append(all,
+                           json_pack("{s:s, s:s}", "name", "valley", "help",
+                                     "landscape of the paper, under the built-in sky; also: sky"));
     return json_text_append(all, json_pack("{s:s, s:s}", "name", "FILE", "help",
                                            "equirectangular .exr or .hdr, or firn bake's cube"));
 }

@@ -297,10 +297,11 @@ static void settle(void *user, const struct scene *scene, struct scene_params *p
     *params = app_describe_scene(settling->given, settling->maps);
 }
 
-/* --env sky: the built-in sky, also around a file. */
-static bool is_sky(const struct app_scene *given)
+/* --env valley, or sky: the built-in landscape, also around a file. */
+static bool is_valley(const struct app_scene *given)
 {
-    return given->environment && !strcmp(given->environment, "sky");
+    return given->environment &&
+           (!strcmp(given->environment, "valley") || !strcmp(given->environment, "sky"));
 }
 
 /* A person's file is in the studio, and an asset in its own environment, unless options say what
@@ -358,7 +359,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
                   .is_first = !given->animation },
         .node_materials = given->node_materials,
         .node_material_count = given->node_material_count,
-        .environment = is_sky(given) ? NULL : given->environment,
+        .environment = is_valley(given) ? NULL : given->environment,
         .environment_turn = given->env_rotate / 360.0f - floorf(given->env_rotate / 360.0f),
         .environment_exposure = given->env_exposure,
         .background = given->background.is_given ? &given->background.value : NULL,
@@ -449,7 +450,7 @@ static enum status check_environment(const struct app_scene *given, const struct
 {
     const bool is_turned = fabsf(given->env_rotate) > 0.0f;
     const bool is_exposed = fabsf(given->env_exposure) > 0.0f;
-    if ((!given->environment || is_sky(given)) && (is_turned || is_exposed)) {
+    if ((!given->environment || is_valley(given)) && (is_turned || is_exposed)) {
         log_error("--env-%s: --env is missing", is_turned ? "rotate" : "exposure");
         return STATUS_USAGE;
     }

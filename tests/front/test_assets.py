@@ -109,7 +109,9 @@ class Names(Case):
         scenes = self.succeed('list', 'scenes').stdout.decode()
         for name in SCENES:
             self.assertRegex(scenes, rf'(?m)^  {name} +\w')
-        self.assertRegex(self.succeed('list', 'environments').stdout.decode(), r'(?m)^  studio +\w')
+        environments = self.succeed('list', 'environments').stdout.decode()
+        for name in ('studio', 'alps', 'valley'):
+            self.assertRegex(environments, rf'(?m)^  {name} +\w')
 
     def test_a_picture(self):
         small = ('render', 'hollow', '--size', '32x24', *PLAIN, *TRACED)
@@ -171,6 +173,7 @@ class Studio(Case):
         sky, words = self.draw('a.gltf', '--env', 'sky')
         self.assertIn(' env=sky ', words)
         self.assertNotEqual(pixels, sky)
+        self.assertEqual(sky, self.draw('a.gltf', '--env', 'valley')[0])
         self.assertNotEqual(pixels, self.draw('a.gltf', '--env-rotate', '90')[0])
         for words in ('sphere',), ('a.gltf', '--background', '1,1,1'):
             self.assertNotIn(' env=', self.draw(*words)[1])
