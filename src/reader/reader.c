@@ -20,8 +20,8 @@
 
 enum {
     BUFFER_SIZE = 1 << 20, /* bytes, where the system allows it */
-    SAID_SIZE = 4096,
-    NO_PROGRAM = 127, /* exit code of the dynamic loader when it cannot load a library */
+    SAID_SIZE = 32768,     /* a line for each of hundreds of extensions */
+    NO_PROGRAM = 127,      /* exit code of the dynamic loader when it cannot load a library */
 };
 
 struct reader {

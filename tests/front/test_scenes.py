@@ -6,10 +6,33 @@ import re
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
+import test_features as features  # noqa: E402
 from case import DATA, NO_DRIVER, PLAIN, USAGE, Case, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass, with_nodes  # noqa: E402
 
+# Extensions of Khronos' registry (July 2026) that are not drawn, by what of a file may have them.
+UNKNOWN = {
+    '': 'AGI_stk_metadata GODOT_single_root KHR_animation_pointer KHR_interactivity KHR_xmp '
+        'KHR_xmp_json_ld MPEG_animation_timing MPEG_media',
+    'accessors': 'MPEG_accessor_timed',
+    'bufferViews': 'KHR_meshopt_compression',
+    'buffers': 'MPEG_buffer_circular',
+    'materials': 'ADOBE_materials_clearcoat_specular ADOBE_materials_clearcoat_tint '
+                 'ADOBE_materials_thin_transparency KHR_materials_anisotropy '
+                 'KHR_materials_clearcoat KHR_materials_diffuse_transmission '
+                 'KHR_materials_iridescence KHR_materials_pbrSpecularGlossiness '
+                 'KHR_materials_sheen KHR_techniques_webgl MSFT_packing_normalRoughnessMetallic '
+                 'MSFT_packing_occlusionRoughnessMetallic NV_materials_mdl',
+    'nodes': 'AGI_articulations EXT_lights_ies KHR_node_hoverability KHR_node_selectability '
+             'KHR_node_visibility MPEG_audio_spatial MPEG_mesh_linking MSFT_lod',
+    'primitives': 'CESIUM_primitive_outline EXT_mesh_manifold EXT_mesh_primitive_edge_visibility '
+                  'EXT_mesh_primitive_restart FB_geometry_metadata GRIFFEL_bim_data '
+                  'KHR_gaussian_splatting KHR_materials_variants',
+    'scenes': 'EXT_lights_image_based MPEG_scene_dynamic MPEG_viewport_recommended',
+    'textures': 'EXT_texture_astc EXT_texture_webp KHR_texture_basisu MPEG_texture_video '
+                'MSFT_texture_dds',
+}
 # What only ice has by default.
 DRESSING = ('cracks', 'air', 'bubbles')
 SMALL = ('--size', '32x24', '-q')
@@ -161,12 +184,13 @@ class Scenes(Case):
         self.assertEqual(names, ['cup', 'ice', 'gem'])  # what lies inside wins; what is stated, too
         self.assertEqual([found['closed'] for found in said['objects']], [True] * 3)
         self.assertEqual([found['triangles'] for found in said['objects']], [12] * 3)
+        self.assertEqual([found['inside_rank'] for found in said['objects']], [0, 1, 0])
         indices = [round(found['ior'], 4) for found in said['materials'] if 'ior' in found]
         self.assertEqual(indices, [1.3, 1.5, 2])
         self.assertEqual(said['materials'][2]['priority'], -1)
         self.assertEqual(said['surrounding_triangles'], 0)
         text = self.succeed('info', 'three.gltf', env=NO_DRIVER).stdout.decode()
-        self.assertRegex(text, r'(?m)^  box 0 +12  closed +ice$')
+        self.assertRegex(text, r'(?m)^  box 0 +12  closed +ice, inside box 1$')
         self.assertRegex(text, r'(?m)^  gem +solid +2 .*priority -1$')
         self.refuse(USAGE, 'info', names=['SCENE'])
 
@@ -366,6 +390,81 @@ class Scenes(Case):
         self.assertRegex(text, r'(?m)^  ignored +EXT_of_nobody$')
         self.assertRegex(text, r'(?m)^  drawn +KHR_materials_ior, KHR_materials_transmission, '
                                r'KHR_texture_transform$')
+
+    def test_each_extension_is_named_once(self):
+        """Whether the file declares it, or an object has it, or both; and refused if required."""
+        scene = json.loads(boxes((glass(), [0, 0, 0], 1), (glass(), [3, 0, 0], 1)))
+        known = sorted(scene['extensionsUsed'])
+        scene['extras'] = {'extensions': {'EXT_of_the_author': {}}}
+        scene['textures'] = [{}]
+        names = sum((found.split() for found in UNKNOWN.values()), [])
+        wanted = sorted(f'firn: warning: a.gltf: the extension {name} is not supported, and ignored'
+                        for name in names)
+
+        def check(scene):
+            (self.folder / 'a.gltf').write_text(json.dumps(scene))
+            done = self.succeed('info', 'a.gltf', '--json', env=NO_DRIVER)
+            self.assertEqual(sorted(done.stderr.decode().splitlines()), wanted)
+            found = {row['name']: row['support'] for row in json.loads(done.stdout)['extensions']}
+            self.assertEqual(sorted(found), sorted(names + known))
+            self.assertEqual({found[name] for name in names}, {'ignored'})
+        used = json.loads(json.dumps(scene))
+        used['extensionsUsed'] = names + scene['extensionsUsed'] + names
+        check(used)
+        for kind, found in UNKNOWN.items():
+            things = scene['meshes'][0]['primitives'] if kind == 'primitives' else scene.get(
+                kind, [scene])
+            for thing in things:
+                thing.setdefault('extensions', {}).update({name: {} for name in found.split()})
+        check(scene)
+        for name in names:
+            (self.folder / 'a.gltf').write_text(json.dumps({**used, 'extensionsRequired': [name]}))
+            self.refuse(DATA, 'info', 'a.gltf', env=NO_DRIVER,
+                        names=[f'requires the extension {name}, which is not supported'])
+
+    def test_no_untrue_warning(self):
+        """What a transmissive material has, but would change nothing, is not said."""
+        part = glass(alphaMode='BLEND', emissiveTexture={'index': 0})
+        part['extensions']['KHR_materials_specular'] = {'specularFactor': 1}
+        part['extensions']['KHR_materials_volume'].update(thicknessFactor=0, thicknessTexture={
+            'index': 0})
+        scene = json.loads(boxes((part, [0, 0, 0], 1)))
+        self.succeed('render', 'sphere', *SMALL, *PLAIN, '-o', 'a.png')
+        scene.update(textures=[{'source': 0}], images=[{'uri': 'a.png'}])
+
+        def said():
+            (self.folder / 'a.gltf').write_text(json.dumps(scene))
+            return self.succeed('info', 'a.gltf', env=NO_DRIVER).stderr.decode()
+        self.assertEqual(said(), '')
+        material = scene['materials'][0]
+        material['pbrMetallicRoughness']['baseColorFactor'][3] = 0.5
+        material.update(emissiveFactor=[1, 0, 0], occlusionTexture={'index': 0})
+        material['extensions']['KHR_materials_specular']['specularFactor'] = 0.5
+        material['extensions']['KHR_materials_volume']['thicknessFactor'] = 1
+        scene['samplers'] = [{'magFilter': 9728}]
+        scene['textures'][0]['sampler'] = 0
+        scene['scenes'].append({})
+        attributes = scene['meshes'][0]['primitives'][0]
+        attributes['attributes']['COLOR_1'] = 0
+        attributes['targets'] = [{'COLOR_0': 0}]
+        self.assertEqual(said(), 'firn: warning: a.gltf: not drawn: ' + ', '.join(
+            [f'{name} of transmissive materials'
+             for name in ('alpha', 'emission', 'occlusion', 'specular')] +
+            ['textures of thickness', 'edges between texels (magFilter NEAREST)',
+             'vertex colours beyond COLOR_0', 'colours and texture coordinates of morph targets',
+             'scenes beside the one that is shown']) + '\n')
+
+    def test_large_textures_are_smaller(self):
+        scene = json.loads(boxes(({'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}},
+                                  [0, 0, 0], 1)))
+        scene['meshes'][0]['primitives'][0]['attributes']['TEXCOORD_0'] = 2
+        scene['accessors'].append({**scene['accessors'][0], 'type': 'VEC2'})
+        scene.update(textures=[{'source': 0}],
+                     images=[{'uri': features.png(2049, 1, [(9, 9, 9, 255)] * 2049)}])
+        (self.folder / 'a.gltf').write_text(json.dumps(scene))
+        self.assertEqual(self.succeed('info', 'a.gltf', env=NO_DRIVER).stderr,
+                         b'firn: warning: a.gltf: the largest of 1 textures has 2049 texels a '
+                         b'side, of which 2048 are drawn\n')
 
     def test_metallic_is_not_of_what_light_passes(self):
         """Said only of a material that states it."""

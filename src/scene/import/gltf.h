@@ -90,13 +90,21 @@ struct gltf_material {
 
 /* What a file has, and this program reads but does not draw. */
 enum gltf_undrawn {
-    GLTF_CLEAR_SURFACE,
+    GLTF_CLEAR_ALPHA, /* of transmissive materials, as the next five */
+    GLTF_CLEAR_EMISSION,
     GLTF_CLEAR_METALLIC,
-    GLTF_PICTURELESS,
+    GLTF_CLEAR_OCCLUSION,
+    GLTF_CLEAR_SPECULAR,
+    GLTF_CLEAR_THICKNESS,
     GLTF_OTHER_SET,
+    GLTF_PICTURELESS,
+    GLTF_UNSMOOTHED,
     GLTF_ANIMATION,
+    GLTF_MORE_COLORS,
     GLTF_MORE_JOINTS,
+    GLTF_MORPHED_COLORS,
     GLTF_POINTS,
+    GLTF_MORE_SCENES,
     GLTF_UNDRAWN_COUNT,
 };
 
@@ -203,11 +211,11 @@ uint32_t *gltf_read_indices(struct gltf *gltf, uint32_t accessor, uint32_t *coun
 /* ---- the scene ---- */
 
 MUST_USE enum status gltf_extensions_check(struct gltf *gltf);
-/* Logs warnings: what is read, but not drawn, and what is not supported. For files that are
- * accepted, because of others only the first line reaches the user. */
-void gltf_warn(struct gltf *gltf);
-/* Lists the extensions that the file uses, and what is not drawn, in *model. Last of all. */
+/* Lists the extensions that the file uses, each once, and what is not drawn, in *model. */
 MUST_USE enum status gltf_extensions_read(struct gltf *gltf, struct model *model);
+/* Logs warnings: what is read, but not drawn, and what is not supported. Last of all, for files
+ * that are accepted, because of others only the first line reaches the user. */
+void gltf_warn(const struct gltf *gltf, const struct model *model);
 
 /* Checks indices everywhere in the file, for what the scene does not use is not read. */
 MUST_USE enum status gltf_check(struct gltf *gltf);

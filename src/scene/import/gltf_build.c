@@ -329,7 +329,7 @@ enum status model_load_gltf(struct model_import *import, struct model *model,
     if (status == STATUS_OK)
         status = gltf_extensions_read(&gltf, model);
     if (status == STATUS_OK)
-        gltf_warn(&gltf);
+        gltf_warn(&gltf, model);
     gltf_close(&gltf);
     return status;
 }

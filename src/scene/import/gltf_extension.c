@@ -22,14 +22,21 @@ static const struct model_extension supported[] = {
 };
 
 static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
-    [GLTF_CLEAR_SURFACE] =
-        "emission, alpha, specular, occlusion and thickness textures of transmissive materials",
+    [GLTF_CLEAR_ALPHA] = "alpha of transmissive materials",
+    [GLTF_CLEAR_EMISSION] = "emission of transmissive materials",
     [GLTF_CLEAR_METALLIC] = "metallic of transmissive materials",
+    [GLTF_CLEAR_OCCLUSION] = "occlusion of transmissive materials",
+    [GLTF_CLEAR_SPECULAR] = "specular of transmissive materials",
+    [GLTF_CLEAR_THICKNESS] = "textures of thickness",
     [GLTF_OTHER_SET] = "textures of a third set of coordinates",
     [GLTF_PICTURELESS] = "textures without a picture in a known format",
+    [GLTF_UNSMOOTHED] = "edges between texels (magFilter NEAREST)",
     [GLTF_ANIMATION] = "animations, but the pose at rest",
+    [GLTF_MORE_COLORS] = "vertex colours beyond COLOR_0",
     [GLTF_MORE_JOINTS] = "joints beyond four of a vertex",
+    [GLTF_MORPHED_COLORS] = "colours and texture coordinates of morph targets",
     [GLTF_POINTS] = "points and lines",
+    [GLTF_MORE_SCENES] = "scenes beside the one that is shown",
 };
 
 const char *model_undrawn_name(uint32_t index)
@@ -74,39 +81,72 @@ enum status gltf_extensions_check(struct gltf *gltf)
     return gltf->status;
 }
 
+/* Lists an extension, once. */
+static void add(struct gltf *gltf, struct model *model, const char *name)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    const struct model_extension *known = find(name);
+    struct model_extension added = { .support = known ? known->support : MODEL_IGNORED };
+    (void)snprintf(added.name, sizeof(added.name), "%s", name);
+    for (uint32_t i = 0; i < model->extension_count; i++) {
+        if (strcmp(model->extensions[i].name, added.name) == 0)
+            return;
+    }
+    if (model->extension_count < MODEL_EXTENSION_MAX)
+        model->extensions[model->extension_count++] = added;
+    else
+        (void)gltf_fault(&top, "expected at most %d extensions", MODEL_EXTENSION_MAX);
+}
+
+/* Lists what objects within a value have, whether the file declares it or not. The parser has
+ * limited how deeply they nest. */
+static void add_found(struct gltf *gltf, struct model *model, json_t *json)
+{
+    const char *key;
+    json_t *value;
+    size_t i;
+    json_array_foreach(json, i, value) add_found(gltf, model, value);
+    json_object_foreach(json, key, value)
+    {
+        const char *name;
+        json_t *extension;
+        if (strcmp(key, "extras") == 0)
+            continue;
+        if (strcmp(key, "extensions") == 0) {
+            json_object_foreach(value, name, extension) add(gltf, model, name);
+        }
+        add_found(gltf, model, value);
+    }
+}
+
 enum status gltf_extensions_read(struct gltf *gltf, struct model *model)
 {
     const struct gltf_object top = gltf_top(gltf);
     const uint32_t count = gltf_length(&top, "extensionsUsed");
-    if (count > MODEL_EXTENSION_MAX)
-        return gltf_fault(&top, "extensionsUsed: expected at most %d, got %u", MODEL_EXTENSION_MAX,
-                          count);
     model->undrawn = gltf->undrawn;
-    model->extensions = calloc(count + (size_t)1, sizeof(*model->extensions));
+    model->extensions = calloc(MODEL_EXTENSION_MAX, sizeof(*model->extensions));
     if (!model->extensions)
         return gltf_no_memory(gltf);
     for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++) {
         const char *name = name_at(&top, "extensionsUsed", i);
-        const struct model_extension *known = name ? find(name) : NULL;
-        struct model_extension *extension = &model->extensions[model->extension_count++];
-        (void)snprintf(extension->name, sizeof(extension->name), "%s", name ? name : "");
-        extension->support = known ? known->support : MODEL_IGNORED;
+        if (name)
+            add(gltf, model, name);
     }
+    add_found(gltf, model, gltf->root);
     return gltf->status;
 }
 
-void gltf_warn(struct gltf *gltf)
+void gltf_warn(const struct gltf *gltf, const struct model *model)
 {
-    const struct gltf_object top = gltf_top(gltf);
-    for (uint32_t i = 0; i < gltf_length(&top, "extensionsUsed"); i++) {
-        const char *name = name_at(&top, "extensionsUsed", i);
-        if (name && !find(name))
-            log_warning("%s: the extension %.64s is not supported, and ignored", gltf->path, name);
+    for (uint32_t i = 0; i < model->extension_count; i++) {
+        if (model->extensions[i].support == MODEL_IGNORED)
+            log_warning("%s: the extension %s is not supported, and ignored", gltf->path,
+                        model->extensions[i].name);
     }
     if (gltf->clamped_count > 0)
         log_warning("%s: numbers outside their ranges are clamped, of %u materials", gltf->path,
                     gltf->clamped_count);
-    char names[512] = "";
+    char names[640] = "";
     size_t length = 0;
     for (uint32_t i = 0; i < GLTF_UNDRAWN_COUNT; i++) {
         if (!(gltf->undrawn & 1u << i) || length >= sizeof(names))

@@ -96,34 +96,38 @@ static void read_priority(const struct gltf_object *object, struct material *m)
     }
 }
 
-/* Notes what only opaque surfaces show. The way of light inside is measured, and not that of a
- * texture of thickness. */
-static void check_clear(struct gltf *gltf, const struct gltf_material *material)
+static bool has_picture(const struct gltf_texture *texture)
 {
-    const struct material *m = &material->material;
-    bool is_left_out = m->flags & (MATERIAL_IS_BLENDED | MATERIAL_IS_CUTOUT) ||
-                       glms_vec3_max(m->emission) > 0 || m->specular < 1 ||
-                       !glms_vec3_eqv(m->specular_color, glms_vec3_one());
-
-    static const enum material_texture_use uses[] = { MATERIAL_OCCLUSION, MATERIAL_EMISSION,
-                                                      MATERIAL_THICKNESS, MATERIAL_SPECULAR,
-                                                      MATERIAL_SPECULAR_COLOR };
-
-    for (size_t i = 0; i < sizeof(uses) / sizeof(uses[0]); i++)
-        is_left_out |= material->textures[uses[i]].image != gltf_none;
-    if (m->transmission > 0 && is_left_out)
-        gltf->undrawn |= 1u << GLTF_CLEAR_SURFACE;
+    return texture->image != gltf_none;
 }
 
-/* Notes a metal through which light passes. A file that does not say metallicFactor means it
- * rarely, although its default is 1; and a texture may be 0 everywhere. */
-static void check_metallic(const struct gltf_object *object, const struct gltf_material *material)
+/* Notes what only opaque surfaces show of a transmissive material. The way of light inside is
+ * measured, and not that of a texture of thickness. A file that does not say metallicFactor means
+ * it rarely, although its default is 1; and a texture may be 0 everywhere. */
+static void check_clear(const struct gltf_object *object, const struct gltf_material *material)
 {
+    const struct material *m = &material->material;
+    const struct gltf_texture *textures = material->textures;
     const struct gltf_object pbr = gltf_member(object, "pbrMetallicRoughness");
-    if (material->material.transmission > 0 && material->material.metallic > 0 &&
-        json_object_get(pbr.json, "metallicFactor") &&
-        material->textures[MATERIAL_METALLIC_ROUGHNESS].image == gltf_none)
-        object->gltf->undrawn |= 1u << GLTF_CLEAR_METALLIC;
+    const bool is_white = glms_vec3_eqv(m->specular_color, glms_vec3_one());
+    const bool has_alpha = m->alpha < 1 || has_picture(&textures[MATERIAL_BASE_COLOR]);
+    uint32_t bits = 0;
+    if (m->flags & (MATERIAL_IS_BLENDED | MATERIAL_IS_CUTOUT) && has_alpha)
+        bits |= 1u << GLTF_CLEAR_ALPHA;
+    if (glms_vec3_max(m->emission) > 0)
+        bits |= 1u << GLTF_CLEAR_EMISSION;
+    if (m->metallic > 0 && json_object_get(pbr.json, "metallicFactor") &&
+        !has_picture(&textures[MATERIAL_METALLIC_ROUGHNESS]))
+        bits |= 1u << GLTF_CLEAR_METALLIC;
+    if (has_picture(&textures[MATERIAL_OCCLUSION]))
+        bits |= 1u << GLTF_CLEAR_OCCLUSION;
+    if (m->specular < 1 || !is_white || has_picture(&textures[MATERIAL_SPECULAR]) ||
+        has_picture(&textures[MATERIAL_SPECULAR_COLOR]))
+        bits |= 1u << GLTF_CLEAR_SPECULAR;
+    if (m->thickness > 0 && has_picture(&textures[MATERIAL_THICKNESS]))
+        bits |= 1u << GLTF_CLEAR_THICKNESS;
+    if (m->transmission > 0)
+        object->gltf->undrawn |= bits;
 }
 
 static void read_material(struct gltf *gltf, uint32_t index)
@@ -136,8 +140,7 @@ static void read_material(struct gltf *gltf, uint32_t index)
     read_surface(&object, material);
     read_medium(&object, material);
     gltf_material_textures(&object, material);
-    check_clear(gltf, material);
-    check_metallic(&object, material);
+    check_clear(&object, material);
     read_priority(&object, &material->material);
     vec3s color = material->material.base_color;
     gltf->import->clamped_materials += model_color_clamp(&color, false);

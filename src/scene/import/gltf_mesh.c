@@ -184,6 +184,7 @@ static void open_draco(struct source *source)
 
 static void read_targets(const struct source *source, struct gltf_primitive *primitive)
 {
+    static const char *const more[] = { "COLOR_0", "TEXCOORD_0", "TEXCOORD_1" };
     const uint32_t count = gltf_length(&source->object, "targets");
     primitive->targets = calloc(count + (size_t)1, sizeof(*primitive->targets));
     if (!primitive->targets) {
@@ -197,6 +198,10 @@ static void read_targets(const struct source *source, struct gltf_primitive *pri
             .attributes = gltf_item(&source->object, "targets", i),
             .vertex_count = source->vertex_count,
         };
+        for (size_t k = 0; k < sizeof(more) / sizeof(more[0]); k++) {
+            if (json_object_get(target.attributes.json, more[k]))
+                source->object.gltf->undrawn |= 1u << GLTF_MORPHED_COLORS;
+        }
         primitive->targets[i].positions = read_attribute(&target, "POSITION", 3);
         primitive->targets[i].normals = read_attribute(&target, "NORMAL", 3);
     }
@@ -208,6 +213,8 @@ static void read_joints(const struct source *source, struct gltf_primitive *prim
     primitive->weights = read_attribute(source, "WEIGHTS_0", 4);
     if (!primitive->joints != !primitive->weights)
         (void)gltf_fault(&source->attributes, "expected JOINTS_0 and WEIGHTS_0, or none of them");
+    if (json_object_get(source->attributes.json, "COLOR_1"))
+        source->object.gltf->undrawn |= 1u << GLTF_MORE_COLORS;
     if (json_object_get(source->attributes.json, "JOINTS_1"))
         source->object.gltf->undrawn |= 1u << GLTF_MORE_JOINTS;
 }

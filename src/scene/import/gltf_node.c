@@ -131,6 +131,8 @@ static void list_roots(struct gltf *gltf)
     uint32_t scene = gltf_index(&top, "scene", "scenes");
     if (scene == gltf_none && gltf_list_length(gltf, "scenes") > 0)
         scene = 0;
+    if (gltf_list_length(gltf, "scenes") > 1)
+        gltf->undrawn |= 1u << GLTF_MORE_SCENES;
     if (scene != gltf_none) {
         const struct gltf_object object = gltf_element(gltf, "scenes", scene);
         const uint32_t count = gltf_length(&object, "nodes");

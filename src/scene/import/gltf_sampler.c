@@ -53,6 +53,16 @@ static uint32_t read_wrap(const struct gltf_object *sampler, const char *key)
     return MATERIAL_REPEAT;
 }
 
+/* How a texture repeats. All are smoothed where they are magnified. */
+static void read_sampler(const struct gltf_object *sampler, struct gltf_texture *texture)
+{
+    const uint64_t nearest = 9728;
+    texture->wrap_u = read_wrap(sampler, "wrapS");
+    texture->wrap_v = read_wrap(sampler, "wrapT");
+    if (gltf_count(sampler, "magFilter", 0) == nearest)
+        sampler->gltf->undrawn |= 1u << GLTF_UNSMOOTHED;
+}
+
 static void read_texture(const struct gltf_object *info, struct gltf_texture *texture)
 {
     struct gltf *gltf = info->gltf;
@@ -68,9 +78,8 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
     const uint32_t sampler = gltf_index(&object, "sampler", "samplers");
     texture->image = gltf_index(&object, "source", "images");
     if (sampler != gltf_none) {
-        const struct gltf_object wrap = gltf_element(gltf, "samplers", sampler);
-        texture->wrap_u = read_wrap(&wrap, "wrapS");
-        texture->wrap_v = read_wrap(&wrap, "wrapT");
+        const struct gltf_object how = gltf_element(gltf, "samplers", sampler);
+        read_sampler(&how, texture);
     }
     if (texture->image == gltf_none)
         gltf->undrawn |= 1u << GLTF_PICTURELESS;

@@ -185,6 +185,9 @@ enum status model_picture_load(const char *path, const struct model_picture *pic
     }
     if (!allocate(layers, (uint32_t)side_max, count))
         return log_out_of_memory(path);
+    if (layers->size < (uint32_t)side_max)
+        log_warning("%s: the largest of %u textures has %d texels a side, of which %u are drawn",
+                    path, count, side_max, layers->size);
     for (uint32_t i = 0; i < count; i++) {
         enum status status =
             decode_both(path, &pictures[i], are_numbers, layer_at(layers, i), layers->size);
