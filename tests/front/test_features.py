@@ -71,7 +71,7 @@ class Scene:
         view = self.add('bufferViews', {'buffer': 0, 'byteOffset': len(self.data),
                                         'byteLength': struct.calcsize(f'{len(flat)}{kind}')})
         self.data += struct.pack(f'<{len(flat)}{kind}', *flat)
-        types = {1: 'SCALAR', 2: 'VEC2', 3: 'VEC3', 4: 'VEC4'}
+        types = {1: 'SCALAR', 2: 'VEC2', 3: 'VEC3', 4: 'VEC4', 16: 'MAT4'}
         return self.add('accessors', {'bufferView': view, 'componentType': component,
                                       'count': len(values), 'type': types[count], **more})
 
@@ -152,8 +152,11 @@ class Cards(Case):
         return self.draw_file('cards.gltf', sky, *words)
 
     def draw_file(self, name, sky, *words):
+        return self.draw_scene('sphere', sky, '--surroundings', name, *words)
+
+    def draw_scene(self, scene, sky, *words):
         (self.folder / 'sky.exr').write_bytes(write_exr((32, 16), sky))
-        done = self.succeed('render', 'sphere', '--plain', '--surroundings', name,
+        done = self.succeed('render', scene, '--plain',
                             '--env', 'sky.exr', '--eye', f'0,0,{DISTANCE + 5}', '--target', '0,0,5',
                             '--fov', str(2 * math.degrees(math.atan(ROWS / 2 / DISTANCE))),
                             '--size', f'{COLUMNS * SIDE}x{ROWS * SIDE}', '-q', '-o', 'a.exr',
