@@ -24,10 +24,11 @@
 #define TRACE_HAS_MOTION     128 /* objects, or what is around them, may turn */
 #define TRACE_HAS_TINT       256 /* some object tints the light that passes its surface */
 #define TRACE_HAS_DRESS      512 /* some object has textures (dress.h); needs TRACE_HAS_MATERIALS */
-#define TRACE_HAS_EXTRAS     1024 /* some vertices have struct mesh_extra */
-#define TRACE_HAS_SUN        2048 /* the sun's light goes by the map of ice_caustics.h */
-#define TRACE_HAS_MANY       4096 /* more than TREE_SHELLS_FEW objects */
-#define TRACE_HAS_INCLUSIONS 8192 /* bubbles or cracks in the first object */
+#define TRACE_HAS_EXTRAS     1024  /* some vertices have struct mesh_extra */
+#define TRACE_HAS_SUN        2048  /* the sun's light goes by the map of ice_caustics.h */
+#define TRACE_HAS_MANY       4096  /* more than TREE_SHELLS_FEW objects */
+#define TRACE_HAS_INCLUSIONS 8192  /* bubbles or cracks in the first object */
+#define TRACE_HAS_SHAPES     16384 /* some bubble is no sphere */
 
 /* The texels of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* of red, green and blue light; roughness */

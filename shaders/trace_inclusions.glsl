@@ -1,5 +1,5 @@
 /* trace_inclusions.glsl: how rays cross cracks and bubbles: gaps too thin to displace light, and
- * spheres, of what is outside. */
+ * holes, of what is outside. */
 #ifndef TRACE_INCLUSIONS_GLSL
 #define TRACE_INCLUSIONS_GLSL
 #include "cracks_noise.h"
@@ -17,19 +17,36 @@ vec3 trace_crack_normal(vec3 n, vec3 point)
     return bent;
 }
 
+/* Returns the outward normal of a bubble at a point of its surface, in the object's space. */
+vec3 trace_bubble_normal(int triangle, vec3 point)
+{
+    vec4 first = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * triangle));
+    vec3 from = point - first.xyz;
+    if (trace_has(TRACE_HAS_SHAPES)) {
+        vec4 second = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * triangle + 1));
+        vec4 last = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * triangle + 2));
+        vec3 axis = second.xyz;
+        if (second.w > 0.0)
+            from -= clamp(dot(from, axis), -first.w, first.w) * axis;
+        else
+            from = trace_to_sphere(trace_to_sphere(from, axis, first.w, last.w), axis, first.w,
+                                   last.w);
+    }
+    return normalize(from);
+}
+
 /* Returns a crossing of an inclusion by a way in the ice, or in a bubble; `n` is the interpolated
  * normal of a crack in the object's space, `eta` the index of ice over that of the outside. */
 trace_cross trace_inclusion_at(trace_way way, trace_hit hit, vec3 n, float eta)
 {
     trace_cross c;
     vec3 point = trace_unposed_point(way.origin + hit.t * way.dir, hit.part);
-    vec4 sphere = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * hit.triangle));
     vec3 facet = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
     c.is_thin = facet != vec3(0.0);
     if (c.is_thin) {
         n = trace_crack_normal(normalize(n), point);
     } else {
-        facet = normalize(point - sphere.xyz);
+        facet = trace_bubble_normal(hit.triangle, point);
         n = facet;
     }
     c.facet = trace_posed(facet, hit.part);

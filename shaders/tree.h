@@ -14,7 +14,8 @@
  * number is 1 if TREE_EXTRA_WORDS more follow: three tangents with their sides, and the second u
  * and v.
  *
- * A bubble is a triangle whose rows are its centre and radius, nothing, and (0, 0, 0, radius).
+ * A bubble is a triangle whose rows are its centre and `stretch` (src/scene/bubble.h), its axis and
+ * 1 for a capsule, and (0, 0, 0, radius).
  *
  * Where a scene has more than TREE_SHELLS_FEW objects, a word for each rank is behind the corners,
  * the one of rank 0 for the outside: its first number is the object's medium, from 1 on.

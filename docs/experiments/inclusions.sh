@@ -54,6 +54,8 @@ truth plain-truth
 row plain plain-truth
 truth bubbles-truth bubbles.count=40
 row bubbles bubbles-truth bubbles.count=40
+truth shapes-truth 'bubbles.count=40 bubbles.shape=mixed'
+row shapes shapes-truth 'bubbles.count=40 bubbles.shape=mixed'
 truth cracks-truth cracks.count=4
 row cracks-off cracks-truth
 for clip in convex interval precut; do

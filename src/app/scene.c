@@ -191,6 +191,19 @@ static void warn_of_materials(const struct app_picture *picture, const struct sc
                     picture->scene.name, scene->model.object_count, words);
 }
 
+static void warn_of_bubbles(const struct app_picture *picture, const struct scene *scene)
+{
+    if (!picture->rung->rung.rows || picture->rung->rung.meets_tree)
+        return;
+    for (uint32_t i = 0; i < scene->bubbles.count; i++) {
+        if (bubble_is_sphere(&scene->bubbles.all[i]))
+            continue;
+        log_warning("bubbles.shape: drawn as spheres of the same volume; --refraction trace draws "
+                    "what they are");
+        return;
+    }
+}
+
 /* Returns whether a corner of the surroundings is well inside the box of the first object. */
 static bool holds_surroundings(const struct model *model)
 {
@@ -272,6 +285,7 @@ void app_choose_rung(struct app_picture *picture, const struct scene *scene,
                     picture->scene.name, picture->rung->rung.name);
     if (picture->rung->rung.rows && air_is_medium(&picture->scene.settings))
         log_warning("air.model=medium: drawn as planes; --refraction reference draws a medium");
+    warn_of_bubbles(picture, scene);
 }
 
 /* Whoever made a file may not have meant it to be ice. */
@@ -345,7 +359,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
     const struct motion_params *motion = settings_of(&given->settings, &motion_settings);
     const struct bump_params *bumps = settings_of(&given->settings, &bump_settings);
     const struct air_params *planes = settings_of(&given->settings, &air_settings);
-    const struct bubbles_params *spheres = settings_of(&given->settings, &bubbles_settings);
+    const struct bubbles_params *holes = settings_of(&given->settings, &bubbles_settings);
     const struct cracks_params *sheets = settings_of(&given->settings, &cracks_settings);
     const struct pool_params *pool = settings_of(&given->settings, &pool_settings);
     const bool is_at_rest = given->animation && !strcmp(given->animation, "none");
@@ -370,7 +384,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
         .mover_count = motion->count,
         .air = { planes->count, planes->seed, planes->size, planes->frequency },
         .has_depth = air_is_medium(&given->settings),
-        .bubbles = { spheres->count, spheres->seed, spheres->size },
+        .bubbles = { holes->count, holes->seed, holes->size, holes->shape, holes->stretch },
         .bump = bump.is_on(&given->settings) || frost.is_on(&given->settings) ? maps : NULL,
         .cracks = { sheets->count, sheets->seed, sheets->clip == CRACKS_CLIP_PRECUT },
         .decode = &given->reader,

@@ -62,6 +62,8 @@ uint32_t frame_trace_constant(const struct scene *scene, const struct settings *
     const uint32_t count = object_count(scene);
     uint32_t bits = objects_constant(scene, settings);
     bits |= scene->bubbles.count || scene->cracks.index_count ? TRACE_HAS_INCLUSIONS : 0;
+    for (uint32_t i = 0; i < scene->bubbles.count; i++)
+        bits |= bubble_is_sphere(&scene->bubbles.all[i]) ? 0 : TRACE_HAS_SHAPES;
     if (count == 1 && scene->tree && scene->tree->is_closed && !(bits & TRACE_HAS_MEDIA))
         bits |= scene->is_convex ? TRACE_IS_CONVEX | TRACE_HAS_CULLING : TRACE_HAS_CULLING;
     for (uint32_t i = 0; i < model->material_count; i++) {
@@ -92,8 +94,7 @@ static void fill_medium(vec4s *texels, const struct frame_medium *medium)
 static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
 {
     for (uint32_t i = 0; i < bubbles->count; i++) {
-        const struct bubbles_sphere *s = &bubbles->spheres[i];
-        if (glms_vec3_distance2(s->center, point) < s->radius * s->radius)
+        if (bubble_holds(&bubbles->all[i], point))
             return true;
     }
     return false;

@@ -92,37 +92,29 @@ static bool has_holes(const struct model *model, const struct mesh *mesh)
 static void bound_bubble(const struct RTCBoundsFunctionArguments *args)
 {
     const struct bvh *bvh = args->geometryUserPtr;
-    const struct bubbles_sphere *s = &bvh->bubbles[args->primID];
-    const float reach = 1.0001f * s->radius + 1e-6f * glms_vec3_norm(s->center);
+    const struct bubble *bubble = &bvh->bubbles[args->primID];
+    const struct box box = bubble_box(bubble);
+    const float room =
+        1e-4f * glms_vec3_distance(box.min, box.max) + 1e-6f * glms_vec3_norm(bubble->center);
     *args->bounds_o = (struct RTCBounds){
-        .lower_x = s->center.x - reach,
-        .lower_y = s->center.y - reach,
-        .lower_z = s->center.z - reach,
-        .upper_x = s->center.x + reach,
-        .upper_y = s->center.y + reach,
-        .upper_z = s->center.z + reach,
+        .lower_x = box.min.x - room,
+        .lower_y = box.min.y - room,
+        .lower_z = box.min.z - room,
+        .upper_x = box.max.x + room,
+        .upper_y = box.max.y + room,
+        .upper_z = box.max.z + room,
     };
 }
 
-/* Finds the distances at which a ray enters and leaves a sphere. Returns false if it misses. */
-static bool cross_sphere(const struct RTCRay *ray, const struct bubbles_sphere *s, double at[2])
+/* Embree's rays are rows of floats. */
+static vec3s origin_of(const struct RTCRay *ray)
 {
-    const double from[3] = { (double)ray->org_x - (double)s->center.x,
-                             (double)ray->org_y - (double)s->center.y,
-                             (double)ray->org_z - (double)s->center.z };
-    const double dir[3] = { (double)ray->dir_x, (double)ray->dir_y, (double)ray->dir_z };
-    double a = 0.0, b = 0.0, c = -(double)s->radius * (double)s->radius;
-    for (int k = 0; k < 3; k++) {
-        a += dir[k] * dir[k];
-        b += dir[k] * from[k];
-        c += from[k] * from[k];
-    }
-    const double root2 = b * b - a * c;
-    if (root2 < 0.0)
-        return false;
-    at[0] = (-b - sqrt(root2)) / a;
-    at[1] = (-b + sqrt(root2)) / a;
-    return true;
+    return (vec3s){ { ray->org_x, ray->org_y, ray->org_z } };
+}
+
+static vec3s dir_of(const struct RTCRay *ray)
+{
+    return (vec3s){ { ray->dir_x, ray->dir_y, ray->dir_z } };
 }
 
 static void meet_bubble(const struct RTCIntersectFunctionNArguments *args)
@@ -132,7 +124,8 @@ static void meet_bubble(const struct RTCIntersectFunctionNArguments *args)
     struct RTCRayHit *rayhit = (struct RTCRayHit *)(void *)args->rayhit;
     const double near = (double)rayhit->ray.tnear;
     double at[2];
-    if (!args->valid[0] || !cross_sphere(&rayhit->ray, &bvh->bubbles[args->primID], at))
+    if (!args->valid[0] || !bubble_cross(&bvh->bubbles[args->primID], origin_of(&rayhit->ray),
+                                         dir_of(&rayhit->ray), at))
         return;
     const bool is_own = from->part == BVH_BUBBLES && from->from == args->primID;
     if (is_own && !from->is_inside)
@@ -199,11 +192,11 @@ static bool add_bubbles(struct bvh *bvh, RTCDevice device)
     if (!bvh->bubbles)
         return false;
     for (uint32_t i = 0; i < bubbles->count; i++) {
-        const struct bubbles_sphere *s = &bubbles->spheres[i];
-        bvh->bubbles[i] = (struct bubbles_sphere){
-            glms_mat4_mulv3(bvh->radiance->globals->world_from_object, s->center, 1.0f),
-            s->radius,
-        };
+        const mat4s pose = bvh->radiance->globals->world_from_object;
+        struct bubble *bubble = &bvh->bubbles[i];
+        *bubble = bubbles->all[i];
+        bubble->center = glms_mat4_mulv3(pose, bubble->center, 1.0f);
+        bubble->axis = glms_mat4_mulv3(pose, bubble->axis, 0.0f);
     }
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, bubbles->count);
@@ -363,28 +356,19 @@ static void find_tangents(const struct bvh_part *part, struct bvh_hit *hit, int 
         area);
 }
 
-/* Returns the hit of a ray with a sphere: a point that is exactly on it. */
 static struct bvh_hit bubble_hit(const struct bvh *bvh, const struct RTCRayHit *rayhit)
 {
     const struct RTCRay *ray = &rayhit->ray;
-    const struct bubbles_sphere *s = &bvh->bubbles[rayhit->hit.primID];
-    double out[3] = { (double)ray->org_x - (double)s->center.x,
-                      (double)ray->org_y - (double)s->center.y,
-                      (double)ray->org_z - (double)s->center.z };
-    add_scaled(out, (double)ray->tfar, (vec3s){ { ray->dir_x, ray->dir_y, ray->dir_z } });
-    const double length = sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
-    double at[3];
-    for (int k = 0; k < 3; k++) {
-        out[k] /= length;
-        at[k] = (double)s->center.raw[k] + (double)s->radius * out[k];
-    }
+    const struct bubble *bubble = &bvh->bubbles[rayhit->hit.primID];
+    const struct bubble_face face =
+        bubble_face_at(bubble, origin_of(ray), dir_of(ray), (double)ray->tfar);
     return (struct bvh_hit){
         .part = BVH_BUBBLES,
         .triangle = rayhit->hit.primID,
         .object = frame_media_count(bvh->radiance->scene),
         .distance = ray->tfar,
-        .facet = rounded(out),
-        .surface = { .position = rounded(at), .normal = rounded(out) },
+        .facet = face.normal,
+        .surface = { .position = face.position, .normal = face.normal },
     };
 }
 

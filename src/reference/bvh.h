@@ -4,8 +4,8 @@
  * A ray that begins on an object's surface does not intersect the triangle on which it begins, nor,
  * very near or if it is astray, faces of that object that it could only see from the other side.
  * Cracks and planes of air are not intersected where they are nearer to its origin than `hair`,
- * nor are holes of cut-out materials. Bubbles are exact spheres: a ray that begins on one meets it
- * again only where it leaves its inside.
+ * nor are holes of cut-out materials. Bubbles are exact (src/scene/bubble.h): a ray that begins on
+ * one meets it again only where it leaves its inside.
  *
  * Thread-safety: several threads may call bvh_meet() at the same time.
  */
@@ -65,7 +65,7 @@ struct bvh {
         const vec3s *positions; /* in the world; owned by Embree's scene */
     } parts[BVH_MESH_COUNT];
 
-    struct bubbles_sphere *bubbles; /* in the world; NULL: none */
+    struct bubble *bubbles; /* in the world; NULL: none */
 };
 
 /*

@@ -466,7 +466,7 @@ void scene_finish(struct scene *scene)
     depth_field_finish(&scene->depth);
     mesh_finish(&scene->air);
     free(scene->air_layers.texels);
-    free(scene->bubbles.spheres);
+    free(scene->bubbles.all);
     mesh_finish(&scene->cracks);
     *scene = (struct scene){ 0 };
 }

@@ -58,10 +58,10 @@ static uint32_t triangle_count(const struct part *part)
 }
 
 /* Returns a triangle's bubble, or NULL. */
-static const struct bubbles_sphere *bubble_of(const struct part *part, uint32_t triangle)
+static const struct bubble *bubble_of(const struct part *part, uint32_t triangle)
 {
     const uint32_t count = triangle_count(part);
-    return triangle < count || !part->bubbles ? NULL : &part->bubbles->spheres[triangle - count];
+    return triangle < count || !part->bubbles ? NULL : &part->bubbles->all[triangle - count];
 }
 
 static const struct mesh_vertex *corner(const struct part *part, uint32_t triangle, uint32_t k)
@@ -72,10 +72,12 @@ static const struct mesh_vertex *corner(const struct part *part, uint32_t triang
 static struct tree_box box_of(const struct part *part, uint32_t triangle)
 {
     struct tree_box box;
-    const struct bubbles_sphere *bubble = bubble_of(part, triangle);
+    const struct bubble *bubble = bubble_of(part, triangle);
+    const struct box around = bubble ? bubble_box(bubble) : (struct box){ 0 };
     for (int k = 0; k < 3 && bubble; k++) {
-        box.low[k] = bubble->center.raw[k] - 1.0001f * bubble->radius;
-        box.high[k] = bubble->center.raw[k] + 1.0001f * bubble->radius;
+        const float room = 1e-4f * (around.max.raw[k] - around.min.raw[k]);
+        box.low[k] = around.min.raw[k] - room;
+        box.high[k] = around.max.raw[k] + room;
     }
     for (int k = 0; k < 3 && !bubble; k++) {
         const float a = corner(part, triangle, 0)->position.raw[k];
@@ -116,11 +118,11 @@ static void put_triangle(struct tree_words *words, const struct part *part, uint
     }
 }
 
-static void put_bubble(struct tree_words *words, const struct bubbles_sphere *bubble)
+static void put_bubble(struct tree_words *words, const struct bubble *bubble)
 {
     static const float zero[3] = { 0 };
-    put(words->all[words->count++], bubble->center.raw, bits(bubble->radius));
-    put(words->all[words->count++], zero, 0);
+    put(words->all[words->count++], bubble->center.raw, bits(bubble->stretch));
+    put(words->all[words->count++], bubble->axis.raw, bits(bubble->is_capsule ? 1.0f : 0.0f));
     put(words->all[words->count++], zero, bits(bubble->radius));
 }
 

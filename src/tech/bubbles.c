@@ -1,5 +1,5 @@
 /*
- * bubbles.c: spheres of air in the ice, each drawn as a square whose fragments trace a ray.
+ * bubbles.c: bubbles of air in the ice, each drawn as a square whose fragments trace a ray.
  *
  * Closed forms of geometrical optics: with b the sine of the angle of incidence, light beyond
  * b = 1.0003 / 1.3091 is totally reflected, 41.6 % of the disc; other light leaves turned outward
@@ -7,12 +7,12 @@
  * and are drawn farthest first, sorted by the centre's squared distance less the squared radius,
  * which is exact for them.
  *
- * Limits: bubbles show the environment cube; the ice's surface bends neither the ray from the eye
- * nor the ray from the bubble. Because the picture behind is already bent, transmitted light counts
- * only by the squared sine of its angle inside (bubble_cover), so that the middle of a bubble shows
- * the picture behind it, where a true bubble shows it smaller. Light that is reflected inside the
- * bubble is treated as transmitted. A bubble around the eye is invisible. Convex objects only, as
- * for ice_depth.
+ * Limits: ellipsoids and capsules are drawn as spheres of the same volume. Bubbles show the
+ * environment cube; the ice's surface bends neither the ray from the eye nor the ray from the
+ * bubble. Because the picture behind is already bent, transmitted light counts only by the squared
+ * sine of its angle inside (bubble_cover), so that the middle of a bubble shows the picture behind
+ * it, where a true bubble shows it smaller. Light that is reflected inside the bubble is treated as
+ * transmitted. A bubble around the eye is invisible. Convex objects only, as for ice_depth.
  */
 #include "src/tech/bubbles.h"
 #include <cglm/struct.h>
@@ -78,6 +78,10 @@ static void record_spheres(struct rg_cmd *cmd, const struct rg_frame *frame)
         rg_cmd_draw(cmd, 6 * frame->scene->bubbles.count);
 }
 
+static const char *const shape_names[] = {
+    "sphere", "prolate", "oblate", "capsule", "mixed", NULL
+};
+
 static const struct setting rows[] = {
     {
         .name = "bubbles.count",
@@ -106,6 +110,27 @@ static const struct setting rows[] = {
         .max = 0.5,
         .affects = SETTING_AFFECTS_SCENE,
         .help = "diameter of the largest bubbles, relative to the object's diagonal",
+    },
+    {
+        .name = "bubbles.shape",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct bubbles_params, shape),
+        .initial = GENERATE_BUBBLES_SPHERE,
+        .max = GENERATE_BUBBLES_SHAPE_COUNT - 1,
+        .choices = shape_names,
+        .affects = SETTING_AFFECTS_SCENE,
+        .help = "spheres, long or flat ellipsoids, capsules or a mixture; only trace and reference "
+                "draw others than spheres",
+    },
+    {
+        .name = "bubbles.stretch",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct bubbles_params, stretch),
+        .initial = 3,
+        .min = 1,
+        .max = 20,
+        .affects = SETTING_AFFECTS_SCENE,
+        .help = "longest diameter of bubbles that are no spheres, relative to their shortest",
     },
 };
 
@@ -140,7 +165,7 @@ void bubbles_write(void *memory, const struct frame_view *view, const struct glo
     struct bubbles_sphere *sorted = memory;
     struct far_sphere order[BUBBLES_COUNT_MAX];
     for (uint32_t i = 0; i < all->count; i++) {
-        struct bubbles_sphere s = all->spheres[i];
+        struct bubbles_sphere s = bubble_ball(&all->all[i]);
         s.center = glms_mat4_mulv3(globals->world_from_object, s.center, 1.0f);
         const vec3s to = glms_vec3_sub(s.center, globals->eye);
         const float power = view->camera.height > 0.0f ? glms_vec3_dot(to, globals->forward)

@@ -18,7 +18,9 @@ extern const struct setting_group bubbles_settings;
 
 struct bubbles_params {
     uint32_t count, seed; /* number of bubbles; seed of their places and sizes */
-    float size;           /* diameter of the largest, in diagonals of the object's box */
+    float size;           /* longest diameter of the largest, in diagonals of the object's box */
+    uint32_t shape;       /* enum generate_bubbles_shape */
+    float stretch;        /* longest diameter by the shortest; not of spheres */
 };
 
 #endif

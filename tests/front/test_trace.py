@@ -68,10 +68,11 @@ class Trace(Case):
         inclusions = ('--set', 'bubbles.count=60', '--set', 'bubbles.size=0.1', '--set',
                       'cracks.count=2')
         rays = ('--set', 'trace.surroundings=rays')
-        for more in (('--set', 'motion.time=1', '--set', 'absorb.red=20'),
+        shapes = ('--set', 'bubbles.shape=mixed')
+        for more in (('--set', 'motion.time=1', '--set', 'absorb.red=20', *shapes),
                      ('--eye', '0.002,0.03,0.001', '--target', '0.01,0.02,0')):
             self.check(0.003, 'ice-cube', *SIZE, *inclusions, *rays, *more)
-        for more in ((), rays):
+        for more in ((), (*rays, *shapes)):
             light = self.planes('ice-cube', *WHITE, *SIZE, '-r', 'trace', *inclusions, *more)
             self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
 

@@ -6,7 +6,6 @@
  */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "tests/support/check.h"
 #include "tests/support/lavapipe.h"
@@ -23,9 +22,10 @@ static struct scene open_scene(const struct bubbles_sphere *spheres, uint32_t co
     const vec3s center = { { 0, 0, 0 } };
     struct scene scene = picture_sphere_scene(center, 4000);
     picture_use_directions(&scene, 1024);
-    scene.bubbles.spheres = calloc(count, sizeof(*spheres));
-    assert_non_null(scene.bubbles.spheres);
-    memcpy(scene.bubbles.spheres, spheres, count * sizeof(*spheres));
+    scene.bubbles.all = calloc(count, sizeof(*scene.bubbles.all));
+    assert_non_null(scene.bubbles.all);
+    for (uint32_t i = 0; i < count; i++)
+        scene.bubbles.all[i] = (struct bubble){ spheres[i].center, spheres[i].radius };
     scene.bubbles.count = count;
     return scene;
 }

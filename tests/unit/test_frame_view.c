@@ -248,7 +248,10 @@ static void test_bubbles_are_sorted(void **state)
         { { { 0.0f, 0.0f, 0.0f } }, 0.8f },
         { { { 0.9f, 0.0f, 0.15f } }, 0.1f },
     };
-    const struct scene scene = { .bubbles = { spheres, 3 } };
+    struct bubble all[3];
+    for (int i = 0; i < 3; i++)
+        all[i] = (struct bubble){ spheres[i].center, spheres[i].radius };
+    const struct scene scene = { .bubbles = { all, 3 } };
     const struct frame_view view = { .scene = &scene };
     struct bubbles_sphere sorted[3];
     struct globals globals = { .world_from_object = glms_mat4_identity(),

@@ -1,9 +1,10 @@
-/* test_generate_bubbles.c: spheres within the object that do not overlap. */
+/* test_generate_bubbles.c: bubbles within the object that do not overlap, and their shapes. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "src/scene/generate/generate.h"
+#include "src/scene/generate/random.h"
 #include "tests/support/check.h"
 
 static void make(struct bubbles *bubbles, const struct mesh *mesh, uint32_t count, float size)
@@ -15,10 +16,10 @@ static void make(struct bubbles *bubbles, const struct mesh *mesh, uint32_t coun
 static void check_apart(const struct bubbles *bubbles, float largest)
 {
     for (uint32_t i = 0; i < bubbles->count; i++) {
-        const struct bubbles_sphere a = bubbles->spheres[i];
+        const struct bubble a = bubbles->all[i];
         assert_true(a.radius > 0 && a.radius <= largest);
         for (uint32_t k = 0; k < i; k++) {
-            const struct bubbles_sphere b = bubbles->spheres[k];
+            const struct bubble b = bubbles->all[k];
             assert_true(glms_vec3_distance(a.center, b.center) >= a.radius + b.radius);
         }
     }
@@ -34,7 +35,7 @@ static void check_inside_convex(const struct bubbles *bubbles, const struct mesh
         const vec3s c = mesh->vertices[corners[2]].position;
         const vec3s normal = glms_vec3_crossn(glms_vec3_sub(b, a), glms_vec3_sub(c, a));
         for (uint32_t i = 0; i < bubbles->count; i++) {
-            const struct bubbles_sphere s = bubbles->spheres[i];
+            const struct bubble s = bubbles->all[i];
             assert_true(glms_vec3_dot(normal, glms_vec3_sub(s.center, a)) + s.radius < 1e-5F);
         }
     }
@@ -56,9 +57,9 @@ static void whole_inside_a_sphere(void **state)
     check_apart(&many, 0.02F * box_diagonal(mesh_box(&mesh)) / 2);
     check_inside_convex(&few, &mesh);
     check_inside_convex(&many, &mesh);
-    free(few.spheres);
-    free(many.spheres);
-    free(none.spheres);
+    free(few.all);
+    free(many.all);
+    free(none.all);
     mesh_finish(&mesh);
 }
 
@@ -117,7 +118,7 @@ static void inside_a_body_with_a_hole(void **state)
     check_apart(&bubbles, 0.02F * box_diagonal(mesh_box(&mesh)) / 2);
     uint32_t quarters[4] = { 0 };
     for (uint32_t i = 0; i < bubbles.count; i++) {
-        const vec3s c = bubbles.spheres[i].center;
+        const vec3s c = bubbles.all[i].center;
         const float away = fmaxf(fabsf(c.x), fabsf(c.y));
         assert_true(away > block_side / 2 && away < 1.5F * block_side);
         assert_true(fabsf(c.z) < block_side / 2);
@@ -125,7 +126,7 @@ static void inside_a_body_with_a_hole(void **state)
     }
     for (int i = 0; i < 4; i++)
         assert_in_range(quarters[i], 75, 175);
-    free(bubbles.spheres);
+    free(bubbles.all);
     mesh_finish(&mesh);
 }
 
@@ -136,24 +137,152 @@ static void seeds_repeat(void **state)
     struct bubbles bubbles[3];
     assert_true(generate_ice_cube(&mesh, GENERATE_ICE_CUBE_TRIANGLES));
     for (uint32_t i = 0; i < 3; i++) {
-        const struct generate_bubbles params = { 100, i < 2 ? 1 : 2, 0.03F };
+        const struct generate_bubbles params = { .count = 100,
+                                                 .seed = i < 2 ? 1 : 2,
+                                                 .size = 0.03F };
         assert_true(generate_bubbles(&bubbles[i], &mesh, &params));
         assert_int_equal(bubbles[i].count, 100);
     }
-    const size_t size = 100 * sizeof(struct bubbles_sphere);
-    assert_memory_equal(bubbles[0].spheres, bubbles[1].spheres, size);
-    assert_memory_not_equal(bubbles[0].spheres, bubbles[2].spheres, size);
+    const size_t size = 100 * sizeof(struct bubble);
+    assert_memory_equal(bubbles[0].all, bubbles[1].all, size);
+    assert_memory_not_equal(bubbles[0].all, bubbles[2].all, size);
     for (uint32_t i = 0; i < 3; i++)
-        free(bubbles[i].spheres);
+        free(bubbles[i].all);
     mesh_finish(&mesh);
+}
+
+/* ---- shapes ---- */
+
+/* Whatever the shape, the places are the same, and the longest diameters. */
+static void shapes_keep_places(void **state)
+{
+    static const float stretch = 4;
+    struct mesh mesh = { 0 };
+    struct bubbles spheres, others;
+    uint32_t kinds[3] = { 0 };
+    (void)state;
+    assert_true(generate_ice_cube(&mesh, 1200));
+    make(&spheres, &mesh, 100, 0.1F);
+    const struct generate_bubbles params = {
+        .count = 100, .seed = 1, .size = 0.1F, .shape = GENERATE_BUBBLES_MIXED, .stretch = stretch
+    };
+    assert_true(generate_bubbles(&others, &mesh, &params));
+    assert_int_equal(others.count, spheres.count);
+    for (uint32_t i = 0; i < others.count; i++) {
+        const struct bubble *a = &spheres.all[i], *b = &others.all[i];
+        const float along = b->radius + b->stretch, longest = fmaxf(along, b->radius);
+        assert_memory_equal(&a->center, &b->center, sizeof(a->center));
+        CHECK_NEAR(longest, a->radius, 1e-6);
+        assert_true(bubble_ball(b).radius <= a->radius);
+        if (bubble_is_sphere(b))
+            continue;
+        CHECK_NEAR(longest / fminf(along, b->radius), stretch, 1e-4);
+        CHECK_NEAR(glms_vec3_norm(b->axis), 1, 1e-6);
+        assert_true(glms_vec3_dot(b->axis, glms_vec3_normalize(b->center)) > 0.9F);
+        assert_true(!b->is_capsule || b->stretch > 0);
+        kinds[b->is_capsule ? 2 : b->stretch < 0]++;
+    }
+    for (int i = 0; i < 3; i++)
+        assert_in_range(kinds[i], 10, 40);
+    free(spheres.all);
+    free(others.all);
+    mesh_finish(&mesh);
+}
+
+/* One of each shape, along no axis of the world. */
+static struct bubble shape_of(uint32_t i)
+{
+    const struct bubble shapes[] = {
+        { .radius = 0.5F },
+        { .radius = 0.2F, .stretch = 0.6F },
+        { .radius = 0.9F, .stretch = -0.6F },
+        { .radius = 0.3F, .stretch = 0.5F, .is_capsule = true },
+    };
+    struct bubble bubble = shapes[i % 4];
+    bubble.center = (vec3s){ { 3, -2, 5 } };
+    bubble.axis = glms_vec3_normalize((vec3s){ { 1, 2, -2 } });
+    return bubble;
+}
+
+/* Where a ray is inside is where points are; its box and its faces touch it. */
+static void rays_and_points(void **state)
+{
+    uint32_t crossed = 0;
+    (void)state;
+    for (uint32_t i = 0; i < 4000; i++) {
+        struct random random = random_begin(1, i);
+        const struct bubble bubble = shape_of(i);
+        const struct box box = bubble_box(&bubble);
+        const vec3s out = random_box(&random), to = random_box(&random);
+        const vec3s origin = glms_vec3_muladds(out, 3, bubble.center);
+        vec3s dir = glms_vec3_sub(glms_vec3_muladds(to, 0.9F, bubble.center), origin);
+        if (i % 11 < 4) /* some along the axis */
+            dir = glms_vec3_scale(bubble.axis, 2);
+        double at[2] = { 2, 2 };
+        const bool is_met = bubble_cross(&bubble, origin, dir, at);
+        for (int k = 0; k <= 400; k++) {
+            const double t = -2 + k * 0.01;
+            const vec3s point = glms_vec3_muladds(dir, (float)t, origin);
+            if (fabs(t - at[0]) > 1e-4 && fabs(t - at[1]) > 1e-4)
+                assert_int_equal(bubble_holds(&bubble, point), is_met && t > at[0] && t < at[1]);
+        }
+        for (int k = 0; k < 2 && is_met; k++) {
+            const struct bubble_face face = bubble_face_at(&bubble, origin, dir, at[k]);
+            const vec3s in = glms_vec3_muladds(face.normal, -1e-4F, face.position);
+            const vec3s beside = glms_vec3_muladds(face.normal, 1e-4F, face.position);
+            const vec3s met = glms_vec3_muladds(dir, (float)at[k], origin);
+            assert_true(glms_vec3_distance(met, face.position) < 1e-5F);
+            assert_true(bubble_holds(&bubble, in) && !bubble_holds(&bubble, beside));
+            assert_int_equal(k, glms_vec3_dot(face.normal, dir) > 0);
+            for (int axis = 0; axis < 3; axis++)
+                assert_true(face.position.raw[axis] > box.min.raw[axis] - 1e-5F &&
+                            face.position.raw[axis] < box.max.raw[axis] + 1e-5F);
+        }
+        crossed += is_met;
+    }
+    assert_in_range(crossed, 800, 3200);
+}
+
+/* Boxes are no larger than they must be, and balls have the volume of their bubbles. */
+static void boxes_and_balls(void **state)
+{
+    enum {
+        COUNT = 60, /* points along each side of the box */
+    };
+
+    (void)state;
+    for (uint32_t i = 0; i < 4; i++) {
+        const struct bubble bubble = shape_of(i);
+        const struct box box = bubble_box(&bubble);
+        const vec3s size = glms_vec3_sub(box.max, box.min);
+        struct box found = { bubble.center, bubble.center };
+        uint32_t inside = 0;
+        for (uint32_t k = 0; k < COUNT * COUNT * COUNT; k++) {
+            const vec3s share = { { ((float)(k % COUNT) + 0.5F) / COUNT,
+                                    ((float)(k / COUNT % COUNT) + 0.5F) / COUNT,
+                                    ((float)(k / COUNT / COUNT) + 0.5F) / COUNT } };
+            const vec3s point = glms_vec3_add(box.min, glms_vec3_mul(size, share));
+            if (!bubble_holds(&bubble, point))
+                continue;
+            found.min = glms_vec3_minv(found.min, point);
+            found.max = glms_vec3_maxv(found.max, point);
+            inside++;
+        }
+        const double radius = (double)bubble_ball(&bubble).radius;
+        const double volume = (double)(size.x * size.y * size.z);
+        CHECK_NEAR(4.18879 * radius * radius * radius, volume * inside / (COUNT * COUNT * COUNT),
+                   0.01 * volume);
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(found.max.raw[k] - found.min.raw[k], size.raw[k], 0.1 * (double)size.raw[k]);
+    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(whole_inside_a_sphere),
-        cmocka_unit_test(inside_a_body_with_a_hole),
-        cmocka_unit_test(seeds_repeat),
+        cmocka_unit_test(whole_inside_a_sphere), cmocka_unit_test(inside_a_body_with_a_hole),
+        cmocka_unit_test(seeds_repeat),          cmocka_unit_test(shapes_keep_places),
+        cmocka_unit_test(rays_and_points),       cmocka_unit_test(boxes_and_balls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

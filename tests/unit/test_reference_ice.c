@@ -40,12 +40,17 @@ static struct scene block_scene(void)
     return scene;
 }
 
-static void add_bubble(struct scene *scene, vec3s center, float radius)
+static void add_shape(struct scene *scene, struct bubble bubble)
 {
     struct bubbles *bubbles = &scene->bubbles;
-    bubbles->spheres = realloc(bubbles->spheres, (bubbles->count + 1) * sizeof(*bubbles->spheres));
-    assert_non_null(bubbles->spheres);
-    bubbles->spheres[bubbles->count++] = (struct bubbles_sphere){ center, radius };
+    bubbles->all = realloc(bubbles->all, (bubbles->count + 1) * sizeof(*bubbles->all));
+    assert_non_null(bubbles->all);
+    bubbles->all[bubbles->count++] = bubble;
+}
+
+static void add_bubble(struct scene *scene, vec3s center, float radius)
+{
+    add_shape(scene, (struct bubble){ center, radius });
 }
 
 /* Adds a sheet 40 m wide, in the plane z = at, that faces +Z. */
@@ -103,6 +108,85 @@ static void test_bubble(void **state)
         seen_look(&scene, &settings, (struct vec){ 0.77, 0, 0 }, seen_direction(0));
     CHECK_NEAR(rim.fresnel, 1, 0); /* beyond 1.0003 / 1.3091 */
     scene_finish(&scene);
+}
+
+/* Snell's law for an angle of incidence. */
+static double bent(double angle, double n1, double n2)
+{
+    return asin(n1 / n2 * sin(angle));
+}
+
+/* Returns the angle from -Z toward +X of light that has gone along -Z, at a distance `x` from the
+ * centre, through an ellipse of half axes `a`, turned by an angle from +X toward +Z, and `c`. */
+static double through_ellipse(double x, double a, double c, double turn)
+{
+    double cosine = cos(turn), sine = sin(turn), angle = 0;
+    /* in its own axes: the light's way, and where it is */
+    double at[2] = { x * cosine + 9 * sine, -x * sine + 9 * cosine };
+    for (int side = 0; side < 2; side++) {
+        const double dir[2] = { sin(angle) * cosine - cos(angle) * sine,
+                                -sin(angle) * sine - cos(angle) * cosine };
+        const double p = dir[0] * dir[0] / (a * a) + dir[1] * dir[1] / (c * c);
+        const double q = dir[0] * at[0] / (a * a) + dir[1] * at[1] / (c * c);
+        const double r = at[0] * at[0] / (a * a) + at[1] * at[1] / (c * c) - 1;
+        const double t = side ? -2 * q / p : (-q - sqrt(q * q - p * r)) / p;
+        at[0] += t * dir[0];
+        at[1] += t * dir[1];
+        /* of the normal, from +Z toward +X in the world; light from above it is turned */
+        const double normal = atan2(at[0] / (a * a), at[1] / (c * c)) - turn;
+        const double in = side ? angle + normal - SEEN_PI : angle + normal;
+        angle += side ? bent(in, air, ice) - in : bent(in, ice, air) - in;
+    }
+    return angle;
+}
+
+/* Ellipsoids, however they lie, and the three ways through a capsule. */
+static void test_shapes(void **state)
+{
+    static const double turns[] = { 0, 60, 90, 110 };
+    const struct settings settings = settings_default();
+    (void)state;
+    for (size_t i = 0; i < 11; i++) {
+        const double turn = turns[i % 4] * SEEN_PI / 180, x = 0.05 * ((double)i - 5);
+        const double stretch = i / 4 == 1 ? -0.5 : 1;
+        struct scene scene = block_scene();
+        add_shape(&scene, (struct bubble){
+                              .center = { { 1, 2, -5 } },
+                              .radius = 1,
+                              .stretch = (float)stretch,
+                              .axis = { { (float)cos(turn), 0, (float)sin(turn) } },
+                          });
+        const double out = outside_of(through_ellipse(x, 1 + stretch, 1, turn));
+        const struct seen seen =
+            seen_look(&scene, &settings, (struct vec){ 1 + x, 2, 0 }, seen_direction(0));
+        assert_true(vec_angle_deg(seen.exit, seen_direction(out)) < 0.001);
+        scene_finish(&scene);
+    }
+}
+
+/* Across it a capsule is a sphere, along it a pane; what enters its end leaves by its side. */
+static void test_capsule(void **state)
+{
+    const struct settings settings = settings_default();
+    struct bubble worm = { .center = { { 0, 0, -5 } }, .radius = 1, .stretch = 3 };
+    (void)state;
+    worm.is_capsule = true;
+    for (int axis = 0; axis < 3; axis++) {
+        struct scene scene = block_scene();
+        worm.axis = (vec3s){ { axis == 0, axis == 1, axis == 2 } };
+        add_shape(&scene, worm);
+        const double b = axis == 2 ? 0.6 : 0.4;
+        const double inner = asin(b) - bent(asin(b), ice, air); /* below 0: outward */
+        const double side = SEEN_PI / 2 - asin(air / ice * cos(inner));
+        const double turns[3] = { 0, -2 * inner, side };
+        const struct seen seen =
+            seen_look(&scene, &settings, (struct vec){ b, 0, 0 }, seen_direction(0));
+        assert_true(vec_angle_deg(seen.exit, seen_direction(outside_of(turns[axis]))) < 0.001);
+        CHECK_NEAR(seen.z, axis == 2 ? 2 - sqrt(1 - b * b) : 5 - (axis == 1 ? sqrt(1 - b * b) : 1),
+                   1e-6);
+        CHECK_NEAR(seen.fresnel, seen_fresnel(axis == 0 ? 0 : asin(b), ice, air), 1e-6);
+        scene_finish(&scene);
+    }
 }
 
 /* Where a bubble reaches out of the ice, its surface is between air and air; so is that of the ice
@@ -404,7 +488,9 @@ static void test_frost_is_roughness(void **state)
 /* A cube of ice with all that ice may have. */
 static struct scene whole_scene(void)
 {
-    const struct generate_bubbles bubbles = { .count = 30, .seed = 1, .size = 0.1F };
+    const struct generate_bubbles bubbles = {
+        .count = 30, .seed = 1, .size = 0.1F, .shape = GENERATE_BUBBLES_MIXED, .stretch = 3
+    };
     const struct generate_air planes = { 5, 1, 0.02F, 12 };
     const struct bump_maps_params bumps = { 0.4F, 0 };
     struct scene scene = { .background = SCENE_COLOR, .background_color = glms_vec3_one() };
@@ -488,6 +574,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bubble),
+        cmocka_unit_test(test_shapes),
+        cmocka_unit_test(test_capsule),
         cmocka_unit_test(test_bubble_in_the_surface),
         cmocka_unit_test(test_crack),
         cmocka_unit_test(test_crack_in_air),

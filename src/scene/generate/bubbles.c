@@ -1,4 +1,4 @@
-/* bubbles.c: spheres inside a closed mesh that do not overlap. */
+/* bubbles.c: bubbles inside a closed mesh, whose spheres do not overlap. */
 #include <assert.h>
 #include <cglm/struct.h>
 #include <math.h>
@@ -72,21 +72,47 @@ static float clearance(const struct mesh *mesh, vec3s point)
     return leaves[0] % 2 && leaves[1] % 2 && leaves[2] % 2 ? nearest : 0;
 }
 
+/* Returns the radius of the sphere around a bubble. */
+static float reach(const struct bubble *bubble)
+{
+    return bubble->radius + fmaxf(bubble->stretch, 0);
+}
+
 static bool is_free(const struct bubbles *bubbles, vec3s center, float radius)
 {
     for (uint32_t i = 0; i < bubbles->count; i++) {
-        const struct bubbles_sphere *other = &bubbles->spheres[i];
-        if (glms_vec3_distance(center, other->center) < radius + other->radius)
+        const struct bubble *other = &bubbles->all[i];
+        if (glms_vec3_distance(center, other->center) < radius + reach(other))
             return false;
     }
     return true;
 }
 
+/* Makes a bubble of a sphere that is around it. Its axis is that along which ice grows, to the
+ * middle, within some 11 degrees. */
+static struct bubble shape_bubble(struct bubble bubble, const struct generate_bubbles *params,
+                                  vec3s middle, struct random *random)
+{
+    enum generate_bubbles_shape shape = params->shape;
+    if (shape == GENERATE_BUBBLES_MIXED)
+        shape = (enum generate_bubbles_shape)(random_unit(random) * GENERATE_BUBBLES_MIXED);
+    if (shape == GENERATE_BUBBLES_SPHERE)
+        return bubble;
+    const float thin = bubble.radius / params->stretch;
+    const vec3s out = glms_vec3_normalize(glms_vec3_sub(bubble.center, middle));
+    bubble.axis = glms_vec3_normalize(glms_vec3_muladds(random_box(random), 0.2f, out));
+    bubble.is_capsule = shape == GENERATE_BUBBLES_CAPSULE;
+    bubble.stretch = shape == GENERATE_BUBBLES_OBLATE ? thin - bubble.radius : bubble.radius - thin;
+    bubble.radius = shape == GENERATE_BUBBLES_OBLATE ? bubble.radius : thin;
+    return bubble;
+}
+
 /* Adds a bubble at a random place with enough room; returns false if none is found. In a convex
  * object the octahedron whose half diagonals are the clearance is inside, and so is the ball in
  * it. */
-static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh, struct box box,
-                       float radius, struct random *random)
+static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh,
+                       const struct generate_bubbles *params, struct box box, float radius,
+                       struct random *random)
 {
     const vec3s half = glms_vec3_scale(glms_vec3_sub(box.max, box.min), 0.5f);
     for (int i = 0; i < ATTEMPTS; i++) {
@@ -96,7 +122,8 @@ static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh, struct 
             continue;
         if (clearance(mesh, center) < radius * 1.7320508f)
             continue;
-        bubbles->spheres[bubbles->count++] = (struct bubbles_sphere){ center, radius };
+        bubbles->all[bubbles->count++] =
+            shape_bubble((struct bubble){ center, radius }, params, box_center(box), random);
         return true;
     }
     return false;
@@ -108,15 +135,15 @@ bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
     const struct box box = mesh_box(object);
     const float largest = params->size * box_diagonal(box) / 2;
     assert(params->count <= BUBBLES_COUNT_MAX);
-    *bubbles = (struct bubbles){ .spheres = calloc(params->count, sizeof(*bubbles->spheres)) };
-    if (!bubbles->spheres)
+    *bubbles = (struct bubbles){ .all = calloc(params->count, sizeof(*bubbles->all)) };
+    if (!bubbles->all)
         return false;
     uint32_t failures = 0;
     for (uint32_t i = 0; i < params->count && failures < FAILURES_MAX; i++) {
         struct random random = random_begin(params->seed, i);
         const float u = random_unit(&random);
         const float radius = largest * (0.2f + 0.8f * u * u * u);
-        failures = add_bubble(bubbles, object, box, radius, &random) ? 0 : failures + 1;
+        failures = add_bubble(bubbles, object, params, box, radius, &random) ? 0 : failures + 1;
     }
     return true;
 }

@@ -13,7 +13,7 @@
 #ifndef FIRN_SCENE_GENERATE_GENERATE_H
 #define FIRN_SCENE_GENERATE_GENERATE_H
 
-#include "shaders/bubbles.h"
+#include "src/scene/bubble.h"
 #include "src/scene/mesh.h"
 
 enum {
@@ -110,21 +110,33 @@ bool generate_air_cut(struct mesh *planes, const struct mesh *object);
  * memory; *layers is then {0}. */
 bool generate_air_layers(struct air_layers *layers, const struct generate_air *air);
 
-struct generate_bubbles {
-    uint32_t count, seed; /* number of bubbles, from 1 to BUBBLES_COUNT_MAX */
-    float size;           /* diameter of the largest, in diagonals of the object's box */
+enum generate_bubbles_shape {
+    GENERATE_BUBBLES_SPHERE,
+    GENERATE_BUBBLES_PROLATE, /* long ellipsoids */
+    GENERATE_BUBBLES_OBLATE,  /* flat ellipsoids */
+    GENERATE_BUBBLES_CAPSULE,
+    GENERATE_BUBBLES_MIXED, /* each of the shapes above */
+    GENERATE_BUBBLES_SHAPE_COUNT,
 };
 
-/* Spheres in the object's space that do not overlap. */
+struct generate_bubbles {
+    uint32_t count, seed; /* number of bubbles, from 1 to BUBBLES_COUNT_MAX */
+    float size;           /* longest diameter of the largest, in diagonals of the object's box */
+    enum generate_bubbles_shape shape;
+    float stretch; /* longest diameter by the shortest, from 1 on; not of spheres */
+};
+
+/* Bubbles in the object's space that do not overlap. */
 struct bubbles {
-    struct bubbles_sphere *spheres; /* the caller frees it */
+    struct bubble *all; /* the caller frees it */
     uint32_t count;
 };
 
 /*
- * Many small spheres and few large ones in a closed mesh: the whole spheres are inside if it is
- * convex, else at least their centres. Spheres that fit nowhere are left out. Returns false when
- * out of memory; *bubbles is then {0}.
+ * Many small bubbles and few large ones in a closed mesh: the whole spheres around them are inside
+ * if it is convex, else at least their centres. Bubbles that fit nowhere are left out. Their axes
+ * point more or less to the middle. The shape changes neither the places nor the longest diameters.
+ * Returns false when out of memory; *bubbles is then {0}.
  */
 bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
                       const struct generate_bubbles *params);

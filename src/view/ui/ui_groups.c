@@ -37,6 +37,8 @@ static const struct {
     { UI_INSIDE, "cracks.count" },
     { UI_INSIDE, "bubbles.count" },
     { UI_INSIDE, "bubbles.size" },
+    { UI_INSIDE, "bubbles.shape" },
+    { UI_INSIDE, "bubbles.stretch" },
     { UI_INSIDE, "air.count" },
     { UI_INSIDE, "air.strength" },
     { UI_INSIDE, "air.haze" },

@@ -1,0 +1,191 @@
+/* bubble.c: points and rays of a bubble, in double: bubbles are small and far from the eye. */
+#include "src/scene/bubble.h"
+#include <math.h>
+
+/* Returns the share of `axis` in a vector. */
+static double share(const struct bubble *bubble, const double v[static 3])
+{
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++)
+        sum += (double)bubble->axis.raw[k] * v[k];
+    return sum;
+}
+
+static void add_axis(const struct bubble *bubble, double factor, double v[static 3])
+{
+    for (int k = 0; k < 3; k++)
+        v[k] += factor * (double)bubble->axis.raw[k];
+}
+
+static double length_of(const double v[static 3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* Makes vectors shorter or longer along the axis, so that an ellipsoid becomes a sphere. */
+static void to_sphere(const struct bubble *bubble, double v[static 3])
+{
+    const double radius = (double)bubble->radius;
+    const double along = share(bubble, v);
+    add_axis(bubble, (radius / (radius + (double)bubble->stretch) - 1.0) * along, v);
+}
+
+/* Subtracts the point of the core that is nearest to it, and makes a sphere of what is around the
+ * core: of a capsule, the core is a part of its axis; of an ellipsoid, its centre. On the surface
+ * the length is then the radius. Returns how far along the axis the core's point is. */
+static double reduce(const struct bubble *bubble, double v[static 3])
+{
+    const double half = (double)bubble->stretch;
+    if (!bubble->is_capsule) {
+        to_sphere(bubble, v);
+        return 0.0;
+    }
+    const double along = fmin(fmax(share(bubble, v), -half), half);
+    add_axis(bubble, -along, v);
+    return along;
+}
+
+struct box bubble_box(const struct bubble *bubble)
+{
+    const float radius = bubble->radius;
+    const float reach = radius + bubble->stretch;
+    struct box box;
+    for (int k = 0; k < 3; k++) {
+        const float along = bubble->axis.raw[k];
+        const float room =
+            bubble->is_capsule
+                ? radius + bubble->stretch * fabsf(along)
+                : sqrtf(radius * radius + (reach * reach - radius * radius) * along * along);
+        box.min.raw[k] = bubble->center.raw[k] - room;
+        box.max.raw[k] = bubble->center.raw[k] + room;
+    }
+    return box;
+}
+
+struct bubbles_sphere bubble_ball(const struct bubble *bubble)
+{
+    const float radius = bubble->radius, stretch = bubble->stretch;
+    const float longer = (bubble->is_capsule ? 1.5f : 1.0f) * stretch / radius;
+    return (struct bubbles_sphere){
+        .center = bubble->center,
+        .radius = bubble_is_sphere(bubble) ? radius : radius * cbrtf(1.0f + longer),
+    };
+}
+
+bool bubble_holds(const struct bubble *bubble, vec3s point)
+{
+    double v[3];
+    for (int k = 0; k < 3; k++)
+        v[k] = (double)point.raw[k] - (double)bubble->center.raw[k];
+    reduce(bubble, v);
+    return length_of(v) < (double)bubble->radius;
+}
+
+/* ---- rays ---- */
+
+/* A ray from the centre on, in lengths of `dir`. */
+struct ray {
+    double from[3], dir[3];
+};
+
+static struct ray ray_of(const struct bubble *bubble, vec3s origin, vec3s dir)
+{
+    struct ray ray;
+    for (int k = 0; k < 3; k++) {
+        ray.from[k] = (double)origin.raw[k] - (double)bubble->center.raw[k];
+        ray.dir[k] = (double)dir.raw[k];
+    }
+    return ray;
+}
+
+/* Crosses a sphere around the centre; a ray without a direction is in it forever, or never. */
+static bool cross_sphere(const struct ray *ray, double radius, double at[static 2])
+{
+    double a = 0.0, b = 0.0, c = -radius * radius;
+    for (int k = 0; k < 3; k++) {
+        a += ray->dir[k] * ray->dir[k];
+        b += ray->dir[k] * ray->from[k];
+        c += ray->from[k] * ray->from[k];
+    }
+    const double root2 = b * b - a * c;
+    if (root2 < 0.0 || (!(a > 0.0) && c > 0.0))
+        return false;
+    at[0] = a > 0.0 ? (-b - sqrt(root2)) / a : -HUGE_VAL;
+    at[1] = a > 0.0 ? (-b + sqrt(root2)) / a : HUGE_VAL;
+    return true;
+}
+
+/* Crosses the cylinder between a capsule's ends. */
+static bool cross_cylinder(const struct bubble *bubble, const struct ray *ray, double at[static 2])
+{
+    const double half = (double)bubble->stretch;
+    const double along = share(bubble, ray->from), pace = share(bubble, ray->dir);
+    struct ray across = *ray;
+    add_axis(bubble, -along, across.from);
+    add_axis(bubble, -pace, across.dir);
+    if (!cross_sphere(&across, (double)bubble->radius, at))
+        return false;
+    if (!(fabs(pace) > 0.0))
+        return fabs(along) < half;
+    const double side = pace > 0.0 ? half : -half;
+    at[0] = fmax(at[0], (-side - along) / pace);
+    at[1] = fmin(at[1], (side - along) / pace);
+    return at[0] < at[1];
+}
+
+/* A capsule is a cylinder and two spheres. */
+static bool cross_capsule(const struct bubble *bubble, const struct ray *ray, double at[static 2])
+{
+    double part[3][2];
+    bool is_met[3] = { cross_cylinder(bubble, ray, part[0]) };
+    for (int end = 0; end < 2; end++) {
+        struct ray moved = *ray;
+        add_axis(bubble, (double)(end ? bubble->stretch : -bubble->stretch), moved.from);
+        is_met[1 + end] = cross_sphere(&moved, (double)bubble->radius, part[1 + end]);
+    }
+    at[0] = HUGE_VAL;
+    at[1] = -HUGE_VAL;
+    for (int i = 0; i < 3; i++) {
+        at[0] = is_met[i] ? fmin(at[0], part[i][0]) : at[0];
+        at[1] = is_met[i] ? fmax(at[1], part[i][1]) : at[1];
+    }
+    return at[0] <= at[1];
+}
+
+bool bubble_cross(const struct bubble *bubble, vec3s origin, vec3s dir, double at[static 2])
+{
+    struct ray ray = ray_of(bubble, origin, dir);
+    if (bubble->is_capsule)
+        return cross_capsule(bubble, &ray, at);
+    to_sphere(bubble, ray.from);
+    to_sphere(bubble, ray.dir);
+    return cross_sphere(&ray, (double)bubble->radius, at);
+}
+
+struct bubble_face bubble_face_at(const struct bubble *bubble, vec3s origin, vec3s dir, double at)
+{
+    const double radius = (double)bubble->radius;
+    const struct ray ray = ray_of(bubble, origin, dir);
+    double normal[3], point[3];
+    for (int k = 0; k < 3; k++)
+        normal[k] = ray.from[k] + at * ray.dir[k];
+    const double along = reduce(bubble, normal);
+    const double length = length_of(normal);
+    for (int k = 0; k < 3; k++) {
+        normal[k] /= length;
+        point[k] = radius * normal[k];
+    }
+    if (bubble->is_capsule) {
+        add_axis(bubble, along, point);
+    } else {
+        add_axis(bubble, (double)bubble->stretch * share(bubble, normal), point);
+        to_sphere(bubble, normal);
+    }
+    const double scale = 1.0 / length_of(normal);
+    struct bubble_face face;
+    for (int k = 0; k < 3; k++) {
+        face.position.raw[k] = (float)((double)bubble->center.raw[k] + point[k]);
+        face.normal.raw[k] = (float)(scale * normal[k]);
+    }
+    return face;
+}
