@@ -84,7 +84,7 @@ static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
     [RG_COPY_SRC] = 1 << 14, [RG_HOST_READ] = 1 << 15,
 };
 
-uint32_t rg_visibility(enum rg_access kind, VkPipelineStageFlags2 stages)
+static uint32_t visibility_of(enum rg_access kind, VkPipelineStageFlags2 stages)
 {
     uint32_t bit = visibility_bits[kind];
     if (!rg_is_shader_access(kind))
@@ -96,12 +96,31 @@ uint32_t rg_visibility(enum rg_access kind, VkPipelineStageFlags2 stages)
     return visibility;
 }
 
+struct access *rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
+                              VkPipelineStageFlags2 stages)
+{
+    const struct rg_access_info *info = &rg_access_table[kind];
+    a->resource = r;
+    a->declared = NULL;
+    a->cells = r->cells;
+    a->cell_count = r->cell_count;
+    a->range = r->all;
+    a->kind = kind;
+    a->flags = info->reads_content * (uint32_t)ACCESS_READS |
+               info->writes_content * (uint32_t)ACCESS_WRITES;
+    a->visibility = info->writes_content ? 0 : visibility_of(kind, stages);
+    a->layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED;
+    a->stages = stages;
+    a->mask = info->reads | info->writes;
+    return a;
+}
+
 struct access rg_boundary_access(struct resource *r, enum rg_access kind)
 {
     const struct rg_access_info *info = &rg_access_table[kind];
     bool shader = !info->stages && (info->reads || info->writes);
     struct access a;
-    rg_access_init(&a, r, kind, true, shader ? RG_ANY_SHADER : info->stages);
+    rg_access_init(&a, r, kind, shader ? RG_ANY_SHADER : info->stages);
     a.flags |= ACCESS_READS;
     return a;
 }
@@ -137,8 +156,9 @@ static enum rg_kind kind_of(const struct rg_pass *pass)
 
 VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use)
 {
-    if (rg_access_table[use->access].stages)
-        return rg_access_table[use->access].stages;
+    VkPipelineStageFlags2 fixed = rg_access_table[use->access].stages;
+    if (fixed)
+        return fixed;
     if (use->stages)
         return use->stages;
     if (kind_of(pass) == RG_RASTER && use->access != RG_UNIFORM)
@@ -146,23 +166,31 @@ VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_
     return stages_of_kind[kind_of(pass)];
 }
 
+static const char *buffer_trouble(const struct rg_use *use, const struct rg_access_info *info)
+{
+    if (!info->buffer_usage)
+        return "a buffer cannot be used so";
+    if (use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
+        return "the CPU writes this buffer; a pass may only read it";
+    if (use->access == RG_SAMPLED && !rg_format_info(use->buffer->format))
+        return "name the format of its texels (graph/compile/format.c)";
+    if (use->sampler)
+        return "texelFetch reads a buffer: name no sampler";
+    return NULL;
+}
+
 const char *rg_use_trouble(const struct rg_pass *pass, const struct rg_use *use)
 {
     const struct rg_access_info *info = &rg_access_table[use->access];
+    const char *trouble;
     if (!(kinds_of_use[use->access] & KIND_BIT(kind_of(pass))))
         return "this kind of pass cannot do that; targets go into .color and .depth";
     if (use->stages & ~stages_of_kind[kind_of(pass)])
         return "name only stages of the shaders that the pass has";
     if (use->image && !info->image_usage)
         return "an image cannot be used so";
-    if (use->buffer && !info->buffer_usage)
-        return "a buffer cannot be used so";
-    if (use->buffer && use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
-        return "the CPU writes this buffer; a pass may only read it";
-    if (use->buffer && use->access == RG_SAMPLED && !rg_format_info(use->buffer->format))
-        return "name the format of its texels (graph/compile/format.c)";
-    if (use->buffer && use->sampler)
-        return "texelFetch reads a buffer: name no sampler";
+    if (use->buffer && (trouble = buffer_trouble(use, info)))
+        return trouble;
     if (use->fallback && (use->access != RG_SAMPLED || !use->image || use->image->samples > 1 ||
                           !rg_format_info(use->image->format)))
         return "only a sampled image, of a known format and one sample a texel, has a fallback";

@@ -164,7 +164,7 @@ void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass, 
     bool writes = a->flags & ACCESS_WRITES;
     uint32_t start = c->barrier_count;
     uint32_t mip = a->range.baseMipLevel;
-    for (struct cell_walk w = rg_cells(r, &a->range); w.cell && has_room(c); rg_next_cell(&w)) {
+    for (struct cell_walk w = rg_cells(a); w.cell && has_room(c); rg_next_cell(&w)) {
         if (hands_back && !has_to_go_back(w.cell, a))
             continue;
         if (w.mip != mip)
@@ -178,7 +178,7 @@ void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass, 
     join_rows(c, r, start);
     if (writes || c->barrier_count == start)
         return;
-    for (struct cell_walk w = rg_cells(r, &a->range); w.cell; rg_next_cell(&w)) {
+    for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
         if (w.cell->barrier_end)
             continue;
         w.cell->first_barrier = start;
@@ -206,9 +206,10 @@ static void end_resource(struct compiler *c, struct resource *r)
 /* From the zeros of the very first frame to what every frame finds, which is what it leaves. */
 static void begin_history(struct compiler *c, struct resource *r)
 {
+    const struct access all = rg_boundary_access(r, RG_ACCESS_NONE);
     uint32_t start = c->barrier_count;
     uint32_t mip = 0;
-    for (struct cell_walk w = rg_cells(r, &r->all); w.cell && has_room(c); rg_next_cell(&w)) {
+    for (struct cell_walk w = rg_cells(&all); w.cell && has_room(c); rg_next_cell(&w)) {
         if (w.mip != mip)
             join_rows(c, r, start);
         mip = w.mip;

@@ -84,7 +84,7 @@ static struct cell import_state(const struct compiler *c, struct resource *r)
 
 static void rehearse_access(const struct access *a)
 {
-    for (struct cell_walk w = rg_cells(a->resource, &a->range); w.cell; rg_next_cell(&w)) {
+    for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
         struct rg_barrier unused;
         uint32_t release;
         bool needed = rg_needs_barrier(w.cell, a, &unused, &release);
@@ -125,7 +125,7 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *see)
         for (const struct access *a = first; a < end; a++) {
             if (!a->resource->persistent)
                 continue;
-            for (struct cell_walk w = rg_cells(a->resource, &a->range); w.cell; rg_next_cell(&w)) {
+            for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
                 if (a->flags & ACCESS_WRITES || w.cell->layout != a->layout)
                     w.cell->changed = true;
                 if (!w.cell->changed)

@@ -34,11 +34,12 @@ static void check_use(struct compiler *c, const struct rg_pass *pass, const stru
     }
     const char *trouble = rg_use_trouble(pass, use);
     rg_fault_if(c, trouble, RG_ERROR_ACCESS, name, trouble);
-    bool several = use->image && use->image->samples > 1; /* in each texel */
-    rg_fault_if(c, several && use->access != RG_SAMPLED, RG_ERROR_SAMPLES, name,
-                "a pass can only sample it, or draw to it; resolve it first");
-    rg_fault_if(c, several && use->access == RG_SAMPLED && use->sampler, RG_ERROR_SAMPLES, name,
-                "texelFetch reads its samples: name no sampler");
+    if (use->image && use->image->samples > 1) { /* in each texel */
+        rg_fault_if(c, use->access != RG_SAMPLED, RG_ERROR_SAMPLES, name,
+                    "a pass can only sample it, or draw to it; resolve it first");
+        rg_fault_if(c, use->access == RG_SAMPLED && use->sampler, RG_ERROR_SAMPLES, name,
+                    "texelFetch reads its samples: name no sampler");
+    }
     rg_fault_if(c, use->sampler && !(use->sampler->anisotropy >= 0.0f), RG_ERROR_VALUE, name,
                 "sampler: expected an anisotropy of 0 or more");
     rg_fault_if(c, use->fallback && use->image && !trouble && !fits_format(use), RG_ERROR_VALUE,

@@ -528,7 +528,6 @@ static bool has_words(const struct rg_shader *shader)
 
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row)
 {
-    struct shaders s = { .c = c, .row = row };
     bool is_raster = row->kind == RG_RASTER;
     if (row->kind == RG_TRANSFER || c->params->skip_shaders)
         return;
@@ -536,6 +535,7 @@ void rg_check_shaders(struct compiler *c, const struct rg_pass *row)
         c->has_wordless_shaders = true;
         return;
     }
+    struct shaders s = { .c = c, .row = row };
     if (is_raster ? !open_stage(&s, row->vert, VK_SHADER_STAGE_VERTEX_BIT) ||
                         (row->frag && !open_stage(&s, row->frag, VK_SHADER_STAGE_FRAGMENT_BIT))
                   : !open_stage(&s, row->comp, VK_SHADER_STAGE_COMPUTE_BIT))

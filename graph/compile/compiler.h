@@ -41,7 +41,7 @@ struct cell {
     VkPipelineStageFlags2 write_stages; /* of the last write, or stages it was chained to */
     VkAccessFlags2 write_access;        /* of the last write, while it is not yet available */
     VkPipelineStageFlags2 read_stages;  /* that have read since the last write */
-    uint32_t visible;                   /* reads that see the write: bits of rg_visibility() */
+    uint32_t visible;                   /* reads that see the write: bits of access.visibility */
     uint32_t first_barrier;             /* barriers that made the write visible: from this one */
     uint32_t barrier_end;               /* up to this one; 0: none */
     VkImageLayout layout;
@@ -81,10 +81,12 @@ struct resource {
 struct access {
     struct resource *resource;
     const void *declared; /* const struct rg_use or const struct rg_target */
+    struct cell *cells;   /* the first one of the range */
+    uint32_t cell_count;  /* of the range */
     VkImageSubresourceRange range;
     enum rg_access kind;
     uint32_t flags;
-    uint32_t visibility; /* of a read: the bits of rg_visibility() that it needs */
+    uint32_t visibility; /* of a read: the (stage, access) pairs that it is, a bit each */
     VkImageLayout layout;
     VkPipelineStageFlags2 stages;
     VkAccessFlags2 mask; /* everything that it does */
@@ -133,10 +135,11 @@ struct compiler {
     const struct rg_technique *technique;
     uint32_t row;
     uint32_t row_first_fault;
-    uint32_t target_samples; /* of its pass at work; 0: no target yet */
-    uint32_t *bindings;      /* bits, all 0 unless the bindings of the row are being checked */
-    struct spirv modules[2]; /* its shaders */
-    bool *known_constants;   /* entries of params->constants that shaders have had so far */
+    struct rg_plan_pass *pass; /* its pass at work */
+    uint32_t target_samples;   /* of its pass at work; 0: no target yet */
+    uint32_t *bindings;        /* bits, all 0 unless the bindings of the row are being checked */
+    struct spirv modules[2];   /* its shaders */
+    bool *known_constants;     /* entries of params->constants that shaders have had so far */
     bool has_wordless_shaders;
 
     struct pass *passes;
@@ -209,11 +212,9 @@ extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
     (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
      VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
 
+/* Each (stage, access) pair of reads has a bit. Bit 31 stands for pairs that are not told apart;
+ * it is never set in cell.visible. */
 #define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
-
-/* Returns the (stage, access) pairs of a read, one bit each. Bit 31 stands for all pairs that are
- * not told apart; it is never set in cell.visible. */
-uint32_t rg_visibility(enum rg_access kind, VkPipelineStageFlags2 stages);
 
 /* Whether shaders do it, through a descriptor. */
 static inline bool rg_is_shader_access(enum rg_access kind)
@@ -221,23 +222,10 @@ static inline bool rg_is_shader_access(enum rg_access kind)
     return kind >= RG_SAMPLED && kind <= RG_UNIFORM;
 }
 
-/* Makes an access to all of a resource. `reads` says whether `mask` has what it may read; the flags
- * are those of its kind, without ACCESS_OVERWRITES. */
-static inline void rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
-                                  bool reads, VkPipelineStageFlags2 stages)
-{
-    const struct rg_access_info *info = &rg_access_table[kind];
-    a->resource = r;
-    a->declared = NULL;
-    a->range = r->all;
-    a->kind = kind;
-    a->flags =
-        (info->reads_content ? ACCESS_READS : 0u) | (info->writes_content ? ACCESS_WRITES : 0u);
-    a->visibility = info->writes_content ? 0 : rg_visibility(kind, stages);
-    a->layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED;
-    a->stages = stages;
-    a->mask = (reads ? info->reads : VK_ACCESS_2_NONE) | info->writes;
-}
+/* Makes an access to all of a resource that does all that its kind may do, but for
+ * ACCESS_OVERWRITES. Returns `a`. */
+struct access *rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
+                              VkPipelineStageFlags2 stages);
 
 /* Returns the image or buffer usage flags that an access needs. */
 static inline VkFlags rg_usage(const struct resource *r, enum rg_access kind)
@@ -255,55 +243,58 @@ VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_
 /* Says what is wrong with a good use in a kind of pass; NULL: nothing. */
 const char *rg_use_trouble(const struct rg_pass *pass, const struct rg_use *use);
 
-/* ---- for (struct cell_walk w = rg_cells(r, &range); w.cell; rg_next_cell(&w)) ---- */
+/* ---- for (struct cell_walk w = rg_cells(access); w.cell; rg_next_cell(&w)) ---- */
 
 struct cell_walk {
-    const struct resource *resource;
-    const VkImageSubresourceRange *range;
+    const struct access *access;
+    struct cell *cell;          /* NULL: the range is at its end */
+    uint32_t left;              /* cells, with the one at work */
     VkImageAspectFlags aspects; /* those left; the lowest bit is at work */
     uint32_t mip, layer;
-    struct cell *cell; /* NULL: the range is at its end */
 };
 
-/* Of aspects, only depth and stencil come together. */
-static inline struct cell *rg_find_cell(const struct cell_walk *w)
+/* Returns the cell of the lowest of some aspects. Of aspects, only depth and stencil come together.
+ */
+static inline struct cell *rg_find_cell(const struct resource *r, VkImageAspectFlags aspects,
+                                        uint32_t mip, uint32_t layer)
 {
-    const VkImageSubresourceRange *all = &w->resource->all;
-    VkImageAspectFlags below = all->aspectMask & ((w->aspects & (~w->aspects + 1)) - 1);
-    uint32_t row = (below ? all->levelCount : 0) + w->mip;
-    return &w->resource->cells[row * all->layerCount + w->layer];
+    VkImageAspectFlags below = r->all.aspectMask & ((aspects & (~aspects + 1)) - 1);
+    uint32_t row = (below ? r->all.levelCount : 0) + mip;
+    return &r->cells[row * r->all.layerCount + layer];
 }
 
-/* Begins at the first cell of a range that the resource has. */
-static inline struct cell_walk rg_cells(const struct resource *r,
-                                        const VkImageSubresourceRange *range)
+static inline struct cell_walk rg_cells(const struct access *a)
 {
-    struct cell_walk w = {
-        r, range, range->aspectMask, range->baseMipLevel, range->baseArrayLayer, NULL
+    return (struct cell_walk){
+        .access = a,
+        .cell = a->cells,
+        .left = a->cell_count,
+        .aspects = a->range.aspectMask,
+        .mip = a->range.baseMipLevel,
+        .layer = a->range.baseArrayLayer,
     };
-    w.cell = rg_find_cell(&w);
-    return w;
 }
 
 /* Moves on by layers, then mips, then aspects. */
 static inline void rg_next_cell(struct cell_walk *w)
 {
-    w->cell++;
-    if (++w->layer < w->range->baseArrayLayer + w->range->layerCount)
+    const VkImageSubresourceRange *range = &w->access->range;
+    w->cell = --w->left ? w->cell + 1 : NULL;
+    if (!w->cell || ++w->layer < range->baseArrayLayer + range->layerCount)
         return;
-    w->layer = w->range->baseArrayLayer;
-    if (++w->mip == w->range->baseMipLevel + w->range->levelCount) {
-        w->mip = w->range->baseMipLevel;
+    w->layer = range->baseArrayLayer;
+    if (++w->mip == range->baseMipLevel + range->levelCount) {
+        w->mip = range->baseMipLevel;
         w->aspects &= w->aspects - 1;
     }
-    w->cell = w->aspects ? rg_find_cell(w) : NULL;
+    w->cell = rg_find_cell(w->access->resource, w->aspects, w->mip, w->layer);
 }
 
 /* Returns the range of the cell at work, as barriers have it: of a buffer all zero. */
 static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
 {
     VkImageAspectFlags lowest = w->aspects & (~w->aspects + 1);
-    if (!w->resource->image)
+    if (!w->access->resource->image)
         return (VkImageSubresourceRange){ 0 };
     return (VkImageSubresourceRange){ lowest, w->mip, 1, w->layer, 1 };
 }

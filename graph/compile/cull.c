@@ -29,7 +29,7 @@ static bool is_wanted(const struct access *a)
 {
     if (!(a->flags & ACCESS_WRITES))
         return false;
-    for (struct cell_walk w = rg_cells(a->resource, &a->range); w.cell; rg_next_cell(&w)) {
+    for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
         if (w.cell->wanted)
             return true;
     }
@@ -45,7 +45,7 @@ static void mark_accesses(struct access *first, const struct access *end)
     for (const struct access *a = first; a < end; a++) {
         if (!(a->flags & (ACCESS_OVERWRITES | ACCESS_READS)))
             continue;
-        for (struct cell_walk w = rg_cells(a->resource, &a->range); w.cell; rg_next_cell(&w))
+        for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w))
             w.cell->wanted = a->flags & ACCESS_READS;
     }
 }

@@ -7,27 +7,16 @@
 
 /* ---- what an access finds and leaves ---- */
 
-/* The pass being made. */
-static struct rg_plan_pass *pass_at_work(const struct compiler *c)
-{
-    return &c->plan_passes[c->pass_count];
-}
-
-static bool is_filled(const struct compiler *c, const struct cell *cell)
+static bool is_filled(const struct compiler *c, const struct cell *cell, rg_when_fn *when)
 {
     return cell->filled == CELL_FILLED ||
            (cell->filled >= CELL_FILLED_BY &&
-            c->plan_passes[cell->filled - CELL_FILLED_BY].pass->when ==
-                pass_at_work(c)->pass->when);
+            c->plan_passes[cell->filled - CELL_FILLED_BY].pass->when == when);
 }
 
-/* Whether the pass, whose accesses begin at `first`, accesses the cell already, in a way that the
- * access contradicts. */
-static bool is_conflict(const struct compiler *c, uint32_t first, const struct cell *cell,
-                        const struct access *a)
+/* Whether an access contradicts the latest one to the cell, which is of the same pass. */
+static bool is_conflict(const struct compiler *c, const struct cell *cell, const struct access *a)
 {
-    if (cell->last_access <= first)
-        return false;
     const struct access *before = &c->accesses[cell->last_access - 1];
     return ((a->flags | before->flags) & ACCESS_WRITES) || a->layout != before->layout;
 }
@@ -43,46 +32,55 @@ static bool is_in_range(const struct resource *r, const VkImageSubresourceRange 
 
 /* Makes the next access, which counts after keep_access(). NULL: memory is short. */
 static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
-                                  bool reads, VkPipelineStageFlags2 stages)
+                                  VkPipelineStageFlags2 stages)
 {
     if (!r || !ARENA_ROOM(c->arena, c->accesses, c->access_count, c->access_room, c->row_count * 8))
         return NULL;
-    struct access *a = &c->accesses[c->access_count];
-    rg_access_init(a, r, kind, reads, stages);
-    return a;
+    return rg_access_init(&c->accesses[c->access_count], r, kind, stages);
 }
 
-/* Adds the next access to the pass, unless its range is a fault. A conditional pass leaves what it
- * does not draw over. */
+/* Gives the next access a range. Returns false, and adds a fault, if the resource lacks it. */
+static bool set_range(struct compiler *c, struct access *a, const VkImageSubresourceRange *range)
+{
+    bool fits = is_in_range(a->resource, range);
+    rg_fault_if(c, !fits, RG_ERROR_RANGE, a->resource->name,
+                "name a mip, layer and aspect that the image has");
+    if (!fits)
+        return false;
+    a->range = *range;
+    a->cells =
+        rg_find_cell(a->resource, range->aspectMask, range->baseMipLevel, range->baseArrayLayer);
+    a->cell_count = (range->aspectMask & (range->aspectMask - 1) ? 2 : 1) * range->levelCount *
+                    range->layerCount;
+    return true;
+}
+
+/* Adds the next access to the pass. A conditional pass leaves what it does not draw over. */
 static void keep_access(struct compiler *c, struct access *a, const char *unfilled_hint)
 {
     const char *name = a->resource->name;
     VkImageAspectFlags aspects = a->range.aspectMask;
-    bool conditional = pass_at_work(c)->pass->when;
+    rg_when_fn *when = c->pass->pass->when;
     uint32_t first = c->passes[c->pass_count].first_access;
+    uint32_t filled_now = when ? CELL_FILLED_BY + c->pass_count : CELL_FILLED;
     bool conflict = false;
-    bool unfilled = false;
-    if (conditional)
+    bool all_filled = true;
+    if (when)
         a->flags = (a->flags & ~(uint32_t)ACCESS_OVERWRITES) | ACCESS_CONDITIONAL;
-    if (!is_in_range(a->resource, &a->range)) {
-        rg_fault(c, RG_ERROR_RANGE, name, "name a mip, layer and aspect that the image has");
-        return;
-    }
     rg_fault_if(c, (aspects & (aspects - 1)) && rg_is_shader_access(a->kind), RG_ERROR_RANGE, name,
                 "a shader sees one aspect: name depth or stencil");
-    for (struct cell_walk w = rg_cells(a->resource, &a->range); w.cell; rg_next_cell(&w)) {
-        bool filled = is_filled(c, w.cell);
-        conflict = conflict || is_conflict(c, first, w.cell, a);
-        unfilled = unfilled || ((a->flags & ACCESS_READS) && !filled);
-        if (a->flags & ACCESS_WRITES && !conditional)
-            w.cell->filled = CELL_FILLED;
-        else if (a->flags & ACCESS_WRITES && !filled)
-            w.cell->filled = CELL_FILLED_BY + c->pass_count;
+    for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
+        bool filled = is_filled(c, w.cell, when);
+        all_filled = all_filled && filled;
+        conflict = conflict || (w.cell->last_access > first && is_conflict(c, w.cell, a));
+        if (a->flags & ACCESS_WRITES && !(when && filled))
+            w.cell->filled = filled_now;
         w.cell->last_access = c->access_count + 1;
     }
     rg_fault_if(c, conflict, RG_ERROR_CONFLICT, name,
                 "split the pass in two, or read another mip, layer or image");
-    rg_fault_if(c, unfilled, RG_ERROR_READ_BEFORE_WRITE, name, unfilled_hint);
+    rg_fault_if(c, !all_filled && a->flags & ACCESS_READS, RG_ERROR_READ_BEFORE_WRITE, name,
+                unfilled_hint);
     c->access_count++;
 }
 
@@ -95,7 +93,7 @@ static uint32_t mip_side(uint32_t side, uint32_t mip)
 
 static void check_extent(struct compiler *c, const struct resource *r, uint32_t mip)
 {
-    VkExtent2D *pass = &pass_at_work(c)->extent;
+    VkExtent2D *pass = &c->pass->extent;
     VkExtent2D extent = { mip_side(r->extent.width, mip), mip_side(r->extent.height, mip) };
     if (c->access_count == c->passes[c->pass_count].first_access && !c->target_samples)
         *pass = extent;
@@ -106,7 +104,7 @@ static void check_extent(struct compiler *c, const struct resource *r, uint32_t 
 static void check_target(struct compiler *c, const struct rg_target *target,
                          const struct resource *r, uint32_t mip)
 {
-    const struct rg_pass *row = pass_at_work(c)->pass;
+    const struct rg_pass *row = c->pass->pass;
     bool is_depth = target == &row->depth;
     bool has_depth = !(r->all.aspectMask & VK_IMAGE_ASPECT_COLOR_BIT);
     uint32_t samples = r->image->samples ? r->image->samples : 1;
@@ -140,11 +138,12 @@ static VkImageSubresourceRange target_range(const struct rg_plan_pass *pass,
 static void add_resolve(struct compiler *c, const struct rg_target *target)
 {
     struct resource *r = rg_resource_of(c, target->resolve, NULL);
-    struct access *a = next_access(c, r, RG_RESOLVE, false, rg_access_table[RG_RESOLVE].stages);
+    struct access *a = next_access(c, r, RG_RESOLVE, rg_access_table[RG_RESOLVE].stages);
     if (!a)
         return;
     a->declared = target;
-    a->range = target_range(pass_at_work(c), r, target->resolve_mip, target->resolve_layer);
+    const VkImageSubresourceRange range =
+        target_range(c->pass, r, target->resolve_mip, target->resolve_layer);
     a->flags |= ACCESS_OVERWRITES;
     rg_fault_if(c, r->image->samples > 1, RG_ERROR_SAMPLES, r->name,
                 "resolve to an image of one sample a texel");
@@ -152,30 +151,33 @@ static void add_resolve(struct compiler *c, const struct rg_target *target)
                 "resolve from an image of several samples a texel");
     rg_fault_if(c, r->image->format != target->image->format, RG_ERROR_FORMAT, r->name,
                 "resolve to an image of the same format");
-    check_extent(c, r, a->range.baseMipLevel);
-    keep_access(c, a, NULL);
+    check_extent(c, r, range.baseMipLevel);
+    if (set_range(c, a, &range))
+        keep_access(c, a, NULL);
 }
 
 static void add_target(struct compiler *c, const struct rg_target *target)
 {
-    const struct rg_pass *row = pass_at_work(c)->pass;
+    const struct rg_pass *row = c->pass->pass;
     enum rg_access kind = target != &row->depth  ? RG_COLOR
                           : row->depth_read_only ? RG_DEPTH_READ
                                                  : RG_DEPTH;
     bool keeps = target->load == RG_LOAD_KEEP;
-    bool reads = keeps || rg_keeps_color(target) || kind != RG_COLOR;
     struct resource *r = rg_resource_of(c, target->image, NULL);
-    struct access *a = next_access(c, r, kind, reads, rg_access_table[kind].stages);
+    struct access *a = next_access(c, r, kind, rg_access_table[kind].stages);
     if (!a)
         return;
     a->declared = target;
-    a->range = target_range(pass_at_work(c), r, target->mip, target->layer);
+    const VkImageSubresourceRange range = target_range(c->pass, r, target->mip, target->layer);
     if (keeps)
         a->flags |= ACCESS_READS;
     else if (a->flags & ACCESS_WRITES)
         a->flags |= ACCESS_OVERWRITES;
-    check_target(c, target, r, a->range.baseMipLevel);
-    keep_access(c, a, "clear it, or put the pass that fills it before this one");
+    if (kind == RG_COLOR && !keeps && !rg_keeps_color(target))
+        a->mask = rg_access_table[kind].writes;
+    check_target(c, target, r, range.baseMipLevel);
+    if (set_range(c, a, &range))
+        keep_access(c, a, "clear it, or put the pass that fills it before this one");
     if (target->resolve && kind == RG_COLOR)
         add_resolve(c, target);
 }
@@ -206,18 +208,26 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
     return out;
 }
 
+static bool is_whole(const struct rg_range *r)
+{
+    return !(r->aspect | r->mip | r->mip_count | r->layer | r->layer_count | r->each);
+}
+
 static void add_use(struct compiler *c, const struct rg_use *use)
 {
     struct resource *r = rg_resource_of(c, use->image, use->buffer);
-    VkPipelineStageFlags2 stages = rg_use_stages(pass_at_work(c)->pass, use);
-    struct access *a = next_access(c, r, use->access, true, stages);
+    VkPipelineStageFlags2 stages = rg_use_stages(c->pass->pass, use);
+    struct access *a = next_access(c, r, use->access, stages);
     if (!a)
         return;
     a->declared = use;
-    if (use->image)
-        a->range = use_range(r, &use->range, pass_at_work(c));
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
         a->flags |= ACCESS_OVERWRITES;
+    if (use->image && !is_whole(&use->range)) {
+        const VkImageSubresourceRange range = use_range(r, &use->range, c->pass);
+        if (!set_range(c, a, &range))
+            return;
+    }
     keep_access(c, a, "put the pass that writes it before this one, or import it");
 }
 
@@ -230,7 +240,7 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
         !ARENA_ROOM(c->arena, c->plan_passes, c->pass_count, c->plan_pass_room, c->row_count * 2))
         return;
     struct pass *pass = &c->passes[c->pass_count];
-    struct rg_plan_pass *out = pass_at_work(c);
+    struct rg_plan_pass *out = c->pass = &c->plan_passes[c->pass_count];
     pass->first_access = c->access_count;
     out->pass = row;
     out->technique = c->technique;

@@ -15,23 +15,15 @@ static uint32_t hash_text(const char *text)
     return hash;
 }
 
-/* Neighbours in the tables are neighbours in the map; higher bits are added for tables whose rows
- * are a power of two apart. */
-static uint32_t hash_address(const void *key)
-{
-    uintptr_t address = (uintptr_t)key;
-    return (uint32_t)((address + (address >> 9)) >> 4);
-}
-
 /* The slot of a key, or the empty one where it would be. */
 static inline struct map_slot *find(const struct map *map, const void *key)
 {
-    uint32_t i = map->of_texts ? hash_text(key) : hash_address(key);
-    for (;; i++) {
-        struct map_slot *slot = &map->slots[i & map->mask];
-        if (!slot->key || slot->key == key || (map->of_texts && !strcmp(slot->key, key)))
-            return slot;
-    }
+    if (!map->of_texts)
+        return rg_map_find(map, key);
+    uint32_t i = hash_text(key);
+    while (map->slots[i & map->mask].key && strcmp(map->slots[i & map->mask].key, key) != 0)
+        i++;
+    return &map->slots[i & map->mask];
 }
 
 void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
@@ -49,7 +41,8 @@ void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
     *map = grown;
 }
 
-void **rg_map_value(struct arena *arena, struct map *map, const void *key)
+/* The slot of a key, which gets one if it has none. NULL: memory is short. */
+static inline struct map_slot *find_or_add(struct arena *arena, struct map *map, const void *key)
 {
     if (map->count >= map->mask / 4 * 3)
         rg_map_expect(arena, map, map->mask);
@@ -58,14 +51,20 @@ void **rg_map_value(struct arena *arena, struct map *map, const void *key)
     struct map_slot *slot = find(map, key);
     map->count += !slot->key;
     slot->key = key;
-    return &slot->value;
+    return slot;
+}
+
+void **rg_map_value(struct arena *arena, struct map *map, const void *key)
+{
+    struct map_slot *slot = find_or_add(arena, map, key);
+    return slot ? &slot->value : NULL;
 }
 
 bool rg_map_has(struct arena *arena, struct map *map, const void *key)
 {
-    void **value = rg_map_value(arena, map, key);
-    bool known = value && *value;
-    if (value)
-        *value = map;
+    struct map_slot *slot = find_or_add(arena, map, key);
+    bool known = slot && slot->value;
+    if (slot)
+        slot->value = map;
     return known;
 }

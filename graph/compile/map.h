@@ -18,6 +18,17 @@ struct map {
     bool of_texts; /* keys are strings, compared by their characters; else addresses */
 };
 
+/* Returns the slot of an address, or the empty one where it would be. The map has slots. */
+static inline struct map_slot *rg_map_find(const struct map *map, const void *address)
+{
+    /* Neighbours in tables are neighbours in the map; higher bits are added for tables whose rows
+     * are a power of two apart. */
+    uintptr_t i = ((uintptr_t)address + ((uintptr_t)address >> 9)) >> 4;
+    while (map->slots[i & map->mask].key && map->slots[i & map->mask].key != address)
+        i++;
+    return &map->slots[i & map->mask];
+}
+
 /* Makes room for `count` keys. */
 void rg_map_expect(struct arena *arena, struct map *map, uint32_t count);
 

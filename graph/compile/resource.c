@@ -119,17 +119,24 @@ static void check_name(struct compiler *c, struct resource *r)
 static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
                                      const struct rg_buffer *buffer, const struct rg_import *import)
 {
-    struct resource *r = ARENA_ZEROED(c->arena, struct resource, 1);
+    struct resource *r = ARENA_ARRAY(c->arena, struct resource, 1);
     if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room,
                     c->row_count * 2) ||
         !r)
         return NULL;
-    r->image = image;
-    r->buffer = image ? NULL : buffer;
-    r->all = (VkImageSubresourceRange){ VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 };
-    r->import = import ? (uint32_t)(import - c->params->imports) : RG_NONE;
-    r->output = r->first = r->last = RG_NONE;
-    r->plan_image = r->plan_buffer = r->item = r->last_barrier = RG_NONE;
+    *r = (struct resource){
+        .image = image,
+        .buffer = image ? NULL : buffer,
+        .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
+        .import = import ? (uint32_t)(import - c->params->imports) : RG_NONE,
+        .output = RG_NONE,
+        .first = RG_NONE,
+        .last = RG_NONE,
+        .plan_image = RG_NONE,
+        .plan_buffer = RG_NONE,
+        .item = RG_NONE,
+        .last_barrier = RG_NONE,
+    };
     if (image)
         size_image(r, image, c);
     else
@@ -145,14 +152,23 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
     return c->arena->failed ? NULL : r;
 }
 
+/* Adds one that is not in the map. */
+__attribute__((noinline)) static struct resource *
+add_used(struct compiler *c, const struct rg_image *image, const struct rg_buffer *buffer)
+{
+    const void *address = image ? (const void *)image : (const void *)buffer;
+    void **value = rg_map_value(c->arena, &c->by_address, address);
+    if (value)
+        *value = add_resource(c, image, buffer, NULL);
+    return value ? *value : NULL;
+}
+
 struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
                                 const struct rg_buffer *buffer)
 {
     const void *address = image ? (const void *)image : (const void *)buffer;
-    void **value = rg_map_value(c->arena, &c->by_address, address);
-    if (value && !*value)
-        *value = add_resource(c, image, buffer, NULL);
-    return value ? *value : NULL;
+    const struct map_slot *known = rg_map_find(&c->by_address, address);
+    return known->value ? known->value : add_used(c, image, buffer);
 }
 
 /* ---- imports and outputs ---- */
