@@ -39,15 +39,16 @@ static struct access *next_access(struct compiler *c, struct resource *r, enum r
     return rg_access_init(&c->accesses[c->access_count], r, kind, stages);
 }
 
-/* Gives the next access a range. Returns false, and adds a fault, if the resource lacks it. */
-static bool set_range(struct compiler *c, struct access *a, const VkImageSubresourceRange *range)
+/* Finds the cells of the next access's range. Returns false, and adds a fault, if the resource has
+ * not all of them. */
+static bool find_cells(struct compiler *c, struct access *a)
 {
+    const VkImageSubresourceRange *range = &a->range;
     bool fits = is_in_range(a->resource, range);
     rg_fault_if(c, !fits, RG_ERROR_RANGE, a->resource->name,
                 "name a mip, layer and aspect that the image has");
     if (!fits)
         return false;
-    a->range = *range;
     a->cells =
         rg_find_cell(a->resource, range->aspectMask, range->baseMipLevel, range->baseArrayLayer);
     a->cell_count = (range->aspectMask & (range->aspectMask - 1) ? 2 : 1) * range->levelCount *
@@ -142,8 +143,7 @@ static void add_resolve(struct compiler *c, const struct rg_target *target)
     if (!a)
         return;
     a->declared = target;
-    const VkImageSubresourceRange range =
-        target_range(c->pass, r, target->resolve_mip, target->resolve_layer);
+    a->range = target_range(c->pass, r, target->resolve_mip, target->resolve_layer);
     a->flags |= ACCESS_OVERWRITES;
     rg_fault_if(c, r->image->samples > 1, RG_ERROR_SAMPLES, r->name,
                 "resolve to an image of one sample a texel");
@@ -151,8 +151,8 @@ static void add_resolve(struct compiler *c, const struct rg_target *target)
                 "resolve from an image of several samples a texel");
     rg_fault_if(c, r->image->format != target->image->format, RG_ERROR_FORMAT, r->name,
                 "resolve to an image of the same format");
-    check_extent(c, r, range.baseMipLevel);
-    if (set_range(c, a, &range))
+    check_extent(c, r, a->range.baseMipLevel);
+    if (find_cells(c, a))
         keep_access(c, a, NULL);
 }
 
@@ -168,15 +168,15 @@ static void add_target(struct compiler *c, const struct rg_target *target)
     if (!a)
         return;
     a->declared = target;
-    const VkImageSubresourceRange range = target_range(c->pass, r, target->mip, target->layer);
+    a->range = target_range(c->pass, r, target->mip, target->layer);
     if (keeps)
         a->flags |= ACCESS_READS;
     else if (a->flags & ACCESS_WRITES)
         a->flags |= ACCESS_OVERWRITES;
     if (kind == RG_COLOR && !keeps && !rg_keeps_color(target))
         a->mask = rg_access_table[kind].writes;
-    check_target(c, target, r, range.baseMipLevel);
-    if (set_range(c, a, &range))
+    check_target(c, target, r, a->range.baseMipLevel);
+    if (find_cells(c, a))
         keep_access(c, a, "clear it, or put the pass that fills it before this one");
     if (target->resolve && kind == RG_COLOR)
         add_resolve(c, target);
@@ -224,8 +224,8 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
         a->flags |= ACCESS_OVERWRITES;
     if (use->image && !is_whole(&use->range)) {
-        const VkImageSubresourceRange range = use_range(r, &use->range, c->pass);
-        if (!set_range(c, a, &range))
+        a->range = use_range(r, &use->range, c->pass);
+        if (!find_cells(c, a))
             return;
     }
     keep_access(c, a, "put the pass that writes it before this one, or import it");

@@ -73,14 +73,13 @@ static void leave(struct segments *s, const struct pack_item *item,
     }
 }
 
-/* Returns how all accesses to an item's bytes end. */
-static struct previous_owner look_up(const struct segments *s, const struct pack_item *item)
+/* Adds how all accesses to an item's bytes end. */
+static void look_up(const struct segments *s, const struct pack_item *item,
+                    struct previous_owner *all)
 {
-    struct previous_owner all = { 0 };
     for (uint32_t i = find(s, item->offset);
          i < s->count && s->items[i].begin < item->offset + item->size; i++)
-        add(&all, &s->items[i].left);
-    return all;
+        add(all, &s->items[i].left);
 }
 
 static struct previous_owner *owner_of(const struct compiler *c, const struct pack_item *item)
@@ -94,24 +93,24 @@ static void find_ends(struct compiler *c, struct segments *s, const struct pack_
 {
     for (const struct pack_item *item = items; item < items + count; item++) {
         const struct previous_owner left = { .end = item->last + 1 };
-        uint32_t end = look_up(s, item).end;
-        owner_of(c, item)->end =
-            end < item->first ? end : item->first; /* a neighbour may live on */
+        struct previous_owner *owner = owner_of(c, item);
+        look_up(s, item, owner);
+        if (owner->end > item->first) /* a neighbour may live on */
+            owner->end = item->first;
         leave(s, item, &left);
     }
 }
 
-/* What the last accesses to a resource do, and which writes are not available after the frame. */
-static struct previous_owner find_left(const struct resource *r)
+/* Adds what the last accesses to a resource do, and which writes are not available after the frame.
+ */
+static void find_left(const struct resource *r, struct previous_owner *left)
 {
-    struct previous_owner left = { 0 };
     for (uint32_t k = 0; k < r->cell_count; k++) {
         const struct cell *cell = &r->cells[k];
         bool awaited = cell->flags & CELL_AWAITED;
-        left.stages |= cell->read_stages | (awaited ? 0 : cell->write_stages);
-        left.writes |= awaited ? 0 : cell->write_access;
+        left->stages |= cell->read_stages | (awaited ? 0 : cell->write_stages);
+        left->writes |= awaited ? 0 : cell->write_access;
     }
-    return left;
 }
 
 /* Finds the owners of one block's items. What is left of all items is left of all bytes, so that
@@ -123,7 +122,8 @@ static void find_owners(struct compiler *c, struct segments *s, const struct pac
     struct previous_owner common = { UINT64_MAX, UINT64_MAX, 0 };
     for (const struct pack_item *item = items; item < end; item++) {
         struct previous_owner *owner = owner_of(c, item);
-        *owner = find_left(item->resource);
+        owner->end = 0;
+        find_left(item->resource, owner);
         common.stages &= owner->stages;
         common.writes &= owner->writes;
     }
@@ -135,7 +135,7 @@ static void find_owners(struct compiler *c, struct segments *s, const struct pac
             leave(s, item, owner_of(c, item));
     }
     for (const struct pack_item *item = items; item < end; item++)
-        *owner_of(c, item) = look_up(s, item);
+        look_up(s, item, owner_of(c, item));
 }
 
 typedef void find_fn(struct compiler *c, struct segments *s, const struct pack_item *items,

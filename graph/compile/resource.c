@@ -89,18 +89,18 @@ static void size_import(struct resource *r, const struct rg_import *import)
  * takes over memory (cell_state.c). */
 static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
 {
-    struct cell cell = { .flags = r->shared ? CELL_FRESH : 0 };
     uint64_t aspects = r->all.aspectMask & (r->all.aspectMask - 1) ? 2 : 1;
     uint64_t count = aspects * r->all.levelCount * r->all.layerCount;
     bool upload = r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD;
-    if (upload || r->persistent || (import && import->access != RG_ACCESS_NONE))
-        cell.filled = CELL_FILLED;
-    if (upload)
-        cell.visible = RG_VISIBLE_TO_ALL; /* a submit shows all of it to all */
+    bool filled = upload || r->persistent || (import && import->access != RG_ACCESS_NONE);
     r->cell_count = (uint32_t)count;
     r->cells = ARENA_ARRAY(c->arena, struct cell, count);
     for (uint32_t i = 0; r->cells && i < count; i++)
-        r->cells[i] = cell;
+        r->cells[i] = (struct cell){
+            .visible = upload ? RG_VISIBLE_TO_ALL : 0, /* a submit shows all of it to all */
+            .flags = r->shared ? CELL_FRESH : 0,
+            .filled = filled ? CELL_FILLED : CELL_EMPTY,
+        };
 }
 
 static void check_name(struct compiler *c, struct resource *r)
@@ -125,16 +125,28 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
         !r)
         return NULL;
     *r = (struct resource){
+        .name = NULL,
         .image = image,
         .buffer = image ? NULL : buffer,
+        .cells = NULL,
+        .cell_count = 0,
+        .persistent = false,
+        .shared = false,
         .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
+        .extent = { 0, 0 },
+        .max_extent = { 0, 0 },
+        .format = NULL,
+        .size = 0,
+        .max_size = 0,
         .import = import ? (uint32_t)(import - c->params->imports) : RG_NONE,
         .output = RG_NONE,
         .first = RG_NONE,
         .last = RG_NONE,
+        .usage = 0,
         .plan_image = RG_NONE,
         .plan_buffer = RG_NONE,
         .item = RG_NONE,
+        .acquired_at = 0,
         .last_barrier = RG_NONE,
     };
     if (image)
