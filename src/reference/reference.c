@@ -413,6 +413,7 @@ static struct tracing tracing_of(const struct job *job)
         .cloud = cloud_of(&job->radiance, job->reference->request.settings),
         .basin = job->reference->request.scene->has_pool ? &job->basin : NULL,
         .earlier = &job->earlier,
+        .has_layers = job->reference->request.layers != 0,
         .params = *params,
     };
 }

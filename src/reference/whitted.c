@@ -232,7 +232,7 @@ struct reference_seen whitted_trace(const struct tracing *tracing, const struct 
     const bool is_met = branch_advance(tracing, &eye, &meeting);
     eye.is_straight = false;
     const struct bvh_hit *hit = &meeting.hit;
-    if (is_met) {
+    if (is_met && tracing->has_layers) {
         const struct first look = { tracing->bvh, tracing->radiance, tracing->earlier };
         first_look(&look, ray, forward, hit, &seen);
     }
@@ -252,9 +252,11 @@ struct reference_seen whitted_trace(const struct tracing *tracing, const struct 
         seen.color = glms_vec3_add(seen.color, sum.light);
         return seen;
     }
-    const struct fork straight = branch_fork(tracing, &eye, &meeting);
-    seen.fresnel = straight.parting.fresnel;
-    follow_straight(tracing, straight.refracted, &seen);
+    if (tracing->has_layers) {
+        const struct fork straight = branch_fork(tracing, &eye, &meeting);
+        seen.fresnel = straight.parting.fresnel;
+        follow_straight(tracing, straight.refracted, &seen);
+    }
     for (uint32_t c = 0; c < tracing_channel_count(tracing); c++)
         look_at_object(tracing, &eye, &meeting, c, tracing_channels(tracing, c), &seen);
     return seen;

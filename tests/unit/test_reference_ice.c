@@ -509,7 +509,8 @@ enum {
 };
 
 static struct render_result whole_picture(const struct scene *scene,
-                                          const struct settings *settings, uint32_t threads)
+                                          const struct settings *settings, uint32_t threads,
+                                          uint32_t layers)
 {
     const struct reference_request request = {
         .scene = scene,
@@ -517,7 +518,7 @@ static struct render_result whole_picture(const struct scene *scene,
         .width = WHOLE_SIDE,
         .height = WHOLE_SIDE,
         .samples = 2,
-        .layers = seen_layers(),
+        .layers = layers,
         .linear = true,
         .threads = threads,
     };
@@ -534,7 +535,7 @@ static void test_white_furnace(void **state)
     for (int frosty = 0; frosty < 2; frosty++) {
         const struct settings settings =
             SETTINGS(frosts[frosty], "bump.strength=0.5", "reference.cutoff=0.01");
-        struct render_result result = whole_picture(&scene, &settings, 0);
+        struct render_result result = whole_picture(&scene, &settings, 0, seen_layers());
         const float *red = image_find(&result.image, "R");
         const float *rest = image_find(&result.image, "remaining.R");
         const float *path = image_find(&result.image, "path.Z");
@@ -554,19 +555,25 @@ static void test_white_furnace(void **state)
     scene_finish(&scene);
 }
 
-/* The pixels of a picture do not depend on which thread traces them. */
+/* The pixels of a picture do not depend on which thread traces them, nor on layers beside it. */
 static void test_threads(void **state)
 {
     const struct settings settings = SETTINGS("frost.amount=0.7", "reference.cutoff=0.05");
     struct scene scene = whole_scene();
-    struct render_result one = whole_picture(&scene, &settings, 1);
-    struct render_result four = whole_picture(&scene, &settings, 4);
+    struct render_result one = whole_picture(&scene, &settings, 1, seen_layers());
+    struct render_result four = whole_picture(&scene, &settings, 4, seen_layers());
+    struct render_result bare = whole_picture(&scene, &settings, 1, 0);
     (void)state;
     for (uint32_t i = 0; i < one.image.plane_count; i++)
         assert_memory_equal(one.image.planes[i].texels, four.image.planes[i].texels,
                             sizeof(float) * WHOLE_SIDE * WHOLE_SIDE);
+    assert_int_equal(bare.image.plane_count, 4);
+    for (uint32_t i = 0; i < bare.image.plane_count; i++)
+        assert_memory_equal(image_find(&one.image, bare.image.planes[i].name),
+                            bare.image.planes[i].texels, sizeof(float) * WHOLE_SIDE * WHOLE_SIDE);
     render_result_finish(&one);
     render_result_finish(&four);
+    render_result_finish(&bare);
     scene_finish(&scene);
 }
 
