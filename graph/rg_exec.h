@@ -99,8 +99,8 @@ RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkRes
  * with rg_compile_params.max_view a change of the view keeps all memory and pipelines. Pipelines
  * that the plan does not need stay for one more update, so that switching to and fro is cheap.
  *
- * Of `params` only plan, imports, constants, replace_shader and user count; all else stays as it
- * was created. Waits for all submitted frames; not to be called between rg_exec_begin() and a
+ * Of `params` only plan, imports, max_anisotropy, constants, replace_shader and user count; all
+ * else stays as it was created. Waits for all submitted frames; not to be called between rg_exec_begin() and a
  * submit. The former plan and its tables must exist until it returns. What rg_exec_image(),
  * rg_exec_block() and rg_exec_mapped() have returned becomes invalid, and no region is set.
  * Returns an error if a call fails.

@@ -163,6 +163,7 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     next.params.plan = params->plan;
     next.params.imports = params->imports;
     next.params.import_count = former.params.warm_up_only ? 0 : params->import_count;
+    next.params.max_anisotropy = params->max_anisotropy;
     next.params.constants = params->constants;
     next.params.replace_shader = params->replace_shader;
     next.params.user = params->user;

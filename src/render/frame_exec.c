@@ -1,6 +1,8 @@
 /* frame_exec.c: compiles plans for the device and creates their executors. */
 #include "src/render/frame_exec.h"
 #include <math.h>
+#include <stdlib.h>
+#include "src/base/log.h"
 #include "src/gpu/gpu.h"
 #include "src/render/cpu_driver.h"
 #include "src/render/request.h"
@@ -51,9 +53,12 @@ enum status frame_exec_compile(struct frame_exec *frame_exec, const struct rende
     const struct rg_vulkan vulkan = frame_exec_vulkan(gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     request.device = &device;
-    enum status status = frame_plan_init(&frame_exec->frame, &request);
+    frame_exec->frame = calloc(1, sizeof(*frame_exec->frame));
+    if (!frame_exec->frame)
+        return log_out_of_memory(NULL);
+    enum status status = frame_plan_init(frame_exec->frame, &request);
     if (status == STATUS_OK)
-        status = check_memory(gpu, frame_exec->frame.plan, request.view);
+        status = check_memory(gpu, frame_exec->frame->plan, request.view);
     return status;
 }
 
@@ -72,7 +77,7 @@ void frame_exec_describe(struct frame_exec_params *described, const struct frame
     d->info =
         (VkSpecializationInfo){ CONSTANT_COUNT, d->entries, sizeof(d->constants), &d->constants };
     d->params = (struct rg_exec_params){
-        .plan = frame_exec->frame.plan,
+        .plan = frame_exec->frame->plan,
         .instance = gpu->instance,
         .get_proc_addr = vkGetInstanceProcAddr,
         .physical = gpu->physical,
@@ -80,7 +85,7 @@ void frame_exec_describe(struct frame_exec_params *described, const struct frame
         .queue = gpu->queue,
         .queue_family = gpu->queue_family,
         .pipeline_cache = gpu->pipeline_cache,
-        .import_count = frame_exec->frame.import_count,
+        .import_count = frame_exec->frame->import_count,
         .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
         .frames_in_flight = FRAMES_IN_FLIGHT,
         .render_passes = gpu->validated, /* rg_exec.h says why */
@@ -102,8 +107,34 @@ enum status frame_exec_realise(struct frame_exec *frame_exec, const struct rende
     described.params.imports = imports;
     frame_exec->exec = rg_exec_create(&described.params, &result);
     if (frame_exec->exec)
-        cpu_driver_advise_memory(params->gpu, frame_exec->frame.plan, frame_exec->exec);
+        cpu_driver_advise_memory(params->gpu, frame_exec->frame->plan, frame_exec->exec);
     return gpu_status(result);
+}
+
+/* No frame is in flight. */
+static void destroy_frame(struct frame_exec *frame_exec)
+{
+    if (frame_exec->frame)
+        frame_plan_finish(frame_exec->frame);
+    free(frame_exec->frame);
+    frame_exec->frame = NULL;
+}
+
+enum status frame_exec_replace(struct frame_exec *frame_exec, struct frame_exec *next,
+                               const struct renderer_params *params,
+                               const struct rg_exec_import *imports)
+{
+    struct frame_exec former = *frame_exec;
+    struct frame_exec_params described;
+    frame_exec_describe(&described, next, params);
+    described.params.imports = imports;
+    const enum status status = gpu_status(rg_exec_update(former.exec, &described.params));
+    if (status == STATUS_OK)
+        cpu_driver_advise_memory(params->gpu, next->frame->plan, former.exec);
+    frame_exec->frame = next->frame;
+    next->frame = NULL;
+    destroy_frame(&former);
+    return status;
 }
 
 enum status frame_exec_change_view(struct frame_exec *frame_exec,
@@ -116,7 +147,7 @@ enum status frame_exec_change_view(struct frame_exec *frame_exec,
     struct frame_exec_params described;
     struct rg_plan *former;
     request.device = &device;
-    enum status status = frame_plan_change_view(&frame_exec->frame, &request, &former);
+    enum status status = frame_plan_change_view(frame_exec->frame, &request, &former);
     if (status != STATUS_OK)
         return status;
     frame_exec_describe(&described, frame_exec, params);
@@ -129,5 +160,6 @@ enum status frame_exec_change_view(struct frame_exec *frame_exec,
 void frame_exec_destroy(struct frame_exec *frame_exec)
 {
     rg_exec_destroy(frame_exec->exec);
-    frame_plan_finish(&frame_exec->frame);
+    frame_exec->exec = NULL;
+    destroy_frame(frame_exec);
 }

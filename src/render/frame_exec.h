@@ -13,8 +13,8 @@
 #include "src/render/renderer_params.h"
 
 struct frame_exec {
-    struct frame_plan frame;
-    struct rg_exec *exec; /* NULL until frame_exec_realise() */
+    struct frame_plan *frame; /* NULL until frame_exec_compile() */
+    struct rg_exec *exec;     /* NULL until frame_exec_realise() */
 };
 
 /* Returns the handles of a device that the graph library needs. */
@@ -25,8 +25,15 @@ MUST_USE enum status frame_exec_compile(struct frame_exec *frame_exec,
                                         const struct renderer_params *params,
                                         struct frame_request request);
 
-/* Creates the plan's memory, images and pipelines. `imports` are in the order of frame.imports. */
+/* Creates the plan's memory, images and pipelines. `imports` are in the order of frame->imports. */
 MUST_USE enum status frame_exec_realise(struct frame_exec *frame_exec,
+                                        const struct renderer_params *params,
+                                        const struct rg_exec_import *imports);
+
+/* Puts the plan of *next, which has no executor, in the place of frame_exec's: what both have in
+ * common stays (rg_exec_update()). *next becomes {0}. On failure frame_exec may only be destroyed.
+ */
+MUST_USE enum status frame_exec_replace(struct frame_exec *frame_exec, struct frame_exec *next,
                                         const struct renderer_params *params,
                                         const struct rg_exec_import *imports);
 

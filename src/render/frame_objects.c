@@ -64,8 +64,8 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
                          uint32_t slot, const struct frame_view *view,
                          const struct globals *globals, bool looks_everywhere)
 {
-    const struct frame_list *list = &frame_exec->frame.list;
-    const VkExtent2D size = frame_exec->frame.plan->view;
+    const struct frame_list *list = &frame_exec->frame->list;
+    const VkExtent2D size = frame_exec->frame->plan->view;
     if (!objects->count)
         return;
     sort(objects->order, view, globals);

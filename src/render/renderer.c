@@ -27,9 +27,19 @@
 
 /* ---- plans ---- */
 
-static bool meets_tree(const struct renderer_params *params)
+bool renderer_meets_tree(const struct renderer_params *params)
 {
     return params->rung && params->rung->rung.meets_tree;
+}
+
+bool renderer_wants_capture(const struct renderer_params *params)
+{
+    return !frame_draws_cube(params->settings, params->scene) && !params->scene->cube.texels;
+}
+
+bool renderer_wants_resolve(const struct renderer_params *params)
+{
+    return params->refines || (params->display && params->samples > 1);
 }
 
 static VkImage find_import(const struct renderer *r, const struct rg_image *image)
@@ -53,15 +63,15 @@ struct rg_exec_import *renderer_imports(const struct renderer *r, const struct f
 
 static enum status realise(struct renderer *r, struct frame_exec *frame_exec)
 {
-    struct rg_exec_import *imports = renderer_imports(r, &frame_exec->frame);
+    struct rg_exec_import *imports = renderer_imports(r, frame_exec->frame);
     const enum status status =
         imports ? frame_exec_realise(frame_exec, &r->params, imports) : log_out_of_memory(NULL);
     free(imports);
     return status;
 }
 
-static enum status frame_exec_create(struct frame_exec *frame_exec, struct renderer *r,
-                                     struct frame_request request)
+enum status renderer_make(struct renderer *r, struct frame_exec *frame_exec,
+                          struct frame_request request)
 {
     enum status status = frame_exec_compile(frame_exec, &r->params, request);
     if (status == STATUS_OK)
@@ -75,7 +85,7 @@ static enum status upload(struct renderer *r)
     r->scene = r->params.uploaded ? r->params.uploaded : &r->own;
     if (!r->params.uploaded)
         status = uploaded_scene_init(&r->own, r->params.gpu, r->params.scene);
-    if (status == STATUS_OK && meets_tree(&r->params))
+    if (status == STATUS_OK && renderer_meets_tree(&r->params))
         status = uploaded_scene_init_tree(&r->tree, r->params.gpu, r->params.scene);
     r->meshes = calloc(techniques_count, sizeof(*r->meshes));
     if (status == STATUS_OK && !r->meshes) {
@@ -97,9 +107,7 @@ static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
                       (float)row + 0.5f - (float)params->rows / 2.0f } };
 }
 
-/* Copies the params and replaces sizes of 0 by 1, and the picture's size by that of an interleaved
- * tile. */
-static void take_params(struct renderer *r, const struct renderer_params *params)
+void renderer_take_params(struct renderer *r, const struct renderer_params *params)
 {
     r->params = *params;
     r->params.samples = params->samples ? params->samples : 1;
@@ -118,8 +126,7 @@ static void take_params(struct renderer *r, const struct renderer_params *params
     r->tile = tile_at(&r->tiling, 0);
 }
 
-/* A scene that has not been loaded has no place for its tree. */
-static enum status need_tree(struct renderer *r)
+enum status renderer_need_tree(struct renderer *r)
 {
     if (!r->params.scene->tree) {
         r->own_scene = *r->params.scene;
@@ -140,12 +147,12 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     *renderer = NULL;
     if (!r)
         return log_out_of_memory(NULL);
-    take_params(r, params);
+    renderer_take_params(r, params);
     enum status status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
     if (status == STATUS_OK)
         status = uploaded_scene_check(params->gpu, params->scene);
-    if (status == STATUS_OK && meets_tree(params))
-        status = need_tree(r);
+    if (status == STATUS_OK && renderer_meets_tree(params))
+        status = renderer_need_tree(r);
     const double start = clock_ms();
     if (status == STATUS_OK)
         status = frame_exec_compile(&r->picture, &r->params, renderer_picture_request(&r->params));
@@ -154,17 +161,16 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
         r->warm_up = warm_up_begin(&r->picture, &r->params);
     const double compiled = clock_ms();
     if (status == STATUS_OK)
-        status = frame_objects_init(&r->objects, &r->picture.frame.list, params->scene);
+        status = frame_objects_init(&r->objects, &r->picture.frame->list, params->scene);
     if (status == STATUS_OK)
         status = frame_cube_init(&r->cube, params->scene);
     if (status == STATUS_OK)
         status = upload(r);
     r->costs.upload = clock_ms() - compiled;
-    if (status == STATUS_OK && !frame_draws_cube(params->settings, params->scene) &&
-        !params->scene->cube.texels)
-        status = frame_exec_create(&r->capture, r, renderer_capture_request(&r->params));
-    if (status == STATUS_OK && (params->refines || (params->display && r->params.samples > 1)))
-        status = frame_exec_create(&r->resolve, r, renderer_resolve_request(&r->params));
+    if (status == STATUS_OK && renderer_wants_capture(&r->params))
+        status = renderer_make(r, &r->capture, renderer_capture_request(&r->params));
+    if (status == STATUS_OK && renderer_wants_resolve(&r->params))
+        status = renderer_make(r, &r->resolve, renderer_resolve_request(&r->params));
     const double begin = clock_ms();
     if (status == STATUS_OK)
         status = realise(r, &r->picture);
@@ -273,13 +279,13 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
     };
     const struct globals globals = frame_view_globals(&view, &frame.view);
     struct trace_frame trace;
-    if (meets_tree(&r->params)) {
+    if (renderer_meets_tree(&r->params)) {
         frame_trace_fill(&trace, &view, &globals);
         view.trace = &trace;
     }
     for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
         frame.faces[face] = frame_view_face(&view, face);
-    const VkExtent2D size = frame_exec->frame.plan->view;
+    const VkExtent2D size = frame_exec->frame->plan->view;
     frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
     frame.lookup_area = lookup_area(r, &view, &globals, size);
     frame.faces_due = FRAME_CUBE_ALL;
@@ -305,7 +311,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
 const void *renderer_read_back(struct frame_exec *frame_exec, const struct rg_image *image,
                                uint32_t slot)
 {
-    const struct rg_buffer *buffer = frame_plan_buffer(&frame_exec->frame, image);
+    const struct rg_buffer *buffer = frame_plan_buffer(frame_exec->frame, image);
     return buffer ? rg_exec_mapped(frame_exec->exec, buffer, slot) : NULL;
 }
 
@@ -381,7 +387,7 @@ struct rg_times renderer_times(const struct renderer *r)
 
 const struct rg_plan *renderer_frame(const struct renderer *r)
 {
-    return r->picture.frame.plan;
+    return r->picture.frame->plan;
 }
 
 static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,
@@ -421,7 +427,7 @@ static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, 
 /* Tonemaps the mean on the device, to which it is copied in half, the format of frame_color. */
 static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
 {
-    const uint32_t width = r->resolve.frame.plan->view.width;
+    const uint32_t width = r->resolve.frame->plan->view.width;
     uint32_t slot;
     enum status status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
     uint16_t *texels =
@@ -528,14 +534,14 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
     struct renderer_params strip = *params;
     uint32_t slot;
     strip.height = strip.face_size = params->width;
-    take_params(&r, &strip);
+    renderer_take_params(&r, &strip);
     enum status status = gpu_fit_cube(params->gpu, params->width);
     if (status == STATUS_OK)
         status = uploaded_scene_check(params->gpu, params->scene);
     if (status == STATUS_OK)
         status = upload(&r);
     if (status == STATUS_OK)
-        status = frame_exec_create(&r.capture, &r, renderer_bake_request(&r.params));
+        status = renderer_make(&r, &r.capture, renderer_bake_request(&r.params));
     if (status == STATUS_OK)
         status = renderer_run(&r, &r.capture, &shot, 0, &slot);
     if (status == STATUS_OK)

@@ -40,6 +40,15 @@ MUST_USE enum status renderer_create(struct renderer **renderer,
                                      const struct renderer_params *params);
 
 /*
+ * Draws with other params from now on, of the same gpu, scene and `uploaded`, measured as before.
+ * Memory, images and pipelines that both need stay, so a change costs what has changed; what was
+ * drawn is gone. Waits for all frames. On failure the renderer may only be destroyed; if that is
+ * STATUS_TRY_AGAIN, a new one may still fit into memory, since this needs that of both for a while.
+ */
+MUST_USE enum status renderer_change(struct renderer *renderer,
+                                     const struct renderer_params *params);
+
+/*
  * What renderer_render() or renderer_draw() draws: a picture, or one of its tiles.
  *
  * A tile is a rectangle of the picture (src/base/tile.h) with the same bits as in a whole picture.

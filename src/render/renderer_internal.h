@@ -36,6 +36,22 @@ struct renderer {
     struct image sums;  /* of the samples of renderer_refine() */
 };
 
+/* What params need beside the picture: a cube that is drawn once, a mean of samples, the tree. */
+bool renderer_wants_capture(const struct renderer_params *params);
+bool renderer_wants_resolve(const struct renderer_params *params);
+bool renderer_meets_tree(const struct renderer_params *params);
+
+/* Copies the params and replaces sizes of 0 by 1, and the picture's size by that of an interleaved
+ * tile. */
+void renderer_take_params(struct renderer *renderer, const struct renderer_params *params);
+
+/* Builds the scene's tree. A scene that has not been loaded has no place for it. */
+MUST_USE enum status renderer_need_tree(struct renderer *renderer);
+
+/* Compiles a request and creates its executor. */
+MUST_USE enum status renderer_make(struct renderer *renderer, struct frame_exec *frame_exec,
+                                   struct frame_request request);
+
 /* The objects behind a plan's imports, malloc'd; NULL: out of memory, which is not logged. */
 struct rg_exec_import *renderer_imports(const struct renderer *renderer,
                                         const struct frame_plan *plan);

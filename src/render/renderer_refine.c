@@ -12,7 +12,7 @@ enum status renderer_set_view(struct renderer *r, VkExtent2D view)
     struct frame_request request = renderer_picture_request(&r->params);
     if (r->width == view.width && r->height == view.height)
         return STATUS_OK;
-    struct rg_exec_import *imports = renderer_imports(r, &r->picture.frame);
+    struct rg_exec_import *imports = renderer_imports(r, r->picture.frame);
     if (!imports)
         return log_out_of_memory(NULL);
     request.view = view;

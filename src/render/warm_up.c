@@ -90,7 +90,7 @@ static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exe
     exec->measured = false;
     exec->warm_up_only = true;
     exec->log = NULL;
-    atomic_init(&warm_up->next, (int)frame_exec->frame.plan->pass_count - 1);
+    atomic_init(&warm_up->next, (int)frame_exec->frame->plan->pass_count - 1);
 }
 
 static bool is_wanted(void)

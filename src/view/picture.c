@@ -148,39 +148,46 @@ static enum status make_right_scene(struct picture *p)
     return status;
 }
 
-static enum status make_renderer(const struct picture *p, struct renderer_params params,
-                                 struct renderer **renderer)
+/* Changes the renderer, or makes one: where there is none, and where memory for both plans at a
+ * time is short. */
+static enum status fit_renderer(const struct picture *p, struct renderer_params params,
+                                struct renderer **renderer)
 {
     params.keep = true;
     params.refines = p->refines;
     params.measured = true;
-    const enum status status = renderer_create(renderer, &params);
+    enum status status = *renderer ? renderer_change(*renderer, &params) : STATUS_TRY_AGAIN;
+    if (status != STATUS_TRY_AGAIN)
+        return status;
+    renderer_destroy(*renderer);
+    status = renderer_create(renderer, &params);
     if (status == STATUS_OK)
         renderer_measure(*renderer, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
     return status;
 }
 
-/* On failure those before stay. */
-static enum status make_renderers(struct picture *p)
+static void forget_right(struct picture *p)
 {
-    struct renderer *left = NULL;
-    struct renderer *right = NULL;
+    renderer_destroy(p->right);
+    p->right = NULL;
+}
+
+/* On failure there are none. */
+static enum status fit_renderers(struct picture *p)
+{
     struct picture_scene *before = p->right_scene;
     enum status status = make_right_scene(p);
+    if (before || p->right_scene || !p->state.split)
+        forget_right(p); /* a renderer is of one scene */
+    forget_scene(before, p->gpu);
     if (status == STATUS_OK)
-        status = make_renderer(p, picture_params(p), &left);
+        status = fit_renderer(p, picture_params(p), &p->renderer);
     if (status == STATUS_OK && p->state.split)
-        status = make_renderer(p, picture_right_params(p), &right);
+        status = fit_renderer(p, picture_right_params(p), &p->right);
     if (status != STATUS_OK) {
-        renderer_destroy(left);
-        forget_scene(p->right_scene, p->gpu);
-        p->right_scene = before;
+        forget_renderers(p);
         return status;
     }
-    forget_renderers(p);
-    forget_scene(before, p->gpu);
-    p->renderer = left;
-    p->right = right;
     p->version++;
     p->shows_mean = false;
     p->view = (VkExtent2D){ p->state.width, p->state.height };
@@ -189,17 +196,24 @@ static enum status make_renderers(struct picture *p)
 
 enum status picture_remake(struct picture *p)
 {
-    return p->renderer ? make_renderers(p) : STATUS_OK;
+    return p->renderer ? fit_renderers(p) : STATUS_OK;
+}
+
+/* After that has failed, and the state is that of before, makes the renderers for it; where they
+ * cannot be made any more, picture_resize() tries again. */
+static enum status restore(struct picture *p, enum status status)
+{
+    (void)fit_renderers(p);
+    return status;
 }
 
 enum status picture_resize(struct picture *p, VkExtent2D size)
 {
     if (p->renderer && p->state.width == size.width && p->state.height == size.height)
         return STATUS_OK;
-    forget_renderers(p); /* first: both sizes may not fit into memory */
     p->state.width = size.width;
     p->state.height = size.height;
-    return make_renderers(p);
+    return fit_renderers(p);
 }
 
 enum status picture_split(struct picture *p, const struct technique *rung,
@@ -219,8 +233,9 @@ enum status picture_split(struct picture *p, const struct technique *rung,
         p->state.split = before;
         p->right_settings = settings_before;
         p->has_right_settings = had_settings;
+        return restore(p, status);
     }
-    return status;
+    return STATUS_OK;
 }
 
 bool picture_is_split(const struct picture *p)
@@ -238,8 +253,9 @@ enum status picture_turn(struct picture *p, float degrees)
     if (status != STATUS_OK) {
         p->state.scene.env_rotate = before;
         p->scene.environment.turn = turn;
+        return restore(p, status);
     }
-    return status;
+    return STATUS_OK;
 }
 
 /* ---- frames ---- */
@@ -400,7 +416,7 @@ static enum status replace(struct picture **picture, const struct app_picture *s
         next->flipped = (*picture)->flipped;
     }
     if (status == STATUS_OK && drawn)
-        status = make_renderers(next);
+        status = fit_renderers(next);
     if (status != STATUS_OK) {
         picture_destroy(next);
         return status;
@@ -459,10 +475,11 @@ enum status picture_change(struct picture **picture, const struct settings *sett
     if (!p->renderer || same_frame(p, &before, &wanted))
         return STATUS_OK;
     const enum status status = picture_remake(p);
-    *remade = status == STATUS_OK;
-    if (status != STATUS_OK)
-        p->state = before;
-    return status;
+    *remade = true; /* on failure, too */
+    if (status == STATUS_OK)
+        return status;
+    p->state = before;
+    return restore(p, status);
 }
 
 static bool is_environment(const char *path)

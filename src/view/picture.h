@@ -3,8 +3,8 @@
  * split, two renderers of the same scene. The command line only begins the state: panels, keys and
  * dropped files change it.
  *
- * A change makes anew only what it needs: nothing (the settings of shaders), the renderer (another
- * list of techniques, another size), or the scene.
+ * A change makes anew only what it needs: nothing (the settings of shaders), what is other in the
+ * renderer's plan (another list of techniques, another size), or the scene.
  *
  * Errors: logged once where found; a picture that cannot be made or changed leaves what was there.
  */
@@ -62,7 +62,7 @@ void picture_destroy(struct picture *picture); /* may be NULL; waits for its fra
 void picture_leave_device(struct picture *picture); /* may be NULL */
 MUST_USE enum status picture_upload(struct picture *picture);
 
-/* Makes a renderer of this size, if there is none. */
+/* Changes the renderers to this size, or makes them. On failure there are none. */
 MUST_USE enum status picture_resize(struct picture *picture, VkExtent2D size);
 
 /*
@@ -92,8 +92,8 @@ bool picture_is_split(const struct picture *picture); /* something is shown on t
 /* Turns the panorama around the scene, degrees. On failure it stays as it was. */
 MUST_USE enum status picture_turn(struct picture *picture, float degrees);
 
-/* Makes the renderers anew, if there are any: the watched shaders are others. On failure those
- * before stay. */
+/* Changes the renderers, if there are any: the watched shaders are others, or the projection. On
+ * failure there are none: picture_resize() makes them. */
 MUST_USE enum status picture_remake(struct picture *picture);
 
 /* Returns whether an animated model has the pose of a time, seconds; true of others. */

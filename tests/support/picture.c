@@ -22,12 +22,12 @@ static struct settings settings_for(const struct picture_request *request)
     return request->settings ? *request->settings : picture_settings("light.count=0");
 }
 
-void picture_open(struct picture_stage *stage, struct gpu *gpu,
-                  const struct picture_request *request)
+/* Takes the request over, but not yet in the renderer. */
+static struct renderer_params params_for(struct picture_stage *stage,
+                                         const struct picture_request *request)
 {
-    *stage = (struct picture_stage){ gpu, *request, settings_for(request), NULL };
     const struct renderer_params params = {
-        .gpu = gpu,
+        .gpu = stage->gpu,
         .scene = request->scene,
         .settings = &stage->settings,
         .rung = request->rung ? techniques_find_rung(request->rung) : techniques_rung(0),
@@ -40,7 +40,23 @@ void picture_open(struct picture_stage *stage, struct gpu *gpu,
         .sharing = request->sharing,
     };
     assert_non_null(params.rung);
+    stage->request = *request;
+    stage->settings = settings_for(request);
+    return params;
+}
+
+void picture_open(struct picture_stage *stage, struct gpu *gpu,
+                  const struct picture_request *request)
+{
+    *stage = (struct picture_stage){ .gpu = gpu };
+    const struct renderer_params params = params_for(stage, request);
     assert_int_equal(renderer_create(&stage->renderer, &params), STATUS_OK);
+}
+
+void picture_change(struct picture_stage *stage, const struct picture_request *request)
+{
+    const struct renderer_params params = params_for(stage, request);
+    assert_int_equal(renderer_change(stage->renderer, &params), STATUS_OK);
 }
 
 /* Whether both give the same passes and the same shaders. */

@@ -1,0 +1,83 @@
+/* renderer_change.c: other params for a renderer, which keeps what both have in common. */
+#include <stdlib.h>
+#include "src/base/log.h"
+#include "src/render/renderer_internal.h"
+#include "src/render/request.h"
+#include "src/render/warm_up.h"
+
+/* Puts the plan of a request in the place of the one that frame_exec has. */
+static enum status replace(struct renderer *r, struct frame_exec *frame_exec,
+                           struct frame_request request)
+{
+    struct frame_exec next = { 0 };
+    enum status status = frame_exec_compile(&next, &r->params, request);
+    struct rg_exec_import *imports = status == STATUS_OK ? renderer_imports(r, next.frame) : NULL;
+    if (status == STATUS_OK && !imports)
+        status = log_out_of_memory(NULL);
+    if (status == STATUS_OK)
+        status = frame_exec_replace(frame_exec, &next, &r->params, imports);
+    frame_exec_destroy(&next);
+    free(imports);
+    return status;
+}
+
+static enum status fit(struct renderer *r, struct frame_exec *frame_exec,
+                       struct frame_request request)
+{
+    return frame_exec->exec ? replace(r, frame_exec, request)
+                            : renderer_make(r, frame_exec, request);
+}
+
+/* The picture imports the cube that `capture` draws, so that comes first, and goes last. */
+static enum status fit_all(struct renderer *r)
+{
+    const bool captures = renderer_wants_capture(&r->params);
+    const bool resolves = renderer_wants_resolve(&r->params);
+    struct frame_exec unused = r->capture;
+    enum status status = STATUS_OK;
+    if (captures)
+        status = fit(r, &r->capture, renderer_capture_request(&r->params));
+    else
+        r->capture = (struct frame_exec){ 0 };
+    if (status == STATUS_OK)
+        status = fit(r, &r->picture, renderer_picture_request(&r->params));
+    if (!captures)
+        frame_exec_destroy(&unused);
+    if (!resolves)
+        frame_exec_destroy(&r->resolve);
+    else if (status == STATUS_OK)
+        status = fit(r, &r->resolve, renderer_resolve_request(&r->params));
+    return status;
+}
+
+/* As of a renderer that has drawn nothing. */
+static void forget_pictures(struct renderer *r)
+{
+    image_finish(&r->sums);
+    r->sum_count = 0;
+    r->captured = false;
+    r->cube.drawn = 0;
+    r->cube.next = 0;
+}
+
+enum status renderer_change(struct renderer *r, const struct renderer_params *params)
+{
+    warm_up_end(r->warm_up); /* it reads the plan */
+    r->warm_up = NULL;
+    enum status status = renderer_wait(r); /* `capture` is not waited for by the picture's update */
+    renderer_take_params(r, params);
+    forget_pictures(r);
+    if (status == STATUS_OK)
+        status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
+    if (status == STATUS_OK && renderer_meets_tree(&r->params) && !r->tree.imports) {
+        status = renderer_need_tree(r);
+        if (status == STATUS_OK)
+            status = uploaded_scene_init_tree(&r->tree, params->gpu, r->params.scene);
+    }
+    if (status == STATUS_OK)
+        status = fit_all(r);
+    frame_objects_finish(&r->objects);
+    if (status == STATUS_OK)
+        status = frame_objects_init(&r->objects, &r->picture.frame->list, r->params.scene);
+    return status;
+}
