@@ -25,6 +25,8 @@
 #include <stdio.h>
 #include <vulkan/vulkan_core.h>
 
+#include "graph/rg_plan.h"
+
 #ifdef __GNUC__
 #define RG_API __attribute__((visibility("default"))) /* exported; all else stays in the library */
 #else
@@ -45,8 +47,6 @@ enum {
     RG_MAX_ROWS = 1 << 24,     /* entries of any other table, at most */
 };
 
-#define RG_NONE UINT32_MAX /* an index that refers to nothing */
-
 /* What a pass does to a resource. compile/access.c has a row of Vulkan's words for each. */
 enum rg_access {
     RG_ACCESS_NONE,        /* no access; of an import: its content is undefined */
@@ -55,17 +55,22 @@ enum rg_access {
     RG_DEPTH_READ,         /* depth-stencil target, only tested; derived as well */
     RG_RESOLVE,            /* target of a multisample resolve; derived from rg_target.resolve */
     RG_SAMPLED,            /* combined image sampler; of a buffer: uniform texel buffer */
-    RG_STORAGE_READ,       /* storage image or storage buffer, read */
-    RG_STORAGE_WRITE,      /* storage image or buffer, its whole range written unless `partial` */
-    RG_STORAGE_READ_WRITE, /* storage image or buffer, earlier content read and changed */
+    RG_STORAGE_READ,       /* storage image or buffer, or storage texel buffer; read */
+    RG_STORAGE_WRITE,      /* one of these, its whole range written unless `partial` */
+    RG_STORAGE_READ_WRITE, /* one of these, earlier content read and changed */
     RG_UNIFORM,            /* uniform buffer */
+    RG_TRACE,              /* acceleration structure in a buffer, met by a shader's ray queries */
     RG_VERTEX,             /* vertex buffer */
     RG_INDEX,              /* index buffer */
     RG_INDIRECT,           /* parameters of indirect draws and dispatches */
     RG_COPY_SRC,           /* source of copies, blits and resolves */
     RG_COPY_DST,           /* destination of copies, its whole range written unless `partial` */
-    RG_HOST_READ,          /* read by the CPU after the frame; only of outputs */
-    RG_PRESENT,            /* presented by a swapchain; only of imports and outputs */
+    RG_BUILD,              /* acceleration structure that is built */
+    RG_BUILD_SOURCE,  /* acceleration structure that a build reads: one in another's instances */
+    RG_BUILD_INPUT,   /* vertices, indices or instances that a build reads */
+    RG_BUILD_SCRATCH, /* memory for a build; its content does not count */
+    RG_HOST_READ,     /* read by the CPU after the frame; only of outputs */
+    RG_PRESENT,       /* presented by a swapchain; only of imports and outputs */
     RG_ACCESS_COUNT,
 };
 
@@ -87,7 +92,7 @@ enum rg_blend {
 enum rg_kind {
     RG_RASTER,   /* draws into targets */
     RG_COMPUTE,  /* dispatches */
-    RG_TRANSFER, /* copies, blits and clears */
+    RG_TRANSFER, /* copies, blits, clears, and builds of acceleration structures */
 };
 
 /* Whether one row stands for several passes, which run one after another. */
@@ -105,10 +110,10 @@ enum rg_memory {
 };
 
 /*
- * A two-dimensional image. It is transient unless it is imported or persistent: its content lives
- * from the first pass of a frame that accesses it to the last one, and its memory may be shared
- * with other images. A persistent image keeps its content from one frame to the next (history);
- * before the first frame all of it is zero.
+ * An image of two dimensions, or of three. It is transient unless it is imported or persistent:
+ * its content lives from the first pass of a frame that accesses it to the last one, and its
+ * memory may be shared with other images. A persistent image keeps its content from one frame to
+ * the next (history); before the first frame all of it is zero.
  */
 struct rg_image {
     const char *name;       /* unique among resources; shown in dumps, captures and messages */
@@ -119,22 +124,28 @@ struct rg_image {
     uint32_t mips;          /* mip levels; 0 means 1, RG_ALL_MIPS all */
     uint32_t samples;       /* per texel: 1 (0 means 1), 2, 4 ... 64. An image of several samples is
                                a target, or read by texelFetch; it has one mip and is no cube */
-    bool cube;              /* sampled as a cube map; the number of layers is a multiple of 6 */
+    uint32_t depth;  /* texels of an image of three dimensions; 0: it has two. It is sampled, stored
+                       or copied, but no target; it has one layer, one sample, and is no cube */
+    bool cube;       /* sampled as a cube map; the number of layers is a multiple of 6 */
     bool array;      /* an array for shaders even with one layer; with several it always is */
     bool persistent; /* keeps its content between frames, in memory that it does not share;
                                an import keeps what it came with instead */
 };
 
-/* A buffer. It is transient, persistent or imported as an image is. */
+/*
+ * A buffer. It is transient, persistent or imported as an image is. One that is RG_TRACE, RG_BUILD
+ * or RG_BUILD_SOURCE holds an acceleration structure of its size, and nothing else; `size` is what
+ * vkGetAccelerationStructureBuildSizesKHR() says. A persistent one is valid once a row has built
+ * it.
+ */
 struct rg_buffer {
     const char *name;            /* unique among resources */
     VkDeviceSize size;           /* bytes, in addition to: */
     VkDeviceSize size_per_texel; /* bytes for every texel of rg_compile_params.max_region */
     enum rg_memory memory;       /* persistent and imported buffers are RG_MEMORY_DEVICE */
     bool persistent;             /* keeps its content between frames; all zero before the first */
-    VkFormat
-        format; /* of its texels, where it is RG_SAMPLED: one of compile/format.c that the device
-                        has for uniform texel buffers. 0: it has none */
+    VkFormat format;             /* of its texels, where it is RG_SAMPLED or rg_use.texels: one of
+                        compile/format.c that the device has for such buffers. 0: it has none */
 };
 
 /* A part of an image. {0} is all of it. */
@@ -151,6 +162,7 @@ struct rg_sampler {
     bool mips;        /* uses the mip chain; else mip 0 alone */
     bool repeat_u;    /* wraps around horizontally */
     bool repeat_v;    /* wraps around vertically */
+    bool repeat_w;    /* wraps around in depth */
     float anisotropy; /* at most; 0 means none; limited by rg_exec_params.max_anisotropy */
 };
 
@@ -165,7 +177,11 @@ struct rg_use {
     const struct rg_image *image;   /* exactly one of this */
     const struct rg_buffer *buffer; /* and this is given */
     enum rg_access access;          /* required; not one that is derived from targets */
-    uint16_t binding; /* in descriptor set 0, if the access has a descriptor; unique in the row */
+    uint16_t binding; /* in descriptor set 0, if the access has a descriptor; unique in the row but
+                         for the elements of an array: */
+    uint16_t element; /* of an array of descriptors. They follow one another in the row, from 0 on,
+                         with the same kind of descriptor and the same stages */
+    bool texels;      /* RG_STORAGE_...: a buffer is a storage texel buffer, of rg_buffer.format */
     bool partial;     /* a write that keeps some of the range's earlier content */
     bool same_texel;  /* RG_SAMPLED: fragments read only the texel at their own position, which
                          rg_exec_set_region() makes use of */
@@ -200,6 +216,13 @@ struct rg_shader {
     const char *name;      /* for captures and messages */
     const uint32_t *words; /* the module; borrowed */
     size_t word_count;     /* 32-bit words; 0: the code is not known yet, and nothing is compared */
+};
+
+/* A descriptor set of the program's own, which is set 1 of the shaders: for resources that the
+ * graph need not know, as all textures of a scene (bindless). rg_exec_params.sets has its layout,
+ * and the record function binds it. The graph neither synchronises nor checks what is in it. */
+struct rg_set {
+    const char *name; /* required; for messages and dumps */
 };
 
 /* The layout of a vertex buffer: of that at binding 0, or the one after that of which it is `next`.
@@ -265,6 +288,7 @@ struct rg_pass {
     bool depth_read_only;         /* the depth target is tested and not written, its stencil too */
     struct rg_depth_bias depth_bias;  /* {0}: none */
     const struct rg_stencil *stencil; /* borrowed; NULL: no stencil test */
+    const struct rg_set *set;         /* NULL: its shaders have set 0 alone */
 };
 
 /* Passes that belong together, in the order in which they run. */
@@ -286,6 +310,7 @@ struct rg_import {
     enum rg_access access;          /* the state in which it arrives */
     VkExtent2D extent;              /* texels of the image that comes; 0x0: as declared */
     uint32_t layers, mips;          /* of the image that comes; 0: as declared */
+    uint32_t depth;                 /* the same, of an image of three dimensions */
     VkDeviceSize size;              /* bytes of the buffer that comes; 0: as declared */
 };
 
@@ -315,10 +340,14 @@ struct rg_device {
                                                    const VkBufferCreateInfo *info);
     /* Returns what images of a format can do with VK_IMAGE_TILING_OPTIMAL. */
     VkFormatFeatureFlags (*format_features)(const void *user, VkFormat format);
+    /* Returns what texel buffers of a format can do. */
+    VkFormatFeatureFlags (*buffer_features)(const void *user, VkFormat format);
     /* Returns which numbers of samples such an image may have. */
     VkSampleCountFlags (*sample_counts)(const void *user, const VkImageCreateInfo *info);
     uint32_t max_image_size, max_layers; /* texels on a side, and layers; 0 means no limit. The
                                             compiler's own are 65536 and 16384 */
+    uint32_t max_volume_size;            /* texels on a side of an image of three dimensions; the
+                                            compiler's own is 16384 */
 };
 
 /*
@@ -417,121 +446,6 @@ struct rg_fault {
     const char *hint; /* how to mend it */
 };
 
-/* An image that living passes access. */
-struct rg_plan_image {
-    const struct rg_image *image; /* the declaration */
-    VkExtent2D extent;            /* texels of mip 0 */
-    uint32_t layers, mips;
-    VkImageAspectFlags aspects; /* of the format */
-    VkImageUsageFlags usage;    /* of all accesses */
-    VkImageCreateFlags flags;
-    uint32_t samples;          /* per texel */
-    bool imported, persistent; /* neither: transient */
-    uint32_t import;           /* index into the params' imports, or RG_NONE */
-    uint32_t first, last;      /* plan passes that access it; an output's last is pass_count */
-    uint32_t block;            /* index into blocks; RG_NONE unless transient */
-    VkDeviceSize offset, size; /* bytes, in the block; the size that its memory has */
-};
-
-/* A buffer that living passes access. */
-struct rg_plan_buffer {
-    const struct rg_buffer *buffer;   /* the declaration */
-    VkDeviceSize size;                /* bytes, without alignment */
-    VkDeviceSize max_size;            /* bytes in a view of max_view; in host memory it has them */
-    VkBufferUsageFlags usage;         /* of all accesses */
-    bool imported, persistent;        /* neither: transient */
-    uint32_t import;                  /* index into the params' imports, or RG_NONE */
-    uint32_t first, last;             /* plan passes, as of an image */
-    uint32_t block;                   /* RG_NONE unless transient and RG_MEMORY_DEVICE */
-    VkDeviceSize offset, memory_size; /* bytes, in the block; 0 in host memory */
-};
-
-/* Memory that transient images, or transient buffers, share. */
-struct rg_block {
-    VkDeviceSize size, alignment; /* bytes */
-    uint32_t type_bits;           /* memory types that suit all of them */
-    bool buffers;                 /* of buffers; else of images */
-};
-
-/* One VkImageMemoryBarrier2 or VkBufferMemoryBarrier2. */
-struct rg_barrier {
-    uint32_t image;  /* index into images, or RG_NONE */
-    uint32_t buffer; /* index into buffers, or RG_NONE */
-    VkPipelineStageFlags2 src_stages, dst_stages;
-    VkAccessFlags2 src_access, dst_access;
-    VkImageLayout old_layout, new_layout; /* of an image */
-    VkImageSubresourceRange range;        /* of an image */
-};
-
-/* An attachment of a pass. */
-struct rg_plan_target {
-    uint32_t image;      /* index into images */
-    uint32_t mip, layer; /* where it draws */
-    VkAttachmentLoadOp load;
-    VkAttachmentStoreOp store; /* derived from what later passes and outputs need */
-    VkImageLayout layout;
-    uint32_t resolve; /* index into images, or RG_NONE; in the layout of a colour target */
-    uint32_t resolve_mip, resolve_layer;
-};
-
-/* A use with its range resolved: a descriptor, or an access that has none. */
-struct rg_plan_use {
-    const struct rg_use *use;      /* the declaration */
-    uint32_t image, buffer;        /* index into images or buffers; the other is RG_NONE */
-    VkImageSubresourceRange range; /* of an image */
-    VkImageLayout layout;          /* of an image, during the pass */
-};
-
-/* One pass to record: a row, or one repetition of it. */
-struct rg_plan_pass {
-    const struct rg_pass *pass; /* the row */
-    const struct rg_technique *technique;
-    uint32_t row;                          /* index into the technique's passes */
-    uint32_t repetition;                   /* from 0 */
-    VkExtent2D extent;                     /* texels of the targets; the view's without targets */
-    uint32_t first_barrier, barrier_count; /* one batch, recorded before the pass */
-    uint32_t first_use, use_count;
-    uint32_t first_fallback, fallback_count;
-    const struct rg_plan_target *color; /* `color_count` of rg_plan.colors */
-    uint32_t color_count;
-    struct rg_plan_target depth; /* its image is RG_NONE if there is none */
-};
-
-/* A pass that no output needs. */
-struct rg_culled {
-    const struct rg_pass *pass;
-    uint32_t repetition;
-};
-
-/* The result of rg_compile(). If fault_count is not 0, only the faults may be read. */
-struct rg_plan {
-    const struct rg_fault *faults;
-    uint32_t fault_count;
-    VkExtent2D view, max_region; /* of the params */
-    uint32_t pass_count, image_count, buffer_count, barrier_count, use_count, block_count;
-    uint32_t culled_count, color_count, fallback_count;
-    uint32_t batch_count;              /* passes with barriers before them, and the end with some */
-    const struct rg_plan_pass *passes; /* in the order in which they run */
-    const struct rg_plan_image *images; /* in the order of their first access */
-    const struct rg_plan_buffer *buffers;
-    const struct rg_barrier *barriers; /* of the frame; behind them the initial ones */
-    uint32_t first_final_barrier, final_barrier_count; /* one batch, after the last pass */
-    /* Barriers before the first frame, in no batch: from TRANSFER_DST_OPTIMAL (persistent resources
-     * have just been filled with zeros) to the state that every frame finds and leaves. */
-    uint32_t first_initial_barrier, initial_barrier_count;
-    const struct rg_plan_use *uses;        /* those of a pass adjoin */
-    const struct rg_use *const *fallbacks; /* uses bound to their fallback; in no dump */
-    const struct rg_plan_target *colors;   /* colour targets; those of a pass adjoin */
-    const struct rg_block *blocks;
-    const struct rg_culled *culled;
-    VkDeviceSize memory_used;             /* bytes of all blocks */
-    VkDeviceSize memory_without_aliasing; /* bytes if nothing were shared */
-    VkDeviceSize memory_bound;            /* bytes taken at some one time: no packing needs less */
-    VkDeviceSize memory_least;            /* that bound if batches did not count */
-    VkDeviceSize memory_persistent;       /* bytes of persistent resources, beside all this */
-    size_t arena_size;                    /* bytes of memory that compiling took */
-};
-
 /*
  * Compiles the techniques of `params`, in their order. Returns a plan, which the caller destroys;
  * check its fault_count first. Returns NULL only when memory is short. Whatever numbers the tables
@@ -575,6 +489,9 @@ struct rg_access_info {
 
 /* Returns the words of an access; those of RG_ACCESS_NONE of any other number. Static data. */
 RG_API const struct rg_access_info *rg_access_info(enum rg_access access);
+
+/* Returns the descriptor that a use binds; VK_DESCRIPTOR_TYPE_MAX_ENUM: none. */
+RG_API VkDescriptorType rg_use_descriptor(const struct rg_use *use);
 
 /* What the graph knows of a format. */
 struct rg_format_info {

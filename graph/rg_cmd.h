@@ -28,6 +28,10 @@ RG_API VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
 
 /* ---- drawing and computing ---- */
 
+/* Binds a descriptor set of the program's own, of the layout that rg_exec_params.sets has for the
+ * row's `set`. It lives, and stays as it is, until the frame has been executed. */
+RG_API void rg_cmd_bind_set(struct rg_cmd *cmd, VkDescriptorSet set);
+
 /* Writes push constants from byte 0 on, for all stages; `size` is the row's push_size. */
 RG_API void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size);
 
@@ -75,6 +79,21 @@ RG_API void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *
 RG_API void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                      VkDeviceSize offset);
 
+/* Draws whose number the device has counted. The row names both buffers, or the one that has
+ * both, as RG_INDIRECT. */
+struct rg_indirect_count {
+    const struct rg_buffer *commands; /* one behind the other, of a kind as above */
+    VkDeviceSize offset;              /* of the first one, bytes, a multiple of 4 */
+    const struct rg_buffer *count;    /* of them, a uint32_t */
+    VkDeviceSize count_offset;        /* bytes, a multiple of 4 */
+    uint32_t max_count;               /* no more than so many are drawn */
+};
+
+/* Need the feature drawIndirectCount; without it the frame is not submitted, as below. */
+RG_API void rg_cmd_draw_indirect_count(struct rg_cmd *cmd, const struct rg_indirect_count *draws);
+RG_API void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_mesh *mesh,
+                                            const struct rg_indirect_count *draws);
+
 /* ---- copying ---- */
 
 /*
@@ -90,6 +109,15 @@ RG_API void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_imag
  * and the image as RG_COPY_DST. */
 RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                         VkDeviceSize offset, const struct rg_image *image);
+
+/* ---- acceleration structures ---- */
+
+/* Return the acceleration structure in a buffer, which stays the executor's, and the device address
+ * of it, or of a buffer that is RG_BUILD_INPUT or RG_BUILD_SCRATCH. The row names the buffer.
+ * vkCmdBuildAccelerationStructuresKHR() builds, in rg_cmd_vulkan(). */
+RG_API VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
+                                                      const struct rg_buffer *buffer);
+RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
 
 /* ---- everything else, with Vulkan itself ---- */
 

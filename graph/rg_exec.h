@@ -6,7 +6,8 @@
  * with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
  * separateDepthStencilLayouts enabled, independentBlend where the targets of a row blend
  * differently, depthBiasClamp where a bias is limited, fragmentStoresAndAtomics or
- * vertexPipelineStoresAndAtomics where such shaders write.
+ * vertexPipelineStoresAndAtomics where such shaders write, accelerationStructure and
+ * bufferDeviceAddress where rows build or trace, and what shaders declare to need (OpCapability).
  * rg_exec_create() tells the log each feature that is missing. Functions are found through the
  * program's own vkGetInstanceProcAddr: no loader is linked, nothing is global, and executors of
  * several instances can exist side by side.
@@ -39,10 +40,17 @@ extern "C" {
 struct rg_exec_import {
     VkImage image;   /* of an imported image that is the same one in each frame */
     VkBuffer buffer; /* of an imported buffer */
+    VkAccelerationStructureKHR acceleration; /* in that buffer, if rows trace or build it */
     /* Instead of `image`: several images, of which each frame uses one, as those of a swapchain.
      * All imports that have several have equally many, and a frame uses the same index of all. */
     const VkImage *images;
     uint32_t image_count;
+};
+
+/* The layout of a descriptor set of the program's own. */
+struct rg_exec_set {
+    const struct rg_set *set;     /* that rows name */
+    VkDescriptorSetLayout layout; /* borrowed; it outlives the executor */
 };
 
 /* Returns the shader to use in place of one that a table names: the same one, or one with the same
@@ -66,6 +74,8 @@ struct rg_exec_params {
     const struct rg_exec_import *imports; /* in the order of the compile params' imports; only read
                                              by rg_exec_create() */
     size_t import_count;
+    const struct rg_exec_set *sets; /* one for each that rows name; outlive the executor */
+    size_t set_count;
     float max_anisotropy; /* limit of the device; 0: samplerAnisotropy is not enabled */
     bool render_passes;   /* records VkRenderPass objects instead of dynamic rendering, which some
                              releases of the synchronization validation do not check */
@@ -100,10 +110,10 @@ RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkRes
  * that the plan does not need stay for one more update, so that switching to and fro is cheap.
  *
  * Of `params` only plan, imports, max_anisotropy, constants, replace_shader and user count; all
- * else stays as it was created. Waits for all submitted frames; not to be called between rg_exec_begin() and a
- * submit. The former plan and its tables must exist until it returns. What rg_exec_image(),
- * rg_exec_block() and rg_exec_mapped() have returned becomes invalid, and no region is set.
- * Returns an error if a call fails.
+ * else stays as it was created. Waits for all submitted frames; not to be called between
+ * rg_exec_begin() and a submit. The former plan and its tables must exist until it returns. What
+ * rg_exec_image(), rg_exec_block() and rg_exec_mapped() have returned becomes invalid, and no
+ * region is set. Returns an error if a call fails.
  */
 RG_API VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params);
 
@@ -171,10 +181,11 @@ RG_API VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block);
 
 /*
  * Draws a pass of the plan where nothing of it can be seen, and waits, so that the driver compiles
- * it: a triangle for each draw that the record function records. Passes that do not draw, or whose
- * condition is false for `frame`, are skipped. An executor made with `warm_up_only` on a device of
- * its own does so in another thread, beside the executor that draws; it pays off where the driver
- * keeps what it has compiled in a cache that both devices share.
+ * it: a triangle for each draw that the record function records. Passes that do not draw, that
+ * have a set of the program's own, or whose condition is false for `frame`, are skipped. An
+ * executor made with `warm_up_only` on a device of its own does so in another thread, beside the
+ * executor that draws; it pays off where the driver keeps what it has compiled in a cache that
+ * both devices share.
  */
 RG_API VkResult rg_exec_warm_up(struct rg_exec *exec, const struct rg_frame *frame, uint32_t pass);
 

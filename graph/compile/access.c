@@ -17,6 +17,13 @@
     LAYOUT(GENERAL), IMAGE(STORAGE), BUFFER(STORAGE_BUFFER), FEATURE(STORAGE_IMAGE), \
         DESCRIPTORS(STORAGE_IMAGE, STORAGE_BUFFER)
 
+#define BUILD_STAGE     VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR
+#define STRUCTURE_READ  VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR
+#define STRUCTURE_WRITE VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR
+#define ADDRESSED(usage) \
+    .buffer_usage = VK_BUFFER_USAGE_##usage | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT
+#define STRUCTURE ADDRESSED(ACCELERATION_STRUCTURE_STORAGE_BIT_KHR)
+
 /* Name, stages, reads, writes, layout, image usage, buffer usage, format features, descriptors. */
 /* clang-format off */
 const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
@@ -48,6 +55,8 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
                                 .writes_content = true },
     [RG_UNIFORM] = { "uniform", 0, ACCESS(UNIFORM_READ), .buffer_usage = BUFFER(UNIFORM_BUFFER),
                      DESCRIPTORS(MAX_ENUM, UNIFORM_BUFFER), .reads_content = true },
+    [RG_TRACE] = { "trace", 0, STRUCTURE_READ, STRUCTURE,
+                   DESCRIPTORS(MAX_ENUM, ACCELERATION_STRUCTURE_KHR), .reads_content = true },
     [RG_VERTEX] = { "vertex", STAGE(VERTEX_ATTRIBUTE_INPUT), ACCESS(VERTEX_ATTRIBUTE_READ),
                     .buffer_usage = BUFFER(VERTEX_BUFFER), NO_DESCRIPTOR, .reads_content = true },
     [RG_INDEX] = { "index", STAGE(INDEX_INPUT), ACCESS(INDEX_READ),
@@ -61,6 +70,15 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
     [RG_COPY_DST] = { "copy destination", STAGE(ALL_TRANSFER), 0, ACCESS(TRANSFER_WRITE),
                       LAYOUT(TRANSFER_DST_OPTIMAL), IMAGE(TRANSFER_DST), BUFFER(TRANSFER_DST),
                       FEATURE(TRANSFER_DST), NO_DESCRIPTOR, .writes_content = true },
+    [RG_BUILD] = { "build", BUILD_STAGE, 0, STRUCTURE_WRITE, STRUCTURE, NO_DESCRIPTOR,
+                   .writes_content = true },
+    [RG_BUILD_SOURCE] = { "build source", BUILD_STAGE, STRUCTURE_READ, STRUCTURE, NO_DESCRIPTOR,
+                          .reads_content = true },
+    [RG_BUILD_INPUT] = { "build input", BUILD_STAGE, ACCESS(SHADER_READ),
+                         ADDRESSED(ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR),
+                         NO_DESCRIPTOR, .reads_content = true },
+    [RG_BUILD_SCRATCH] = { "build scratch", BUILD_STAGE, STRUCTURE_READ, STRUCTURE_WRITE,
+                           ADDRESSED(STORAGE_BUFFER_BIT), NO_DESCRIPTOR, .writes_content = true },
     [RG_HOST_READ] = { "host read", STAGE(HOST), ACCESS(HOST_READ), 0, LAYOUT(GENERAL),
                        NO_DESCRIPTOR, .reads_content = true },
     /* All stages, so that a semaphore signalled after all commands comes after the new layout. */
@@ -75,13 +93,22 @@ const struct rg_access_info *rg_access_info(enum rg_access access)
     return &rg_access_table[(unsigned)access < RG_ACCESS_COUNT ? access : RG_ACCESS_NONE];
 }
 
+VkDescriptorType rg_use_descriptor(const struct rg_use *use)
+{
+    const struct rg_access_info *info = rg_access_info(use->access);
+    if (use->image)
+        return info->image_descriptor;
+    return use->texels ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER : info->buffer_descriptor;
+}
+
 /* The lowest of three bits (vertex, fragment, compute) of what shaders do, or the bit of what one
  * fixed stage does. */
 static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
-    [RG_SAMPLED] = 1 << 0,   [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
-    [RG_COLOR] = 1 << 9,     [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
-    [RG_VERTEX] = 1 << 11,   [RG_INDEX] = 1 << 12,       [RG_INDIRECT] = 1 << 13,
-    [RG_COPY_SRC] = 1 << 14, [RG_HOST_READ] = 1 << 15,
+    [RG_SAMPLED] = 1 << 0,       [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
+    [RG_COLOR] = 1 << 9,         [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
+    [RG_VERTEX] = 1 << 11,       [RG_INDEX] = 1 << 12,       [RG_INDIRECT] = 1 << 13,
+    [RG_COPY_SRC] = 1 << 14,     [RG_HOST_READ] = 1 << 15,   [RG_TRACE] = 1 << 16,
+    [RG_BUILD_SOURCE] = 1 << 19, [RG_BUILD_INPUT] = 1 << 20,
 };
 
 static uint32_t visibility_of(enum rg_access kind, VkPipelineStageFlags2 stages)
@@ -135,11 +162,16 @@ static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
     [RG_STORAGE_WRITE] = BY_SHADERS,
     [RG_STORAGE_READ_WRITE] = BY_SHADERS,
     [RG_UNIFORM] = BY_SHADERS,
+    [RG_TRACE] = BY_SHADERS,
     [RG_VERTEX] = KIND_BIT(RG_RASTER),
     [RG_INDEX] = KIND_BIT(RG_RASTER),
     [RG_INDIRECT] = BY_SHADERS,
     [RG_COPY_SRC] = KIND_BIT(RG_TRANSFER),
     [RG_COPY_DST] = KIND_BIT(RG_TRANSFER),
+    [RG_BUILD] = KIND_BIT(RG_TRANSFER),
+    [RG_BUILD_SOURCE] = KIND_BIT(RG_TRANSFER),
+    [RG_BUILD_INPUT] = KIND_BIT(RG_TRANSFER),
+    [RG_BUILD_SCRATCH] = KIND_BIT(RG_TRANSFER),
 };
 
 static const VkPipelineStageFlags2 stages_of_kind[] = {
@@ -166,13 +198,20 @@ VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_
     return stages_of_kind[kind_of(pass)];
 }
 
+static const char texels_trouble[] = "texels: only a storage buffer is seen as texels";
+
 static const char *buffer_trouble(const struct rg_use *use, const struct rg_access_info *info)
 {
     if (!info->buffer_usage)
         return "a buffer cannot be used so";
     if (use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
         return "the CPU writes this buffer; a pass may only read it";
-    if (use->access == RG_SAMPLED && !rg_format_info(use->buffer->format))
+    if (use->buffer->memory != RG_MEMORY_DEVICE &&
+        (rg_holds_structure(use->access) || use->access == RG_BUILD_SCRATCH))
+        return "an acceleration structure, and scratch, is RG_MEMORY_DEVICE";
+    if (use->texels && !(info->buffer_usage & BUFFER(STORAGE_BUFFER)))
+        return texels_trouble;
+    if ((use->access == RG_SAMPLED || use->texels) && !rg_format_info(use->buffer->format))
         return "name the format of its texels (graph/compile/format.c)";
     if (use->sampler)
         return "texelFetch reads a buffer: name no sampler";
@@ -189,6 +228,8 @@ const char *rg_use_trouble(const struct rg_pass *pass, const struct rg_use *use)
         return "name only stages of the shaders that the pass has";
     if (use->image && !info->image_usage)
         return "an image cannot be used so";
+    if (use->image && use->texels)
+        return texels_trouble;
     if (use->buffer && (trouble = buffer_trouble(use, info)))
         return trouble;
     if (use->fallback && (use->access != RG_SAMPLED || !use->image || use->image->samples > 1 ||

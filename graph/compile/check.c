@@ -7,6 +7,9 @@ static bool fits(const struct rg_image *image, enum rg_access access)
     const struct rg_access_info *info = &rg_access_table[access];
     if (!image)
         return info->buffer_usage || access == RG_HOST_READ;
+    if (image->depth)
+        return info->layout != VK_IMAGE_LAYOUT_UNDEFINED && access >= RG_SAMPLED &&
+               access != RG_PRESENT;
     const struct rg_format_info *format = rg_format_info(image->format);
     bool depth = format && !(format->aspects & VK_IMAGE_ASPECT_COLOR_BIT);
     if (access == RG_DEPTH || access == RG_DEPTH_READ)
@@ -79,7 +82,7 @@ static const char *image_trouble(const struct compiler *c, const struct resource
                                  enum rg_error *error)
 {
     const VkImageSubresourceRange *all = &r->all;
-    uint32_t side = r->extent.width > r->extent.height ? r->extent.width : r->extent.height;
+    uint32_t chain = rg_full_chain(r->extent, r->depth);
     uint32_t most =
         r->max_extent.width > r->max_extent.height ? r->max_extent.width : r->max_extent.height;
     uint32_t samples = r->image->samples;
@@ -89,14 +92,20 @@ static const char *image_trouble(const struct compiler *c, const struct resource
     *error = RG_ERROR_NO_SIZE;
     if (!(r->image->scale >= 0.0f))
         return "a scale is a positive number";
+    *error = RG_ERROR_VALUE;
+    if (r->image->depth && (all->layerCount > 1 || r->image->cube || r->image->array ||
+                            r->image->samples > 1 || all->aspectMask != VK_IMAGE_ASPECT_COLOR_BIT))
+        return "depth: expected a colour format, one layer and one sample, no cube and no array";
     *error = RG_ERROR_TOO_LARGE;
+    if (r->image->depth && (most > c->max_volume_size || r->depth > c->max_volume_size))
+        return "make it smaller: the device has no images of three dimensions of this size";
     if (most > c->max_image_size || all->layerCount > c->max_layers)
         return "make it smaller: the device has no images of this size";
     *error = RG_ERROR_CUBE;
     if (r->image->cube && (all->layerCount % 6 || r->extent.width != r->extent.height))
         return "a cube is square and has a multiple of 6 layers";
     *error = RG_ERROR_RANGE;
-    if (all->levelCount > 1 && (all->levelCount > 32 || side >> (all->levelCount - 1) == 0))
+    if (all->levelCount > chain)
         return "it has fewer mips: the last one is 1x1 (use RG_ALL_MIPS)";
     *error = RG_ERROR_SAMPLES;
     if (samples > 64 || (samples & (samples - 1)))

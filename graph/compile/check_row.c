@@ -49,13 +49,21 @@ static void check_use(struct compiler *c, const struct rg_pass *pass, const stru
                 RG_ERROR_RANGE, name, "range: expected {0}, since a pass uses all of a buffer");
 }
 
+/* Whether a use is the next element of the array that the use before belongs to; NULL: none is. */
+static bool is_next_element(const struct rg_use *use, const struct rg_use *before)
+{
+    return before && use->binding == before->binding && use->element == before->element + 1u &&
+           use->stages == before->stages && rg_use_descriptor(use) == rg_use_descriptor(before);
+}
+
 /* Of rows whose bindings do not rise. */
 static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32_t use_count)
 {
     if (!c->bindings)
         c->bindings = ARENA_ZEROED(c->arena, uint32_t, (UINT16_MAX + 1) / 32);
     for (uint32_t i = 0; i < use_count && c->bindings; i++) {
-        bool bound = rg_is_good_use(&uses[i]) && rg_is_shader_access(uses[i].access);
+        bool bound =
+            rg_is_good_use(&uses[i]) && rg_is_shader_access(uses[i].access) && !uses[i].element;
         uint32_t bit = bound ? 1u << uses[i].binding % 32 : 0;
         rg_fault_if(c, c->bindings[uses[i].binding / 32] & bit, RG_ERROR_DUPLICATE_BINDING,
                     use_name(&uses[i]), "give each use of the row a binding of its own");
@@ -71,7 +79,7 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
     bool writes =
         pass->kind == RG_RASTER && (color_count || !pass->depth.image || !pass->depth_read_only);
     bool rising = true;
-    uint32_t next_binding = 0;
+    const struct rg_use *before = NULL; /* the last one with a descriptor */
     uint32_t use_count = 0;
     for (const struct rg_use *use = pass->uses; use && rg_is_use(use); use++, use_count++) {
         check_use(c, pass, use);
@@ -79,8 +87,11 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
                             rg_access_table[use->access].writes_content);
         if (!rg_is_shader_access(use->access))
             continue;
-        rising = rising && use->binding >= next_binding;
-        next_binding = use->binding + 1u;
+        rising = rising && (use->element || !before || use->binding > before->binding);
+        rg_fault_if(c, use->element && !is_next_element(use, before), RG_ERROR_VALUE, use_name(use),
+                    "element: expected one more than that of the use before, of the same binding, "
+                    "with the same kind of descriptor and the same stages");
+        before = use;
     }
     if (!rising)
         check_bindings(c, pass->uses, use_count);
@@ -135,6 +146,9 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
     check_shader(c, pass->comp);
     rg_check_vertices(c, pass->vertices);
     rg_check_depth(c, pass);
+    rg_fault_if(c, pass->set && !pass->set->name, RG_ERROR_NO_NAME, NULL, "set: give it a name");
+    if (pass->set && pass->kind == RG_TRANSFER)
+        rg_fault(c, RG_ERROR_ACCESS, pass->set->name, "only a pass with shaders has a set");
 }
 
 void rg_check_row(struct compiler *c, const struct rg_pass *pass)

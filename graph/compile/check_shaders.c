@@ -75,14 +75,10 @@ static const char *descriptor_name(VkDescriptorType type)
         [VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER] = "a uniform buffer",
         [VK_DESCRIPTOR_TYPE_STORAGE_BUFFER] = "a storage buffer",
     };
+    if (type == VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR)
+        return "an acceleration structure";
     return (unsigned)type < sizeof(names) / sizeof(names[0]) && names[type] ? names[type]
                                                                             : "something else";
-}
-
-static VkDescriptorType use_descriptor(const struct rg_use *use)
-{
-    const struct rg_access_info *info = &rg_access_table[use->access];
-    return use->image ? info->image_descriptor : info->buffer_descriptor;
 }
 
 static const char *use_name(const struct rg_use *use)
@@ -115,7 +111,7 @@ static bool is_bound(const struct shaders *s, uint32_t count, uint32_t binding)
         for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
             const struct spirv_variable *v = &s->stages[i]->variables[k];
             uint32_t number;
-            if (v->used && v->binding == binding &&
+            if (v->used && v->binding == binding && !v->set &&
                 rg_spirv_descriptor(s->stages[i], v, &number) != VK_DESCRIPTOR_TYPE_MAX_ENUM)
                 return true;
         }
@@ -183,10 +179,10 @@ static const char *format_name(VkFormat format)
     return info ? info->name : "a format that the graph lacks";
 }
 
-/* The component type that shaders see in an aspect of an image; '?': unknown. */
-static char component_of(const struct rg_image *image, VkImageAspectFlags aspect)
+/* The component type that shaders see in an aspect of a format; '?': unknown. */
+static char component_of(VkFormat of, VkImageAspectFlags aspect)
 {
-    const struct rg_format_info *format = rg_format_info(image->format);
+    const struct rg_format_info *format = rg_format_info(of);
     if (!format)
         return '?';
     if (format->is_uint || aspect == VK_IMAGE_ASPECT_STENCIL_BIT)
@@ -210,6 +206,24 @@ static uint32_t layer_count(const struct shaders *s, const struct rg_image *imag
     return image->layers ? image->layers : image->cube ? 6 : 1;
 }
 
+/* What a shader says of the texels of an image, or of a texel buffer. */
+static void check_texels(const struct shaders *s, const char *name, const struct spirv_variable *v,
+                         const struct spirv_image *seen, const struct rg_use *use)
+{
+    const VkFormat has = use->image ? use->image->format : use->buffer->format;
+    VkFormat format = seen->format < sizeof(storage_formats) / sizeof(storage_formats[0])
+                          ? storage_formats[seen->format]
+                          : VK_FORMAT_UNDEFINED;
+    char component = component_of(has, use->range.aspect);
+    if (format && format != has)
+        fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: format %s is not the %s of '%s'",
+              v->binding, format_name(format), format_name(has), use_name(use));
+    else if (component != '?' && seen->component != component)
+        fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' has texels of %s, not of %s",
+              v->binding, use_name(use), component_name(component),
+              component_name(seen->component));
+}
+
 static void check_image(const struct shaders *s, const struct spirv *stage,
                         const struct spirv_variable *v, const struct spirv_image *seen,
                         const struct rg_use *use)
@@ -221,25 +235,21 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
     uint32_t named = range->each && s->row->repeat == RG_PER_LAYER ? 1
                      : range->layer_count                          ? range->layer_count
                                                                    : layers - range->layer;
+    uint32_t dim = image->depth ? SPIRV_DIM_3D : SPIRV_DIM_2D;
     bool cube = image->cube && use->access == RG_SAMPLED && named == 6;
     bool array = !cube && (layers > 1 || image->array);
     bool several = image->samples > 1;
-    const char *is = cube ? "a cube" : array ? "a 2D array" : several ? "multisampled" : "2D";
-    VkFormat format = seen->format < sizeof(storage_formats) / sizeof(storage_formats[0])
-                          ? storage_formats[seen->format]
-                          : VK_FORMAT_UNDEFINED;
-    char component = component_of(image, range->aspect);
-    if ((seen->dim == SPIRV_DIM_CUBE) != cube || (seen->dim != SPIRV_DIM_2D && !cube) ||
-        seen->arrayed != array || seen->multisampled != several)
+    const char *is = cube           ? "a cube"
+                     : array        ? "a 2D array"
+                     : several      ? "multisampled"
+                     : image->depth ? "3D"
+                                    : "2D";
+    if (seen->dim != (cube ? (uint32_t)SPIRV_DIM_CUBE : dim) || seen->arrayed != array ||
+        seen->multisampled != several)
         fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' is %s in the row", v->binding,
               use_name(use), is);
-    else if (format && format != image->format)
-        fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: format %s is not the %s of '%s'",
-              v->binding, format_name(format), format_name(image->format), use_name(use));
-    else if (component != '?' && seen->component != component)
-        fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' has texels of %s, not of %s",
-              v->binding, use_name(use), component_name(component),
-              component_name(seen->component));
+    else
+        check_texels(s, name, v, seen, use);
 }
 
 static void check_uniform(const struct shaders *s, const struct spirv *stage,
@@ -258,6 +268,15 @@ static void check_uniform(const struct shaders *s, const struct spirv *stage,
               use_name(use), (unsigned long long)size);
 }
 
+/* Returns the elements of the array of descriptors that begins with a use; 1: it is none. */
+static uint32_t element_count(const struct rg_use *first)
+{
+    uint32_t count = 1;
+    while (rg_is_use(&first[count]) && first[count].element == count)
+        count++;
+    return count;
+}
+
 static void check_use(const struct shaders *s, const struct spirv *stage,
                       const struct spirv_variable *v, const struct rg_use *use,
                       VkPipelineStageFlags2 in)
@@ -265,21 +284,36 @@ static void check_use(const struct shaders *s, const struct spirv *stage,
     struct spirv_image image;
     uint32_t count;
     VkDescriptorType type = rg_spirv_descriptor(stage, v, &count);
-    if (!serves(use_descriptor(use), type))
+    if (!serves(rg_use_descriptor(use), type))
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u is %s in '%s', '%s' is %s", v->binding, descriptor_name(type),
-              shader_of(stage), use_name(use), descriptor_name(use_descriptor(use)));
-    else if (count != 1)
-        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "binding %u: an array of %u descriptors; a use is one", v->binding, count);
+              shader_of(stage), use_name(use), descriptor_name(rg_use_descriptor(use)));
     else if (!(rg_use_stages(s->row, use) & in))
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u: name the stage of '%s' in .stages of '%s'", v->binding, shader_of(stage),
               use_name(use));
-    else if (use->image && rg_spirv_image(stage, v->type, &image))
+    else if (rg_spirv_image(stage, v->type, &image) && use->image)
         check_image(s, stage, v, &image, use);
+    else if (rg_spirv_image(stage, v->type, &image))
+        check_texels(s, rg_spirv_name(stage, v), v, &image, use);
     else if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
         check_uniform(s, stage, v, use);
+}
+
+/* Checks the use of a binding, or all uses of an array. */
+static void check_elements(const struct shaders *s, const struct spirv *stage,
+                           const struct spirv_variable *v, const struct rg_use *first,
+                           VkPipelineStageFlags2 in)
+{
+    uint32_t count;
+    uint32_t given = element_count(first);
+    rg_spirv_descriptor(stage, v, &count);
+    if (count && count != given)
+        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
+              "binding %u: %u descriptors in '%s', %u in the row (rg_use.element)", v->binding,
+              count, shader_of(stage), given);
+    for (uint32_t i = 0; i < given && (!count || count == given); i++)
+        check_use(s, stage, v, &first[i], in);
 }
 
 /* A shader uses a binding that the row lacks: often it is a use of the row with another number. */
@@ -289,7 +323,8 @@ static void miss_binding(const struct shaders *s, const struct spirv *stage,
     const struct rg_use *other = find_unused(s, (*missing)++);
     if (v->set)
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "it is in set %u of '%s': use set 0", v->set, shader_of(stage));
+              "it is in set %u of '%s': use set 0, or set 1 and rg_pass.set", v->set,
+              shader_of(stage));
     else if (other)
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u of '%s' is not in the row; no shader uses binding %u ('%s')", v->binding,
@@ -304,6 +339,7 @@ static void check_bindings(const struct shaders *s)
     static const VkPipelineStageFlags2 raster[] = { VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
                                                     VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT };
     uint32_t missing = 0;
+    bool has_own = false;
     for (uint32_t i = 0; i < s->count; i++) {
         for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
             const struct spirv_variable *v = &s->stages[i]->variables[k];
@@ -312,14 +348,19 @@ static void check_bindings(const struct shaders *s)
                 rg_spirv_descriptor(s->stages[i], v, &number) == VK_DESCRIPTOR_TYPE_MAX_ENUM)
                 continue;
             const struct rg_use *use = v->set ? NULL : find_binding(s->row, v->binding);
+            has_own = has_own || v->set == 1;
+            if (v->set == 1 && s->row->set)
+                continue;
             if (use)
-                check_use(s, s->stages[i], v, use,
-                          s->row->kind == RG_COMPUTE ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
-                                                     : raster[i]);
+                check_elements(s, s->stages[i], v, use,
+                               s->row->kind == RG_COMPUTE ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
+                                                          : raster[i]);
             else if (!is_bound(s, i, v->binding))
                 miss_binding(s, s->stages[i], v, &missing);
         }
     }
+    if (s->row->set && !has_own)
+        fault(s, RG_ERROR_SHADER_BINDING, s->row->set->name, "set 1: no shader of the row uses it");
     for (const struct rg_use *use; (use = find_unused(s, missing)); missing++)
         fault(s, RG_ERROR_SHADER_BINDING, use_name(use), "binding %u: no shader of the row uses it",
               use->binding);
@@ -435,7 +476,7 @@ static void check_output(const struct shaders *s, const struct spirv_variable *v
     }
     char component = rg_spirv_component(frag, v->type, NULL);
     const struct rg_image *image = s->row->color[v->location].image;
-    char wanted = component_of(image, 0);
+    char wanted = component_of(image->format, 0);
     if (component != '?' && wanted != '?' && component != wanted)
         fault(s, RG_ERROR_SHADER_OUTPUT, rg_spirv_name(frag, v),
               "output %u of '%s' is %s, the target has %s", v->location, shader_of(frag),

@@ -75,6 +75,7 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
         .row = RG_NONE,
         .max_image_size = limit(device ? device->max_image_size : 0, 1u << 16),
         .max_layers = limit(device ? device->max_layers : 0, 1u << 14),
+        .max_volume_size = limit(device ? device->max_volume_size : 0, 1u << 14),
     };
     c.max_view = params->max_view.width ? params->max_view : params->view;
     owned->plan.view = params->view;

@@ -27,6 +27,7 @@ enum {
     ACCESS_OVERWRITES = 1 << 2,  /* nothing of the earlier content of the range remains */
     ACCESS_NEEDED = 1 << 3,      /* of a target: a later pass or an output needs what it writes */
     ACCESS_CONDITIONAL = 1 << 4, /* does not happen in every frame */
+    ACCESS_TEXELS = 1 << 5,      /* of a buffer, through a view with its format */
 };
 
 /* struct cell.flags */
@@ -67,6 +68,7 @@ struct resource {
     bool shared;                         /* transient: its memory is part of a block */
     VkImageSubresourceRange all;         /* of a buffer: one mip and layer of the colour aspect */
     VkExtent2D extent, max_extent;       /* of an image; and in a view of params->max_view */
+    uint32_t depth;                      /* 1 unless the image has three dimensions */
     const struct rg_format_info *format; /* NULL: unknown, or a buffer */
     VkDeviceSize size, max_size;         /* of a buffer, bytes; or RG_SIZE_OVERFLOW */
     uint32_t import, output;             /* index into the params' imports, outputs; or RG_NONE */
@@ -120,6 +122,7 @@ struct compiler {
     struct rg_plan *plan;
     struct arena *arena;
     uint32_t max_image_size, max_layers; /* the device's, or the compiler's own */
+    uint32_t max_volume_size;
     VkExtent2D max_view;
     uint32_t row_count;          /* of all techniques, about: how large arrays are at first */
     struct resource **resources; /* imports and outputs come first */
@@ -219,7 +222,13 @@ extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
 /* Whether shaders do it, through a descriptor. */
 static inline bool rg_is_shader_access(enum rg_access kind)
 {
-    return kind >= RG_SAMPLED && kind <= RG_UNIFORM;
+    return kind >= RG_SAMPLED && kind <= RG_TRACE;
+}
+
+/* Whether it is of an acceleration structure. */
+static inline bool rg_holds_structure(enum rg_access kind)
+{
+    return kind == RG_TRACE || kind == RG_BUILD || kind == RG_BUILD_SOURCE;
 }
 
 /* Makes an access to all of a resource that does all that its kind may do, but for
@@ -373,8 +382,8 @@ static inline uint32_t rg_color_count(const struct rg_pass *pass)
 /* Adds imports and outputs, with their faults. */
 void rg_add_boundary(struct compiler *c);
 
-/* Returns the mip levels of a whole chain. */
-uint32_t rg_full_chain(VkExtent2D extent);
+/* Returns the mip levels of a whole chain; `depth` is 1 or more. */
+uint32_t rg_full_chain(VkExtent2D extent, uint32_t depth);
 
 /* Returns the resource of an image or a buffer; a new one is sized and checked. NULL: memory is
  * short. */

@@ -119,6 +119,8 @@ static void check_target(struct compiler *c, const struct rg_target *target,
                 RG_ERROR_ACCESS, r->name, "depth that is only tested is RG_LOAD_KEEP");
     rg_fault_if(c, is_depth && row->stencil && !(r->all.aspectMask & VK_IMAGE_ASPECT_STENCIL_BIT),
                 RG_ERROR_FORMAT, r->name, "a stencil test needs a format with a stencil");
+    rg_fault_if(c, r->image->depth, RG_ERROR_ACCESS, r->name,
+                "an image of three dimensions is no target: store to it");
     rg_fault_if(c, is_depth && target->resolve, RG_ERROR_SAMPLES, r->name,
                 "only colour is resolved; read depth by texelFetch");
     rg_fault_if(c, c->target_samples && samples != c->target_samples, RG_ERROR_SAMPLES, r->name,
@@ -145,8 +147,8 @@ static void add_resolve(struct compiler *c, const struct rg_target *target)
     a->declared = target;
     a->range = target_range(c->pass, r, target->resolve_mip, target->resolve_layer);
     a->flags |= ACCESS_OVERWRITES;
-    rg_fault_if(c, r->image->samples > 1, RG_ERROR_SAMPLES, r->name,
-                "resolve to an image of one sample a texel");
+    rg_fault_if(c, r->image->samples > 1 || r->image->depth, RG_ERROR_SAMPLES, r->name,
+                "resolve to an image of one sample a texel, and two dimensions");
     rg_fault_if(c, target->image->samples <= 1, RG_ERROR_SAMPLES, r->name,
                 "resolve from an image of several samples a texel");
     rg_fault_if(c, r->image->format != target->image->format, RG_ERROR_FORMAT, r->name,
@@ -221,6 +223,8 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if (!a)
         return;
     a->declared = use;
+    if (use->texels || (use->buffer && use->access == RG_SAMPLED))
+        a->flags |= ACCESS_TEXELS;
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
         a->flags |= ACCESS_OVERWRITES;
     if (use->image && !is_whole(&use->range)) {

@@ -6,9 +6,9 @@ VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
     return (VkImageCreateInfo){
         .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
         .flags = image->flags,
-        .imageType = VK_IMAGE_TYPE_2D,
+        .imageType = image->image->depth ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
         .format = image->image->format,
-        .extent = { image->extent.width, image->extent.height, 1 },
+        .extent = { image->extent.width, image->extent.height, image->depth },
         .mipLevels = image->mips,
         .arrayLayers = image->layers,
         .samples = (VkSampleCountFlagBits)image->samples,
@@ -43,6 +43,13 @@ static void live(struct compiler *c, struct resource *r, VkFlags usage, uint32_t
     r->usage |= usage;
 }
 
+static VkFlags usage_of(const struct access *a)
+{
+    return a->flags & ACCESS_TEXELS && a->kind != RG_SAMPLED
+               ? VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT
+               : rg_usage(a->resource, a->kind);
+}
+
 void rg_find_lifetimes(struct compiler *c)
 {
     uint32_t index = 0;
@@ -50,7 +57,7 @@ void rg_find_lifetimes(struct compiler *c)
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++)
-            live(c, a[i].resource, rg_usage(a[i].resource, a[i].kind), index);
+            live(c, a[i].resource, usage_of(&a[i]), index);
         index += pass->alive;
     }
     for (size_t i = 0; i < c->params->output_count; i++) {
@@ -62,12 +69,26 @@ void rg_find_lifetimes(struct compiler *c)
 
 /* ---- what the device cannot do ---- */
 
+static void check_texels(struct compiler *c, const struct access *a)
+{
+    const struct rg_device *device = c->params->device;
+    VkFormatFeatureFlags needed = a->kind == RG_SAMPLED
+                                      ? VK_FORMAT_FEATURE_UNIFORM_TEXEL_BUFFER_BIT
+                                      : VK_FORMAT_FEATURE_STORAGE_TEXEL_BUFFER_BIT;
+    if (device->buffer_features &&
+        needed & ~device->buffer_features(device->user, a->resource->buffer->format))
+        rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
+                 "this device has no such texel buffers; choose another format or device");
+}
+
 static void check_format(struct compiler *c, const struct access *a)
 {
     const struct rg_device *device = c->params->device;
     const struct rg_sampler *sampler =
         a->kind == RG_SAMPLED ? ((const struct rg_use *)a->declared)->sampler : NULL;
     VkFormatFeatureFlags needed = rg_access_table[a->kind].format_features;
+    if (!device->format_features)
+        return;
     if (sampler && sampler->linear)
         needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
     if (a->kind == RG_COLOR && rg_is_blended(a->declared))
@@ -80,7 +101,7 @@ static void check_format(struct compiler *c, const struct access *a)
 void rg_check_formats(struct compiler *c)
 {
     const struct rg_device *device = c->params->device;
-    for (uint32_t p = 0; p < c->pass_count && device && device->format_features; p++) {
+    for (uint32_t p = 0; p < c->pass_count && device; p++) {
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
         c->technique = c->plan_passes[p].technique;
@@ -90,6 +111,8 @@ void rg_check_formats(struct compiler *c)
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
             if (a[i].resource->image)
                 check_format(c, &a[i]);
+            else if (a[i].flags & ACCESS_TEXELS)
+                check_texels(c, &a[i]);
         }
     }
 }
@@ -115,7 +138,8 @@ static VkDeviceSize estimate_image(const struct rg_plan_image *image)
     for (uint32_t mip = 0; mip < image->mips; mip++) {
         VkDeviceSize width = image->extent.width >> mip;
         VkDeviceSize height = image->extent.height >> mip;
-        texels += (width ? width : 1) * (height ? height : 1);
+        VkDeviceSize depth = image->depth >> mip;
+        texels += (width ? width : 1) * (height ? height : 1) * (depth ? depth : 1);
     }
     return texels * image->layers * image->samples * rg_format_info(image->image->format)->size;
 }
@@ -184,6 +208,7 @@ static void list_image(struct compiler *c, struct resource *r)
     *image = (struct rg_plan_image){
         .image = r->image,
         .extent = r->extent,
+        .depth = r->depth,
         .layers = r->all.layerCount,
         .mips = r->all.levelCount,
         .aspects = r->all.aspectMask,
@@ -205,12 +230,23 @@ static void list_image(struct compiler *c, struct resource *r)
         struct rg_plan_image largest = *image;
         largest.extent = r->max_extent;
         if (r->image->mips == RG_ALL_MIPS)
-            largest.mips = rg_full_chain(r->max_extent);
+            largest.mips = rg_full_chain(r->max_extent, r->depth);
         const struct rg_memory_requirements most = image_memory(c, &largest);
         needs = both(needs, &most);
     }
     image->size = needs.size;
     need_memory(c, r, &needs);
+}
+
+/* A buffer has either an acceleration structure or something else. */
+static void check_structure(struct compiler *c, const struct resource *r)
+{
+    const VkFlags structure = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
+    const VkFlags allowed = structure | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
+                            (r->persistent ? VK_BUFFER_USAGE_TRANSFER_DST_BIT : 0u);
+    if (r->usage & structure && r->usage & ~allowed)
+        rg_fault_of(c, RG_ERROR_ACCESS, r->name,
+                    "a buffer with an acceleration structure holds nothing else");
 }
 
 static void list_buffer(struct compiler *c, struct resource *r)
@@ -228,6 +264,7 @@ static void list_buffer(struct compiler *c, struct resource *r)
         .block = RG_NONE,
     };
     buffer->max_size = r->max_size;
+    check_structure(c, r);
     if (buffer->imported || r->buffer->memory != RG_MEMORY_DEVICE)
         return;
     struct rg_memory_requirements needs = buffer_memory(c, buffer->size, buffer->usage);

@@ -12,9 +12,10 @@ static uint32_t scaled(uint32_t view, float scale)
     return !(texels >= 1.0) ? 1 : texels > (double)UINT32_MAX ? UINT32_MAX : (uint32_t)texels;
 }
 
-uint32_t rg_full_chain(VkExtent2D extent)
+uint32_t rg_full_chain(VkExtent2D extent, uint32_t depth)
 {
     uint32_t side = extent.width > extent.height ? extent.width : extent.height;
+    side = side > depth ? side : depth;
     uint32_t mips = 1;
     while (side >>= 1)
         mips++;
@@ -39,9 +40,10 @@ static void size_image(struct resource *r, const struct rg_image *image, const s
     r->format = rg_format_info(image->format);
     r->extent = extent_of(c->params, image, c->params->view);
     r->max_extent = extent_of(c->params, image, c->max_view);
+    r->depth = image->depth ? image->depth : 1;
     r->all.aspectMask = r->format ? r->format->aspects : VK_IMAGE_ASPECT_COLOR_BIT;
     r->all.layerCount = image->layers ? image->layers : image->cube ? 6 : 1;
-    r->all.levelCount = image->mips == RG_ALL_MIPS ? rg_full_chain(r->extent)
+    r->all.levelCount = image->mips == RG_ALL_MIPS ? rg_full_chain(r->extent, r->depth)
                         : image->mips              ? image->mips
                                                    : 1;
     r->persistent = image->persistent;
@@ -72,11 +74,12 @@ static void size_import(struct resource *r, const struct rg_import *import)
     r->persistent = false;
     if (import->size)
         r->size = r->max_size = import->size;
-    if (import->extent.width && import->extent.height) {
+    if (import->extent.width && import->extent.height)
         r->extent = r->max_extent = import->extent;
-        if (r->image && r->image->mips == RG_ALL_MIPS)
-            r->all.levelCount = rg_full_chain(r->extent);
-    }
+    if (r->image && r->image->depth && import->depth)
+        r->depth = import->depth;
+    if (r->image && r->image->mips == RG_ALL_MIPS)
+        r->all.levelCount = rg_full_chain(r->extent, r->depth);
     if (r->image && import->layers)
         r->all.layerCount = import->layers;
     if (r->image && import->mips)

@@ -204,9 +204,18 @@ static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth
            size_of(s, words[2 + last], &layout, depth);
 }
 
+/* Returns the type of the elements of an array type; any other type as it is. */
+static uint32_t element_of(const struct spirv *s, uint32_t type)
+{
+    const uint32_t *array = made_by(s, type, OP_TYPE_RUNTIME_ARRAY, 3);
+    if (!array)
+        array = made_by(s, type, OP_TYPE_ARRAY, 4);
+    return array ? array[2] : type;
+}
+
 uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type)
 {
-    return struct_size(s, type, 0);
+    return struct_size(s, element_of(s, type), 0);
 }
 
 struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index)
@@ -221,6 +230,7 @@ struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32
 
 bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image)
 {
+    type = element_of(s, type);
     const uint32_t *sampled = made_by(s, type, OP_TYPE_SAMPLED_IMAGE, 3);
     const uint32_t *words = made_by(s, sampled ? sampled[2] : type, OP_TYPE_IMAGE, 9);
     if (!words)
@@ -272,10 +282,10 @@ uint32_t rg_spirv_locations(const struct spirv *s, uint32_t type)
 VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
                                      uint32_t *count)
 {
-    uint32_t type = v->type;
-    const uint32_t *array = made_by(s, type, OP_TYPE_RUNTIME_ARRAY, 3);
-    *count = array || made_by(s, type, OP_TYPE_ARRAY, 4) ? array_length(s, type, &type) : 1;
-    type = array ? array[2] : type;
+    uint32_t type = element_of(s, v->type);
+    const uint32_t *fixed = made_by(s, v->type, OP_TYPE_ARRAY, 4);
+    const uint32_t *length = fixed ? made_by(s, fixed[3], OP_CONSTANT, 4) : NULL;
+    *count = length ? length[3] : type == v->type ? 1 : 0;
     if (v->storage == SPIRV_STORAGE_BUFFER)
         return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     if (v->storage == SPIRV_UNIFORM)
@@ -306,7 +316,7 @@ VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_v
 const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v)
 {
     uint32_t count;
-    const char *block = v->name[0] ? v->name : rg_spirv_struct(s, v->type, &count);
+    const char *block = v->name[0] ? v->name : rg_spirv_struct(s, element_of(s, v->type), &count);
     return block && block[0] ? block : "?";
 }
 

@@ -18,6 +18,7 @@ enum {
     SPIRV_PUSH_CONSTANT = 9,
     SPIRV_STORAGE_BUFFER = 12,
     SPIRV_DIM_2D = 1, /* of images */
+    SPIRV_DIM_3D = 2,
     SPIRV_DIM_CUBE = 3,
     SPIRV_DIM_BUFFER = 5,
 };
@@ -66,8 +67,8 @@ struct spirv {
 const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
                           VkShaderStageFlagBits stage);
 
-/* Returns the descriptor of a variable, and the number of them in *count (0: not known before it
- * runs); VK_DESCRIPTOR_TYPE_MAX_ENUM: it is none. */
+/* Returns the descriptor of a variable, and the number of them in *count (0: not known from the
+ * code); VK_DESCRIPTOR_TYPE_MAX_ENUM: it is none. */
 VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
                                      uint32_t *count);
 
@@ -78,10 +79,11 @@ const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v)
 const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count);
 struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index);
 
-/* Returns the bytes of a struct, without padding behind its last member; 0 of anything else. */
+/* Returns the bytes of a struct, or of each in an array, without padding behind its last
+ * member; 0 of anything else. */
 uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type);
 
-/* Returns false for types that are no image, sampled or not. */
+/* Returns false for types that are no image, sampled or not, and no array of them. */
 bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image);
 
 /* Of a number or vector: the type of its components ('f' float, 'i' or 'u' integer of 32 bits or

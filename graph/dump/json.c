@@ -105,6 +105,8 @@ static void print_image(const struct rg_dump *d, uint32_t index)
     print_flags(d, "aspects", rg_dump_aspects, i->aspects);
     rg_put(d, ", \"width\": %u, \"height\": %u, \"layers\": %u, \"mips\": %u, \"samples\": %u",
            i->extent.width, i->extent.height, i->layers, i->mips, i->samples);
+    if (i->image->depth)
+        rg_put(d, ", \"depth\": %u", i->depth);
     rg_put(d, ", \"cube\": %s", bool_of(i->image->cube));
     resource_members(d, &r);
 }
@@ -173,7 +175,10 @@ static void print_use(const struct rg_dump *d, uint32_t index)
     if (of_image)
         range_member(d, &u->range);
     if (rg_dump_binding(u) != RG_NONE)
-        rg_put(d, ", \"binding\": %u", rg_dump_binding(u));
+        rg_put(d, ", \"binding\": %u, \"element\": %u", rg_dump_binding(u),
+               (uint32_t)u->use->element);
+    if (u->buffer != RG_NONE)
+        rg_put(d, ", \"texels\": %s", bool_of(u->use->texels));
     rg_put(d, "}");
 }
 
@@ -192,6 +197,7 @@ static void print_pass(const struct rg_dump *d, uint32_t index)
     string_member(d, "technique", p->technique->name);
     rg_put(d, ", \"row\": %u, \"kind\": \"%s\", \"width\": %u, \"height\": %u", p->row,
            rg_dump_word(rg_dump_kinds, p->pass->kind), p->extent.width, p->extent.height);
+    string_member(d, "set", p->pass->set ? p->pass->set->name : NULL);
     rg_put(d, ", \"conditional\": %s, \"targets\": [", bool_of(p->pass->when));
     for (uint32_t i = 0; i < p->color_count; i++) {
         rg_put(d, i ? ", " : "");

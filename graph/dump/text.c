@@ -41,6 +41,8 @@ void rg_dump_image(const struct rg_dump *d, uint32_t index)
     const struct rg_plan_image *image = &d->plan->images[index];
     rg_put(d, "image %n %s %ux%u", image->image->name, rg_format_info(image->image->format)->name,
            image->extent.width, image->extent.height);
+    if (image->image->depth)
+        rg_put(d, "x%u", image->depth);
     if (image->layers > 1)
         rg_put(d, " layers %u", image->layers);
     if (image->mips > 1)
@@ -137,7 +139,9 @@ static void print_use(const struct rg_dump *d, const struct rg_plan_use *use)
                     : d->plan->buffers[use->buffer].buffer->name);
     if (of_image)
         print_range(d->out, &d->plan->images[use->image], &use->range);
-    rg_put(d, rg_dump_binding(use) != RG_NONE ? " binding %u\n" : "\n", rg_dump_binding(use));
+    rg_put(d, use->use->texels ? " texels" : "");
+    rg_put(d, rg_dump_binding(use) != RG_NONE ? " binding %u" : "", rg_dump_binding(use));
+    rg_put(d, use->use->element ? "[%u]\n" : "\n", (uint32_t)use->use->element);
 }
 
 void rg_dump_pass(const struct rg_dump *d, uint32_t index)
@@ -153,6 +157,8 @@ void rg_dump_pass(const struct rg_dump *d, uint32_t index)
         print_target(d, &pass->depth, rg_dump_depth(pass->pass));
     for (uint32_t i = 0; i < pass->use_count; i++)
         print_use(d, &d->plan->uses[pass->first_use + i]);
+    if (pass->pass->set)
+        rg_put(d, "  set %n\n", pass->pass->set->name);
 }
 
 void rg_dump_text(const struct rg_dump *d)

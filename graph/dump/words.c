@@ -20,6 +20,7 @@ const struct rg_dump_word rg_dump_stages[] = {
     { "color", VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT },
     { "compute", VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT },
     { "transfer", VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT },
+    { "build", VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR },
     { "host", VK_PIPELINE_STAGE_2_HOST_BIT },
     { "all", VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT },
     { NULL, 0 },
@@ -39,6 +40,9 @@ const struct rg_dump_word rg_dump_accesses[] = {
     { "depth_write", VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT },
     { "transfer_read", VK_ACCESS_2_TRANSFER_READ_BIT },
     { "transfer_write", VK_ACCESS_2_TRANSFER_WRITE_BIT },
+    { "structure_read", VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR },
+    { "structure_write", VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR },
+    { "shader_read", VK_ACCESS_2_SHADER_READ_BIT },
     { "host_read", VK_ACCESS_2_HOST_READ_BIT },
     { "memory_read", VK_ACCESS_2_MEMORY_READ_BIT },
     { "memory_write", VK_ACCESS_2_MEMORY_WRITE_BIT },
@@ -115,9 +119,7 @@ const char *rg_dump_depth(const struct rg_pass *pass)
 
 uint32_t rg_dump_binding(const struct rg_plan_use *use)
 {
-    const struct rg_access_info *info = rg_access_info(use->use->access);
-    VkDescriptorType type =
-        use->image != RG_NONE ? info->image_descriptor : info->buffer_descriptor;
+    VkDescriptorType type = rg_use_descriptor(use->use);
     return type == VK_DESCRIPTOR_TYPE_MAX_ENUM ? RG_NONE : use->use->binding;
 }
 

@@ -16,6 +16,8 @@ static VkShaderStageFlags use_stages(const struct rg_pass *pass, const struct rg
 static VkImageViewType view_type(const struct rg_plan_image *image, const struct rg_plan_use *use)
 {
     bool storage = use->use->access != RG_SAMPLED;
+    if (image->image->depth)
+        return VK_IMAGE_VIEW_TYPE_3D;
     if (image->image->cube && !storage && use->range.layerCount == 6)
         return VK_IMAGE_VIEW_TYPE_CUBE;
     if (image->layers > 1 || image->image->array)
@@ -37,7 +39,8 @@ static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct
             key->repeat_u ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
         .addressModeV =
             key->repeat_v ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
-        .addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+        .addressModeW =
+            key->repeat_w ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
         .anisotropyEnable = anisotropy >= 1.0f,
         .maxAnisotropy = anisotropy,
         .maxLod = key->mips ? VK_LOD_CLAMP_NONE : 0.0f,
@@ -52,7 +55,7 @@ static VkResult find_sampler(struct rg_exec *exec, const struct rg_use *use, VkS
     const VkSamplerCreateInfo info = sampler_info(exec, s);
     uint64_t key = rg_exec_key(RG_NO_KEY, &info.maxAnisotropy, sizeof(info.maxAnisotropy));
     VkResult result;
-    RG_KEY(key, s->linear | s->mips << 1 | s->repeat_u << 2 | s->repeat_v << 3);
+    RG_KEY(key, s->linear | s->mips << 1 | s->repeat_u << 2 | s->repeat_v << 3 | s->repeat_w << 4);
     RG_MAKE_KEYED(exec, use->image->name, key, SAMPLER, CreateSampler, sampler, &info);
 fail:
     return result;
@@ -78,13 +81,22 @@ static struct exec_descriptor descriptor_of(const struct rg_exec *exec,
         };
     }
     const struct rg_plan_use *use = &exec->plan->uses[pass->first_use + index];
-    const struct rg_access_info *info = rg_access_info(use->use->access);
     return (struct exec_descriptor){
         .use = use->use,
-        .type = use->image != RG_NONE ? info->image_descriptor : info->buffer_descriptor,
+        .type = rg_use_descriptor(use->use),
         .buffer = use->buffer,
         .image.imageLayout = use->layout,
     };
+}
+
+/* Returns the place of a binding among the first `count`, whose array it is; or `count`. */
+static uint32_t find_binding(const VkDescriptorSetLayoutBinding *bindings, uint32_t count,
+                             uint32_t binding)
+{
+    uint32_t at = 0;
+    while (at < count && bindings[at].binding != binding)
+        at++;
+    return at;
 }
 
 static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass *plan,
@@ -98,15 +110,19 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
         const struct exec_descriptor d = descriptor_of(exec, plan, i);
         if (d.type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
             continue;
-        bindings[count] = (VkDescriptorSetLayoutBinding){
-            .binding = d.use->binding,
-            .descriptorType = d.type,
-            .descriptorCount = 1,
-            .stageFlags = use_stages(plan->pass, d.use),
-        };
-        RG_KEY(key, (uint64_t)bindings[count].binding << 32 | bindings[count].stageFlags);
-        RG_KEY(key, d.type);
-        count++;
+        const uint32_t at = find_binding(bindings, count, d.use->binding);
+        if (at == count)
+            bindings[count++] = (VkDescriptorSetLayoutBinding){
+                .binding = d.use->binding,
+                .descriptorType = d.type,
+                .stageFlags = use_stages(plan->pass, d.use),
+            };
+        bindings[at].descriptorCount++;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        RG_KEY(key, (uint64_t)bindings[i].binding << 32 | bindings[i].stageFlags);
+        RG_KEY(key,
+               (uint64_t)bindings[i].descriptorCount << 32 | (uint32_t)bindings[i].descriptorType);
     }
     RG_KEY(key, count);
     RG_MAKE_KEYED(exec, plan->pass->name, key, DESCRIPTOR_SET_LAYOUT, CreateDescriptorSetLayout,
@@ -143,6 +159,12 @@ fail:
     return result;
 }
 
+static bool is_texels(const struct exec_descriptor *d)
+{
+    return d->type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER ||
+           d->type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
+}
+
 /* Finishes the descriptors of a pass in exec->descriptors. *key gets what they bind; RG_NO_KEY if
  * it is a program's own buffer, which may end and come again under its handle. */
 static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_set *set,
@@ -168,10 +190,11 @@ static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_s
         RG_KEY(*key, d->image.imageLayout);
         for (uint32_t slot = 0; slot < exec->slot_count && d->buffer != RG_NONE; slot++) {
             VkBufferView texels = VK_NULL_HANDLE;
-            if (d->type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER)
+            if (is_texels(d))
                 RG_PASS(find_texels(exec, d, slot, &texels));
             RG_KEY(*key, texels);
             RG_KEY(*key, rg_exec_buffer(exec, d->buffer, slot)->buffer);
+            RG_KEY(*key, rg_exec_buffer(exec, d->buffer, slot)->acceleration);
         }
         is_foreign =
             is_foreign || (d->buffer != RG_NONE &&
@@ -183,7 +206,8 @@ fail:
     return result;
 }
 
-/* Has room for each descriptor to be of any type. */
+/* Has room for each descriptor to be of any type; of acceleration structures only if the device
+ * must have them. */
 static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan, uint64_t key,
                           VkDescriptorPool *pool)
 {
@@ -194,15 +218,18 @@ static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan,
         { VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, count },
         { VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count },
         { VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, count },
+        { VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER, count },
+        { VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, count },
     };
     VkResult result;
-    RG_MAKE_KEYED(exec, plan->pass->name, key, DESCRIPTOR_POOL, CreateDescriptorPool, pool,
-                  &(VkDescriptorPoolCreateInfo){
-                      .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
-                      .maxSets = exec->slot_count,
-                      .poolSizeCount = sizeof(sizes) / sizeof(sizes[0]),
-                      .pPoolSizes = sizes,
-                  });
+    RG_MAKE_KEYED(
+        exec, plan->pass->name, key, DESCRIPTOR_POOL, CreateDescriptorPool, pool,
+        &(VkDescriptorPoolCreateInfo){
+            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+            .maxSets = exec->slot_count,
+            .poolSizeCount = (uint32_t)(sizeof(sizes) / sizeof(sizes[0])) - !exec->has_addresses,
+            .pPoolSizes = sizes,
+        });
 fail:
     return result;
 }
@@ -216,21 +243,30 @@ static VkResult write_set(struct rg_exec *exec, const struct rg_plan_pass *plan,
         const struct exec_descriptor *d = &exec->descriptors[i];
         VkDescriptorBufferInfo buffer = { .range = VK_WHOLE_SIZE };
         VkBufferView texels = VK_NULL_HANDLE;
+        const bool is_structure = d->type == VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
         if (d->type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
             continue;
+        const VkWriteDescriptorSetAccelerationStructureKHR structure = {
+            .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR,
+            .accelerationStructureCount = 1,
+            .pAccelerationStructures =
+                is_structure ? &rg_exec_buffer(exec, d->buffer, slot)->acceleration : NULL,
+        };
         if (d->buffer != RG_NONE)
             buffer.buffer = rg_exec_buffer(exec, d->buffer, slot)->buffer;
-        if (d->type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER)
+        if (is_texels(d))
             RG_PASS(find_texels(exec, d, slot, &texels));
         const VkWriteDescriptorSet write = {
             .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
             .dstSet = set,
             .dstBinding = d->use->binding,
+            .dstArrayElement = d->use->element,
             .descriptorCount = 1,
             .descriptorType = d->type,
             .pImageInfo = &d->image,
             .pBufferInfo = &buffer,
             .pTexelBufferView = &texels,
+            .pNext = is_structure ? &structure : NULL,
         };
         exec->vk.UpdateDescriptorSets(exec->device, 1, &write, 0, NULL);
     }

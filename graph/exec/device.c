@@ -50,6 +50,14 @@ static VkFormatFeatureFlags format_features(const void *user, VkFormat format)
     return properties.optimalTilingFeatures;
 }
 
+static VkFormatFeatureFlags buffer_features(const void *user, VkFormat format)
+{
+    const struct rg_vulkan *vulkan = user;
+    VkFormatProperties properties;
+    FIND(vulkan, vkGetPhysicalDeviceFormatProperties)(vulkan->physical, format, &properties);
+    return properties.bufferFeatures;
+}
+
 static VkSampleCountFlags sample_counts(const void *user, const VkImageCreateInfo *info)
 {
     const struct rg_vulkan *vulkan = user;
@@ -70,8 +78,10 @@ struct rg_device rg_exec_device(const struct rg_vulkan *vulkan)
         .image_memory = image_memory,
         .buffer_memory = buffer_memory,
         .format_features = format_features,
+        .buffer_features = buffer_features,
         .sample_counts = sample_counts,
         .max_image_size = properties.limits.maxImageDimension2D,
         .max_layers = properties.limits.maxImageArrayLayers,
+        .max_volume_size = properties.limits.maxImageDimension3D,
     };
 }

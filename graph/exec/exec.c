@@ -93,6 +93,8 @@ static const char *params_trouble(const struct rg_exec_params *p)
     const VkSpecializationInfo *k = p->constants;
     if (!p->plan || p->plan->fault_count || !p->get_proc_addr)
         return "params without a plan free of faults, or without get_proc_addr";
+    if (p->set_count && !p->sets)
+        return "params with a set_count and no sets";
     if (p->import_count && !p->imports)
         return "params with an import_count and no imports";
     for (size_t i = 0; i < p->import_count; i++) {

@@ -9,7 +9,8 @@
 /* A buffer in one slot. Only one in host memory has another object for each slot. */
 struct exec_buffer {
     VkBuffer buffer;
-    VkDeviceMemory host; /* null unless in host memory, as are the next two */
+    VkAccelerationStructureKHR acceleration; /* in the buffer; null: it holds something else */
+    VkDeviceMemory host;                     /* null unless in host memory, as are the next two */
     void *mapped;
     bool coherent; /* the host memory needs no flush and no invalidation */
 };
@@ -55,6 +56,12 @@ struct exec_descriptor {
     uint32_t buffer;       /* index into the plan's, or RG_NONE */
     VkDescriptorImageInfo image;
 };
+
+/* Whether a buffer of a plan holds an acceleration structure. */
+static inline bool rg_exec_is_structure(const struct rg_plan_buffer *buffer)
+{
+    return buffer->usage & VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
+}
 
 struct exec_slot {
     VkCommandBuffer commands;
@@ -111,8 +118,10 @@ struct rg_exec {
     bool *has_content; /* persistent images, then buffers, whose content is the former plan's */
     struct exec_move *moves;
     uint32_t move_count;
-    VkResult refused;  /* a record function did what cannot be done */
-    VkBuffer triangle; /* made with `warm_up_only`: vertices and indices, all zero */
+    VkResult refused;   /* a record function did what cannot be done */
+    bool can_count;     /* the device has drawIndirectCount */
+    bool has_addresses; /* the plan has buffers with device addresses */
+    VkBuffer triangle;  /* made with `warm_up_only`: vertices and indices, all zero */
     VkImageMemoryBarrier2 *image_batch; /* room for all barriers of the plan */
     VkBufferMemoryBarrier2 *buffer_batch;
 };
@@ -222,6 +231,8 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec);
 /* pipelines.c */
 VkResult rg_exec_make_pipelines(struct rg_exec *exec);
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
+/* The code of a shader, or of the one that replaces it. */
+const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg_shader *shader);
 
 /* time.c */
 VkResult rg_exec_make_time(struct rg_exec *exec);

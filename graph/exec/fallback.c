@@ -30,6 +30,7 @@ static VkResult make_fallback(struct rg_exec *exec, const struct rg_use *use,
     fallback->described = (struct rg_plan_image){
         .image = use->image,
         .extent = { 1, 1 },
+        .depth = 1,
         .layers = cube ? 6 : 1,
         .mips = 1,
         .aspects = format->aspects,
@@ -45,9 +46,10 @@ static VkResult make_fallback(struct rg_exec *exec, const struct rg_use *use,
     RG_KEY(salt, use->range.aspect);
     RG_PASS(rg_exec_make_image(exec, &fallback->described, salt, &fallback->image));
     RG_PASS(rg_exec_make_view(exec, &fallback->described, fallback->image,
-                              cube    ? VK_IMAGE_VIEW_TYPE_CUBE
-                              : array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
-                                      : VK_IMAGE_VIEW_TYPE_2D,
+                              use->image->depth ? VK_IMAGE_VIEW_TYPE_3D
+                              : cube            ? VK_IMAGE_VIEW_TYPE_CUBE
+                              : array           ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
+                                                : VK_IMAGE_VIEW_TYPE_2D,
                               &seen, &fallback->view));
 fail:
     return result;

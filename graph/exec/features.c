@@ -3,8 +3,11 @@
 
 struct features {
     VkPhysicalDeviceFeatures2 core;
+    VkPhysicalDeviceVulkan11Features v11;
     VkPhysicalDeviceVulkan12Features v12;
     VkPhysicalDeviceVulkan13Features v13;
+    VkPhysicalDeviceAccelerationStructureFeaturesKHR structures;
+    VkPhysicalDeviceRayQueryFeaturesKHR queries;
 };
 
 /* Fills what the device supports, and takes away what the program says that it has not enabled. */
@@ -12,18 +15,30 @@ static void find_features(const struct rg_exec *exec, struct features *f)
 {
     const VkPhysicalDeviceFeatures2 *enabled = exec->params.features;
     *f = (struct features){
-        .core = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &f->v12 },
+        .core = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &f->v11 },
+        .v11 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES, .pNext = &f->v12 },
         .v12 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, .pNext = &f->v13 },
-        .v13 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES },
+        .v13 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
+                 .pNext = &f->structures },
+        .structures = { .sType =
+                            VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR,
+                        .pNext = &f->queries },
+        .queries = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR },
     };
     exec->vk.GetPhysicalDeviceFeatures2(exec->params.physical, &f->core);
     if (enabled)
         f->core.features = enabled->features;
     for (const VkBaseInStructure *s = enabled ? enabled->pNext : NULL; s; s = s->pNext) {
+        if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES)
+            f->v11 = *(const VkPhysicalDeviceVulkan11Features *)s;
         if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES)
             f->v12 = *(const VkPhysicalDeviceVulkan12Features *)s;
         if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES)
             f->v13 = *(const VkPhysicalDeviceVulkan13Features *)s;
+        if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR)
+            f->structures = *(const VkPhysicalDeviceAccelerationStructureFeaturesKHR *)s;
+        if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR)
+            f->queries = *(const VkPhysicalDeviceRayQueryFeaturesKHR *)s;
     }
 }
 
@@ -36,6 +51,15 @@ static bool blends_differ(const struct rg_plan *plan)
             if (color[i].blend != color[0].blend || color[i].blend_state != color[0].blend_state)
                 return true;
         }
+    }
+    return false;
+}
+
+static bool has_addresses(const struct rg_plan *plan)
+{
+    for (uint32_t i = 0; i < plan->buffer_count; i++) {
+        if (plan->buffers[i].usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT)
+            return true;
     }
     return false;
 }
@@ -65,13 +89,99 @@ static bool writes_in(const struct rg_plan *plan, VkPipelineStageFlags2 stage)
     return false;
 }
 
+/* ---- what shaders declare to need ---- */
+
+#define NEEDS(number, of, field) \
+    { \
+        number, "the feature " #field, offsetof(struct features, of.field) \
+    }
+#define DESCRIPTORS(number, kind, indexing) \
+    NEEDS(number, v12, shader##kind##Array##indexing##Indexing)
+
+/* By the numbers of OpCapability (SPIR-V 1.6, section 3.31). */
+static const struct capability {
+    uint32_t number;
+    const char *name;
+    size_t offset; /* of the feature in struct features */
+} capabilities[] = {
+    NEEDS(9, v12, shaderFloat16),
+    NEEDS(10, core.features, shaderFloat64),
+    NEEDS(11, core.features, shaderInt64),
+    NEEDS(22, core.features, shaderInt16),
+    NEEDS(25, core.features, shaderImageGatherExtended),
+    NEEDS(27, core.features, shaderStorageImageMultisample),
+    NEEDS(28, core.features, shaderUniformBufferArrayDynamicIndexing),
+    NEEDS(29, core.features, shaderSampledImageArrayDynamicIndexing),
+    NEEDS(30, core.features, shaderStorageBufferArrayDynamicIndexing),
+    NEEDS(31, core.features, shaderStorageImageArrayDynamicIndexing),
+    NEEDS(32, core.features, shaderClipDistance),
+    NEEDS(33, core.features, shaderCullDistance),
+    NEEDS(35, core.features, sampleRateShading),
+    NEEDS(39, v12, shaderInt8),
+    NEEDS(55, core.features, shaderStorageImageReadWithoutFormat),
+    NEEDS(56, core.features, shaderStorageImageWriteWithoutFormat),
+    NEEDS(4472, queries, rayQuery),
+    NEEDS(4427, v11, shaderDrawParameters),
+    NEEDS(4433, v11, storageBuffer16BitAccess),
+    NEEDS(5302, v12, runtimeDescriptorArray),
+    DESCRIPTORS(5304, UniformTexelBuffer, Dynamic),
+    DESCRIPTORS(5305, StorageTexelBuffer, Dynamic),
+    DESCRIPTORS(5306, UniformBuffer, NonUniform),
+    DESCRIPTORS(5307, SampledImage, NonUniform),
+    DESCRIPTORS(5308, StorageBuffer, NonUniform),
+    DESCRIPTORS(5309, StorageImage, NonUniform),
+    DESCRIPTORS(5311, UniformTexelBuffer, NonUniform),
+    DESCRIPTORS(5312, StorageTexelBuffer, NonUniform),
+    NEEDS(5347, v12, bufferDeviceAddress),
+};
+
+/* Whether a shader declares a capability; it is that of a pipeline, which is sound SPIR-V. */
+static bool declares(const struct rg_exec *exec, const struct rg_shader *shader, uint32_t number)
+{
+    enum {
+        HEADER_WORDS = 5,
+        OP_CAPABILITY = 17, /* these come first */
+    };
+
+    const struct rg_shader *code = shader ? rg_exec_code(exec, shader) : NULL;
+    for (size_t i = HEADER_WORDS; code && code->words && i + 1 < code->word_count; i += 2) {
+        if (code->words[i] != (2u << 16 | OP_CAPABILITY))
+            return false;
+        if (code->words[i + 1] == number)
+            return true;
+    }
+    return false;
+}
+
+static VkResult check_capabilities(const struct rg_exec *exec, const struct features *f)
+{
+    const struct rg_plan *plan = exec->plan;
+    VkResult result = VK_SUCCESS;
+    for (size_t i = 0; i < sizeof(capabilities) / sizeof(capabilities[0]); i++) {
+        const struct capability *c = &capabilities[i];
+        bool needed = false;
+        if (*(const VkBool32 *)((const char *)f + c->offset))
+            continue;
+        for (uint32_t p = 0; p < plan->pass_count && !needed; p++) {
+            const struct rg_pass *row = plan->passes[p].pass;
+            needed = declares(exec, row->vert, c->number) || declares(exec, row->frag, c->number) ||
+                     declares(exec, row->comp, c->number);
+        }
+        if (needed)
+            result = rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT, c->name, "the device");
+    }
+    return result;
+}
+
 VkResult rg_exec_check_features(struct rg_exec *exec)
 {
-    VkResult result = VK_SUCCESS;
     const struct rg_exec_params *p = &exec->params;
     struct features f;
     find_features(exec, &f);
     const VkPhysicalDeviceFeatures *core = &f.core.features;
+    VkResult result = check_capabilities(exec, &f);
+    exec->can_count = f.v12.drawIndirectCount;
+    exec->has_addresses = has_addresses(exec->plan);
 
     const struct {
         const char *name;
@@ -83,6 +193,9 @@ VkResult rg_exec_check_features(struct rg_exec *exec)
         { "the feature scalarBlockLayout", true, f.v12.scalarBlockLayout },
         { "the feature separateDepthStencilLayouts", true, f.v12.separateDepthStencilLayouts },
         { "the feature independentBlend", blends_differ(exec->plan), core->independentBlend },
+        { "the feature accelerationStructure", exec->has_addresses,
+          f.structures.accelerationStructure },
+        { "the feature bufferDeviceAddress", exec->has_addresses, f.v12.bufferDeviceAddress },
         { "the feature depthBiasClamp", limits_depth_bias(exec->plan), core->depthBiasClamp },
         { "the feature fragmentStoresAndAtomics",
           writes_in(exec->plan, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT),

@@ -12,6 +12,6 @@ const char *rg_functions_find(struct rg_functions *functions, PFN_vkGetInstanceP
     if (!functions->function) \
         missing = "vk" #function;
     RG_FUNCTIONS(FIND_OR_MISS)
-    RG_FUNCTIONS_DEBUG(FIND)
+    RG_FUNCTIONS_OPTIONAL(FIND)
     return missing;
 }

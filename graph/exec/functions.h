@@ -17,7 +17,8 @@
     row(CmdBindIndexBuffer) row(CmdBindPipeline) row(CmdBindVertexBuffers) \
     row(CmdClearColorImage) row(CmdClearDepthStencilImage) row(CmdCopyBufferToImage) \
     row(CmdCopyImageToBuffer) row(CmdDispatch) row(CmdDispatchIndirect) row(CmdDraw) \
-    row(CmdDrawIndexed) row(CmdDrawIndexedIndirect) row(CmdDrawIndirect) row(CmdEndQuery) \
+    row(CmdDrawIndexed) row(CmdDrawIndexedIndirect) row(CmdDrawIndexedIndirectCount) \
+    row(CmdDrawIndirect) row(CmdDrawIndirectCount) row(CmdEndQuery) \
     row(CmdEndRenderPass) row(CmdEndRendering) row(CmdFillBuffer) row(CmdPipelineBarrier2) \
     row(CmdPushConstants) row(CmdResetQueryPool) row(CmdSetScissor) row(CmdSetViewport) \
     row(CmdWriteTimestamp2) row(CreateBuffer) row(CreateBufferView) row(CreateCommandPool) \
@@ -29,23 +30,27 @@
     row(DestroyFence) row(DestroyFramebuffer) row(DestroyImage) row(DestroyImageView) \
     row(DestroyPipeline) row(DestroyPipelineLayout) row(DestroyQueryPool) row(DestroyRenderPass) \
     row(DestroySampler) row(DestroyShaderModule) row(EndCommandBuffer) \
-    row(FlushMappedMemoryRanges) row(FreeMemory) row(GetBufferMemoryRequirements) \
+    row(FlushMappedMemoryRanges) row(FreeMemory) row(GetBufferDeviceAddress) \
+    row(GetBufferMemoryRequirements) \
     row(GetImageMemoryRequirements) row(GetPhysicalDeviceFeatures2) \
     row(GetPhysicalDeviceMemoryProperties) row(GetPhysicalDeviceProperties) \
     row(GetPhysicalDeviceQueueFamilyProperties) row(GetQueryPoolResults) \
     row(InvalidateMappedMemoryRanges) row(MapMemory) row(QueueSubmit2) row(ResetFences) \
     row(UnmapMemory) row(UpdateDescriptorSets) row(WaitForFences)
 
-/* NULL unless the instance has VK_EXT_debug_utils enabled: */
-#define RG_FUNCTIONS_DEBUG(row) \
-    row(CmdBeginDebugUtilsLabelEXT) row(CmdEndDebugUtilsLabelEXT) row(SetDebugUtilsObjectNameEXT)
+/* NULL unless the instance has VK_EXT_debug_utils enabled, or knows
+ * VK_KHR_acceleration_structure: */
+#define RG_FUNCTIONS_OPTIONAL(row) \
+    row(CmdBeginDebugUtilsLabelEXT) row(CmdEndDebugUtilsLabelEXT) row(SetDebugUtilsObjectNameEXT) \
+    row(CreateAccelerationStructureKHR) row(DestroyAccelerationStructureKHR) \
+    row(GetAccelerationStructureDeviceAddressKHR)
 
 /* clang-format on */
 
 struct rg_functions {
 #define MEMBER(name) PFN_vk##name name;
     RG_FUNCTIONS(MEMBER)
-    RG_FUNCTIONS_DEBUG(MEMBER)
+    RG_FUNCTIONS_OPTIONAL(MEMBER)
 #undef MEMBER
 };
 

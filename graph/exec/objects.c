@@ -142,6 +142,7 @@ static void free_object(const struct rg_exec *exec, const struct exec_object *ob
 #define DESTROY(kind, name) \
     if (object->type == VK_OBJECT_TYPE_##kind) \
         exec->vk.Destroy##name(exec->device, (Vk##name)object->handle, NULL);
+    DESTROY(ACCELERATION_STRUCTURE_KHR, AccelerationStructureKHR)
     DESTROY(BUFFER, Buffer)
     DESTROY(BUFFER_VIEW, BufferView)
     DESTROY(COMMAND_POOL, CommandPool)

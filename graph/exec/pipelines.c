@@ -8,17 +8,35 @@ VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass)
     return VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 }
 
+/* Finds the layout of a set of the program's own. */
+static VkResult find_own(const struct rg_exec *exec, const struct rg_set *set,
+                         VkDescriptorSetLayout *layout)
+{
+    const struct rg_exec_params *params = &exec->params;
+    for (size_t i = 0; i < params->set_count; i++) {
+        if (params->sets[i].set == set)
+            *layout = params->sets[i].layout;
+    }
+    return *layout ? VK_SUCCESS
+                   : rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED,
+                                   "rg_exec_params.sets: the layout", set->name);
+}
+
 static VkResult make_layout(struct rg_exec *exec, const struct rg_pass *row, struct exec_pass *pass)
 {
     const VkPushConstantRange push = { rg_exec_stages(row), 0, row->push_size };
+    VkDescriptorSetLayout layouts[] = { pass->set_layout, VK_NULL_HANDLE };
     uint64_t key = rg_exec_key(RG_NO_KEY, &push, sizeof(push));
     VkResult result;
-    RG_KEY(key, pass->set_layout);
+    if (row->set)
+        RG_PASS(find_own(exec, row->set, &layouts[1]));
+    RG_KEY(key, layouts[0]);
+    RG_KEY(key, layouts[1]);
     RG_MAKE_KEYED(exec, row->name, key, PIPELINE_LAYOUT, CreatePipelineLayout, &pass->layout,
                   &(VkPipelineLayoutCreateInfo){
                       .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                      .setLayoutCount = 1,
-                      .pSetLayouts = &pass->set_layout,
+                      .setLayoutCount = row->set ? 2 : 1,
+                      .pSetLayouts = layouts,
                       .pushConstantRangeCount = row->push_size ? 1 : 0,
                       .pPushConstantRanges = &push,
                   });
@@ -26,7 +44,7 @@ fail:
     return result;
 }
 
-static const struct rg_shader *code_of(const struct rg_exec *exec, const struct rg_shader *shader)
+const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg_shader *shader)
 {
     const struct rg_exec_params *params = &exec->params;
     return params->replace_shader ? params->replace_shader(params->user, shader) : shader;
@@ -37,7 +55,7 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
                            VkShaderStageFlagBits stage, VkPipelineShaderStageCreateInfo *info)
 {
     const struct rg_exec_params *params = &exec->params;
-    const struct rg_shader *code = code_of(exec, shader);
+    const struct rg_shader *code = rg_exec_code(exec, shader);
     const VkShaderModuleCreateInfo module = {
         .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
         .codeSize = code->word_count * sizeof(uint32_t),
@@ -239,7 +257,7 @@ static bool has_constant(const struct rg_shader *code, uint32_t id)
 static void add_shader(uint64_t *key, const struct rg_exec *exec, const struct rg_shader *shader)
 {
     const VkSpecializationInfo *constants = exec->params.constants;
-    const struct rg_shader *code = shader ? code_of(exec, shader) : NULL;
+    const struct rg_shader *code = shader ? rg_exec_code(exec, shader) : NULL;
     RG_KEY(*key, code ? code->word_count : 0);
     if (!code || !code->words)
         return;

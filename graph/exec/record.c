@@ -246,6 +246,15 @@ void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size)
                                    rg_exec_stages(cmd->plan_pass->pass), 0, size, data);
 }
 
+void rg_cmd_bind_set(struct rg_cmd *cmd, VkDescriptorSet set)
+{
+    const VkPipelineBindPoint point = cmd->plan_pass->pass->kind == RG_COMPUTE
+                                          ? VK_PIPELINE_BIND_POINT_COMPUTE
+                                          : VK_PIPELINE_BIND_POINT_GRAPHICS;
+    cmd->exec->vk.CmdBindDescriptorSets(cmd->commands, point, cmd->pass->layout, 1, 1, &set, 0,
+                                        NULL);
+}
+
 void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count)
 {
     rg_cmd_draw_instances(cmd, vertex_count, 1);
@@ -345,6 +354,42 @@ void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                          offset, 1, 0);
 }
 
+/* Whether the device can draw so; if not, the frame is not submitted. */
+static bool can_count(const struct rg_cmd *cmd)
+{
+    struct rg_exec *exec = cmd->exec;
+    if (!exec->can_count)
+        exec->refused = rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT,
+                                      "the feature drawIndirectCount", cmd->plan_pass->pass->name);
+    return exec->can_count;
+}
+
+void rg_cmd_draw_indirect_count(struct rg_cmd *cmd, const struct rg_indirect_count *draws)
+{
+    if (cmd->warm_up)
+        rg_cmd_draw(cmd, 3);
+    else if (can_count(cmd))
+        cmd->exec->vk.CmdDrawIndirectCount(
+            cmd->commands, find_buffer(cmd, draws->commands, RG_INDIRECT), draws->offset,
+            find_buffer(cmd, draws->count, RG_INDIRECT), draws->count_offset, draws->max_count,
+            sizeof(VkDrawIndirectCommand));
+}
+
+void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_mesh *mesh,
+                                     const struct rg_indirect_count *draws)
+{
+    if (cmd->warm_up) {
+        rg_cmd_draw_mesh_part(cmd, mesh, 0, 3);
+        return;
+    }
+    bind_mesh(cmd, mesh);
+    if (can_count(cmd))
+        cmd->exec->vk.CmdDrawIndexedIndirectCount(
+            cmd->commands, find_buffer(cmd, draws->commands, RG_INDIRECT), draws->offset,
+            find_buffer(cmd, draws->count, RG_INDIRECT), draws->count_offset, draws->max_count,
+            sizeof(VkDrawIndexedIndirectCommand));
+}
+
 void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                               VkDeviceSize offset)
 {
@@ -358,6 +403,7 @@ static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_p
     uint32_t mip = use->range.baseMipLevel;
     uint32_t width = image->extent.width >> mip;
     uint32_t height = image->extent.height >> mip;
+    uint32_t depth = image->depth >> mip;
     const VkRect2D whole = { .extent = { width ? width : 1, height ? height : 1 } };
     const VkRect2D area = rg_exec_is_limited(cmd) ? cmd->exec->region.region : whole;
     return (VkBufferImageCopy){
@@ -365,7 +411,7 @@ static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_p
         .imageSubresource = { use->range.aspectMask, mip, use->range.baseArrayLayer,
                               use->range.layerCount },
         .imageOffset = { area.offset.x, area.offset.y, 0 },
-        .imageExtent = { area.extent.width, area.extent.height, 1 },
+        .imageExtent = { area.extent.width, area.extent.height, depth ? depth : 1 },
     };
 }
 
@@ -381,7 +427,7 @@ static bool fits(const struct rg_cmd *cmd, const struct rg_plan_use *image,
                          : format->aspects & VK_IMAGE_ASPECT_STENCIL_BIT        ? 4
                                                                                 : format->size;
     VkDeviceSize size = texel * region->imageExtent.width * region->imageExtent.height *
-                        region->imageSubresource.layerCount;
+                        region->imageExtent.depth * region->imageSubresource.layerCount;
     char what[256];
     if (size <= to->size && region->bufferOffset <= to->size - size)
         return true;
@@ -415,6 +461,29 @@ void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buf
         cmd->exec->vk.CmdCopyBufferToImage(
             cmd->commands, rg_exec_buffer(cmd->exec, from->buffer, cmd->exec->slot)->buffer,
             cmd->exec->image_set->images[to->image], to->layout, 1, &region);
+}
+
+VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
+                                               const struct rg_buffer *buffer)
+{
+    const struct rg_plan_use *use = find_use(cmd, buffer, RG_ACCESS_NONE);
+    return rg_exec_buffer(cmd->exec, use->buffer, cmd->exec->slot)->acceleration;
+}
+
+VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer)
+{
+    const struct rg_functions *vk = &cmd->exec->vk;
+    const VkAccelerationStructureDeviceAddressInfoKHR structure = {
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR,
+        .accelerationStructure = rg_cmd_acceleration(cmd, buffer),
+    };
+    const VkBufferDeviceAddressInfo plain = {
+        .sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
+        .buffer = rg_cmd_buffer(cmd, buffer),
+    };
+    return structure.accelerationStructure
+               ? vk->GetAccelerationStructureDeviceAddressKHR(cmd->exec->device, &structure)
+               : vk->GetBufferDeviceAddress(cmd->exec->device, &plain);
 }
 
 VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd)

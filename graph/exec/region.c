@@ -16,7 +16,7 @@ static bool is_of_view(const struct rg_plan_image *image)
     const bool whole =
         !(declared->scale > 0.0f) || !(declared->scale < 1.0f || declared->scale > 1.0f);
     return !declared->width && !declared->height && whole && image->mips == 1 && !declared->cube &&
-           !image->imported && !image->persistent;
+           !declared->depth && !image->imported && !image->persistent;
 }
 
 /* Whether a pass can be limited: it draws into targets of the view's size, or copies from such an

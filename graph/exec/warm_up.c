@@ -77,7 +77,7 @@ VkResult rg_exec_warm_up(struct rg_exec *exec, const struct rg_frame *frame, uin
         .pCommandBufferInfos = &commands,
     };
     VkResult result = VK_SUCCESS;
-    if (row->kind != RG_RASTER || !cmd.pass->first ||
+    if (row->kind != RG_RASTER || !cmd.pass->first || row->set ||
         (row->when && !row->when(frame, cmd.plan_pass->repetition)))
         return VK_SUCCESS;
     exec->slot = 0;

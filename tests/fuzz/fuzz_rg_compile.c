@@ -122,19 +122,23 @@ static const struct rg_fallback no_color = { { 0, 0, 0, NAN } };
 static const void *const fallbacks[CHOICES] = { NULL,    &white,    &white,    &white,
                                                 &bright, &negative, &infinite, &no_color };
 
+static const struct rg_set set = { "set" };
+static const struct rg_set no_name = { NULL };
+static const void *const sets[CHOICES] = { NULL, NULL, NULL, NULL, NULL, &set, &set, &no_name };
+
 /* ---- fields ---- */
 
 static const struct field image_fields[] = {
     FIELD(rg_image, NAME, name),   FIELD(rg_image, U32, format),      FIELD(rg_image, U32, width),
     FIELD(rg_image, U32, height),  FIELD(rg_image, FLOAT, scale),     FIELD(rg_image, U32, layers),
     FIELD(rg_image, U32, mips),    FIELD(rg_image, BOOL, cube),       FIELD(rg_image, BOOL, array),
-    FIELD(rg_image, U32, samples), FIELD(rg_image, BOOL, persistent),
+    FIELD(rg_image, U32, samples), FIELD(rg_image, BOOL, persistent), FIELD(rg_image, U32, depth),
 };
 
 static const struct field buffer_fields[] = {
     FIELD(rg_buffer, NAME, name),          FIELD(rg_buffer, U64, size),
     FIELD(rg_buffer, U64, size_per_texel), FIELD(rg_buffer, U32, memory),
-    FIELD(rg_buffer, BOOL, persistent),
+    FIELD(rg_buffer, BOOL, persistent),    FIELD(rg_buffer, U32, format),
 };
 
 static const struct field use_fields[] = {
@@ -142,6 +146,8 @@ static const struct field use_fields[] = {
     FIELD(rg_use, BUFFER, buffer),
     FIELD(rg_use, U32, access),
     FIELD(rg_use, U16, binding),
+    FIELD(rg_use, U16, element),
+    FIELD(rg_use, BOOL, texels),
     FIELD(rg_use, U32, range.aspect),
     FIELD(rg_use, U32, range.mip),
     FIELD(rg_use, U32, range.mip_count),
@@ -173,6 +179,7 @@ static const struct field pass_fields[] = {
     FIELD(rg_pass, RECORD, record),     FIELD(rg_pass, WHEN, when),
     FIELD(rg_pass, TARGETS_OF, color),  FIELD(rg_pass, U32, color_count),
     CHOSEN(rg_pass, stencil, stencils), FIELD(rg_pass, FLOAT, depth_bias.slope),
+    CHOSEN(rg_pass, set, sets),
 };
 
 static const struct field import_fields[] = {
@@ -180,6 +187,7 @@ static const struct field import_fields[] = {
     FIELD(rg_import, U32, access),        FIELD(rg_import, U32, extent.width),
     FIELD(rg_import, U32, extent.height), FIELD(rg_import, U32, layers),
     FIELD(rg_import, U32, mips),          FIELD(rg_import, U64, size),
+    FIELD(rg_import, U32, depth),
 };
 
 static const struct field output_fields[] = {
@@ -206,9 +214,8 @@ static const struct field technique_fields[] = {
 };
 
 static const struct field device_fields[] = {
-    FIELD(rg_device, MISSING, image_memory),
-    FIELD(rg_device, MISSING, buffer_memory),
-    FIELD(rg_device, MISSING, format_features),
+    FIELD(rg_device, MISSING, image_memory),    FIELD(rg_device, MISSING, buffer_memory),
+    FIELD(rg_device, MISSING, format_features), FIELD(rg_device, MISSING, buffer_features),
     FIELD(rg_device, MISSING, sample_counts),
 };
 
@@ -438,7 +445,7 @@ static void change_device(struct random_tables *t, struct answer *answer, const 
     if (edit[1] & 2)
         device->buffer_memory = buffer_answer;
     if (edit[1] & 4)
-        device->format_features = format_answer;
+        device->format_features = device->buffer_features = format_answer;
     if (edit[1] & 8)
         device->sample_counts = sample_answer;
     if (edit[1] & 16)

@@ -442,6 +442,8 @@ VkBufferUsageFlags damage_proof_buffer_usage(const struct rg_plan *plan,
         usage |= VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     for (uint32_t i = 0; i < plan->use_count; i++)
         if (plan->uses[i].buffer == buffer)
-            usage |= hazard_rule(plan->uses[i].use->access)->buffer_usage;
+            usage |= plan->uses[i].use->texels
+                         ? VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT
+                         : hazard_rule(plan->uses[i].use->access)->buffer_usage;
     return usage;
 }

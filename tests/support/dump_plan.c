@@ -52,11 +52,16 @@ static bool never(const struct rg_frame *frame, uint32_t repetition)
 }
 
 static const struct rg_use uses[] = {
-    { .access = RG_SAMPLED, .binding = 3 },   { .access = RG_STORAGE_READ_WRITE, .binding = 1 },
-    { .access = RG_STORAGE_WRITE },           { .access = RG_UNIFORM, .binding = 7 },
-    { .access = RG_STORAGE_READ_WRITE },      { .access = RG_COPY_SRC },
+    { .access = RG_SAMPLED, .binding = 3 },
+    { .access = RG_STORAGE_READ_WRITE, .binding = 1 },
+    { .access = RG_STORAGE_WRITE },
+    { .access = RG_UNIFORM, .binding = 7 },
+    { .access = RG_STORAGE_READ_WRITE, .element = 2, .texels = true },
+    { .access = RG_COPY_SRC },
     { .access = RG_COPY_DST, .binding = 99 }, /* no descriptor: not shown */
 };
+
+static const struct rg_set own = { "own" };
 
 #define COLOR_RANGE(...) \
     { \
@@ -210,6 +215,7 @@ static void init_rows(struct dump_plan *p, const char *const *names)
             i == DEPTH ? VK_FORMAT_D24_UNORM_S8_UINT : VK_FORMAT_R8G8B8A8_UNORM;
     }
     p->image_rows[FIELD].cube = true;
+    p->image_rows[HISTORY].depth = 5;
     for (uint32_t i = 0; i < DUMP_PLAN_BUFFERS; i++)
         p->buffer_rows[i].name = buffer_names[i];
     p->buffer_rows[GLOBALS].memory = RG_MEMORY_UPLOAD;
@@ -218,6 +224,7 @@ static void init_rows(struct dump_plan *p, const char *const *names)
         p->pass_rows[i].name = pass_names[i];
     p->pass_rows[1].kind = RG_COMPUTE;
     p->pass_rows[1].when = never;
+    p->pass_rows[1].set = &own;
     p->pass_rows[2].repeat = RG_PER_LAYER;
     p->pass_rows[2].depth_read_only = true;
     p->pass_rows[3].kind = RG_TRANSFER;
@@ -262,6 +269,7 @@ void dump_plan_init(struct dump_plan *p, const char *const names[DUMP_PLAN_NAMES
         struct rg_plan_image *image = &p->images[i];
         image->image = &p->image_rows[i];
         image->extent = (VkExtent2D){ 64, 48 };
+        image->depth = i == HISTORY ? 5 : 1;
         image->layers += !image->layers;
         image->mips += !image->mips;
         image->samples += !image->samples;

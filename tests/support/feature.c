@@ -5,6 +5,7 @@ const struct feature *const feature_list[FEATURE_COUNT] = {
     &feature_history,  &feature_history_buffers, &feature_when,    &feature_per_layer,
     &feature_per_mip,  &feature_resolve,         &feature_samples, &feature_storage,
     &feature_indirect, &feature_imports,         &feature_present, &feature_texels,
+    &feature_volume,   &feature_array,           &feature_count,   &feature_structure,
 };
 
 const struct rg_buffer feature_seed = {

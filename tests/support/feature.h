@@ -16,7 +16,7 @@ struct feature {
 };
 
 enum {
-    FEATURE_COUNT = 12,
+    FEATURE_COUNT = 16,
 };
 
 extern const struct feature *const feature_list[FEATURE_COUNT];
@@ -190,6 +190,54 @@ enum {
 
     SAMPLES_COLOR_OUT = 0,
     SAMPLES_DEPTH_OUT,
+};
+
+/* ---- feature_resources.c: other resources ---- */
+
+/* An image of three dimensions: stored mip by mip, sampled, copied. */
+extern const struct feature feature_volume;
+
+enum {
+    VOLUME_LOOK_OUT,
+    VOLUME_TEXELS_OUT,
+
+    VOLUME_DEPTH = 4,
+};
+
+/* An array of descriptors, the last of which is a fallback, and a set of the program's own. */
+extern const struct feature feature_array;
+extern const struct rg_set feature_array_set; /* a storage buffer of four numbers */
+
+enum {
+    ARRAY_FALLBACK = 7,
+};
+
+/* As many draws as a buffer says, each of which adds 1. */
+extern const struct feature feature_count;
+extern const struct rg_buffer feature_count_commands; /* a struct count_commands, of the CPU */
+
+enum {
+    COUNT_DRAWN_OUT,
+    COUNT_MESH_OUT,
+
+    COUNT_MAX = 3,
+};
+
+struct count_commands {
+    uint32_t count;
+    VkDrawIndirectCommand draws[COUNT_MAX];
+    VkDrawIndexedIndirectCommand meshes[COUNT_MAX];
+};
+
+/* ---- feature_structure.c: acceleration structures ---- */
+
+/* Rays along -z, from texels of a unit square, meet a triangle; 1 where they do. */
+extern const struct feature feature_structure;
+extern const struct rg_buffer feature_structure_triangle; /* three vec3s, of the CPU */
+
+enum {
+    STRUCTURE_SIZE = 1 << 16,     /* bytes; enough for each of both, and to build it */
+    STRUCTURE_ALIGNMENT = 1 << 8, /* of the scratch memory; no device wants more */
 };
 
 /* ---- feature_data.c: what is no target ---- */

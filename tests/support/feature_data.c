@@ -51,7 +51,11 @@ static const struct rg_buffer texels = {
     .size_per_texel = sizeof(uint32_t),
     .format = VK_FORMAT_R32_UINT,
 };
-static const struct rg_buffer doubled = { .name = "doubled", .size_per_texel = sizeof(uint32_t) };
+static const struct rg_buffer doubled = {
+    .name = "doubled",
+    .size_per_texel = sizeof(uint32_t),
+    .format = VK_FORMAT_R32_UINT,
+};
 static const struct rg_buffer doubled_out = FEATURE_NUMBERS("doubled out");
 
 static const struct rg_pass texels_rows[] = {
@@ -59,7 +63,10 @@ static const struct rg_pass texels_rows[] = {
     {
         .name = "double",
         .kind = RG_COMPUTE,
-        .uses = RG_USES({ .buffer = &doubled, .access = RG_STORAGE_WRITE, .binding = DATA_NUMBERS },
+        .uses = RG_USES({ .buffer = &doubled,
+                          .access = RG_STORAGE_WRITE,
+                          .binding = DATA_NUMBERS,
+                          .texels = true },
                         { .buffer = &texels, .access = RG_SAMPLED, .binding = DATA_TEXELS }),
         .comp = &texels_comp,
         .record = feature_record_texels,

@@ -34,9 +34,9 @@ static struct rg_memory_requirements image_need(const struct hazard *h,
     VkImageCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
         .flags = planned->flags,
-        .imageType = VK_IMAGE_TYPE_2D,
+        .imageType = resource->image->depth ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
         .format = resource->image->format,
-        .extent = { resource->extent.width, resource->extent.height, 1 },
+        .extent = { resource->extent.width, resource->extent.height, resource->depth },
         .mipLevels = resource->mips,
         .arrayLayers = resource->layers,
         .samples = (VkSampleCountFlagBits)resource->samples,
@@ -48,8 +48,10 @@ static struct rg_memory_requirements image_need(const struct hazard *h,
     struct rg_memory_requirements need = { .alignment = 256, .type_bits = 1 };
     for (uint32_t mip = 0; mip < resource->mips; mip++) {
         VkDeviceSize width = resource->extent.width >> mip, height = resource->extent.height >> mip;
-        need.size += (width ? width : 1) * (height ? height : 1) * resource->layers *
-                     resource->samples * hazard_texel_size(resource->image->format);
+        VkDeviceSize depth = resource->depth >> mip;
+        need.size += (width ? width : 1) * (height ? height : 1) * (depth ? depth : 1) *
+                     resource->layers * resource->samples *
+                     hazard_texel_size(resource->image->format);
     }
     return need;
 }
@@ -106,9 +108,9 @@ static void check_image(struct hazard *h, const struct hazard_resource *resource
 {
     const struct rg_plan_image *image = &h->plan->images[resource->plan];
     if (image->extent.width != resource->extent.width ||
-        image->extent.height != resource->extent.height || image->layers != resource->layers ||
-        image->mips != resource->mips || image->aspects != resource->aspects ||
-        image->samples != resource->samples)
+        image->extent.height != resource->extent.height || image->depth != resource->depth ||
+        image->layers != resource->layers || image->mips != resource->mips ||
+        image->aspects != resource->aspects || image->samples != resource->samples)
         hazard_find(h, "'%s' has another shape than declared", name_of(resource));
     if (resource->image->cube && !(image->flags & VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT))
         hazard_find(h, "'%s' cannot be viewed as a cube", name_of(resource));
@@ -125,15 +127,18 @@ static void check_import(struct hazard *h, const struct hazard_resource *resourc
         hazard_find(h, "'%s' names the wrong import", name_of(resource));
 }
 
+/* `texels`: of a buffer, which shaders store to as texels. */
 static void check_usage(struct hazard *h, const struct hazard_resource *resource,
-                        enum rg_access access)
+                        enum rg_access access, bool texels)
 {
     const struct hazard_rule *rule = hazard_rule(access);
+    VkBufferUsageFlags of_buffer =
+        texels ? VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT : rule->buffer_usage;
     bool allowed;
     if (resource->image)
         allowed = !(rule->image_usage & ~h->plan->images[resource->plan].usage);
     else
-        allowed = !(rule->buffer_usage & ~h->plan->buffers[resource->plan].usage);
+        allowed = !(of_buffer & ~h->plan->buffers[resource->plan].usage);
     if (!allowed)
         hazard_find(h, "'%s' lacks a usage flag for access %d", name_of(resource), (int)access);
 }
@@ -151,7 +156,8 @@ static void check_uses(struct hazard *h)
             if (resource->plan == RG_NONE)
                 hazard_find(h, "'%s' is used but not in the plan", name_of(resource));
             else
-                check_usage(h, resource, h->uses[u].access);
+                check_usage(h, resource, h->uses[u].access,
+                            h->uses[u].use && h->uses[u].use->texels);
         }
     }
     for (uint32_t r = 0; r < h->resource_count; r++) {
@@ -162,7 +168,7 @@ static void check_uses(struct hazard *h)
         if (resource->plan == RG_NONE)
             hazard_find(h, "output '%s' is not in the plan", name_of(resource));
         else
-            check_usage(h, resource, resource->output->access);
+            check_usage(h, resource, resource->output->access, false);
     }
 }
 

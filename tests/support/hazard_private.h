@@ -34,10 +34,11 @@ enum {
     HAZARD_RESOLVE = 1 << 10,
     HAZARD_BLIT = 1 << 11,
     HAZARD_CLEAR = 1 << 12,
-    HAZARD_HOST = 1 << 13,
-    HAZARD_STAGE_COUNT = 14,
+    HAZARD_BUILD = 1 << 13, /* of acceleration structures */
+    HAZARD_HOST = 1 << 14,
+    HAZARD_STAGE_COUNT = 15,
     HAZARD_GRAPHICS = (1 << 8) - 1,
-    HAZARD_DEVICE = (1 << 13) - 1, /* all but the host */
+    HAZARD_DEVICE = (1 << 14) - 1, /* all but the host */
     HAZARD_SHADERS = HAZARD_VERTEX | HAZARD_FRAGMENT | HAZARD_COMPUTE,
 };
 
@@ -92,7 +93,7 @@ struct hazard_resource {
     const struct rg_output *output; /* may be NULL */
     bool persistent;
     VkExtent2D extent;
-    uint32_t mips, layers, samples;
+    uint32_t mips, layers, samples, depth;
     VkDeviceSize size; /* of a buffer */
     VkImageAspectFlags aspects;
     uint32_t first_cell, cell_count;

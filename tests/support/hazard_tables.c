@@ -27,12 +27,16 @@ static void fill_image(const struct hazard *h, struct hazard_resource *resource)
     resource->layers = image->layers ? image->layers : (image->cube ? 6 : 1);
     if (import && import->layers)
         resource->layers = import->layers;
+    resource->depth = image->depth ? image->depth : 1;
+    if (image->depth && import && import->depth)
+        resource->depth = import->depth;
     resource->mips = image->mips ? image->mips : 1;
     if (import && import->mips) {
         resource->mips = import->mips;
     } else if (image->mips == RG_ALL_MIPS) {
         uint32_t size = resource->extent.width > resource->extent.height ? resource->extent.width
                                                                          : resource->extent.height;
+        size = size > resource->depth ? size : resource->depth;
         for (resource->mips = 1; size > 1; size /= 2)
             resource->mips++;
     }
@@ -173,7 +177,7 @@ static struct hazard_use *add_use(struct hazard *h, struct hazard_pass *pass,
         .stages = rule->stages,
         .reads = rule->reads,
         .writes = rule->writes,
-        .needs_content = rule->reads != 0,
+        .needs_content = rule->reads != 0 && access != RG_BUILD_SCRATCH,
         .gives_content = rule->writes != 0,
     };
     return &h->uses[h->use_count++];

@@ -13,9 +13,10 @@ struct rg_frame {
     const struct rg_pass *rows;
     const struct paint_push *paints;
     struct rg_mesh mesh;
-    bool wanted;       /* whether conditional rows run, */
-    uint32_t left_out; /* but for these of their repetitions, a bit each */
-    uint32_t *asked;   /* counts how often they were asked; may be NULL */
+    VkDescriptorSet set; /* of the test's own */
+    bool wanted;         /* whether conditional rows run, */
+    uint32_t left_out;   /* but for these of their repetitions, a bit each */
+    uint32_t *asked;     /* counts how often they were asked; may be NULL */
 };
 
 /* Of four floats a texel: name, then other members. */

@@ -33,7 +33,9 @@ def life(plan, resource):
 def image_line(plan, image):
     counts = ''.join(f' {what} {image[what]}' for what in ('layers', 'mips', 'samples')
                      if image[what] > 1)
-    return (f"image {image['name']} {image['format']} {image['width']}x{image['height']}{counts}"
+    depth = f"x{image['depth']}" if 'depth' in image else ''
+    size = f"{image['width']}x{image['height']}{depth}"
+    return (f"image {image['name']} {image['format']} {size}{counts}"
             f"{' cube' if image['cube'] else ''}, {place(image)}, {life(plan, image)}")
 
 
@@ -97,7 +99,11 @@ def pass_lines(plan, index):
         name = (texels(plan, use['image'], use['range']) if 'image' in use
                 else plan['buffers'][use['buffer']]['name'])
         binding = f" binding {use['binding']}" if 'binding' in use else ''
-        yield f"  {use['access']} {name}{binding}"
+        element = f"[{use['element']}]" if use.get('element') else ''
+        yield (f"  {use['access']} {name}{' texels' if use.get('texels') else ''}"
+               f"{binding}{element}")
+    if 'set' in row:
+        yield f"  set {row['set']}"
 
 
 def text_lines(plan):

@@ -118,11 +118,15 @@ static void draw_image(struct random_tables *t, uint32_t index, VkExtent2D view)
     image->cube = random_graph_chance(t, 15);
     draw_size(t, image, view);
     known->layers = image->cube ? 6 : 1;
-    if (image->cube && random_graph_chance(t, 20))
+    known->volume = !image->cube && !known->depth && random_graph_chance(t, 12);
+    if (known->volume)
+        image->depth = 1 + random_graph_below(t, 100);
+    else if (image->cube && random_graph_chance(t, 20))
         known->layers = image->layers = 12;
     else if (!image->cube && random_graph_chance(t, 25))
         known->layers = image->layers = 2 + random_graph_below(t, 5);
     uint32_t size = known->width > known->height ? known->width : known->height;
+    size = size > image->depth ? size : image->depth;
     uint32_t all = 1;
     for (; size > 1; size /= 2)
         all++;
@@ -133,7 +137,7 @@ static void draw_image(struct random_tables *t, uint32_t index, VkExtent2D view)
         known->mips = all;
         image->mips = RG_ALL_MIPS;
     }
-    if (index > 0 && t->multisampled && !image->cube && known->mips == 1 &&
+    if (index > 0 && t->multisampled && !image->cube && !known->volume && known->mips == 1 &&
         random_graph_chance(t, 70))
         draw_samples(t, image, known);
     if (t->history && random_graph_chance(t, 20))
@@ -154,6 +158,10 @@ static void draw_buffer(struct random_tables *t, uint32_t index)
                                                   : RG_MEMORY_READBACK;
     if (buffer->memory == RG_MEMORY_DEVICE && t->history && random_graph_chance(t, 30))
         buffer->persistent = true;
+    if (buffer->memory == RG_MEMORY_DEVICE && random_graph_chance(t, 15))
+        known->structure = true;
+    else if (random_graph_chance(t, 40))
+        buffer->format = known->format = VK_FORMAT_R32_UINT;
     known->layers = known->mips = known->samples = 1;
     known->copies = true;
     known->defined[0] = buffer->memory == RG_MEMORY_UPLOAD || buffer->persistent;
@@ -173,6 +181,8 @@ static const enum rg_access buffer_imports[] = {
     RG_VERTEX,      RG_INDEX,        RG_COPY_SRC,      RG_COPY_DST,
 };
 
+static const enum rg_access structure_imports[] = { RG_ACCESS_NONE, RG_TRACE, RG_BUILD };
+
 /* The image that comes differs from the one declared. */
 static void draw_import_shape(struct random_tables *t, struct rg_import *import)
 {
@@ -188,7 +198,9 @@ static void draw_import_shape(struct random_tables *t, struct rg_import *import)
     }
     if (known->samples == 1 && random_graph_chance(t, 40))
         import->mips = known->mips = 1 + random_graph_below(t, 4);
-    if (random_graph_chance(t, 40))
+    if (known->volume)
+        import->depth = random_graph_below(t, 40);
+    else if (random_graph_chance(t, 40))
         import->layers = known->layers =
             cube ? 6 + 6 * random_graph_below(t, 2) : 1 + random_graph_below(t, 4);
 }
@@ -198,12 +210,14 @@ static void draw_import(struct random_tables *t, struct rg_import *import, uint3
     struct random_known *known = &t->known[resource];
     if (resource >= IMAGES) {
         import->buffer = &t->buffers[resource - IMAGES];
-        import->access = buffer_imports[random_graph_below(t, 8)];
+        import->access = known->structure ? structure_imports[random_graph_below(t, 3)]
+                                          : buffer_imports[random_graph_below(t, 8)];
         if (random_graph_chance(t, 30))
             import->size = (VkDeviceSize)16 * (1 + random_graph_below(t, 2000));
     } else {
         import->image = &t->images[resource];
-        import->access = known->depth
+        import->access = known->volume ? image_imports[random_graph_below(t, 2)]
+                         : known->depth
                              ? depth_imports[random_graph_below(t, 4)]
                              : image_imports[random_graph_below(t, known->samples > 1 ? 3 : 8)];
         if (random_graph_chance(t, 35))
@@ -229,13 +243,16 @@ static enum rg_access draw_output(struct random_tables *t, uint32_t resource, bo
     static const enum rg_access buffers[] = { RG_STORAGE_READ, RG_COPY_SRC, RG_UNIFORM, RG_VERTEX,
                                               RG_INDEX };
 
+    if (t->known[resource].structure)
+        return random_graph_chance(t, 50) ? RG_TRACE : RG_BUILD_SOURCE;
     if (resource >= IMAGES)
         return t->buffers[resource - IMAGES].memory == RG_MEMORY_READBACK
                    ? RG_HOST_READ
                    : buffers[random_graph_below(t, 5)];
     if (t->known[resource].depth)
         return random_graph_chance(t, 50) ? RG_SAMPLED : RG_DEPTH_READ;
-    if (imported && t->known[resource].samples == 1 && random_graph_chance(t, 30))
+    if (imported && t->known[resource].samples == 1 && !t->known[resource].volume &&
+        random_graph_chance(t, 30))
         return RG_PRESENT;
     uint32_t choices = t->known[resource].storage ? 3 : t->known[resource].copies ? 2 : 1;
     return images[random_graph_below(t, choices)];
@@ -275,8 +292,9 @@ static void draw_outputs(struct random_tables *t, struct rg_compile_params *para
 static struct rg_memory_requirements image_memory(const void *user, const VkImageCreateInfo *info)
 {
     (void)user;
-    VkDeviceSize size = (VkDeviceSize)info->extent.width * info->extent.height * info->arrayLayers *
-                        16 * (info->mipLevels > 1 ? 2 : 1) * (uint32_t)info->samples;
+    VkDeviceSize size = (VkDeviceSize)info->extent.width * info->extent.height *
+                        info->extent.depth * info->arrayLayers * 16 *
+                        (info->mipLevels > 1 ? 2 : 1) * (uint32_t)info->samples;
     bool attachment = info->usage & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                      VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
     VkDeviceSize alignment = info->extent.width > 40 ? 65536 : 1024;
@@ -378,6 +396,7 @@ bool random_graph_init(struct random_graph *graph, uint64_t seed, uint32_t most_
         .image_memory = image_memory,
         .buffer_memory = buffer_memory,
         .format_features = format_features,
+        .buffer_features = format_features,
         .sample_counts = sample_counts,
     };
     if (random_graph_chance(t, 50))

@@ -132,6 +132,16 @@ static struct rg_range written_range(struct random_tables *t, const struct rando
     return range;
 }
 
+/* Sometimes a buffer is stored to, or sampled, as texels. */
+static void draw_texels(struct random_tables *t, struct rg_use *use)
+{
+    bool known = use->buffer && use->buffer->format;
+    if (known && use->access >= RG_STORAGE_READ && use->access <= RG_STORAGE_READ_WRITE)
+        use->texels = random_graph_chance(t, 50);
+    if (known && use->access == RG_UNIFORM && random_graph_chance(t, 50))
+        use->access = RG_SAMPLED;
+}
+
 static enum rg_access draw_read(struct random_tables *t, const struct rg_pass *pass,
                                 uint32_t resource)
 {
@@ -140,8 +150,10 @@ static enum rg_access draw_read(struct random_tables *t, const struct rg_pass *p
 
     static const enum rg_access compute[] = { RG_UNIFORM, RG_STORAGE_READ, RG_INDIRECT };
 
+    if (t->known[resource].structure)
+        return pass->kind == RG_TRANSFER ? RG_BUILD_SOURCE : RG_TRACE;
     if (pass->kind == RG_TRANSFER)
-        return RG_COPY_SRC;
+        return resource >= IMAGES && random_graph_chance(t, 30) ? RG_BUILD_INPUT : RG_COPY_SRC;
     if (resource < IMAGES)
         return t->known[resource].storage && random_graph_chance(t, 30) ? RG_STORAGE_READ
                                                                         : RG_SAMPLED;
@@ -151,8 +163,8 @@ static enum rg_access draw_read(struct random_tables *t, const struct rg_pass *p
 
 static void draw_stages(struct random_tables *t, const struct rg_pass *pass, struct rg_use *use)
 {
-    bool shader_access =
-        use->access == RG_SAMPLED || use->access == RG_UNIFORM || use->access == RG_STORAGE_READ;
+    bool shader_access = use->access == RG_SAMPLED || use->access == RG_UNIFORM ||
+                         use->access == RG_STORAGE_READ || use->access == RG_TRACE;
     if (pass->kind != RG_RASTER || !shader_access || random_graph_chance(t, 70))
         return;
     use->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT;
@@ -175,6 +187,7 @@ static void draw_reads(struct random_tables *t, const struct rg_pass *pass)
         struct rg_use *use = add_use(t, resource, draw_read(t, pass, resource));
         if (resource < IMAGES)
             use->range = written_range(t, known, range);
+        draw_texels(t, use);
         if (known->stencil && use->access != RG_COPY_SRC)
             use->range.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
         draw_stages(t, pass, use);
@@ -182,16 +195,22 @@ static void draw_reads(struct random_tables *t, const struct rg_pass *pass)
     }
 }
 
-static enum rg_access draw_write(struct random_tables *t, const struct rg_pass *pass, bool defined)
+static enum rg_access draw_write(struct random_tables *t, const struct rg_pass *pass,
+                                 uint32_t resource, bool defined)
 {
+    bool scratch = resource >= IMAGES && t->buffers[resource - IMAGES].memory == RG_MEMORY_DEVICE;
+    if (t->known[resource].structure)
+        return RG_BUILD;
     if (pass->kind == RG_TRANSFER)
-        return RG_COPY_DST;
+        return scratch && random_graph_chance(t, 15) ? RG_BUILD_SCRATCH : RG_COPY_DST;
     return defined && random_graph_chance(t, 40) ? RG_STORAGE_READ_WRITE : RG_STORAGE_WRITE;
 }
 
 static bool can_write(const struct random_tables *t, const struct rg_pass *pass, uint32_t resource)
 {
     const struct random_known *known = &t->known[resource];
+    if (known->structure)
+        return pass->kind == RG_TRANSFER;
     if (resource >= IMAGES)
         return t->buffers[resource - IMAGES].memory != RG_MEMORY_UPLOAD;
     return pass->kind == RG_TRANSFER ? !known->depth && known->copies : known->storage;
@@ -204,8 +223,9 @@ static bool add_write(struct random_tables *t, const struct rg_pass *pass, uint3
     if (!claim(t, resource, range, true))
         return false;
     bool defined = is_defined(t, resource, &range);
-    struct rg_use *use = add_use(t, resource, draw_write(t, pass, defined));
+    struct rg_use *use = add_use(t, resource, draw_write(t, pass, resource, defined));
     use->partial = defined && use->access != RG_STORAGE_READ_WRITE && random_graph_chance(t, 20);
+    draw_texels(t, use);
     if (resource < IMAGES)
         use->range = written_range(t, known, range);
     return true;
@@ -242,6 +262,15 @@ static struct rg_range target_range(const struct random_known *known, const stru
     return range;
 }
 
+/* Part of the channels, and another equation: what is there is kept, or read. */
+static const VkPipelineColorBlendAttachmentState blends[] = {
+    { .colorWriteMask = VK_COLOR_COMPONENT_R_BIT },
+    { .blendEnable = VK_TRUE,
+      .srcColorBlendFactor = VK_BLEND_FACTOR_DST_COLOR,
+      .colorBlendOp = VK_BLEND_OP_MAX,
+      .colorWriteMask = 0xf },
+};
+
 static bool claim_target(struct random_tables *t, const struct rg_pass *pass,
                          struct rg_target *target, uint32_t resource)
 {
@@ -249,7 +278,7 @@ static bool claim_target(struct random_tables *t, const struct rg_pass *pass,
     struct rg_range range = target_range(known, pass, target->mip, target->layer);
     bool read_only = target == &pass->depth && pass->depth_read_only;
     bool defined = is_defined(t, resource, &range);
-    if ((read_only && !defined) || !claim(t, resource, range, !read_only))
+    if (known->volume || (read_only && !defined) || !claim(t, resource, range, !read_only))
         return false;
     target->image = &t->images[resource];
 
@@ -259,6 +288,8 @@ static bool claim_target(struct random_tables *t, const struct rg_pass *pass,
     target->load = read_only ? RG_LOAD_KEEP : loads[random_graph_below(t, defined ? 4 : 2)];
     if (target != &pass->depth && defined && random_graph_chance(t, 20))
         target->blend = RG_BLEND_OVER;
+    else if (target != &pass->depth && defined && random_graph_chance(t, 20))
+        target->blend_state = &blends[random_graph_below(t, 2)];
     return true;
 }
 
@@ -295,7 +326,7 @@ static void draw_resolve(struct random_tables *t, const struct rg_pass *pass,
         struct rg_target to = { .mip = random_graph_below(t, known->mips),
                                 .layer = random_graph_below(t, known->layers) };
         struct rg_range range = target_range(known, pass, to.mip, to.layer);
-        if (known->format != from->format || known->samples > 1 ||
+        if (known->format != from->format || known->samples > 1 || known->volume ||
             !fits(pass, main, first, known, &to) || !claim(t, resource, range, true))
             continue;
         target->resolve = &t->images[resource];
@@ -364,7 +395,8 @@ static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
     bool layered = pass->kind != RG_RASTER;
     if (!layered)
         top.layer_count = 1;
-    if (known->mips < 2 || known->depth || !is_defined(t, resource, &top))
+    if (known->mips < 2 || known->depth || (known->volume && pass->kind == RG_RASTER) ||
+        !is_defined(t, resource, &top))
         return false;
     struct rg_range all = top;
     all.mip_count = known->mips;
@@ -417,6 +449,58 @@ static bool draw_body(struct random_tables *t, struct rg_pass *pass)
     return t->claim_count == 0 && draw_writes(t, pass);
 }
 
+static const struct rg_stencil marks = {
+    .front = { .passOp = VK_STENCIL_OP_INVERT, .writeMask = 1 },
+};
+static const struct rg_stencil tests = { .back = { .compareOp = VK_COMPARE_OP_EQUAL } };
+static const VkVertexInputAttributeDescription second_attributes[] = {
+    { 1, 1, VK_FORMAT_R32G32_SFLOAT, 0 },
+};
+static const struct rg_vertex_layout second_vertices = {
+    .stride = 8,
+    .attribute_count = 1,
+    .attributes = second_attributes,
+    .rate = VK_VERTEX_INPUT_RATE_INSTANCE,
+};
+static const VkVertexInputAttributeDescription first_attributes[] = {
+    { 0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0 },
+};
+static const struct rg_vertex_layout first_vertices = {
+    .stride = 12,
+    .attribute_count = 1,
+    .attributes = first_attributes,
+    .next = &second_vertices,
+};
+static const struct rg_set own_set = { "own" };
+
+/* What changes no barrier: stencil, bias, vertices per instance, a set of the program's own. */
+static void draw_state(struct random_tables *t, struct rg_pass *pass)
+{
+    bool stencil = pass->depth.image && t->known[pass->depth.image - t->images].stencil;
+    if (stencil && random_graph_chance(t, 50))
+        pass->stencil = pass->depth_read_only ? &tests : &marks;
+    if (pass->kind == RG_RASTER && random_graph_chance(t, 20))
+        pass->vertices = &first_vertices;
+    if (pass->depth.image && random_graph_chance(t, 20))
+        pass->depth_bias.slope = 1;
+    if (pass->kind != RG_TRANSFER && random_graph_chance(t, 10))
+        pass->set = &own_set;
+}
+
+/* Some neighbours with the same kind of descriptor are an array. */
+static void draw_arrays(struct random_tables *t)
+{
+    struct rg_use *uses = t->uses[t->pass_count];
+    for (uint32_t i = 1; i < t->use_count; i++) {
+        const VkDescriptorType type = rg_use_descriptor(&uses[i]);
+        if (type == VK_DESCRIPTOR_TYPE_MAX_ENUM || type != rg_use_descriptor(&uses[i - 1]) ||
+            uses[i].stages != uses[i - 1].stages || random_graph_chance(t, 50))
+            continue;
+        uses[i].binding = uses[i - 1].binding;
+        uses[i].element = (uint16_t)(uses[i - 1].element + 1);
+    }
+}
+
 void random_graph_draw(struct random_tables *t)
 {
     struct rg_pass *pass = &t->passes[t->pass_count];
@@ -442,6 +526,8 @@ void random_graph_draw(struct random_tables *t)
     t->uses[t->pass_count][t->use_count] = (struct rg_use){ 0 };
     if (!drawn)
         return;
+    draw_state(t, pass);
+    draw_arrays(t);
     pass->name = random_graph_name(t, 'p', t->pass_count, RESOURCES + t->pass_count);
     if (pass->kind == RG_RASTER) {
         pass->vert = &shader;

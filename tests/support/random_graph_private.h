@@ -24,8 +24,10 @@ enum {
 /* What is known of an image or buffer; a buffer has one layer and mip. */
 struct random_known {
     uint32_t layers, mips, samples, width, height;
-    VkFormat format;
+    VkFormat format; /* of a buffer: of its texels */
     bool depth, stencil, storage, copies, written;
+    bool volume;            /* of three dimensions */
+    bool structure;         /* a buffer with an acceleration structure */
     uint8_t defined[CELLS]; /* bit 0: always; bit n: where condition n is true */
 };
 

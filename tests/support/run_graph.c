@@ -20,7 +20,7 @@ static PFN_vkVoidFunction find_function(VkInstance instance, const char *name)
     if (strcmp(name, "vk" #function) == 0) \
         return (PFN_vkVoidFunction)vk##function;
     RG_FUNCTIONS(ROW)
-    RG_FUNCTIONS_DEBUG(ROW)
+    RG_FUNCTIONS_OPTIONAL(ROW)
     return vkGetInstanceProcAddr(instance, name);
 }
 
@@ -96,6 +96,8 @@ static struct rg_exec_params exec_params(struct run *run, const struct rg_plan *
         .frames_in_flight = run->params.frames_in_flight,
         .imports = run->params.objects,
         .import_count = run->params.import_count,
+        .sets = run->params.sets,
+        .set_count = run->params.sets ? 1 : 0,
         .max_anisotropy = run->gpu->max_anisotropy,
         .render_passes = run->params.render_passes,
         .measured = run->params.measure.clock || run->params.measure.statistics,

@@ -23,6 +23,7 @@ struct run_params {
     const struct rg_import *imports;
     const struct rg_exec_import *objects; /* behind the imports */
     size_t import_count;
+    const struct rg_exec_set *sets; /* of the program's own; of all rows' the first */
     uint32_t frames_in_flight;
     bool render_passes;
     enum rg_sharing sharing;

@@ -107,19 +107,22 @@ static const struct by_hand right = {
     },
     .images = {
         {
-            .image = &first, .extent = { SIZE, SIZE }, .layers = 1, .mips = 1, .samples = 1,
+            .image = &first, .extent = { SIZE, SIZE }, .depth = 1,
+            .layers = 1, .mips = 1, .samples = 1,
             .aspects = VK_IMAGE_ASPECT_COLOR_BIT,
             .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
             .import = RG_NONE, .first = 0, .last = 1, .offset = 0, .size = BYTES,
         },
         {
-            .image = &second, .extent = { SIZE, SIZE }, .layers = 1, .mips = 1, .samples = 1,
+            .image = &second, .extent = { SIZE, SIZE }, .depth = 1,
+            .layers = 1, .mips = 1, .samples = 1,
             .aspects = VK_IMAGE_ASPECT_COLOR_BIT,
             .usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
             .import = RG_NONE, .first = 1, .last = 2, .offset = BYTES, .size = BYTES,
         },
         {
-            .image = &third, .extent = { SIZE, SIZE }, .layers = 1, .mips = 1, .samples = 1,
+            .image = &third, .extent = { SIZE, SIZE }, .depth = 1,
+            .layers = 1, .mips = 1, .samples = 1,
             .aspects = VK_IMAGE_ASPECT_COLOR_BIT,
             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
             .import = RG_NONE, .first = 2, .last = 3, .offset = 0, .size = BYTES,

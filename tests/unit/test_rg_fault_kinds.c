@@ -111,14 +111,130 @@ static const struct fault_case stage_cases[] = {
           ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_PIPELINE_STAGE_HOST_BIT)) },
 };
 
+/* ---- other resources ---- */
+
+static const struct rg_image volume = { "volume", COLOR_FORMAT, .depth = 4 };
+static const struct rg_image stacked = { "stacked", COLOR_FORMAT, .depth = 4, .layers = 2 };
+static const struct rg_image dark = { "dark", VK_FORMAT_D32_SFLOAT, .depth = 4 };
+static const struct rg_image huge = { "huge", COLOR_FORMAT, .depth = 1 << 15 };
+static const struct rg_image short_chain = { "short chain", COLOR_FORMAT, 4, 4,
+                                             .mips = 5,     .depth = 8 };
+static const struct rg_buffer plain = { "plain", 64 };
+static const struct rg_buffer texels = { "texels", 64, .format = VK_FORMAT_R32_UINT };
+static const struct rg_buffer up = { "up", 64, .memory = RG_MEMORY_UPLOAD,
+                                     .format = VK_FORMAT_R32_UINT };
+static const struct rg_set nameless = { NULL };
+static const struct rg_set own = { "own" };
+
+static VkFormatFeatureFlags no_features(const void *user, VkFormat format)
+{
+    (void)user;
+    (void)format;
+    return 0;
+}
+
+static const struct rg_device no_texels = { .buffer_features = no_features };
+
+#define TEXELS(of, kind) \
+    { \
+        .buffer = &(of), .access = (kind), .texels = true, .binding = 1 \
+    }
+#define ELEMENT(of, number, at) \
+    { \
+        .image = &(of), .access = RG_SAMPLED, .binding = (at), .element = (number) \
+    }
+
+static const struct fault_case resource_cases[] = {
+    { ROW(RG_ERROR_ACCESS, "volume", FILL(volume)) },
+    { AROUND(RG_ERROR_VALUE, "stacked",
+             COMPUTE("compute", { &stacked, .access = RG_STORAGE_WRITE })) },
+    { AROUND(RG_ERROR_VALUE, "dark", COPY("copy", { &dark, .access = RG_COPY_DST })) },
+    { AROUND(RG_ERROR_TOO_LARGE, "huge",
+             COMPUTE("compute", { &huge, .access = RG_STORAGE_WRITE })) },
+    { AROUND(RG_ERROR_RANGE, "short chain",
+             COMPUTE("compute", { &short_chain, .access = RG_STORAGE_WRITE })) },
+    { IMPORT(RG_ERROR_ACCESS, "volume", { .image = &volume, .access = RG_COLOR }) },
+    { ROW(RG_ERROR_ACCESS, "plain", COMPUTE("compute", TEXELS(plain, RG_STORAGE_WRITE))) },
+    { ROW(RG_ERROR_ACCESS, "up", COMPUTE("compute", { WRITE_OTHER }, TEXELS(up, RG_UNIFORM))) },
+    { ROW(RG_ERROR_FORMAT, "texels",
+          COMPUTE("compute", { &PICTURE, .access = RG_STORAGE_READ_WRITE },
+                  TEXELS(texels, RG_STORAGE_WRITE))),
+      .device = &no_texels },
+    { ROW(RG_ERROR_VALUE, "picture", COMPUTE("compute", ELEMENT(PICTURE, 1, 0), { WRITE_OTHER })) },
+    { ROW(RG_ERROR_VALUE, "picture",
+          COMPUTE("compute", ELEMENT(PICTURE, 0, 0), ELEMENT(PICTURE, 2, 0), { WRITE_OTHER })) },
+    { ROW(RG_ERROR_VALUE, "picture",
+          COMPUTE("compute", ELEMENT(PICTURE, 0, 0), ELEMENT(PICTURE, 1, 1), { WRITE_OTHER })) },
+    { ROW(RG_ERROR_VALUE, "other",
+          COMPUTE("compute", ELEMENT(PICTURE, 0, 0),
+                  { &OTHER, .access = RG_STORAGE_WRITE, .element = 1 })) },
+    { ROW(RG_ERROR_DUPLICATE_BINDING, "picture",
+          COMPUTE("compute", ELEMENT(PICTURE, 0, 0), ELEMENT(PICTURE, 1, 0), { WRITE_OTHER },
+                  ELEMENT(PICTURE, 0, 0))) },
+    { ROW(RG_ERROR_NO_NAME, NULL,
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .set = &nameless)) },
+    { ROW(RG_ERROR_ACCESS, "own",
+          { .name = "copy",
+            .kind = RG_TRANSFER,
+            .record = small_graph_record,
+            .set = &own,
+            .uses = RG_USES({ &OTHER, .access = RG_COPY_DST }) }) },
+};
+
+/* ---- acceleration structures ---- */
+
+static const struct rg_buffer tree = { "tree", 256 };
+static const struct rg_buffer triangles = { "triangles", 64, .memory = RG_MEMORY_UPLOAD };
+
+#define BUILDS(of) \
+    COPY("build", { .buffer = &triangles, .access = RG_BUILD_INPUT }, \
+         { .buffer = &(of), .access = RG_BUILD })
+
+static const struct fault_case structure_cases[] = {
+    { ROW(RG_ERROR_ACCESS, "tree",
+          COMPUTE("compute", { WRITE_OTHER }, { .buffer = &tree, .access = RG_BUILD })) },
+    { ROW(RG_ERROR_ACCESS, "picture", COPY("copy", { &PICTURE, .access = RG_BUILD })) },
+    { ROW(RG_ERROR_ACCESS, "up", COPY("build", { .buffer = &up, .access = RG_BUILD })) },
+    { ROW(RG_ERROR_READ_BEFORE_WRITE, "tree", ALSO(.buffer = &tree, .access = RG_TRACE)) },
+    { .error = RG_ERROR_ACCESS,
+      .resource = "tree",
+      .row_count = 2,
+      .rows = { BUILDS(tree), ALSO(.buffer = &tree, .access = RG_STORAGE_READ) },
+      .outputs = { { .image = &fault_case_other, .access = RG_SAMPLED } } },
+};
+
+/* What is near a fault and none. */
+static const struct rg_pass good_arrays[] = {
+    COMPUTE("array", ELEMENT(PICTURE, 0, 3), ELEMENT(PICTURE, 1, 3), ELEMENT(PICTURE, 2, 3),
+            { WRITE_OTHER }, ELEMENT(PICTURE, 0, 2), ELEMENT(PICTURE, 1, 2),
+            TEXELS(texels, RG_STORAGE_WRITE)),
+    COMPUTE("volume", { &volume, .access = RG_STORAGE_WRITE },
+            TEXELS(texels, RG_STORAGE_READ_WRITE)),
+};
+
+static void test_good_resources(void **state)
+{
+    (void)state;
+    const struct fault_case fc = {
+        .row_count = 2,
+        .rows = { good_arrays[0], good_arrays[1] },
+        .outputs = { { .image = &fault_case_other, .access = RG_SAMPLED },
+                     { .image = &volume, .access = RG_SAMPLED } },
+    };
+    struct rg_plan *plan = fault_case_compile(&fc);
+    assert_non_null(plan);
+    if (plan->fault_count)
+        rg_dump(plan, stderr);
+    assert_int_equal(plan->fault_count, 0);
+    rg_plan_destroy(plan);
+}
+
 static void test_every_case(void **state)
 {
     (void)state;
     const struct fault_cases tables[] = {
-        FAULT_CASES(sample_cases),
-        FAULT_CASES(history_cases),
-        FAULT_CASES(condition_cases),
-        FAULT_CASES(stage_cases),
+        FAULT_CASES(sample_cases), FAULT_CASES(history_cases),  FAULT_CASES(condition_cases),
+        FAULT_CASES(stage_cases),  FAULT_CASES(resource_cases), FAULT_CASES(structure_cases),
     };
     bool provoked[RG_ERROR_COUNT] = { false };
     fault_case_check(tables, sizeof(tables) / sizeof(tables[0]), provoked);
@@ -147,6 +263,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_case),
         cmocka_unit_test(test_one_condition),
+        cmocka_unit_test(test_good_resources),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -187,13 +187,80 @@ static const struct fault_case shader_cases[] = {
     IS(RG_ERROR_SHADER,
        "(compute): match_frag cannot be read; expected an entry point 'main' of this stage",
        SHADER(comp, match_frag)),
+};
+
+/* ---- other resources ---- */
+
+static const struct rg_set own = { "own" };
+static const struct rg_image deep = { "deep", VK_FORMAT_R32_UINT, .depth = 4 };
+static const struct rg_image level = { "level", VK_FORMAT_R32_UINT };
+static const struct rg_buffer seed = { "seed", 4, .memory = RG_MEMORY_UPLOAD };
+static const struct rg_buffer texels = { "texels", 64, .format = VK_FORMAT_R32_UINT };
+static const struct rg_buffer floats = { "floats", 64, .format = VK_FORMAT_R32_SFLOAT };
+static const struct rg_buffer up = { "up", 64, .memory = RG_MEMORY_UPLOAD,
+                                     .format = VK_FORMAT_R32_UINT };
+
+#define ELEMENT(number) \
+    { \
+        .image = &fault_case_picture, .access = RG_SAMPLED, .binding = 1, .element = (number) \
+    }
+#define ARRAY(with, ...) \
+    { \
+        .name = "compute", .kind = RG_COMPUTE, .comp = &match_array_comp, .set = (with), \
+        .record = small_graph_record, .uses = RG_USES(STORE(target), __VA_ARGS__) \
+    }
+#define VOLUME(of) \
+    { \
+        .name = "compute", .kind = RG_COMPUTE, .comp = &volume_comp, .record = small_graph_record, \
+        .uses = RG_USES({ .buffer = &seed, .access = RG_UNIFORM }, \
+                        { .image = &(of), .access = RG_STORAGE_WRITE, .binding = 2 }) \
+    }
+#define TEXELS(to, as_texels) \
+    { \
+        .name = "compute", .kind = RG_COMPUTE, .comp = &texels_comp, .record = small_graph_record, \
+        .uses = RG_USES( \
+            { .buffer = &(to), .access = RG_STORAGE_WRITE, .binding = 1, .texels = (as_texels) }, \
+            { .buffer = &up, .access = RG_SAMPLED, .binding = 2 }) \
+    }
+
+static const struct rg_pass good_resources[] = {
+    ARRAY(&own, ELEMENT(0), ELEMENT(1)),
+    VOLUME(deep),
+    TEXELS(texels, true),
+};
+
+static const struct fault_case resource_cases[] = {
     IS(RG_ERROR_SHADER_BINDING,
-       "(compute): sources " BINDING "binding 1: an array of 2 descriptors; a use is one",
-       { .name = "compute",
-         .kind = RG_COMPUTE,
-         .comp = &match_array_comp,
+       "(compute): sources " BINDING
+       "binding 1: 2 descriptors in 'match_array_comp', 1 in the row (rg_use.element)",
+       ARRAY(&own, ELEMENT(0))),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): sources " BINDING
+       "binding 1: 2 descriptors in 'match_array_comp', 3 in the row (rg_use.element)",
+       ARRAY(&own, ELEMENT(0), ELEMENT(1), ELEMENT(2))),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): own " BINDING
+       "it is in set 1 of 'match_array_comp': use set 0, or set 1 and rg_pass.set",
+       ARRAY(NULL, ELEMENT(0), ELEMENT(1))),
+    IS(RG_ERROR_SHADER_BINDING, "(draw): own " BINDING "set 1: no shader of the row uses it",
+       { .name = "draw",
+         .vert = &match_vert,
+         .frag = &match_frag,
+         .push_size = 12,
+         .vertices = &positions,
          .record = small_graph_record,
-         .uses = RG_USES(STORE(target), PICTURE(1)) }),
+         .color = RG_TARGETS(BOTH),
+         .set = &own,
+         .uses = RG_USES(PICTURE(2)) }),
+    IS(RG_ERROR_SHADER_BINDING, "(compute): volume " BINDING "binding 2: 'level' is 2D in the row",
+       VOLUME(level)),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): numbers " BINDING
+       "binding 1 is a storage texel buffer in 'texels_comp', 'texels' is a storage buffer",
+       TEXELS(texels, false)),
+    IS(RG_ERROR_SHADER_BINDING,
+       "(compute): numbers " BINDING "binding 1: format R32_UINT is not the R32_SFLOAT of 'floats'",
+       TEXELS(floats, true)),
 };
 
 /* ---- constants ---- */
@@ -263,6 +330,22 @@ static void test_skipped(void **state)
     rg_plan_destroy(plan);
 }
 
+static void test_good_resources(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof(good_resources) / sizeof(good_resources[0]); i++) {
+        struct rg_plan *plan = fault_case_compile(&(struct fault_case){
+            .row_count = 1,
+            .rows = { good_resources[i] },
+        });
+        assert_non_null(plan);
+        if (plan->fault_count)
+            rg_dump(plan, stderr);
+        assert_int_equal(plan->fault_count, 0);
+        rg_plan_destroy(plan);
+    }
+}
+
 static void test_constants(void **state)
 {
     (void)state;
@@ -277,10 +360,8 @@ static void test_constants(void **state)
 static void test_every_case(void **state)
 {
     static const struct fault_cases tables[] = {
-        FAULT_CASES(push_cases),
-        FAULT_CASES(binding_cases),
-        FAULT_CASES(raster_cases),
-        FAULT_CASES(shader_cases),
+        FAULT_CASES(push_cases),   FAULT_CASES(binding_cases),  FAULT_CASES(raster_cases),
+        FAULT_CASES(shader_cases), FAULT_CASES(resource_cases),
     };
     bool provoked[RG_ERROR_COUNT] = { false };
     (void)state;
@@ -331,9 +412,8 @@ static void test_damaged_code(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_case),
-        cmocka_unit_test(test_skipped),
-        cmocka_unit_test(test_constants),
+        cmocka_unit_test(test_every_case),     cmocka_unit_test(test_skipped),
+        cmocka_unit_test(test_good_resources), cmocka_unit_test(test_constants),
         cmocka_unit_test(test_damaged_code),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
