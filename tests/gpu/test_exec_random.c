@@ -37,6 +37,9 @@ enum seen {
     DEPTH,
     SHARED, /* plans whose resources share memory */
     PERSISTENT,
+    TEXELS, /* uses */
+    ARRAYS,
+    VOLUMES,
     SKIPPED, /* passes, in some frame */
     COMPARED,
     SEEN_COUNT,
@@ -56,6 +59,9 @@ static const char *const seen_names[SEEN_COUNT] = {
     [DEPTH] = "depth targets",
     [SHARED] = "plans that share memory",
     [PERSISTENT] = "persistent resources",
+    [TEXELS] = "buffers seen as texels",
+    [ARRAYS] = "second elements of arrays",
+    [VOLUMES] = "images of three dimensions",
     [SKIPPED] = "passes skipped",
     [COMPARED] = "words compared",
 };
@@ -109,6 +115,12 @@ static void count_plan(uint32_t *seen, const struct rg_plan *plan)
             continue;
         seen[DEPTH]++;
         count_target(seen, &pass->depth);
+    }
+    for (uint32_t i = 0; i < plan->use_count; i++) {
+        const struct rg_use *use = plan->uses[i].use;
+        seen[TEXELS] += use->texels || (use->buffer && use->access == RG_SAMPLED);
+        seen[ARRAYS] += use->element > 0;
+        seen[VOLUMES] += use->image && use->image->depth;
     }
     for (uint32_t i = 0; i < plan->image_count; i++)
         seen[PERSISTENT] += plan->images[i].persistent;

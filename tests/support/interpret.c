@@ -90,8 +90,9 @@ static struct interpret_part whole_image(const struct interpret_tables *tables,
                                          const struct rg_image *image)
 {
     return (struct interpret_part){
+        .volume = image->depth,
         .mip_count = at_least_one(image->mips),
-        .layer_count = at_least_one(image->layers),
+        .layer_count = image->depth ? image->depth : at_least_one(image->layers),
         .width = image->width ? image->width : scaled(tables->view.width, image->scale),
         .height = image->height ? image->height : scaled(tables->view.height, image->scale),
     };
@@ -101,6 +102,8 @@ static struct interpret_part at_mip(struct interpret_part part, uint32_t mip)
 {
     part.width = at_least_one(part.width >> mip);
     part.height = at_least_one(part.height >> mip);
+    if (part.volume)
+        part.layer_count = at_least_one(part.layer_count >> mip);
     part.mip_count -= mip;
     part.mip = mip;
     return part;
@@ -131,7 +134,7 @@ struct interpret_part interpret_part(const struct interpret_tables *tables,
     part.layer_count -= part.layer;
     if (each_mip || range->mip_count)
         part.mip_count = each_mip ? 1 : range->mip_count;
-    if (each_layer || range->layer_count)
+    if (!part.volume && (each_layer || range->layer_count))
         part.layer_count = each_layer ? 1 : range->layer_count;
     return part;
 }
@@ -218,7 +221,8 @@ static uint32_t fetch(const struct running *run, const struct rg_use *use, const
         const uint32_t place[3] = {
             (at[0] + run->push.shift) % level.width,
             (at[1] + run->push.shift) % level.height,
-            part.layer + (at[2] + at[0] + 2 * at[1]) % part.layer_count,
+            part.layer +
+                (at[2] + at[0] + 2 * at[1]) % (part.volume ? level.layer_count : part.layer_count),
         };
         sum = fold(sum, interpret_texel(image, mip, place));
     }

@@ -46,6 +46,7 @@ struct rg_frame {
 
 /* A range of an image in one repetition of a row. */
 struct interpret_part {
+    bool volume; /* of three dimensions: layers are slices, fewer in each mip */
     uint32_t mip, mip_count, layer, layer_count;
     uint32_t width, height; /* texels, of the first mip */
 };

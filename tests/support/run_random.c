@@ -68,10 +68,15 @@ static void draw_image(struct run_random_tables *t, uint32_t index)
     image->format = formats[run_random_below(t, sizeof(formats) / sizeof(formats[0]))];
     known->depth = image->format == VK_FORMAT_D32_SFLOAT;
     known->writable = true;
-    image->array = !known->depth;
+    known->volume = !known->depth && run_random_chance(t, 15);
+    if (known->volume) {
+        image->format = VK_FORMAT_R32_UINT;
+        image->depth = 1 + run_random_below(t, 5);
+    }
+    image->array = !known->depth && !known->volume;
     draw_size(t, image);
     known->layers = known->mips = 1;
-    if (run_random_chance(t, 35))
+    if (!known->volume && run_random_chance(t, 35))
         known->layers = image->layers = 2 + run_random_below(t, LAYERS - 1);
     if (run_random_chance(t, 35))
         known->mips = image->mips = 2 + run_random_below(t, MIPS - 1);
@@ -88,6 +93,7 @@ void run_random_add_buffer(struct run_random_tables *t, enum rg_memory memory, V
     run_random_name(t, 'b', IMAGES + index, &buffer->name);
     buffer->memory = memory;
     buffer->size = size;
+    buffer->format = VK_FORMAT_R32_UINT;
     buffer->persistent = memory == RG_MEMORY_DEVICE && index >= ARGUMENTS &&
                          (t->features & RUN_RANDOM_HISTORY) && run_random_chance(t, 20);
     *known = (struct run_random_known){

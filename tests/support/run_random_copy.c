@@ -6,7 +6,9 @@ static uint32_t copy_size(const struct run_random_tables *t, uint32_t image, str
 {
     const struct run_random_known *known = &t->known[image];
     const bool each = range.each && t->passes[t->pass_count].repeat == RG_PER_LAYER;
-    const uint32_t layers = each ? 1 : run_random_covered(t, image, range).layer_count;
+    const uint32_t layers = known->volume ? run_random_mip_size(t->images[image].depth, range.mip)
+                            : each        ? 1
+                                          : run_random_covered(t, image, range).layer_count;
     return run_random_mip_size(known->width, range.mip) *
            run_random_mip_size(known->height, range.mip) * layers *
            rg_format_info(t->images[image].format)->size;
@@ -94,8 +96,8 @@ static bool copy_image_to_image(struct run_random_tables *t)
     struct rg_range place = run_random_range(t, to);
     range.mip_count = place.mip_count = 1;
     const uint32_t layers = run_random_covered(t, from, range).layer_count;
-    if (t->images[from].format != t->images[to].format ||
-        place.layer + layers > t->known[to].layers)
+    if (t->images[from].format != t->images[to].format || t->known[from].volume ||
+        t->known[to].volume || place.layer + layers > t->known[to].layers)
         return false;
     place.layer_count = layers;
     const struct run_random_known *a = &t->known[from];

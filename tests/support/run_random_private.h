@@ -33,6 +33,7 @@ enum {
 struct run_random_known {
     uint32_t layers, mips, width, height;
     bool depth, writable;
+    bool volume; /* of three dimensions */
     uint8_t filled[CELLS];
 };
 

@@ -10,6 +10,9 @@ struct program {
     uint32_t sampled, targets;
     bool loaded, read, uniform;
     VkFormat stored; /* of the storage image that is written; 0: a buffer is */
+    bool array;      /* the sampled images are one */
+    bool texels;     /* buffers are seen as texels */
+    bool volume;     /* images are of three dimensions */
     bool changes;    /* what it writes it reads, too */
 };
 
@@ -25,6 +28,7 @@ static const struct program raster_programs[] = {
     { &random_fetch_two_frag, .targets = 2, .sampled = 1, .uniform = true },
     { &random_flat_three_frag, .targets = 3 },
     { &random_fetch_three_frag, .targets = 3, .sampled = 1 },
+    { &random_array_frag, .targets = 1, .sampled = 2, .array = true },
 };
 
 static const struct program compute_programs[] = {
@@ -37,6 +41,13 @@ static const struct program compute_programs[] = {
     { &random_list_fetch_comp, .sampled = 1 },
     { &random_list_change_comp, .read = true, .changes = true },
     { &random_list_load_comp, .loaded = true },
+    { &random_image_array_comp, .stored = VK_FORMAT_R32_UINT, .sampled = 2, .array = true },
+    { &random_texels_comp, .read = true, .uniform = true, .texels = true },
+    { &random_texels_change_comp, .sampled = 1, .changes = true, .texels = true },
+    { &random_volume_comp, .stored = VK_FORMAT_R32_UINT, .uniform = true, .volume = true },
+    { &random_volume_change_comp, .stored = VK_FORMAT_R32_UINT, .sampled = 1, .changes = true,
+      .volume = true },
+    { &random_list_volume_comp, .sampled = 1, .volume = true },
 };
 
 static bool is_even(const struct rg_frame *frame, uint32_t repetition)
@@ -226,18 +237,21 @@ struct rg_range run_random_range(struct run_random_tables *t, uint32_t resource)
     return range;
 }
 
-static bool draw_image_input(struct run_random_tables *t, enum rg_access access, uint16_t binding)
+static bool draw_image_input(struct run_random_tables *t, enum rg_access access, uint16_t binding,
+                             uint16_t element, bool volume)
 {
     for (uint32_t tries = 0; tries < 8; tries++) {
         const uint32_t image = run_random_image(t);
         struct rg_range range = run_random_range(t, image);
         if (access == RG_STORAGE_READ)
             range.mip_count = 1;
-        if (t->known[image].depth ||
+        if (t->known[image].depth || t->known[image].volume != volume ||
             (access == RG_STORAGE_READ && t->images[image].format != loaded_format) ||
             !run_random_claim(t, image, range, access))
             continue;
-        run_random_use(t, image, access, range)->binding = binding;
+        struct rg_use *use = run_random_use(t, image, access, range);
+        use->binding = binding;
+        use->element = element;
         return true;
     }
     return false;
@@ -259,11 +273,14 @@ static bool draw_inputs(struct run_random_tables *t, const struct program *progr
 {
     bool drawn = true;
     for (uint32_t i = 0; i < program->sampled && drawn; i++)
-        drawn = draw_image_input(t, RG_SAMPLED, (uint16_t)(RANDOM_SAMPLED + i));
+        drawn =
+            draw_image_input(t, RG_SAMPLED, (uint16_t)(RANDOM_SAMPLED + (program->array ? 0 : i)),
+                             (uint16_t)(program->array ? i : 0), program->volume);
     if (program->loaded)
-        drawn = drawn && draw_image_input(t, RG_STORAGE_READ, RANDOM_LOADED);
+        drawn = drawn && draw_image_input(t, RG_STORAGE_READ, RANDOM_LOADED, 0, false);
     if (program->read)
-        drawn = drawn && draw_buffer_input(t, RG_STORAGE_READ, RANDOM_READ);
+        drawn = drawn &&
+                draw_buffer_input(t, program->texels ? RG_SAMPLED : RG_STORAGE_READ, RANDOM_READ);
     if (program->uniform)
         drawn = drawn && draw_buffer_input(t, RG_UNIFORM, RANDOM_UNIFORM);
     return drawn;
@@ -330,10 +347,10 @@ static bool draw_compute(struct run_random_tables *t)
     if (program->stored) {
         for (uint32_t tries = 0; tries < 8; tries++) {
             to = run_random_image(t);
-            if (t->images[to].format == program->stored)
+            if (t->images[to].format == program->stored && t->known[to].volume == program->volume)
                 break;
         }
-        if (t->images[to].format != program->stored)
+        if (t->images[to].format != program->stored || t->known[to].volume != program->volume)
             return false;
         range = run_random_written_range(t, to);
     }
@@ -345,6 +362,7 @@ static bool draw_compute(struct run_random_tables *t)
     struct rg_use *use = run_random_use(t, to, access, range);
     use->binding = program->stored ? RANDOM_STORED : RANDOM_WRITTEN;
     use->partial = partial;
+    use->texels = program->texels;
     if (partial)
         draw_part(t);
     if (!draw_inputs(t, program))
@@ -406,10 +424,10 @@ static bool add_target(struct run_random_tables *t, uint32_t image, struct rg_ta
     const bool keeps = run_random_is_filled(t, image, run_random_covered(t, image, range)) &&
                        run_random_chance(t, 60);
     const bool tests = place == &pass->depth && keeps && run_random_chance(t, 30);
-    if (!run_random_claim(t, image, range,
-                          tests          ? RG_DEPTH_READ
-                          : known->depth ? RG_DEPTH
-                                         : RG_COLOR))
+    if (known->volume || !run_random_claim(t, image, range,
+                                           tests          ? RG_DEPTH_READ
+                                           : known->depth ? RG_DEPTH
+                                                          : RG_COLOR))
         return false;
     *place = target;
     place->image = &t->images[image];
@@ -462,7 +480,7 @@ static bool draw_mip_chain(struct run_random_tables *t)
     const uint32_t image = run_random_image(t);
     const struct run_random_known *known = &t->known[image];
     struct rg_range range = { .mip_count = 1, .layer_count = 1, .each = true };
-    if (known->mips < 2 || known->depth)
+    if (known->mips < 2 || known->depth || known->volume)
         return false;
     range.layer = run_random_below(t, known->layers);
     run_random_condition(t, pass);

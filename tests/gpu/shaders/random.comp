@@ -10,7 +10,13 @@ layout(binding = RANDOM_STORED, STORED) uniform
 #ifndef CHANGES
     writeonly
 #endif
+#ifdef VOLUME
+    uimage3D stored;
+#else
     uimage2DArray stored;
+#endif
+#elif defined(TEXELS)
+layout(binding = RANDOM_WRITTEN, r32ui) uniform uimageBuffer written;
 #else
 layout(binding = RANDOM_WRITTEN, scalar) buffer Written
 {
@@ -24,6 +30,8 @@ void main()
     uint sum = inputs(at); /* by all, as some drivers read the mip that the first of four names */
 #ifdef STORED
     uvec3 size = imageSize(stored);
+#elif defined(TEXELS)
+    uvec3 size = uvec3(imageSize(written), 1, 1);
 #else
     uvec3 size = uvec3(written_words.length(), 1, 1);
 #endif
@@ -36,6 +44,11 @@ void main()
     sum = fold(sum, imageLoad(stored, ivec3(at)));
 #endif
     imageStore(stored, ivec3(at), channels(sum, 0));
+#elif defined(TEXELS)
+#ifdef CHANGES
+    sum = random_mix(sum, imageLoad(written, int(at.x)).r);
+#endif
+    imageStore(written, int(at.x), channels(sum, 0));
 #else
 #ifdef CHANGES
     sum = random_mix(sum, written_words[at.x]);

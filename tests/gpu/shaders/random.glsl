@@ -6,16 +6,29 @@ layout(push_constant, scalar) uniform Push
     random_push push;
 };
 
+#ifdef VOLUME
+#define SAMPLER usampler3D
+#else
+#define SAMPLER usampler2DArray
+#endif
+#ifdef ARRAY
+layout(binding = RANDOM_SAMPLED) uniform SAMPLER sampled[SAMPLED];
+#define sampled_0 sampled[0]
+#define sampled_1 sampled[1]
+#else
 #if SAMPLED > 0
-layout(binding = RANDOM_SAMPLED) uniform usampler2DArray sampled_0;
+layout(binding = RANDOM_SAMPLED) uniform SAMPLER sampled_0;
 #endif
 #if SAMPLED > 1
-layout(binding = RANDOM_SAMPLED + 1) uniform usampler2DArray sampled_1;
+layout(binding = RANDOM_SAMPLED + 1) uniform SAMPLER sampled_1;
+#endif
 #endif
 #ifdef LOADED
 layout(binding = RANDOM_LOADED, LOADED) uniform readonly uimage2DArray loaded;
 #endif
-#ifdef READ
+#if defined(READ) && defined(TEXELS)
+layout(binding = RANDOM_READ) uniform usamplerBuffer read_texels;
+#elif defined(READ)
 layout(binding = RANDOM_READ, scalar) readonly buffer Read
 {
     uint read_words[];
@@ -43,7 +56,7 @@ ivec3 place(uvec3 at, ivec3 size)
 
 #if SAMPLED > 0
 /* A texel of each mip. */
-uint fetch(uint sum, usampler2DArray image, uvec3 at)
+uint fetch(uint sum, SAMPLER image, uvec3 at)
 {
     for (int mip = 0; mip < textureQueryLevels(image); mip++)
         sum = fold(sum, texelFetch(image, place(at, textureSize(image, mip)), mip));
@@ -65,7 +78,11 @@ uint inputs(uvec3 at)
 #endif
 #ifdef READ
     uint index = random_word(at.x, at.y, at.z) + push.shift;
+#ifdef TEXELS
+    sum = random_mix(sum, texelFetch(read_texels, int(index % textureSize(read_texels))).r);
+#else
     sum = random_mix(sum, read_words[index % read_words.length()]);
+#endif
 #endif
 #ifdef UNIFORM
     sum = random_mix(sum, uniform_words[(at.x + at.y) % RANDOM_UNIFORM_WORDS]);
