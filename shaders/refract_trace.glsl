@@ -508,9 +508,12 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
             is_going = trace_next();
     } while (is_going);
 #ifndef TRACE_RAYS
-    for (int i = 0; i < trace_stops_max; i++)
-        trace_add(stops[i].weight * refract_environment(stops[i].origin, stops[i].dir),
-                  stops[i].kind);
+    for (int i = 0; i < stop_count; i++) {
+        trace_stop stop = stops[0];
+        for (int k = 1; k < trace_stops_max; k++)
+            stop = k == i ? stops[k] : stop;
+        trace_add(stop.weight * refract_environment(stop.origin, stop.dir), stop.kind);
+    }
 #endif
 }
 

@@ -1,9 +1,10 @@
 /*
  * trace_tree.glsl: meets the trees of tree.h with rays.
  *
- * The nearer child first, a stack of the others; first nodes, then triangles (Aila and Laine 2009,
- * "while-while"). Lanes that have finished must not go on: Mesa 22.3 loses hits in loops in which
- * they do.
+ * The nearer child first, a stack of the others; some nodes, then all triangles (after Aila and
+ * Laine 2009, "while-while"). lavapipe (Mesa 22.3) stores to an array by a branch for each pixel, a
+ * third of all time where these differ, so stores and the nodes' loop have no condition of a pixel.
+ * Lanes that have finished must not go on: it loses hits in loops in which they do.
  */
 #ifndef TRACE_TREE_GLSL
 #define TRACE_TREE_GLSL
@@ -50,6 +51,7 @@ struct trace_hit {
 
 const float trace_edge = 1e-6;
 const int trace_nothing = int(TREE_LEAF);
+const int trace_steps = 3; /* nodes, before triangles are met */
 
 trace_ray trace_ray_of(vec3 origin, vec3 dir, float side, float reach, int from, bool is_in_bubble)
 {
@@ -167,7 +169,7 @@ void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
     int node = root;
     stack[0] = trace_nothing;
     do {
-        do {
+        for (int step = 0; step < trace_steps; step++) {
             int at = TREE_NODE_WORDS * max(node, 0);
             uvec4 a = texelFetch(nodes, at), b = texelFetch(nodes, at + 1);
             uvec4 c = texelFetch(nodes, at + 2), d = texelFetch(nodes, at + 3);
@@ -181,16 +183,13 @@ void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
             bool second = meets_1 && (!meets_0 || enter_1 < enter_0);
             int near = second ? int(c.w) : int(a.w);
             int far = second ? int(a.w) : int(c.w);
-            int popped = stack[top];
-            bool none = !meets_0 && !meets_1;
-            if (meets_0 && meets_1) {
-                top++;
-                stack[top] = far;
-            }
-            top -= none ? 1 : 0;
-            node = none ? popped : near;
-        } while (node >= 0);
-        int leaf = node & 0x7fffffff;
+            int popped = stack[max(top, 0)];
+            bool none = node >= 0 && !meets_0 && !meets_1;
+            stack[top + 1] = far;
+            top += none ? -1 : int(meets_0 && meets_1);
+            node = none ? popped : node >= 0 ? near : node;
+        }
+        int leaf = node < 0 ? node & 0x7fffffff : 0;
         int k = leaf >> 3, end = k + (leaf & 7);
         do {
             trace_meet_triangle(ray, k, part, k < end, hit);
