@@ -1,0 +1,207 @@
+/* test_trace.c: rays that meet a tree of triangles on a device, by shaders/trace_tree.glsl, meet
+ * what they meet on the host. */
+#include <cglm/struct.h>
+#include <math.h>
+#include <string.h>
+
+#include "tests/support/check.h"
+
+#include "shaders/constants.h"
+#include "shaders/embedded.h"
+#include "shaders/globals.h"
+#include "shaders/refract_trace.h"
+#include "src/scene/tree.h"
+#include "tests/gpu/shaders/trace_rays.h"
+#include "tests/gpu/test_shaders.h"
+#include "tests/support/lavapipe.h"
+#include "tests/support/run_graph.h"
+
+enum {
+    RAYS = TRACE_RAYS_SIDE * TRACE_RAYS_SIDE,
+};
+
+/* ---- a pass ---- */
+
+#define WORDS(title, kind) \
+    { \
+        .name = (title), .size = 16, .format = (kind) \
+    }
+static const struct rg_buffer rays = WORDS("rays", VK_FORMAT_R32G32B32A32_SFLOAT);
+static const struct rg_buffer nodes = WORDS("nodes", VK_FORMAT_R32G32B32A32_UINT);
+static const struct rg_buffer triangles = WORDS("triangles", VK_FORMAT_R32G32B32A32_UINT);
+static const struct rg_buffer globals = {
+    .name = "globals",
+    .size = sizeof(struct globals),
+    .memory = RG_MEMORY_UPLOAD,
+};
+static const struct rg_buffer trace = {
+    .name = "trace",
+    .size = sizeof(struct trace_frame),
+    .memory = RG_MEMORY_UPLOAD,
+};
+static const struct rg_image found = {
+    .name = "found",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+static const struct rg_buffer found_out = {
+    .name = "found out",
+    .size_per_texel = sizeof(vec4s),
+    .memory = RG_MEMORY_READBACK,
+};
+
+static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    rg_cmd_draw(cmd, 3);
+}
+
+static const struct rg_pass rows[] = {
+    {
+        .name = "meet",
+        .color = RG_TARGETS({ &found, RG_LOAD_DISCARD }),
+        .uses = RG_USES({ .buffer = &globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING },
+                        { .buffer = &trace, .access = RG_UNIFORM, .binding = TRACE_FRAME },
+                        { .buffer = &rays, .access = RG_SAMPLED, .binding = TRACE_RAYS_BINDING },
+                        { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES },
+                        { .buffer = &triangles, .access = RG_SAMPLED, .binding = TRACE_TRIANGLES }),
+        .vert = &screen_vert,
+        .frag = &trace_rays_frag,
+        .record = record,
+    },
+    RUN_READ("read", found, found_out),
+};
+
+/* ---- rays ---- */
+
+static float pick(uint32_t *seed)
+{
+    *seed = *seed * 747796405u + 2891336453u;
+    return (float)(*seed >> 8) * 0x1p-23f - 1.0f;
+}
+
+static vec3s pick_point(uint32_t *seed, float size)
+{
+    const float x = pick(seed), y = pick(seed), z = pick(seed);
+    return (vec3s){ { size * x, size * y, size * z } };
+}
+
+struct ray {
+    vec3s origin;
+    float part;
+    vec3s dir;
+    float side; /* as of trace_ray in trace_tree.glsl */
+};
+
+/* Rays from all around and from inside of an object, some along an axis. `is_sided`: they meet only
+ * faces that they can see, as of a closed object. */
+static void pick_rays(struct ray *to, const struct tree *tree, bool is_sided)
+{
+    uint32_t seed = 1;
+    for (int i = 0; i < RAYS; i++) {
+        to[i] = (struct ray){ .origin = pick_point(&seed, i % 3 ? 3.0f : 0.7f) };
+        to[i].dir = glms_vec3_normalize(glms_vec3_sub(pick_point(&seed, 1.0f), to[i].origin));
+        if (i % 7 == 0)
+            to[i].dir = (vec3s){ { 0.0f, i % 2 ? 1.0f : -1.0f, 0.0f } };
+        if (is_sided)
+            to[i].side = tree_immerse(tree, to[i].origin).words[0] ? 1.0f : -1.0f;
+    }
+}
+
+/* ---- a device ---- */
+
+enum {
+    IMPORTS = 3,
+};
+
+/* Asks the device what rays meet, `count` answers. */
+static void ask(struct gpu *gpu, const struct tree *tree, const struct ray *asked,
+                uint32_t constant, vec4s *answers)
+{
+    const VkSpecializationMapEntry entry = { CONSTANT_TRACE, 0, sizeof(constant) };
+    const VkSpecializationInfo constants = { 1, &entry, sizeof(constant), &constant };
+    const struct tree_words *words[] = { &tree->nodes, &tree->triangles };
+    const struct rg_buffer *const declared[IMPORTS] = { &nodes, &triangles, &rays };
+    struct rg_import imports[IMPORTS];
+    struct rg_exec_import objects[IMPORTS];
+    struct gpu_buffer buffers[IMPORTS];
+    struct run run;
+    for (int i = 0; i < IMPORTS; i++) {
+        const void *bytes = i < 2 ? (const void *)words[i]->all : asked;
+        const size_t size =
+            i < 2 ? words[i]->count * sizeof(*words[i]->all) : RAYS * sizeof(*asked);
+        assert_int_equal(gpu_buffer_create(gpu, &buffers[i],
+                                           VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, bytes, size,
+                                           declared[i]->name),
+                         STATUS_OK);
+        imports[i] =
+            (struct rg_import){ .buffer = declared[i], .access = RG_SAMPLED, .size = size };
+        objects[i] = (struct rg_exec_import){ .buffer = buffers[i].buffer };
+    }
+    run_open(&run, gpu,
+             &(struct run_params){ .technique = RG_TECHNIQUE("trace", rows),
+                                   .view = { TRACE_RAYS_SIDE, TRACE_RAYS_SIDE },
+                                   .outputs = { &found_out },
+                                   .imports = imports,
+                                   .objects = objects,
+                                   .import_count = IMPORTS,
+                                   .constants = &constants });
+    struct trace_frame frame = { .one = 1, .hair = 1e-4f };
+    memcpy(frame.roots, tree->roots, sizeof(tree->roots));
+    assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
+    memset(run_data(&run, &globals), 0, sizeof(struct globals));
+    memcpy(run_data(&run, &trace), &frame, sizeof(frame));
+    assert_int_equal(rg_exec_submit(run.exec, NULL), VK_SUCCESS);
+    assert_int_equal(rg_exec_wait(run.exec, run.slot), VK_SUCCESS);
+    memcpy(answers, run_data(&run, &found_out), RAYS * sizeof(*answers));
+    run_close(&run);
+    for (int i = 0; i < IMPORTS; i++)
+        gpu_buffer_destroy(gpu, &buffers[i]);
+}
+
+/* A ray along a side of two triangles may meet either, so the places count. */
+static void compare(struct gpu *gpu, const struct tree *tree, bool is_sided)
+{
+    static struct ray asked[RAYS];
+    static vec4s answers[RAYS];
+    int met = 0, same = 0;
+    pick_rays(asked, tree, is_sided);
+    ask(gpu, tree, asked, is_sided ? TRACE_HAS_CULLING : 0, answers);
+    for (int i = 0; i < RAYS; i++) {
+        struct tree_hit hit;
+        const struct tree_ray ray = { asked[i].origin, asked[i].dir, 0.0, TREE_NOTHING };
+        const bool meets = tree_meet(tree, TREE_OBJECTS, &ray, &hit);
+        assert_int_equal(answers[i].w >= 0.0f, meets);
+        if (!meets)
+            continue;
+        met++;
+        same += (uint32_t)answers[i].w == hit.triangle;
+        CHECK_NEAR(answers[i].x, hit.t, 1e-5 * fmax(hit.t, 1.0)); /* some are 5 m long */
+    }
+    assert_in_range(met, RAYS / 4, RAYS);
+    assert_in_range(same, met - met / 500, met);
+}
+
+static void rays_meet_the_same(void **state)
+{
+    bool (*const generators[])(struct mesh *, uint32_t) = { generate_sphere, generate_ice_cube,
+                                                            generate_teapot };
+    for (size_t g = 0; g < 3; g++) {
+        struct model model = { 0 };
+        struct tree tree;
+        assert_true(generators[g](&model.object, 3000));
+        assert_int_equal(tree_init(&tree, &model, NULL, 2), STATUS_OK);
+        compare(*state, &tree, false);
+        if (tree.is_closed)
+            compare(*state, &tree, true);
+        tree_finish(&tree);
+        mesh_finish(&model.object);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rays_meet_the_same),
+    };
+    return RUN_ON_DEVICE(tests);
+}
