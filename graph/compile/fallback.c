@@ -3,8 +3,9 @@
 
 static void provide(struct compiler *c, const struct rg_image *image)
 {
-    if (image)
-        rg_map_has(c->arena, &c->provided, image);
+    void **value = image ? rg_map_value(c->arena, &c->provided, image) : NULL;
+    if (value)
+        *value = &c->provided;
 }
 
 static void provide_row(struct compiler *c, const struct rg_pass *pass)

@@ -15,15 +15,15 @@ static uint32_t hash_text(const char *text)
     return hash;
 }
 
-/* The slot of a key, or the empty one where it would be. */
-static inline struct map_slot *find(const struct map *map, const void *key)
+/* The slot of a text, or the empty one where it would be. */
+static struct map_slot *find_text(const struct map *map, const char *text, uint32_t hash)
 {
-    if (!map->of_texts)
-        return rg_map_find(map, key);
-    uint32_t i = hash_text(key);
-    while (map->slots[i & map->mask].key && strcmp(map->slots[i & map->mask].key, key) != 0)
-        i++;
-    return &map->slots[i & map->mask];
+    uint32_t i = hash;
+    for (;; i++) {
+        struct map_slot *slot = &map->slots[i & map->mask];
+        if (!slot->key || (slot->hash == hash && !strcmp(slot->key, text)))
+            return slot;
+    }
 }
 
 void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
@@ -35,36 +35,42 @@ void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
     if (!grown.slots)
         return;
     for (uint32_t i = 0; map->slots && i <= map->mask; i++) {
-        if (map->slots[i].key)
-            *find(&grown, map->slots[i].key) = map->slots[i];
+        const struct map_slot *slot = &map->slots[i];
+        if (slot->key)
+            *(map->of_texts ? find_text(&grown, slot->key, slot->hash)
+                            : rg_map_find(&grown, slot->key)) = *slot;
     }
     *map = grown;
 }
 
-/* The slot of a key, which gets one if it has none. NULL: memory is short. */
-static inline struct map_slot *find_or_add(struct arena *arena, struct map *map, const void *key)
+/* Whether there is room for one more key. */
+static bool has_room(struct arena *arena, struct map *map)
 {
     if (map->count >= map->mask / 4 * 3)
         rg_map_expect(arena, map, map->mask);
-    if (arena->failed)
+    return !arena->failed;
+}
+
+void **rg_map_value(struct arena *arena, struct map *map, const void *address)
+{
+    if (!has_room(arena, map))
         return NULL;
-    struct map_slot *slot = find(map, key);
+    struct map_slot *slot = rg_map_find(map, address);
     map->count += !slot->key;
-    slot->key = key;
-    return slot;
+    slot->key = address;
+    return &slot->value;
 }
 
-void **rg_map_value(struct arena *arena, struct map *map, const void *key)
+bool rg_map_has_text(struct arena *arena, struct map *map, const char *text)
 {
-    struct map_slot *slot = find_or_add(arena, map, key);
-    return slot ? &slot->value : NULL;
-}
-
-bool rg_map_has(struct arena *arena, struct map *map, const void *key)
-{
-    struct map_slot *slot = find_or_add(arena, map, key);
-    bool known = slot && slot->value;
-    if (slot)
-        slot->value = map;
-    return known;
+    if (!has_room(arena, map))
+        return false;
+    uint32_t hash = hash_text(text);
+    struct map_slot *slot = find_text(map, text, hash);
+    if (slot->key)
+        return true;
+    map->count++;
+    slot->key = text;
+    slot->hash = hash;
+    return false;
 }

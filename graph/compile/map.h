@@ -6,7 +6,11 @@
 
 struct map_slot {
     const void *key; /* NULL: the slot is empty */
-    void *value;
+
+    union {
+        void *value;   /* of an address */
+        uint32_t hash; /* of a text */
+    };
 };
 
 /* Open addressing: the slots are a power of two, and at most three quarters have a key. {0} is an
@@ -32,10 +36,10 @@ static inline struct map_slot *rg_map_find(const struct map *map, const void *ad
 /* Makes room for `count` keys. */
 void rg_map_expect(struct arena *arena, struct map *map, uint32_t count);
 
-/* Returns where the value of a key is; a new key has the value NULL. NULL: memory is short. */
-void **rg_map_value(struct arena *arena, struct map *map, const void *key);
+/* Returns where the value of an address is; a new one has the value NULL. NULL: memory is short. */
+void **rg_map_value(struct arena *arena, struct map *map, const void *address);
 
-/* Adds a key of a map that is a set. Returns whether it was there before. */
-bool rg_map_has(struct arena *arena, struct map *map, const void *key);
+/* Adds a text to a map of texts. Returns whether it was there before. */
+bool rg_map_has_text(struct arena *arena, struct map *map, const char *text);
 
 #endif
