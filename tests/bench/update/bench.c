@@ -1,6 +1,7 @@
 /*
  * bench.c: rg_exec_update() beside rg_exec_create(), of firn's own frames: the view changes from
- * 1024x768 to 1500x950 and back, within the largest view and without one, and the rung changes.
+ * 1024x768 to 1500x950 and back, within the largest view and without one; the rung changes, and
+ * settings that change the plan.
  * Fails if the median of the ratio is above 0.25 within the largest view, or above 0.5 otherwise.
  * The executors make their imports themselves, and draw nothing.
  */
@@ -23,6 +24,7 @@ struct change {
     VkExtent2D views[2];
     VkExtent2D max_view; /* 0x0: none */
     double most;         /* ratio */
+    const char *setting; /* after the change; NULL: the same */
 };
 
 static const struct change changes[] = {
@@ -33,6 +35,13 @@ static const struct change changes[] = {
       0.25 },
     { "view", { "paper", "paper" }, { { 1024, 768 }, { 1500, 950 } }, { 0, 0 }, 0.5 },
     { "rung", { "paper", "bounce" }, { { 1024, 768 }, { 1024, 768 } }, { 0, 0 }, 0.5 },
+    { "cracks",
+      { "paper", "paper" },
+      { { 1024, 768 }, { 1024, 768 } },
+      { 0, 0 },
+      0.5,
+      "cracks.count=0" },
+    { "air", { "paper", "paper" }, { { 1024, 768 }, { 1024, 768 } }, { 0, 0 }, 0.5, "air.count=0" },
     { "nothing", { "paper", "paper" }, { { 1024, 768 }, { 1024, 768 } }, { 0, 0 }, 0.25 },
 };
 
@@ -46,6 +55,8 @@ static void init_side(struct side *side, const struct change *change, int which,
                       const struct rg_device *device)
 {
     side->settings = settings_default();
+    if (which && change->setting)
+        assert_int_equal(settings_set(&side->settings, change->setting), STATUS_OK);
     const struct frame_request request = {
         .choice = { .settings = &side->settings,
                     .rung = techniques_find_rung(change->rungs[which]) },
@@ -124,7 +135,7 @@ static bool measure(const struct gpu *gpu, const struct rg_vulkan *vulkan,
         frame_plan_finish(&sides[i].frame);
     }
     const double ratio = median(ratios);
-    printf("%s: fresh %.2f ms, update %.2f ms, ratio %.2f, at most %.2f\n", change->name,
+    printf("%s: fresh %.2f ms, update %.2f ms, ratio %.4f, at most %.2f\n", change->name,
            median(fresh), median(updates), ratio, change->most);
     return ratio <= change->most;
 }
