@@ -20,6 +20,7 @@
 #define atan2f         atan
 #define cosf           cos
 #define exp2f          exp2
+#define fabsf          abs
 #define floorf         floor
 #define fmaxf          max
 #define fminf          min
@@ -32,6 +33,7 @@
 #define glm_smoothstep smoothstep
 
 #define glms_vec3_add(a, b)     ((a) + (b))
+#define glms_vec3_cross(a, b)   cross(a, b)
 #define glms_vec3_div(a, b)     ((a) / (b))
 #define glms_vec3_dot(a, b)     dot(a, b)
 #define glms_vec3_lerp(a, b, t) mix(a, b, t)

@@ -42,6 +42,7 @@ const int trace_stops_max = 3; /* ways of a pixel */
 const int trace_length_max = 40; /* straight parts of a way */
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
+const float trace_gathered_branch = 0.1; /* of light that brings light to surroundings */
 
 /* A way of light, against its direction. */
 struct trace_way {
@@ -53,6 +54,7 @@ struct trace_way {
     float kind; /* 1: it is reflected by the first surface, else 0 */
     int left;   /* straight parts that it may still have */
     bool is_in_bubble;
+    bool is_gathered; /* it brings light to surroundings (trace_ground.glsl) */
 };
 
 struct trace_seen {
@@ -60,6 +62,7 @@ struct trace_seen {
     vec3 normal;                 /* of the first surface, on the eye's side */
     float distance, fresnel;
     bool is_object;
+    bool is_ground; /* surroundings, seen straight */
     vec3 exit;
     float path, bounces, parts; /* of the way that is refracted wherever that is possible */
 };
@@ -173,22 +176,6 @@ vec3 trace_absorbed(trace_way way, float t)
     return absorbs ? way.weight * exp(-absorption * t) : way.weight;
 }
 
-#ifdef TRACE_RAYS
-/* Returns the light at the end of a way; `passing`: the share of it that goes on. */
-vec3 trace_end(trace_way way, trace_hit hit, out float passing)
-{
-    vec3 light = environment_radiance(environment, way.dir, 0.0);
-    bool is_around = hit.part == TREE_SURROUNDINGS || hit.part == TREE_MOVERS;
-    int turns = is_around ? int(trace.one) : 0;
-    passing = 0.0;
-    while (turns > 0) {
-        turns -= int(trace.one);
-        light = trace_surface(trace_point_of(hit, way.origin, way.dir), way.dir, false, passing);
-    }
-    return light;
-}
-#endif
-
 /* Makes a way go on from a surface. */
 trace_way trace_leave(trace_way way, trace_hit hit, trace_cross c, vec3 dir, bool is_through)
 {
@@ -208,7 +195,7 @@ trace_way trace_leave(trace_way way, trace_hit hit, trace_cross c, vec3 dir, boo
     if (!c.is_thin && !c.is_inclusion)
         next.inside =
             is_inside ? trace_with(way.inside, c.rank) : trace_without(way.inside, c.rank);
-    if (trace_has(TRACE_HAS_ROUGH))
+    if (trace_has(TRACE_HAS_ROUGH | TRACE_HAS_GROUND))
         next.seed = microfacet_hash(way.seed, is_through ? 1u : 0u);
     return next;
 }
@@ -241,12 +228,12 @@ void trace_begin(vec3 eye, vec3 e)
     uint seed = microfacet_hash(uint(gl_FragCoord.x), uint(gl_FragCoord.y));
     bool is_in_bubble = trace_has(TRACE_HAS_INCLUSIONS) && trace.is_in_bubble != 0u;
     way = trace_way(eye, e, vec3(1.0), trace_eye_inside(), -1, side, 1e30, seed, 0.0,
-                    trace_length_max, is_in_bubble);
+                    trace_length_max, is_in_bubble, false);
     for (int i = 0; i < trace_waits_max; i++)
         later[i] = way;
     waits = 0;
     start = eye;
-    seen = trace_seen(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, e, 0.0, 0.0, 0.0);
+    seen = trace_seen(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0);
     is_first = true;
     is_main = true;
 #ifndef TRACE_RAYS
@@ -298,8 +285,15 @@ bool trace_is_parted(vec3 weight)
 #ifndef TRACE_RAYS
     has_room = has_room && parts_left > 0;
 #endif
-    return has_room && most > 0.0 && (is_first || most > max(trace.branch, trace_branch_min));
+    float least = max(trace.branch, trace_branch_min);
+    if (trace_has(TRACE_HAS_GROUND) && way.is_gathered)
+        least = max(least, trace_gathered_branch);
+    return has_room && most > 0.0 && (is_first || most > least);
 }
+
+#ifdef TRACE_RAYS
+#include "trace_ground.glsl"
+#endif
 
 /* Returns the surface's own values, with textures. */
 dress trace_dress_of(trace_cross c)
@@ -410,19 +404,28 @@ bool trace_arrive(trace_hit hit)
 #ifdef TRACE_RAYS
     int turns = is_first && !trace_eye_is_inside() ? 0 : int(trace.one);
     bool is_holed = trace_has(TRACE_HAS_HOLES) && hit.triangle >= 0 && way.left > 0;
-    if (is_holed)
+    bool is_shaded = trace_has(TRACE_HAS_GROUND) && hit.triangle >= 0;
+#ifdef REFRACT_LAYERS
+    is_shaded = is_shaded && !is_first;
+#endif
+    if (is_holed || is_shaded)
         turns = int(trace.one);
     while (turns > 0) {
         float passing;
         turns -= int(trace.one);
         vec3 light = trace_end(way, hit, passing) * (1.0 - passing);
-        if (is_first && !trace_eye_is_inside()) {
+        if (is_shaded && is_first && !trace_eye_is_inside() && shares.is_lit && passing == 0.0) {
+            ground_begin(hit);
+            trace_add(light, 0.0);
+        } else if (is_first && !trace_eye_is_inside()) {
             /* the background is drawn over the picture, so a pane before objects hides nothing */
             passing = passing > 0.0 ? 1.0 : 0.0;
         } else {
             trace_add(way.weight * light, way.kind);
             seen.is_object = true;
         }
+        if (is_shaded && !is_first)
+            ground_gather(hit, way.weight * (1.0 - passing));
         goes_on = is_holed && passing > 0.0;
         if (goes_on) {
             way.weight *= passing;
@@ -586,7 +589,9 @@ void main()
         discard;
     vec3 eye_to_point = from + seen.distance * e;
     color = vec4(seen.refraction + seen.reflection, 1.0);
-    highlight = surface_highlight(e, eye_to_point, seen.normal);
+    highlight = seen.is_ground ? -1.0 : surface_highlight(e, eye_to_point, seen.normal);
     gl_FragDepth = seen.distance > 0.0 ? trace_depth(start + seen.distance * e) : 1.0;
+    if (seen.is_ground) /* the background is not drawn over it */
+        gl_FragDepth = min(gl_FragDepth * 1.0001, 1.0);
 }
 #endif

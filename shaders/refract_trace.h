@@ -29,6 +29,7 @@
 #define TRACE_HAS_MANY       4096  /* more than TREE_SHELLS_FEW objects */
 #define TRACE_HAS_INCLUSIONS 8192  /* bubbles or cracks in the first object */
 #define TRACE_HAS_SHAPES     16384 /* some bubble is no sphere */
+#define TRACE_HAS_GROUND     32768 /* light on surroundings is traced; with TRACE_RAYS */
 
 /* The texels of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* of red, green and blue light; roughness */
@@ -39,6 +40,7 @@
 /* What a frame needs, besides struct globals; written once a frame. */
 struct trace_frame {
     vec4s media[(TREE_MEDIA_MAX + 1) * TRACE_MEDIUM]; /* by medium; the first one is outside */
+    vec4s guide;                                      /* as of ground.h */
     uint32_t roots[TREE_PART_COUNT + 1];              /* TREE_NOTHING: no such part */
     uint32_t inside[TREE_NESTED_MAX / 2];             /* struct tree_shells of the eye */
     uint32_t media_at;                                /* struct tree */

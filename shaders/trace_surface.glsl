@@ -18,6 +18,18 @@ struct trace_point {
     uint material;
 };
 
+/* What a surface makes of the light around it. */
+struct trace_shares {
+    vec3 matt, glossy; /* shares of the light on a matt white surface, and of what is mirrored */
+    vec3 on_matt, mirrored; /* that light, where nothing is in its way */
+    vec3 normal;            /* with bumps */
+    float roughness;
+    bool is_lit;
+};
+
+trace_shares shares;   /* of the surface that trace_surface() was last asked for */
+float sun_share = 1.0; /* of the sun's light that it receives (trace_ground.glsl) */
+
 /* Reads what few vertices have; `side_1` and `side_2` become those of the coordinates of the normal
  * texture. */
 void trace_extra(inout trace_point p, trace_hit hit, int surface, float has_extra,
@@ -100,11 +112,12 @@ vec3 trace_bent(trace_point p, vec3 n, vec3 texel, vec2 scales)
 vec3 trace_sun(vec3 point, bool is_base, out vec3 through)
 {
     through = vec3(0.0);
+    float own = trace_has(TRACE_HAS_GROUND) && !is_base ? sun_share : 1.0;
     if (!trace_has(TRACE_HAS_SUN) || is_base)
-        return sky_sun();
+        return sky_sun() * own;
     ice_shine shine = ice_shine_at(point);
     through = sky_sun() * shine.through;
-    return sky_sun() * shine.own + through;
+    return sky_sun() * shine.own * own + through;
 }
 
 /* Returns the radiance of a surface without a material, or of the base of one. */
@@ -114,11 +127,39 @@ vec3 trace_matt(trace_point p, vec3 to_eye, vec3 albedo, bool is_base)
     vec3 sun = trace_sun(p.position, is_base, through) * max(dot(p.normal, frame.sun_dir), 0.0);
     if (constant_lit == 0u || (p.material & MESH_UNLIT) != 0u)
         return albedo * (1.0 + through * max(dot(p.normal, frame.sun_dir), 0.0));
+    vec3 open = trace_has(TRACE_HAS_MATERIALS) ? lit_matt(p.normal) : sky_ambient(p.normal);
+    shares = trace_shares(albedo, vec3(0.0), open, open, p.normal, 1.0, !is_base);
     if (!trace_has(TRACE_HAS_MATERIALS))
-        return albedo *
-               (trace_has(TRACE_HAS_SUN) ? sky_ambient(p.normal) + sun : sky_light(p.normal));
+        return albedo * (trace_has(TRACE_HAS_SUN | TRACE_HAS_GROUND) ? sky_ambient(p.normal) + sun
+                                                                     : sky_light(p.normal));
     lit_surface s = lit_surface_of(albedo, 0.0, 1.0, vec3(0.0), 0.0);
     return albedo * (lit_matt(p.normal) + sun) + lit_by_lights(s, p.position, p.normal, to_eye);
+}
+
+/* Returns the share of light that goes through a surface with an alpha. */
+float trace_passing_of(uint row, float alpha)
+{
+    vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
+    float kind = material_texel(row, MATERIAL_ROW_F0).w;
+    alpha *= factors.w;
+    if (kind == float(MATERIAL_KIND_BLENDED))
+        return 1.0 - alpha;
+    float cutoff = material_texel(row, MATERIAL_ROW_EMISSION).w;
+    return kind == float(MATERIAL_KIND_CUTOUT) && alpha < cutoff ? 1.0 : 0.0;
+}
+
+/* Returns the share of light that goes through a surface. */
+float trace_passing(trace_point p)
+{
+    uint row = p.material >> MESH_SURFACE_SHIFT;
+    uint layer = p.material & MESH_TEXTURE_MASK;
+    lit_other_uv = p.other_uv;
+    if (!trace_has(TRACE_HAS_MATERIALS)) {
+        vec3 at = vec3(p.uv, float(max(layer, 1u) - 1u));
+        bool is_cut = constant_textured != 0u && layer != 0u && (p.material & MESH_CUTOUT) != 0u;
+        return is_cut && textureLod(textures, at, 0.0).a < 0.5 ? 1.0 : 0.0;
+    }
+    return trace_passing_of(row, lit_base(row, layer, p.uv, 1.0).a);
 }
 
 /* Returns the radiance of a surface; `passing`: the share of light that goes through it. */
@@ -127,6 +168,7 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
     uint row = p.material >> MESH_SURFACE_SHIFT;
     uint layer = p.material & MESH_TEXTURE_MASK;
     passing = 0.0;
+    shares.is_lit = false;
     lit_other_uv = p.other_uv;
     if (!trace_has(TRACE_HAS_MATERIALS)) {
         vec4 texel = vec4(1.0);
@@ -142,11 +184,8 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
     vec4 reflectance = material_texel(row, MATERIAL_ROW_F0);
     vec4 emission = material_texel(row, MATERIAL_ROW_EMISSION);
-    if (trace_has(TRACE_HAS_HOLES)) {
-        float alpha = base.a * factors.w;
-        passing = reflectance.w == float(MATERIAL_KIND_CUTOUT) && alpha < emission.w ? 1.0 : 0.0;
-        passing = reflectance.w == float(MATERIAL_KIND_BLENDED) ? 1.0 - alpha : passing;
-    }
+    if (trace_has(TRACE_HAS_HOLES))
+        passing = trace_passing_of(row, base.a);
     if (is_base || (p.material & MESH_UNLIT) != 0u)
         return trace_matt(p, -dir, albedo, is_base);
     vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0);
@@ -162,12 +201,17 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
         n = trace_bent(p, n, bent.rgb, scales.xy);
     lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
     float n_dot_v = clamp(dot(n, -dir), 0.0, 1.0);
-    vec3 around = lit_by_environment(s, lit_split(s.roughness, n_dot_v),
-                                     lit_glossy(reflect(dir, n), s.roughness, 0.0), lit_matt(n));
+    vec2 split = lit_split(s.roughness, n_dot_v);
+    vec3 mirrored = lit_glossy(reflect(dir, n), s.roughness, 0.0), on_matt = lit_matt(n);
+    vec3 around = lit_by_environment(s, split, mirrored, on_matt);
+    vec3 unhidden = vec3(mix(1.0, open, scales.y));
+    shares = trace_shares(lit_by_environment(s, split, vec3(0.0), unhidden),
+                          lit_by_environment(s, split, unhidden, vec3(0.0)), on_matt, mirrored, n,
+                          s.roughness, true);
     vec3 through;
     vec3 sun = trace_sun(p.position, false, through) *
                lit_by_light(s, n, -dir, frame.sun_dir, frame.sun_spread);
-    return around * mix(1.0, open, scales.y) + sun + lit_by_lights(s, p.position, n, -dir) + glow;
+    return around * unhidden + sun + lit_by_lights(s, p.position, n, -dir) + glow;
 }
 
 #endif

@@ -70,6 +70,7 @@ static struct branch leave(const struct tracing *tracing, const struct branch *b
         .scatterings = b->scatterings,
         .met = b->met | met_by(hit),
         .is_straight = b->is_straight,
+        .is_gathered = b->is_gathered,
     };
     if (hit->part != BVH_CRACKS && !tracing_medium(tracing, hit->object)->is_thin)
         media_set_put(&next.inside, hit->object, next.ray.is_inside);

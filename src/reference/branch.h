@@ -16,6 +16,7 @@ struct branch {
     uint32_t scatterings;
     uint32_t met;     /* enum reference_met */
     bool is_straight; /* it passes clouds, as if they were not there */
+    bool is_gathered; /* it brings light to surroundings (ground.h) */
 };
 
 /* The two branches of light that meets a surface. */

@@ -415,3 +415,35 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
         return light_of_base(radiance, point, n, albedo);
     return light_of(radiance, m, point, bent(radiance, m, point, n), albedo);
 }
+
+vec3s radiance_open(const struct radiance *radiance, vec3s dir)
+{
+    return glossy_light(radiance, dir, 0.0f);
+}
+
+bool radiance_shares_at(const struct radiance *radiance, const struct radiance_point *point,
+                        struct radiance_shares *shares)
+{
+    const struct mesh_vertex *vertex = point->vertex;
+    const struct material *m = material_of(radiance, vertex->material);
+    const vec3s albedo = radiance_albedo(radiance, vertex);
+    const bool is_back = glms_vec3_dot(vertex->normal, point->dir) > 0.0f;
+    *shares = (struct radiance_shares){
+        .matt = albedo,
+        .normal = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal,
+        .roughness = 1.0f,
+    };
+    if (vertex->material & MESH_UNLIT || !m)
+        return !(vertex->material & MESH_UNLIT);
+    const struct coordinates uv = coordinates_of(point);
+    const struct lit_surface surface = surface_of(radiance, m, uv, albedo);
+    shares->normal = bent(radiance, m, point, shares->normal);
+    shares->roughness = surface.roughness;
+    const float n_dot_v = glm_clamp(-glms_vec3_dot(shares->normal, point->dir), 0.0f, 1.0f);
+    const vec2s split = split_of(radiance, surface.roughness, n_dot_v);
+    const float open = texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x;
+    const vec3s all = glms_vec3_fill(1.0f + m->occlusion_strength * (open - 1.0f));
+    shares->matt = lit_by_environment(surface, split, glms_vec3_zero(), all);
+    shares->glossy = lit_by_environment(surface, split, all, glms_vec3_zero());
+    return true;
+}

@@ -37,6 +37,13 @@ struct radiance_point {
     bool is_base; /* only the light of the matt base is asked for: reflections are traced */
 };
 
+/* What a surface makes of the light around it. */
+struct radiance_shares {
+    vec3s matt, glossy; /* shares of the light on a matt white surface, and of what is mirrored */
+    vec3s normal;       /* with bumps, on the ray's side */
+    float roughness;
+};
+
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals);
 
 /* Returns the linear texel of a material's texture, or white if it has none. */
@@ -53,6 +60,14 @@ vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex 
 
 /* Returns the radiance of a surface of the surroundings. */
 vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point);
+
+/* Returns whether light falls on a surface of the surroundings, and in *shares what it makes of
+ * it. */
+bool radiance_shares_at(const struct radiance *radiance, const struct radiance_point *point,
+                        struct radiance_shares *shares);
+
+/* Returns the radiance of what is infinitely far away, without the sun's disc. */
+vec3s radiance_open(const struct radiance *radiance, vec3s dir);
 
 /* Returns what textures make of a point of an object's surface, whose own values are `own`; the
  * normal of *point, of the outer side, is bent into *normal. */

@@ -14,12 +14,15 @@
 #include "src/base/log.h"
 #include "src/frame/view.h"
 #include "src/reference/basin.h"
+#include "src/reference/eye.h"
 #include "src/reference/microfacet.h"
 #include "src/reference/photons.h"
 #include "src/reference/reference_layers.h"
 #include "src/reference/reference_sums.h"
 #include "src/reference/whitted.h"
 #include "src/render/accumulate.h"
+#include "src/scene/surface_light.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/caustics.h"
 #include "src/tech/first_surface.h"
 #include "src/tech/ice_caustics.h"
@@ -58,7 +61,7 @@ struct job {
     const struct reference *reference;
     struct radiance radiance;
     struct globals globals;
-    struct background_push push;
+    struct eye eye;
     struct first_surface_earlier earlier;
     struct bvh bvh;
     struct media media;
@@ -70,7 +73,6 @@ struct job {
     uint32_t plane_count;
     struct reference_session *session;
     struct reference_sums sums;
-    bool is_flat;        /* the camera is orthographic */
     uint32_t begin, end; /* samples of the round */
     struct tally *tallies;
     uint32_t tile_columns, tile_count;
@@ -125,32 +127,6 @@ void reference_destroy(struct reference *r)
 
 /* ---- a pixel ---- */
 
-static struct bvh_ray ray_of(const struct job *job, uint32_t x, uint32_t y, vec2s jitter)
-{
-    const struct background_push *push = &job->push;
-    const struct reference_request *request = &job->reference->request;
-    const float right = 2.0f * ((float)x + 0.5f + jitter.x) / (float)request->width - 1.0f;
-    const float down = 2.0f * ((float)y + 0.5f + jitter.y) / (float)request->height - 1.0f;
-    const vec3s along =
-        glms_vec3_muladds(push->up, -down, glms_vec3_muladds(push->right, right, push->forward));
-    const vec3s dir = glms_vec3_normalize(along);
-    if (job->is_flat) {
-        const vec3s aside = glms_vec3_sub(along, push->forward);
-        return (struct bvh_ray){
-            .origin = glms_vec3_add(push->eye, aside),
-            .dir = push->forward,
-            .near = scene_near_plane(request->scene),
-            .from = BVH_NOWHERE,
-        };
-    }
-    return (struct bvh_ray){
-        .origin = push->eye,
-        .dir = dir,
-        .near = scene_near_plane(request->scene) / glms_vec3_dot(dir, job->globals.forward),
-        .from = BVH_NOWHERE,
-    };
-}
-
 static void write_first(const struct job *job, size_t pixel, const struct reference_seen *seen)
 {
     float values[REFERENCE_SEEN_COUNT];
@@ -180,15 +156,14 @@ static void write_means(const struct job *job, size_t pixel, const double *sums,
 
 static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct tally *tally)
 {
-    const enum pixel_filter filter = job->reference->request.filter;
     const size_t pixel = (size_t)y * job->reference->request.width + x;
     double own[REFERENCE_VALUE_COUNT] = { 0 };
     double *sums = job->sums.sums ? &job->sums.sums[pixel * job->sums.count] : own;
     for (uint32_t s = job->begin; s < job->end; s++) {
-        const struct bvh_ray ray = ray_of(job, x, y, accumulate_offset(filter, s));
+        const struct bvh_ray ray = eye_ray(&job->eye, x, y, s);
         struct tracing tracing = job->tracing;
         tracing.sample = s;
-        if (job->is_flat)
+        if (job->eye.is_flat)
             whitted_immerse(&tracing, ray.origin, &tracing.eye_inside);
         const struct reference_seen seen =
             whitted_trace(&tracing, &ray, job->globals.forward, microfacet_hash(x, y));
@@ -405,6 +380,8 @@ static struct tracing tracing_of(const struct job *job)
 {
     const struct reference_params *params =
         settings_of(job->reference->request.settings, &reference_settings);
+    const struct ground_params *ground =
+        settings_of(job->reference->request.settings, &ground_settings);
     return (struct tracing){
         .bvh = &job->bvh,
         .radiance = &job->radiance,
@@ -414,6 +391,9 @@ static struct tracing tracing_of(const struct job *job)
         .basin = job->reference->request.scene->has_pool ? &job->basin : NULL,
         .earlier = &job->earlier,
         .has_layers = job->reference->request.layers != 0,
+        .traces_ground = ground->light == GROUND_TRACED,
+        .guide = surface_light_guide(&job->radiance.scene->environment,
+                                     job->radiance.scene->surface_light),
         .params = *params,
     };
 }
@@ -462,7 +442,7 @@ static bool fill_pool(struct job *job, struct frame_view *view)
     if (!basin_init(&job->basin, view->scene, view->settings, &job->globals))
         return false;
     view->scene = &job->basin.scene;
-    job->globals = frame_view_globals(view, &job->push);
+    job->globals = frame_view_globals(view, &job->eye.push);
     job->globals.world_from_object = glms_mat4_identity(); /* the ice has been turned */
     return true;
 }
@@ -479,9 +459,8 @@ static bool prepare(struct job *job, const struct renderer_shot *shot)
         .width = request->width,
         .height = request->height,
     };
-    job->is_flat = shot->camera.height > 0.0f;
-    job->push = frame_view_push(&view);
-    job->globals = frame_view_globals(&view, &job->push);
+    job->eye = eye_of(&view, request->filter);
+    job->globals = frame_view_globals(&view, &job->eye.push);
     view.clip_from_world_earlier = frame_view_earlier(&view, &shot->earlier);
     first_surface_write(&job->earlier, &view, &job->globals);
     if (!fill_pool(job, &view) || !media_init(&job->media, view.scene, request->settings))
@@ -504,7 +483,7 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     if (status == STATUS_OK)
         status = trace_photons(job, (struct watcher){ progress, user, job->tile_count });
     if (status == STATUS_OK) {
-        whitted_immerse(&job->tracing, job->push.eye, &job->tracing.eye_inside);
+        whitted_immerse(&job->tracing, job->eye.push.eye, &job->tracing.eye_inside);
         status = run_rounds(job, progress, user);
     }
     photons_finish(&job->photons);

@@ -5,6 +5,7 @@
 #include "src/reference/basin.h"
 #include "src/reference/branch.h"
 #include "src/reference/first.h"
+#include "src/reference/ground.h"
 #include "src/reference/photons.h"
 #include "src/tech/gbuffer.h"
 
@@ -48,13 +49,29 @@ static bool find_sun(const struct tracing *tracing, const struct bvh_hit *hit,
     return tracing->photons || is_tile;
 }
 
-/* Adds the light of what a branch has met around the objects, or of the sky. Through a blended
- * surface the branch goes on, with the weight that is left; returns whether any is. */
-static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hit *hit,
-                              struct branch *b, struct sum *sum)
+/* Lets surroundings hide the sun, where light on them is traced. Returns whether they may. */
+static bool hide_sun(const struct tracing *tracing, const struct bvh_hit *hit,
+                     const struct branch *b, bool is_found, struct radiance_sun *sun)
 {
+    const vec3s light = tracing->radiance->globals->sun_light;
+    if (!tracing->traces_ground || !(glms_vec3_max(light) > 0.0f))
+        return false;
+    if (!is_found)
+        *sun = (struct radiance_sun){ .sky = glms_vec3_one(), .own = 1.0f };
+    sun->own *= ground_sun(tracing, hit->surface.position, b->seed);
+    return true;
+}
+
+/* Adds the light of what a branch has met around the objects, or of the sky. Through a blended
+ * surface the branch goes on, with the weight that is left; returns whether any is. *ways become
+ * branches that bring more light to it. */
+static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hit *hit,
+                              struct branch *b, struct sum *sum, struct ground_ways *ways)
+{
+    *ways = (struct ground_ways){ .count = 0 };
     if (!hit) {
-        const vec3s sky = radiance_sky(tracing->radiance, b->ray.dir);
+        const vec3s sky = b->is_gathered ? radiance_open(tracing->radiance, b->ray.dir)
+                                         : radiance_sky(tracing->radiance, b->ray.dir);
         sum->light = glms_vec3_muladd(b->weight, sky, sum->light);
         return false;
     }
@@ -66,10 +83,13 @@ static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hi
         .dir = b->ray.dir,
     };
     struct radiance_sun sun;
-    if (find_sun(tracing, hit, b, &sun))
+    const bool is_found = find_sun(tracing, hit, b, &sun);
+    if (hide_sun(tracing, hit, b, is_found, &sun) || is_found)
         point.sun = &sun;
     const vec3s light = radiance_surface(tracing->radiance, &point);
     const float passing = radiance_passing(tracing->radiance, &hit->surface);
+    *ways = ground_gather(tracing, b, hit, &point, passing);
+    sum->light = glms_vec3_sub(sum->light, ways->counted);
     sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light), 1.0f - passing, sum->light);
     branch_pass(tracing, b, hit, passing);
     return passing > 0.0f;
@@ -93,7 +113,7 @@ static void add_shine(const struct tracing *tracing, const struct branch *b,
 static void follow(const struct tracing *tracing, struct branch first, uint32_t channel,
                    struct sum *sum)
 {
-    struct branch stack[REFERENCE_BOUNCES_MAX + 1];
+    struct branch stack[REFERENCE_BOUNCES_MAX + 1 + GROUND_WAYS];
     uint32_t count = 0;
     grow(tracing, stack, &count, first, sum);
     while (count) {
@@ -106,8 +126,11 @@ static void follow(const struct tracing *tracing, struct branch first, uint32_t 
             continue;
         }
         if (!is_met || meeting.hit.part == BVH_SURROUNDINGS) {
-            if (meet_surroundings(tracing, is_met ? &meeting.hit : NULL, &b, sum))
+            struct ground_ways ways;
+            if (meet_surroundings(tracing, is_met ? &meeting.hit : NULL, &b, sum, &ways))
                 grow(tracing, stack, &count, b, sum);
+            for (uint32_t i = 0; i < ways.count; i++)
+                grow(tracing, stack, &count, ways.ways[i], sum);
             continue;
         }
         const struct fork fork = branch_fork(tracing, &b, &meeting);
@@ -247,8 +270,11 @@ struct reference_seen whitted_trace(const struct tracing *tracing, const struct 
     seen.color = eye.air;
     if (!is_met || hit->part == BVH_SURROUNDINGS) {
         struct sum sum = { 0 };
-        if (meet_surroundings(tracing, is_met ? hit : NULL, &eye, &sum))
+        struct ground_ways ways;
+        if (meet_surroundings(tracing, is_met ? hit : NULL, &eye, &sum, &ways))
             look_through(tracing, &eye, &seen);
+        for (uint32_t i = 0; i < ways.count; i++)
+            look_through(tracing, &ways.ways[i], &seen);
         seen.color = glms_vec3_add(seen.color, sum.light);
         return seen;
     }

@@ -10,6 +10,7 @@
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/frame/cube.h"
+#include "src/frame/lens.h"
 #include "src/frame/plan.h"
 #include "src/frame/trace.h"
 #include "src/frame/view.h"
@@ -263,6 +264,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         .face_size = r->params.face_size,
         .sample = sample,
     };
+    frame_lens_apply(&view);
     view.clip_from_world_earlier = frame_view_earlier(&view, &shot->earlier);
     struct rg_frame frame = {
         .settings = r->params.settings,
@@ -288,9 +290,8 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
     const VkExtent2D size = frame_exec->frame->plan->view;
     frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
     frame.lookup_area = lookup_area(r, &view, &globals, size);
-    frame.faces_due = FRAME_CUBE_ALL;
-    if (frame_exec == &r->picture)
-        frame.faces_due = frame_cube_due(&r->cube, &view, &globals);
+    frame.faces_due =
+        frame_exec == &r->picture ? frame_cube_due(&r->cube, &view, &globals) : FRAME_CUBE_ALL;
     VkResult result = rg_exec_begin(frame_exec->exec, slot);
     if (result == VK_SUCCESS) {
         write_uploads(&view, &globals, frame_exec->exec, *slot);

@@ -276,3 +276,52 @@ uint16_t *surface_split_make(void)
     }
     return texels;
 }
+
+/* ---- where most light comes from ---- */
+
+/* What is brighter than this share of the brightest texel belongs to it; it must be so much
+ * brighter than the mean. */
+#define GUIDE_SHARE  0.35f
+#define GUIDE_BRIGHT 4.0f
+#define GUIDE_NEAR   0.75f /* cosine of the widest angle between both */
+#define GUIDE_MARGIN 0.02f /* of the cone's cosine */
+
+/* Returns the brightness of a texel of the sharpest layer, and its direction. */
+static float guide_texel(const uint16_t *table, size_t i, vec3s *dir)
+{
+    const size_t x = i % LIT_WIDTH, y = i / LIT_WIDTH;
+    *dir = texel_direction(((float)x + 0.5f) / LIT_WIDTH, ((float)y + 0.5f) / LIT_HEIGHT);
+    return half_to_float(table[4 * i]) + half_to_float(table[4 * i + 1]) +
+           half_to_float(table[4 * i + 2]);
+}
+
+vec4s surface_light_guide(const struct environment *environment, const uint16_t *table)
+{
+    const vec4s none = { { 0.0f, 0.0f, 0.0f, 1.0f } };
+    const size_t count = (size_t)LIT_WIDTH * LIT_HEIGHT;
+    float most = 0.0f, mean = 0.0f, cosine = 1.0f;
+    vec3s dir, brightest = { { 0.0f, 1.0f, 0.0f } }, axis = glms_vec3_zero();
+    for (size_t i = 0; table && i < count; i++) {
+        const float light = guide_texel(table, i, &dir);
+        mean += light * sqrtf(1.0f - dir.y * dir.y) * 0.5f * pi / (float)count;
+        if (light > most)
+            brightest = dir;
+        most = fmaxf(most, light);
+    }
+    if (!(most > GUIDE_BRIGHT * mean))
+        return none;
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t i = 0; i < count; i++) {
+            const float light = guide_texel(table, i, &dir);
+            if (light < GUIDE_SHARE * most || glms_vec3_dot(dir, brightest) < GUIDE_NEAR)
+                continue;
+            if (pass == 0)
+                axis = glms_vec3_muladds(dir, light * sqrtf(1.0f - dir.y * dir.y), axis);
+            else
+                cosine = fminf(cosine, glms_vec3_dot(dir, axis));
+        }
+        axis = glms_vec3_normalize(axis);
+    }
+    axis = glms_vec3_rotate(axis, environment->turn * 2.0f * pi, (vec3s){ { 0.0f, 1.0f, 0.0f } });
+    return glms_vec4(axis, fmaxf(cosine - GUIDE_MARGIN, 0.0f));
+}

@@ -18,4 +18,9 @@ uint16_t *surface_split_make(void);
  * when out of memory. */
 uint16_t *surface_light_make(const struct environment *environment);
 
+/* Returns a cone from which most of the light of a table comes: its axis, unit, and the cosine of
+ * its angle; (0, 0, 0, 1) if there is none that is much brighter than the rest. It is turned with
+ * the environment. `table`: of surface_light_make(); may be NULL. */
+vec4s surface_light_guide(const struct environment *environment, const uint16_t *table);
+
 #endif

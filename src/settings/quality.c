@@ -13,7 +13,7 @@ enum {
 const struct quality qualities[QUALITY_COUNT] = {
     [DRAFT] = { "draft", "coarse surroundings, infinitely far away, and few reflections", 1 },
     [NORMAL] = { "normal", "the defaults of all settings", 1 },
-    [HIGH] = { "high", "16 samples, and all reflections inside", 16 },
+    [HIGH] = { "high", "16 samples, all reflections inside, and shadows of all light", 16 },
 };
 
 const struct quality_row quality_rows[] = {
@@ -23,6 +23,7 @@ const struct quality_row quality_rows[] = {
     { "refract.steps", { [HIGH] = "16" } },
     { "refract_bounce.exits", { [DRAFT] = "1" } },
     { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
+    { "ground.light", { [HIGH] = "traced" } },
     { "reference.photons", { [DRAFT] = "200000", [HIGH] = "4000000" } },
     { 0 },
 };

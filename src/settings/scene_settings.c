@@ -244,3 +244,47 @@ static const struct setting env_cube_rows[] = {
 
 const struct setting_group env_cube_settings =
     SETTING_GROUP("env_cube", env_cube_rows, struct env_cube_params);
+
+static const char *const ground_lights[] = {
+    [GROUND_OPEN] = "open",
+    [GROUND_TRACED] = "traced",
+    NULL,
+};
+
+static const struct setting ground_rows[] = {
+    {
+        .name = "ground.light",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct ground_params, light),
+        .max = GROUND_TRACED,
+        .choices = ground_lights,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help =
+            "light on lit surfaces around the objects: as if nothing were in its way, or traced "
+            "to it, past and through what is (rungs trace and reference)",
+    },
+};
+
+const struct setting_group ground_settings =
+    SETTING_GROUP("ground", ground_rows, struct ground_params);
+
+static const struct setting lens_rows[] = {
+    {
+        .name = "lens.f_stop",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct lens_params, f_stop),
+        .max = 1000,
+        .help = "focal length over the lens's diameter, of a picture 36 mm wide: smaller ones blur "
+                "more, with as many images as --samples (0: all is sharp)",
+    },
+    {
+        .name = "lens.focus",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct lens_params, focus),
+        .max = 1e6,
+        .unit = "metres",
+        .help = "distance of what is in focus, along the camera's axis (0: the objects' middle)",
+    },
+};
+
+const struct setting_group lens_settings = SETTING_GROUP("lens", lens_rows, struct lens_params);

@@ -64,7 +64,24 @@ struct env_cube_params {
     uint32_t size;    /* of a face, texels a side; 0: frame_face_size() */
 };
 
+/* The camera's lens. */
+struct lens_params {
+    float f_stop; /* 0: a pinhole */
+    float focus;  /* metres along the camera's axis; 0: at the objects' middle */
+};
+
+enum ground_light {
+    GROUND_OPEN,   /* as if nothing were in its way */
+    GROUND_TRACED, /* by rays */
+};
+
+/* Light on what is around the objects. */
+struct ground_params {
+    uint32_t light; /* enum ground_light */
+};
+
 extern const struct setting_group object_settings, landscape_settings, sky_settings, env_settings,
-    texture_settings, motion_settings, light_settings, env_cube_settings;
+    texture_settings, motion_settings, light_settings, env_cube_settings, ground_settings,
+    lens_settings;
 
 #endif

@@ -15,6 +15,7 @@
 #include <string.h>
 #include "shaders/embedded.h"
 #include "shaders/refract_trace.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_caustics.h"
 #include "src/tech/ice_normal.h"
@@ -204,7 +205,9 @@ static struct rg_technique layer_rows(const struct technique_choice *choice,
 
 static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    rg_cmd_scissor(cmd, frame->object_area);
+    const struct ground_params *ground = settings_of(frame->settings, &ground_settings);
+    if (ground->light == GROUND_OPEN) /* else surroundings are shaded everywhere */
+        rg_cmd_scissor(cmd, frame->object_area);
     rg_cmd_draw(cmd, 3);
 }
 

@@ -4,6 +4,7 @@
 
 #include "shaders/bubbles.h"
 #include "shaders/ice_caustics.h"
+#include "src/frame/lens.h"
 #include "src/frame/list.h"
 #include "src/frame/view.h"
 #include "src/tech/bubbles.h"
@@ -347,6 +348,39 @@ static void test_faces_by_height(void **state)
     assert_int_equal(settings_set(&settings, "env_cube.faces=auto"), STATUS_USAGE);
 }
 
+/* Every sample sees the point that is in focus at the same place, from another point of the lens;
+ * the first one from its middle. */
+static void test_lens_keeps_the_focus(void **state)
+{
+    (void)state;
+    struct settings settings = settings_default();
+    struct scene scene = { .box = { { { -1.0f, -1.0f, -1.0f } }, { { 1.0f, 1.0f, 1.0f } } } };
+    float widest = 0.0f;
+    assert_int_equal(settings_set(&settings, "lens.f_stop=4"), STATUS_OK);
+    assert_int_equal(settings_set(&settings, "lens.focus=3"), STATUS_OK);
+    for (uint32_t sample = 0; sample < 64; sample++) {
+        struct frame_view view = { .scene = &scene,
+                                   .settings = &settings,
+                                   .camera = at_distance(5.0f),
+                                   .width = 64,
+                                   .height = 48,
+                                   .sample = sample };
+        const vec4s focus = { { 0.4f, -0.3f, 2.0f, 1.0f } };
+        const mat4s before = frame_view_push(&view).clip_from_world;
+        frame_lens_apply(&view);
+        const vec4s moved = glms_mat4_mulv(frame_view_push(&view).clip_from_world, focus);
+        const vec4s middle = glms_mat4_mulv(before, focus);
+        assert_float_equal(moved.x / moved.w, middle.x / middle.w, 1e-5);
+        assert_float_equal(moved.y / moved.w, middle.y / middle.w, 1e-5);
+        const float aside = hypotf(view.camera.eye.x, view.camera.eye.y);
+        assert_true(sample || aside == 0.0f);
+        widest = fmaxf(widest, aside);
+    }
+    /* 36 mm wide, 45 degrees high at 3 to 4: the focal length, by 2 f-stops */
+    const float radius = 0.018f / (tanf(0.3926991f) * 4.0f / 3.0f) / 8.0f;
+    assert_true(widest <= 1.0001f * radius && widest > 0.9f * radius);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -361,6 +395,7 @@ int main(void)
         cmocka_unit_test(test_object_area_around_the_eye),
         cmocka_unit_test(test_bubbles_are_sorted),
         cmocka_unit_test(test_sun_sees_all_of_it),
+        cmocka_unit_test(test_lens_keeps_the_focus),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,141 @@
+/*
+ * trace_ground.glsl: light on surroundings, as far as they and the objects let it through, refract
+ * or mirror it.
+ *
+ * What a lit surface makes of a sky that nothing hides is shared out, in each sample, to rays from
+ * its matt base, as the sky is bright in their directions, and one of its reflection. Each brings
+ * its part as much brighter or darker as what it finds is than the sky there: where the way is
+ * free, exactly its part, so that only what is in the way makes noise. It is no mean but a ratio of
+ * two: in the deep shadow of a small lamp it is a little too bright. The reference has the mean.
+ * At the end of such a ray, surroundings show themselves as if nothing were in the way of their
+ * light, and the sun's disc is not seen: the sun is a light of its own, which surroundings hide.
+ */
+#ifndef TRACE_GROUND_GLSL
+#define TRACE_GROUND_GLSL
+#include "ground.h"
+#include "lib/microfacet.glsl"
+#include "trace_surface.glsl"
+
+const int ground_holes_max = 8; /* in the way of the sun */
+const float ground_least = 0.7; /* of its mean, the least light by which one is divided */
+
+/* Returns the radiance of the sky without the sun's disc. */
+vec3 ground_sky(vec3 dir)
+{
+    return lit_glossy(dir, 0.0, 0.0);
+}
+
+/* Returns the share of the sun's light at a point that surroundings leave: 0 or 1, at one point of
+ * its disc. */
+float ground_sun(trace_hit from, vec3 point, uint seed)
+{
+    vec2 at = microfacet_point(trace.sample_index, microfacet_hash(seed, GROUND_SUN_SEED));
+    vec3 dir = ground_disc_dir(frame.sun_dir, frame.sun_radius, at);
+    trace_hit hit = trace_hit(0.0, 0.0, 0.0, from.triangle, from.part);
+    float passing = 1.0;
+    int turns = frame.sun_light == vec3(0.0) ? 0 : ground_holes_max;
+    while (turns > 0) {
+        trace_start start = trace_start(point, dir, 0.0, 1e30, hit.triangle, false, false);
+        hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
+        for (int part = TREE_SURROUNDINGS; part <= TREE_MOVERS; part++)
+            if (trace.roots[part] != TREE_NOTHING)
+                trace_meet_posed(start, part, true, hit);
+        turns--;
+        bool is_met = hit.triangle >= 0;
+        if (is_met && trace_has(TRACE_HAS_HOLES))
+            passing *= trace_passing(trace_point_of(hit, point, dir));
+        else if (is_met)
+            passing = 0.0;
+        turns = is_met && passing > 0.0 ? turns : 0;
+        point += (is_met ? hit.t : 0.0) * dir;
+    }
+    return passing;
+}
+
+/* Lets a way go from a surface, with a weight for what it finds. It is in the same media as the way
+ * that is followed. */
+void ground_put(trace_hit hit, vec3 dir, vec3 weight)
+{
+    vec3 facet = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
+    facet = trace_posed(facet, hit.part);
+    bool is_below = dot(dir, facet) * dot(way.dir, facet) >= 0.0;
+    float most = max(weight.r, max(weight.g, weight.b));
+    if (most <= trace_branch_min || waits >= trace_waits_max || is_below) {
+        trace_add(weight * ground_sky(dir), way.kind);
+        return;
+    }
+    trace_way other = way;
+    other.origin = way.origin + hit.t * way.dir;
+    other.dir = dir;
+    other.weight = weight;
+    other.from = hit.triangle;
+    other.side = 0.0;
+    other.reach = 1e30;
+    other.seed = microfacet_hash(way.seed, GROUND_WAY_SEED);
+    other.is_gathered = true;
+    trace_put(other);
+}
+
+vec2 ground_point(uint own)
+{
+    return microfacet_point(trace.sample_index, microfacet_hash(way.seed, own));
+}
+
+/* Traces the light of the surface that has been asked for last, instead of adding it. `weight`: of
+ * the light that it sends. */
+void ground_gather(trace_hit hit, vec3 weight)
+{
+    if (way.is_gathered || !shares.is_lit)
+        return;
+    vec3 dirs[GROUND_MATT_WAYS];
+    float counts[GROUND_MATT_WAYS];
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++) {
+        float pick = ground_point(GROUND_GUIDE_SEED + i).x;
+        dirs[i] = ground_dir(shares.normal, trace.guide, pick, ground_point(GROUND_MATT_SEED + i));
+        counts[i] = ground_weight(shares.normal, trace.guide, dirs[i]);
+        sum += counts[i] * ground_sky(dirs[i]);
+    }
+    vec3 least = ground_least * float(GROUND_MATT_WAYS) * shares.on_matt + 1e-6;
+    vec3 matt = weight * shares.matt * shares.on_matt / max(sum, least);
+    for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++)
+        ground_put(hit, dirs[i], matt * counts[i]);
+    vec3 h = microfacet_sample(shares.normal, way.dir, shares.roughness,
+                               ground_point(GROUND_GLOSSY_SEED));
+    vec3 dir = reflect(way.dir, h), sky = ground_sky(dir);
+    vec3 glossy = weight * shares.glossy * shares.mirrored;
+    glossy /= max(sky, ground_least * shares.mirrored + 1e-6);
+    ground_put(hit, dir, glossy);
+    /* What is brought where the way is free has been added already. */
+    trace_add(-matt * sum - glossy * sky, way.kind);
+}
+
+/* Makes surroundings that are seen straight what the pixel shows. */
+void ground_begin(trace_hit hit)
+{
+    seen.is_object = true;
+    seen.is_ground = true;
+    seen.distance = distance(start, way.origin) + hit.t;
+    is_first = false;
+    is_main = false;
+}
+
+/* Returns the light at the end of a way; `passing`: the share of it that goes on. */
+vec3 trace_end(trace_way way, trace_hit hit, out float passing)
+{
+    vec3 light = trace_has(TRACE_HAS_GROUND) && way.is_gathered
+                     ? ground_sky(way.dir)
+                     : environment_radiance(environment, way.dir, 0.0);
+    bool is_around = hit.part == TREE_SURROUNDINGS || hit.part == TREE_MOVERS;
+    int turns = is_around ? int(trace.one) : 0;
+    passing = 0.0;
+    while (turns > 0) {
+        turns -= int(trace.one);
+        if (trace_has(TRACE_HAS_GROUND))
+            sun_share = ground_sun(hit, way.origin + hit.t * way.dir, way.seed);
+        light = trace_surface(trace_point_of(hit, way.origin, way.dir), way.dir, false, passing);
+    }
+    return light;
+}
+
+#endif
