@@ -1,7 +1,7 @@
 /*
  * alps.c: a panorama of mountains around a lake under a clear sky, without the sun's disc.
  *
- * Usage: alps FILE [WIDTH]   WIDTH: pixels, even, default 4096; half as many rows. Below 1024 the
+ * Usage: alps FILE [WIDTH]   WIDTH: pixels, even, default 3456; half as many rows. Below 1024 the
  *                            heights are fewer, too.
  *
  * Radiance is linear; 1 is what a white level surface shows. Sky, haze and the light on the ground
@@ -26,11 +26,11 @@ enum {
     SHADOW_STEPS = 90
 };
 
-static const float sun_azimuth = 82.0F, sun_elevation = 22.0F; /* degrees, as firn counts them */
-static const float sun_irradiance = 10.5F;                     /* above the air, each channel */
-static const float turbidity = 2.0F, ground_albedo = 0.3F;
-static const float eye_height = 9.0F, lake_height_km = 1.2F; /* over the lake; over the sea */
-static const float planet = 6360e3F;                         /* radius, metres */
+static const float sun_azimuth = 248.0F, sun_elevation = 22.0F; /* degrees, as firn counts them */
+static const float sun_irradiance = 10.5F;                      /* above the air, each channel */
+static const float turbidity = 4.6F, ground_albedo = 0.3F;
+static const float eye_height = 900.0F, lake_height_km = 1.2F; /* over the lake; over the sea */
+static const float planet = 6360e3F;                           /* radius, metres */
 static const float farthest = 52e3F;
 
 struct scene {
@@ -344,7 +344,7 @@ static bool write_file(const char *path, const void *data, size_t size)
 int main(int argc, char **argv)
 {
     char *end = NULL;
-    const long width = argc == 3 ? strtol(argv[2], &end, 10) : 4096;
+    const long width = argc == 3 ? strtol(argv[2], &end, 10) : 3456;
     if (argc < 2 || argc > 3 || (end && *end) || width < 64 || width > 16384 || width % 2) {
         fputs("usage: alps FILE [WIDTH]\n", stderr);
         return 2;

@@ -1,10 +1,10 @@
-"""drink.py: a tumbler of water with three ice cubes and a straw, on a wooden table."""
+"""drink.py: a cold tumbler of water with three ice cubes and a straw, on a wooden table."""
 import math
 import random
 
 import surroundings as around
-from files import Model, glass, unlit
-from shapes import (Mesh, add, beads_mesh, crack, hollows, ice, lathe, mix, noise, rounded, scale,
+from files import Model, glass, lit
+from shapes import (Mesh, add, beads_mesh, crack, ice, lathe, mix, noise, rounded, scale,
                     smooth_normals, smoothstep, sub, tube, turned, unit, with_normals, worms)
 
 BASE, FLOOR, HEIGHT = 0.0002, 0.0105, 0.09  # heights of the glass: foot, inner floor, rim
@@ -16,11 +16,13 @@ WATER = glass('water', 1.333, 1, 0.07, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
 # Where each cube is, how it is turned, and its half widths.
 CUBES = (
-    ((0.0155, 0.0552, 0.0059), (240.2, -2.6, 13), (0.014, 0.0136, 0.014)),
-    ((-0.0131, 0.0553, -0.0045), (162.5, 11.1, 6.3), (0.0139, 0.0137, 0.0142)),
-    ((-0.0071, 0.0285, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
+    ((0.0155, 0.0602, 0.0059), (240.2, -2.6, 13), (0.014, 0.0136, 0.014)),
+    ((-0.0131, 0.0608, -0.0045), (162.5, 11.1, 6.3), (0.0139, 0.0137, 0.0142)),
+    ((-0.0071, 0.0335, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
 )
-STRAW = ((0.0235, 0.0133, -0.0078), (-0.0335, 0.1341, -0.0462), 0.003)  # foot, top, radius
+STRAW = ((-0.0195, 0.0137, 0.0), (0.0375, 0.1341, -0.036), 0.0026)  # foot, top, radius
+DROPS = (2400, 0.00015, 0.00095)  # that are tried; least and greatest radius
+TRACKS = 9  # of drops that ran down
 
 
 def inner_radius(y):
@@ -85,24 +87,24 @@ def straw():
 
     def stripes(p, _):
         along = sum(a * b for a, b in zip(sub(p, foot), ahead))
-        return (0.88, 0.86, 0.8) if int(along / 0.0105 + 0.001) % 2 else (0.66, 0.04, 0.05)
-    return mesh.painted(around.painter(stripes))
+        return (0.75, 0.73, 0.68) if int(along / 0.0105 + 0.001) % 2 else (0.58, 0.03, 0.035)
+    return mesh.painted(stripes)
 
 
 def cubes():
-    return [ice(half, 20, 40 + 13 * i).placed(turned(*turn), at)
-            for i, (at, turn, half) in enumerate(CUBES)]
+    return [ice(half, 26, 40 + 13 * i, exponent=5, waves=0.0005, bulge=0.045)
+            .placed(turned(*turn), at) for i, (at, turn, half) in enumerate(CUBES)]
 
 
 def bubbles():
-    """Eggs in the cores of the cubes, and beads on the inside of the glass and on its floor."""
+    """Worms and eggs in the cubes, and beads on the inside of the glass and on its floor."""
     beads = []
     for i, (at, turn, half) in enumerate(CUBES):
         matrix = turned(*turn)
-        for where, along, radius, length in worms((0, 0, 0), half, 95, 900 + i):
+        for where, along, radius, length, sides in worms(half, 170, 260, 900 + i):
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
-            beads.append((add(where, at), along, radius, length, 6))
+            beads.append((add(where, at), along, radius, length, sides))
     pick = random.Random(77)
     for _ in range(60):
         y = FLOOR + 0.007 + (LEVEL - FLOOR - 0.011) * pick.random()
@@ -123,30 +125,91 @@ def cracks():
     return mesh
 
 
-def table_light():
-    """The foot's shadow, and the light that the glass gathers towards the eye."""
-    shadow = around.shade([(0, 0, FOOT - 0.004)], 0.5, 0.013)
+def outer_radius(y):
+    return FOOT + (RIM - FOOT) * (y - BASE) / (HEIGHT - BASE)
 
-    def light(x, z):
-        across, ahead = (x + 0.02) / 0.022, (z - 0.06) / 0.03
-        gathered = 0.28 * math.exp(-across * across - ahead * ahead)
-        far = smoothstep(-0.45, 0.25, z)
-        return min((0.62 + 0.2 * far) * shadow(x, z) + gathered, 1)
-    return light
+
+def scattered(pick):
+    """Drops (angle, height, radius): large ones first, none on another one or in a track."""
+    tries, least, most = DROPS
+    bottom, top = 0.006, LEVEL + 0.003
+    tracks = []
+    for _ in range(TRACKS):
+        high = bottom + (top - bottom) * pick.uniform(0.35, 0.95)
+        low = high - pick.uniform(0.012, 0.04)
+        tracks.append((pick.uniform(0, 2 * math.pi), max(low, bottom), high,
+                       pick.uniform(0.0009, 0.0015)))
+    kept = [(angle, low, 1.25 * half) for angle, low, _, half in tracks]
+    radii = sorted(((least ** -1.2 + pick.random() * (most ** -1.2 - least ** -1.2)) ** (-1 / 1.2)
+                    for _ in range(tries)), reverse=True)
+    for radius in radii:
+        angle, y = pick.uniform(0, 2 * math.pi), pick.uniform(bottom, top)
+        if any(low < y < high and abs(math.remainder(angle - a, 2 * math.pi)) * FOOT < half
+               for a, low, high, half in tracks):
+            continue
+        across = outer_radius(y)
+        if all(math.hypot(math.remainder(angle - a, 2 * math.pi) * across, y - b) >
+               1.1 * (radius + r) for a, b, r in kept):
+            kept.append((angle, y, radius))
+    return kept
+
+
+def drop(angle, y, radius):
+    """A cap of water that hangs a little, and reaches into the glass."""
+    segments, rings = (7, 1) if radius < 0.0003 else (9, 2) if radius < 0.0006 else (14, 4)
+    slope = (RIM - FOOT) / (HEIGHT - BASE)
+    c, s = math.cos(angle), math.sin(angle)
+    up = unit((slope * c, 1, slope * s))
+    aside, out = (-s, 0, c), unit((c, -slope, s))
+    middle = (outer_radius(y) * c, y, outer_radius(y) * s)
+    contact = math.radians(55)
+    ball = radius / math.sin(contact)
+
+    def at(share, turn, deep=0.0):
+        flat = radius * share
+        high = math.sqrt(ball * ball - flat * flat) - ball * math.cos(contact) - deep
+        v = 1.12 * flat * math.sin(turn) - 0.3 * max(high, 0)
+        return add(middle, add(scale(aside, flat * math.cos(turn)),
+                               add(scale(up, v), scale(out, high))))
+    turns = [2 * math.pi * k / segments for k in range(segments)]
+    points = [at(0, 0)]
+    for i in range(1, rings + 2):
+        share = math.sin(i / (rings + 1) * math.pi / 2)
+        points += [at(share, turn) for turn in turns]
+    points += [at(0.97, turn, 0.0003) for turn in turns]
+    points.append(add(middle, scale(out, -0.0003)))
+    faces = []
+    last = len(points) - 1
+    for k in range(segments):
+        n = (k + 1) % segments
+        faces.append((0, 1 + n, 1 + k))
+        for i in range(rings + 1):
+            a, b = 1 + i * segments, 1 + (i + 1) * segments
+            faces += [(a + k, a + n, b + n), (a + k, b + n, b + k)]
+        faces.append((last, last - segments + k, last - segments + n))
+    return Mesh(points, faces)
+
+
+def dew():
+    mesh = Mesh([], [], [])
+    for row in scattered(random.Random(55)):
+        mesh.join(drop(*row))
+    return mesh
 
 
 def make():
     model = Model()
-    wood = unlit('wood', model.texture(around.wood(21)))
-    model.add('table', around.boards(9, 0.085, 1.1, table_light(), 40, 5), wood)
-    model.add('wall', around.wall(-0.42, 0.75, -0.1, 0.75, ((0.09, 0.075, 0.06), (0.98, 0.9, 0.76)),
-                                  (-0.05, 0.2, 0.33)), around.PAINTED)
-    model.add('straw', straw(), around.PAINTED)
+    years, fibres = (model.texture(data) for data in around.wood(21, width=256))
+    wood = lit('wood', 1, baseColorTexture={'index': years},
+               metallicRoughnessTexture={'index': fibres})
+    model.add('table', around.boards(9, 0.085, 1.1, lambda x, z: 1.0, 1, 1), wood)
+    model.add('straw', straw(), lit('straw', 0.4))
     model.add('water', water(), WATER)
     for i, cube in enumerate(cubes()):
         model.add(f'cube {i + 1}', cube, ICE)
     model.add('glass', tumbler(), GLASS)
+    model.add('dew', dew(), WATER)
     model.add('bubbles', bubbles(), AIR)
     model.add('cracks', cracks(), AIR)
-    model.camera((0.012, 0.122, 0.262), (0.003, 0.056, 0), 30)
+    model.camera((0.0135, 0.092, 0.262), (0.002, 0.0475, 0), 26)
     return model.file()

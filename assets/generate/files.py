@@ -32,6 +32,12 @@ def unlit(name, texture=None):
     return {'name': name, 'pbrMetallicRoughness': surface, 'extensions': {UNLIT: {}}}
 
 
+def lit(name, roughness, **textures):
+    """A surface in the light around it; `textures` are entries of pbrMetallicRoughness."""
+    return {'name': name, 'pbrMetallicRoughness': {'metallicFactor': 0,
+                                                   'roughnessFactor': roughness, **textures}}
+
+
 def look_at(eye, target):
     """A node's matrix: right, up, back and position, column by column."""
     back = [a - b for a, b in zip(eye, target)]

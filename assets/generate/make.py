@@ -1,6 +1,6 @@
 """make.py: makes all files of assets/ anew; the same version of zlib makes the same bytes.
 
-Usage: make.py FOLDER [NAME...]   NAME: drink, amber, hollow, slate or studio; default: all of them
+Usage: make.py FOLDER [NAME...]   NAME: drink, amber, hollow, slate, studio or window; default: all
 """
 import importlib
 import pathlib
@@ -8,7 +8,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 FILES = {'amber': 'amber.glb', 'drink': 'drink.glb', 'hollow': 'hollow.glb', 'slate': 'slate.glb',
-         'studio': 'studio.exr'}
+         'studio': 'studio.exr', 'window': 'window.exr'}
 
 
 def main(folder, *names):

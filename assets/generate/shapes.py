@@ -229,8 +229,9 @@ def sphere(radius, n):
     return Mesh([scale(p, radius) for p in normals], faces, normals)
 
 
-def ice(half, n, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03):
-    """A block that has begun to melt: rounded, uneven, with shallow hollows."""
+def ice(half, n, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03, stretch=1.0):
+    """A block that has begun to melt: rounded, uneven, with shallow hollows, `stretch` as tall as
+    wide."""
     points, faces = cube_grid(n, ease=0.6)
     out = []
     for p in points:
@@ -238,8 +239,8 @@ def ice(half, n, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03):
         q = [v * r * h for v, h in zip(p, half)]
         d = unit(q)
         q = scale(q, 1 + bulge * noise(scale(d, 1.3), seed))
-        depth = waves * (hollows(scale(q, 1 / cell), seed + 7) +
-                         0.35 * hollows(scale(q, 2.1 / cell), seed + 11))
+        at = (q[0] / cell, q[1] / cell / stretch, q[2] / cell)
+        depth = waves * (hollows(at, seed + 7) + 0.35 * hollows(scale(at, 2.1), seed + 11))
         out.append(add(q, scale(d, depth)))
     return Mesh(out, faces)
 
@@ -302,17 +303,32 @@ def bead(at, along, radius, length, n=8):
     return mesh.placed(tuple(zip(side, up, front)), at)
 
 
-def worms(center, half, count, seed):
-    """Eggs of air in the core of a block of ice, each pointed to its centre."""
+def worms(half, rows, eggs, seed):
+    """
+    Beads of air in a block around the origin: `rows` worms that grew from its faces inwards, side
+    by side, and `eggs` where the ice closed.
+    """
     pick = random.Random(seed)
     beads = []
-    for _ in range(count):
+    for _ in range(rows):
+        axis, side = pick.randrange(3), pick.choice((-1, 1))
+        out = pick.uniform(0.36, 0.7)
+        at = [pick.uniform(-0.66, 0.66) * h for h in half]
+        at[axis] = side * out * half[axis]
+        if max(abs(v / h) for v, h in zip(at, half)) > out + 0.02:
+            continue
+        along = [-0.25 * v / h + 0.06 * pick.gauss(0, 1) for v, h in zip(at, half)]
+        along[axis] = -side
+        radius = 0.0001 * math.exp(0.35 * pick.gauss(0, 1))
+        beads.append((tuple(at), unit(along), radius,
+                      min(0.0004 + 0.0011 * pick.expovariate(1), 0.0032), 6))
+    for _ in range(eggs):
         d = unit([pick.gauss(0, 1) for _ in range(3)])
-        share = 0.08 + 0.54 * pick.random() ** 0.8
-        at = tuple(c + v * h * share for c, v, h in zip(center, d, half))
-        radius = 0.00016 + 0.0004 * pick.random() ** 3
-        along = add(scale(d, -1), tuple(pick.uniform(-0.25, 0.25) for _ in range(3)))
-        beads.append((at, along, radius, radius * pick.uniform(1.3, 5)))
+        reach = sum(abs(v / h) ** 9 for v, h in zip(d, half)) ** (-1 / 9)
+        at = scale(d, 0.42 * pick.random() ** 0.5 * reach)
+        radius = 0.00006 + 0.00026 * pick.random() ** 4
+        along = unit(add(scale(d, -1), tuple(0.3 * pick.gauss(0, 1) for _ in range(3))))
+        beads.append((at, along, radius, radius * pick.uniform(1.3, 3), 5))
     return beads
 
 

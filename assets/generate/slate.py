@@ -1,16 +1,16 @@
 """slate.py: a block of ice in its meltwater, on a slab of wet slate, for the light of alps.exr."""
 import functools
 import math
-import random
 
 from files import Model, glass, png, png_colors
 from shapes import (Mesh, add, beads_mesh, crack, dot, ice, lattice, mix, scale, smooth_normals,
-                    smoothstep, turned, unit)
+                    smoothstep, turned, unit, worms)
 from surroundings import ramp
 
 HALF = (0.0146, 0.0132, 0.0142)  # of the ice
 MIDDLE = (0, 0.0128, 0)
 TURN = turned(24)
+VIEW = turned(165.6)  # of all, towards the finest mountains
 SLAB = (0.15, -0.125, 0.085, 0.012)  # half width, near and far edge, thickness
 COLUMNS, ROWS = 102, 84
 SIDE = 256  # texels of the textures' sides
@@ -20,7 +20,7 @@ WAVES = ((7, 10, 0.00009), (19, 27, 0.00005), (61, 83, 0.00003), (128, 128, 0.00
 LEDGE = 0.00022  # height of its ledges
 STEP = 0.0008  # height of a layer of the stone
 FILM = 0.0013  # thickness of the puddle
-EYE, TARGET = (0.0082, 0.031, -0.0928), (-0.0045, 0.0238, -0.0005)
+EYE, TARGET, ANGLE = (0.0056, 0.0226, -0.104), (-0.0012, 0.0186, 0), 27
 # Shallow pools: where, half widths, turn, seed.
 POOLS = (((-0.044, 0.02), (0.017, 0.008), 0.3, 1), ((0.05, 0.034), (0.022, 0.007), -0.2, 2),
          ((0.036, -0.03), (0.012, 0.006), 0.2, 3), ((-0.03, -0.045), (0.014, 0.006), -0.4, 4),
@@ -113,8 +113,8 @@ def tone(x, z):
     """Albedo: blue-grey, darker where wet, here and there of rust."""
     shade = 1 + 0.3 * rough(x / 0.016, z / 0.009, 41) + 0.15 * rough(x / 0.004, z / 0.003, 42)
     rust = smoothstep(0.3, 0.7, rough(x / 0.026, z / 0.02, 43))
-    base = mix((0.15, 0.158, 0.17), (0.2, 0.148, 0.1), 0.6 * rust)
-    return scale(base, shade * (1 - 0.5 * wetness(x, z)))
+    base = mix((0.19, 0.2, 0.215), (0.24, 0.18, 0.125), 0.6 * rust)
+    return scale(base, shade * (1 - 0.45 * wetness(x, z)))
 
 
 def slab():
@@ -157,7 +157,7 @@ def damp():
         values = bytearray()
         for column in range(SIDE):
             wet = wetness(((column + 0.5) / SIDE * 2 - 1) * half, z)
-            value = 0.6 - 0.42 * wet + 0.05 * (lattice(column, row, 1, 5) - 0.5)
+            value = 0.6 - 0.47 * wet + 0.05 * (lattice(column, row, 1, 5) - 0.5)
             values += bytes((255, int(255 * value), 0))
         rows.append(values)
     return png_colors(rows)
@@ -248,7 +248,7 @@ def water():
 
 def block():
     """Flat below, where it has melted onto the stone."""
-    mesh = ice(HALF, 36, 17, exponent=8, waves=0.0004, cell=0.0055, bulge=0.035)
+    mesh = ice(HALF, 44, 17, exponent=8, waves=0.0006, cell=0.0052, bulge=0.04, stretch=1.9)
     mesh.placed(TURN, MIDDLE)
 
     def pressed(p):
@@ -260,38 +260,11 @@ def block():
     return mesh
 
 
-def inside(d, share):
-    """A place in the block, in a direction from its middle, with how far out it is."""
-    reach = sum(abs(v / h) ** 9 for v, h in zip(d, HALF)) ** (-1 / 9)
-    return scale(d, share * reach)
-
-
 def bubbles():
     """Worms of air in rows along the way the ice grew, and a cloud of eggs where it ended."""
-    pick = random.Random(30)
-    beads = []
-    for axis in range(3):
-        for side in (-1, 1):
-            for _ in range(26):
-                at = [pick.uniform(-0.62, 0.62) * h for h in HALF]
-                out = pick.uniform(0.34, 0.66)
-                at[axis] = side * out * HALF[axis]
-                if max(abs(v / h) for v, h in zip(at, HALF)) > out + 0.02:
-                    continue
-                along = [-0.25 * v / h + 0.06 * pick.gauss(0, 1) for v, h in zip(at, HALF)]
-                along[axis] = -side
-                radius = 0.00011 * math.exp(0.35 * pick.gauss(0, 1))
-                length = min(0.0004 + 0.0011 * pick.expovariate(1), 0.0032)
-                beads.append((tuple(at), unit(along), radius, length, 6))
-    for _ in range(420):
-        d = unit([pick.gauss(0, 1) for _ in range(3)])
-        at = inside(d, 0.36 * pick.random() ** 0.6)
-        at = add(at, (0.0006, 0.0012, 0))
-        radius = 0.00007 + 0.0003 * pick.random() ** 4
-        along = unit(add(scale(d, -1), tuple(0.3 * pick.gauss(0, 1) for _ in range(3))))
-        beads.append((at, along, radius, radius * pick.uniform(1.3, 3), 5))
     placed = []
-    for at, along, radius, length, sides in beads:
+    for at, along, radius, length, sides in worms(HALF, 240, 1300, 30):
+        at = add(at, (0.0006, 0.0012, 0))
         at, along = (tuple(dot(row, v) for row in TURN) for v in (at, along))
         placed.append((add(at, MIDDLE), along, radius, length, sides))
     return beads_mesh(placed)
@@ -316,17 +289,17 @@ def stone(model):
         'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 1,
                                  'baseColorTexture': {'index': tones, 'extensions': transform},
                                  'metallicRoughnessTexture': {'index': model.texture(damp())}},
-        'normalTexture': {'index': normals, 'extensions': transform},
+        'normalTexture': {'index': normals, 'scale': 0.6, 'extensions': transform},
     }
 
 
 def make():
     model = Model()
     model.used.add('KHR_texture_transform')
-    model.add('slab', slab(), stone(model))
-    model.add('water', water(), WATER)
-    model.add('cube', block(), ICE)
-    model.add('bubbles', bubbles(), AIR)
-    model.add('cracks', cracks(), AIR)
-    model.camera(EYE, TARGET, 40)
+    for name, mesh, material in (('slab', slab(), stone(model)), ('water', water(), WATER),
+                                 ('cube', block(), ICE), ('bubbles', bubbles(), AIR),
+                                 ('cracks', cracks(), AIR)):
+        model.add(name, mesh.placed(VIEW, (0, 0, 0)), material)
+    eye, target = (tuple(dot(row, p) for row in VIEW) for p in (EYE, TARGET))
+    model.camera(eye, target, ANGLE)
     return model.file()

@@ -31,7 +31,7 @@ def row_noise(count, cells, seed):
 def wood(seed, width=192, height=512):
     """
     A board, the grain along u: years as uneven lines that darken slowly and end sharply, fibres as
-    long thin streaks.
+    long thin streaks. Returns its colours, and in green its roughness.
     """
     bend = [4.2 * a + 1.1 * b for a, b in zip(row_noise(width, 3, seed),
                                                row_noise(width, 9, seed + 1))]
@@ -54,7 +54,8 @@ def wood(seed, width=192, height=512):
             value = 16 + 19 * late * (0.5 + ((whole * 37) % 11) / 11) + tone + 9 * a[x] + 10 * b[x]
             row.append(63 if edge < 2 else int(min(max(value, 0), 63)))
         rows.append(row)
-    return png(rows, ramp([(.72, .58, .43), (.59, .45, .31), (.44, .31, .20), (.22, .15, .10)]))
+    colors = png(rows, ramp([(.66, .49, .33), (.53, .37, .24), (.40, .26, .16), (.19, .12, .08)]))
+    return colors, png(rows, ramp([(1, .34, 0), (1, .5, 0), (1, .62, 0)]))
 
 
 def slate(seed, side=256):

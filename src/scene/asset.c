@@ -12,6 +12,8 @@ const struct asset assets[] = {
         .name = "drink",
         .file = "drink.glb",
         .kind = ASSET_SCENE,
+        .environment = "window",
+        .settings = { "ground.light=traced", "tonemap.exposure=0.25" },
         .help = "tumbler of water with three ice cubes and a straw",
     },
     {
@@ -31,7 +33,8 @@ const struct asset assets[] = {
         .file = "slate.glb",
         .kind = ASSET_SCENE,
         .environment = "alps",
-        .settings = { "ice_caustics.light=sun", "tonemap.exposure=0.5" },
+        .settings = { "ice_caustics.light=sun", "ground.light=traced", "lens.f_stop=40",
+                      "tonemap.exposure=0.8" },
         .help = "melting block of ice on wet slate, before mountains",
     },
     {
@@ -39,6 +42,12 @@ const struct asset assets[] = {
         .file = "studio.exr",
         .kind = ASSET_ENVIRONMENT,
         .help = "dark studio with soft boxes",
+    },
+    {
+        .name = "window",
+        .file = "window.exr",
+        .kind = ASSET_ENVIRONMENT,
+        .help = "room with warm walls and a window",
     },
     {
         .name = "alps",

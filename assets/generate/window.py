@@ -1,0 +1,58 @@
+"""window.py: a panorama of a room with warm walls, a window to the left, a smaller one right."""
+import math
+
+from files import exr
+from shapes import mix, scale, smoothstep
+from studio import HEIGHT, WIDTH, lamp
+
+# A window's middle: azimuth to the right of -Z and elevation, degrees; half width and half height
+# of a pane as tangents of angles; panes across and up; radiance; colour
+WINDOWS = (
+    (-56, 31, 0.135, 0.165, 2, 2, 9.5, (1.0, 0.93, 0.82)),
+    (71, 24, 0.085, 0.185, 2, 2, 3.4, (0.74, 0.86, 1.0)),
+    (-163, 33, 0.22, 0.13, 1, 1, 1.7, (1.0, 0.96, 0.9)),
+)
+BAR = 0.012  # half of a bar between panes
+GLOW = (-6, 11, (0.5, 0.36, 0.23))  # the lit wall: azimuth and elevation, degrees; radiance
+
+
+def walls():
+    """Three colours of each row: a lit wall ahead, a dim room, a dark floor."""
+    azimuth, elevation, color = GLOW
+    rows = []
+    for y in range(HEIGHT):
+        height = (0.5 - (y + 0.5) / HEIGHT) * 180
+        low = smoothstep(-40, -12, height)
+        room = mix((0.03, 0.024, 0.02), (0.062, 0.055, 0.048), low)
+        room = mix(room, (0.1, 0.094, 0.086), smoothstep(30, 75, height))
+        tall = math.exp(-((height - elevation) / 34) ** 2) * low
+        row = [[], [], []]
+        for x in range(WIDTH):
+            aside = ((x + 0.5) / WIDTH * 360 - 180) - azimuth
+            share = tall * math.exp(-(aside / 46) ** 2)
+            for channel, value in zip(row, room):
+                channel.append(value)
+            for channel, value in zip(row, scale(color, share)):
+                channel[-1] += value
+        rows.append(row)
+    return rows
+
+
+def panes(window):
+    """The boxes of studio.py that a window is made of."""
+    azimuth, elevation, across, up, columns, lines, radiance, color = window
+    level = math.cos(math.radians(elevation))
+    for i in range(columns):
+        for j in range(lines):
+            aside = (2 * i - columns + 1) * (across + BAR)
+            high = (2 * j - lines + 1) * (up + BAR)
+            yield (azimuth + math.degrees(math.atan(aside)) / level,
+                   elevation + math.degrees(math.atan(high)), across, up, radiance, 0.8, color)
+
+
+def make():
+    rows = walls()
+    for window in WINDOWS:
+        for box in panes(window):
+            lamp(rows, box)
+    return exr(rows)
