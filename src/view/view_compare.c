@@ -244,7 +244,8 @@ static bool find_sides(struct view *v, struct apart_side sides[static 2])
         sides[1] = (struct apart_side){ &still->linear, 1.0f, still->is_shown };
     else if (p->right)
         sides[1] = (struct apart_side){ renderer_sums(p->right), scale, false };
-    return (still || p->right) && sides[0].image->width == sides[1].image->width &&
+    return (still || p->right) && sides[0].image->width &&
+           sides[0].image->width == sides[1].image->width &&
            sides[0].image->height == sides[1].image->height;
 }
 
