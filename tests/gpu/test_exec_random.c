@@ -40,6 +40,7 @@ enum seen {
     TEXELS, /* uses */
     ARRAYS,
     VOLUMES,
+    MASKED,  /* targets */
     SKIPPED, /* passes, in some frame */
     COMPARED,
     SEEN_COUNT,
@@ -62,6 +63,7 @@ static const char *const seen_names[SEEN_COUNT] = {
     [TEXELS] = "buffers seen as texels",
     [ARRAYS] = "second elements of arrays",
     [VOLUMES] = "images of three dimensions",
+    [MASKED] = "targets of which channels stay",
     [SKIPPED] = "passes skipped",
     [COMPARED] = "words compared",
 };
@@ -109,8 +111,10 @@ static void count_plan(uint32_t *seen, const struct rg_plan *plan)
         seen[RASTER + pass->pass->kind]++;
         seen[REPEATED] += pass->repetition > 0;
         seen[CONDITIONAL] += pass->pass->when != NULL;
-        for (uint32_t i = 0; i < pass->color_count; i++)
+        for (uint32_t i = 0; i < pass->color_count; i++) {
             count_target(seen, &pass->color[i]);
+            seen[MASKED] += pass->pass->color[i].blend_state != NULL;
+        }
         if (pass->depth.image == RG_NONE)
             continue;
         seen[DEPTH]++;

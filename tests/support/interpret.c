@@ -6,7 +6,8 @@
 #include <string.h>
 
 enum {
-    GARBAGE = 0xa5
+    GARBAGE = 0xa5,
+    ALL_CHANNELS = 0xf,
 };
 
 /* ---- formats ---- */
@@ -264,11 +265,13 @@ static uint32_t inputs(const struct running *run, const uint32_t at[3])
     return sum;
 }
 
-static void output(uint32_t *texel, VkFormat format, uint32_t sum, uint32_t target)
+/* `mask`: of the channels that are written. */
+static void output(uint32_t *texel, VkFormat format, uint32_t sum, uint32_t target,
+                   VkColorComponentFlags mask)
 {
     uint32_t value[4];
     for (uint32_t i = 0; i < 4; i++)
-        value[i] = random_mix(sum, 4 * target + i);
+        value[i] = mask >> i & 1 ? random_mix(sum, 4 * target + i) : texel[i];
     store(texel, format, value);
 }
 
@@ -350,8 +353,11 @@ static void draw_texel(const struct running *run, const struct bound *targets, c
     if (depth->image && !test_depth(run, depth, at))
         return;
     const uint32_t sum = inputs(run, at);
-    for (uint32_t i = 0; i < RG_COLOR_COUNT && targets[i].image; i++)
-        output(bound_texel(&targets[i], at), targets[i].format, sum, i);
+    for (uint32_t i = 0; i < RG_COLOR_COUNT && targets[i].image; i++) {
+        const VkPipelineColorBlendAttachmentState *state = run->pass->color[i].blend_state;
+        output(bound_texel(&targets[i], at), targets[i].format, sum, i,
+               state ? state->colorWriteMask : ALL_CHANNELS);
+    }
 }
 
 static void run_raster(const struct running *run)
@@ -389,7 +395,7 @@ static void run_thread(const struct running *run, const struct rg_use *to,
     if (to->image) {
         const uint32_t place[3] = { at[0], at[1], part.layer + at[2] };
         output(interpret_texel(image_of(run->in, to->image), part.mip, place), to->image->format,
-               sum, 0);
+               sum, 0, ALL_CHANNELS);
     } else {
         interpret_words(run->in, to->buffer)[at[0]] = random_mix(sum, 0);
     }

@@ -409,6 +409,12 @@ static bool fits(const struct run_random_tables *t, uint32_t first_image,
     return true;
 }
 
+/* Whole numbers are not blended, but some of their channels may stay. */
+static const VkPipelineColorBlendAttachmentState masks[] = {
+    { .colorWriteMask = VK_COLOR_COMPONENT_R_BIT },
+    { .colorWriteMask = VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_A_BIT },
+};
+
 static bool add_target(struct run_random_tables *t, uint32_t image, struct rg_target *place,
                        struct rg_target target, bool whole)
 {
@@ -436,6 +442,8 @@ static bool add_target(struct run_random_tables *t, uint32_t image, struct rg_ta
                   : whole && run_random_chance(t, 60) ? RG_LOAD_DISCARD
                                                       : RG_LOAD_CLEAR;
     pass->depth_read_only = pass->depth_read_only || tests;
+    if (!known->depth && place->load != RG_LOAD_DISCARD && run_random_chance(t, 25))
+        place->blend_state = &masks[run_random_below(t, 2)];
     return true;
 }
 
