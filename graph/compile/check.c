@@ -82,7 +82,6 @@ static const char *image_trouble(const struct compiler *c, const struct resource
                                  enum rg_error *error)
 {
     const VkImageSubresourceRange *all = &r->all;
-    uint32_t chain = rg_full_chain(r->extent, r->depth);
     uint32_t most =
         r->max_extent.width > r->max_extent.height ? r->max_extent.width : r->max_extent.height;
     uint32_t samples = r->image->samples;
@@ -105,7 +104,7 @@ static const char *image_trouble(const struct compiler *c, const struct resource
     if (r->image->cube && (all->layerCount % 6 || r->extent.width != r->extent.height))
         return "a cube is square and has a multiple of 6 layers";
     *error = RG_ERROR_RANGE;
-    if (all->levelCount > chain)
+    if (all->levelCount > 1 && all->levelCount > rg_full_chain(r->extent, r->depth))
         return "it has fewer mips: the last one is 1x1 (use RG_ALL_MIPS)";
     *error = RG_ERROR_SAMPLES;
     if (samples > 64 || (samples & (samples - 1)))

@@ -127,6 +127,7 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
                     c->row_count * 2) ||
         !r)
         return NULL;
+    /* all fields: those left out are cleared by an instruction that takes longer than the rest */
     *r = (struct resource){
         .name = NULL,
         .image = image,
@@ -138,6 +139,7 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
         .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
         .extent = { 0, 0 },
         .max_extent = { 0, 0 },
+        .depth = 1,
         .format = NULL,
         .size = 0,
         .max_size = 0,
