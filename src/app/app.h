@@ -130,6 +130,7 @@ struct app_view {
     float ui_scale;      /* of the panels; 0: the desktop's */
     uint32_t theme;      /* index into app_themes */
     const char *ui_dump; /* file for the places of controls; NULL: none */
+    const char *session; /* file to begin with; NULL: none */
 };
 
 /* Of firn profile. */

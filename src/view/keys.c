@@ -127,6 +127,13 @@ static const struct {
         .label = "previous model of the folder",
         .help = "open the previous model of the folder, or the previous built-in scene",
     },
+    [VIEW_SAVE_SESSION] = {
+        .controlled = "s",
+        .name = "Ctrl S",
+        .label = "save the session",
+        .help = "save scene, settings, cameras, time and B as a session, for --session, in "
+                "~/.local/share/firn/sessions",
+    },
     [VIEW_SAVE_PRESET] = {
         .controlled_shifted = "s",
         .name = "Ctrl Shift S",
@@ -325,7 +332,7 @@ static const struct {
     { "double click", "look at this point" },
     { "/", "search for a setting" },
     { "F6, Esc", "use the panel by keys, or not" },
-    { "drop a file", "open a model, .exr, .hdr or preset" },
+    { "drop a file", "model, .exr, .hdr, preset, session" },
 };
 
 static bool has_key(enum view_action action, int key)

@@ -11,7 +11,7 @@ int main(int argc, char **argv)
         return decode_main(argc, argv);
     standard_streams_begin();
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);
-    if (status == STATUS_OK && !done)
+    if (status == STATUS_OK && !done && !options.view.session)
         status = app_need_scene(&options.picture.scene);
     if (status == STATUS_OK && !done)
         status = view_run(&options);

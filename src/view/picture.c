@@ -8,6 +8,7 @@
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/frame/list.h"
+#include "src/scene/asset.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/tonemap.h"
 #include "src/view/watch.h"
@@ -432,6 +433,11 @@ static enum status replace(struct picture **picture, const struct app_picture *s
     return STATUS_OK;
 }
 
+enum status picture_use(struct picture **picture, const struct app_picture *state)
+{
+    return replace(picture, state, false);
+}
+
 struct settings picture_with_exposure(const struct settings *settings, const struct settings *of)
 {
     const struct setting *row =
@@ -484,7 +490,8 @@ enum status picture_change(struct picture **picture, const struct settings *sett
 
 static bool is_environment(const char *path)
 {
-    return path_ends_in(path, ".exr") || path_ends_in(path, ".hdr");
+    return path_ends_in(path, ".exr") || path_ends_in(path, ".hdr") || !strcmp(path, "sky") ||
+           asset_find(path, ASSET_ENVIRONMENT);
 }
 
 enum status picture_load(struct picture **picture, const char *path, bool *remade)

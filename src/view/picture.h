@@ -73,11 +73,15 @@ MUST_USE enum status picture_change(struct picture **picture, const struct setti
                                     const struct technique *rung, bool *remade);
 
 /*
- * Another object (a model file) or, by its ending, another environment (.exr, .hdr). If that fails
+ * Another object (a model file) or, by its ending (.exr, .hdr) or its name (sky, or that of an
+ * asset), another environment. If that fails
  * *picture stays; else it is another one, of the same size, and *remade. An environment keeps the
  * camera.
  */
 MUST_USE enum status picture_load(struct picture **picture, const char *path, bool *remade);
+
+/* All that a state says, in the size of now and with its own camera. On failure *picture stays. */
+MUST_USE enum status picture_use(struct picture **picture, const struct app_picture *state);
 
 /* `settings` with the exposure of others, which needs no new samples. */
 struct settings picture_with_exposure(const struct settings *settings, const struct settings *of);

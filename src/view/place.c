@@ -66,6 +66,11 @@ char *place_presets(bool make)
     return own_folder("XDG_DATA_HOME", ".local/share", "firn/presets", make);
 }
 
+char *place_sessions(bool make)
+{
+    return own_folder("XDG_DATA_HOME", ".local/share", "firn/sessions", make);
+}
+
 char *place_state(bool make)
 {
     return own_folder("XDG_STATE_HOME", ".local/state", "firn", make);

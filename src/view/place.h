@@ -12,6 +12,8 @@
  * NULL: there is no HOME, it cannot be made, or out of memory; not logged. */
 char *place_presets(bool make);
 
+char *place_sessions(bool make); /* the same of sessions, "$XDG_DATA_HOME/firn/sessions" */
+
 /* The same of what the window remembers, "$XDG_STATE_HOME/firn". */
 char *place_state(bool make);
 

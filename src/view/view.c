@@ -162,6 +162,7 @@ static void finish(struct view *v)
     noise_finish(&v->refine.noise);
     apart_finish(&v->compare.apart);
     image_finish(&v->compare.file.linear);
+    session_finish(&v->session);
     picture_destroy(v->picture);
     watch_destroy(v->watch);
     window_finish(&v->window);
@@ -346,6 +347,15 @@ static void remember(const struct view *v)
         recent_add(v->first.scene.name);
 }
 
+/* After the first picture, by which all is there. */
+static void begin_session(struct view *v)
+{
+    view_attempt(v);
+    if (view_resume_session(v, &v->session) != STATUS_OK)
+        view_fail(v, "only a part of the session could be opened");
+    session_finish(&v->session);
+}
+
 static void count_frame(struct view *v)
 {
     struct view_costs *c = &v->costs;
@@ -363,8 +373,10 @@ static void count_frame(struct view *v)
     if (v->redrawn && p->refines && c->last.frame > 0.0)
         moving_add(&v->refine.moving, c->last.frame - c->last.limit, picture_passes(p));
     if (c->frame_count == 1) {
-        view_show_name(v);
         remember(v);
+        if (v->session.scene)
+            begin_session(v);
+        view_show_name(v);
         v->now = clock_seconds();
     }
     if (o->time_step > 0.0 && !v->paused)
@@ -425,7 +437,7 @@ static enum status begin_device(struct view *v)
     enum status status = worker_run(&v->window, open_device, v);
     if (status != STATUS_OK || window_is_closed(&v->window))
         return status;
-    snprintf(words, sizeof(words), "loading %s", v->options->picture.scene.name);
+    snprintf(words, sizeof(words), "loading %s", v->first.scene.name);
     view_say(v, words);
     status = worker_run(&v->window, load, v);
     if (status != STATUS_OK || window_is_closed(&v->window))
@@ -495,12 +507,19 @@ enum status view_run(const struct app_options *options)
     v->options = options;
     v->theme = options->view.theme;
     v->first = options->picture;
+    const struct reader_params *reader = &options->picture.scene.reader;
+    enum status status = STATUS_OK;
+    if (options->view.session)
+        status = view_read_session(&v->session, options->view.session, reader);
+    if (v->session.scene)
+        view_apply_session(&v->session, &v->first);
     if (!v->first.samples)
         v->first.samples = options->view.frame_count ? 1 : VIEW_SAMPLE_COUNT;
     v->refine.goal = v->first.samples;
     v->compare.other = v->first.split ? VIEW_OTHER_RUNG : VIEW_OTHER_NONE;
     v->paused = !options->view.frame_count && !(options->view.time_step > 0.0);
-    enum status status = signals_begin(&v->stop);
+    if (status == STATUS_OK)
+        status = signals_begin(&v->stop);
     echo_begin(&v->echo);
     if (status == STATUS_OK)
         status = run(v);

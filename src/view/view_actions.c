@@ -73,7 +73,7 @@ void view_slide(struct view *v, double to)
 }
 
 /* A renderer is made for one kind of projection. */
-static void use_camera(struct view *v, const struct camera *camera)
+void view_use_camera(struct view *v, const struct camera *camera)
 {
     struct picture *p = v->picture;
     const struct camera before = p->camera;
@@ -96,7 +96,7 @@ static void change_projection(struct view *v)
     float farthest;
     picture_range(v->picture, &nearest, &farthest);
     orbit_project(&camera, 4.0f * farthest);
-    use_camera(v, &camera);
+    view_use_camera(v, &camera);
 }
 
 static void use_bookmark(struct view *v, uint32_t i, bool store)
@@ -107,7 +107,7 @@ static void use_bookmark(struct view *v, uint32_t i, bool store)
         v->bookmarked[i] = true;
         snprintf(words, sizeof(words), "stored camera %u: Ctrl %u goes back to it", i + 1, i + 1);
     } else if (v->bookmarked[i]) {
-        use_camera(v, &v->bookmarks[i]);
+        view_use_camera(v, &v->bookmarks[i]);
         snprintf(words, sizeof(words), "camera %u", i + 1);
     } else {
         snprintf(words, sizeof(words), "camera %u: Ctrl Shift %u stores one first", i + 1, i + 1);
@@ -147,7 +147,7 @@ static bool move_camera(struct view *v, enum view_action action)
     else if (action == VIEW_NEARER || action == VIEW_FARTHER)
         view_zoom(v, action == VIEW_NEARER ? 1.0f : -1.0f);
     else if (action == VIEW_RESET)
-        use_camera(v, &v->picture->first_camera);
+        view_use_camera(v, &v->picture->first_camera);
     else
         return false;
     return true;
@@ -246,6 +246,8 @@ static void change_picture(struct view *v, enum view_action action)
         step_layer(v, action == VIEW_NEXT_LAYER ? 1 : -1);
     } else if (action == VIEW_FALSE_COLORS) {
         v->look_wanted.false_color = !v->look_wanted.false_color;
+    } else if (action == VIEW_SAVE_SESSION) {
+        view_save_session(v);
     } else if (action == VIEW_SAVE_PRESET) {
         view_save_preset(v);
     }

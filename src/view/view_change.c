@@ -231,6 +231,10 @@ void view_open(struct view *v, const char *path)
         view_compare_open(v, path);
         return;
     }
+    if (path_ends_in(path, ".firn")) {
+        view_load_session(v, path);
+        return;
+    }
     if (is_preset(path)) {
         view_load_preset(v, path);
         return;

@@ -27,6 +27,12 @@ static struct still *still_of(struct view *v)
                                                       : NULL;
 }
 
+/* What samples show is the picture as it is: renderers may just have been made anew. */
+static bool is_at_rest(const struct view *v)
+{
+    return v->refine.shown && v->refine.seen.version == v->picture->version;
+}
+
 /* ---- which side is which ---- */
 
 /* --split, or the last rung, which is the most exact one; beside it the first. */
@@ -208,7 +214,7 @@ static void follow_truth(struct view *v)
         view_compare_stop(v);
         c->truth_failed = false;
     }
-    if (!c->truth.runs && !c->truth_failed && v->refine.shown)
+    if (!c->truth.runs && !c->truth_failed && is_at_rest(v))
         begin_truth(v);
     if (truth_take(&c->truth, &c->traced.linear)) {
         c->traced.is_made = false;
@@ -236,7 +242,7 @@ static bool find_sides(struct view *v, struct apart_side sides[static 2])
 {
     const struct picture *p = v->picture;
     const struct still *still = still_of(v);
-    if (!p->renderer || !v->refine.shown)
+    if (!p->renderer || !is_at_rest(v))
         return false;
     const float scale = 1.0f / (float)renderer_sum_count(p->renderer);
     sides[0] = (struct apart_side){ renderer_sums(p->renderer), scale, false };
@@ -288,7 +294,7 @@ static void follow_errors(struct view *v)
     struct view_compare *c = &v->compare;
     struct apart_side sides[2];
     take_errors(v);
-    if (!c->differs || c->apart.runs || !v->refine.shown || !is_due(v) ||
+    if (!c->differs || c->apart.runs || !is_at_rest(v) || !is_due(v) ||
         (c->has_errors && !c->errors.is_made)) /* it is still to be shown */
         return;
     c->apart_seen = v->refine.seen;
@@ -322,7 +328,7 @@ enum status view_compare_show(struct view *v)
         p->still = still->image.image;
         p->still_extent = (VkExtent2D){ still->linear.width, still->linear.height };
     }
-    if (status != STATUS_OK || !c->differs || !c->has_errors || !v->refine.shown ||
+    if (status != STATUS_OK || !c->differs || !c->has_errors || !is_at_rest(v) ||
         !view_refine_is_same(&c->errors_seen, &v->refine.seen))
         return status;
     if (!c->errors.is_made)

@@ -8,6 +8,7 @@
 #include "src/view/look.h"
 #include "src/view/picture.h"
 #include "src/view/screen.h"
+#include "src/view/session.h"
 #include "src/view/ui/ui.h"
 #include "src/view/view_compare.h"
 #include "src/view/view_costs.h"
@@ -23,6 +24,7 @@ enum {
 struct view {
     const struct app_options *options;
     struct app_picture first; /* as the options begin it */
+    struct session session;   /* of --session; scene NULL: none, or it has been resumed */
     struct signals stop;
     struct echo echo; /* of what is logged */
     struct window window;
@@ -82,6 +84,7 @@ void view_lay_out(struct view *view, VkExtent2D size); /* of the window */
 /* ---- view_actions.c: what actions do ---- */
 
 void view_act(struct view *view, enum view_action action);
+void view_use_camera(struct view *view, const struct camera *camera);
 void view_zoom(struct view *view, float steps);
 void view_slide(struct view *view, double to); /* the divider: a part of the picture's width */
 
@@ -151,6 +154,20 @@ void view_run_ui(struct view *view, VkExtent2D size);
 void view_turn_light(struct view *view, double right, double down, bool is_sun);
 
 void view_expose(struct view *view, double stops); /* brighter by so many */
+
+/* ---- view_session.c: sessions ---- */
+
+/* Reads a file of view_save_session(). Logs. */
+MUST_USE enum status view_read_session(struct session *session, const char *path,
+                                       const struct reader_params *reader);
+
+/* Puts into a state what a picture is made of; names are those of the session. The rest of it comes
+ * into the view when that picture is there. */
+void view_apply_session(const struct session *session, struct app_picture *state);
+MUST_USE enum status view_resume_session(struct view *view, const struct session *session);
+
+void view_load_session(struct view *view, const char *path);
+void view_save_session(struct view *view);
 
 /* ---- view_refine.c: movement and rest ---- */
 

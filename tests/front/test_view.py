@@ -49,7 +49,8 @@ class WindowCase(Case):
 
     def start(self, scene, *arguments, title=None, plain=PLAIN):
         """Runs on; the number of its window, once it shows the scene."""
-        words = [Case.program, 'view', scene, *CHECKED, *plain, *map(str, arguments)]
+        words = [Case.program, 'view', *filter(None, [scene]), *CHECKED, *plain,
+                 *map(str, arguments)]
         with open(self.folder / 'stdout', 'wb') as out, open(self.folder / 'stderr', 'wb') as log:
             self.process = subprocess.Popen(words, env=environment(self.env()), cwd=self.folder,
                                             stdin=subprocess.DEVNULL, stdout=out, stderr=log)

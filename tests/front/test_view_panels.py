@@ -43,6 +43,12 @@ class PanelsCase(WindowCase):
                 return tuple(map(int, numbers))
         return None
 
+    def label(self, begin):
+        """What begins so, of all that the window says; []: nothing."""
+        lines = (self.folder / 'ui').read_text().splitlines()
+        found = [line.split(' ', 4)[4] for line in lines if line.split(' ', 4)[4].startswith(begin)]
+        return found and found[0]
+
     def place(self, label, part=0.5):
         """A point in it, so far from its left."""
         left, top, width, height = wait_until(label, lambda: self.control(label), self.words)

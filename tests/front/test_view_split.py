@@ -1,12 +1,12 @@
-"""test_view_split.py: two rungs in one window. Usage: see case.py."""
+"""test_view_split.py: A and B in one window, and what new users want first. Usage: see case.py."""
 import json
 import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import PLAIN, USAGE, Case, main  # noqa: E402
+from case import DATA, PLAIN, USAGE, Case, main  # noqa: E402
 from desktop import wait_until  # noqa: E402
-from test_view import SIZE, WindowCase, png_pixels  # noqa: E402
+from test_view import SIZE, TRIANGLES, WindowCase, png_pixels  # noqa: E402
 from test_view_panels import PanelsCase  # noqa: E402
 
 WIDTH, HEIGHT = map(int, SIZE.split('x'))
@@ -111,12 +111,6 @@ class Sides(PanelsCase):
             self.half(self.desktop.pixels(window), 610, True, right) for right in (0, 1)] == want,
             self.words, act=act)
 
-    def label(self, begin):
-        """What begins so, of all that the window says."""
-        lines = (self.folder / 'ui').read_text().splitlines()
-        found = [line.split(' ', 4)[4] for line in lines if line.split(' ', 4)[4].startswith(begin)]
-        return found and found[0]
-
     def render_command(self, command, name, *more):
         words = shlex.split(command)[1:]
         self.succeed(*words[:-1], name, *more)
@@ -142,7 +136,25 @@ class Sides(PanelsCase):
         wait_until('all samples', lambda: self.label('B reference 2/2'), self.words)
         self.expect_sides(window, other, truth)
         self.press_for(window, 'ctrl+z', r'sphere, (.*) \| \1, paused')
+        sessions = self.folder / 'data' / 'firn' / 'sessions'
+        self.press_until(window, 'ctrl+s', 'a session', lambda: list(sessions.glob('*.firn')))
         self.close(window)
+        self.sessions(sessions / 'session-0001.firn', other, first)
+
+    def sessions(self, path, *sides):
+        """One shows what was there; a wrong one is refused in a line, at the start and by hand."""
+        bad = self.folder / 'bad.firn'
+        bad.write_text(path.read_text().replace('\nrung=', '\nrung=gone'))
+        self.refuse(DATA, 'view', '--session', bad, names=['bad.firn:', 'rung'],
+                           env=self.env())
+        window = self.start(None, '--size', '360x340', '--overlay', 'on', '--ui-dump', 'ui',
+                            '--samples', 2, '--session', path, plain=(),
+                            title=r'sphere, (.*) \| \1, paused')
+        self.expect_sides(window, *sides)
+        self.assertTrue(self.desktop.drop(window, bad))
+        wait_until('what is wrong', lambda: self.label('the session was not opened: '), self.words)
+        self.expect_sides(window, *sides)
+        self.press_to_end(window, 'ctrl+q')
 
     def drag_light(self, window):
         """One movement is one step of undo."""
@@ -155,6 +167,66 @@ class Sides(PanelsCase):
                               act=lambda: self.press(window, 'ctrl+z'))
         self.wait_for_command(window, 'sky.sun_azimuth=',
                               act=lambda: self.press(window, 'ctrl+y'))
+
+
+class FirstMinutes(PanelsCase):
+    """What new users want first, each with the acts that it takes, at most: a key, a click, a drag,
+    or something dropped is one. An act that a busy machine has lost is done again."""
+
+    def do(self, what, most, acts, done):
+        self.assertLessEqual(len(acts), most, what)
+        for act in acts[:-1]:
+            act()
+        self.assertIsNone(self.process.poll(), self.words())
+        wait_until(what, done, self.words, act=acts[-1], again=15)
+
+    def test_what_it_takes(self):
+        model = self.folder / 'shape.obj'
+        model.write_text(TRIANGLES)
+        copied = self.xclip()
+        window = self.start_with_panels('--size', '480x400', '--ui-scale', 0.5, '--samples', 1,
+                                        plain=PLAIN)
+        picture = wait_until('a picture', lambda: self.at_rest(window))  # nothing has to be done
+
+        def key(name):
+            return lambda: self.press(window, name)
+
+        def click(label):
+            return lambda: self.click(window, label)
+
+        def drag(*places):
+            return lambda: self.move(window, *places)
+
+        def other():
+            return self.desktop.pixels(window) != picture
+
+        def light():
+            self.desktop.do('keydown', 'ctrl')
+            self.move(window, self.BESIDE, (130, 200), (160, 210))
+            self.desktop.do('keyup', 'ctrl')
+        self.do('turn it', 1, [drag(self.BESIDE, (130, 210), (160, 220))], other)
+        self.do('make it glass', 1, [click('glass')], lambda: self.label('refract.ior '))
+        self.do('undo', 1, [key('ctrl+z')], lambda: self.label('undo: refract.ior '))
+        self.do('rotate the light', 1, [light], lambda: self.label('sky.sun_azimuth '))
+        self.do('brighter', 1, [key('e')], lambda: self.label('tonemap.exposure 0 -> 0.5'))
+        self.do('fewer bubbles', 1, [drag(*[self.place('bubbles.count', x) for x in (0.1, 0.3)])],
+                lambda: self.label('bubbles.count '))
+        self.do('how wrong, and where', 2, [key('d')], lambda: self.label('FLIP: mean'))
+        self.do('compare with the truth', 1, [key('W')], lambda: self.label('B reference'))
+        self.press_for(window, 'w', 'sphere, paused')
+        self.do('normals', 2, [click('shown layer'), lambda: self.control('N') and self.click(
+            window, 'N')], lambda: self.label('N: ') or not self.control('Z'))
+        self.do('what is this pixel', 1, [key('i')], lambda: self.control('layer'))
+        self.do('save a picture', 1, [key('F12')], lambda: 'firn-0001.png' in self.files())
+        self.do('show a colleague', 1, [key('ctrl+c')], copied.exists)
+        self.do('which keys', 1, [key('F1')], lambda: 'Ctrl Shift Z' in self.printed())
+        self.press(window, 'F1')
+        self.do('find a setting', 2, [key('ctrl+k'), lambda: self.desktop.do('type', 'shini')],
+                lambda: self.control('surface.shininess'))
+        self.press(window, 'Escape')
+        self.do('open my model', 1, [lambda: self.desktop.drop(window, model)],
+                lambda: self.desktop.ask('xdotool', 'search', '--name', 'shape.obj'))
+        self.press_to_end(window, 'ctrl+q')
 
 
 class Words(Case):

@@ -169,7 +169,8 @@ static void control_makes_another_key(void **state)
     assert_int_equal(find_controlled('='), VIEW_LARGER);
     assert_int_equal(find_controlled('-'), VIEW_SMALLER);
     assert_int_equal(find_controlled('0'), VIEW_USUAL_SIZE);
-    assert_int_equal(find_controlled('s'), VIEW_NOTHING);
+    assert_int_equal(find_controlled('s'), VIEW_SAVE_SESSION);
+    assert_int_equal(find_controlled('e'), VIEW_NOTHING);
     assert_int_equal(find_controlled('z'), VIEW_UNDO);
     struct key_press press = { .character = 'z', .control = true, .shift = true };
     assert_int_equal(keys_find(&press), VIEW_REDO);

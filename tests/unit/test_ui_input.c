@@ -50,6 +50,9 @@ static void test_drag(void **state)
     assert_float_equal(input.now.y, 4.0f, 0.0f);
     ui_input_step(&input);
     assert_float_equal(input.now.x, 7.0f, 0.0f);
+    assert_true(input.now.buttons[0]); /* what is dragged gets there before it is let go */
+    ui_input_step(&input);
+    assert_float_equal(input.now.x, 7.0f, 0.0f);
     assert_false(input.now.buttons[0]);
     ui_input_step(&input);
     assert_float_equal(input.now.x, 9.0f, 0.0f);

@@ -124,6 +124,8 @@ static const struct option options[] = {
       "colours of the panels (dark); Ctrl T" },
     { "Window", "ui-dump", 0, "FILE", APP_VIEW, TEXT(view.ui_dump),
       "file for the places of all controls, pixels, rewritten when they change" },
+    { "Window", "session", 0, "FILE", APP_VIEW, INPUT(view.session),
+      "session to begin with, as Ctrl S saves it, in place of SCENE" },
     { "Window", "split", 0, "RUNG", APP_VIEW, PICTURE(option_split),
       "rung right of a divider, --refraction left of it; keys W, [ and ]" },
     { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, VIEW(option_watch),

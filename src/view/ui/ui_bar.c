@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include "src/tech/tonemap.h"
 #include "src/view/ui/ui_internal.h"
+#include "src/view/ui/ui_look.h"
 
 enum {
     BUTTON_COUNT = 9,
@@ -13,9 +14,9 @@ static const enum view_action buttons[BUTTON_COUNT] = {
     VIEW_SCREENSHOT, VIEW_COPY,    VIEW_SPLIT, VIEW_RESET,
 };
 
-static const float exposure_width = 130.0f; /* at scale 1 */
-static const float exposure_reach = 6.0f;   /* stops; the group Camera has more */
-static const float name_width = 60.0f;      /* at least, at scale 1 */
+static const float slot_width = 130.0f;   /* of exposure and layers, at scale 1 */
+static const float exposure_reach = 6.0f; /* stops; the group Camera has more */
+static const float name_width = 60.0f;    /* at least, at scale 1 */
 
 struct imgui_place ui_place(VkRect2D r)
 {
@@ -72,16 +73,22 @@ void ui_bar(const struct ui_view *view, struct ui_wish *wish)
         width += more;
         count++;
     }
+    const float slot = slot_width * imgui_scale();
+    const bool exposes = count == BUTTON_COUNT && width + slot + least < room;
+    const bool lists = exposes && width + 2.0f * slot + least < room;
+    float x = room - width - (exposes ? slot : 0.0f) - (lists ? slot : 0.0f);
     imgui_align();
-    const float sliding = exposure_width * imgui_scale();
-    const bool slides = count == BUTTON_COUNT && width + sliding + least < room;
-    width += slides ? sliding : 0.0f;
-    imgui_text_cut(view->picture->state.scene.name, room - width - gap);
+    imgui_text_cut(view->picture->state.scene.name, x - gap);
     imgui_tip(view->picture->state.scene.name);
-    if (slides) {
-        imgui_same_line(room - width + gap);
-        exposure(sliding - gap, wish);
-        width -= sliding;
+    if (lists) {
+        imgui_same_line(x + gap);
+        imgui_next_width(slot - gap);
+        ui_look_list("##shown layer", &wish->look);
+        x += slot;
+    }
+    if (exposes) {
+        imgui_same_line(x + gap);
+        exposure(slot - gap, wish);
     }
     for (uint32_t i = 0; i < count; i++) {
         const enum view_action action = buttons[i];

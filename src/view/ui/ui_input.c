@@ -99,8 +99,7 @@ static bool is_for_later(const struct imgui_input *now, const struct window_even
     case WINDOW_WHEEL:
         return seen->button;
     case WINDOW_BUTTON:
-        return event->code < IMGUI_BUTTON_COUNT &&
-               (seen->buttons[event->code] || (event->down && seen->moved));
+        return event->code < IMGUI_BUTTON_COUNT && (seen->buttons[event->code] || seen->moved);
     case WINDOW_KEY:
         return key != IMGUI_KEY_COUNT && (seen->character || seen->keys[key]);
     case WINDOW_CHARACTER:

@@ -64,6 +64,13 @@ void ui_status(const struct ui *ui, const struct ui_view *view);
 bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                    const char *tip);
 
+/* The same as buttons in as many lines as they need: one click. */
+bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
+                      const char *tip);
+
+/* The environments that come with firn; "sky" is the first, NULL the end. */
+const char *ui_environment(uint32_t i);
+
 struct imgui_place ui_place(VkRect2D rectangle);
 
 #endif

@@ -17,16 +17,33 @@ static const float histogram_height = 64.0f; /* at scale 1 */
 
 /* ---- what is shown ---- */
 
-static void choose_layer(struct look_choice *c)
+static uint32_t name_layers(const char *names[static NAMES_MAX])
 {
-    const char *names[NAMES_MAX] = { "picture" };
     uint32_t count = 1;
+    names[0] = "picture";
     for (; count < NAMES_MAX && look_layer(count); count++)
         names[count] = look_layer(count)->name;
+    return count;
+}
+
+static void choose_layer(struct look_choice *c)
+{
+    const char *names[NAMES_MAX];
+    const uint32_t count = name_layers(names);
     const struct frame_layer *now = look_layer(c->layer);
     if (ui_named_list("layer", names, count, &c->layer,
                       now ? now->help : "what is shown: the picture, or one of its layers (L)"))
         c->channel = 0;
+}
+
+void ui_look_list(const char *label, struct look_choice *c)
+{
+    const char *names[NAMES_MAX];
+    const uint32_t count = name_layers(names);
+    const struct frame_layer *now = look_layer(c->layer);
+    if (imgui_list(label, names, count, &c->layer))
+        c->channel = 0;
+    imgui_tip(now ? now->help : "what is shown: the picture, or one of its layers (L)");
 }
 
 static void choose_channel(struct look_choice *c)

@@ -4,6 +4,9 @@
 
 #include "src/view/ui/ui_internal.h"
 
+/* A list of the layers; a choice ends that of a channel. */
+void ui_look_list(const char *label, struct look_choice *choice);
+
 void ui_look_panel(struct ui *ui, const struct ui_view *view, struct ui_wish *wish);
 
 #endif

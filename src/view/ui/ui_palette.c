@@ -23,7 +23,9 @@ enum entry_kind {
     ENTRY_ACTION,
     ENTRY_MATERIAL,
     ENTRY_SCENE,
+    ENTRY_ENVIRONMENT,
     ENTRY_PRESET,
+    ENTRY_SESSION,
     ENTRY_RECENT,
     ENTRY_SHOT,
     ENTRY_OTHER,
@@ -47,6 +49,7 @@ struct palette {
 };
 
 static const char *const presets[] = { ".txt", NULL };
+static const char *const sessions[] = { ".firn", NULL };
 
 __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const struct entry *entry,
                                                       const char *format, ...)
@@ -101,12 +104,20 @@ static void collect(struct palette *p)
         add(p, &(struct entry){ ENTRY_MATERIAL, i }, "material %s", material_presets[i].name);
     for (uint32_t i = 0; scene_builtins[i].name; i++)
         add(p, &(struct entry){ ENTRY_SCENE, i }, "open %s", scene_builtins[i].name);
+    for (uint32_t i = 0; ui_environment(i); i++)
+        add(p, &(struct entry){ ENTRY_ENVIRONMENT, i }, "environment %s", ui_environment(i));
     for (uint32_t i = 0; techniques_rung(i); i++)
         add(p, &(struct entry){ ENTRY_OTHER, i }, "compare with %s", techniques_rung(i)->rung.name);
     char *folder = place_presets(false);
     char *path;
     for (uint32_t i = 0; folder && (path = place_file(folder, presets, i)); i++) {
         add(p, &(struct entry){ ENTRY_PRESET, i }, "preset %s", strrchr(path, '/') + 1);
+        free(path);
+    }
+    free(folder);
+    folder = place_sessions(false);
+    for (uint32_t i = 0; folder && (path = place_file(folder, sessions, i)); i++) {
+        add(p, &(struct entry){ ENTRY_SESSION, i }, "session %s", strrchr(path, '/') + 1);
         free(path);
     }
     free(folder);
@@ -120,7 +131,9 @@ static void collect(struct palette *p)
 
 static void choose(struct ui *ui, const struct entry *e, struct ui_wish *wish)
 {
-    char *folder = e->kind == ENTRY_PRESET ? place_presets(false) : NULL;
+    char *folder = e->kind == ENTRY_PRESET    ? place_presets(false)
+                   : e->kind == ENTRY_SESSION ? place_sessions(false)
+                                              : NULL;
     switch (e->kind) {
     case ENTRY_ACTION:
         wish->action = (enum view_action)e->index;
@@ -134,8 +147,14 @@ static void choose(struct ui *ui, const struct entry *e, struct ui_wish *wish)
     case ENTRY_SCENE:
         wish->open = strdup(scene_builtins[e->index].name);
         break;
+    case ENTRY_ENVIRONMENT:
+        wish->open = strdup(ui_environment(e->index));
+        break;
     case ENTRY_PRESET:
         wish->open = folder ? place_file(folder, presets, e->index) : NULL;
+        break;
+    case ENTRY_SESSION:
+        wish->open = folder ? place_file(folder, sessions, e->index) : NULL;
         break;
     case ENTRY_RECENT:
         wish->open = recent_find(e->index);

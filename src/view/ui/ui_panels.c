@@ -1,6 +1,9 @@
 /* ui_panels.c: the panels. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/scene/asset.h"
 #include "src/scene/material.h"
 #include "src/settings/quality.h"
 #include "src/tech/refract.h"
@@ -11,6 +14,7 @@
 
 enum {
     MATERIAL_MAX = 16, /* in the list */
+    ENVIRONMENT_MAX = 8,
     RUNG_MAX = 32,
     OTHER_COUNT = 3, /* that can be compared with, and are no rungs */
 };
@@ -47,6 +51,65 @@ bool ui_named_list(const char *name, const char *const *names, uint32_t count, u
     const bool changed = imgui_list(id, names, count, index);
     imgui_tip(tip);
     return changed;
+}
+
+bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
+                      const char *tip)
+{
+    const float all = imgui_room();
+    const float gap = 6.0f * imgui_scale();
+    const float x = all * 0.46f;
+    float at = x;
+    bool changed = false;
+    imgui_indent(8.0f * imgui_scale());
+    imgui_align();
+    imgui_text_cut(name, x - 14.0f * imgui_scale());
+    imgui_name(name);
+    imgui_tip(tip);
+    for (uint32_t i = 0; i < count; i++) {
+        const float width = imgui_width(names[i]);
+        const bool fits = !i || at + width <= all;
+        at = fits ? at : x;
+        if (fits)
+            imgui_same_line(at);
+        else
+            imgui_indent(at);
+        at += width + gap;
+        if (imgui_choice(names[i], i == *index)) {
+            changed = i != *index;
+            *index = i;
+        }
+        imgui_tip(tip);
+    }
+    return changed;
+}
+
+const char *ui_environment(uint32_t i)
+{
+    if (!i--)
+        return "sky";
+    for (const struct asset *a = assets; a->name; a++) {
+        if (a->kind == ASSET_ENVIRONMENT && !i--)
+            return a->name;
+    }
+    return NULL;
+}
+
+static void environment_buttons(const struct ui_view *view, struct ui_wish *wish)
+{
+    const char *names[ENVIRONMENT_MAX];
+    const char *now = view->picture->state.scene.environment;
+    const bool is_sky = view->picture->scene.background == SCENE_SKY;
+    uint32_t count = 0;
+    uint32_t chosen = is_sky ? 0 : UINT32_MAX;
+    for (; count < ENVIRONMENT_MAX && ui_environment(count); count++) {
+        names[count] = ui_environment(count);
+        chosen = now && !strcmp(now, names[count]) ? count : chosen;
+    }
+    if (ui_named_buttons("environment", names, count, &chosen,
+                         "what is around the object: --env; or drop an .exr or .hdr") &&
+        !wish->open)
+        wish->open = strdup(names[chosen]);
 }
 
 static void quality_list(struct ui_wish *wish)
@@ -109,12 +172,12 @@ static void rung_lists(const struct ui_view *view, struct ui_wish *wish)
 }
 
 /* By its index of refraction: glass and plastic are one. */
-static void material_list(struct ui_wish *wish)
+static void material_buttons(struct ui_wish *wish)
 {
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const double is = settings_get(&wish->settings, ior);
-    const char *names[MATERIAL_MAX + 1];
+    const char *names[MATERIAL_MAX];
     uint32_t count = 0;
     uint32_t chosen = UINT32_MAX;
     for (; material_presets[count].name && count < MATERIAL_MAX; count++) {
@@ -123,11 +186,8 @@ static void material_list(struct ui_wish *wish)
         if (chosen == UINT32_MAX && !(difference < 0.0 || difference > 0.0))
             chosen = count;
     }
-    names[count] = "other";
-    chosen = chosen == UINT32_MAX ? count : chosen;
-    if (ui_named_list("material", names, count + 1, &chosen,
-                      "material of the object: sets refract.ior") &&
-        chosen < count) {
+    if (ui_named_buttons("material", names, count, &chosen,
+                         "material of the object: sets refract.ior")) {
         settings_put(&wish->settings, ior, (double)material_presets[chosen].ior);
         wish->changed = true;
     }
@@ -137,7 +197,9 @@ static void material_list(struct ui_wish *wish)
 static void lists(enum ui_group group, const struct ui_view *view, struct ui_wish *wish)
 {
     if (group == UI_MATERIAL)
-        material_list(wish);
+        material_buttons(wish);
+    if (group == UI_LIGHT)
+        environment_buttons(view, wish);
     if (group == UI_QUALITY) {
         quality_list(wish);
         rung_lists(view, wish);

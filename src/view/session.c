@@ -1,0 +1,282 @@
+/* session.c: lines of text. */
+#include "src/view/session.h"
+#include <cglm/struct.h>
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/tech/techniques.h"
+
+enum {
+    CAMERA_COUNT = 12, /* numbers */
+};
+
+static const char *const others[] = {
+    [VIEW_OTHER_NONE] = "none",           [VIEW_OTHER_RUNG] = "rung",
+    [VIEW_OTHER_STATE] = "stored",        [VIEW_OTHER_FILE] = NULL, /* pictures are not kept */
+    [VIEW_OTHER_REFERENCE] = "reference",
+};
+
+enum {
+    OTHER_COUNT = sizeof(others) / sizeof(others[0]),
+};
+
+/* ---- values ---- */
+
+static int digit(char c)
+{
+    const char *digits = "0123456789abcdef";
+    const char *at = c ? strchr(digits, tolower((unsigned char)c)) : NULL;
+    return at ? (int)(at - digits) : -1;
+}
+
+/* "%e9" to a byte, in place. */
+static bool decode_name(char *text)
+{
+    char *to = text;
+    for (const char *from = text; *from; from++) {
+        int byte = (unsigned char)*from;
+        if (byte == '%') {
+            const int high = digit(from[1]);
+            const int low = high < 0 ? -1 : digit(from[2]);
+            byte = low < 0 ? 0 : high << 4 | low;
+            from += 2;
+        }
+        if (!byte)
+            return false;
+        *to++ = (char)byte;
+    }
+    *to = '\0';
+    return to > text;
+}
+
+static void print_name(const char *name, const char *text, FILE *out)
+{
+    fprintf(out, "%s=", name);
+    for (; *text; text++) {
+        if (*text <= ' ' || *text > '~' || *text == '%')
+            fprintf(out, "%%%02x", (unsigned char)*text);
+        else
+            fputc(*text, out);
+    }
+    fputc('\n', out);
+}
+
+static bool parse_numbers(const char *text, float *numbers, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        char *end;
+        numbers[i] = strtof(text, &end);
+        if (end == text || !isfinite(numbers[i]) || fabsf(numbers[i]) > 1e9f ||
+            *end != (i + 1 < count ? ',' : '\0'))
+            return false;
+        text = end + 1;
+    }
+    return true;
+}
+
+static bool parse_camera(const char *text, struct camera *camera)
+{
+    float n[CAMERA_COUNT];
+    if (!parse_numbers(text, n, CAMERA_COUNT))
+        return false;
+    *camera = (struct camera){
+        .eye = { { n[0], n[1], n[2] } },
+        .target = { { n[3], n[4], n[5] } },
+        .up = { { n[6], n[7], n[8] } },
+        .fov_deg = n[9],
+        .height = n[10],
+        .depth = n[11],
+    };
+    return n[9] >= 1.0f && n[9] <= 170.0f && n[10] >= 0.0f && (n[11] > 0.0f || !(n[10] > 0.0f)) &&
+           glms_vec3_distance(camera->eye, camera->target) > 0.0f;
+}
+
+static void print_camera(const char *name, const struct camera *c, FILE *out)
+{
+    const float n[CAMERA_COUNT] = { c->eye.x,    c->eye.y,    c->eye.z,  c->target.x,
+                                    c->target.y, c->target.z, c->up.x,   c->up.y,
+                                    c->up.z,     c->fov_deg,  c->height, c->depth };
+    fprintf(out, "%s=", name);
+    for (uint32_t i = 0; i < CAMERA_COUNT; i++) {
+        if (i)
+            fputc(',', out);
+        settings_print_number(n[i], out);
+    }
+    fputc('\n', out);
+}
+
+/* ---- the table ---- */
+
+static bool parse_rung(const char *value, const struct technique **rung)
+{
+    *rung = techniques_find_rung(value);
+    return *rung != NULL;
+}
+
+static bool parse_other(const char *value, enum view_other *other)
+{
+    for (uint32_t i = 0; i < OTHER_COUNT; i++) {
+        if (others[i] && !strcmp(others[i], value)) {
+            *other = (enum view_other)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Whether it is one of what is no setting; *expected: what its value should have been; NULL: it is
+ * right. */
+static bool parse_own(struct session *s, const char *name, char *value, const char **expected)
+{
+    bool ok = true;
+    *expected = NULL;
+    if (!strcmp(name, "scene") || !strcmp(name, "env")) {
+        *(*name == 's' ? &s->scene : &s->environment) = value;
+        *expected = decode_name(value) ? NULL : "a name or a file";
+    } else if (!strcmp(name, "env-rotate")) {
+        ok = parse_numbers(value, &s->state.env_rotate, 1) && fabsf(s->state.env_rotate) <= 360.0f;
+        *expected = ok ? NULL : "-360 to 360 degrees";
+    } else if (!strcmp(name, "env-exposure")) {
+        ok = parse_numbers(value, &s->env_exposure, 1) && fabsf(s->env_exposure) <= 16.0f;
+        *expected = ok ? NULL : "-16 to 16 stops";
+    } else if (!strcmp(name, "time")) {
+        ok = parse_numbers(value, &s->time, 1) && fabsf(s->time) <= 1e5f;
+        *expected = ok ? NULL : "-100000 to 100000 seconds";
+    } else if (!strcmp(name, "rung") || !strcmp(name, "b.rung")) {
+        ok = parse_rung(value, *name == 'r' ? &s->state.rung : &s->state.split);
+        *expected = ok ? NULL : "a rung (firn list rungs)";
+    } else if (!strcmp(name, "b")) {
+        *expected = parse_other(value, &s->state.other) ? NULL : "none, rung, stored or reference";
+    } else if (!strcmp(name, "camera")) {
+        s->has_camera = parse_camera(value, &s->camera);
+        *expected = s->has_camera ? NULL : "the twelve numbers of a camera";
+    } else if (!strncmp(name, "camera-", 7) && name[7] >= '1' &&
+               name[7] < '1' + SESSION_BOOKMARK_COUNT && !name[8]) {
+        const uint32_t i = (uint32_t)(name[7] - '1');
+        s->bookmarked[i] = parse_camera(value, &s->bookmarks[i]);
+        *expected = s->bookmarked[i] ? NULL : "the twelve numbers of a camera";
+    } else
+        return false;
+    return true;
+}
+
+static enum status parse_line(struct session *s, struct preset_line *line, const char *path)
+{
+    char *equals = strchr(line->assignment, '=');
+    const struct settings_source source = { path, line->number };
+    const struct setting *row;
+    const char *expected;
+    const bool is_right =
+        !strncmp(line->assignment, "b.", 2) && strncmp(line->assignment, "b.rung=", 7) != 0;
+    if (is_right)
+        return settings_assign(&s->state.right, line->assignment + 2, &source, &row);
+    if (!equals)
+        return settings_assign(&s->state.settings, line->assignment, &source, &row);
+    *equals = '\0';
+    const bool is_own = parse_own(s, line->assignment, equals + 1, &expected);
+    if (is_own && expected)
+        log_error("%s:%u: %s: expected %s, got '%s'", path, line->number, line->assignment,
+                  expected, equals + 1);
+    if (is_own)
+        return expected ? STATUS_DATA : STATUS_OK;
+    *equals = '=';
+    return settings_assign(&s->state.settings, line->assignment, &source, &row);
+}
+
+/* What a line alone cannot say. */
+static enum status check(const struct session *s, const char *path)
+{
+    const enum view_other other = s->state.other;
+    const char *missing =
+        !s->scene                                                                    ? "scene"
+        : !s->state.rung                                                             ? "rung"
+        : (other == VIEW_OTHER_RUNG || other == VIEW_OTHER_STATE) && !s->state.split ? "b.rung"
+                                                                                     : NULL;
+    if (!missing)
+        return STATUS_OK;
+    log_error("%s: expected a line '%s=...', as sessions have that firn view writes (Ctrl S)", path,
+              missing);
+    return STATUS_DATA;
+}
+
+enum status session_parse(struct session *s, struct preset *lines, const char *path)
+{
+    *s = (struct session){ .lines = *lines };
+    *lines = (struct preset){ 0 };
+    s->state.settings = s->state.right = settings_default();
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < s->lines.count && status == STATUS_OK; i++)
+        status = parse_line(s, &s->lines.lines[i], path);
+    if (status == STATUS_OK)
+        status = check(s, path);
+    if (status != STATUS_OK)
+        session_finish(s);
+    else if (s->state.other != VIEW_OTHER_STATE)
+        s->state.right = (struct settings){ .values = { 0 } };
+    if (status == STATUS_OK && s->state.other == VIEW_OTHER_NONE)
+        s->state.split = NULL;
+    return status;
+}
+
+void session_finish(struct session *s)
+{
+    preset_finish(&s->lines);
+    *s = (struct session){ 0 };
+}
+
+/* ---- out ---- */
+
+/* Those that are not the defaults. */
+static void print_settings(const char *before, const struct settings *settings, FILE *out)
+{
+    const struct settings defaults = settings_default();
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            const double a = settings_get(settings, row);
+            const double b = settings_get(&defaults, row);
+            if (!(a < b || a > b))
+                continue;
+            fprintf(out, "%s%s=", before, row->name);
+            settings_print(settings, row, out);
+            fputc('\n', out);
+        }
+    }
+}
+
+static void print_number(const char *name, float value, FILE *out)
+{
+    fprintf(out, "%s=", name);
+    settings_print_number(value, out);
+    fputc('\n', out);
+}
+
+void session_print(const struct session *s, FILE *out)
+{
+    const struct view_state *state = &s->state;
+    fputs("# a session of firn view: --session\n", out);
+    print_name("scene", s->scene, out);
+    if (s->environment)
+        print_name("env", s->environment, out);
+    print_number("env-rotate", state->env_rotate, out);
+    print_number("env-exposure", s->env_exposure, out);
+    print_number("time", s->time, out);
+    fprintf(out, "rung=%s\n", state->rung->rung.name);
+    print_camera("camera", &s->camera, out);
+    for (uint32_t i = 0; i < SESSION_BOOKMARK_COUNT; i++) {
+        char name[] = "camera-1";
+        name[7] = (char)('1' + i);
+        if (s->bookmarked[i])
+            print_camera(name, &s->bookmarks[i], out);
+    }
+    if (others[state->other])
+        fprintf(out, "b=%s\n", others[state->other]);
+    if (state->split)
+        fprintf(out, "b.rung=%s\n", state->split->rung.name);
+    print_settings("", &state->settings, out);
+    if (state->other == VIEW_OTHER_STATE)
+        print_settings("b.", &state->right, out);
+}

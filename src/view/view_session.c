@@ -1,0 +1,182 @@
+/* view_session.c: sessions from files, and to them. */
+#define _GNU_SOURCE /* realpath */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/image/file.h"
+#include "src/scene/asset.h"
+#include "src/view/place.h"
+#include "src/view/recent.h"
+#include "src/view/session.h"
+#include "src/view/view_internal.h"
+#include "src/view/worker.h"
+
+_Static_assert((int)SESSION_BOOKMARK_COUNT == (int)VIEW_BOOKMARK_COUNT, "all are kept");
+
+enum status view_read_session(struct session *session, const char *path,
+                              const struct reader_params *reader)
+{
+    struct preset lines = { 0 };
+    enum status status = preset_read(&lines, path, reader);
+    if (status == STATUS_OK)
+        status = session_parse(session, &lines, path);
+    preset_finish(&lines);
+    return status;
+}
+
+void view_apply_session(const struct session *session, struct app_picture *state)
+{
+    struct app_scene *scene = &state->scene;
+    scene->name = session->scene;
+    scene->environment = session->environment;
+    scene->env_rotate = session->environment ? session->state.env_rotate : 0.0f;
+    scene->env_exposure = session->environment ? session->env_exposure : 0.0f;
+    scene->settings = session->state.settings;
+    memset(scene->is_set, true, sizeof(scene->is_set)); /* all is in the settings */
+    scene->animation = scene->surroundings = scene->material = NULL;
+    scene->node_material_count = 0;
+    scene->background.is_given = false;
+    state->rung = session->state.rung;
+    state->is_rung_named = true;
+    state->split = NULL;
+    state->camera = NULL;
+    state->eye.is_given = state->target.is_given = state->orbit.is_given = false;
+}
+
+enum status view_resume_session(struct view *v, const struct session *session)
+{
+    struct view_state state = view_state_now(v);
+    if (session->has_camera)
+        view_use_camera(v, &session->camera);
+    memcpy(v->bookmarked, session->bookmarked, sizeof(v->bookmarked));
+    memcpy(v->bookmarks, session->bookmarks, sizeof(v->bookmarks));
+    v->elapsed = 0.0;
+    v->elapsed = (double)session->time - (double)view_time(v);
+    v->history.count = v->history.at = 0;
+    state.other = session->state.other;
+    state.split = session->state.split;
+    state.right = session->state.right;
+    v->compare.has_stored = state.other == VIEW_OTHER_STATE;
+    v->compare.stored = state;
+    v->compare.stored.rung = state.split;
+    v->compare.stored.settings = state.right;
+    v->changed = true;
+    return view_compare_use(v, &state);
+}
+
+/* ---- from a file ---- */
+
+struct loading {
+    struct view *view;
+    const char *path;
+    struct session session;
+};
+
+static enum status load(void *user)
+{
+    struct loading *loading = user;
+    struct view *v = loading->view;
+    struct app_picture state = v->picture->state;
+    enum status status = view_read_session(&loading->session, loading->path, &state.scene.reader);
+    if (status != STATUS_OK)
+        return status;
+    view_apply_session(&loading->session, &state);
+    return picture_use(&v->picture, &state);
+}
+
+void view_load_session(struct view *v, const char *path)
+{
+    struct loading loading = { .view = v, .path = path };
+    const double start = clock_seconds();
+    view_say(v, "loading");
+    screen_disconnect(&v->screen);
+    view_compare_stop(v);
+    view_attempt(v);
+    enum status status = worker_run(&v->window, load, &loading);
+    if (status == STATUS_OK)
+        status = view_resume_session(v, &loading.session);
+    if (status == STATUS_OK)
+        ui_say(v->ui, "this is the session as it was saved");
+    else
+        view_fail(v, "the session was not opened");
+    session_finish(&loading.session);
+    v->changed = true;
+    view_show_name(v);
+    view_costs_rest(&v->costs, start);
+}
+
+/* ---- to a file ---- */
+
+/* A file by its whole path, so that it is found from anywhere; NULL: out of memory. */
+static char *whole_name(const char *name)
+{
+    const bool is_file = !scene_find_builtin(name) && !asset_find(name, ASSET_SCENE) &&
+                         !asset_find(name, ASSET_ENVIRONMENT) && strcmp(name, "sky") != 0 &&
+                         strcmp(name, "valley") != 0;
+    char *path = is_file ? realpath(name, NULL) : NULL;
+    return path ? path : strdup(name);
+}
+
+/* What a session does not keep; NULL: nothing of it is there. */
+static const char *left_out(const struct view *v)
+{
+    const struct app_scene *s = &v->picture->state.scene;
+    return s->surroundings                       ? "--surroundings"
+           : s->animation                        ? "--animation"
+           : s->node_material_count              ? "--material NODE=..."
+           : s->background.is_given              ? "--background"
+           : v->compare.other == VIEW_OTHER_FILE ? "the picture on the right"
+                                                 : NULL;
+}
+
+static char *print(const struct view *v, const char *scene, const char *environment, size_t *size)
+{
+    const struct session session = {
+        .scene = scene,
+        .environment = environment,
+        .env_exposure = v->picture->state.scene.env_exposure,
+        .state = view_state_now(v),
+        .camera = v->picture->camera,
+        .time = view_time(v),
+    };
+    struct session all = session;
+    char *text = NULL;
+    memcpy(all.bookmarked, v->bookmarked, sizeof(all.bookmarked));
+    memcpy(all.bookmarks, v->bookmarks, sizeof(all.bookmarks));
+    FILE *out = open_memstream(&text, size);
+    if (!out)
+        return NULL;
+    session_print(&all, out);
+    if (fclose(out) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+void view_save_session(struct view *v)
+{
+    const struct app_scene *s = &v->picture->state.scene;
+    char words[600];
+    size_t size = 0;
+    char *folder = place_sessions(true);
+    char *path = folder ? place_new(folder, "session", ".firn") : NULL;
+    char *scene = whole_name(s->name);
+    char *environment = s->environment ? whole_name(s->environment) : NULL;
+    char *text = path && scene ? print(v, scene, environment, &size) : NULL;
+    if (text && file_write(path, text, size) == STATUS_OK) {
+        const char *out = left_out(v);
+        snprintf(words, sizeof(words), "saved %s%s%s", path, out ? " without " : "",
+                 out ? out : "");
+        ui_say(v->ui, words);
+    } else {
+        ui_fail(v->ui, "no session was saved: set HOME or XDG_DATA_HOME to a folder that can be "
+                       "written to");
+    }
+    free(text);
+    free(environment);
+    free(scene);
+    free(path);
+    free(folder);
+}
