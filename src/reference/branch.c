@@ -7,10 +7,12 @@
 enum {
     CLOUDED = 0,             /* the object that has the inclusions */
     SCATTERINGS_MAX = 65536, /* of a branch */
+    SURFACES_MAX = 4096,     /* of a path */
     PATH_SEED = 5,           /* what seeds are hashed with for random numbers of their own */
     TURN_SEED,
     AFTER_SEED,
     CHOICE_SEED,
+    ROULETTE_SEED,
 };
 
 /* Planes of air that cover less are not counted as met. */
@@ -71,6 +73,7 @@ static struct branch leave(const struct tracing *tracing, const struct branch *b
         .met = b->met | met_by(hit),
         .is_straight = b->is_straight,
         .is_gathered = b->is_gathered,
+        .is_path = b->is_path,
     };
     if (hit->part != BVH_CRACKS && !tracing_medium(tracing, hit->object)->is_thin)
         media_set_put(&next.inside, hit->object, next.ray.is_inside);
@@ -126,12 +129,26 @@ static bool scatter(const struct tracing *tracing, struct branch *b, float lengt
     };
     b->seed = microfacet_hash(b->seed, AFTER_SEED);
     b->scatterings++;
+    b->is_path = true;
     return true;
 }
 
 bool branch_is_spent(const struct tracing *tracing, const struct branch *b)
 {
-    return b->bounces >= tracing->params.bounces || b->scatterings >= SCATTERINGS_MAX;
+    const uint32_t most = tracing->params.roulette ? SURFACES_MAX : tracing->params.bounces;
+    return b->bounces >= most || b->scatterings >= SCATTERINGS_MAX;
+}
+
+bool branch_goes_on(const struct tracing *tracing, struct branch *b)
+{
+    const float share = glms_vec3_max(b->weight) / tracing->params.cutoff;
+    if (b->is_path)
+        return true;
+    b->is_path = share < 1.0f || b->bounces >= tracing->params.bounces;
+    if (share >= 1.0f)
+        return true;
+    b->weight = glms_vec3_scale(b->weight, 1.0f / share);
+    return microfacet_point(tracing->sample, microfacet_hash(b->seed, ROULETTE_SEED)).x < share;
 }
 
 const struct frame_medium *branch_surface(const struct tracing *tracing,

@@ -17,6 +17,7 @@ struct branch {
     uint32_t met;     /* enum reference_met */
     bool is_straight; /* it passes clouds, as if they were not there */
     bool is_gathered; /* it brings light to surroundings (ground.h) */
+    bool is_path;     /* at surfaces it goes one way, by chance */
 };
 
 /* The two branches of light that meets a surface. */
@@ -36,7 +37,8 @@ bool branch_advance(const struct tracing *tracing, struct branch *b, struct meet
 void branch_pass(const struct tracing *tracing, struct branch *b, const struct bvh_hit *hit,
                  float passing);
 
-/* Returns whether it has met as much as any branch may. */
+/* Returns whether it has met as much as any branch may: with reference.roulette more than
+ * reference.bounces. */
 bool branch_is_spent(const struct tracing *tracing, const struct branch *b);
 
 /* Returns whether a branch is in an object itself, and not in a bubble. */
@@ -52,7 +54,11 @@ const struct frame_medium *branch_surface(const struct tracing *tracing,
 struct fork branch_fork(const struct tracing *tracing, const struct branch *b,
                         const struct meeting *meeting);
 
-/* Returns which of both branches a scattered one becomes by chance, with its whole weight. */
+/* Lets a branch that is too weak or too long for a tree go on as a path with reference.roulette: a
+ * weak one by chance, with a greater weight. Returns false if chance ends it. */
+bool branch_goes_on(const struct tracing *tracing, struct branch *b);
+
+/* Returns which of both branches a path becomes by chance, with its whole weight. */
 struct branch branch_choose(const struct tracing *tracing, const struct branch *b,
                             const struct fork *fork);
 

@@ -24,9 +24,11 @@ struct sum {
 static void grow(const struct tracing *tracing, struct branch *stack, uint32_t *count,
                  struct branch branch, struct sum *sum)
 {
-    if (glms_vec3_max(branch.weight) < tracing->params.cutoff || branch_is_spent(tracing, &branch))
+    const bool is_roulette = tracing->params.roulette;
+    const bool is_weak = glms_vec3_max(branch.weight) < tracing->params.cutoff;
+    if (branch_is_spent(tracing, &branch) || (is_weak && !is_roulette))
         sum->remaining = glms_vec3_add(sum->remaining, branch.weight);
-    else
+    else if (!is_roulette || branch_goes_on(tracing, &branch))
         stack[(*count)++] = branch;
 }
 
@@ -135,7 +137,7 @@ static void follow(const struct tracing *tracing, struct branch first, uint32_t 
         }
         const struct fork fork = branch_fork(tracing, &b, &meeting);
         add_shine(tracing, &b, &meeting, fork.parting.fresnel, sum);
-        if (b.scatterings > 0) {
+        if (b.is_path) {
             grow(tracing, stack, &count, branch_choose(tracing, &b, &fork), sum);
             continue;
         }

@@ -6,6 +6,9 @@
  * microfacet (microfacet.h). Both branches are traced until their weight is below reference.cutoff
  * or they have met reference.bounces surfaces. Pictures of smooth objects use no random numbers.
  *
+ * With reference.roulette those go on instead, one way of the two at each surface by chance; the
+ * weak ones among them only by chance, with the weight of the others (Russian roulette).
+ *
  * A crack in an object is a thin gap of what is outside: it reflects 2 R / (1 + R), and what passes
  * it keeps its direction. A plane of air covers what is behind it by its opacity. Outside of
  * objects both are nothing.

@@ -31,6 +31,15 @@ static const struct setting rows[] = {
         .help = "maximum number of the object's surfaces on a light path",
     },
     {
+        .name = "reference.roulette",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct reference_params, roulette),
+        .max = 1,
+        .help =
+            "rays that would be terminated go on by chance, one way at each surface: no light is "
+            "missing, but there is noise",
+    },
+    {
         .name = "reference.photons",
         .type = SETTING_COUNT,
         .offset = offsetof(struct reference_params, photons),

@@ -13,10 +13,11 @@ enum {
 };
 
 struct reference_params {
-    float cutoff;     /* rays of less weight are terminated */
-    uint32_t bounces; /* surfaces after which rays are terminated; at most REFERENCE_BOUNCES_MAX */
-    uint32_t photons; /* of the sun, where ice_caustics.light asks for its light; 0: none */
-    uint32_t normals; /* of the object: enum reference_normals */
+    float cutoff;      /* rays of less weight are terminated */
+    uint32_t bounces;  /* surfaces after which rays are terminated; at most REFERENCE_BOUNCES_MAX */
+    uint32_t roulette; /* switch: what would be terminated goes on by chance */
+    uint32_t photons;  /* of the sun, where ice_caustics.light asks for its light; 0: none */
+    uint32_t normals;  /* of the object: enum reference_normals */
 };
 
 extern const struct technique refract_reference;

@@ -381,6 +381,48 @@ static void test_white_furnace(void **state)
     check_furnace(generate_teapot, 3600, SETTINGS("refract.ior=2.417"), 0.01);
 }
 
+/* With roulette no light is missing from the mean, although trees are cut early, and no pixel is
+ * farther from 1 than its noise allows. */
+static void test_roulette(void **state)
+{
+    enum {
+        SIDE = 24,
+    };
+    const struct settings settings = SETTINGS("reference.roulette=on", "reference.cutoff=0.05",
+                                              "reference.bounces=6", "refract.dispersion=2");
+    struct scene scene = { .background = SCENE_COLOR, .background_color = glms_vec3_one() };
+    (void)state;
+    assert_true(generate_ice_cube(&scene.model.object, 4800));
+    scene.box = mesh_box(&scene.model.object);
+    const struct reference_request request = {
+        .scene = &scene,
+        .settings = &settings,
+        .width = SIDE,
+        .height = SIDE,
+        .samples = 64,
+        .layers = seen_layers(),
+        .linear = true,
+    };
+    const struct renderer_shot shot = {
+        .camera = camera_orbit(30, 20, 3, box_center(scene.box), 35),
+    };
+    struct render_result result = seen_trace(&request, &shot);
+    const float *green = image_find(&result.image, "G");
+    const float *rest = image_find(&result.image, "remaining.G");
+    double sum = 0, square = 0;
+    for (size_t k = 0; k < (size_t)SIDE * SIDE; k++) {
+        const double off = (double)green[k] - 1;
+        CHECK_NEAR(rest[k], 0, 1e-5);
+        assert_true(fabs(off) < 6 * 0.05);
+        sum += off;
+        square += off * off;
+    }
+    assert_true(square > 1e-3); /* there is noise */
+    assert_true(fabs(sum) < 3 * sqrt(square));
+    render_result_finish(&result);
+    scene_finish(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -394,6 +436,7 @@ int main(void)
         cmocka_unit_test(test_reflected_to_the_wrong_side),
         cmocka_unit_test(test_tilted_front),
         cmocka_unit_test(test_white_furnace),
+        cmocka_unit_test(test_roulette),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
