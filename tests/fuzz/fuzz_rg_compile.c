@@ -122,9 +122,10 @@ static const struct rg_fallback no_color = { { 0, 0, 0, NAN } };
 static const void *const fallbacks[CHOICES] = { NULL,    &white,    &white,    &white,
                                                 &bright, &negative, &infinite, &no_color };
 
-static const struct rg_set set = { "set" };
+static const struct rg_set own_set = { "own" };
 static const struct rg_set no_name = { NULL };
-static const void *const sets[CHOICES] = { NULL, NULL, NULL, NULL, NULL, &set, &set, &no_name };
+static const void *const sets[CHOICES] = { NULL, NULL,     NULL,     NULL,
+                                           NULL, &own_set, &own_set, &no_name };
 
 /* ---- fields ---- */
 
