@@ -21,7 +21,7 @@
 #define STRUCTURE_READ  VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR
 #define STRUCTURE_WRITE VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR
 #define ADDRESSED(usage) \
-    .buffer_usage = VK_BUFFER_USAGE_##usage | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT
+    .buffer_usage = (VK_BUFFER_USAGE_##usage | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT)
 #define STRUCTURE ADDRESSED(ACCELERATION_STRUCTURE_STORAGE_BIT_KHR)
 
 /* Name, stages, reads, writes, layout, image usage, buffer usage, format features, descriptors. */

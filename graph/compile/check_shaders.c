@@ -334,10 +334,25 @@ static void miss_binding(const struct shaders *s, const struct spirv *stage,
               "binding %u of '%s' is not in the row", v->binding, shader_of(stage));
 }
 
-static void check_bindings(const struct shaders *s)
+/* Checks a descriptor that stage `i` uses. */
+static void check_descriptor(const struct shaders *s, uint32_t i, const struct spirv_variable *v,
+                             uint32_t *missing)
 {
     static const VkPipelineStageFlags2 raster[] = { VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
                                                     VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT };
+    const struct rg_use *use = v->set ? NULL : find_binding(s->row, v->binding);
+    if (v->set == 1 && s->row->set)
+        return; /* the program's own */
+    if (use)
+        check_elements(s, s->stages[i], v, use,
+                       s->row->kind == RG_COMPUTE ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
+                                                  : raster[i]);
+    else if (!is_bound(s, i, v->binding))
+        miss_binding(s, s->stages[i], v, missing);
+}
+
+static void check_bindings(const struct shaders *s)
+{
     uint32_t missing = 0;
     bool has_own = false;
     for (uint32_t i = 0; i < s->count; i++) {
@@ -347,16 +362,8 @@ static void check_bindings(const struct shaders *s)
             if (!v->used ||
                 rg_spirv_descriptor(s->stages[i], v, &number) == VK_DESCRIPTOR_TYPE_MAX_ENUM)
                 continue;
-            const struct rg_use *use = v->set ? NULL : find_binding(s->row, v->binding);
             has_own = has_own || v->set == 1;
-            if (v->set == 1 && s->row->set)
-                continue;
-            if (use)
-                check_elements(s, s->stages[i], v, use,
-                               s->row->kind == RG_COMPUTE ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
-                                                          : raster[i]);
-            else if (!is_bound(s, i, v->binding))
-                miss_binding(s, s->stages[i], v, &missing);
+            check_descriptor(s, i, v, &missing);
         }
     }
     if (s->row->set && !has_own)

@@ -91,12 +91,15 @@ static bool writes_in(const struct rg_plan *plan, VkPipelineStageFlags2 stage)
 
 /* ---- what shaders declare to need ---- */
 
-#define NEEDS(number, of, field) \
+#define NEEDS(number, field, offset) \
     { \
-        number, "the feature " #field, offsetof(struct features, of.field) \
+        number, "the feature " #field, offset \
     }
-#define DESCRIPTORS(number, kind, indexing) \
-    NEEDS(number, v12, shader##kind##Array##indexing##Indexing)
+#define CORE(number, field)                 NEEDS(number, field, offsetof(struct features, core.features.field))
+#define V11(number, field)                  NEEDS(number, field, offsetof(struct features, v11.field))
+#define V12(number, field)                  NEEDS(number, field, offsetof(struct features, v12.field))
+#define RAYS(number, field)                 NEEDS(number, field, offsetof(struct features, queries.field))
+#define DESCRIPTORS(number, kind, indexing) V12(number, shader##kind##Array##indexing##Indexing)
 
 /* By the numbers of OpCapability (SPIR-V 1.6, section 3.31). */
 static const struct capability {
@@ -104,26 +107,26 @@ static const struct capability {
     const char *name;
     size_t offset; /* of the feature in struct features */
 } capabilities[] = {
-    NEEDS(9, v12, shaderFloat16),
-    NEEDS(10, core.features, shaderFloat64),
-    NEEDS(11, core.features, shaderInt64),
-    NEEDS(22, core.features, shaderInt16),
-    NEEDS(25, core.features, shaderImageGatherExtended),
-    NEEDS(27, core.features, shaderStorageImageMultisample),
-    NEEDS(28, core.features, shaderUniformBufferArrayDynamicIndexing),
-    NEEDS(29, core.features, shaderSampledImageArrayDynamicIndexing),
-    NEEDS(30, core.features, shaderStorageBufferArrayDynamicIndexing),
-    NEEDS(31, core.features, shaderStorageImageArrayDynamicIndexing),
-    NEEDS(32, core.features, shaderClipDistance),
-    NEEDS(33, core.features, shaderCullDistance),
-    NEEDS(35, core.features, sampleRateShading),
-    NEEDS(39, v12, shaderInt8),
-    NEEDS(55, core.features, shaderStorageImageReadWithoutFormat),
-    NEEDS(56, core.features, shaderStorageImageWriteWithoutFormat),
-    NEEDS(4472, queries, rayQuery),
-    NEEDS(4427, v11, shaderDrawParameters),
-    NEEDS(4433, v11, storageBuffer16BitAccess),
-    NEEDS(5302, v12, runtimeDescriptorArray),
+    V12(9, shaderFloat16),
+    CORE(10, shaderFloat64),
+    CORE(11, shaderInt64),
+    CORE(22, shaderInt16),
+    CORE(25, shaderImageGatherExtended),
+    CORE(27, shaderStorageImageMultisample),
+    CORE(28, shaderUniformBufferArrayDynamicIndexing),
+    CORE(29, shaderSampledImageArrayDynamicIndexing),
+    CORE(30, shaderStorageBufferArrayDynamicIndexing),
+    CORE(31, shaderStorageImageArrayDynamicIndexing),
+    CORE(32, shaderClipDistance),
+    CORE(33, shaderCullDistance),
+    CORE(35, sampleRateShading),
+    V12(39, shaderInt8),
+    CORE(55, shaderStorageImageReadWithoutFormat),
+    CORE(56, shaderStorageImageWriteWithoutFormat),
+    RAYS(4472, rayQuery),
+    V11(4427, shaderDrawParameters),
+    V11(4433, storageBuffer16BitAccess),
+    V12(5302, runtimeDescriptorArray),
     DESCRIPTORS(5304, UniformTexelBuffer, Dynamic),
     DESCRIPTORS(5305, StorageTexelBuffer, Dynamic),
     DESCRIPTORS(5306, UniformBuffer, NonUniform),
@@ -132,7 +135,7 @@ static const struct capability {
     DESCRIPTORS(5309, StorageImage, NonUniform),
     DESCRIPTORS(5311, UniformTexelBuffer, NonUniform),
     DESCRIPTORS(5312, StorageTexelBuffer, NonUniform),
-    NEEDS(5347, v12, bufferDeviceAddress),
+    V12(5347, bufferDeviceAddress),
 };
 
 /* Whether a shader declares a capability; it is that of a pipeline, which is sound SPIR-V. */
