@@ -91,14 +91,14 @@ static bool writes_in(const struct rg_plan *plan, VkPipelineStageFlags2 stage)
 
 /* ---- what shaders declare to need ---- */
 
-#define NEEDS(number, field, offset) \
+#define NEEDS(number, field, path) \
     { \
-        number, "the feature " #field, offset \
+        number, "the feature " #field, offsetof(struct features, path) \
     }
-#define CORE(number, field)                 NEEDS(number, field, offsetof(struct features, core.features.field))
-#define V11(number, field)                  NEEDS(number, field, offsetof(struct features, v11.field))
-#define V12(number, field)                  NEEDS(number, field, offsetof(struct features, v12.field))
-#define RAYS(number, field)                 NEEDS(number, field, offsetof(struct features, queries.field))
+#define CORE(number, field)                 NEEDS(number, field, core.features.field)
+#define V11(number, field)                  NEEDS(number, field, v11.field)
+#define V12(number, field)                  NEEDS(number, field, v12.field)
+#define RAYS(number, field)                 NEEDS(number, field, queries.field)
 #define DESCRIPTORS(number, kind, indexing) V12(number, shader##kind##Array##indexing##Indexing)
 
 /* By the numbers of OpCapability (SPIR-V 1.6, section 3.31). */
