@@ -418,6 +418,7 @@ enum status app_pose_scene(struct scene *scene, const struct app_scene *given, f
     struct reader_params reader = given->reader;
     reader.no_warnings = true; /* the first time has said them */
     params.decode = &reader;
+    params.before = scene;
     params.pose.time = time;
     params.later = false;
     const enum status status = scene_load(&posed, &params);

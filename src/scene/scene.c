@@ -231,6 +231,13 @@ static enum status load_background(struct scene *scene, const struct scene_param
     }
     if (!params->environment)
         return STATUS_OK;
+    if (params->before) {
+        scene->background = params->before->background;
+        scene->environment = params->before->environment;
+        scene->cube = params->before->cube;
+        scene->surface_light = params->before->surface_light;
+        return STATUS_OK;
+    }
     struct environment environment;
     char *path;
     enum status status = locate(params->environment, ASSET_ENVIRONMENT, &path);
@@ -379,7 +386,7 @@ static enum status add_surfaces(struct scene *scene)
     scene->material_rows = material_rows_make(&scene->model);
     scene->surface_split = surface_split_make();
     const bool needs_light = is_lit && scene->background == SCENE_ENVIRONMENT;
-    if (needs_light)
+    if (needs_light && !scene->surface_light)
         scene->surface_light = surface_light_make(&scene->environment);
     if (has_lights)
         scene->light_rows = light_rows_make(scene->model.lights, scene->model.light_count);
@@ -394,6 +401,15 @@ static enum status make_place_for_tree(struct scene *scene)
 {
     scene->tree = calloc(1, sizeof(*scene->tree));
     return scene->tree ? STATUS_OK : log_out_of_memory(NULL);
+}
+
+/* Of two scenes that have an environment, and the light of it if both have it, one owns them. */
+static void forget_environment(struct scene *scene, const struct scene *before)
+{
+    if (scene == before || scene->surface_light == before->surface_light)
+        scene->surface_light = NULL;
+    scene->environment = (struct environment){ 0 };
+    scene->cube = (struct environment){ 0 };
 }
 
 enum status scene_load(struct scene *scene, const struct scene_params *given)
@@ -436,6 +452,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = fill_object(scene, params);
     if (status == STATUS_OK)
         status = make_place_for_tree(scene);
+    if (params->before && params->environment)
+        forget_environment(status == STATUS_OK ? params->before : scene, params->before);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;

@@ -71,8 +71,10 @@ struct scene_params {
     const char *environment;  /* asset, or image file of the background or of a cube; NULL: none */
     float environment_turn;   /* of a picture of the background: environment.turn */
     float environment_exposure; /* of the file, stops */
-    const struct place *place;  /* of the model file; NULL: as it is */
-    struct model_pose pose;     /* of the model file; its objects are those of: */
+    struct scene *before; /* another pose of the same scene, which gives away its environment and
+                             the light of it; NULL: they are read */
+    const struct place *place; /* of the model file; NULL: as it is */
+    struct model_pose pose;    /* of the model file; its objects are those of: */
     const struct node_material *node_materials;
     uint32_t node_material_count;
     const vec3s *background;             /* colour; NULL: the sky */
