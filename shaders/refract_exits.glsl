@@ -24,6 +24,10 @@ layout(push_constant, scalar) uniform Push
 /* Places at which a ray only seems to leave, at most. */
 const uint exits_mistakes = 2u;
 
+/* Share of a pixel's light below which it is reflected at one more face, at most. Chains of total
+ * reflections are long in a cube, and all rays of a vector unit wait for the longest. */
+const float exits_weak = 0.1;
+
 /* A ray inside. */
 struct exits_ray {
     refract_way way; /* its direction is that towards the face */
@@ -42,23 +46,27 @@ struct exits_ray {
  * has just left, because texels are coarse. There the room jumps, or the face looks the other way;
  * the ray goes on behind the face that hides it.
  */
-void exits_next(march_space space, float inverse_eta, inout exits_ray ray)
+void exits_next(march_space space, float inverse_eta, bool is_weak, inout exits_ray ray)
 {
+    const uint bounces = space.march.bounces;
+    const uint last = is_weak ? min(ray.faces + 1u, bounces) : bounces;
     const uint most = space.march.bounces + exits_mistakes;
+    uint mistakes = 0u;
     bool hidden = false;
     ray.share = 0.0;
 #ifdef REFRACT_DRESS
     ray.tint = vec3(1.0);
 #endif
     ray.n = vec3(0.0);
-    for (uint i = 0u; ray.faces <= space.march.bounces && i <= most; i++) {
+    for (uint i = 0u; ray.faces <= last && i <= most; i++) {
         bool near_front, jumps;
         float t = march_seek(space, ray.way.point, ray.way.dir, hidden, near_front, jumps);
         ray.way.point += t * ray.way.dir;
         ray.way.path += t;
         vec3 n = march_nearer_normal(space, ray.way.point, near_front);
         bool is_found = dot(n, ray.way.dir) > 0.0;
-        hidden = (!is_found || jumps) && i < most;
+        hidden = (!is_found || jumps) && mistakes < exits_mistakes;
+        mistakes += hidden ? 1u : 0u;
         if (hidden)
             continue;
         float share = is_found ? optics_fresnel(ray.way.dir, n, inverse_eta) : 0.0;
@@ -88,7 +96,7 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
     vec3 light = vec3(0.0);
     float left = 1.0;
     for (uint i = 1u; i <= constant_refract_exits; i++) {
-        exits_next(space, 1.0 / eta, ray);
+        exits_next(space, 1.0 / eta, left < exits_weak, ray);
         refract_way leaving = ray.way;
         leaving.dir = optics_refract(ray.way.dir, -ray.n, 1.0 / eta);
         if (i == 1u)
