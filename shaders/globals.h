@@ -37,6 +37,7 @@ struct globals {
     vec3s absorb;            /* absorption coefficients of the object, 1 / metre */
     float refract_crossfade; /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
     ABI_STRUCT(surface_params) surface;
+    vec2s wide_share;           /* of the picture in ice_normal's wide maps */
     vec3s cube_center;          /* from which the environment cube was drawn, world, metres */
     vec3s local_min, local_max; /* of the box around the object, world, metres */
     float sample_share;         /* of the samples of a pixel: even in 0 to 1, 0.5 first */

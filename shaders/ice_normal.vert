@@ -10,5 +10,8 @@ layout(location = 0) out vec3 out_normal;
 void main()
 {
     gl_Position = frame.clip_from_world * vec4(pose_object(position), 1.0);
+#ifdef ICE_WIDE
+    gl_Position.xy *= frame.wide_share;
+#endif
     out_normal = pose_object_normal(normal);
 }

@@ -5,8 +5,9 @@
 
 struct refract_bounce_params {
     ABI_STRUCT(refract_march) march;
-    uint32_t exits; /* faces through which a ray's light leaves, at most */
-    float least;    /* share of a ray's light that is followed beyond its first exit, at least */
+    uint32_t exits;  /* faces through which a ray's light leaves, at most */
+    float least;     /* share of a ray's light that is followed beyond its first exit, at least */
+    uint32_t margin; /* 1: the wide maps are read where the object leaves the picture */
 };
 
 #endif

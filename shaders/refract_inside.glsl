@@ -20,8 +20,12 @@ layout(push_constant, scalar) uniform Push
 
 #ifdef REFRACT_BOUNCE
 layout(set = 0, binding = REFRACT_NORMAL_FRONT) uniform sampler2D normal_front;
-#ifndef REFRACT_SEEN
+#ifdef REFRACT_SEEN
+layout(set = 0, binding = REFRACT_DEPTH_FRONT_MAP) uniform sampler2D depth_front_map;
+#define MARCH_DEPTH_FRONT depth_front_map
+#else
 layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
+#define MARCH_DEPTH_FRONT depth_front
 #endif
 #endif
 
@@ -38,8 +42,13 @@ march_space march_space_of_frame()
 {
     mat4 m = refract_frame.clip_from_world;
     vec2 size = vec2(textureSize(depth_back, 0));
+#ifdef REFRACT_SEEN
+    vec2 picture = vec2(textureSize(shading, 0)); /* in the middle of the maps */
+#else
+    vec2 picture = size;
+#endif
     for (int i = 0; i < 4; i++)
-        m[i].xy = 0.5 * size * m[i].xy + (0.5 * size - 0.5) * m[i].w;
+        m[i].xy = 0.5 * picture * m[i].xy + (0.5 * size - 0.5) * m[i].w;
     return march_space(m, 1.0 / size, refract_frame.center, refract_frame.radius, REFRACT_MARCH);
 }
 
@@ -59,7 +68,7 @@ vec2 march_rooms(march_space space, vec4 at)
     float back = refract_depth_at(depth_back, texels, space.texel);
     vec2 rooms = vec2(fma(-back, at.w, at.z), -march_beside);
 #ifdef REFRACT_BOUNCE
-    rooms.y = fma(refract_depth_at(depth_front, texels, space.texel), at.w, -at.z);
+    rooms.y = fma(refract_depth_at(MARCH_DEPTH_FRONT, texels, space.texel), at.w, -at.z);
 #endif
     return at.w > 0.0 && back > 0.0 ? rooms : vec2(march_beside);
 }

@@ -23,14 +23,18 @@ enum status app_graph(const struct app_options *o)
     if (status != STATUS_OK)
         return status;
     status = app_camera(&camera, &scene, &p);
-    app_choose_rung(&p, &scene, status == STATUS_OK ? &camera : NULL);
+    if (status != STATUS_OK) {
+        scene_finish(&scene);
+        return status;
+    }
+    app_choose_rung(&p, &scene, &camera);
     struct renderer_params params = app_renderer_params(&p, NULL, &scene);
+    renderer_see(&params, &camera);
     params.samples = p.samples;
     params.layers = p.layers;
     params.linear = true;
     params.display = true;
-    if (status == STATUS_OK)
-        status = renderer_plan(&frame, &params);
+    status = renderer_plan(&frame, &params);
     if (status == STATUS_OK)
         dumps[o->run.format](frame.plan, stdout);
     frame_plan_finish(&frame);

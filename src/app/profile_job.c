@@ -11,6 +11,7 @@
 #include "src/image/file.h"
 #include "src/profile/html.h"
 #include "src/profile/json.h"
+#include "src/render/request.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 
@@ -123,7 +124,7 @@ enum status profile_job_measure(struct profile_job *job, const struct app_pictur
         const struct motion_params *motion = settings_of(&p.scene.settings, &motion_settings);
         request.time = (double)motion->time;
         request.renderer = app_renderer_params(&p, &job->gpu, &scene);
-        request.renderer.is_orthographic = request.camera.height > 0.0f;
+        renderer_see(&request.renderer, &request.camera);
         status = profile_measure(profile, &request, show_progress, job);
         progress_clear(&job->progress);
     }

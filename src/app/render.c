@@ -25,6 +25,7 @@
 #include "src/reference/reference_layers.h"
 #include "src/render/cpu_driver.h"
 #include "src/render/renderer.h"
+#include "src/render/request.h"
 #include "src/tech/refract_reference.h"
 
 struct job {
@@ -349,7 +350,7 @@ static enum status open_renderer(struct job *job)
     struct renderer_params params = app_renderer_params(p, &job->gpu, &job->scene);
     params.samples = p->samples;
     params.warm_up = true;
-    params.is_orthographic = job->camera.height > 0.0f;
+    renderer_see(&params, &job->camera);
     for (uint32_t i = 0; i < outputs->count; i++) {
         if (!path_ends_in(outputs->paths[i], ".png"))
             params.linear = true;

@@ -11,6 +11,7 @@
 #include "src/image/png.h"
 #include "src/ladder/canvas.h"
 #include "src/render/renderer.h"
+#include "src/render/request.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 #include "src/version.h"
@@ -132,7 +133,7 @@ static enum status draw(struct job *job, const struct app_picture *p, const stru
     struct renderer_params params = app_renderer_params(p, &job->gpu, scene);
     struct renderer *renderer = NULL;
     params.samples = p->samples;
-    params.is_orthographic = shot.camera.height > 0.0f;
+    renderer_see(&params, &shot.camera);
     params.display = true;
     enum status status = renderer_create(&renderer, &params);
     if (status == STATUS_OK)

@@ -140,16 +140,16 @@ static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t
     *extent = (uint32_t)(high - low) + 1;
 }
 
-VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals, float radii)
+/* Computes the pixels that a sphere around `center` covers, also beyond the picture, with a margin.
+ * Returns false if the eye is too near. */
+static bool span_both(const struct frame_view *view, vec3s center, float radius, int32_t x[2],
+                      int32_t y[2])
 {
     const struct camera_basis basis = camera_basis(&view->camera);
-    const vec3s to = glms_vec3_sub(globals->center, globals->eye);
-    const float radius = REACH_ROOM * globals->radius * (radii > 0.0f ? radii : 1.0f);
+    const vec3s to = glms_vec3_sub(center, view->camera.eye);
     const float up = tanf(radians(view->camera.fov_deg) / 2.0f);
     const float ahead = glms_vec3_dot(to, basis.forward);
     const float width = (float)view->width, height = (float)view->height;
-    VkRect2D reach = { .extent = { view->width, view->height } };
-    int32_t x[2], y[2];
     if (view->camera.height > 0.0f) {
         const float scale = height / view->camera.height;
         span_flat(glms_vec3_dot(to, basis.right), radius, width / 2.0f, scale, x);
@@ -158,8 +158,28 @@ VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *g
         span(glms_vec3_dot(to, basis.right), ahead, radius, width / 2.0f, up * width / height, x);
         span(-glms_vec3_dot(to, basis.up), ahead, radius, height / 2.0f, up, y);
     } else {
-        return reach;
+        return false;
     }
+    return true;
+}
+
+bool frame_view_is_beyond(const struct frame_view *view)
+{
+    const struct box box = view->scene->box;
+    int32_t x[2], y[2];
+    if (!span_both(view, box_center(box), box_diagonal(box) / 2.0f, x, y))
+        return true;
+    return x[0] < -REACH_MARGIN || x[1] > (int32_t)view->width + REACH_MARGIN ||
+           y[0] < -REACH_MARGIN || y[1] > (int32_t)view->height + REACH_MARGIN;
+}
+
+VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals, float radii)
+{
+    const float radius = REACH_ROOM * globals->radius * (radii > 0.0f ? radii : 1.0f);
+    VkRect2D reach = { .extent = { view->width, view->height } };
+    int32_t x[2], y[2];
+    if (!span_both(view, globals->center, radius, x, y))
+        return reach;
     clip(x, view->width, &reach.offset.x, &reach.extent.width);
     clip(y, view->height, &reach.offset.y, &reach.extent.height);
     return reach;

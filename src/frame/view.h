@@ -21,6 +21,9 @@ mat4s frame_view_earlier(const struct frame_view *view, const struct camera *ear
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
                           float radii);
 
+/* Returns whether the sphere around the object leaves the picture, or the eye is near to it. */
+bool frame_view_is_beyond(const struct frame_view *view);
+
 /* Returns the pixels of an image of `size` that may show a box, of one object or of all, which
  * turns with the objects and is enlarged by `room` radii on all sides, with a margin of a pixel;
  * the whole image if a corner of the box is before the near plane. `globals` is that of the object,

@@ -13,6 +13,7 @@
 #include "src/metric/flip.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
+#include "src/render/request.h"
 
 static const char *const colors[3] = { "R", "G", "B" };
 static const char *const directions[3] = { "exit.X", "exit.Y", "exit.Z" };
@@ -105,7 +106,7 @@ static enum status trace(struct ladder *ladder, const struct ladder_params *para
 static struct renderer_params renderer_params_of(const struct ladder_params *params,
                                                  const struct technique *rung)
 {
-    return (struct renderer_params){
+    struct renderer_params made = {
         .gpu = params->gpu,
         .scene = params->scene,
         .settings = params->settings,
@@ -114,9 +115,10 @@ static struct renderer_params renderer_params_of(const struct ladder_params *par
         .height = params->height,
         .samples = params->samples,
         .filter = params->filter,
-        .is_orthographic = params->shot.camera.height > 0.0f,
         .sharing = params->sharing,
     };
+    renderer_see(&made, &params->shot.camera);
+    return made;
 }
 
 static enum status draw(struct ladder_rung *rung, const struct ladder_params *params,

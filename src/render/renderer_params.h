@@ -19,7 +19,8 @@ struct renderer_params {
     uint32_t width, height; /* pixels */
     uint32_t face_size;     /* of the environment cube, texels; 0: by settings and height */
     uint32_t columns, rows; /* of tiles; each shot draws one tile; 0 means 1 */
-    bool is_orthographic;   /* the cameras of all shots are */
+    bool is_orthographic;   /* the cameras of all shots are; set by renderer_see(), as: */
+    bool is_beyond;         /* the object may leave the picture */
     bool interleaved;       /* tiles are interleaved: see renderer_shot */
     uint32_t samples;       /* per pixel; 0 means 1 */
     enum pixel_filter filter;

@@ -1,9 +1,25 @@
 /* request.c: what the renderer's plans draw and read back. */
 #include "src/render/request.h"
 #include "src/frame/trace.h"
+#include "src/frame/view.h"
 #include "src/scene/scene.h"
 #include "src/tech/bump.h"
+#include "src/tech/cracks.h"
 #include "src/tech/refract.h"
+#include "src/tech/refract_bounce.h"
+
+void renderer_see(struct renderer_params *params, const struct camera *camera)
+{
+    const struct frame_view view = {
+        .scene = params->scene,
+        .settings = params->settings,
+        .camera = *camera,
+        .width = params->width,
+        .height = params->height,
+    };
+    params->is_orthographic = camera->height > 0.0f;
+    params->is_beyond = frame_view_is_beyond(&view);
+}
 
 bool renderer_is_interleaved(const struct renderer_params *params)
 {
@@ -29,6 +45,17 @@ static bool is_dressed(const struct renderer_params *params)
            !bump.is_on(params->settings);
 }
 
+bool renderer_is_wide(const struct renderer_params *params)
+{
+    const struct refract_rung *rung = params->rung ? params->rung->rung.rows : NULL;
+    const struct cracks_params *cracks_of = settings_of(params->settings, &cracks_settings);
+    const struct refract_bounce_params *bounce =
+        settings_of(params->settings, &refract_bounce_settings);
+    return rung && rung->wide_uses && params->is_beyond && !params->scene->has_pool &&
+           params->scene->model.object_count == 1 && !is_dressed(params) &&
+           cracks_of->refract == CRACKS_REFRACT_OFF && bounce->margin;
+}
+
 static struct technique_choice choose(const struct renderer_params *params,
                                       enum technique_purpose purpose)
 {
@@ -40,6 +67,7 @@ static struct technique_choice choose(const struct renderer_params *params,
         .has_pool = params->scene->has_pool,
         .has_materials = params->scene->material_rows != NULL,
         .is_dressed = is_dressed(params),
+        .is_wide = purpose == TECHNIQUE_PICTURE && renderer_is_wide(params),
         .has_extras = params->scene->extra_rows != NULL,
         .meets_surroundings = params->rung && params->rung->rung.meets_tree &&
                               frame_trace_meets_surroundings(params->scene, params->settings),

@@ -13,6 +13,14 @@ struct frame_request renderer_capture_request(const struct renderer_params *para
 struct frame_request renderer_bake_request(const struct renderer_params *params);
 struct frame_request renderer_resolve_request(const struct renderer_params *params);
 
+/* Sets what of the params depends on the camera, of all shots, or if it moves, of the first. Scene
+ * and size are set. */
+void renderer_see(struct renderer_params *params, const struct camera *camera);
+
+/* Returns whether faces beyond the picture are drawn for rays inside the object; the renderers of
+ * pictures for which the answer differs are different ones. */
+bool renderer_is_wide(const struct renderer_params *params);
+
 /* Returns whether tiles are interleaved (struct renderer_shot) and there are several. */
 bool renderer_is_interleaved(const struct renderer_params *params);
 

@@ -59,6 +59,30 @@ const struct rg_image ice_normal_dress_shine = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
+const struct rg_image ice_normal_wide_back = {
+    .name = "ice_normal.wide_back",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .scale = ICE_NORMAL_WIDE,
+};
+
+const struct rg_image ice_normal_wide_back_depth = {
+    .name = "ice_normal.wide_back_depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .scale = ICE_NORMAL_WIDE,
+};
+
+const struct rg_image ice_normal_wide_front = {
+    .name = "ice_normal.wide_front",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .scale = ICE_NORMAL_WIDE,
+};
+
+const struct rg_image ice_normal_wide_front_depth = {
+    .name = "ice_normal.wide_front_depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .scale = ICE_NORMAL_WIDE,
+};
+
 /* Replaces frame_depth where that is kept. */
 static const struct rg_image front_test = {
     .name = "ice_normal.front_test",
@@ -71,7 +95,19 @@ static const struct rg_use bumped_uses[] = { FRAME_USE_GLOBALS, BUMP_USE_MAP, { 
 enum {
     BACK_ROW = 1, /* indices in `passes` */
     FRONT_ROW = 3,
+    WIDE_ROW = 4,
+    ROW_COUNT = 6,
 };
+
+#define WIDE_ROW_OF(side, culled) \
+    { \
+        .name = "ice_normal.wide_" #side, \
+        .color = RG_TARGETS({ &ice_normal_wide_##side, RG_LOAD_CLEAR }), \
+        .depth = { &ice_normal_wide_##side##_depth, RG_LOAD_CLEAR }, \
+        .depth_compare = VK_COMPARE_OP_GREATER, .uses = smooth_uses, \
+        .vert = &ice_normal_wide_vert, .frag = &ice_normal_frag, .vertices = &frame_mesh_layout, \
+        .cull = (culled), .record = frame_draw_object, \
+    }
 
 static const struct rg_pass passes[] = {
     {
@@ -111,6 +147,8 @@ static const struct rg_pass passes[] = {
         .cull = VK_CULL_MODE_BACK_BIT,
         .record = frame_draw_object,
     },
+    WIDE_ROW_OF(back, VK_CULL_MODE_FRONT_BIT),
+    WIDE_ROW_OF(front, VK_CULL_MODE_BACK_BIT),
 };
 
 #define CLEAR_TO_ONE \
@@ -185,7 +223,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
     const bool bumped = !choice->has_pool && bump.is_on(choice->settings);
-    const size_t count = sizeof(passes) / sizeof(passes[0]);
+    const size_t count = choice->is_wide ? ROW_COUNT : WIDE_ROW;
     struct rg_pass *rows = row_builder_rows(builder, passes, count);
     if (!rows || (choice->has_pool && !pool_has_ice(choice->settings)))
         return (struct rg_technique){ 0 };

@@ -22,4 +22,12 @@ extern const struct rg_image ice_normal_dress_shine;
 /* Their depth by globals.clip_from_world: near plane over distance; 0 without a face. */
 extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 
+/*
+ * The same of an area that is larger than the picture to all sides, by globals.wide_share, if
+ * technique_choice.is_wide: faces beyond the picture's edges, for rays inside the object.
+ */
+#define ICE_NORMAL_WIDE 1.5f
+extern const struct rg_image ice_normal_wide_back, ice_normal_wide_front;
+extern const struct rg_image ice_normal_wide_back_depth, ice_normal_wide_front_depth;
+
 #endif

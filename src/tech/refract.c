@@ -125,7 +125,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     const struct rg_use *const uses[] = {
         technique->rung.by_pixel ? pixel_uses : face_uses,
         technique->rung.by_pixel && is_layers ? scene_uses : NULL,
-        rung->uses,
+        choice->is_wide ? rung->wide_uses : rung->uses,
         bumped ? bump_uses : NULL,
         choice->is_dressed ? dress_uses : NULL,
     };

@@ -41,9 +41,10 @@ struct refract_rung {
     const struct rg_shader *dress_frag, *dress_layers_frag;
     /* NULL: refract.vert, or refract_bump.vert where bumps are shown. */
     const struct rg_shader *vert;
-    const struct rg_use *uses; /* besides frame_globals and the bump map; ends at {0} */
-    uint32_t push_size;        /* bytes of push constants; 0: none */
-    rg_record_fn *record;      /* NULL: frame_draw_object() */
+    const struct rg_use *uses;      /* besides frame_globals and the bump map; ends at {0} */
+    const struct rg_use *wide_uses; /* replace `uses` if technique_choice.is_wide; NULL: never */
+    uint32_t push_size;             /* bytes of push constants; 0: none */
+    rg_record_fn *record;           /* NULL: frame_draw_object() */
 };
 
 /* A rung's parts of a frame. The picture's row is drawn before the background, so that the depth

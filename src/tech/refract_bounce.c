@@ -7,9 +7,11 @@
  *
  * Error: as small as that of refract_search.c; on paths with total reflections one or a few degrees
  * on average on convex objects, because small errors grow from bounce to bounce. Of a concave
- * object only the nearest faces are known, and faces beyond the picture's edges are not.
+ * object only the nearest faces are known, and of one that leaves the picture none beyond the
+ * margin of refract_bounce.margin.
  */
 #include "src/tech/refract_bounce.h"
+#include <math.h>
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_bounce.h"
@@ -24,6 +26,16 @@ static const struct rg_use uses[] = {
     FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
     FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT_MAP),
+    { 0 },
+};
+
+static const struct rg_use wide_uses[] = {
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    FRAME_SAMPLE(ice_normal_wide_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_wide_back_depth, REFRACT_DEPTH_BACK),
+    FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_wide_front_depth, REFRACT_DEPTH_FRONT_MAP),
     { 0 },
 };
 
@@ -33,6 +45,7 @@ static const struct refract_rung rung = {
     .dress_frag = &refract_bounce_dress_frag,
     .dress_layers_frag = &refract_bounce_dress_aov_frag,
     .uses = uses,
+    .wide_uses = wide_uses,
     .push_size = sizeof(struct refract_bounce_params),
     .record = record_screen,
 };
@@ -88,6 +101,16 @@ static const struct setting rows[] = {
         .max = 1,
         .help = "share of a ray's light that is followed to a further exit, at least",
     },
+    {
+        .name = "refract_bounce.margin",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct refract_bounce_params, margin),
+        .initial = 1,
+        .max = 1,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "where one object leaves the picture, rays also meet its faces beyond the edges, "
+                "within a quarter of the picture's sides",
+    },
 };
 
 const struct setting_group refract_bounce_settings =
@@ -99,11 +122,23 @@ static void write_constants(const struct settings *settings, uint32_t *values)
     values[CONSTANT_REFRACT_EXITS] = params->exits;
 }
 
+/* As the images are, whose sizes are rounded up. */
+static float share_of(uint32_t view)
+{
+    return (float)view / ceilf((float)view * ICE_NORMAL_WIDE);
+}
+
+static void write_globals(const struct frame_view *view, struct globals *g)
+{
+    g->wide_share = (vec2s){ { share_of(view->width), share_of(view->height) } };
+}
+
 const struct technique refract_bounce = {
     .name = "refract_bounce",
     .help = "two refractions and the total reflections between them, searched among all faces",
     .settings = { &refract_bounce_settings },
     .parts = REFRACT_PARTS,
     .write_constants = write_constants,
+    .write_globals = write_globals,
     .rung = { .name = "bounce", .rows = &rung, .by_pixel = true },
 };

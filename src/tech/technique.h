@@ -38,6 +38,7 @@ struct technique_choice {
     bool has_pool;           /* the scene is a pool of water */
     bool has_materials;      /* surroundings have materials (scene.material_rows) */
     bool is_dressed;         /* the rung draws tints and textures of objects; with has_materials */
+    bool is_wide;            /* the rung's maps reach beyond the picture (ice_normal.h) */
     bool has_extras;         /* surroundings have scene.extra_rows */
     bool has_cube;           /* the scene has an environment cube of its own */
     bool keeps_depth;        /* the objects are drawn again, over the finished picture */

@@ -8,6 +8,7 @@
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/frame/list.h"
+#include "src/render/request.h"
 #include "src/scene/asset.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/tonemap.h"
@@ -103,7 +104,7 @@ struct renderer_params picture_params(struct picture *p)
 {
     struct renderer_params params = app_renderer_params(&p->state, p->gpu, &p->scene);
     params.uploaded = &p->uploaded;
-    params.is_orthographic = p->camera.height > 0.0f;
+    renderer_see(&params, &p->camera);
     params.replace = p->watch ? watch_replace : NULL;
     params.replace_user = p->watch;
     return params;
@@ -167,6 +168,18 @@ static enum status fit_renderer(const struct picture *p, struct renderer_params 
     return status;
 }
 
+static bool are_wide(struct picture *p)
+{
+    const struct renderer_params left = picture_params(p);
+    const struct renderer_params right = picture_right_params(p);
+    return renderer_is_wide(&left) || renderer_is_wide(&right);
+}
+
+bool picture_is_outgrown(struct picture *p)
+{
+    return p->renderer && are_wide(p) != p->is_wide;
+}
+
 static void forget_right(struct picture *p)
 {
     renderer_destroy(p->right);
@@ -189,6 +202,7 @@ static enum status fit_renderers(struct picture *p)
         forget_renderers(p);
         return status;
     }
+    p->is_wide = are_wide(p);
     p->version++;
     p->shows_mean = false;
     p->view = (VkExtent2D){ p->state.width, p->state.height };

@@ -46,6 +46,7 @@ struct picture {
     VkImage instead;  /* of the whole size, shown in place of all; NULL: nothing */
     bool shows_mean;  /* picture_left() and picture_right() are means of samples */
     VkExtent2D view;  /* of what they show, pixels */
+    bool is_wide;     /* renderer_is_wide() of one of the renderers */
     uint64_t version; /* another one whenever the renderers are */
 };
 
@@ -96,8 +97,12 @@ bool picture_is_split(const struct picture *picture); /* something is shown on t
 /* Turns the panorama around the scene, degrees. On failure it stays as it was. */
 MUST_USE enum status picture_turn(struct picture *picture, float degrees);
 
-/* Changes the renderers, if there are any: the watched shaders are others, or the projection. On
- * failure there are none: picture_resize() makes them. */
+/* Returns whether the camera has moved to where the renderers of its picture are different ones
+ * (renderer_is_wide()). */
+bool picture_is_outgrown(struct picture *picture);
+
+/* Changes the renderers, if there are any: the watched shaders are others, the projection, or what
+ * picture_is_outgrown() says. On failure there are none: picture_resize() makes them. */
 MUST_USE enum status picture_remake(struct picture *picture);
 
 /* Returns whether an animated model has the pose of a time, seconds; true of others. */

@@ -108,6 +108,11 @@ enum status view_refine_step(struct view *v, bool *drew)
         return STATUS_OK;
     const double start = clock_seconds();
     const struct renderer_shot shot = { .camera = r->seen.camera, .time = r->seen.time };
+    if (!r->count && picture_is_outgrown(v->picture)) {
+        screen_disconnect(&v->screen);
+        v->changed = true; /* other renderers draw from the beginning */
+        return picture_remake(v->picture);
+    }
     enum status status = r->count ? STATUS_OK : screen_wait(&v->screen);
     if (status == STATUS_OK)
         status = picture_refine(v->picture, &shot, r->count);

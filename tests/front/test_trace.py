@@ -29,6 +29,7 @@ class Trace(Case):
         self.assertTrue(all(a >= 0 for a, _ in pairs), 'below 0, or no number')
         error = sum(abs(min(a, 1) - min(b, 1)) for a, b in pairs) / len(pairs)
         self.assertLess(error, limit, words)
+        return error
 
     def write(self, name, *parts):
         (self.folder / name).write_text(boxes(*parts))
@@ -108,6 +109,15 @@ class Trace(Case):
             white = self.ground('sphere', *below, *rung)
             found = self.ground('sphere', *below, *traced, *rung, '--samples', 16)
             self.assertAlmostEqual(found / white, 1, delta=0.01)
+
+    def test_faces_beyond_the_picture(self):
+        """What rays of bounce meet beside a picture that the ice fills; tiles meet the same."""
+        near = ('ice-cube', *SIZE[:-2], '--orbit', '28,9,1.5', '--set', 'env_cube.size=256')
+        errors = [self.check(0.03, *near, '--set', f'refract_bounce.margin={margin}',
+                             rung=('-r', 'bounce')) for margin in ('on', 'off')]
+        self.assertLess(errors[0], 0.9 * errors[1])
+        self.assertEqual(*(self.planes(*near, '-r', 'bounce', *tiles)
+                           for tiles in ((), ('--tiles', '2x2'))))
 
     def test_furnace(self):
         self.write('nested.gltf', (glass(1.5), [0, 0, 0], 1), (glass(1.2), [0.1, 0.1, 0], 0.6),

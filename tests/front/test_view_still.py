@@ -3,7 +3,7 @@ import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import main  # noqa: E402
+from case import SMALL_CUBE, main  # noqa: E402
 from desktop import wait_until  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from test_view import png_pixels  # noqa: E402
@@ -103,6 +103,16 @@ class Still(PanelsCase):
         self.height = 300
         self.desktop.do('windowsize', '--sync', window, 640, self.height)
         self.expect(window, size=(390, 300 - 36 - 26))
+        self.close(window)
+
+    def test_ice_that_leaves_the_picture(self):
+        """Nearer, other renderers are made, whose maps reach beyond the picture."""
+        self.height = 340 + 36 + 26
+        window = self.start_with_panels('--samples', 3, scene='ice-cube',
+                                        plain=('--plain', '-r', 'bounce', *SMALL_CUBE))
+        for _ in range(7):
+            self.desktop.do('mousemove', '--window', window, *self.BESIDE, 'click', 4)
+        self.expect(window, '--eye')
         self.close(window)
 
 

@@ -166,6 +166,32 @@ static void test_reach_without_a_sphere(void **state)
     assert_true(reach.extent.height >= 1 && reach.extent.height < 8);
 }
 
+/* A ball of radius 1 that a camera frames, or that leaves the picture, or is near. */
+static void test_beyond(void **state)
+{
+    static const struct {
+        vec3s eye;
+        bool is_beyond;
+    } cases[] = {
+        { { { 0, 0, 4 } }, false }, { { { 0, 0, 2.2F } }, true }, { { { 0, 1, 4 } }, true },
+        { { { 2, 0, 5 } }, true },  { { { 0, 0, 0.5F } }, true },
+    };
+
+    const float half = 1 / sqrtf(3);
+    const struct scene scene = { .box = { { { -half, -half, -half } }, { { half, half, half } } } };
+    (void)state;
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+        const vec3s eye = cases[i].eye;
+        const struct frame_view view = {
+            .scene = &scene,
+            .camera = { .eye = eye, .target = { { eye.x, eye.y, 0 } }, .fov_deg = 45 },
+            .width = 64,
+            .height = 48,
+        };
+        assert_int_equal(frame_view_is_beyond(&view), cases[i].is_beyond);
+    }
+}
+
 /* The corners' pixels lie inside, the outermost close to each edge. */
 static void check_object_area(const struct frame_view *view, const struct globals *globals,
                               VkExtent2D size)
@@ -391,6 +417,7 @@ int main(void)
         cmocka_unit_test(test_eye_inside),
         cmocka_unit_test(test_reach_holds_the_sphere),
         cmocka_unit_test(test_reach_without_a_sphere),
+        cmocka_unit_test(test_beyond),
         cmocka_unit_test(test_object_area_holds_the_box),
         cmocka_unit_test(test_object_area_around_the_eye),
         cmocka_unit_test(test_bubbles_are_sorted),
