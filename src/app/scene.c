@@ -267,6 +267,23 @@ static bool can_trace(const struct model *model)
     return is_few && model->object_count <= TREE_SHELLS_MAX && indices / 3 <= TREE_TRIANGLES_MAX;
 }
 
+/* Names settings that somebody has given and that rays do not know: they meet smooth surfaces, and
+ * cracks as gaps. */
+static void warn_of_settings(const struct app_picture *picture)
+{
+    static const char *const unknown[] = { "bump.strength", "cracks.strength", "cracks.refract",
+                                           "cracks.clip", "cracks.surface" };
+    const struct app_scene *given = &picture->scene;
+    char words[120] = "";
+    for (size_t i = 0; i < sizeof(unknown) / sizeof(unknown[0]); i++) {
+        const size_t used = strlen(words);
+        if (given->is_set[settings_index(settings_find(unknown[i]))])
+            snprintf(&words[used], sizeof(words) - used, "%s%s", used ? ", " : "", unknown[i]);
+    }
+    if (words[0] && picture->rung->rung.meets_tree && !given->quiet)
+        log_warning("%s: no effect with --refraction trace", words);
+}
+
 void app_choose_rung(struct app_picture *picture, const struct scene *scene,
                      const struct camera *camera)
 {
@@ -286,6 +303,7 @@ void app_choose_rung(struct app_picture *picture, const struct scene *scene,
     if (picture->rung->rung.rows && air_is_medium(&picture->scene.settings))
         log_warning("air.model=medium: drawn as planes; --refraction reference draws a medium");
     warn_of_bubbles(picture, scene);
+    warn_of_settings(picture);
 }
 
 /* Whoever made a file may not have meant it to be ice. */

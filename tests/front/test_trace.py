@@ -164,6 +164,13 @@ class Trace(Case):
         self.assertRegex(lines('trace'), r'\ntree: \d{3,} triangles, \d+\.\d+ ms, 0\.\d MiB\n')
         self.assertNotIn('tree:', lines('bounce'))
 
+    def test_settings_without_effect_are_named(self):
+        words = ('render', 'sphere', *FLAT, '--plain', '-s', '16x12', '-o', 'a.exr', '--set',
+                 'bump.strength=0.5', '--set', 'cracks.clip=convex')
+        named = b'bump.strength, cracks.clip: no effect with --refraction trace'
+        self.assertIn(named, self.succeed(*words, '-r', 'trace').stderr)
+        self.assertNotIn(b'no effect', self.succeed(*words, '-r', 'paper').stderr)
+
     def test_too_many_materials(self):
         self.write('many.gltf', *((glass(name=f'glass {i}'), [3 * i, 0, 0], 1)
                                   for i in range(256)))
