@@ -1,7 +1,7 @@
 """What the rung trace costs, and how its error falls with samples.
 
 rays.py FIRN [TURNS]: prints
-- frames of an ice cube, in turns, as multiples of bounce's with one exit;
+- frames of an ice cube and the teapot, in turns, as multiples of bounce's with one exit;
 - the exponent of the frame's time in the number of a sphere's triangles;
 - the exponent of the mean error in the number of samples, of three rough boxes, to 1024 samples.
 """
@@ -21,12 +21,17 @@ from gltf_file import boxes, glass  # noqa: E402
 
 FIRN = sys.argv[1]
 TURNS = int(sys.argv[2]) if len(sys.argv) > 2 else 7
-PICTURE = ('--plain', '--size', '512x384')
+PICTURE = ('--plain', '--size', '1024x768', '--set', 'env_cube.size=512',
+           '--set', 'refract.steps=4')
 BOUNCE = ('-r', 'bounce', '--set', 'refract_bounce.exits=1')
 TRACE = ('-r', 'trace')
-KINDS = {'default': (), 'trace.branch=0': ('--set', 'trace.branch=0'),
-         'trace.surroundings=rays': ('--set', 'trace.surroundings=rays')}
-VIEWS = {'fills a fifth': (), 'fills the picture': ('--fov', '20')}
+CUBE = ('--set', 'trace.surroundings=cube')
+RAYS = ('--set', 'trace.surroundings=rays')
+EXACT = ('--set', 'trace.branch=0')
+KINDS = {'default': CUBE, 'trace.branch=0': CUBE + EXACT, 'trace.surroundings=rays': RAYS,
+         'both': RAYS + EXACT}
+VIEWS = {'ice cube that fills a fifth': ('ice-cube',),
+         'ice cube that fills the picture': ('ice-cube', '--fov', '20'), 'teapot': ('teapot',)}
 TRIANGLES = (1000, 4000, 16000, 64000, 256000)
 SAMPLES = (1, 4, 16, 64)
 
@@ -52,10 +57,10 @@ def beside_bounce(view, words):
     ratios = {name: [] for name in KINDS}
     for _ in range(TURNS):
         for name, settings in KINDS.items():
-            plain = frame('ice-cube', *words, *BOUNCE)
-            ratios[name].append(frame('ice-cube', *words, *TRACE, *settings) / plain)
+            plain = frame(*words, *BOUNCE)
+            ratios[name].append(frame(*words, *TRACE, *settings) / plain)
     for name, found in ratios.items():
-        print(f'ice cube that {view}, {name}: {statistics.median(found):.2f} of bounce with one '
+        print(f'{view}, {name}: {statistics.median(found):.2f} of bounce with one '
               f'exit ({min(found):.2f} to {max(found):.2f})')
 
 
