@@ -240,7 +240,7 @@ static void warn_of_remaining(const struct job *job)
     if (count && !job->o.run.quiet)
         log_warning("--refraction reference: light paths were cut: up to %.2g of a pixel's light "
                     "is missing, more than %g in %llu pixel%s (layer remaining): raise "
-                    "reference.bounces or lower reference.cutoff",
+                    "reference.bounces, lower reference.cutoff, or set reference.roulette=on",
                     job->remaining, REFERENCE_REMAINING_MAX, count, count > 1 ? "s" : "");
 }
 
