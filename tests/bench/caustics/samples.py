@@ -17,9 +17,9 @@ sys.path.append(str(TESTS / 'front'))
 from case import environment  # noqa: E402
 from exr_file import Exr  # noqa: E402
 
-COUNTS, TRUTH = (1, 4, 16, 64), 1024
-METHODS = {'naive': ('caustics.photons=100000',),
-           'gather': ('caustics.directions=16', 'caustics.cone=10', 'caustics.sun=2')}
+COUNTS, TRUTH = (1, 4, 16, 64), 256
+METHODS = {'naive': ('caustics.photons=30000',),
+           'gather': ('caustics.directions=4', 'caustics.cone=10', 'caustics.sun=4')}
 WORDS = ('pool', '--size', '96x72', '--pixel-filter', 'point', '-q', '--aov', 'caustics', '--eye',
          '0,4.6,0.01', '--target', '0,0,0')
 
