@@ -271,14 +271,20 @@ static bool can_trace(const struct model *model)
  * cracks as gaps. */
 static void warn_of_settings(const struct app_picture *picture)
 {
-    static const char *const unknown[] = { "bump.strength", "cracks.strength", "cracks.refract",
-                                           "cracks.clip", "cracks.surface" };
+    static const struct {
+        const char *name;
+        const struct technique *of;
+    } unknown[] = {
+        { "bump.strength", &bump }, { "cracks.strength", &cracks }, { "cracks.refract", &cracks },
+        { "cracks.clip", &cracks }, { "cracks.surface", &cracks },
+    };
     const struct app_scene *given = &picture->scene;
     char words[120] = "";
     for (size_t i = 0; i < sizeof(unknown) / sizeof(unknown[0]); i++) {
         const size_t used = strlen(words);
-        if (given->is_set[settings_index(settings_find(unknown[i]))])
-            snprintf(&words[used], sizeof(words) - used, "%s%s", used ? ", " : "", unknown[i]);
+        if (given->is_set[settings_index(settings_find(unknown[i].name))] &&
+            unknown[i].of->is_on(&given->settings))
+            snprintf(&words[used], sizeof(words) - used, "%s%s", used ? ", " : "", unknown[i].name);
     }
     if (words[0] && picture->rung->rung.meets_tree && !given->quiet)
         log_warning("%s: no effect with --refraction trace", words);
