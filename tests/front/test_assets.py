@@ -110,7 +110,7 @@ class Names(Case):
         for name in SCENES:
             self.assertRegex(scenes, rf'(?m)^  {name} +\w')
         environments = self.succeed('list', 'environments').stdout.decode()
-        for name in ('studio', 'alps', 'valley'):
+        for name in ('studio', 'window', 'alps', 'valley'):
             self.assertRegex(environments, rf'(?m)^  {name} +\w')
 
     def test_a_picture(self):
@@ -147,14 +147,14 @@ class Folders(Case):
         shutil.copy(Case.program, program)
         built, Case.program = Case.program, str(program)
         try:
-            self.refuse(NO_INPUT, 'graph', 'drink', names=["'drink'", 'FIRN_ASSETS'])
+            self.refuse(NO_INPUT, 'graph', 'hollow', names=["'hollow'", 'FIRN_ASSETS'])
             (self.folder / 'a.gltf').write_text(boxes((glass(), [0, 0, 0], 1)))
             done = self.succeed('graph', 'a.gltf')
             self.assertEqual(len(done.stderr.splitlines()), 1)
             self.assertIn(b'studio.exr: not found, so the surroundings are', done.stderr)
             (self.folder / 'share').mkdir()
             (self.folder / 'share' / 'firn').symlink_to(ASSETS)
-            self.succeed('graph', 'drink', '--env', 'studio')
+            self.succeed('graph', 'hollow', '--env', 'studio')
         finally:
             Case.program = built
 
