@@ -21,7 +21,7 @@ CUBES = (
     ((-0.0071, 0.0335, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
 )
 STRAW = ((-0.0195, 0.0137, 0.0), (0.0375, 0.1341, -0.036), 0.0026)  # foot, top, radius
-DROPS = (2400, 0.00015, 0.00095)  # that are tried; least and greatest radius
+DROPS = (1500, 0.0002, 0.0011)  # that are tried; least and greatest radius
 TRACKS = 9  # of drops that ran down
 
 

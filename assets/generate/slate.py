@@ -94,7 +94,7 @@ def wetness(x, z):
     for pool in POOLS:
         near = max(near, 1 - smoothstep(0.9, 2.4, in_pool(pool, x, z)))
     patches = 0.5 * rough(x / 0.03, z / 0.02, 21) + 0.35 * rough(x / 0.009, z / 0.007, 22)
-    return smoothstep(-0.15, 0.42, 0.95 * near - 0.36 + patches)
+    return smoothstep(-0.2, 0.3, 0.95 * near - 0.28 + patches)
 
 
 def place(i, j):
@@ -248,7 +248,7 @@ def water():
 
 def block():
     """Flat below, where it has melted onto the stone."""
-    mesh = ice(HALF, 44, 17, exponent=8, waves=0.0006, cell=0.0052, bulge=0.04, stretch=1.9)
+    mesh = ice(HALF, 44, 17, exponent=8, waves=0.00075, cell=0.005, bulge=0.04, stretch=1.9)
     mesh.placed(TURN, MIDDLE)
 
     def pressed(p):
