@@ -520,19 +520,21 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
 #endif
 }
 
-/* Traces the three colours apart where their indices differ; what is no colour is of green. */
+/* Traces the colours apart where their indices differ; the first, green, has what is no colour.
+ * Drivers copy functions to where they are called: a second call would double what they compile. */
 void trace_colors(vec3 eye, vec3 e)
 {
-    trace_pixel(eye, e, 1);
-    if (constant_refract_colors > 1u) {
-        trace_seen all = seen;
-        for (int channel = 0; channel < 3; channel += 2) {
-            trace_pixel(eye, e, channel);
-            all.refraction[channel] = seen.refraction[channel];
-            all.reflection[channel] = seen.reflection[channel];
-        }
-        seen = all;
+    trace_seen all;
+    int count = constant_refract_colors > 1u ? 3 : 1;
+    for (int i = 0; i < count; i++) {
+        int channel = i == 0 ? 1 : 2 * (i - 1);
+        trace_pixel(eye, e, channel);
+        if (i == 0)
+            all = seen;
+        all.refraction[channel] = seen.refraction[channel];
+        all.reflection[channel] = seen.reflection[channel];
     }
+    seen = all;
 }
 
 /* Returns the picture's depth of a point. */

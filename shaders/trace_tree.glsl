@@ -232,14 +232,16 @@ trace_hit trace_meet(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
 #ifdef TRACE_RAYS
-    for (int part = 0; part < TREE_INCLUSIONS; part++)
-        if (trace.roots[part] != TREE_NOTHING)
-            trace_meet_posed(start, part, is_active, hit);
+    const int step = 1, last_around = TREE_MOVERS;
 #else
-    trace_meet_posed(start, TREE_OBJECTS, is_active, hit);
+    const int step = TREE_INCLUSIONS, last_around = TREE_OBJECTS;
 #endif
-    if (trace_has(TRACE_HAS_INCLUSIONS))
-        trace_meet_posed(start, TREE_INCLUSIONS, is_active && start.meets_inclusions, hit);
+    int last = trace_has(TRACE_HAS_INCLUSIONS) ? TREE_INCLUSIONS : last_around;
+    for (int part = TREE_OBJECTS; part <= last; part += step) {
+        bool is_met = part != TREE_INCLUSIONS || start.meets_inclusions;
+        if (trace.roots[part] != TREE_NOTHING)
+            trace_meet_posed(start, part, is_active && is_met, hit);
+    }
     return hit;
 }
 
