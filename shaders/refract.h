@@ -6,13 +6,15 @@
 #define REFRACT_ENV_CUBE 1 /* radiance around the object */
 /* Bindings of rungs that read outward normals, and depth by globals.clip_from_world, 0 without a
  * face. */
-#define REFRACT_NORMAL_BACK     2
-#define REFRACT_DEPTH_BACK      3
-#define REFRACT_NORMAL_FRONT    4
-#define REFRACT_DEPTH_FRONT     5
-#define REFRACT_SHADING         7  /* of refract_seen.glsl */
-#define REFRACT_DEPTH_FRONT_MAP 11 /* of rungs that march among front faces with REFRACT_SEEN */
-#define REFRACT_DEPTH_SCENE     8  /* of refract_seen.glsl */
+#define REFRACT_NORMAL_BACK  2
+#define REFRACT_DEPTH_BACK   3
+#define REFRACT_NORMAL_FRONT 4
+#define REFRACT_DEPTH_FRONT  5
+#define REFRACT_SHADING      7 /* of refract_seen.glsl */
+#define REFRACT_DEPTH_SCENE  8 /* of refract_seen.glsl */
+/* Of rungs that march among front faces with REFRACT_SEEN. */
+#define REFRACT_DEPTH_FRONT_MAP 12
+
 /* Bindings of rungs with REFRACT_DRESS, of ice_normal.c's images. */
 #define REFRACT_DRESS_FRONT 9
 #define REFRACT_DRESS_BACK  10
