@@ -16,7 +16,7 @@ import unittest
 import zlib
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL, Case, main  # noqa: E402
+from case import DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL, Case, main, unsanitized  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -30,6 +30,7 @@ TRACED = ['--refraction', 'reference']
 
 class Generators(Case):
     @unittest.skipIf('ng' in zlib.ZLIB_RUNTIME_VERSION, 'zlib-ng packs other bytes')
+    @unsanitized
     def test_they_make_the_files(self):
         importlib.import_module('make').main(self.folder)
         made = self.files()
@@ -178,6 +179,7 @@ class Studio(Case):
         for words in ('sphere',), ('a.gltf', '--background', '1,1,1'):
             self.assertNotIn(' env=', self.draw(*words)[1])
 
+    @unsanitized
     def test_an_asset_in_its_own(self):
         """With its own settings, unless options say otherwise."""
         pixels, words = self.draw('slate')

@@ -14,7 +14,7 @@ import zlib
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
-from case import Case, main  # noqa: E402
+from case import Case, main, unsanitized  # noqa: E402
 from exr_file import Exr, write_exr  # noqa: E402
 
 COLUMNS, ROWS, SIDE, DISTANCE = 8, 7, 8, 400  # SIDE: pixels of a card and the gap around it
@@ -302,6 +302,7 @@ class Surfaces(Cards):
                   normal=tuple(-x for x in TILT))
         self.check_all()
 
+    @unsanitized
     def test_places_in_textures(self):
         red, green, blue, grey = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (99,) * 4
         four = self.scene.texture(red, green, blue, grey, width=2)
@@ -331,6 +332,7 @@ class Surfaces(Cards):
         self.card('two transforms', glow, uv=at(0.25, 0.25), is_=(0, 1, 0))
         self.check_all()
 
+    @unsanitized
     def test_two_sets(self):
         """Textures of two sets of coordinates, and tangents, which go before the coordinates."""
         texture = self.scene.texture
@@ -395,6 +397,7 @@ class Surfaces(Cards):
                          b'firn: warning: a.gltf: not drawn: textures of a third set of '
                          b'coordinates\n')
 
+    @unsanitized
     def test_lights(self):
         matt = extended(pbr((0.5, 0.25, 1, 1)), materials_specular={'specularFactor': 0})
         lamp = (0.5, 0, 7)

@@ -10,7 +10,8 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, main  # noqa: E402
+from case import (  # noqa: E402
+    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, main, unsanitized)
 from exr_file import Exr  # noqa: E402
 from test_show import Png  # noqa: E402
 
@@ -125,6 +126,7 @@ class Numbers(LadderCase):
         self.assertGreater(said['rungs']['one-sided']['ms'], 0)
         self.assertGreater(said['reference_ms'], 0)
 
+    @unsanitized
     def test_several_scenes(self):
         words = ('--size', '48x36', '--rungs', 'paper,bounce', '--runs', 0)
         one = self.ladder('ice-cube', *words)
@@ -165,6 +167,7 @@ class Numbers(LadderCase):
         self.assertLess(masked['rungs']['paper']['truth'], said['rungs']['paper']['truth'] / 2)
         self.assertIn('truth', self.succeed('ladder', *words).stdout.decode())
 
+    @unsanitized
     def test_the_independent_truth(self):
         """A path tracer's picture of an irregular cube in a finite landscape."""
         said = self.ladder(DATA_FOLDER / 'cube.obj', '--surroundings',
@@ -240,6 +243,7 @@ class Pictures(LadderCase):
 
 
 class Furnace(LadderCase):
+    @unsanitized
     def test_what_takes_no_light_shows_1(self):
         for scene in ('sphere', 'ice-cube'):
             said = self.ladder(scene, *SIZE, '--runs', 0)

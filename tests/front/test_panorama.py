@@ -3,7 +3,7 @@ import math
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_DRIVER, PLAIN, SMALL, SMALL_CUBE, Case, main  # noqa: E402
+from case import DATA, NO_DRIVER, PLAIN, SMALL, SMALL_CUBE, Case, main, unsanitized  # noqa: E402
 from exr_file import Exr, attribute, write_exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -142,6 +142,7 @@ class Panorama(Case):
         for value, light_of_sun in zip(found, sun):
             self.assertAlmostEqual(value, 0.5 * (0.25 + light_of_sun * rise), delta=delta)
 
+    @unsanitized
     def test_the_sun_of_a_file_lights_surfaces(self):
         sun, dark = (0.8, 0.6, 0.4), (0, 0, 0)
         own = ('--set', 'env.sun=own', '--set', 'env.sun_strength=0.3', '--set')
@@ -162,6 +163,7 @@ class Panorama(Case):
                     if rung != 'bounce':  # which looks up the environment cube
                         self.check_light(seen_there['through'], light_there, height)
 
+    @unsanitized
     def test_objects_have_shadows(self):
         """The sun is turned with the panorama, from +Z to +X, so the shadow is beside the box."""
         for rung in ('reference', 'bounce', 'trace'):

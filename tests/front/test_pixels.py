@@ -5,7 +5,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
-from case import DATA, PLAIN, USAGE, Case, main  # noqa: E402
+from case import DATA, PLAIN, USAGE, Case, main, unsanitized  # noqa: E402
 from exr_file import Exr, attribute, write_exr  # noqa: E402
 from png_file import Png  # noqa: E402
 
@@ -235,6 +235,7 @@ class Environment(Pixels):
         cube = ('render', *TINY, '--env', 'cube.exr', '-o', 'a.exr')
         self.refuse(USAGE, *cube, '--env-rotate', '45', names=['--env-rotate', 'cube'])
 
+    @unsanitized
     def test_other_chromaticities(self):
         def bake(color, *primaries):
             more = attribute('chromaticities', 'chromaticities', struct.pack('<8f', *primaries)) \

@@ -3,7 +3,8 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, CRACKED, DATA, NO_DRIVER, NO_INPUT, SMALL_CUBE, USAGE, WRITE, Case, long, main)
+    CANT_CREATE, CRACKED, DATA, NO_DRIVER, NO_INPUT, SMALL_CUBE, USAGE, WRITE, Case, long, main,
+    unsanitized)
 from exr_file import Exr  # noqa: E402
 
 ICE = ('ice-cube', '--refraction', 'bounce', '--size', '96x64', '--set', 'cracks.count=4', '--set',
@@ -33,6 +34,7 @@ class Tiles(Tiled):
         for kind in ('exr', 'png'):
             self.assertTrue(self.read(f'tiled.{kind}') == self.read(f'whole.{kind}'))
 
+    @unsanitized
     def test_the_picture_in_one(self):
         for tiles, count, more in (
                 ('2x2', 4, ()),

@@ -4,7 +4,7 @@ import math
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import FLAT, NO_DRIVER, SMALL_CUBE, Case, main  # noqa: E402
+from case import FLAT, NO_DRIVER, SMALL_CUBE, Case, main, unsanitized  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -34,6 +34,7 @@ class Trace(Case):
     def write(self, name, *parts):
         (self.folder / name).write_text(boxes(*parts))
 
+    @unsanitized
     def test_nested(self):
         # a pixel of dew is many lenses
         for scene, limit in (('hollow', 0.003), ('amber', 0.003), ('drink', 0.025)):
@@ -59,6 +60,7 @@ class Trace(Case):
         self.check(0.004, 'sphere', *SIZE, '--set', 'trace.surroundings=rays',
                    '--set', 'refract.fresnel=exact', '--surroundings', 'floor.obj')
 
+    @unsanitized
     def test_rough(self):
         self.write('rough.gltf', (glass(1.5, roughness=0.3), [0, 0, 0], 1),
                    (glass(1.5), [2.5, 0, -2], 1))
@@ -66,6 +68,7 @@ class Trace(Case):
         self.check(0.02, *words)
         self.assertEqual(*(self.planes(*words, '-r', 'trace') for _ in range(2)))
 
+    @unsanitized
     def test_bubbles_and_cracks(self):
         """Met as the reference does, from outside and from inside the ice."""
         inclusions = ('--set', 'bubbles.count=60', '--set', 'bubbles.size=0.1', '--set',
@@ -119,6 +122,7 @@ class Trace(Case):
         self.assertEqual(*(self.planes(*near, '-r', 'bounce', *tiles)
                            for tiles in ((), ('--tiles', '2x2'))))
 
+    @unsanitized
     def test_furnace(self):
         self.write('nested.gltf', (glass(1.5), [0, 0, 0], 1), (glass(1.2), [0.1, 0.1, 0], 0.6),
                    (glass(thickness=0), [2.5, 0, -2], 1))
@@ -128,6 +132,7 @@ class Trace(Case):
         light = self.planes('teapot', *WHITE, *SIZE, '-r', 'trace')
         self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
 
+    @unsanitized
     def test_no_light_is_made(self):
         """What is opaque or absorbs takes light, and so do rough surfaces, whose light is scattered
         once alone; none adds any."""
@@ -142,6 +147,7 @@ class Trace(Case):
             self.assertTrue(all(0 <= x < 1.002 for x in found), scene)
             self.assertLess(1 - sum(found) / len(found), most, scene)
 
+    @unsanitized
     def test_many_objects(self):
         """Sets of objects are other ones if there are many, with the same pictures."""
         kinds = [glass(1.3 + 0.1 * k, color=[1, 1 - 0.2 * k, 0.6 + 0.2 * k]) for k in range(3)]

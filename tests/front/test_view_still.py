@@ -3,7 +3,7 @@ import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import SMALL_CUBE, main  # noqa: E402
+from case import SMALL_CUBE, main, unsanitized  # noqa: E402
 from desktop import wait_until  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from test_view import png_pixels  # noqa: E402
@@ -78,6 +78,7 @@ class Still(PanelsCase):
                    act=lambda: self.click(window, 'as it is'))
         self.close(window)
 
+    @unsanitized
     def test_samples_are_those_of_render(self):
         """At first, and whatever happened in between; then nothing is drawn any more."""
         self.height = 340 + 36 + 26
