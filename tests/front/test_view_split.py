@@ -223,6 +223,9 @@ class FirstMinutes(PanelsCase):
         self.press(window, 'F1')
         self.do('find a setting', 2, [key('ctrl+k'), lambda: self.desktop.do('type', 'shini')],
                 lambda: self.control('surface.shininess'))
+        self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
+        self.press(window, 'slash')  # a line of text has the keys: Ctrl still acts
+        self.press_until(window, 'ctrl+s', 'a session', lambda: self.label('saved /'))
         self.press(window, 'Escape')
         self.do('open my model', 1, [lambda: self.desktop.drop(window, model)],
                 lambda: self.desktop.ask('xdotool', 'search', '--name', 'shape.obj'))

@@ -193,13 +193,21 @@ static bool hear_palette(struct ui *ui, const struct window_event *event)
     return true;
 }
 
+/* With Ctrl only a line of text has keys of its own; all others act even while one is typed. */
+static bool is_for_text(const struct window_event *event)
+{
+    return event->code == GLFW_KEY_A || event->code == GLFW_KEY_C || event->code == GLFW_KEY_V ||
+           event->code == GLFW_KEY_X || event->code == GLFW_KEY_Y || event->code == GLFW_KEY_Z ||
+           event->code == GLFW_KEY_LEFT || event->code == GLFW_KEY_RIGHT ||
+           event->code == GLFW_KEY_BACKSPACE || event->code == GLFW_KEY_DELETE;
+}
+
 /* Keys that do something within a panel that has them; all others are for the picture even then. */
 static bool hear_key(struct ui *ui, const struct window_event *event)
 {
     const bool function = event->code >= GLFW_KEY_F1 && event->code <= GLFW_KEY_F25;
-    /* with Ctrl only a line of text has keys of its own */
-    const bool kept =
-        !function && (event->control ? imgui_has_text(ui->imgui) : ui->held || has_keys(ui));
+    const bool kept = !function && (event->control ? imgui_has_text(ui->imgui) && is_for_text(event)
+                                                   : ui->held || has_keys(ui));
     if (event->down && event->code == GLFW_KEY_F6) {
         ui->focus_panel = true;
         ui->searches = false;
