@@ -210,8 +210,8 @@ struct rg_target {
     uint32_t resolve_mip, resolve_layer; /* of `resolve`, counted as `mip` and `layer` are */
 };
 
-/* The SPIR-V code of one shader stage; its entry point is "main", its descriptors are in set 0.
- * rg_compile() compares it with the rows that name it. */
+/* The SPIR-V code of one shader stage; its entry point is "main", its descriptors are in set 0, and
+ * in set 1 where the row has a `set`. rg_compile() compares it with the rows that name it. */
 struct rg_shader {
     const char *name;      /* for captures and messages */
     const uint32_t *words; /* the module; borrowed */
