@@ -11,6 +11,7 @@
 #include "src/render/renderer.h"
 #include "src/scene/asset.h"
 #include "src/scene/material.h"
+#include "src/scene/material_rows.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
@@ -290,6 +291,17 @@ static void warn_of_settings(const struct app_picture *picture)
         log_warning("%s: no effect with --refraction trace", words);
 }
 
+/* Names the shadows that a rung leaves out where a file's surroundings are lit. */
+static void warn_of_ground(const struct app_picture *picture, const struct scene *scene)
+{
+    const struct ground_params *ground = settings_of(&picture->scene.settings, &ground_settings);
+    const struct technique_rung *rung = &picture->rung->rung;
+    if (ground->light == GROUND_TRACED && rung->rows && !rung->meets_tree && scene->material_rows &&
+        material_rows_has_lit(&scene->model.surroundings) && !picture->scene.quiet)
+        log_note("ground.light=traced: drawn without, as if nothing were in the way of light; "
+                 "--refraction trace draws it");
+}
+
 void app_choose_rung(struct app_picture *picture, const struct scene *scene,
                      const struct camera *camera)
 {
@@ -306,6 +318,7 @@ void app_choose_rung(struct app_picture *picture, const struct scene *scene,
         log_warning("%s: the eye is inside an object, which %s draws as seen from outside, so "
                     "that it is missing; --refraction trace draws this view",
                     picture->scene.name, picture->rung->rung.name);
+    warn_of_ground(picture, scene);
     if (picture->rung->rung.rows && air_is_medium(&picture->scene.settings))
         log_warning("air.model=medium: drawn as planes; --refraction reference draws a medium");
     warn_of_bubbles(picture, scene);
