@@ -312,3 +312,27 @@ void settings_print(const struct settings *settings, const struct setting *row, 
     else
         settings_print_number((float)value, out);
 }
+
+static bool is_changed(const struct settings *settings, const struct settings *defaults,
+                       const struct setting *row)
+{
+    const double a = settings_get(settings, row);
+    const double b = settings_get(defaults, row);
+    return a < b || a > b;
+}
+
+void settings_print_changes(const struct settings *settings, const char *before, FILE *out)
+{
+    const struct settings defaults = settings_default();
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            if (!is_changed(settings, &defaults, row))
+                continue;
+            fprintf(out, "%s%s=", before, row->name);
+            settings_print(settings, row, out);
+            fputc('\n', out);
+        }
+    }
+}

@@ -76,6 +76,9 @@ enum setting_effect settings_changed(const struct settings *before, const struct
 /* A row's value as --set takes it: "0.33", "on", "neutral". */
 void settings_print(const struct settings *settings, const struct setting *row, FILE *out);
 
+/* Prints a line "NAME=VALUE" for each row whose value is not the default; `before` each name. */
+void settings_print_changes(const struct settings *settings, const char *before, FILE *out);
+
 /* A number with as many digits as it takes to get the same float back. */
 void settings_print_number(float value, FILE *out);
 

@@ -228,25 +228,6 @@ void session_finish(struct session *s)
 
 /* ---- out ---- */
 
-/* Those that are not the defaults. */
-static void print_settings(const char *before, const struct settings *settings, FILE *out)
-{
-    const struct settings defaults = settings_default();
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            const double a = settings_get(settings, row);
-            const double b = settings_get(&defaults, row);
-            if (!(a < b || a > b))
-                continue;
-            fprintf(out, "%s%s=", before, row->name);
-            settings_print(settings, row, out);
-            fputc('\n', out);
-        }
-    }
-}
-
 static void print_number(const char *name, float value, FILE *out)
 {
     fprintf(out, "%s=", name);
@@ -276,7 +257,7 @@ void session_print(const struct session *s, FILE *out)
         fprintf(out, "b=%s\n", others[state->other]);
     if (state->split)
         fprintf(out, "b.rung=%s\n", state->split->rung.name);
-    print_settings("", &state->settings, out);
+    settings_print_changes(&state->settings, "", out);
     if (state->other == VIEW_OTHER_STATE)
-        print_settings("b.", &state->right, out);
+        settings_print_changes(&state->right, "b.", out);
 }

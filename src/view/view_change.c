@@ -163,25 +163,12 @@ void view_load_preset(struct view *v, const char *path)
 
 static char *print_preset(const struct settings *settings, size_t *size)
 {
-    const struct settings defaults = settings_default();
-    const struct setting_group *group;
     char *text = NULL;
     FILE *out = open_memstream(&text, size);
     if (!out)
         return NULL;
     fputs("# settings for firn --preset\n", out);
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            const double a = settings_get(settings, row);
-            const double b = settings_get(&defaults, row);
-            if (!(a < b || a > b))
-                continue;
-            fprintf(out, "%s=", row->name);
-            settings_print(settings, row, out);
-            fputc('\n', out);
-        }
-    }
+    settings_print_changes(settings, "", out);
     if (fclose(out) == 0)
         return text;
     free(text);
