@@ -3,7 +3,7 @@ import json
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_DRIVER, USAGE, Case, main, unsanitized  # noqa: E402
+from case import DATA, NO_DRIVER, USAGE, Case, long, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
@@ -54,7 +54,7 @@ class Animation(Case):
                             'motion.time=0.8', env=NO_DRIVER)
         self.assertEqual(at_rest, moving[0])
 
-    @unsanitized
+    @long
     def test_fifty_objects_move(self):
         """What rays meet is posed anew: frames are those of processes of their own."""
         places = [[3 * (i % 10), 3 * (i // 10), -(i % 3)] for i in range(50)]

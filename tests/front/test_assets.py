@@ -16,7 +16,8 @@ import unittest
 import zlib
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL, Case, main, unsanitized  # noqa: E402
+from case import (  # noqa: E402
+    DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL, Case, long, main, unsanitized)
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -30,7 +31,7 @@ TRACED = ['--refraction', 'reference']
 
 class Generators(Case):
     @unittest.skipIf('ng' in zlib.ZLIB_RUNTIME_VERSION, 'zlib-ng packs other bytes')
-    @unsanitized
+    @long
     def test_they_make_the_files(self):
         importlib.import_module('make').main(self.folder)
         made = self.files()

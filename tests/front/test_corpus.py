@@ -15,7 +15,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'corpus'))
 from builders import ACCEPTED, DRAWN, EITHER, REFUSED  # noqa: E402
-from case import CRACKED, DATA, PLAIN, TRY_AGAIN, Case, long, main, unsanitized  # noqa: E402
+from case import CRACKED, DATA, PLAIN, TRY_AGAIN, Case, long, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from make_corpus import (  # noqa: E402
     BASELINE, DIFF, ENVIRONMENT, MERGE, MODEL, PRESET, SURROUNDINGS, corpus, write)
@@ -102,7 +102,7 @@ class Corpus(Case):
     def test_the_others(self):
         self.check_each([entry for i, entry in enumerate(corpus()) if i % 3])
 
-    @unsanitized
+    @long
     def test_pixels_of_extreme_scenes_are_numbers(self):
         def draw(seed):
             words, files = scene(seed)

@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CRACKED, Case, main, unsanitized  # noqa: E402
+from case import CRACKED, Case, long, main, unsanitized  # noqa: E402
 from exr_file import Exr  # noqa: E402
 
 FOLDER = pathlib.Path(__file__).resolve().parents[1] / 'golden' / 'pictures'
@@ -78,7 +78,7 @@ class Goldens(Case):
             with self.subTest(name):
                 self.draw(*arguments, '--size', '64x48', *CRACKED, '--validate')
 
-    @unsanitized
+    @long
     def test_seeds(self):
         for name in ('cracks.seed', 'air.seed', 'bubbles.seed', 'bump.seed'):
             with self.subTest(name):

@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ElementTree
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, main, unsanitized)
+    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, long, main, unsanitized)
 from exr_file import Exr  # noqa: E402
 from test_show import Png  # noqa: E402
 
@@ -126,7 +126,7 @@ class Numbers(LadderCase):
         self.assertGreater(said['rungs']['one-sided']['ms'], 0)
         self.assertGreater(said['reference_ms'], 0)
 
-    @unsanitized
+    @long
     def test_several_scenes(self):
         words = ('--size', '48x36', '--rungs', 'paper,bounce', '--runs', 0)
         one = self.ladder('ice-cube', *words)
@@ -167,7 +167,7 @@ class Numbers(LadderCase):
         self.assertLess(masked['rungs']['paper']['truth'], said['rungs']['paper']['truth'] / 2)
         self.assertIn('truth', self.succeed('ladder', *words).stdout.decode())
 
-    @unsanitized
+    @long
     def test_the_independent_truth(self):
         """A path tracer's picture of an irregular cube in a finite landscape."""
         said = self.ladder(DATA_FOLDER / 'cube.obj', '--surroundings',

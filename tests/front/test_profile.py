@@ -8,7 +8,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, Case, main, unsanitized)
+    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, Case, long, main)
 
 # On a busy machine the test of timestamps is repeated, unless they are not used.
 SUBMITS = ('--clock', 'submits')
@@ -159,7 +159,7 @@ class Sweep(Profile):
 
 
 class Paper(Profile):
-    @unsanitized
+    @long
     def test_table(self):
         done = self.succeed('profile', 'paper', '--size', '256x192', '--runs', '1', '--warmup', '0',
                             *SUBMITS, '--json', 'p.json')

@@ -7,7 +7,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 import test_features as features  # noqa: E402
-from case import DATA, NO_DRIVER, PLAIN, USAGE, Case, main, unsanitized  # noqa: E402
+from case import DATA, NO_DRIVER, PLAIN, USAGE, Case, long, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass, with_nodes  # noqa: E402
 
@@ -112,7 +112,7 @@ class Scenes(Case):
         words = ('render', 'two.gltf', *SMALL, '-o', 'a.exr', '-r', 'bounce')
         self.assertEqual(self.succeed(*words).stderr, b'')
 
-    @unsanitized
+    @long
     def test_a_second_set_is_said(self):
         """Of textures that rungs of faces draw; the scene's own rung has all sets."""
         self.succeed('render', 'sphere', *SMALL, *PLAIN, '-o', 'a.png')

@@ -4,7 +4,7 @@ import math
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import FLAT, NO_DRIVER, SMALL_CUBE, Case, main, unsanitized  # noqa: E402
+from case import FLAT, NO_DRIVER, SMALL_CUBE, Case, long, main, unsanitized  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -60,7 +60,7 @@ class Trace(Case):
         self.check(0.004, 'sphere', *SIZE, '--set', 'trace.surroundings=rays',
                    '--set', 'refract.fresnel=exact', '--surroundings', 'floor.obj')
 
-    @unsanitized
+    @long
     def test_rough(self):
         self.write('rough.gltf', (glass(1.5, roughness=0.3), [0, 0, 0], 1),
                    (glass(1.5), [2.5, 0, -2], 1))
@@ -132,7 +132,7 @@ class Trace(Case):
         light = self.planes('teapot', *WHITE, *SIZE, '-r', 'trace')
         self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
 
-    @unsanitized
+    @long
     def test_no_light_is_made(self):
         """What is opaque or absorbs takes light, and so do rough surfaces, whose light is scattered
         once alone; none adds any."""
@@ -147,7 +147,7 @@ class Trace(Case):
             self.assertTrue(all(0 <= x < 1.002 for x in found), scene)
             self.assertLess(1 - sum(found) / len(found), most, scene)
 
-    @unsanitized
+    @long
     def test_many_objects(self):
         """Sets of objects are other ones if there are many, with the same pictures."""
         kinds = [glass(1.3 + 0.1 * k, color=[1, 1 - 0.2 * k, 0.6 + 0.2 * k]) for k in range(3)]

@@ -9,7 +9,8 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DEVICE, NO_INPUT, PLAIN, SMALL, USAGE, Case, environment, main  # noqa: E402
+from case import (  # noqa: E402
+    NO_DEVICE, NO_INPUT, PLAIN, SMALL, USAGE, Case, environment, long, main)
 from desktop import PATIENCE, Desktop, wait_until  # noqa: E402
 from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
@@ -303,6 +304,7 @@ class Automatic(WindowCase):
         self.assertEqual(process.returncode, 0)
         return sizes
 
+    @long
     def test_memory_stays_the_same(self):
         """A leak grows in each quarter of the processor's time; what a library keeps does once."""
         cheap = [word for row in ('env_cube.dynamic=off', 'cracks.count=0', 'bubbles.count=0')

@@ -2,7 +2,7 @@
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import FLAT, PLAIN, main  # noqa: E402
+from case import FLAT, PLAIN, long, main  # noqa: E402
 from desktop import Desktop  # noqa: E402
 from test_device import OLDER, TRY_AGAIN, WINDOW, Fault, LayerCase  # noqa: E402
 
@@ -36,6 +36,7 @@ class Window(LayerCase):
         lines = [line for line in words.splitlines() if not line.startswith('fail_layer: ')]
         return lines, code, left
 
+    @long
     def test_a_device_is_lost_once(self):
         """The window goes on with another, and with the same picture."""
         counts = self.count(*WHOLE, '-q')

@@ -8,7 +8,7 @@ import shutil
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CRACKED, NO_INPUT, Case, main  # noqa: E402
+from case import CRACKED, NO_INPUT, Case, long, main  # noqa: E402
 from desktop import wait_until  # noqa: E402
 from test_view import WindowCase, png_pixels  # noqa: E402
 
@@ -76,6 +76,7 @@ class Watch(WatchCase):
         self.expect(self.first)
         self.quit()
 
+    @long
     def test_an_included_file(self):
         """Shaders that include it change together, or not at all."""
         path = 'cracks_vert.glsl'  # of two shaders
@@ -90,6 +91,7 @@ class Watch(WatchCase):
         self.expect_words('my shaders: 3 shaders compiled')
         self.quit()
 
+    @long
     def test_a_file_of_several_shaders(self):
         """Each is compiled with flags of its own."""
         name = 'refract_paper.frag'
