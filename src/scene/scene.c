@@ -412,6 +412,19 @@ static void forget_environment(struct scene *scene, const struct scene *before)
     scene->cube = (struct environment){ 0 };
 }
 
+/* What is around the object: what the params name, what comes with a built-in scene, or, in the
+ * open and around a bare object, the landscape. */
+static enum status load_surroundings(struct scene *scene, const struct scene_params *params)
+{
+    const struct scene_builtin *builtin = scene_find_builtin(params->name);
+    if (params->surroundings)
+        return add_surroundings(scene, params);
+    if (builtin && builtin->surround)
+        return add_builtin_surroundings(scene, builtin);
+    const bool is_bare = !scene->model.surroundings.index_count;
+    return is_bare && scene->background == SCENE_SKY ? add_landscape(scene, params) : STATUS_OK;
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *given)
 {
     struct scene_params own = *given;
@@ -431,14 +444,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     scene->framed = scene->box;
     scene->time = params->pose.time;
     scene->is_convex = mesh_is_convex(&scene->model.object);
-    const struct scene_builtin *builtin = scene_find_builtin(params->name);
-    bool bare = !params->surroundings && !scene->model.surroundings.index_count;
-    if (status == STATUS_OK && params->surroundings)
-        status = add_surroundings(scene, params);
-    else if (status == STATUS_OK && builtin && builtin->surround)
-        status = add_builtin_surroundings(scene, builtin);
-    else if (status == STATUS_OK && bare && scene->background == SCENE_SKY)
-        status = add_landscape(scene, params);
+    if (status == STATUS_OK)
+        status = load_surroundings(scene, params);
     scene->around = scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);
     /* The environment cube is drawn from this point, and cameras are often near it. */
     if (status == STATUS_OK &&

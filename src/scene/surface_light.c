@@ -301,7 +301,9 @@ vec4s surface_light_guide(const struct environment *environment, const uint16_t 
     const size_t count = (size_t)LIT_WIDTH * LIT_HEIGHT;
     float most = 0.0f, mean = 0.0f, cosine = 1.0f;
     vec3s dir, brightest = { { 0.0f, 1.0f, 0.0f } }, axis = glms_vec3_zero();
-    for (size_t i = 0; table && i < count; i++) {
+    if (!table)
+        return none;
+    for (size_t i = 0; i < count; i++) {
         const float light = guide_texel(table, i, &dir);
         mean += light * sqrtf(1.0f - dir.y * dir.y) * 0.5f * pi / (float)count;
         if (light > most)

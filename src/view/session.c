@@ -126,37 +126,61 @@ static bool parse_other(const char *value, enum view_other *other)
     return false;
 }
 
+/* Numbers, each with what is said of one whose size exceeds `most`. */
+static const struct {
+    const char *name;
+    size_t offset; /* in struct session */
+    float most;
+    const char *expected;
+} numbers[] = {
+    { "env-rotate", offsetof(struct session, state.env_rotate), 360.0f, "-360 to 360 degrees" },
+    { "env-exposure", offsetof(struct session, env_exposure), 16.0f, "-16 to 16 stops" },
+    { "time", offsetof(struct session, time), 1e5f, "-100000 to 100000 seconds" },
+};
+
+static bool parse_number(struct session *s, const char *name, const char *value,
+                         const char **expected)
+{
+    for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++) {
+        if (strcmp(name, numbers[i].name) != 0)
+            continue;
+        float *number = (float *)((char *)s + numbers[i].offset);
+        const bool ok = parse_numbers(value, number, 1) && fabsf(*number) <= numbers[i].most;
+        *expected = ok ? NULL : numbers[i].expected;
+        return true;
+    }
+    return false;
+}
+
+static bool parse_place(struct session *s, const char *name, const char *value,
+                        const char **expected)
+{
+    const bool is_stored = !strncmp(name, "camera-", 7) && name[7] >= '1' &&
+                           name[7] < '1' + SESSION_BOOKMARK_COUNT && !name[8];
+    if (!is_stored && strcmp(name, "camera") != 0)
+        return false;
+    const int i = is_stored ? name[7] - '1' : 0;
+    bool *is_there = is_stored ? &s->bookmarked[i] : &s->has_camera;
+    *is_there = parse_camera(value, is_stored ? &s->bookmarks[i] : &s->camera);
+    *expected = *is_there ? NULL : "the twelve numbers of a camera";
+    return true;
+}
+
 /* Whether it is one of what is no setting; *expected: what its value should have been; NULL: it is
  * right. */
 static bool parse_own(struct session *s, const char *name, char *value, const char **expected)
 {
-    bool ok = true;
     *expected = NULL;
+    if (parse_number(s, name, value, expected) || parse_place(s, name, value, expected))
+        return true;
     if (!strcmp(name, "scene") || !strcmp(name, "env")) {
         *(*name == 's' ? &s->scene : &s->environment) = value;
         *expected = decode_name(value) ? NULL : "a name or a file";
-    } else if (!strcmp(name, "env-rotate")) {
-        ok = parse_numbers(value, &s->state.env_rotate, 1) && fabsf(s->state.env_rotate) <= 360.0f;
-        *expected = ok ? NULL : "-360 to 360 degrees";
-    } else if (!strcmp(name, "env-exposure")) {
-        ok = parse_numbers(value, &s->env_exposure, 1) && fabsf(s->env_exposure) <= 16.0f;
-        *expected = ok ? NULL : "-16 to 16 stops";
-    } else if (!strcmp(name, "time")) {
-        ok = parse_numbers(value, &s->time, 1) && fabsf(s->time) <= 1e5f;
-        *expected = ok ? NULL : "-100000 to 100000 seconds";
     } else if (!strcmp(name, "rung") || !strcmp(name, "b.rung")) {
-        ok = parse_rung(value, *name == 'r' ? &s->state.rung : &s->state.split);
+        const bool ok = parse_rung(value, *name == 'r' ? &s->state.rung : &s->state.split);
         *expected = ok ? NULL : "a rung (firn list rungs)";
     } else if (!strcmp(name, "b")) {
         *expected = parse_other(value, &s->state.other) ? NULL : "none, rung, stored or reference";
-    } else if (!strcmp(name, "camera")) {
-        s->has_camera = parse_camera(value, &s->camera);
-        *expected = s->has_camera ? NULL : "the twelve numbers of a camera";
-    } else if (!strncmp(name, "camera-", 7) && name[7] >= '1' &&
-               name[7] < '1' + SESSION_BOOKMARK_COUNT && !name[8]) {
-        const uint32_t i = (uint32_t)(name[7] - '1');
-        s->bookmarked[i] = parse_camera(value, &s->bookmarks[i]);
-        *expected = s->bookmarked[i] ? NULL : "the twelve numbers of a camera";
     } else
         return false;
     return true;

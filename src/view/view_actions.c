@@ -219,37 +219,55 @@ static void step_time(struct view *v, float frames)
     ui_say(v->ui, words);
 }
 
+/* Saves or copies something. Whether that is what the action does. */
+static bool save(struct view *v, enum view_action action)
+{
+    if (action == VIEW_SCREENSHOT || action == VIEW_SHOT_OF_ALL) {
+        v->shoot = true;
+        v->shoot_all = action == VIEW_SHOT_OF_ALL;
+    } else if (action == VIEW_COPY_PICTURE)
+        v->shoot = v->shoot_copy = true;
+    else if (action == VIEW_COPY)
+        copy_command(v);
+    else if (action == VIEW_SAVE_SESSION)
+        view_save_session(v);
+    else if (action == VIEW_SAVE_PRESET)
+        view_save_preset(v);
+    else
+        return false;
+    return true;
+}
+
+/* Goes to the next or the last one of something. Whether that is what the action does. */
+static bool step(struct view *v, enum view_action action)
+{
+    if (action == VIEW_NEXT_FRAME || action == VIEW_LAST_FRAME)
+        step_time(v, action == VIEW_NEXT_FRAME ? 1.0f : -1.0f);
+    else if (action == VIEW_NEXT_FILE || action == VIEW_LAST_FILE)
+        open_next(v, action == VIEW_NEXT_FILE ? 1 : -1);
+    else if (action == VIEW_NEXT_LAYER || action == VIEW_LAST_LAYER)
+        step_layer(v, action == VIEW_NEXT_LAYER ? 1 : -1);
+    else
+        return false;
+    return true;
+}
+
 static void change_picture(struct view *v, enum view_action action)
 {
+    if (save(v, action) || step(v, action))
+        return;
     if (action == VIEW_PAUSE) {
         v->paused = !v->paused;
         view_show_name(v);
-    } else if (action == VIEW_SCREENSHOT || action == VIEW_SHOT_OF_ALL) {
-        v->shoot = true;
-        v->shoot_all = action == VIEW_SHOT_OF_ALL;
-    } else if (action == VIEW_COPY_PICTURE) {
-        v->shoot = v->shoot_copy = true;
     } else if (action == VIEW_DIVIDER_LEFT || action == VIEW_DIVIDER_RIGHT) {
-        const double step = action == VIEW_DIVIDER_LEFT ? -key_slide : key_slide;
-        view_slide(v, v->picture->divider + step);
-    } else if (action == VIEW_NEXT_FRAME || action == VIEW_LAST_FRAME) {
-        step_time(v, action == VIEW_NEXT_FRAME ? 1.0f : -1.0f);
+        const double by = action == VIEW_DIVIDER_LEFT ? -key_slide : key_slide;
+        view_slide(v, v->picture->divider + by);
     } else if (action == VIEW_BRIGHTER || action == VIEW_DARKER) {
         view_expose(v, action == VIEW_BRIGHTER ? key_stops : -key_stops);
-    } else if (action == VIEW_COPY) {
-        copy_command(v);
     } else if (action == VIEW_UNDO || action == VIEW_REDO) {
         view_undo(v, action == VIEW_REDO);
-    } else if (action == VIEW_NEXT_FILE || action == VIEW_LAST_FILE) {
-        open_next(v, action == VIEW_NEXT_FILE ? 1 : -1);
-    } else if (action == VIEW_NEXT_LAYER || action == VIEW_LAST_LAYER) {
-        step_layer(v, action == VIEW_NEXT_LAYER ? 1 : -1);
     } else if (action == VIEW_FALSE_COLORS) {
         v->look_wanted.false_color = !v->look_wanted.false_color;
-    } else if (action == VIEW_SAVE_SESSION) {
-        view_save_session(v);
-    } else if (action == VIEW_SAVE_PRESET) {
-        view_save_preset(v);
     }
 }
 

@@ -258,9 +258,10 @@ static void boxes_and_balls(void **state)
         struct box found = { bubble.center, bubble.center };
         uint32_t inside = 0;
         for (uint32_t k = 0; k < COUNT * COUNT * COUNT; k++) {
+            const uint32_t row = k / COUNT, layer = row / COUNT;
             const vec3s share = { { ((float)(k % COUNT) + 0.5F) / COUNT,
-                                    ((float)(k / COUNT % COUNT) + 0.5F) / COUNT,
-                                    ((float)(k / COUNT / COUNT) + 0.5F) / COUNT } };
+                                    ((float)(row % COUNT) + 0.5F) / COUNT,
+                                    ((float)layer + 0.5F) / COUNT } };
             const vec3s point = glms_vec3_add(box.min, glms_vec3_mul(size, share));
             if (!bubble_holds(&bubble, point))
                 continue;

@@ -173,7 +173,7 @@ static void test_capsule(void **state)
     worm.is_capsule = true;
     for (int axis = 0; axis < 3; axis++) {
         struct scene scene = block_scene();
-        worm.axis = (vec3s){ { axis == 0, axis == 1, axis == 2 } };
+        worm.axis = (vec3s){ { (float)(axis == 0), (float)(axis == 1), (float)(axis == 2) } };
         add_shape(&scene, worm);
         const double b = axis == 2 ? 0.6 : 0.4;
         const double inner = asin(b) - bent(asin(b), ice, air); /* below 0: outward */
