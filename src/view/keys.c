@@ -222,7 +222,7 @@ static const struct {
         .characters = "dD",
         .name = "D",
         .label = "difference of A and B",
-        .help = "show how far A and B look apart, by FLIP from black to yellow, or the pictures",
+        .help = "show the differences of A and B, by FLIP from black to yellow, or the pictures",
     },
     [VIEW_DIVIDER_LEFT] = {
         .characters = "[",

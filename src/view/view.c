@@ -160,7 +160,7 @@ static void finish(struct view *v)
 {
     leave_device(v);
     noise_finish(&v->refine.noise);
-    apart_finish(&v->compare.apart);
+    error_map_finish(&v->compare.map);
     image_finish(&v->compare.file.linear);
     session_finish(&v->session);
     picture_destroy(v->picture);

@@ -228,7 +228,7 @@ static void follow_truth(struct view *v)
     }
 }
 
-/* ---- how far both are apart ---- */
+/* ---- errors ---- */
 
 static uint32_t count_of(const struct view *v)
 {
@@ -238,18 +238,18 @@ static uint32_t count_of(const struct view *v)
 }
 
 /* False: there is nothing to compare yet, or sizes differ. */
-static bool find_sides(struct view *v, struct apart_side sides[static 2])
+static bool find_sides(struct view *v, struct error_side sides[static 2])
 {
     const struct picture *p = v->picture;
     const struct still *still = still_of(v);
     if (!p->renderer || !is_at_rest(v))
         return false;
     const float scale = 1.0f / (float)renderer_sum_count(p->renderer);
-    sides[0] = (struct apart_side){ renderer_sums(p->renderer), scale, false };
+    sides[0] = (struct error_side){ renderer_sums(p->renderer), scale, false };
     if (still)
-        sides[1] = (struct apart_side){ &still->linear, 1.0f, still->is_shown };
+        sides[1] = (struct error_side){ &still->linear, 1.0f, still->is_shown };
     else if (p->right)
-        sides[1] = (struct apart_side){ renderer_sums(p->right), scale, false };
+        sides[1] = (struct error_side){ renderer_sums(p->right), scale, false };
     return (still || p->right) && sides[0].image->width &&
            sides[0].image->width == sides[1].image->width &&
            sides[0].image->height == sides[1].image->height;
@@ -259,8 +259,8 @@ static bool is_compared(const struct view *v)
 {
     const struct view_compare *c = &v->compare;
     const float gain = gain_of(v);
-    return c->apart_count == count_of(v) && view_refine_is_same(&c->apart_seen, &v->refine.seen) &&
-           !(gain < c->apart_gain || gain > c->apart_gain);
+    return c->map_count == count_of(v) && view_refine_is_same(&c->map_seen, &v->refine.seen) &&
+           !(gain < c->map_gain || gain > c->map_gain);
 }
 
 /* The first few means, and the last one. */
@@ -274,34 +274,34 @@ static void take_errors(struct view *v)
 {
     struct view_compare *c = &v->compare;
     char words[160];
-    if (!apart_take(&c->apart))
+    if (!error_map_take(&c->map))
         return;
-    c->has_errors = !c->apart.failed;
-    c->errors_seen = c->apart_seen;
+    c->has_errors = !c->map.failed;
+    c->errors_seen = c->map_seen;
     c->errors.is_made = false;
     v->changed = true;
-    if (c->apart.failed) {
+    if (c->map.failed) {
         ui_fail(v->ui, "there is no memory to compare both pictures: make the window smaller");
         return;
     }
-    snprintf(words, sizeof(words), "FLIP: mean %.4f, 95 %% of the pixels below %.4f", c->apart.mean,
-             c->apart.high);
+    snprintf(words, sizeof(words), "FLIP: mean %.4f, 95 %% of the pixels below %.4f", c->map.mean,
+             c->map.high);
     ui_say(v->ui, words);
 }
 
 static void follow_errors(struct view *v)
 {
     struct view_compare *c = &v->compare;
-    struct apart_side sides[2];
+    struct error_side sides[2];
     take_errors(v);
-    if (!c->differs || c->apart.runs || !is_at_rest(v) || !is_due(v) ||
+    if (!c->differs || c->map.runs || !is_at_rest(v) || !is_due(v) ||
         (c->has_errors && !c->errors.is_made)) /* it is still to be shown */
         return;
-    c->apart_seen = v->refine.seen;
-    c->apart_count = count_of(v);
-    c->apart_gain = gain_of(v);
+    c->map_seen = v->refine.seen;
+    c->map_count = count_of(v);
+    c->map_gain = gain_of(v);
     if (find_sides(v, sides))
-        (void)apart_begin(&c->apart, sides, c->apart_gain, tone_of(v)->curve);
+        (void)error_map_begin(&c->map, sides, c->map_gain, tone_of(v)->curve);
     else if (still_of(v) && still_of(v)->linear.width)
         ui_say(v->ui, "both pictures have different sizes: start with --size as large as the file");
 }
@@ -334,8 +334,8 @@ enum status view_compare_show(struct view *v)
     if (!c->errors.is_made)
         status = screen_wait(&v->screen);
     if (status == STATUS_OK)
-        status = still_put(&c->errors, &v->gpu, c->apart.rgba,
-                           (VkExtent2D){ c->apart.width, c->apart.height });
+        status = still_put(&c->errors, &v->gpu, c->map.rgba,
+                           (VkExtent2D){ c->map.width, c->map.height });
     p->instead = c->errors.image.image;
     return status;
 }

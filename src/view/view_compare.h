@@ -2,7 +2,7 @@
 #ifndef FIRN_VIEW_VIEW_COMPARE_H
 #define FIRN_VIEW_VIEW_COMPARE_H
 
-#include "src/view/apart.h"
+#include "src/view/error_map.h"
 #include "src/view/history.h"
 #include "src/view/still.h"
 #include "src/view/truth.h"
@@ -22,11 +22,11 @@ struct view_compare {
     struct truth truth;
     struct view_seen truth_seen; /* by it */
     bool truth_failed;           /* of this picture; it has been said */
-    bool differs;                /* a hand wants to see how far both are apart */
-    struct apart apart;
-    struct view_seen apart_seen; /* by its job */
-    uint32_t apart_count;        /* samples of both sides then */
-    float apart_gain;
+    bool differs;                /* the errors between both are asked for */
+    struct error_map map;
+    struct view_seen map_seen; /* by its job */
+    uint32_t map_count;        /* samples of both sides then */
+    float map_gain;
     struct still errors; /* its picture, of: */
     struct view_seen errors_seen;
     bool has_errors;

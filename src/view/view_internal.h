@@ -122,7 +122,7 @@ void view_compare_with(struct view *view, enum view_other other);
 void view_compare_toggle(struct view *view); /* something is on the right, or nothing */
 void view_compare_store(struct view *view);  /* for the right: what is on the left */
 void view_compare_flip(struct view *view);   /* the right in place of the left, or not */
-void view_compare_differ(struct view *view); /* how far both are apart, or not */
+void view_compare_differ(struct view *view); /* the errors between both, or not */
 
 /* The next picture that comes is for the right; whether this file is one; and its use. */
 void view_compare_await(struct view *view);

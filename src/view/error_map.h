@@ -1,10 +1,10 @@
 /*
- * apart.h: how far two pictures look apart: FLIP of each pixel, on a thread of its own.
+ * error_map.h: how different two pictures look: FLIP of each pixel, on a thread of its own.
  *
  * They are compared as they are shown, tonemapped, as `firn diff` compares two PNG files.
  */
-#ifndef FIRN_VIEW_APART_H
-#define FIRN_VIEW_APART_H
+#ifndef FIRN_VIEW_ERROR_MAP_H
+#define FIRN_VIEW_ERROR_MAP_H
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -13,13 +13,13 @@
 #include "src/image/image.h"
 
 /* A picture: planes R, G and B of an image. */
-struct apart_side {
+struct error_side {
     const struct image *image;
     float scale;   /* of its values */
     bool is_shown; /* they are tonemapped */
 };
 
-struct apart {
+struct error_map {
     pthread_t thread;
     bool runs;
     atomic_bool done;
@@ -34,14 +34,14 @@ struct apart {
     double mean, high; /* high: 95 % of the pixels have no larger error */
 };
 
-void apart_finish(struct apart *apart); /* waits for the thread; {0} is fine */
+void error_map_finish(struct error_map *map); /* waits for the thread; {0} is fine */
 
 /* Compares the first with the second, of the same size; both are copied. `gain` and `curve`:
  * tonemap_apply(). Nothing may be running. False: out of memory. */
-bool apart_begin(struct apart *apart, const struct apart_side sides[static 2], float gain,
-                 uint32_t curve);
+bool error_map_begin(struct error_map *map, const struct error_side sides[static 2], float gain,
+                     uint32_t curve);
 
 /* True once when it is done: `rgba` (unless it failed), `mean` and `high` are there. */
-bool apart_take(struct apart *apart);
+bool error_map_take(struct error_map *map);
 
 #endif
